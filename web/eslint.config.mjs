@@ -32,6 +32,7 @@ const kLayers = [
   'ui/widgets',
   'ui/panels',
   'ui',
+  'ui/study',
   '',
 ];
 

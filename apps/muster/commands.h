@@ -19,6 +19,8 @@ void addSweepCommand(CommandLine& line);
 void addStudyCommand(CommandLine& line);
 
 // Commands of `muster study`.
+void addStudyRunCommand(Subcommand& study);
+void addStudyReplayCommand(Subcommand& study);
 void addStudyReportCommand(Subcommand& study);
 void addStudyExportCommand(Subcommand& study);
 

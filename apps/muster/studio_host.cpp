@@ -1,225 +1,12 @@
-// The studio: one thread simulates, another serves. The server posts events to the simulation.
-#include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <cstdio>
-#include <cstdlib>
-#include <exception>
-#include <filesystem>
-#include <functional>
-#include <map>
-#include <set>
-#include <thread>
-#include <variant>
-
-#include "browser.h"
-#include "mailbox.h"
-#include "motion_bodies.h"
-#include "muster/session.h"
+// The studio: its session and the page that shows it.
+#include "host_loop.h"
 #include "report.h"
 #include "scenario_folder.h"
-#include "session/protocol.h"
 #include "studio.h"
-#include "studio_server.h"
 #include "take_file.h"
 
 namespace muster {
 namespace {
-
-constexpr std::size_t kMailboxBytes = std::size_t{128} << 20;  // Enough for a take and many messages.
-constexpr double kLongestWait = 0.25;                          // [s]
-constexpr int kExitInterrupted = 130;                          // The exit code that shells use for Ctrl+C.
-
-// Events that the server posts to the simulation.
-struct Opened {
-    ConnectionId connection;
-};
-struct Received {
-    ConnectionId connection;
-    std::vector<std::uint8_t> bytes;
-};
-struct Refused {
-    ConnectionId connection;
-    std::string code;
-    std::string text;
-};
-struct Closed {
-    ConnectionId connection;
-};
-struct TakeRequested {
-    HttpReply reply;
-};
-struct TakeUploaded {
-    std::vector<std::uint8_t> bytes;
-    HttpReply reply;
-};
-struct Interrupted {};
-using HostEvent = std::variant<Opened, Received, Refused, Closed, TakeRequested, TakeUploaded, Interrupted>;
-
-int httpStatus(StatusCode code) {
-    if (code == StatusCode::NotFound) return 404;
-    return code == StatusCode::LimitExceeded ? 413 : 400;
-}
-
-HttpAnswer sentence(int status, const std::string& words) {
-    HttpAnswer answer;
-    answer.status = status;
-    answer.body = words + "\n";
-    return answer;
-}
-
-HttpAnswer failure(const Status& status) {
-    return sentence(httpStatus(status.code()), status.message());
-}
-
-bool beginsWorld(const std::vector<std::uint8_t>& bytes) {
-    static const auto restart = protocol::encode(protocol::Playback{protocol::PlaybackAction::Restart});
-    static const auto demonstrate = protocol::encode(
-        protocol::Playback{protocol::PlaybackAction::Demonstrate});
-    return !bytes.empty() &&
-           (bytes[0] == protocol::LoadScenario::kNumber || bytes == restart || bytes == demonstrate);
-}
-
-// A new world costs much and replaces everything before it. Of equal waiting requests only the last is
-// handled, so that a client cannot keep the simulation busy by repeating one.
-void dropRepeated(std::vector<HostEvent>& events) {
-    std::set<std::vector<std::uint8_t>> seen;
-    for (auto event = events.rbegin(); event != events.rend(); ++event) {
-        auto* received = std::get_if<Received>(&*event);
-        if (received == nullptr || !beginsWorld(received->bytes)) continue;
-        // No client has this number, so the event is ignored.
-        if (!seen.insert(received->bytes).second) received->connection = 0;
-    }
-}
-
-// Owns the session and handles events, on the thread that calls run().
-class Simulation {
-public:
-    Simulation(Session session, Mailbox<HostEvent>& mailbox, StudioServer& server,
-               const std::atomic<bool>& interrupted)
-        : session_(std::move(session)), mailbox_(mailbox), server_(server), interrupted_(interrupted) {}
-
-    // Returns when interrupted.
-    void run() {
-        using Clock = std::chrono::steady_clock;
-        std::vector<HostEvent> events;
-        auto last = Clock::now();
-        while (!interrupted_) {
-            mailbox_.collect(
-                clients_.empty() ? kLongestWait : std::min(kLongestWait, session_.untilNextStep()), events);
-            const auto now = Clock::now();
-            // The world stands still while no client is connected.
-            if (!clients_.empty()) session_.elapse(std::chrono::duration<double>(now - last).count());
-            last = now;
-            dropRepeated(events);
-            for (HostEvent& event : events) {
-                if (interrupted_) break;
-                std::visit(*this, event);
-            }
-            if (!clients_.empty() && session_.stepDue()) session_.step();
-            flush();
-        }
-        session_.finish();
-    }
-
-    void operator()(Opened& event) { clients_[event.connection] = session_.connect(); }
-    void operator()(Received& event) {
-        const auto found = clients_.find(event.connection);
-        if (found != clients_.end()) session_.receive(found->second, event.bytes);
-    }
-    void operator()(Refused& event) {
-        const auto found = clients_.find(event.connection);
-        if (found != clients_.end()) session_.notice(found->second, true, event.code, event.text);
-    }
-    void operator()(Closed& event) {
-        const auto found = clients_.find(event.connection);
-        if (found == clients_.end()) return;
-        session_.disconnect(found->second);
-        clients_.erase(found);
-    }
-    void operator()(TakeRequested& event) {
-        auto bytes = session_.take();
-        if (!bytes.ok()) return event.reply(failure(bytes.status()));
-        HttpAnswer answer;
-        answer.type = "application/octet-stream";
-        answer.body.assign(bytes.value().begin(), bytes.value().end());
-        answer.fileName = session_.takeName();
-        event.reply(std::move(answer));
-    }
-    void operator()(TakeUploaded& event) {
-        const Status status = session_.openTake(event.bytes, "take");
-        if (!status.ok()) return event.reply(failure(status));
-        event.reply(sentence(200, "The take is open."));
-    }
-    void operator()(Interrupted&) {}  // The event only ends the wait for the mailbox.
-
-private:
-    void flush() {
-        for (const auto& [connection, client] : clients_) {
-            std::vector<MessageBytes> messages;
-            session_.outgoing(client, messages);
-            if (!messages.empty()) server_.send(connection, std::move(messages));
-        }
-    }
-
-    Session session_;
-    Mailbox<HostEvent>& mailbox_;
-    StudioServer& server_;
-    std::map<ConnectionId, std::uint32_t> clients_;
-    const std::atomic<bool>& interrupted_;
-};
-
-// Runs the server on its own thread; the destructor stops it.
-class Serving {
-public:
-    Serving(StudioServer& server, const std::function<void()>& failed)
-        : server_(server), thread_([this, failed] { run(failed); }) {}
-    ~Serving() {
-        server_.stop();
-        thread_.join();
-    }
-    bool good() const { return good_; }
-
-private:
-    void run(const std::function<void()>& failed) {
-        try {
-            server_.run();
-        } catch (const std::exception& error) {
-            std::fprintf(stderr, "muster studio: the server ended: %s\n", error.what());
-            good_ = false;
-            failed();
-        }
-    }
-
-    StudioServer& server_;
-    std::atomic<bool> good_ = true;
-    std::thread thread_;  // The last member, because the thread uses the others.
-};
-
-ServerEvents eventsTo(Mailbox<HostEvent>& mailbox, std::atomic<bool>& interrupted) {
-    ServerEvents events;
-    events.opened = [&](ConnectionId id) { mailbox.post(Opened{id}); };
-    events.received = [&](ConnectionId id, std::vector<std::uint8_t> bytes) {
-        const std::size_t size = bytes.size() + sizeof(HostEvent);
-        return mailbox.post(Received{id, std::move(bytes)}, size);
-    };
-    events.refused = [&](ConnectionId id, std::string code, std::string text) {
-        mailbox.post(Refused{id, std::move(code), std::move(text)});
-    };
-    events.closed = [&](ConnectionId id) { mailbox.post(Closed{id}); };
-    events.takeRequested = [&](HttpReply reply) { mailbox.post(TakeRequested{std::move(reply)}); };
-    events.takeUploaded = [&](std::vector<std::uint8_t> bytes, HttpReply reply) {
-        const std::size_t size = bytes.size();
-        if (!mailbox.post(TakeUploaded{std::move(bytes), reply}, size))
-            reply(sentence(503, "The simulation is busy."));
-    };
-    events.interrupted = [&] {
-        // A second interrupt ends the process at once; a recording loses at most its end.
-        if (interrupted.exchange(true)) std::_Exit(kExitInterrupted);
-        mailbox.post(Interrupted{});
-    };
-    return events;
-}
 
 // The scenario requested by name or path, otherwise the folder's default.
 Result<std::string> firstScenario(const StudioOptions& options, ScenarioFolder& folder) {
@@ -260,66 +47,23 @@ Result<Session> makeSession(const StudioOptions& options) {
     return session;
 }
 
-Status pageExists(const std::string& folder) {
-    std::error_code error;
-    if (std::filesystem::is_regular_file(folder + "/index.html", error)) return {};
-    return {
-        StatusCode::NotFound,
-        folder +
-            ": found no index.html, expected the built page; ./run builds it, --page names another folder"};
-}
-
-std::string printAddress(int port, bool json) {
-    const std::string address = "http://127.0.0.1:" + std::to_string(port) + "/";
-    if (json)
-        printJsonValue({{"address", address}, {"port", port}});
-    else
-        std::printf("Muster studio: %s\n", address.c_str());
-    std::fflush(stdout);
-    return address;
-}
-
-int failed(const Status& status) {
-    std::fprintf(stderr, "muster studio: %s\n", status.message().c_str());
-    return 1;
-}
-
 }  // namespace
 
 int runStudio(const StudioOptions& options) {
     if (options.host != "127.0.0.1" && options.host != "localhost") {
-        return failed(invalidArgument("found the host '" + options.host +
-                                      "', expected 127.0.0.1: only this machine may connect"));
+        return serveFailed(invalidArgument("found the host '" + options.host +
+                                           "', expected 127.0.0.1: only this machine may connect"));
     }
-    if (Status status = pageExists(options.pageFolder); !status.ok()) return failed(status);
+    ServeOptions serving;
+    serving.port = options.port;
+    serving.pageFolder = options.pageFolder;
+    serving.openBrowser = options.openBrowser;
+    serving.json = options.json;
+    // Before the session: loading a scenario takes longer than to see that there is no page.
+    if (const auto def = serverDef(serving); !def.ok()) return serveFailed(def.status());
     auto session = makeSession(options);
-    if (!session.ok()) return failed(session.status());
-    Mailbox<HostEvent> mailbox(kMailboxBytes);
-    std::atomic<bool> interrupted = false;
-    ServerDef def;
-    def.port = options.port;
-    def.pageFolder = options.pageFolder;
-    for (BodyFile& body : bodyFiles())
-        def.files["/bodies/" + body.name] = {"model/gltf-binary", "no-cache", std::move(body.bytes)};
-    def.subprotocol = protocol::kSubprotocol;
-    def.events = eventsTo(mailbox, interrupted);
-    auto server = StudioServer::listen(std::move(def));
-    if (!server.ok()) return failed(server.status());
-    const std::string address = printAddress(server.value()->port(), options.json);
-    bool served = true;
-    {
-        const Serving serving(*server.value(), [&] {
-            interrupted = true;
-            mailbox.post(Interrupted{});
-        });
-        if (options.openBrowser) openBrowser(address);
-        Simulation(std::move(session).value(), mailbox, *server.value(), interrupted).run();
-        served = serving.good();
-    }
-    // Events that arrive too late refer to connections, which must be destroyed before the server.
-    std::vector<HostEvent> late;
-    mailbox.collect(0.0, late);
-    return served ? 0 : 1;
+    if (!session.ok()) return serveFailed(session.status());
+    return serve(session.value(), serving);
 }
 
 }  // namespace muster

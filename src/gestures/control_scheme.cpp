@@ -6,12 +6,12 @@
 
 namespace muster {
 
-std::unique_ptr<ControlScheme> makeControlScheme(const SchemeDef& def) {
+std::unique_ptr<ControlScheme> makeControlScheme(const SchemeDef& def, std::uint32_t client) {
     switch (def.kind) {
         case SchemeKind::Touch:
-            return std::make_unique<TouchScheme>(def);
+            return std::make_unique<TouchScheme>(def, client);
         case SchemeKind::MouseMesh:
-            return std::make_unique<MouseMesh>(def);
+            return std::make_unique<MouseMesh>(def, client);
         case SchemeKind::MousePaper:
         case SchemeKind::MouseFull:
             break;

@@ -52,6 +52,11 @@ struct NamedScheme {
     SchemeDef def;                 ///< What it is.
 };
 
+/// True where a scheme takes hold of the mesh, as fingers do; false for those that send characters.
+constexpr bool holdsMesh(SchemeKind kind) {
+    return kind == SchemeKind::Touch || kind == SchemeKind::MouseMesh;
+}
+
 /// All schemes, the ablations among them, in the order of display.
 std::span<const NamedScheme> namedSchemes();
 /// The scheme of that name. Fails with NotFound, listing the names.
@@ -82,7 +87,7 @@ public:
     virtual bool busy() const = 0;
 };
 
-/// Makes a scheme.
-std::unique_ptr<ControlScheme> makeControlScheme(const SchemeDef& def);
+/// Makes a scheme whose commands are given by the client of that number.
+std::unique_ptr<ControlScheme> makeControlScheme(const SchemeDef& def, std::uint32_t client);
 
 }  // namespace muster

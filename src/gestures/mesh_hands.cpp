@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "gestures/group_lookup.h"
-#include "gestures/scheme_driver.h"
 
 namespace muster {
 namespace {
@@ -38,10 +37,6 @@ std::int32_t filesFor(const GroupDef& def, const Pose& pose, Vec2 span, Vec2 fir
     return files == static_cast<std::int32_t>(now) ? 0 : files;
 }
 
-bool ours(const Control& control) {
-    return control.client == kSchemeClient;
-}
-
 }  // namespace
 
 MeshHands::Finger* MeshHands::find(std::uint32_t pointer) {
@@ -67,7 +62,7 @@ void MeshHands::endOldWays(GroupId group, const World& world, std::vector<Comman
     for (const Control& control : world.group(static_cast<std::size_t>(index)).controls) {
         const bool lifted = std::none_of(control.points.begin(), control.points.end(),
                                          [](const ControlPoint& p) { return p.down; });
-        if (ours(control) && lifted && !control.pinned)
+        if (control.client == def_.client && lifted && !control.pinned)
             commands.emplace_back(RemoveControl{group, control.id});
     }
 }
@@ -199,7 +194,7 @@ void MeshHands::beforeStep(const World& world, std::vector<CommandBody>& command
             const GroupView group = world.group(g);
             for (const Control& control : group.controls)
                 for (const ControlPoint& point : control.points)
-                    if (ours(control) && point.down && point.touch == finger.touch &&
+                    if (control.client == def_.client && point.down && point.touch == finger.touch &&
                         finger.group != group.id) {
                         finger.group = group.id;
                         finger.from = finger.at;

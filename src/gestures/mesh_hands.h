@@ -10,9 +10,10 @@ namespace muster {
 
 /// Which gestures fingers on formations make.
 struct MeshHandsDef {
-    bool oneFinger = false;  ///< Only the first finger counts.
-    bool shapes = true;      ///< Two fingers together make a line, three an area; a line sets the width.
-    bool splits = true;      ///< Two fingers of their own pull a formation apart.
+    std::uint32_t client = 0;  ///< Whose touches these are.
+    bool oneFinger = false;    ///< Only the first finger counts.
+    bool shapes = true;        ///< Two fingers together make a line, three an area; a line sets the width.
+    bool splits = true;        ///< Two fingers of their own pull a formation apart.
 };
 
 /// Turns fingers that came down on formations into touches, and what pairs of them do into changes of

@@ -13,7 +13,7 @@ namespace muster {
 /// A drag on free ground cuts or joins. P pins, Delete removes, Escape lets all go.
 class MouseMesh final : public ControlScheme {
 public:
-    explicit MouseMesh(const SchemeDef& def) : def_(def), hands_({true, false, false}) {}
+    MouseMesh(const SchemeDef& def, std::uint32_t client) : def_(def), hands_({client, true, false, false}) {}
 
     void input(const InputEvent& event, const World& world, std::vector<CommandBody>& commands) override;
     void beforeStep(const World& world, std::vector<CommandBody>& commands) override;

@@ -23,7 +23,8 @@ Status check(const InputEvent& event) {
 
 }  // namespace
 
-SchemeDriver::SchemeDriver(const SchemeDef& def) : scheme_(makeControlScheme(def)) {}
+SchemeDriver::SchemeDriver(const SchemeDef& def, std::uint32_t client)
+    : client_(client), scheme_(makeControlScheme(def, client)) {}
 
 Status SchemeDriver::input(const InputEvent& event, const World& world) {
     if (Status status = check(event); !status.ok()) return status;
@@ -35,7 +36,7 @@ void SchemeDriver::take(const World& world, std::vector<Command>& commands) {
     scheme_->beforeStep(world, waiting_);
     commands.clear();
     for (CommandBody& body : waiting_)
-        commands.push_back({world.stepCount(), kSchemeClient, ++sequence_, std::move(body)});
+        commands.push_back({world.stepCount(), client_, ++sequence_, std::move(body)});
     waiting_.clear();
 }
 

@@ -12,10 +12,10 @@ namespace muster {
 /// hashes wherever they are fed in.
 inline constexpr std::uint32_t kSchemeClient = 1;
 
-/// Owns a control scheme. Not thread-safe.
+/// Owns a control scheme, whose commands come from the client of a number. Not thread-safe.
 class SchemeDriver {
 public:
-    explicit SchemeDriver(const SchemeDef& def);
+    explicit SchemeDriver(const SchemeDef& def, std::uint32_t client = kSchemeClient);
 
     /// Takes an input that belongs to the next step. The view comes first. What is malformed is refused with
     /// InvalidArgument and changes nothing.
@@ -26,6 +26,7 @@ public:
     const ControlScheme& scheme() const { return *scheme_; }  ///< To show its marks.
 
 private:
+    std::uint32_t client_;
     std::unique_ptr<ControlScheme> scheme_;
     std::vector<CommandBody> waiting_;
     std::uint32_t sequence_ = 0;

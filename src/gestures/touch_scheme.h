@@ -12,7 +12,8 @@ namespace muster {
 /// Fingers on formations move, bend, widen and divide them; strokes on free ground cut and join them.
 class TouchScheme final : public ControlScheme {
 public:
-    explicit TouchScheme(const SchemeDef& def) : def_(def), hands_({def.oneFinger, def.shapes, def.splits}) {}
+    TouchScheme(const SchemeDef& def, std::uint32_t client)
+        : def_(def), hands_({client, def.oneFinger, def.shapes, def.splits}) {}
 
     void input(const InputEvent& event, const World& world, std::vector<CommandBody>& commands) override;
     void beforeStep(const World& world, std::vector<CommandBody>& commands) override;

@@ -21,6 +21,7 @@ public:
     void build(const World& world, protocol::Frame& frame);
     /// All characters at the last build, without motion; MotionFrames adds it.
     CrowdPicture& crowd() { return crowd_; }
+    const CrowdPicture& crowd() const { return crowd_; }  ///< The same, to read.
     /// The places of each group at the last build.
     const std::vector<PlacesPicture>& places() const { return places_; }
     /// Version of the last build's ids; it grows whenever the characters or their groups change.

@@ -245,9 +245,87 @@ struct AskForecasts {
     }
 };
 
+/// Inputs shall be judged by this control scheme; empty: by the page itself.
+struct SetScheme {
+    static constexpr std::uint8_t kNumber = 18;  ///< First byte of the message.
+    std::string name;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(name);
+    }
+};
+
+/// How the ground is seen from now on.
+struct SetView {
+    static constexpr std::uint8_t kNumber = 19;  ///< First byte of the message.
+    std::vector<double> matrix;  ///< nine numbers by rows: from (x, y, 1) on the ground [m] to homogeneous pixels
+    double width = 0.0;  ///< of the view [px]
+    double height = 0.0;
+    double mmPerPixel = 0.0;  ///< of the display
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(matrix, width, height, mmPerPixel);
+    }
+};
+
+/// Raw inputs, in the order they were seen, for the client's control scheme.
+struct Inputs {
+    static constexpr std::uint8_t kNumber = 20;  ///< First byte of the message.
+    std::vector<RawInput> events;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(events);
+    }
+};
+
+/// Begins a run of the study, or goes on with one.
+struct EnterStudy {
+    static constexpr std::uint8_t kNumber = 21;  ///< First byte of the message.
+    std::string token;  ///< as StudyState gave it; empty for a new run
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(token);
+    }
+};
+
+/// The answers to the form that waits.
+struct AnswerForm {
+    static constexpr std::uint8_t kNumber = 22;  ///< First byte of the message.
+    std::string instrument;
+    std::vector<AnswerFrame> answers;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(instrument, answers);
+    }
+};
+
+/// What a person wants in a run of the study.
+struct DoInStudy {
+    static constexpr std::uint8_t kNumber = 23;  ///< First byte of the message.
+    StudyAct act = StudyAct::Start;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(act);
+        checkEnum(archive, act, 4);
+    }
+};
+
 /// Any message of the page; the index is its number.
 using ClientMessage = std::variant<
     Hello, Touches, AddControl, PinControl, RemoveControl, SetFormation, SetCount, SetParameter,
-    Playback, SetSpeed, LoadScenario, Record, SetOverlay, Commands, Attend, FrameAck, Ping, AskForecasts>;
+    Playback, SetSpeed, LoadScenario, Record, SetOverlay, Commands, Attend, FrameAck, Ping,
+    AskForecasts, SetScheme, SetView, Inputs, EnterStudy, AnswerForm, DoInStudy>;
 
 }  // namespace muster::protocol

@@ -8,8 +8,8 @@
 
 namespace muster::protocol {
 
-inline constexpr std::uint32_t kVersion = 7;                 ///< Raised by any change of a message.
-inline constexpr const char* kSubprotocol = "muster.v7";  ///< Of the WebSocket.
+inline constexpr std::uint32_t kVersion = 8;                 ///< Raised by any change of a message.
+inline constexpr const char* kSubprotocol = "muster.v8";  ///< Of the WebSocket.
 
 /// Marks the input as bad where an enumeration read from it has no such value.
 template <class Archive, class Enum>
@@ -31,6 +31,20 @@ enum class OverlayKind : std::uint8_t { None, Field, Cost, Density };
 enum class MovingKind : std::uint8_t { Obstacle, Patch };
 /// Values of a field, as one byte.
 enum class NoticeLevel : std::uint8_t { Info, Warning, Error };
+/// Values of a field, as one byte.
+enum class InputKind : std::uint8_t { Pointer, Key };
+/// Values of a field, as one byte.
+enum class PointerDevice : std::uint8_t { Touch, Pen, Mouse };
+/// Values of a field, as one byte.
+enum class PointerButton : std::uint8_t { Left, Middle, Right };
+/// Values of a field, as one byte.
+enum class QuestionKind : std::uint8_t { Number, Scale, Choice, Text };
+/// Values of a field, as one byte.
+enum class StudyStage : std::uint8_t { Form, Ready, Trial, Paused, Thanks, BrokenOff, Elsewhere, Replay };
+/// Values of a field, as one byte.
+enum class StudyAct : std::uint8_t { Start, GoOn, GiveUp, BreakOff };
+/// Values of a field, as one byte.
+enum class TrialEnd : std::uint8_t { None, Done, TimeOver, GivenUp, Practised };
 /// Values of a field, as one byte.
 enum class OrderKind : std::uint8_t { Move, Face, Follow, Guard };
 /// Values of a field, as one byte.
@@ -279,6 +293,91 @@ struct ClipFrames {
     template <class Archive>
     void visit(Archive& archive) {
         archive(name, motion, rate, cyclic, poses, hips, rotations);
+    }
+};
+
+/// What a person does with fingers, mouse and keys, before anything judges it.
+struct RawInput {
+    InputKind kind = InputKind::Pointer;
+    TouchPhase phase = TouchPhase::Down;
+    PointerDevice device = PointerDevice::Touch;
+    PointerButton button = PointerButton::Left;  ///< the one that went down
+    std::uint32_t pointer = 0;  ///< number of the finger; the same from Down to Up
+    std::uint8_t key = 0;  ///< '0' to '9', 'A' to 'Z', 27 for Escape, 127 for Delete
+    double x = 0.0;  ///< from the upper left corner of the view [px]
+    double y = 0.0;
+    double time = 0.0;  ///< page clock [s]; it is mapped to world time
+    bool shift = false;
+    bool control = false;  ///< Ctrl, or the command key
+    bool alt = false;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(kind, phase, device, button, pointer, key, x, y, time, shift, control, alt);
+        checkEnum(archive, kind, 2);
+        checkEnum(archive, phase, 4);
+        checkEnum(archive, device, 3);
+        checkEnum(archive, button, 3);
+    }
+};
+
+/// A control scheme that a client may choose.
+struct SchemeInfo {
+    std::string name;
+    std::string title;
+    std::string description;
+    bool mesh = false;  ///< it takes hold of the mesh
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(name, title, description, mesh);
+    }
+};
+
+/// One of the answers to choose from.
+struct ChoiceFrame {
+    std::string text;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(text);
+    }
+};
+
+/// One question of a form.
+struct QuestionFrame {
+    std::string name;
+    std::string text;
+    QuestionKind kind = QuestionKind::Number;
+    double low = 0.0;
+    double high = 0.0;
+    double step = 0.0;  ///< between the marks of a scale
+    std::string lowLabel;
+    std::string highLabel;
+    std::vector<ChoiceFrame> choices;
+    bool needed = false;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(name, text, kind, low, high, step, lowLabel, highLabel, choices, needed);
+        checkEnum(archive, kind, 4);
+    }
+};
+
+/// The answer to one question.
+struct AnswerFrame {
+    std::string name;  ///< of the question
+    std::string text;  ///< as given
+    double number = 0.0;  ///< where it is one
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(name, text, number);
     }
 };
 

@@ -17,11 +17,12 @@ struct Welcome {
     std::uint32_t client = 0;
     std::string version;
     std::vector<ScenarioInfo> scenarios;
+    std::vector<SchemeInfo> schemes;
 
     /// Lets an archive read or write the fields.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(client, version, scenarios);
+        archive(client, version, scenarios, schemes);
     }
 };
 
@@ -174,8 +175,80 @@ struct Forecasts {
     }
 };
 
+/// What a control scheme shows of what is being done; whenever it changes.
+struct Marks {
+    static constexpr std::uint8_t kNumber = 9;  ///< First byte of the message.
+    std::string scheme;  ///< empty: the page judges inputs itself
+    std::vector<std::uint32_t> selected;  ///< ids of characters, ascending
+    std::vector<float> rectangle;  ///< x, y: the box that is being drawn [m]
+    std::vector<float> stroke;  ///< x, y: what a finger draws that moves nothing yet
+    std::vector<float> goals;  ///< x, y: where the selected are on their way to
+    std::vector<float> pointers;  ///< x, y: what is down, in the replay of a trial
+    std::string notice;  ///< what the last gesture missed; empty for nothing
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(scheme, selected, rectangle, stroke, goals, pointers, notice);
+    }
+};
+
+/// The form that waits.
+struct StudyForm {
+    static constexpr std::uint8_t kNumber = 10;  ///< First byte of the message.
+    std::string instrument;
+    std::string title;
+    std::string text;
+    std::string source;  ///< where verbatim items come from
+    std::string schemeTitle;  ///< the control that it is about; empty for none
+    std::vector<QuestionFrame> questions;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(instrument, title, text, source, schemeTitle, questions);
+    }
+};
+
+/// Where a run of the study stands; whenever it changes.
+struct StudyState {
+    static constexpr std::uint8_t kNumber = 11;  ///< First byte of the message.
+    StudyStage stage = StudyStage::Form;
+    std::string token;  ///< by which a page goes on with the run
+    std::uint32_t run = 0;  ///< its number in the database; 0 before consent
+    bool test = false;  ///< it tests the page and counts for nothing
+    std::uint32_t trial = 0;  ///< which one of all waits or goes on, from 1
+    std::uint32_t trials = 0;
+    bool practice = false;
+    std::string environment;
+    std::string environmentText;
+    std::string scheme;
+    std::string schemeTitle;
+    std::string schemeText;
+    bool touch = false;  ///< it is for fingers
+    bool mesh = false;  ///< it takes hold of the mesh
+    std::uint32_t items = 0;
+    double limit = 0.0;  ///< the trial ends then [s]
+    double least = 0.0;  ///< it may be ended from then on [s]
+    double mmPerPixel = 0.0;  ///< of the display; 0 where unknown
+    TrialEnd ended = TrialEnd::None;  ///< how the trial before this one ended
+    double seconds = 0.0;  ///< how long it took [s]
+    std::uint32_t collected = 0;  ///< items collected in it
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(stage, token, run, test, trial, trials, practice, environment, environmentText, scheme,
+                schemeTitle, schemeText, touch, mesh, items, limit, least, mmPerPixel, ended, seconds,
+                collected);
+        checkEnum(archive, stage, 8);
+        checkEnum(archive, ended, 5);
+    }
+};
+
 /// Any message of the server; the index is its number.
 using ServerMessage = std::variant<
-    Welcome, Scene, Motions, GroupMesh, Frame, Overlay, Notice, Pong, Forecasts>;
+    Welcome, Scene, Motions, GroupMesh, Frame, Overlay, Notice, Pong, Forecasts, Marks, StudyForm,
+    StudyState>;
 
 }  // namespace muster::protocol

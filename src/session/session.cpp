@@ -41,6 +41,7 @@ Status Session::Impl::begin(const std::string& worldName, const WorldDef& newDef
     fullReported = false;
     demonstratedUntil = 0;
     waitingCommands = 0;
+    inputsWait = false;
     singleSteps = 0;
     pacer.reset();
     playing = true;
@@ -53,7 +54,8 @@ Status Session::Impl::begin(const std::string& worldName, const WorldDef& newDef
         client.sequence = 0;
         client.steers = false;
         client.events.clear();
-        client.sentMeshes.clear();
+        client.frames.restart();
+        client.scheme.restart();
         client.touchWaiting = client.touchShown = 0.0;
     }
     return {};
@@ -251,9 +253,13 @@ void Session::Impl::stepOnce() {
         return;
     }
     Status replayed;
-    if (replay) replayed = replay->submit(*world);
+    if (replay)
+        replayed = replay->submit(*world);
+    else
+        driveSchemes();
     world->step();
     waitingCommands = 0;
+    inputsWait = false;
     touchState();
     frames.observe(*world);
     observeMotion();
@@ -287,6 +293,15 @@ void Session::Impl::stepOnce() {
     reportRejections();
     reportLostFile();
     if (sceneSignature(*world) != signature) refreshScene();
+}
+
+void Session::Impl::driveSchemes() {
+    for (auto& [id, client] : clients) {
+        std::vector<CommandBody> bodies = client.scheme.take(*world);
+        if (bodies.empty()) continue;
+        const Status status = submit(id, client, bodies);
+        if (!status.ok()) notice(client, protocol::NoticeLevel::Error, "Inputs", status.message());
+    }
 }
 
 void Session::Impl::replayEnded() {

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "session/overlay.h"
+#include "session/raw_inputs.h"
 #include "session/session_state.h"
 
 namespace muster {
@@ -69,6 +70,7 @@ void Session::Impl::greet(std::uint32_t id, SessionClient& client) {
     welcome.version = def.version;
     for (const ScenarioEntry& entry : def.scenarios)
         welcome.scenarios.push_back({entry.name, entry.title, entry.description, entry.characters});
+    for (const NamedScheme& scheme : namedSchemes()) welcome.schemes.push_back(infoOf(scheme));
     client.outbox.push_back(protocol::encode(welcome));
     if (world && !warning.empty()) notice(client, protocol::NoticeLevel::Warning, "scenario", warning + ".");
     if (world) warnOfClips(client);
@@ -83,35 +85,13 @@ void Session::outgoing(std::uint32_t client, std::vector<MessageBytes>& messages
     const auto found = impl_->clients.find(client);
     if (found == impl_->clients.end()) return;
     SessionClient& to = found->second;
-    if (to.greeted && impl_->world && !to.awaitsAck) {
+    to.scheme.send(to.outbox);
+    if (to.greeted && impl_->world && !to.frames.waits()) {
         impl_->sendOverlay(to);
         const bool due = !impl_->playing || impl_->realTime >= to.frameDue;
         if (to.sentState != impl_->state && due) impl_->sendFrame(to);
     }
     messages.swap(to.outbox);
-}
-
-// Sends everything that a frame refers to before the frame.
-void Session::Impl::sendScene(SessionClient& client) {
-    if (client.sentScene != sceneRevision) {
-        client.outbox.push_back(sceneBytes);
-        client.sentScene = sceneRevision;
-        // The page forgets all characters and meshes when it gets a new scene.
-        client.sentIds = 0;
-        client.sentMeshes.clear();
-    }
-    if (client.sentMotions != motion.revision()) {
-        client.outbox.push_back(motion.motions());
-        client.sentMotions = motion.revision();
-    }
-    for (std::size_t g = 0; g < world->groupCount(); ++g) {
-        const GroupView group = world->group(g);
-        const auto sent = client.sentMeshes.find(group.id.value);
-        if (sent != client.sentMeshes.end() && sent->second == group.formationVersion) continue;
-        client.outbox.push_back(protocol::encode(buildGroupMesh(*world, g)));
-        client.sentMeshes[group.id.value] = group.formationVersion;
-        client.places[group.id.value].restart();
-    }
 }
 
 // Builds the part of the frame that all clients share, once per state.
@@ -129,34 +109,11 @@ void Session::Impl::buildFrame() {
 }
 
 void Session::Impl::sendFrame(SessionClient& client) {
-    sendScene(client);
     buildFrame();
-    const bool known = client.sentIds == frames.idsVersion();
-    client.crowd.encode(frames.crowd(), !known, frame.crowd);
-    for (std::size_t g = 0; g < frame.groups.size(); ++g)
-        client.places[frame.groups[g].id].encode(frames.places()[g], frame.groups[g]);
-    frame.frame = ++client.frame;
-    frame.touchEcho = client.touchShown;
-    frame.events.swap(client.events);
-    // Ids, groups and bodies are left out of this message where the client already has them.
-    std::vector<std::uint32_t> ids;
-    std::vector<std::uint8_t> groups, classes, radii;
-    const auto swapMembers = [&] {
-        if (!known) return;
-        ids.swap(frame.ids);
-        groups.swap(frame.group);
-        classes.swap(frame.unitClass);
-        radii.swap(frame.radius);
-    };
-    swapMembers();
-    client.outbox.push_back(protocol::encode(frame));
-    swapMembers();
-    frame.events.swap(client.events);
-    client.events.clear();
-    client.sentIds = frames.idsVersion();
+    const WorldPicture picture{*world, frames, motion, sceneRevision, sceneBytes, frame};
+    client.frames.send(picture, client.touchShown, client.events, client.outbox);
     client.sentState = state;
     client.frameDue = realTime + frameSpacing(world->characters().size());
-    client.awaitsAck = true;
 }
 
 void Session::Impl::sendOverlay(SessionClient& client) {

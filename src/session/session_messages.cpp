@@ -7,6 +7,7 @@
 #include "session/command_text.h"
 #include "session/forecasts.h"
 #include "session/notice_position.h"
+#include "session/raw_inputs.h"
 #include "session/session_state.h"
 #include "world/inspect.h"
 #include "world/validation.h"
@@ -55,11 +56,8 @@ public:
         for (const protocol::TouchEvent& event : message.events) {
             if (!std::isfinite(event.time)) return invalidArgument("a touch with a time that is not finite");
         }
-        if (!client_.touches.take(session_.realTime, static_cast<double>(message.events.size()))) {
-            return {StatusCode::LimitExceeded, "more than " +
-                                                   std::to_string(static_cast<int>(limits.touchesPerSecond)) +
-                                                   " touch events a second"};
-        }
+        if (!client_.touches.take(session_.realTime, static_cast<double>(message.events.size())))
+            return tooManyTouches("touch events");
         TouchClock clock = client_.clock;  // Stored only if every event of the message is valid.
         std::vector<CommandBody> bodies;
         double newest = client_.touchWaiting;
@@ -217,13 +215,7 @@ public:
         return {};
     }
 
-    Status operator()(const protocol::FrameAck& message) {
-        if (message.frame > client_.frame) {
-            return invalidArgument("frame " + std::to_string(message.frame) + " was never sent");
-        }
-        if (message.frame == client_.frame) client_.awaitsAck = false;
-        return {};
-    }
+    Status operator()(const protocol::FrameAck& message) { return client_.frames.acknowledge(message.frame); }
 
     Status operator()(const protocol::Ping& message) {
         protocol::Pong pong;
@@ -246,7 +238,51 @@ public:
         return {};
     }
 
+    Status operator()(const protocol::SetScheme& message) {
+        if (client_.steers && session_.world && !session_.replay) {
+            if (Status status = submit(CommandBody{ReleaseClient{}}); !status.ok()) return status;
+        }
+        return client_.scheme.choose(message.name, id_);
+    }
+
+    Status operator()(const protocol::SetView& message) {
+        const auto view = viewOf(message);
+        if (!view.ok()) return view.status();
+        client_.scheme.setView(view.value(), session_.world ? &*session_.world : nullptr);
+        return {};
+    }
+
+    Status operator()(const protocol::Inputs& message) {
+        if (!session_.world) return noWorld();
+        if (session_.replay) return replays();
+        if (Status status = checkInputs(message, session_.def.limits); !status.ok()) return status;
+        if (!client_.touches.take(session_.realTime, static_cast<double>(message.events.size())))
+            return tooManyTouches("inputs");
+        for (const protocol::RawInput& raw : message.events) {
+            const InputEvent event = inputOf(raw, stamp(client_.clock, raw.time));
+            if (Status status = client_.scheme.input(event, *session_.world); !status.ok()) return status;
+            client_.touchWaiting = std::max(client_.touchWaiting, raw.time);
+        }
+        session_.inputsWait = true;
+        return {};
+    }
+
+    Status operator()(const protocol::EnterStudy&) { return noStudy(); }
+    Status operator()(const protocol::AnswerForm&) { return noStudy(); }
+    Status operator()(const protocol::DoInStudy&) { return noStudy(); }
+
 private:
+    static Status noStudy() {
+        return {StatusCode::Unsupported, "this is the studio; 'muster study run' serves the study"};
+    }
+    static Status replays() {
+        return {StatusCode::Unsupported, "a take is being replayed; load a scenario to steer"};
+    }
+    Status tooManyTouches(const std::string& what) const {
+        return {StatusCode::LimitExceeded,
+                "more than " + std::to_string(static_cast<int>(session_.def.limits.touchesPerSecond)) + " " +
+                    what + " a second"};
+    }
     static Status noWorld() { return {StatusCode::NotFound, "there is no world yet"}; }
     static Status noGroup(std::uint32_t id) {
         return {StatusCode::NotFound, "no group has the id " + std::to_string(id)};

@@ -10,11 +10,9 @@
 #include "base/token_bucket.h"
 #include "io/take/replayer.h"
 #include "muster/session.h"
-#include "session/crowd_encoder.h"
-#include "session/frame_builder.h"
-#include "session/motion_frames.h"
+#include "session/chosen_scheme.h"
+#include "session/frame_sender.h"
 #include "session/pacer.h"
-#include "session/places_encoder.h"
 #include "session/protocol.h"
 #include "session/take_log.h"
 #include "session/touch_clock.h"
@@ -38,20 +36,14 @@ struct SessionClient {
     /// Messages other than frames. The client's requests bound their number.
     std::vector<MessageBytes> outbox;
 
-    std::uint32_t frame = 0;        ///< Number of the last frame sent.
-    bool awaitsAck = false;         ///< True while that frame is not acknowledged.
-    std::uint64_t sentState = 0;    ///< Session state that the last frame showed; 0 for none.
-    std::uint32_t sentScene = 0;    ///< Revision of the last scene sent; 0 for none.
-    std::uint32_t sentMotions = 0;  ///< Revision of the last motions sent; 0 for none.
-    std::uint32_t sentIds = 0;      ///< Version of the last ids sent; 0 for none.
-    double frameDue = 0.0;          ///< Real time at which the next frame is due while the world plays [s].
-    CrowdEncoder crowd;             ///< The characters as the client knows them.
-    std::map<std::uint32_t, std::uint32_t> sentMeshes;  ///< Version of the mesh sent, by group.
-    std::map<std::uint32_t, PlacesEncoder> places;      ///< The places as the client knows them, by group.
-    std::vector<protocol::EventFrame> events;           ///< Events since the last frame.
-    Attention attention;                                ///< The point that the client looks at.
-    double touchWaiting = 0.0;  ///< Newest page time among touches that wait for a step [s].
-    double touchShown = 0.0;    ///< Newest page time among touches that a step has applied [s].
+    FrameSender frames;                        ///< What the client knows of the world.
+    std::uint64_t sentState = 0;               ///< Session state that the last frame showed; 0 for none.
+    double frameDue = 0.0;                     ///< Real time when the next frame is due while playing [s].
+    std::vector<protocol::EventFrame> events;  ///< Events since the last frame.
+    Attention attention;                       ///< The point that the client looks at.
+    ChosenScheme scheme;                       ///< The control scheme that judges its inputs.
+    double touchWaiting = 0.0;                 ///< Newest page time among touches that wait for a step [s].
+    double touchShown = 0.0;  ///< Newest page time among touches that a step has applied [s].
 
     protocol::OverlayKind overlay = protocol::OverlayKind::None;
     std::uint32_t overlayCharacter = 0;
@@ -80,7 +72,7 @@ struct Session::Impl {
     void warn();
     void touchState() { ++state; }
     /// True where a client waits for the next step. That step may come up to one time step early.
-    bool eager() const { return waitingCommands > 0; }
+    bool eager() const { return waitingCommands > 0 || inputsWait; }
 
     // Recording (session.cpp).
     void setRecording(bool on, std::uint32_t client);
@@ -93,7 +85,6 @@ struct Session::Impl {
                 const std::string& text, std::optional<Vec2> place = std::nullopt);
     void noticeAll(protocol::NoticeLevel level, const std::string& code, const std::string& text,
                    std::optional<Vec2> place = std::nullopt);
-    void sendScene(SessionClient& client);
     void buildFrame();
     void sendFrame(SessionClient& client);
     void sendOverlay(SessionClient& client);
@@ -101,6 +92,8 @@ struct Session::Impl {
     // Messages (session_messages.cpp).
     Status handle(std::uint32_t id, SessionClient& client, const protocol::ClientMessage& message);
     Status submit(std::uint32_t id, SessionClient& client, std::vector<CommandBody>& bodies);
+    /// Gives the next step the commands of all control schemes.
+    void driveSchemes();
 
     SessionDef def;
     std::map<std::uint32_t, SessionClient> clients;  // By client number.
@@ -119,6 +112,7 @@ struct Session::Impl {
     TakeLog log;
     bool fullReported = false;
     std::size_t waitingCommands = 0;  // Commands submitted since the last step.
+    bool inputsWait = false;          // Inputs came since the last step that a control scheme judges.
 
     double realTime = 0.0;  // Real time since the session began [s].
     Pacer pacer;

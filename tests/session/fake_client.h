@@ -92,6 +92,7 @@ private:
         if (const auto* m = std::get_if<protocol::Overlay>(&message)) overlays.push_back(*m);
         if (const auto* m = std::get_if<protocol::Notice>(&message)) notices.push_back(*m);
         if (const auto* m = std::get_if<protocol::Forecasts>(&message)) forecasts.push_back(*m);
+        if (const auto* m = std::get_if<protocol::Marks>(&message)) marks.push_back(*m);
         if (const auto* m = std::get_if<protocol::Pong>(&message)) pongs.push_back(*m);
         if (const auto* m = std::get_if<protocol::Frame>(&message)) {
             frames.push_back(*m);
@@ -115,6 +116,7 @@ public:
     std::vector<protocol::Overlay> overlays;
     std::vector<protocol::Notice> notices;
     std::vector<protocol::Forecasts> forecasts;
+    std::vector<protocol::Marks> marks;
     std::vector<protocol::Pong> pongs;
 };
 

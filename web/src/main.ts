@@ -32,18 +32,24 @@ const canvas = byId('scene', HTMLCanvasElement);
 const view = new StudioView(canvas, byId('overlay', HTMLElement));
 const worker = new Worker(new URL('./link/worker.ts', import.meta.url), { type: 'module' });
 const client = new StudioClient(worker);
-const app = new StudioApp(client, view, canvas, byId('ui', HTMLElement));
-client.connect(socketAddress());
-void fetchBodies(document.baseURI, ['body-1', 'body-2']).then((bodies) => view.setBodies(bodies));
+const ui = byId('ui', HTMLElement);
 
-/** For the tests in a browser. */
-Object.defineProperty(window, '__muster', {
-  value: {
-    client,
-    view,
-    get connected() {
-      return client.state.phase === 'open';
-    },
+/** What the page shows: the server writes it to the first element; the studio where it writes nothing. */
+async function start(mode: string | undefined): Promise<object> {
+  if (mode === 'study') {
+    const module = await import('./ui/study/study_app');
+    const study = new module.StudyApp(client, view, canvas, ui);
+    return {
+      get frame() {
+        return study.frame;
+      },
+      get study() {
+        return study.state;
+      },
+    };
+  }
+  const app = new StudioApp(client, view, canvas, ui);
+  return {
     get frame() {
       return app.frame;
     },
@@ -53,5 +59,22 @@ Object.defineProperty(window, '__muster', {
     get state() {
       return app.store.state;
     },
+  };
+}
+
+const shown = start(document.documentElement.dataset['mode']);
+void shown.then(() => client.connect(socketAddress()));
+void fetchBodies(document.baseURI, ['body-1', 'body-2']).then((bodies) => view.setBodies(bodies));
+
+/** For the tests in a browser. */
+const forTests = {
+  client,
+  view,
+  get connected() {
+    return client.state.phase === 'open';
   },
+};
+void shown.then((app) => {
+  Object.defineProperties(forTests, Object.getOwnPropertyDescriptors(app));
+  Object.defineProperty(window, '__muster', { value: forTests });
 });

@@ -12,6 +12,8 @@ import * as queue from './cases/queue.mjs';
 import * as realMaps from './cases/real_maps.mjs';
 import * as scenarios from './cases/scenarios.mjs';
 import * as session from './cases/session.mjs';
+import * as schemes from './cases/schemes.mjs';
+import * as study from './cases/study.mjs';
 import * as touch from './cases/touch.mjs';
 import { startMadeCrowd } from './support/made_crowd.mjs';
 import { startStudio } from './support/server.mjs';
@@ -21,7 +23,8 @@ const kFlags = ['--no-sandbox', '--use-gl=angle', '--use-angle=gl-egl', '--ignor
 const kTablets = ['desktop', 'landscape', 'portrait'];
 
 /** Name, test, sizes, and options of the page. `room`: zoomed out, to have room to drag; `shared`: one page serves all such
- * cases of a size; `counts`: calls of WebGL are counted; a `scenario` gets a server of its own. */
+ * cases of a size; `counts`: calls of WebGL are counted; a `scenario` gets a server of its own; `bare`: the test starts its own
+ * servers and pages. */
 const kCases = [
   ['latency', session.latency, ['desktop'], {}],
   ['point', touch.pointDrag, kTablets, { room: true, shared: true }],
@@ -107,6 +110,11 @@ const kCases = [
   ['layout', look.layout, [...kTablets, 'phone', 'narrow', 'zoomed'], {}],
   ['access', look.accessible, [...kTablets, 'phone', 'zoomed'], {}],
   ['lost and found', session.lostAndFound, ['landscape'], {}],
+  ['control schemes by mouse', schemes.byMouse, ['desktop'], { touch: false, room: true }],
+  ['control schemes by touch', schemes.byTouch, ['landscape', 'phone'], { room: true }],
+  ['study: a whole run', study.wholeRun, ['wide'], { bare: true }],
+  ['study: stopped, lost, two at once', study.brokenRuns, ['wide'], { bare: true }],
+  ['study: look', study.look, ['wide', 'landscape', 'portrait', 'phone'], { bare: true }],
   ...realMaps.cases(),
 ];
 
@@ -152,6 +160,12 @@ async function runCase({ name, test, size, options }) {
   let studio = null;
   let own = null;
   try {
+    if (options.bare) {
+      await closeShared();
+      await test(browser, size);
+      passed += 1;
+      return console.log(`ok    ${name} (${size}, ${((Date.now() - started) / 1000).toFixed(1)} s)`);
+    }
     if (options.scenario) own = await startStudio({ scenario: options.scenario, port: 18280 });
     if (options.made) own = await startMadeCrowd({ ...options.made, bodies: server.url });
     studio = own ? await openOwnPage(own, size, options) : await openPage(size, options);

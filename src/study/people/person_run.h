@@ -52,12 +52,13 @@ public:
     /// Stops the run for good; what there is is kept.
     Status breakOff();
 
-    RunStage stage() const { return stage_; }         ///< Where it stands.
-    const StudyRun& run() const { return run_; }      ///< As it is stored.
-    const PeoplePlan& plan() const { return plan_; }  ///< All its trials.
-    const Form* form() const;                         ///< The form that waits; null for none.
-    std::string formScheme() const;                   ///< Whom it is about; empty for none.
-    const PlannedTrial* planned() const;              ///< The trial that waits or goes on, or null.
+    RunStage stage() const { return stage_; }           ///< Where it stands.
+    const StudyRun& run() const { return run_; }        ///< As it is stored.
+    const PeoplePlan& plan() const { return plan_; }    ///< All its trials.
+    const Form* form() const;                           ///< The form that waits; null for none.
+    std::string formScheme() const;                     ///< Whom it is about; empty for none.
+    const PlannedTrial* planned() const;                ///< The trial that waits or goes on, or null.
+    const StudyTrial& last() const { return stored_; }  ///< The last trial that began, as it is stored.
     const Trial* trial() const { return trial_ ? &*trial_ : nullptr; }  ///< The one that goes on, or null.
 
 private:

@@ -30,7 +30,7 @@ describe('StudioClient', () => {
     const client = new StudioClient(worker, 0);
     let welcomes = 0;
     const end = client.on('welcome', () => (welcomes += 1));
-    const message: Welcome = { type: 'Welcome', client: 3, version: '1', scenarios: [] };
+    const message: Welcome = { type: 'Welcome', client: 3, version: '1', scenarios: [], schemes: [] };
     worker.say({ kind: 'message', message });
     end();
     worker.say({ kind: 'message', message });

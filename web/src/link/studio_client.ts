@@ -5,11 +5,14 @@ import type {
   Forecasts,
   Frame,
   GroupMesh,
+  Marks,
   Motions,
   Notice,
   Overlay,
   Scene,
   ServerMessage,
+  StudyForm,
+  StudyState,
   Welcome,
 } from '../protocol/messages';
 import { Emitter } from './emitter';
@@ -28,6 +31,9 @@ export interface StudioEvents {
   overlay: Overlay;
   notice: Notice;
   forecasts: Forecasts;
+  marks: Marks;
+  studyForm: StudyForm;
+  studyState: StudyState;
 }
 
 /** What the client needs of a Worker. */
@@ -107,6 +113,15 @@ export class StudioClient extends Emitter<StudioEvents> implements MessageSender
         break;
       case 'Forecasts':
         this.emit('forecasts', message);
+        break;
+      case 'Marks':
+        this.emit('marks', message);
+        break;
+      case 'StudyForm':
+        this.emit('studyForm', message);
+        break;
+      case 'StudyState':
+        this.emit('studyState', message);
         break;
       case 'Pong':
         break;

@@ -29,6 +29,10 @@ export interface StudioActions {
   toggleOverlay(kind: OverlayKind): void;
   toggleTheme(): void;
   showHelp(open: boolean): void;
+  /** The list of control schemes. */
+  showSchemes(open: boolean): void;
+  /** Inputs are judged by this control scheme; empty: by the page itself. */
+  chooseScheme(name: string): void;
   dismissHint(): void;
   dismissNotice(): void;
   /** Brings the spot that the message is about into view. */

@@ -2,7 +2,7 @@
 
 import type { FieldScale } from './field_scale';
 import type { Layers, Theme } from './view_settings';
-import { OverlayKind, type Notice, type ScenarioInfo } from '../protocol/messages';
+import { OverlayKind, type Notice, type ScenarioInfo, type SchemeInfo } from '../protocol/messages';
 import type { SceneParameter } from '../protocol/scene';
 import type { Layout } from './layout';
 import type { Walks } from './objective';
@@ -112,6 +112,11 @@ export interface StudioState {
   readonly notice: Notice | null;
   readonly hint: boolean;
   readonly help: boolean;
+  /** Control schemes of the server. */
+  readonly schemes: readonly SchemeInfo[];
+  /** The one that judges this page's inputs; empty: the page itself. */
+  readonly scheme: string;
+  readonly schemesOpen: boolean;
 }
 
 export const kInitialState: StudioState = {
@@ -157,6 +162,9 @@ export const kInitialState: StudioState = {
   notice: null,
   hint: false,
   help: false,
+  schemes: [],
+  scheme: '',
+  schemesOpen: false,
 };
 
 /** True where the connection is lost after a scene was seen: actions that need the server have no effect. */

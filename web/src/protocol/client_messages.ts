@@ -4,13 +4,20 @@ import {
   type ControlKind,
   type OverlayKind,
   type PlaybackAction,
+  type StudyAct,
 } from './enums';
 import {
+  type AnswerFrame,
   type ForecastAsk,
+  type RawInput,
+  readAnswerFrame,
   readForecastAsk,
+  readRawInput,
   readTouchEvent,
   type TouchEvent,
+  writeAnswerFrame,
   writeForecastAsk,
+  writeRawInput,
   writeTouchEvent,
 } from './parts';
 
@@ -388,4 +395,128 @@ export function writeAskForecasts(w: ByteWriter, m: AskForecasts): void {
   w.u8(17);
   w.u32(m.number);
   w.list(m.asks, writeForecastAsk);
+}
+
+/** Inputs shall be judged by this control scheme; empty: by the page itself. */
+export interface SetScheme {
+  type: 'SetScheme';
+  name: string;
+}
+
+export function readSetScheme(r: ByteReader): SetScheme {
+  return {
+    type: 'SetScheme',
+    name: r.string(),
+  };
+}
+
+export function writeSetScheme(w: ByteWriter, m: SetScheme): void {
+  w.u8(18);
+  w.string(m.name);
+}
+
+/** How the ground is seen from now on. */
+export interface SetView {
+  type: 'SetView';
+  /** nine numbers by rows: from (x, y, 1) on the ground [m] to homogeneous pixels */
+  matrix: Float64Array;
+  /** of the view [px] */
+  width: number;
+  height: number;
+  /** of the display */
+  mmPerPixel: number;
+}
+
+export function readSetView(r: ByteReader): SetView {
+  return {
+    type: 'SetView',
+    matrix: r.f64s(),
+    width: r.f64(),
+    height: r.f64(),
+    mmPerPixel: r.f64(),
+  };
+}
+
+export function writeSetView(w: ByteWriter, m: SetView): void {
+  w.u8(19);
+  w.f64s(m.matrix);
+  w.f64(m.width);
+  w.f64(m.height);
+  w.f64(m.mmPerPixel);
+}
+
+/** Raw inputs, in the order they were seen, for the client's control scheme. */
+export interface Inputs {
+  type: 'Inputs';
+  events: RawInput[];
+}
+
+export function readInputs(r: ByteReader): Inputs {
+  return {
+    type: 'Inputs',
+    events: r.list(readRawInput),
+  };
+}
+
+export function writeInputs(w: ByteWriter, m: Inputs): void {
+  w.u8(20);
+  w.list(m.events, writeRawInput);
+}
+
+/** Begins a run of the study, or goes on with one. */
+export interface EnterStudy {
+  type: 'EnterStudy';
+  /** as StudyState gave it; empty for a new run */
+  token: string;
+}
+
+export function readEnterStudy(r: ByteReader): EnterStudy {
+  return {
+    type: 'EnterStudy',
+    token: r.string(),
+  };
+}
+
+export function writeEnterStudy(w: ByteWriter, m: EnterStudy): void {
+  w.u8(21);
+  w.string(m.token);
+}
+
+/** The answers to the form that waits. */
+export interface AnswerForm {
+  type: 'AnswerForm';
+  instrument: string;
+  answers: AnswerFrame[];
+}
+
+export function readAnswerForm(r: ByteReader): AnswerForm {
+  return {
+    type: 'AnswerForm',
+    instrument: r.string(),
+    answers: r.list(readAnswerFrame),
+  };
+}
+
+export function writeAnswerForm(w: ByteWriter, m: AnswerForm): void {
+  w.u8(22);
+  w.string(m.instrument);
+  w.list(m.answers, writeAnswerFrame);
+}
+
+/** What a person wants in a run of the study. */
+export interface DoInStudy {
+  type: 'DoInStudy';
+  act: StudyAct;
+}
+
+export function readDoInStudy(r: ByteReader): DoInStudy {
+  return {
+    type: 'DoInStudy',
+    act: r.choice(4) as StudyAct,
+  };
+}
+
+export function writeDoInStudy(w: ByteWriter, m: DoInStudy): void {
+  w.u8(23);
+  w.u8(m.act);
 }

@@ -2,21 +2,29 @@
 import { ByteReader, ByteWriter } from './bytes';
 import {
   type AddControl,
+  type AnswerForm,
   type AskForecasts,
   type Attend,
   type Commands,
+  type DoInStudy,
+  type EnterStudy,
   type FrameAck,
   type Hello,
+  type Inputs,
   type LoadScenario,
   type PinControl,
   type Ping,
   type Playback,
   readAddControl,
+  readAnswerForm,
   readAskForecasts,
   readAttend,
   readCommands,
+  readDoInStudy,
+  readEnterStudy,
   readFrameAck,
   readHello,
+  readInputs,
   readLoadScenario,
   readPinControl,
   readPing,
@@ -27,7 +35,9 @@ import {
   readSetFormation,
   readSetOverlay,
   readSetParameter,
+  readSetScheme,
   readSetSpeed,
+  readSetView,
   readTouches,
   type Record,
   type RemoveControl,
@@ -35,14 +45,20 @@ import {
   type SetFormation,
   type SetOverlay,
   type SetParameter,
+  type SetScheme,
   type SetSpeed,
+  type SetView,
   type Touches,
   writeAddControl,
+  writeAnswerForm,
   writeAskForecasts,
   writeAttend,
   writeCommands,
+  writeDoInStudy,
+  writeEnterStudy,
   writeFrameAck,
   writeHello,
+  writeInputs,
   writeLoadScenario,
   writePinControl,
   writePing,
@@ -53,13 +69,16 @@ import {
   writeSetFormation,
   writeSetOverlay,
   writeSetParameter,
+  writeSetScheme,
   writeSetSpeed,
+  writeSetView,
   writeTouches,
 } from './client_messages';
 import {
   type Forecasts,
   type Frame,
   type GroupMesh,
+  type Marks,
   type Motions,
   type Notice,
   type Overlay,
@@ -67,22 +86,30 @@ import {
   readForecasts,
   readFrame,
   readGroupMesh,
+  readMarks,
   readMotions,
   readNotice,
   readOverlay,
   readPong,
   readScene,
+  readStudyForm,
+  readStudyState,
   readWelcome,
   type Scene,
+  type StudyForm,
+  type StudyState,
   type Welcome,
   writeForecasts,
   writeFrame,
   writeGroupMesh,
+  writeMarks,
   writeMotions,
   writeNotice,
   writeOverlay,
   writePong,
   writeScene,
+  writeStudyForm,
+  writeStudyState,
   writeWelcome,
 } from './server_messages';
 
@@ -109,7 +136,13 @@ export type ClientMessage =
   | Attend
   | FrameAck
   | Ping
-  | AskForecasts;
+  | AskForecasts
+  | SetScheme
+  | SetView
+  | Inputs
+  | EnterStudy
+  | AnswerForm
+  | DoInStudy;
 
 const readClient: readonly ((r: ByteReader) => ClientMessage)[] = [
   readHello,
@@ -130,6 +163,12 @@ const readClient: readonly ((r: ByteReader) => ClientMessage)[] = [
   readFrameAck,
   readPing,
   readAskForecasts,
+  readSetScheme,
+  readSetView,
+  readInputs,
+  readEnterStudy,
+  readAnswerForm,
+  readDoInStudy,
 ];
 
 /** Reads a message; throws ProtocolError where it does not fit. */
@@ -198,6 +237,24 @@ export function encodeClient(message: ClientMessage): ArrayBuffer {
     case 'AskForecasts':
       writeAskForecasts(w, message);
       break;
+    case 'SetScheme':
+      writeSetScheme(w, message);
+      break;
+    case 'SetView':
+      writeSetView(w, message);
+      break;
+    case 'Inputs':
+      writeInputs(w, message);
+      break;
+    case 'EnterStudy':
+      writeEnterStudy(w, message);
+      break;
+    case 'AnswerForm':
+      writeAnswerForm(w, message);
+      break;
+    case 'DoInStudy':
+      writeDoInStudy(w, message);
+      break;
   }
   return w.bytes();
 }
@@ -211,7 +268,10 @@ export type ServerMessage =
   | Overlay
   | Notice
   | Pong
-  | Forecasts;
+  | Forecasts
+  | Marks
+  | StudyForm
+  | StudyState;
 
 const readServer: readonly ((r: ByteReader) => ServerMessage)[] = [
   readWelcome,
@@ -223,6 +283,9 @@ const readServer: readonly ((r: ByteReader) => ServerMessage)[] = [
   readNotice,
   readPong,
   readForecasts,
+  readMarks,
+  readStudyForm,
+  readStudyState,
 ];
 
 /** Reads a message; throws ProtocolError where it does not fit. */
@@ -263,6 +326,15 @@ export function encodeServer(message: ServerMessage): ArrayBuffer {
       break;
     case 'Forecasts':
       writeForecasts(w, message);
+      break;
+    case 'Marks':
+      writeMarks(w, message);
+      break;
+    case 'StudyForm':
+      writeStudyForm(w, message);
+      break;
+    case 'StudyState':
+      writeStudyState(w, message);
       break;
   }
   return w.bytes();

@@ -3,9 +3,13 @@ import { ByteReader, ByteWriter } from './bytes';
 import {
   type ControlKind,
   type EventKind,
+  type InputKind,
   type Manner,
   type MovingKind,
   type OrderKind,
+  type PointerButton,
+  type PointerDevice,
+  type QuestionKind,
   type Stance,
   type TouchPhase,
   type Turn,
@@ -543,6 +547,167 @@ export function writeClipFrames(w: ByteWriter, m: ClipFrames): void {
   w.u32(m.poses);
   w.f32s(m.hips);
   w.i16s(m.rotations);
+}
+
+/** What a person does with fingers, mouse and keys, before anything judges it. */
+export interface RawInput {
+  kind: InputKind;
+  phase: TouchPhase;
+  device: PointerDevice;
+  /** the one that went down */
+  button: PointerButton;
+  /** number of the finger; the same from Down to Up */
+  pointer: number;
+  /** '0' to '9', 'A' to 'Z', 27 for Escape, 127 for Delete */
+  key: number;
+  /** from the upper left corner of the view [px] */
+  x: number;
+  y: number;
+  /** page clock [s]; it is mapped to world time */
+  time: number;
+  shift: boolean;
+  /** Ctrl, or the command key */
+  control: boolean;
+  alt: boolean;
+}
+
+export function readRawInput(r: ByteReader): RawInput {
+  return {
+    kind: r.choice(2) as InputKind,
+    phase: r.choice(4) as TouchPhase,
+    device: r.choice(3) as PointerDevice,
+    button: r.choice(3) as PointerButton,
+    pointer: r.u32(),
+    key: r.u8(),
+    x: r.f64(),
+    y: r.f64(),
+    time: r.f64(),
+    shift: r.bool(),
+    control: r.bool(),
+    alt: r.bool(),
+  };
+}
+
+export function writeRawInput(w: ByteWriter, m: RawInput): void {
+  w.u8(m.kind);
+  w.u8(m.phase);
+  w.u8(m.device);
+  w.u8(m.button);
+  w.u32(m.pointer);
+  w.u8(m.key);
+  w.f64(m.x);
+  w.f64(m.y);
+  w.f64(m.time);
+  w.bool(m.shift);
+  w.bool(m.control);
+  w.bool(m.alt);
+}
+
+/** A control scheme that a client may choose. */
+export interface SchemeInfo {
+  name: string;
+  title: string;
+  description: string;
+  /** it takes hold of the mesh */
+  mesh: boolean;
+}
+
+export function readSchemeInfo(r: ByteReader): SchemeInfo {
+  return {
+    name: r.string(),
+    title: r.string(),
+    description: r.string(),
+    mesh: r.bool(),
+  };
+}
+
+export function writeSchemeInfo(w: ByteWriter, m: SchemeInfo): void {
+  w.string(m.name);
+  w.string(m.title);
+  w.string(m.description);
+  w.bool(m.mesh);
+}
+
+/** One of the answers to choose from. */
+export interface ChoiceFrame {
+  text: string;
+}
+
+export function readChoiceFrame(r: ByteReader): ChoiceFrame {
+  return {
+    text: r.string(),
+  };
+}
+
+export function writeChoiceFrame(w: ByteWriter, m: ChoiceFrame): void {
+  w.string(m.text);
+}
+
+/** One question of a form. */
+export interface QuestionFrame {
+  name: string;
+  text: string;
+  kind: QuestionKind;
+  low: number;
+  high: number;
+  /** between the marks of a scale */
+  step: number;
+  lowLabel: string;
+  highLabel: string;
+  choices: ChoiceFrame[];
+  needed: boolean;
+}
+
+export function readQuestionFrame(r: ByteReader): QuestionFrame {
+  return {
+    name: r.string(),
+    text: r.string(),
+    kind: r.choice(4) as QuestionKind,
+    low: r.f64(),
+    high: r.f64(),
+    step: r.f64(),
+    lowLabel: r.string(),
+    highLabel: r.string(),
+    choices: r.list(readChoiceFrame),
+    needed: r.bool(),
+  };
+}
+
+export function writeQuestionFrame(w: ByteWriter, m: QuestionFrame): void {
+  w.string(m.name);
+  w.string(m.text);
+  w.u8(m.kind);
+  w.f64(m.low);
+  w.f64(m.high);
+  w.f64(m.step);
+  w.string(m.lowLabel);
+  w.string(m.highLabel);
+  w.list(m.choices, writeChoiceFrame);
+  w.bool(m.needed);
+}
+
+/** The answer to one question. */
+export interface AnswerFrame {
+  /** of the question */
+  name: string;
+  /** as given */
+  text: string;
+  /** where it is one */
+  number: number;
+}
+
+export function readAnswerFrame(r: ByteReader): AnswerFrame {
+  return {
+    name: r.string(),
+    text: r.string(),
+    number: r.f64(),
+  };
+}
+
+export function writeAnswerFrame(w: ByteWriter, m: AnswerFrame): void {
+  w.string(m.name);
+  w.string(m.text);
+  w.f64(m.number);
 }
 
 /** Something that happened. */

@@ -3,6 +3,8 @@ import { ByteReader, ByteWriter } from './bytes';
 import {
   type NoticeLevel,
   type OverlayKind,
+  type StudyStage,
+  type TrialEnd,
 } from './enums';
 import {
   type ClipFrames,
@@ -12,6 +14,7 @@ import {
   type GroupFrame,
   type JointFrame,
   type MovingFrame,
+  type QuestionFrame,
   readClipFrames,
   readCrowdFrame,
   readEventFrame,
@@ -19,8 +22,11 @@ import {
   readGroupFrame,
   readJointFrame,
   readMovingFrame,
+  readQuestionFrame,
   readScenarioInfo,
+  readSchemeInfo,
   type ScenarioInfo,
+  type SchemeInfo,
   writeClipFrames,
   writeCrowdFrame,
   writeEventFrame,
@@ -28,7 +34,9 @@ import {
   writeGroupFrame,
   writeJointFrame,
   writeMovingFrame,
+  writeQuestionFrame,
   writeScenarioInfo,
+  writeSchemeInfo,
 } from './parts';
 
 /** The first answer. */
@@ -37,6 +45,7 @@ export interface Welcome {
   client: number;
   version: string;
   scenarios: ScenarioInfo[];
+  schemes: SchemeInfo[];
 }
 
 export function readWelcome(r: ByteReader): Welcome {
@@ -45,6 +54,7 @@ export function readWelcome(r: ByteReader): Welcome {
     client: r.u32(),
     version: r.string(),
     scenarios: r.list(readScenarioInfo),
+    schemes: r.list(readSchemeInfo),
   };
 }
 
@@ -53,6 +63,7 @@ export function writeWelcome(w: ByteWriter, m: Welcome): void {
   w.u32(m.client);
   w.string(m.version);
   w.list(m.scenarios, writeScenarioInfo);
+  w.list(m.schemes, writeSchemeInfo);
 }
 
 /** What stands still or is known for good; again whenever it changes. */
@@ -365,4 +376,172 @@ export function writeForecasts(w: ByteWriter, m: Forecasts): void {
   w.u8(8);
   w.u32(m.number);
   w.list(m.answers, writeForecastFrame);
+}
+
+/** What a control scheme shows of what is being done; whenever it changes. */
+export interface Marks {
+  type: 'Marks';
+  /** empty: the page judges inputs itself */
+  scheme: string;
+  /** ids of characters, ascending */
+  selected: Uint32Array;
+  /** x, y: the box that is being drawn [m] */
+  rectangle: Float32Array;
+  /** x, y: what a finger draws that moves nothing yet */
+  stroke: Float32Array;
+  /** x, y: where the selected are on their way to */
+  goals: Float32Array;
+  /** x, y: what is down, in the replay of a trial */
+  pointers: Float32Array;
+  /** what the last gesture missed; empty for nothing */
+  notice: string;
+}
+
+export function readMarks(r: ByteReader): Marks {
+  return {
+    type: 'Marks',
+    scheme: r.string(),
+    selected: r.u32s(),
+    rectangle: r.f32s(),
+    stroke: r.f32s(),
+    goals: r.f32s(),
+    pointers: r.f32s(),
+    notice: r.string(),
+  };
+}
+
+export function writeMarks(w: ByteWriter, m: Marks): void {
+  w.u8(9);
+  w.string(m.scheme);
+  w.u32s(m.selected);
+  w.f32s(m.rectangle);
+  w.f32s(m.stroke);
+  w.f32s(m.goals);
+  w.f32s(m.pointers);
+  w.string(m.notice);
+}
+
+/** The form that waits. */
+export interface StudyForm {
+  type: 'StudyForm';
+  instrument: string;
+  title: string;
+  text: string;
+  /** where verbatim items come from */
+  source: string;
+  /** the control that it is about; empty for none */
+  schemeTitle: string;
+  questions: QuestionFrame[];
+}
+
+export function readStudyForm(r: ByteReader): StudyForm {
+  return {
+    type: 'StudyForm',
+    instrument: r.string(),
+    title: r.string(),
+    text: r.string(),
+    source: r.string(),
+    schemeTitle: r.string(),
+    questions: r.list(readQuestionFrame),
+  };
+}
+
+export function writeStudyForm(w: ByteWriter, m: StudyForm): void {
+  w.u8(10);
+  w.string(m.instrument);
+  w.string(m.title);
+  w.string(m.text);
+  w.string(m.source);
+  w.string(m.schemeTitle);
+  w.list(m.questions, writeQuestionFrame);
+}
+
+/** Where a run of the study stands; whenever it changes. */
+export interface StudyState {
+  type: 'StudyState';
+  stage: StudyStage;
+  /** by which a page goes on with the run */
+  token: string;
+  /** its number in the database; 0 before consent */
+  run: number;
+  /** it tests the page and counts for nothing */
+  test: boolean;
+  /** which one of all waits or goes on, from 1 */
+  trial: number;
+  trials: number;
+  practice: boolean;
+  environment: string;
+  environmentText: string;
+  scheme: string;
+  schemeTitle: string;
+  schemeText: string;
+  /** it is for fingers */
+  touch: boolean;
+  /** it takes hold of the mesh */
+  mesh: boolean;
+  items: number;
+  /** the trial ends then [s] */
+  limit: number;
+  /** it may be ended from then on [s] */
+  least: number;
+  /** of the display; 0 where unknown */
+  mmPerPixel: number;
+  /** how the trial before this one ended */
+  ended: TrialEnd;
+  /** how long it took [s] */
+  seconds: number;
+  /** items collected in it */
+  collected: number;
+}
+
+export function readStudyState(r: ByteReader): StudyState {
+  return {
+    type: 'StudyState',
+    stage: r.choice(8) as StudyStage,
+    token: r.string(),
+    run: r.u32(),
+    test: r.bool(),
+    trial: r.u32(),
+    trials: r.u32(),
+    practice: r.bool(),
+    environment: r.string(),
+    environmentText: r.string(),
+    scheme: r.string(),
+    schemeTitle: r.string(),
+    schemeText: r.string(),
+    touch: r.bool(),
+    mesh: r.bool(),
+    items: r.u32(),
+    limit: r.f64(),
+    least: r.f64(),
+    mmPerPixel: r.f64(),
+    ended: r.choice(5) as TrialEnd,
+    seconds: r.f64(),
+    collected: r.u32(),
+  };
+}
+
+export function writeStudyState(w: ByteWriter, m: StudyState): void {
+  w.u8(11);
+  w.u8(m.stage);
+  w.string(m.token);
+  w.u32(m.run);
+  w.bool(m.test);
+  w.u32(m.trial);
+  w.u32(m.trials);
+  w.bool(m.practice);
+  w.string(m.environment);
+  w.string(m.environmentText);
+  w.string(m.scheme);
+  w.string(m.schemeTitle);
+  w.string(m.schemeText);
+  w.bool(m.touch);
+  w.bool(m.mesh);
+  w.u32(m.items);
+  w.f64(m.limit);
+  w.f64(m.least);
+  w.f64(m.mmPerPixel);
+  w.u8(m.ended);
+  w.f64(m.seconds);
+  w.u32(m.collected);
 }

@@ -5,6 +5,7 @@ import type { GroupView, ShapeMeshView } from '../model/frame_view';
 import type { GroundPoint } from '../model/plane';
 import type { SceneGroup } from '../protocol/scene';
 import type { DrawnCut, DrawnForecast, DrawnOrder, OrderScene } from './marks/order_marks';
+import { schemePicture, type CrowdPlaces, type SchemeView } from './marks/scheme_marks';
 
 type Ways = ReadonlyMap<number, readonly GroundPoint[]>;
 
@@ -18,11 +19,15 @@ export class OrderPicture {
   private returns_: Ways = new Map();
   private picked_ = 0;
   private cut_: DrawnCut | null = null;
+  private scheme_: SchemeView | null = null;
   private groups_: readonly GroupView[] = [];
   private colours_: readonly number[] = [];
 
-  /** `changed` asks for another picture. */
-  constructor(private readonly changed_: () => void) {}
+  /** `changed` asks for another picture; `crowd` tells where everybody is in the next one. */
+  constructor(
+    private readonly changed_: () => void,
+    private readonly crowd_: CrowdPlaces,
+  ) {}
 
   /** Accent indices of the newest frame's groups. */
   get colours(): readonly number[] {
@@ -81,6 +86,12 @@ export class OrderPicture {
     this.changed_();
   }
 
+  /** What a control scheme shows; null for nothing. */
+  setScheme(scheme: SchemeView | null): void {
+    this.scheme_ = scheme;
+    this.changed_();
+  }
+
   /** Takes the groups of the newest frame; true where their colours are others than before. */
   update(groups: readonly GroupView[]): boolean {
     this.groups_ = groups;
@@ -103,6 +114,7 @@ export class OrderPicture {
       returns: this.returns_,
       picked: this.picked_,
       cut: this.cut_,
+      scheme: this.scheme_ && schemePicture(this.scheme_, this.crowd_),
     };
   }
 }

@@ -140,12 +140,13 @@ export class Stage {
 
   /** Draws the scene as the camera sees it and counts what that took. */
   render(camera: CameraController, stats: ViewStats): void {
-    const { eye, forward } = camera.basis();
+    const { eye, forward, up } = camera.basis();
     this.eye_.fov = (camera.fieldOfView * 180) / Math.PI;
     this.eye_.aspect = camera.width / camera.height;
     this.eye_.near = Math.max(0.3, camera.pose.distance * 0.12);
     this.eye_.far = camera.pose.distance * 14 + 400;
     this.eye_.position.set(eye[0], eye[1], eye[2]);
+    this.eye_.up.set(up[0], up[1], up[2]);
     this.eye_.lookAt(new Vector3(eye[0] + forward[0], eye[1] + forward[1], eye[2] + forward[2]));
     this.eye_.updateProjectionMatrix();
     this.sun_.follow(camera, this.box_);

@@ -6,7 +6,7 @@ import type { Body } from './crowd/bodies/body';
 import type { ClipPoses } from './crowd/clips/clip_bank';
 import type { OrderPicture } from './order_picture';
 import type { SceneFacts } from '../protocol/scene';
-import type { CameraControls, Padding } from './camera/camera_controls';
+import type { CameraControls, GroundSight, Padding } from './camera/camera_controls';
 import type { FrameView, ShapeMeshView, OverlayView } from '../model/frame_view';
 import type { GroundPoint, ScreenPoint } from '../model/plane';
 import type { DraftControl } from './marks/draft_control';
@@ -22,7 +22,7 @@ export interface Attention {
 
 /** The view as tools and panels use it. */
 export interface StudioScene {
-  readonly camera: CameraControls;
+  readonly camera: CameraControls & GroundSight;
   readonly stats: ViewStats;
   /** Groups, who is chosen, and orders that are being drawn. */
   readonly orders: OrderPicture;

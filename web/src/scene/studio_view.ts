@@ -44,13 +44,13 @@ const kNothingMoves: readonly MovingView[] = [];
 export class StudioView implements StudioScene {
   readonly camera = new CameraController();
   readonly stats = new PictureStats();
-  readonly orders = new OrderPicture(() => this.wake());
   private readonly stage_: Stage;
   private readonly marks_ = new MarkState();
   private readonly markLayer_: MarkLayer;
   private readonly tagLayer_: TagLayer;
   private readonly timeline_ = new FrameTimeline();
   private readonly crowd_ = new CrowdState();
+  readonly orders = new OrderPicture(() => this.wake(), this.crowd_);
   private readonly groups_ = new GroupState();
   private readonly observer_: ResizeObserver;
   private scene_: SceneFacts | null = null;

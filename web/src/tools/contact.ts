@@ -15,6 +15,8 @@ export interface Contact {
   readonly shift: boolean;
   /** Alt or Ctrl. */
   readonly alt: boolean;
+  /** Ctrl, or the command key. */
+  readonly control?: boolean;
 }
 
 /** Owns a contact from its start to its end. */

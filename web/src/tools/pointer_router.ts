@@ -139,6 +139,7 @@ export class PointerRouter {
       button: event.button,
       shift: event.shiftKey,
       alt: event.altKey || event.ctrlKey,
+      control: event.ctrlKey || event.metaKey,
     };
   }
 

@@ -15,7 +15,7 @@ import type { StudioFrame } from '../model/studio_frame';
 import { isSameWorld, parseScene, type SceneFacts } from '../protocol/scene';
 import { problem } from '../protocol/problem';
 import { CameraGesture, OrbitGesture } from '../tools/camera_gesture';
-import type { Contact } from '../tools/contact';
+import type { Contact, ContactOwner } from '../tools/contact';
 import { CrowdKeys } from '../tools/crowd_keys';
 import { Drafts } from '../tools/drafts';
 import { FormationHitTest } from '../tools/formation_hit_test';
@@ -40,6 +40,7 @@ import { FrameReader, sceneKey } from '../model/frame_reader';
 import { LayoutWatcher } from './layout_watcher';
 import { kHintKey, StudioController } from './studio_controller';
 import { OwnPeople } from './own_people';
+import { SchemeDesk } from './scheme_desk';
 import { StudioShell } from './studio_shell';
 import { studioShortcuts } from './studio_shortcuts';
 import { StatsReadout, wantsStats } from './panels/stats_readout';
@@ -68,6 +69,7 @@ export class StudioApp {
   private readonly controller_: StudioController;
   private readonly shell_: StudioShell;
   readonly desk: OrderDesk;
+  private readonly schemes_: SchemeDesk;
   private readonly orders_: OrderChooser;
   private readonly touches_: TouchSender;
   private readonly controls_: VirtualControls;
@@ -98,6 +100,7 @@ export class StudioApp {
     const camera = new CameraGesture(view_.camera);
     const orbit = new OrbitGesture(view_.camera);
     this.desk = new OrderDesk(client_, this.store, view_, say);
+    this.schemes_ = new SchemeDesk(client_, this.store, view_, say, (time) => this.latency.touched(time));
     const toGround = (at: ScreenPoint): GroundPoint | null => view_.screenToWorld(at);
     this.orders_ = new OrderChooser({ desk: this.desk, camera, tool: () => this.store.state.tool, toGround });
     this.chooser_ = new ToolChooser({
@@ -110,7 +113,7 @@ export class StudioApp {
       orders: this.orders_,
     });
     this.guide_ = new DemonstrationCamera(view_, () => this.fit());
-    this.keys_ = new CrowdKeys(view_, this.controls_, this.chooser_, () => this.middle(), say);
+    this.keys_ = new CrowdKeys(view_, this.controls_, this.chooser_, this.middle, say);
     const shortcuts = this.shortcuts();
     this.shell_ = new StudioShell(page, this.store, this.controller_, this.desk, shortcuts);
     if (this.stats_) page.append(this.stats_.root);
@@ -154,10 +157,7 @@ export class StudioApp {
 
   private routePointers(): void {
     new PointerRouter(this.canvas_, (at) => this.view_.screenToWorld(at), {
-      choose: (contact) => {
-        this.chooseGroupOf(contact);
-        return this.chooser_.choose(contact);
-      },
+      choose: (contact) => this.schemes_.owner(contact) ?? this.steered(contact),
       tapped: (contact) => this.tapped(contact),
       doubleClicked: (contact) => this.doubleClicked(contact),
       wheel: (at, factor) => this.view_.camera.zoomAt(at, factor),
@@ -172,11 +172,12 @@ export class StudioApp {
   }
 
   /** Touching a formation chooses its group. */
-  private chooseGroupOf({ ground, button, shift }: Contact): void {
+  private steered(contact: Contact): ContactOwner {
+    const { ground, button, shift } = contact;
     const { tool, active } = this.store.state;
-    if (tool !== 'steer' || button > 0) return;
-    const target = ground && this.chooser_.formation(ground);
+    const target = tool === 'steer' && button <= 0 && ground ? this.chooser_.formation(ground) : null;
     if (target && (shift || target.index !== active)) this.desk.choose(target.index, shift);
+    return this.chooser_.choose(contact);
   }
 
   private pointed(contact: Contact): void {
@@ -202,7 +203,7 @@ export class StudioApp {
   }
 
   private doubleClicked({ ground, time }: Contact): void {
-    if (!ground || this.store.state.tool !== 'steer') return;
+    if (!ground || this.schemes_.active || this.store.state.tool !== 'steer') return;
     const grab = this.chooser_.grab(ground);
     const target = this.chooser_.formation(ground);
     if (grab) this.controls_.togglePin(grab.group, grab.control, time);
@@ -373,9 +374,7 @@ export class StudioApp {
     this.view_.lookAt(point);
   }
 
-  private middle(): ScreenPoint {
-    return { x: this.canvas_.clientWidth / 2, y: this.canvas_.clientHeight / 2 };
-  }
+  private readonly middle = (): ScreenPoint => ({ x: this.canvas_.clientWidth / 2, y: this.canvas_.clientHeight / 2 });
 
   /** Runs once per picture of the display: queued moves are sent, and touches that the picture shows are timed. */
   private readonly drawn = (): void => {

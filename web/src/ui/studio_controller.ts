@@ -167,6 +167,14 @@ export class StudioController implements StudioActions {
     if (this.store_.state.help !== open) this.store_.set({ help: open });
   }
 
+  showSchemes(open: boolean): void {
+    if (this.store_.state.schemesOpen !== open) this.store_.set({ schemesOpen: open });
+  }
+
+  chooseScheme(name: string): void {
+    this.store_.set({ scheme: name });
+  }
+
   dismissHint(): void {
     writeSetting(() => window.localStorage, kHintKey, 'seen');
     this.store_.set({ hint: false });

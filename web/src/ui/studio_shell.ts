@@ -16,6 +16,7 @@ import { LiveRegion } from './widgets/live_region';
 import { PhoneBar } from './panels/phone_bar';
 import { Readout } from './panels/readout';
 import { ScaleBar } from './panels/scale_bar';
+import { SchemeBanner, SchemeDialog } from './panels/scheme_dialog';
 import { ScenarioPicker } from './panels/scenario_picker';
 import type { OrderActions } from '../model/order_actions';
 import { OrdersPanel } from './panels/orders_panel';
@@ -70,6 +71,7 @@ export class StudioShell {
       { class: 'banners' },
       new LostBanner(store_, actions).root,
       new NoticeBanner(store_, actions).root,
+      new SchemeBanner(store_, actions).root,
     );
     const empty = new EmptyPanel(store_, actions).root;
     const main = element(
@@ -90,6 +92,7 @@ export class StudioShell {
       main,
       this.live.root,
       new HelpDialog(store_, actions, shortcuts).root,
+      new SchemeDialog(store_, actions).root,
       new Tooltip(document).root,
     );
     pressWithExtraFingers(this.page_);

@@ -174,7 +174,7 @@ class Conversation {
   }
 
   greet() {
-    this.send({ type: 'Welcome', client: 1001, version: 'made', scenarios: [] });
+    this.send({ type: 'Welcome', client: 1001, version: 'made', scenarios: [], schemes: [] });
     this.send({ type: 'Scene', revision: 1, json: JSON.stringify(sceneOf(this.count)) });
     this.send(motions('Motions'));
     for (const group of [1, 2]) this.send(meshOf(group, this.count / 2));

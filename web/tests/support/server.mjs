@@ -1,5 +1,5 @@
 // Starts and stops `muster studio`.
-import { spawn } from 'node:child_process';
+import { spawn, spawnSync } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 
@@ -9,17 +9,29 @@ export function programPath() {
   return process.env.MUSTER ?? `${root}build/release/muster`;
 }
 
-/** Starts the program on a free port from `port` on; resolves when it prints its address. Paths from the root. */
+/** Starts the studio on a free port from `port` on; resolves when it prints its address. Paths from the root. */
 export async function startStudio({ scenario = 'web/tests/scenarios/hundred.json', port = 18080 } = {}) {
+  return { ...(await startServer(['studio', scenario, '--port', String(port)])), scenario };
+}
+
+/** Starts `muster study run` or `replay --studio` with these arguments. */
+export function startStudy(...args) {
+  return startServer(['study', ...args]);
+}
+
+/** Runs the program to its end. */
+export function runProgram(...args) {
+  const { status, stdout, stderr } = spawnSync(programPath(), args, { cwd: root, encoding: 'utf8' });
+  return { status, stdout, stderr };
+}
+
+async function startServer(args) {
   const program = programPath();
   if (!existsSync(program)) throw new Error(`There is no ${program}: build it first, or name another by MUSTER=...`);
-  const child = spawn(program, ['studio', scenario, '--port', String(port)], {
-    cwd: root,
-    stdio: ['ignore', 'pipe', 'pipe'],
-  });
+  const child = spawn(program, args, { cwd: root, stdio: ['ignore', 'pipe', 'pipe'] });
   let output = '';
   const url = await new Promise((resolve, reject) => {
-    const timer = setTimeout(() => reject(new Error(`The studio said no address in 20 s:\n${output}`)), 20000);
+    const timer = setTimeout(() => reject(new Error(`The server said no address in 20 s:\n${output}`)), 20000);
     const hear = (data) => {
       output += data;
       const found = /http:\/\/[^\s/]+\//.exec(output);
@@ -29,7 +41,7 @@ export async function startStudio({ scenario = 'web/tests/scenarios/hundred.json
     };
     child.stdout.on('data', hear);
     child.stderr.on('data', hear);
-    child.once('exit', (code) => reject(new Error(`The studio ended with code ${code}:\n${output}`)));
+    child.once('exit', (code) => reject(new Error(`The server ended with code ${code}:\n${output}`)));
   });
   const stop = () =>
     new Promise((resolve) => {
@@ -38,5 +50,5 @@ export async function startStudio({ scenario = 'web/tests/scenarios/hundred.json
       child.kill('SIGINT');
       setTimeout(() => child.kill('SIGKILL'), 3000).unref();
     });
-  return { url, port: Number(new URL(url).port), scenario, stop, output: () => output };
+  return { url, port: Number(new URL(url).port), stop, output: () => output };
 }

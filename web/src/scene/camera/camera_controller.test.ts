@@ -164,3 +164,63 @@ describe('CameraController', () => {
     }
   });
 });
+
+describe('from straight above', () => {
+  const box = { min: [-20, -11.25], max: [20, 11.25] } as const;
+  const padding = { top: 76, right: 8, bottom: 8, left: 8 };
+
+  it('shows all of the world below the bar, and nothing moves it', () => {
+    const camera = new CameraController();
+    camera.resize(1440, 900);
+    camera.straightDown(box, padding);
+    const [low, high] = [camera.worldToScreen(-20, -11.25), camera.worldToScreen(20, 11.25)];
+    expect(low.x).toBeGreaterThanOrEqual(8 - 1e-6);
+    expect(high.x).toBeLessThanOrEqual(1432 + 1e-6);
+    expect(high.y).toBeGreaterThanOrEqual(76 - 1e-6);
+    expect(low.y).toBeLessThanOrEqual(892 + 1e-6);
+    expect(high.x - low.x).toBeCloseTo(1424, 3);
+    const before = { ...camera.pose };
+    camera.zoomAt({ x: 3, y: 4 }, 2);
+    camera.orbit(1, 1);
+    camera.panBy(10, 10);
+    camera.fit([{ x: 0, y: 0 }], padding);
+    camera.open();
+    expect(camera.pose).toEqual(before);
+  });
+
+  it('stands the world on its side in a high window', () => {
+    const camera = new CameraController();
+    camera.resize(390, 844);
+    camera.straightDown(box, padding);
+    expect(camera.worldToScreen(-20, 0).y).toBeGreaterThan(camera.worldToScreen(20, 0).y + 600);
+    camera.resize(844, 390);
+    expect(camera.worldToScreen(20, 0).x).toBeGreaterThan(camera.worldToScreen(-20, 0).x + 400);
+  });
+});
+
+it('tells by one matrix where the ground is seen', () => {
+  const camera = new CameraController();
+  camera.resize(1200, 800);
+  const project = (x: number, y: number) => {
+    const m = camera.seenGround().matrix;
+    const row = (i: number): number => m[i]! * x + m[i + 1]! * y + m[i + 2]!;
+    return { x: row(0) / row(6), y: row(3) / row(6) };
+  };
+  const check = (): void => {
+    for (const [x, y] of [
+      [0, 0],
+      [5, -7],
+      [-12, 9],
+    ] as const) {
+      const seen = camera.worldToScreen(x, y);
+      expect(project(x, y).x).toBeCloseTo(seen.x, 6);
+      expect(project(x, y).y).toBeCloseTo(seen.y, 6);
+    }
+  };
+  check();
+  camera.orbit(0.7, 0.2);
+  camera.zoomAt({ x: 100, y: 700 }, 1.6);
+  check();
+  camera.straightDown({ min: [-20, -11.25], max: [20, 11.25] }, { top: 76, right: 8, bottom: 8, left: 8 });
+  check();
+});

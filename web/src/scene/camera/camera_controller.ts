@@ -1,10 +1,13 @@
 // The camera's pose, and the projection between screen and ground. It is independent of three.js: the stage copies its
 // pose.
 
-import type { CameraControls, Padding } from './camera_controls';
+import type { CameraControls, GroundSight, Padding, SeenGround } from './camera_controls';
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
+import type { SceneBox } from '../../protocol/scene';
 
 const kDegree = Math.PI / 180;
+/** Field of view from straight above. */
+const kLongLens = 8 * kDegree;
 const kPitchMin = 25 * kDegree;
 const kPitchMax = 85 * kDegree;
 /** [m] */
@@ -29,13 +32,15 @@ interface Basis {
   readonly up: readonly [number, number, number];
 }
 
-export class CameraController implements CameraControls {
+export class CameraController implements CameraControls, GroundSight {
   private pose_: CameraPose = { targetX: 0, targetY: 0, distance: 40, turn: 0.33, pitch: 46 * kDegree };
   private width_ = 1;
   private height_ = 1;
   private fieldOfView_ = 24 * kDegree;
   private distanceMax_ = 400;
   private bounds_ = { minX: -1e6, minY: -1e6, maxX: 1e6, maxY: 1e6 };
+  /** The view from straight above that is kept; null where the camera moves. */
+  private down_: { readonly box: SceneBox; readonly padding: Padding } | null = null;
   private glide_: { from: CameraPose; to: CameraPose; start: number; duration: number } | null = null;
 
   get pose(): Readonly<CameraPose> {
@@ -60,10 +65,56 @@ export class CameraController implements CameraControls {
     this.width_ = Math.max(1, width);
     this.height_ = Math.max(1, height);
     this.fieldOfView_ = (Math.min(width, height) < 520 ? 28 : 24) * kDegree;
+    if (this.down_) this.straightDown(this.down_.box, this.down_.padding);
+  }
+
+  /** From straight above, all of the box between the panels, and so from now on: nothing moves this camera. */
+  straightDown(box: SceneBox, padding: Padding): void {
+    this.glide_ = null;
+    this.down_ = { box, padding };
+    const width = Math.max(80, this.width_ - padding.left - padding.right);
+    const height = Math.max(80, this.height_ - padding.top - padding.bottom);
+    const [x, y] = [box.max[0] - box.min[0], box.max[1] - box.min[1]];
+    const [lying, standing] = [Math.min(width / x, height / y), Math.min(width / y, height / x)];
+    // On a high window the world stands on its left side.
+    const turn = standing > 1.2 * lying ? -Math.PI / 2 : 0;
+    const scale = turn === 0 ? lying : standing;
+    // A long lens: at the rim a head stands hardly beside its feet.
+    this.fieldOfView_ = kLongLens;
+    const distance = this.height_ / (2 * Math.tan(kLongLens / 2) * scale);
+    this.pose_ = { targetX: 0, targetY: 0, distance, turn, pitch: Math.PI / 2 };
+    const { right, up } = this.basis();
+    const across = (padding.left + width / 2 - this.width_ / 2) / scale;
+    const along = (this.height_ / 2 - padding.top - height / 2) / scale;
+    this.pose_.targetX = (box.min[0] + box.max[0]) / 2 - right[0] * across - up[0] * along;
+    this.pose_.targetY = (box.min[1] + box.max[1]) / 2 - right[1] * across - up[1] * along;
+  }
+
+  /** As straightDown() before, between other panels. */
+  keepDown(padding: Padding): void {
+    if (this.down_) this.straightDown(this.down_.box, padding);
+  }
+
+  seenGround(): SeenGround {
+    const { eye, forward, right, up } = this.basis();
+    const row = (axis: readonly [number, number, number]): readonly number[] => [
+      axis[0],
+      axis[1],
+      -(axis[0] * eye[0] + axis[1] * eye[1] + axis[2] * eye[2]),
+    ];
+    const scale = this.height_ / (2 * Math.tan(this.fieldOfView_ / 2));
+    const [depth, across, along] = [row(forward), row(right), row(up)];
+    const matrix = [
+      ...depth.map((d, i) => (this.width_ / 2) * d + scale * across[i]!),
+      ...depth.map((d, i) => (this.height_ / 2) * d - scale * along[i]!),
+      ...depth,
+    ];
+    return { matrix, width: this.width_, height: this.height_ };
   }
 
   /** The view as a scene opens, before a fit. */
   open(): void {
+    if (this.down_) return this.straightDown(this.down_.box, this.down_.padding);
     this.glide_ = null;
     this.pose_.turn = 0.33;
     this.pose_.pitch = (this.height_ > this.width_ ? 50 : 46) * kDegree;
@@ -95,7 +146,7 @@ export class CameraController implements CameraControls {
   pinch(before: readonly [ScreenPoint, ScreenPoint], after: readonly [ScreenPoint, ScreenPoint]): void {
     const a = this.screenToGround(before[0]);
     const b = this.screenToGround(before[1]);
-    if (!a || !b || Math.hypot(b.x - a.x, b.y - a.y) < 1e-6) return;
+    if (this.down_ || !a || !b || Math.hypot(b.x - a.x, b.y - a.y) < 1e-6) return;
     // Turn, distance and target depend on each other through perspective, so the similarity is found by iteration.
     for (let round = 0; round < 24; ++round) {
       const c = this.screenToGround(after[0]);
@@ -117,6 +168,7 @@ export class CameraController implements CameraControls {
   }
 
   zoomAt(at: ScreenPoint, factor: number): void {
+    if (this.down_) return;
     const before = this.screenToGround(at);
     this.glide_ = null;
     this.pose_.distance = this.clampDistance(this.pose_.distance / factor);
@@ -125,13 +177,14 @@ export class CameraController implements CameraControls {
   }
 
   orbit(turn: number, tilt: number): void {
+    if (this.down_) return;
     this.glide_ = null;
     this.pose_.turn += turn;
     this.pose_.pitch = Math.min(kPitchMax, Math.max(kPitchMin, this.pose_.pitch + tilt));
   }
 
   fit(points: readonly GroundPoint[], padding: Padding): void {
-    if (points.length === 0) return;
+    if (points.length === 0 || this.down_) return;
     this.glide_ = null;
     const left = padding.left;
     const top = padding.top;
@@ -250,12 +303,13 @@ export class CameraController implements CameraControls {
 
   /** From a pose to the one it has now. */
   private glideFrom(from: CameraPose, now: number, duration: number): void {
-    if (duration <= 0) return;
+    if (duration <= 0 || this.down_) return;
     this.glide_ = { from, to: { ...this.pose_ }, start: now, duration };
     this.pose_ = from;
   }
 
   private shift(dx: number, dy: number): void {
+    if (this.down_) return;
     this.glide_ = null;
     this.pose_.targetX += dx;
     this.pose_.targetY += dy;
@@ -267,6 +321,7 @@ export class CameraController implements CameraControls {
   }
 
   private limit(): void {
+    if (this.down_) return;
     const { minX, minY, maxX, maxY } = this.bounds_;
     this.pose_.targetX = Math.min(maxX, Math.max(minX, this.pose_.targetX));
     this.pose_.targetY = Math.min(maxY, Math.max(minY, this.pose_.targetY));

@@ -10,6 +10,20 @@ export interface Padding {
   readonly left: number;
 }
 
+/** How the ground is seen. */
+export interface SeenGround {
+  /** Nine numbers by rows: from (x, y, 1) on the ground [m] to homogeneous px. */
+  readonly matrix: readonly number[];
+  /** Of the canvas [CSS px]. */
+  readonly width: number;
+  readonly height: number;
+}
+
+/** What tells how the ground is seen now. */
+export interface GroundSight {
+  seenGround(): SeenGround;
+}
+
 export interface CameraControls {
   /** Keeps the ground under a finger that moved. */
   pan(from: ScreenPoint, to: ScreenPoint): void;

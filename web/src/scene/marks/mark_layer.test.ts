@@ -50,6 +50,7 @@ function draw(control: ControlView): void {
     returns: new Map(),
     picked: 0,
     cut: null,
+    scheme: null,
   };
   layer.draw(marks, scene);
 }

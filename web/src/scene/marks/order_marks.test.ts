@@ -44,6 +44,7 @@ function draw(groups: readonly GroupView[], queues = true, more: Partial<OrderSc
     returns: new Map(),
     picked: 0,
     cut: null,
+    scheme: null,
     ...more,
   };
   marks.draw(scene);

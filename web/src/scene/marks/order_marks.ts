@@ -9,6 +9,7 @@ import { withAlpha } from '../drawing/colour';
 import { accentColour, type Palette } from '../drawing/palette';
 import type { MarkExtent } from './mark_extent';
 import type { MarkColours, MarkPainter } from './mark_painter';
+import type { SchemePicture } from './scheme_marks';
 
 /** How one group would stand. */
 export interface StandPreview {
@@ -65,6 +66,7 @@ export interface OrderScene {
   /** The order that is chosen in the list of the queue; 0 for none. */
   readonly picked: number;
   readonly cut: DrawnCut | null;
+  readonly scheme: SchemePicture | null;
 }
 
 const kFollow = 2;

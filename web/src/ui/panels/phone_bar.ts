@@ -35,6 +35,7 @@ export class PhoneBar {
     item('character', 'Own character…', openCharacter);
     const ours = item('places', 'Our people', () => actions.ourPeople());
     store.watch(['ownCharacter'], ({ ownCharacter }) => (ours.hidden = ownCharacter === ''));
+    item('steer', 'Control…', () => actions.showSchemes(true));
     item('moon', 'Light or dark', () => actions.toggleTheme());
     item('help', 'Help', () => actions.showHelp(true));
     this.root.append(layers, more, layerList, menu);

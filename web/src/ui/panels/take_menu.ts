@@ -20,7 +20,7 @@ export class TakeMenu {
     label: 'Takes',
     iconOnly: true,
     className: 'takes',
-    tip: 'Takes, and whom the crowd looks like',
+    tip: 'Takes, whom the crowd looks like, and the control',
   });
   private readonly list_ = element('div', { class: 'take-list panel', role: 'group', 'aria-label': 'Takes' });
   private readonly take_ = fileInput('Open a take', '.take', false);
@@ -37,6 +37,7 @@ export class TakeMenu {
       this.item('open', 'Open take…', () => this.chooseFile()),
       this.item('character', 'Own character…', () => this.chooseCharacter()),
       ours,
+      this.item('steer', 'Control…', () => actions.showSchemes(true)),
     );
     store.watch(['ownCharacter'], ({ ownCharacter }) => (ours.hidden = ownCharacter === ''));
     this.take_.addEventListener('change', () => {

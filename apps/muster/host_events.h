@@ -1,0 +1,91 @@
+// What a server's thread posts to the thread that simulates, and the server's own thread.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <string>
+#include <thread>
+#include <variant>
+#include <vector>
+
+#include "mailbox.h"
+#include "studio_server.h"
+
+namespace muster {
+
+// Events that the server posts to the simulation.
+struct Opened {
+    ConnectionId connection;
+};
+struct Received {
+    ConnectionId connection;
+    std::vector<std::uint8_t> bytes;
+};
+struct Refused {
+    ConnectionId connection;
+    std::string code;
+    std::string text;
+};
+struct Closed {
+    ConnectionId connection;
+};
+struct TakeRequested {
+    HttpReply reply;
+};
+struct TakeUploaded {
+    std::vector<std::uint8_t> bytes;
+    HttpReply reply;
+};
+struct Interrupted {};
+using HostEvent = std::variant<Opened, Received, Refused, Closed, TakeRequested, TakeUploaded, Interrupted>;
+
+/// Callbacks that post to the mailbox.
+ServerEvents eventsTo(Mailbox<HostEvent>& mailbox, std::atomic<bool>& interrupted);
+/// A new world costs much and replaces everything before it. Of equal waiting requests for one only the last
+/// is handled, so that a client cannot keep the simulation busy by repeating it.
+void dropRepeated(std::vector<HostEvent>& events);
+
+/// An answer of one sentence.
+HttpAnswer sentence(int status, const std::string& words);
+/// An answer that says what failed.
+HttpAnswer failure(const Status& status);
+
+/// Runs the server on its own thread; the destructor stops it.
+class Serving {
+public:
+    /// `failed` is called where the server ends by itself.
+    Serving(StudioServer& server, const std::function<void()>& failed)
+        : server_(server), thread_([this, failed] { run(failed); }) {}
+    ~Serving() {
+        server_.stop();
+        thread_.join();
+    }
+    bool good() const { return good_; }  ///< It has not ended by itself.
+
+private:
+    void run(const std::function<void()>& failed);
+
+    StudioServer& server_;
+    std::atomic<bool> good_ = true;
+    std::thread thread_;  // The last member, because the thread uses the others.
+};
+
+/// How a page is served.
+struct ServeOptions {
+    int port = 8080;         ///< Where it is in use, the next free one is taken.
+    std::string pageFolder;  ///< Folder of the built page.
+    std::string mode;        ///< What the page shows instead of the studio: "study"; empty for the studio.
+    std::string title = "Muster studio";  ///< Printed before the address.
+    bool openBrowser = false;             ///< Opens the page in the desktop's browser.
+    bool json = false;                    ///< Prints address and port as one JSON value.
+};
+
+/// The definition of a server of that page, without its events. Fails where there is no page.
+Result<ServerDef> serverDef(const ServeOptions& options);
+/// Prints the address and opens the browser, where that is wanted.
+void announce(const ServeOptions& options, int port);
+/// Prints why a server does not run; returns the exit code.
+int serveFailed(const Status& status);
+
+}  // namespace muster

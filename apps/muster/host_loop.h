@@ -1,0 +1,131 @@
+// The loop of a program that serves a page: one thread simulates, another serves. The host is a Session, or
+// anything that takes and gives messages as one does.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <utility>
+
+#include "host_events.h"
+#include "muster/session.h"
+
+namespace muster {
+
+/// Hands events to a host and lets its time pass, on the thread that calls run().
+template <class Host>
+class Simulation {
+public:
+    Simulation(Host& host, Mailbox<HostEvent>& mailbox, StudioServer& server,
+               const std::atomic<bool>& interrupted)
+        : host_(host), mailbox_(mailbox), server_(server), interrupted_(interrupted) {}
+
+    /// Returns when interrupted.
+    void run() {
+        using Clock = std::chrono::steady_clock;
+        std::vector<HostEvent> events;
+        auto last = Clock::now();
+        while (!interrupted_) {
+            mailbox_.collect(clients_.empty() ? kLongestWait : std::min(kLongestWait, host_.untilNextStep()),
+                             events);
+            const auto now = Clock::now();
+            // The world stands still while no client is connected.
+            if (!clients_.empty()) host_.elapse(std::chrono::duration<double>(now - last).count());
+            last = now;
+            dropRepeated(events);
+            for (HostEvent& event : events) {
+                if (interrupted_) break;
+                std::visit(*this, event);
+            }
+            if (!clients_.empty() && host_.stepDue()) host_.step();
+            flush();
+        }
+        host_.finish();
+    }
+
+    void operator()(Opened& event) { clients_[event.connection] = host_.connect(); }
+    void operator()(Received& event) {
+        const auto found = clients_.find(event.connection);
+        if (found != clients_.end()) host_.receive(found->second, event.bytes);
+    }
+    void operator()(Refused& event) {
+        const auto found = clients_.find(event.connection);
+        if (found != clients_.end()) host_.notice(found->second, true, event.code, event.text);
+    }
+    void operator()(Closed& event) {
+        const auto found = clients_.find(event.connection);
+        if (found == clients_.end()) return;
+        host_.disconnect(found->second);
+        clients_.erase(found);
+    }
+    void operator()(TakeRequested& event) {
+        if constexpr (requires { host_.take(); }) {
+            auto bytes = host_.take();
+            if (!bytes.ok()) return event.reply(failure(bytes.status()));
+            HttpAnswer answer;
+            answer.type = "application/octet-stream";
+            answer.body.assign(bytes.value().begin(), bytes.value().end());
+            answer.fileName = host_.takeName();
+            event.reply(std::move(answer));
+        } else {
+            event.reply(sentence(404, "There are no takes here."));
+        }
+    }
+    void operator()(TakeUploaded& event) {
+        if constexpr (requires { host_.openTake(event.bytes, ""); }) {
+            const Status status = host_.openTake(event.bytes, "take");
+            if (!status.ok()) return event.reply(failure(status));
+            event.reply(sentence(200, "The take is open."));
+        } else {
+            event.reply(sentence(404, "There are no takes here."));
+        }
+    }
+    void operator()(Interrupted&) {}  // The event only ends the wait for the mailbox.
+
+private:
+    static constexpr double kLongestWait = 0.25;  // [s]
+
+    void flush() {
+        for (const auto& [connection, client] : clients_) {
+            std::vector<MessageBytes> messages;
+            host_.outgoing(client, messages);
+            if (!messages.empty()) server_.send(connection, std::move(messages));
+        }
+    }
+
+    Host& host_;
+    Mailbox<HostEvent>& mailbox_;
+    StudioServer& server_;
+    std::map<ConnectionId, std::uint32_t> clients_;
+    const std::atomic<bool>& interrupted_;
+};
+
+/// Serves a page for a host until interrupted. Returns the program's exit code; failures are printed on
+/// standard error.
+template <class Host>
+int serve(Host& host, const ServeOptions& options) {
+    constexpr std::size_t kMailboxBytes = std::size_t{128} << 20;  // Enough for a take and many messages.
+    auto def = serverDef(options);
+    if (!def.ok()) return serveFailed(def.status());
+    Mailbox<HostEvent> mailbox(kMailboxBytes);
+    std::atomic<bool> interrupted = false;
+    def->events = eventsTo(mailbox, interrupted);
+    auto server = StudioServer::listen(std::move(def).value());
+    if (!server.ok()) return serveFailed(server.status());
+    bool served = true;
+    {
+        const Serving serving(*server.value(), [&] {
+            interrupted = true;
+            mailbox.post(Interrupted{});
+        });
+        announce(options, server.value()->port());
+        Simulation<Host>(host, mailbox, *server.value(), interrupted).run();
+        served = serving.good();
+    }
+    // Events that arrive too late refer to connections, which must be destroyed before the server.
+    std::vector<HostEvent> late;
+    mailbox.collect(0.0, late);
+    return served ? 0 : 1;
+}
+
+}  // namespace muster
