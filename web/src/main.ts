@@ -10,6 +10,9 @@ import './ui/styles/layout_sheet.css';
 import './ui/styles/layout_phone.css';
 import './ui/styles/orders.css';
 import './ui/styles/queue.css';
+import './ui/styles/view.css';
+import './ui/styles/readout.css';
+import './ui/styles/shapes.css';
 
 import { StudioClient } from './link/studio_client';
 import { fetchBodies } from './scene/crowd/bodies/gltf_body';

@@ -1,5 +1,6 @@
 // The studio in a real browser: node tests/browser.mjs [--only WORD] (MUSTER=path names the program)
 import { chromium } from 'playwright-core';
+import * as camera from './cases/camera.mjs';
 import * as demonstration from './cases/demonstration.mjs';
 import * as feedback from './cases/feedback.mjs';
 import * as look from './cases/look.mjs';
@@ -83,6 +84,22 @@ const kCases = [
     [...kTablets, 'phone', 'narrow', 'zoomed', 'wide'],
     { scenario: 'scenarios/open.json' },
   ],
+  ...['scenarios/course.json', 'scenarios/paper/x03-long-house.json', 'scenarios/paper/x08-congestion.json'].map(
+    (scenario) => [
+      `camera: watched crowd of ${scenario.replace(/.*\/|\.json/g, '')}`,
+      camera.watchedCrowd,
+      ['desktop', 'phone'],
+      { scenario },
+    ],
+  ),
+  [
+    'camera: by touch',
+    camera.cameraByTouch,
+    ['wide', 'landscape', 'portrait', 'phone'],
+    { scenario: 'web/tests/scenarios/two-groups.json' },
+  ],
+  ['camera: by keys', camera.cameraByKeys, ['desktop'], { touch: false, scenario: 'scenarios/block.json' }],
+  ['camera: wheel', camera.wheelEndsOnPeople, ['desktop'], { touch: false, scenario: 'scenarios/block.json' }],
   ['people', people.appear, ['desktop'], { search: '?quality=full' }],
   ['people in light quality', people.appearLight, ['desktop'], { search: '?quality=light' }],
   ['people on patches', people.motions, ['desktop'], { scenario: 'scenarios/course.json' }],

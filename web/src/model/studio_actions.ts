@@ -1,6 +1,7 @@
 // The actions of buttons, keys and gestures. Panels know no more of the studio.
 
 import type { OverlayKind } from '../protocol/messages';
+import type { DialogName, HintStep } from './studio_state';
 import type { Layers } from './view_settings';
 
 export interface StudioActions {
@@ -27,12 +28,32 @@ export interface StudioActions {
   toggleLayer(layer: keyof Layers): void;
   /** Shows the overlay, or takes it away where it is shown. */
   toggleOverlay(kind: OverlayKind): void;
+  /** The readout's figures, or its words alone. */
+  toggleFigures(): void;
+  /** Opens a dialog, or closes it with 'none'. */
+  openDialog(dialog: DialogName): void;
+  /** The tool that draws an outline as the formation, or none. */
+  toggleDraw(): void;
   toggleTheme(): void;
   showHelp(open: boolean): void;
   dismissHint(): void;
+  /** The visitor has done what a step of the hint tells of. */
+  tried(step: HintStep): void;
   dismissNotice(): void;
   /** Brings the spot that the message is about into view. */
   showNoticePlace(): void;
   retry(): void;
   fit(): void;
+  /** The camera goes along with the crowd, or stays. */
+  toggleFollow(): void;
+  /** Brings one group into view. */
+  frameGroup(index: number): void;
+  /** From above; without perspective. */
+  toggleTop(): void;
+  toggleFlat(): void;
+  /** Views 1 to 9. */
+  saveView(number: number): void;
+  showView(number: number): void;
+  /** Nothing but the scene, without marks and panels. */
+  toggleClean(): void;
 }

@@ -3,6 +3,8 @@
 import { OverlayKind, PlaybackAction } from '../protocol/messages';
 import { problem } from '../protocol/problem';
 import type { MessageSender } from '../link/studio_client';
+import type { ShapeActions } from '../model/shape_actions';
+import { kHintSteps, type DialogName, type HintStep } from '../model/studio_state';
 import { kObjectives, objectiveParameters } from '../model/objective';
 import type { OwnPeople } from './own_people';
 import type { StudioActions } from '../model/studio_actions';
@@ -13,7 +15,10 @@ import type { Layers } from '../model/view_settings';
 import type { StudioStore } from '../model/studio_store';
 
 export const kSpeeds: readonly number[] = [0.25, 0.5, 1, 2, 4];
+/** How long the hint stays when all of it is done [ms]. */
+const kHintLingers = 1600;
 export const kHintKey = 'muster.hint';
+export const kFiguresKey = 'muster.figures';
 
 /** The next speed in the list, round its ends; from between two, the next in that direction. */
 export function nextSpeed(speed: number, back: boolean): number {
@@ -27,10 +32,10 @@ export interface ControllerLink extends MessageSender {
 }
 
 /** What panels and keys ask of the camera. */
-export interface ControllerCamera {
-  fitCrowd(): void;
-  lookAt(point: GroundPoint): void;
-}
+export type ControllerCamera = Pick<
+  StudioActions,
+  'fit' | 'toggleFollow' | 'frameGroup' | 'toggleTop' | 'toggleFlat' | 'saveView' | 'showView'
+> & { lookAt(point: GroundPoint): void };
 
 export class StudioController implements StudioActions {
   /** `say` speaks to the live region. */
@@ -40,6 +45,7 @@ export class StudioController implements StudioActions {
     private readonly camera_: ControllerCamera,
     private readonly say_: (text: string) => void,
     private readonly people_: Pick<OwnPeople, 'open' | 'reset'>,
+    private readonly shapes_: Pick<ShapeActions, 'toggleDraw'>,
   ) {}
 
   togglePlay(): void {
@@ -53,8 +59,11 @@ export class StudioController implements StudioActions {
   }
 
   restart(): void {
+    const { playing } = this.store_.state;
     this.client_.send({ type: 'Playback', action: PlaybackAction.Restart });
-    this.say_('Back to the start');
+    // Who paused looks at the start before going on.
+    if (!playing) this.client_.send({ type: 'Playback', action: PlaybackAction.Pause });
+    this.say_(playing ? 'Back to the start' : 'Back to the start, paused');
   }
 
   toggleDemonstration(): void {
@@ -157,6 +166,20 @@ export class StudioController implements StudioActions {
     this.say_(`Cost of character ${id}`);
   }
 
+  openDialog(dialog: DialogName): void {
+    this.store_.set({ dialog });
+  }
+
+  toggleDraw(): void {
+    this.shapes_.toggleDraw();
+  }
+
+  toggleFigures(): void {
+    const figures = !this.store_.state.figures;
+    writeSetting(() => window.localStorage, kFiguresKey, figures ? 'shown' : 'hidden');
+    this.store_.set({ figures });
+  }
+
   toggleTheme(): void {
     const theme = this.store_.state.theme === 'dark' ? 'light' : 'dark';
     rememberTheme(window, theme);
@@ -165,6 +188,14 @@ export class StudioController implements StudioActions {
 
   showHelp(open: boolean): void {
     if (this.store_.state.help !== open) this.store_.set({ help: open });
+  }
+
+  tried(step: HintStep): void {
+    const { hint, tried } = this.store_.state;
+    if (!hint || tried.includes(step)) return;
+    this.store_.set({ tried: [...tried, step] });
+    // All is done: the ticks are seen for a moment.
+    if (tried.length + 1 === kHintSteps.length) window.setTimeout(() => this.dismissHint(), kHintLingers);
   }
 
   dismissHint(): void {
@@ -186,7 +217,37 @@ export class StudioController implements StudioActions {
   }
 
   fit(): void {
-    this.camera_.fitCrowd();
+    this.camera_.fit();
+  }
+
+  toggleFollow(): void {
+    this.camera_.toggleFollow();
+  }
+
+  frameGroup(index: number): void {
+    this.camera_.frameGroup(index);
+  }
+
+  toggleTop(): void {
+    this.camera_.toggleTop();
+  }
+
+  toggleFlat(): void {
+    this.camera_.toggleFlat();
+  }
+
+  saveView(number: number): void {
+    this.camera_.saveView(number);
+  }
+
+  showView(number: number): void {
+    this.camera_.showView(number);
+  }
+
+  toggleClean(): void {
+    const clean = !this.store_.state.clean;
+    this.store_.set({ clean });
+    this.say_(clean ? 'Marks and panels are hidden' : 'Marks and panels are back');
   }
 
   /** A server that was found again has forgotten the overlay. */

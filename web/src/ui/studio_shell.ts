@@ -4,6 +4,8 @@ import type { Shortcut } from '../tools/shortcuts';
 import { LostBanner } from './panels/lost_banner';
 import { NoticeBanner } from './panels/notice_banner';
 import { element } from './widgets/dom';
+import { CleanPicture } from './panels/clean_picture';
+import { CrowdArrows } from './panels/crowd_arrows';
 import { EmptyPanel } from './panels/empty_panel';
 import { pressWithExtraFingers } from './widgets/extra_finger_press';
 import { FormationPanel } from './panels/formation_panel';
@@ -22,6 +24,7 @@ import { OrdersPanel } from './panels/orders_panel';
 import { QueueBar } from './panels/queue_bar';
 import type { StudioActions } from '../model/studio_actions';
 import { isLost } from '../model/studio_state';
+import { ViewBar } from './panels/view_bar';
 import { Tooltip } from './widgets/tooltip';
 import { PlaybackBar } from './panels/playback_bar';
 import type { Padding } from '../scene/camera/camera_controls';
@@ -84,12 +87,14 @@ export class StudioShell {
       legend,
       this.readout_.root,
       this.scale.root,
+      ...[new ViewBar(store_, actions), new CrowdArrows(store_, actions)].map(({ root }) => root),
     );
     this.page_.append(
       header,
       main,
       this.live.root,
       new HelpDialog(store_, actions, shortcuts).root,
+      new CleanPicture(store_, actions).root,
       new Tooltip(document).root,
     );
     pressWithExtraFingers(this.page_);
@@ -112,8 +117,8 @@ export class StudioShell {
       const right = layout === 'desktop' ? this.besideOrders() : this.beside(this.playback_.root);
       return { top, right, bottom: height - this.readout_.root.getBoundingClientRect().top + 12, left };
     }
-    const right = layout === 'portrait' ? this.besideOrders() : 24;
-    return { top, right, bottom: height - Math.min(height, ...below.map((box) => box.top)) + 24, left: 24 };
+    const right = layout === 'short' ? 24 : this.besideOrders();
+    return { top, right, bottom: height - Math.min(height, ...below.map((box) => box.top)) + 24, left: 14 };
   }
 
   private beside(panel: HTMLElement): number {

@@ -5,7 +5,6 @@ import type { DraftControl } from './draft_control';
 import type { MarkState, ShownControl } from './mark_state';
 import { pathPoints, smooth, thinned } from './control_shapes';
 import type { OverlayView } from '../../model/frame_view';
-import { withAlpha } from '../drawing/colour';
 import { MarkExtent, type MarkBounds } from './mark_extent';
 import { MarkPainter, type MarkColours } from './mark_painter';
 import { OrderMarks, type OrderScene } from './order_marks';
@@ -13,6 +12,8 @@ import { accentColour } from '../drawing/palette';
 
 export interface MarkScene extends OrderScene {
   readonly paths: boolean;
+  /** True where a mark on the ground would lie over a figure. */
+  covered(at: GroundPoint): boolean;
   readonly now: number;
   readonly drafts: readonly DraftControl[];
   readonly overlay: OverlayView | null;
@@ -58,7 +59,7 @@ export class MarkLayer {
   draw(marks: MarkState, scene: MarkScene): void {
     const controls = [...marks.controls];
     if (!this.cover(this.extentOf(controls, marks, scene))) return;
-    this.painter_.begin(this.bounds_ as MarkBounds, this.ratio_);
+    this.painter_.begin(this.bounds_ as MarkBounds, this.ratio_, this.width_);
     if (scene.overlay && scene.overlay.path.length >= 4) this.drawChosenPath(scene.overlay.path, scene);
     this.orders_.draw(scene);
     for (const shown of controls) this.drawBody(shown, marks, scene);
@@ -131,7 +132,8 @@ export class MarkLayer {
     if (shown.control.kind === 0) return;
     const soft = shown.control.supplementary;
     for (let i = 0; i + 1 < soft.length; i += 2) {
-      this.painter_.softPoint(scene.camera.worldToScreen(soft[i] ?? 0, soft[i + 1] ?? 0), colours);
+      const at = { x: soft[i] ?? 0, y: soft[i + 1] ?? 0 };
+      if (!scene.covered(at)) this.painter_.softPoint(scene.camera.worldToScreen(at.x, at.y), colours);
     }
   }
 
@@ -163,7 +165,7 @@ export class MarkLayer {
     });
     if (!away || shown.control.kind === 0 || ends.length < 2) return;
     const ghost = this.screen(shown.control.kind === 2 ? convexHull(ends) : ends, scene);
-    this.painter_.dashed(ghost, withAlpha(colours.accent, 0.8), 2.2, shown.control.kind === 2);
+    this.painter_.dashed(ghost, colours.accent, 2.2, shown.control.kind === 2, colours.casing);
   }
 
   private drawEnds(
@@ -185,7 +187,9 @@ export class MarkLayer {
         key,
         shownPoints.map((i) => points[i] as GroundPoint),
       );
-      const clear = shownPoints.filter((i) => distance(at[i] as ScreenPoint, at[0] as ScreenPoint) > kHandleRoom);
+      const clear = shownPoints.filter(
+        (i) => distance(at[i] as ScreenPoint, at[0] as ScreenPoint) > kHandleRoom && !scene.covered(points[i]!),
+      );
       clear.forEach((i, order) => this.painter_.checkpoint(at[i] as ScreenPoint, colours, order === 0));
       const last = at[at.length - 1] as ScreenPoint;
       const before = at[at.length - 2] as ScreenPoint;
@@ -205,6 +209,7 @@ export class MarkLayer {
       if (shown.control.kind === 0) this.painter_.pointHandle(point, colours, size);
       else if (shown.control.kind === 1) this.painter_.lineHandle(point, angle, colours, size);
       else this.painter_.areaHandle(point, colours, size);
+      if (shown.control.pinned) this.painter_.pin(point, colours, scene.palette.ink);
     }
   }
 
@@ -221,7 +226,7 @@ export class MarkLayer {
     const at = this.screen(draft.points, scene);
     this.painter_.alpha = 1;
     if (draft.closed) this.painter_.veil(at, colours.accent);
-    this.painter_.dashed(at, colours.accent, 2.2, draft.closed);
+    this.painter_.dashed(at, colours.accent, 2.2, draft.closed, colours.casing);
     this.painter_.alpha = kDraftAlpha;
     for (const handle of this.screen(draft.handles, scene)) this.painter_.pointHandle(handle, colours, 1);
   }

@@ -49,6 +49,11 @@ const kShapes = {
   dials: '<path d="M3 6h8 M15 6h2 M3 14h2 M9 14h8"/><circle cx="13" cy="6" r="2"/><circle cx="7" cy="14" r="2"/>',
   earlier: '<path d="M16 10H5 M9 5.500 4.500 10 9 14.500" stroke-linejoin="round"/>',
   later: '<path d="M4 10h11 M11 5.500 15.500 10 11 14.500" stroke-linejoin="round"/>',
+  fit: '<path d="M3 7V3h4 M13 3h4v4 M17 13v4h-4 M7 17H3v-4" stroke-linejoin="round"/><circle cx="10" cy="10" r="2.2" fill="currentColor"/>',
+  camera:
+    '<rect x="2" y="5.500" width="10.500" height="9" rx="2"/><path d="m12.500 9 5-3v8l-5-3" stroke-linejoin="round"/>',
+  arrow: '<path d="M4 10h11 M10.500 5 15.500 10l-5 5" stroke-linejoin="round"/>',
+  show: '<path d="M3 12V5a2 2 0 0 1 2-2h10a2 2 0 0 1 2 2v7 M3 16.500h14" stroke-linejoin="round"/>',
   close: '<path d="m5 5 10 10 M15 5 5 15"/>',
   download: '<path d="M10 3v9.5 M6 9l4 4 4-4 M3.5 16.5h13"/>',
   open: '<path d="M2.8 15.8V4.8h5l1.8 2.2h7.6v8.8Z" stroke-linejoin="round"/>',
