@@ -27,6 +27,10 @@ public:
     HttpConnection(StudioServer::Impl& server, tcp::socket socket)
         : server_(server), stream_(std::move(socket)) {
         ++server_.connections;
+        Error error;
+        const auto here = stream_.socket().local_endpoint(error);
+        door_ = {error ? std::string("0.0.0.0") : here.address().to_string(), server_.port,
+                 server_.def.token};
     }
     ~HttpConnection() { --server_.connections; }
 
@@ -56,9 +60,11 @@ private:
         if (error && error.category() != ofHttp) return;  // The client is gone or too slow.
         if (error) return refuse(400, "The request cannot be read.");
         const Request& request = parser_->get();
-        if (request.count(http::field::host) != 1 ||
-            !isLocalHost(toString(request[http::field::host]), server_.port))
-            return refuse(403, "Unknown host: the studio answers to 127.0.0.1 and localhost only.");
+        if (request.count(http::field::host) != 1 || !isOwnHost(toString(request[http::field::host]), door_))
+            return refuse(403, "Unknown host: the studio answers to its own address only.");
+        if (linkHasToken(toString(request.target()), door_)) return invite();
+        if (!door_.atDesk() && !cookieHasToken(toString(request[http::field::cookie]), door_))
+            return refuse(403, "This studio opens by its link only. Whoever started it has the link.");
         if (websocket::is_upgrade(request)) return upgrade();
         if (request.method() == http::verb::post) return post();
         if (request.method() != http::verb::get && request.method() != http::verb::head)
@@ -81,10 +87,19 @@ private:
         std::make_shared<SocketConnection>(server_, std::move(stream_))->start(request);
     }
 
+    // The browser keeps the token as a cookie, so that it stands in no address afterwards.
+    void invite() {
+        HttpAnswer answer;
+        answer.status = 303;
+        answer.body = "Welcome.\n";
+        answer.location = "/";
+        respond(std::move(answer), "no-store");
+    }
+
     bool originKnown() const {
         const Request& request = parser_->get();
         return request.count(http::field::origin) == 1 &&
-               isLocalOrigin(toString(request[http::field::origin]), server_.port);
+               isOwnOrigin(toString(request[http::field::origin]), door_);
     }
 
     // Pages of other sites must not make the server build a large take, even though they could not read it.
@@ -163,7 +178,11 @@ private:
         if (!answer.fileName.empty())
             response_.set(http::field::content_disposition,
                           "attachment; filename=\"" + answer.fileName + "\"");
-        for (const auto& [field, value] : securityFields(server_.port)) response_.set(field, value);
+        if (!answer.location.empty()) {
+            response_.set(http::field::location, answer.location);
+            response_.set(http::field::set_cookie, tokenCookie(door_));
+        }
+        for (const auto& [field, value] : securityFields(door_)) response_.set(field, value);
         response_.keep_alive(keep_ && parser_->is_header_done() && request.keep_alive());
         response_.body() = std::move(answer.body);
         response_.prepare_payload();
@@ -195,6 +214,7 @@ private:
 
     StudioServer::Impl& server_;
     beast::tcp_stream stream_;
+    Doorway door_;
     beast::flat_buffer buffer_;
     std::unique_ptr<http::request_parser<http::vector_body<std::uint8_t>>> parser_;
     Response response_;

@@ -1,4 +1,6 @@
 // The studio: one thread simulates, another serves. The server posts events to the simulation.
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -13,6 +15,7 @@
 #include <variant>
 
 #include "browser.h"
+#include "invitation.h"
 #include "mailbox.h"
 #include "motion_bodies.h"
 #include "muster/session.h"
@@ -269,12 +272,27 @@ Status pageExists(const std::string& folder) {
             ": found no index.html, expected the built page; ./run builds it, --page names another folder"};
 }
 
-std::string printAddress(int port, bool json) {
+void printLinks(const Invitation& invitation) {
+    if (invitation.links.empty())
+        return void(std::printf("No network was found: only this machine can connect.\n"));
+    std::printf("For others in your network (whoever has the link can direct):\n");
+    for (const std::string& link : invitation.links) std::printf("  %s\n", link.c_str());
+    if (isatty(STDOUT_FILENO)) std::printf("\n%s\n", codeText(invitation.code).c_str());
+}
+
+std::string printAddress(int port, const Invitation* invitation, const std::string& token, bool json) {
     const std::string address = "http://127.0.0.1:" + std::to_string(port) + "/";
-    if (json)
-        printJsonValue({{"address", address}, {"port", port}});
-    else
+    if (json) {
+        Json value{{"address", address}, {"port", port}};
+        if (invitation != nullptr) {
+            value["links"] = Json::arrayOf(invitation->links);
+            value["token"] = token;
+        }
+        printJsonValue(value);
+    } else {
         std::printf("Muster studio: %s\n", address.c_str());
+        if (invitation != nullptr) printLinks(*invitation);
+    }
     std::fflush(stdout);
     return address;
 }
@@ -287,10 +305,6 @@ int failed(const Status& status) {
 }  // namespace
 
 int runStudio(const StudioOptions& options) {
-    if (options.host != "127.0.0.1" && options.host != "localhost") {
-        return failed(invalidArgument("found the host '" + options.host +
-                                      "', expected 127.0.0.1: only this machine may connect"));
-    }
     if (Status status = pageExists(options.pageFolder); !status.ok()) return failed(status);
     auto session = makeSession(options);
     if (!session.ok()) return failed(session.status());
@@ -302,10 +316,16 @@ int runStudio(const StudioOptions& options) {
     for (BodyFile& body : bodyFiles())
         def.files["/bodies/" + body.name] = {"model/gltf-binary", "no-cache", std::move(body.bytes)};
     def.subprotocol = protocol::kSubprotocol;
+    const std::string token = options.lan ? makeToken() : std::string();
+    def.token = token;
     def.events = eventsTo(mailbox, interrupted);
     auto server = StudioServer::listen(std::move(def));
     if (!server.ok()) return failed(server.status());
-    const std::string address = printAddress(server.value()->port(), options.json);
+    const int port = server.value()->port();
+    Invitation invitation;
+    if (options.lan) invitation = makeInvitation(networkAddresses(), port, token);
+    server.value()->addFile("/invitation.json", {"application/json", "no-store", invitationJson(invitation)});
+    const std::string address = printAddress(port, options.lan ? &invitation : nullptr, token, options.json);
     bool served = true;
     {
         const Serving serving(*server.value(), [&] {

@@ -10,9 +10,10 @@ namespace {
 constexpr const char* kClientNames[] = {
     "Hello", "Touches", "AddControl", "PinControl", "RemoveControl", "SetFormation", "SetCount",
     "SetParameter", "Playback", "SetSpeed", "LoadScenario", "Record", "SetOverlay", "Commands",
-    "Attend", "FrameAck", "Ping", "AskForecasts"};
+    "Attend", "FrameAck", "Ping", "AskForecasts", "SetName", "GiveGroup"};
 constexpr const char* kServerNames[] = {
-    "Welcome", "Scene", "Motions", "GroupMesh", "Frame", "Overlay", "Notice", "Pong", "Forecasts"};
+    "Welcome", "Scene", "Motions", "GroupMesh", "Frame", "Overlay", "Notice", "Pong", "Forecasts",
+    "Directors"};
 
 template <class Any, class Message>
 Result<Any> decodeAs(std::span<const std::uint8_t> bytes) {
@@ -62,6 +63,8 @@ Result<ClientMessage> decodeClient(std::span<const std::uint8_t> bytes) {
         case 15: return decodeAs<Any, FrameAck>(bytes);
         case 16: return decodeAs<Any, Ping>(bytes);
         case 17: return decodeAs<Any, AskForecasts>(bytes);
+        case 18: return decodeAs<Any, SetName>(bytes);
+        case 19: return decodeAs<Any, GiveGroup>(bytes);
         default: return unknown(bytes, std::size(kClientNames));
     }
 }
@@ -78,6 +81,7 @@ Result<ServerMessage> decodeServer(std::span<const std::uint8_t> bytes) {
         case 6: return decodeAs<Any, Notice>(bytes);
         case 7: return decodeAs<Any, Pong>(bytes);
         case 8: return decodeAs<Any, Forecasts>(bytes);
+        case 9: return decodeAs<Any, Directors>(bytes);
         default: return unknown(bytes, std::size(kServerNames));
     }
 }

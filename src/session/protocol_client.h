@@ -245,9 +245,35 @@ struct AskForecasts {
     }
 };
 
+/// How the sender is called from now on.
+struct SetName {
+    static constexpr std::uint8_t kNumber = 18;  ///< First byte of the message.
+    std::string name;  ///< at most 40 characters count; empty: a number
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(name);
+    }
+};
+
+/// What a director may direct: one group and its parts, or everything.
+struct GiveGroup {
+    static constexpr std::uint8_t kNumber = 19;  ///< First byte of the message.
+    std::uint32_t client = 0;
+    std::uint32_t group = 0;  ///< 0: everything
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(client, group);
+    }
+};
+
 /// Any message of the page; the index is its number.
 using ClientMessage = std::variant<
     Hello, Touches, AddControl, PinControl, RemoveControl, SetFormation, SetCount, SetParameter,
-    Playback, SetSpeed, LoadScenario, Record, SetOverlay, Commands, Attend, FrameAck, Ping, AskForecasts>;
+    Playback, SetSpeed, LoadScenario, Record, SetOverlay, Commands, Attend, FrameAck, Ping,
+    AskForecasts, SetName, GiveGroup>;
 
 }  // namespace muster::protocol

@@ -8,8 +8,8 @@
 
 namespace muster::protocol {
 
-inline constexpr std::uint32_t kVersion = 7;                 ///< Raised by any change of a message.
-inline constexpr const char* kSubprotocol = "muster.v7";  ///< Of the WebSocket.
+inline constexpr std::uint32_t kVersion = 8;                 ///< Raised by any change of a message.
+inline constexpr const char* kSubprotocol = "muster.v8";  ///< Of the WebSocket.
 
 /// Marks the input as bad where an enumeration read from it has no such value.
 template <class Archive, class Enum>
@@ -41,6 +41,20 @@ enum class Turn : std::uint8_t { Wheel, Reverse, Keep };
 enum class Stance : std::uint8_t { Normal, Hold, Yield };
 /// Values of a field, as one byte.
 enum class EventKind : std::uint8_t { EnterPatch, LeavePatch, TransitionStart, TransitionEnd, SingleStep, Collect, FormationChange, Swap, Arrived, Stuck, Blocked, Free, NoPath, Partial, OrderGiven, OrderBegun, OrderDone, OrderSkipped, Passed, GroupAdded, GroupRemoved, Joined, Left, Transferred };
+
+/// Somebody who is connected.
+struct DirectorFrame {
+    std::uint32_t client = 0;
+    std::string name;
+    std::uint8_t colour = 0;  ///< 0 to 15; no two have the same
+    std::vector<std::uint32_t> groups;  ///< ids of the groups that they may direct; empty: all
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(client, name, colour, groups);
+    }
+};
 
 /// One finger begins, moves, lifts or is lost, in world coordinates [m].
 struct TouchEvent {

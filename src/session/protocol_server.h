@@ -174,8 +174,20 @@ struct Forecasts {
     }
 };
 
+/// Everybody who is connected, in the order in which they came; again whenever that changes.
+struct Directors {
+    static constexpr std::uint8_t kNumber = 9;  ///< First byte of the message.
+    std::vector<DirectorFrame> directors;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(directors);
+    }
+};
+
 /// Any message of the server; the index is its number.
 using ServerMessage = std::variant<
-    Welcome, Scene, Motions, GroupMesh, Frame, Overlay, Notice, Pong, Forecasts>;
+    Welcome, Scene, Motions, GroupMesh, Frame, Overlay, Notice, Pong, Forecasts, Directors>;
 
 }  // namespace muster::protocol

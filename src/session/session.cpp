@@ -45,6 +45,7 @@ Status Session::Impl::begin(const std::string& worldName, const WorldDef& newDef
     pacer.reset();
     playing = true;
     frames.restart();
+    directors.forgetGroups();
     beginMotion();
     refreshScene();
     touchState();
@@ -256,6 +257,7 @@ void Session::Impl::stepOnce() {
     waitingCommands = 0;
     touchState();
     frames.observe(*world);
+    directors.observe(*world);
     observeMotion();
     if (!replay)
         log.observe(*world);

@@ -31,6 +31,7 @@ void Session::disconnect(std::uint32_t client) {
         (void)impl_->submit(client, found->second, bodies);
     }
     impl_->clients.erase(found);
+    impl_->directors.leave(client);
 }
 
 void Session::notice(std::uint32_t client, bool error, const std::string& code, const std::string& text) {
@@ -62,8 +63,16 @@ void Session::Impl::noticeAll(protocol::NoticeLevel level, const std::string& co
     }
 }
 
-void Session::Impl::greet(std::uint32_t id, SessionClient& client) {
+void Session::Impl::tellOthers(std::uint32_t id, const std::string& did) {
+    for (auto& [other, client] : clients) {
+        if (client.greeted && other != id)
+            notice(client, protocol::NoticeLevel::Info, "director", directors.name(id) + " " + did + ".");
+    }
+}
+
+void Session::Impl::greet(std::uint32_t id, SessionClient& client, const std::string& called) {
     client.greeted = true;
+    directors.join(id, called);
     protocol::Welcome welcome;
     welcome.client = id;
     welcome.version = def.version;
@@ -83,12 +92,19 @@ void Session::outgoing(std::uint32_t client, std::vector<MessageBytes>& messages
     const auto found = impl_->clients.find(client);
     if (found == impl_->clients.end()) return;
     SessionClient& to = found->second;
+    if (to.greeted) impl_->sendDirectors(to);
     if (to.greeted && impl_->world && !to.awaitsAck) {
         impl_->sendOverlay(to);
         const bool due = !impl_->playing || impl_->realTime >= to.frameDue;
         if (to.sentState != impl_->state && due) impl_->sendFrame(to);
     }
     messages.swap(to.outbox);
+}
+
+void Session::Impl::sendDirectors(SessionClient& client) {
+    if (client.sentDirectors == directors.revision()) return;
+    client.sentDirectors = directors.revision();
+    client.outbox.push_back(protocol::encode(directors.message()));
 }
 
 // Sends everything that a frame refers to before the frame.

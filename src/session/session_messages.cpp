@@ -42,9 +42,27 @@ public:
     Handler(Session::Impl& session, std::uint32_t id, SessionClient& client)
         : session_(session), id_(id), client_(client) {}
 
-    Status operator()(const protocol::Hello&) {
+    Status operator()(const protocol::Hello& message) {
         if (client_.greeted) return invalidArgument("a second Hello");
-        session_.greet(id_, client_);
+        session_.greet(id_, client_, message.name);
+        return {};
+    }
+
+    Status operator()(const protocol::SetName& message) {
+        session_.directors.rename(id_, message.name);
+        return {};
+    }
+
+    Status operator()(const protocol::GiveGroup& message) {
+        const GroupDef* group = message.group == 0 ? nullptr : groupDef(message.group);
+        if (message.group != 0 && group == nullptr) return noGroup(message.group);
+        const Status status = session_.directors.give(message.client, GroupId{message.group});
+        if (!status.ok()) return status;
+        const auto found = session_.clients.find(message.client);
+        if (message.client == id_ || found == session_.clients.end()) return {};
+        const std::string what = group == nullptr ? "everything" : group->name;
+        session_.notice(found->second, protocol::NoticeLevel::Info, "director",
+                        session_.directors.name(id_) + " gave you " + what + " to direct.");
         return {};
     }
 
@@ -150,9 +168,9 @@ public:
                 session_.singleSteps = std::min(session_.singleSteps + 1, kMaxSingleSteps);
                 break;
             case protocol::PlaybackAction::Restart:
-                return session_.restart();
+                return told(session_.restart(), "began again");
             case protocol::PlaybackAction::Demonstrate:
-                return session_.demonstrate();
+                return told(session_.demonstrate(), "plays the touches that the scenario carries");
         }
         session_.pacer.reset();
         session_.touchState();
@@ -177,7 +195,7 @@ public:
             return {StatusCode::NotFound, "no scenario is called '" + message.name.substr(0, 60) + "'"};
         const auto def = session_.def.loadScenario(found->name);
         if (!def.ok()) return def.status();
-        return session_.begin(found->name, def.value(), nullptr);
+        return told(session_.begin(found->name, def.value(), nullptr), "opened " + found->title);
     }
 
     Status operator()(const protocol::Record& message) {
@@ -247,6 +265,10 @@ public:
     }
 
 private:
+    Status told(Status status, const std::string& did) const {
+        if (status.ok()) session_.tellOthers(id_, did);
+        return status;
+    }
     static Status noWorld() { return {StatusCode::NotFound, "there is no world yet"}; }
     static Status noGroup(std::uint32_t id) {
         return {StatusCode::NotFound, "no group has the id " + std::to_string(id)};
@@ -309,6 +331,8 @@ Status Session::Impl::submit(std::uint32_t id, SessionClient& client, std::vecto
         return {StatusCode::LimitExceeded, "more than " + std::to_string(def.limits.waitingCommands) +
                                                " commands wait for the next step"};
     }
+    for (CommandBody& body : bodies)
+        if (const Status status = directors.admit(id, body); !status.ok()) return status;
     std::vector<Command> commands;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         commands.push_back({world->stepCount(), id, client.sequence + static_cast<std::uint32_t>(i) + 1,

@@ -11,6 +11,7 @@
 #include "io/take/replayer.h"
 #include "muster/session.h"
 #include "session/crowd_encoder.h"
+#include "session/directors.h"
 #include "session/frame_builder.h"
 #include "session/motion_frames.h"
 #include "session/pacer.h"
@@ -38,14 +39,15 @@ struct SessionClient {
     /// Messages other than frames. The client's requests bound their number.
     std::vector<MessageBytes> outbox;
 
-    std::uint32_t frame = 0;        ///< Number of the last frame sent.
-    bool awaitsAck = false;         ///< True while that frame is not acknowledged.
-    std::uint64_t sentState = 0;    ///< Session state that the last frame showed; 0 for none.
-    std::uint32_t sentScene = 0;    ///< Revision of the last scene sent; 0 for none.
-    std::uint32_t sentMotions = 0;  ///< Revision of the last motions sent; 0 for none.
-    std::uint32_t sentIds = 0;      ///< Version of the last ids sent; 0 for none.
-    double frameDue = 0.0;          ///< Real time at which the next frame is due while the world plays [s].
-    CrowdEncoder crowd;             ///< The characters as the client knows them.
+    std::uint32_t frame = 0;          ///< Number of the last frame sent.
+    bool awaitsAck = false;           ///< True while that frame is not acknowledged.
+    std::uint64_t sentState = 0;      ///< Session state that the last frame showed; 0 for none.
+    std::uint32_t sentScene = 0;      ///< Revision of the last scene sent; 0 for none.
+    std::uint32_t sentMotions = 0;    ///< Revision of the last motions sent; 0 for none.
+    std::uint32_t sentDirectors = 0;  ///< Revision of the directors sent; 0 for none.
+    std::uint32_t sentIds = 0;        ///< Version of the last ids sent; 0 for none.
+    double frameDue = 0.0;            ///< Real time at which the next frame is due while the world plays [s].
+    CrowdEncoder crowd;               ///< The characters as the client knows them.
     std::map<std::uint32_t, std::uint32_t> sentMeshes;  ///< Version of the mesh sent, by group.
     std::map<std::uint32_t, PlacesEncoder> places;      ///< The places as the client knows them, by group.
     std::vector<protocol::EventFrame> events;           ///< Events since the last frame.
@@ -88,11 +90,14 @@ struct Session::Impl {
     void reportLostFile();
 
     // Clients (session_clients.cpp).
-    void greet(std::uint32_t id, SessionClient& client);
+    void greet(std::uint32_t id, SessionClient& client, const std::string& called);
     void notice(SessionClient& client, protocol::NoticeLevel level, const std::string& code,
                 const std::string& text, std::optional<Vec2> place = std::nullopt);
     void noticeAll(protocol::NoticeLevel level, const std::string& code, const std::string& text,
                    std::optional<Vec2> place = std::nullopt);
+    /// Tells everybody but one director what that one did.
+    void tellOthers(std::uint32_t id, const std::string& did);
+    void sendDirectors(SessionClient& client);
     void sendScene(SessionClient& client);
     void buildFrame();
     void sendFrame(SessionClient& client);
@@ -105,6 +110,7 @@ struct Session::Impl {
     SessionDef def;
     std::map<std::uint32_t, SessionClient> clients;  // By client number.
     std::uint32_t lastClient = kLastDemonstrator;
+    Directors directors;
 
     std::string name;  // The scenario's name.
     WorldDef worldDef;

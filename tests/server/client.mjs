@@ -83,7 +83,7 @@ export class RawSocket {
       Connection: 'Upgrade',
       'Sec-WebSocket-Key': randomBytes(16).toString('base64'),
       'Sec-WebSocket-Version': '13',
-      'Sec-WebSocket-Protocol': 'muster.v7',
+      'Sec-WebSocket-Protocol': 'muster.v8',
       ...headers,
     };
     const lines = Object.entries(all).filter(([, value]) => value !== null).map(([name, value]) => `${name}: ${value}\r\n`);

@@ -7,9 +7,10 @@ import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { demonstrationTests } from './demonstration.mjs';
+import { lanTests } from './lan.mjs';
 import { processTests } from './process.mjs';
 import { watchBodies, watchQueue, watchSilence } from './slow.mjs';
-import { RawSocket, ack, dial, exchange, fromClient, fromServer, hello, ping, request, stepOf } from './client.mjs';
+import { RawSocket, ack, dial, eventually, exchange, fromClient, fromServer, hello, ping, request, stepOf } from './client.mjs';
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 const program = resolve(process.argv[2] ?? join(root, 'build/release/muster'));
@@ -136,10 +137,10 @@ await test('exact Origin of WebSockets', async () => {
 });
 
 await test('subprotocol', async () => {
-  const two = await RawSocket.open(port, { 'Sec-WebSocket-Protocol': 'other, muster.v7' });
-  check(two.status === 101 && /sec-websocket-protocol: muster\.v7/i.test(two.head), 'one of two');
+  const two = await RawSocket.open(port, { 'Sec-WebSocket-Protocol': 'other, muster.v8' });
+  check(two.status === 101 && /sec-websocket-protocol: muster\.v8/i.test(two.head), 'one of two');
   two.close();
-  for (const name of [null, 'muster.v1', 'muster', 'muster.v7x']) {
+  for (const name of [null, 'muster.v1', 'muster', 'muster.v8x']) {
     check((await RawSocket.open(port, { 'Sec-WebSocket-Protocol': name })).status === 400, `subprotocol ${name}`);
   }
   check((await RawSocket.open(port, {}, '/other')).status === 404, 'path');
@@ -271,6 +272,16 @@ await test('a client that neither acknowledges nor reads does not slow another',
   lively.close();
 });
 
+/** Starts a studio that tells what it is as JSON. */
+async function begin(...options) {
+  const own = spawn(program, ['studio', '--port', '18680', ...options, ...common], { cwd: place, stdio: ['ignore', 'pipe', 'inherit'] });
+  let text = '';
+  own.stdout.on('data', (chunk) => (text += chunk));
+  check(await eventually(() => text.trimEnd().endsWith('}')), `no address: ${text}`);
+  const ended = new Promise((done) => own.on('exit', done));
+  return { said: JSON.parse(text), end: () => (own.kill('SIGINT'), ended) };
+}
+await lanTests({ test, check, begin, closed: port });
 await demonstrationTests({ test, check, client, get, program, place });
 
 let take = null;

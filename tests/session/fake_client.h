@@ -38,8 +38,9 @@ inline SessionDef sessionDef() {
 /// One client of a session.
 class FakeClient {
 public:
-    explicit FakeClient(Session& session, bool greet = true) : session_(session), id(session.connect()) {
-        if (greet) send(protocol::Hello{"fake"});
+    explicit FakeClient(Session& session, bool greet = true, const std::string& name = "fake")
+        : session_(session), id(session.connect()) {
+        if (greet) send(protocol::Hello{name});
     }
 
     template <class Message>
@@ -93,6 +94,7 @@ private:
         if (const auto* m = std::get_if<protocol::Notice>(&message)) notices.push_back(*m);
         if (const auto* m = std::get_if<protocol::Forecasts>(&message)) forecasts.push_back(*m);
         if (const auto* m = std::get_if<protocol::Pong>(&message)) pongs.push_back(*m);
+        if (const auto* m = std::get_if<protocol::Directors>(&message)) directors.push_back(*m);
         if (const auto* m = std::get_if<protocol::Frame>(&message)) {
             frames.push_back(*m);
             page = decoder_.take(*m);
@@ -116,6 +118,7 @@ public:
     std::vector<protocol::Notice> notices;
     std::vector<protocol::Forecasts> forecasts;
     std::vector<protocol::Pong> pongs;
+    std::vector<protocol::Directors> directors;
 };
 
 /// A session that has loaded the small floor.

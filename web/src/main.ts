@@ -8,6 +8,7 @@ import './ui/styles/messages.css';
 import './ui/styles/layout_floating.css';
 import './ui/styles/layout_sheet.css';
 import './ui/styles/layout_phone.css';
+import './ui/styles/directors.css';
 import './ui/styles/orders.css';
 import './ui/styles/queue.css';
 import './ui/styles/view.css';

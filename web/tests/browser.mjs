@@ -1,6 +1,7 @@
 // The studio in a real browser: node tests/browser.mjs [--only WORD] (MUSTER=path names the program)
 import { chromium } from 'playwright-core';
 import * as camera from './cases/camera.mjs';
+import * as directors from './cases/directors.mjs';
 import * as demonstration from './cases/demonstration.mjs';
 import * as feedback from './cases/feedback.mjs';
 import * as look from './cases/look.mjs';
@@ -118,6 +119,18 @@ const kCases = [
   ],
   ['growing crowd', scenarios.growingCrowd, ['desktop'], { scenario: 'scenarios/open.json' }],
   ['two groups', scenarios.twoGroups, ['desktop'], { scenario: 'web/tests/scenarios/two-groups.json', room: true }],
+  [
+    'directors: two',
+    directors.twoDirectors,
+    [...kTablets, 'phone'],
+    { scenario: 'web/tests/scenarios/two-groups.json', room: true },
+  ],
+  [
+    'directors: invitation',
+    directors.invitation,
+    ['desktop', 'portrait', 'phone'],
+    { scenario: 'scenarios/open.json', options: ['--lan'] },
+  ],
   ['record and replay', session.recordAndReplay, ['desktop'], { room: true }],
   ['a page that hangs', session.stalledPage, ['desktop'], {}],
   ['first visit', look.firstVisit, [...kTablets, 'phone', 'narrow'], { hint: true }],
@@ -169,7 +182,8 @@ async function runCase({ name, test, size, options }) {
   let studio = null;
   let own = null;
   try {
-    if (options.scenario) own = await startStudio({ scenario: options.scenario, port: 18280 });
+    if (options.scenario)
+      own = await startStudio({ scenario: options.scenario, port: 18280, options: options.options });
     if (options.made) own = await startMadeCrowd({ ...options.made, bodies: server.url });
     studio = own ? await openOwnPage(own, size, options) : await openPage(size, options);
     await studio.fit();

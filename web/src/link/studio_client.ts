@@ -2,6 +2,7 @@
 
 import type {
   ClientMessage,
+  Directors,
   Forecasts,
   Frame,
   GroupMesh,
@@ -28,6 +29,7 @@ export interface StudioEvents {
   overlay: Overlay;
   notice: Notice;
   forecasts: Forecasts;
+  directors: Directors;
 }
 
 /** What the client needs of a Worker. */
@@ -107,6 +109,9 @@ export class StudioClient extends Emitter<StudioEvents> implements MessageSender
         break;
       case 'Forecasts':
         this.emit('forecasts', message);
+        break;
+      case 'Directors':
+        this.emit('directors', message);
         break;
       case 'Pong':
         break;

@@ -9,6 +9,7 @@ import type { Walks } from './objective';
 import type { LinkState } from './link_state';
 import type { ConductFacts, OrderStyle } from './commands';
 import type { ClassCount } from './roles';
+import type { DirectorInfo, Invitation } from './directors';
 
 export type InputKind = 'touch' | 'mouse';
 
@@ -138,6 +139,9 @@ export interface StudioState {
   /** Nothing but the scene is shown: no marks, no panels. */
   readonly clean: boolean;
   readonly arrows: readonly CrowdArrow[];
+  /** Everybody who is connected. */
+  readonly directors: readonly DirectorInfo[];
+  readonly invitation: Invitation;
   readonly notice: Notice | null;
   readonly hint: boolean;
   /** What the hint tells of and the visitor has done, in its order. */
@@ -195,6 +199,8 @@ export const kInitialState: StudioState = {
   flatView: false,
   clean: false,
   arrows: [],
+  directors: [],
+  invitation: { links: [], code: [] },
   notice: null,
   hint: false,
   tried: [],

@@ -389,3 +389,44 @@ export function writeAskForecasts(w: ByteWriter, m: AskForecasts): void {
   w.u32(m.number);
   w.list(m.asks, writeForecastAsk);
 }
+
+/** How the sender is called from now on. */
+export interface SetName {
+  type: 'SetName';
+  /** at most 40 characters count; empty: a number */
+  name: string;
+}
+
+export function readSetName(r: ByteReader): SetName {
+  return {
+    type: 'SetName',
+    name: r.string(),
+  };
+}
+
+export function writeSetName(w: ByteWriter, m: SetName): void {
+  w.u8(18);
+  w.string(m.name);
+}
+
+/** What a director may direct: one group and its parts, or everything. */
+export interface GiveGroup {
+  type: 'GiveGroup';
+  client: number;
+  /** 0: everything */
+  group: number;
+}
+
+export function readGiveGroup(r: ByteReader): GiveGroup {
+  return {
+    type: 'GiveGroup',
+    client: r.u32(),
+    group: r.u32(),
+  };
+}
+
+export function writeGiveGroup(w: ByteWriter, m: GiveGroup): void {
+  w.u8(19);
+  w.u32(m.client);
+  w.u32(m.group);
+}

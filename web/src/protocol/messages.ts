@@ -6,6 +6,7 @@ import {
   type Attend,
   type Commands,
   type FrameAck,
+  type GiveGroup,
   type Hello,
   type LoadScenario,
   type PinControl,
@@ -16,6 +17,7 @@ import {
   readAttend,
   readCommands,
   readFrameAck,
+  readGiveGroup,
   readHello,
   readLoadScenario,
   readPinControl,
@@ -25,6 +27,7 @@ import {
   readRemoveControl,
   readSetCount,
   readSetFormation,
+  readSetName,
   readSetOverlay,
   readSetParameter,
   readSetSpeed,
@@ -33,6 +36,7 @@ import {
   type RemoveControl,
   type SetCount,
   type SetFormation,
+  type SetName,
   type SetOverlay,
   type SetParameter,
   type SetSpeed,
@@ -42,6 +46,7 @@ import {
   writeAttend,
   writeCommands,
   writeFrameAck,
+  writeGiveGroup,
   writeHello,
   writeLoadScenario,
   writePinControl,
@@ -51,12 +56,14 @@ import {
   writeRemoveControl,
   writeSetCount,
   writeSetFormation,
+  writeSetName,
   writeSetOverlay,
   writeSetParameter,
   writeSetSpeed,
   writeTouches,
 } from './client_messages';
 import {
+  type Directors,
   type Forecasts,
   type Frame,
   type GroupMesh,
@@ -64,6 +71,7 @@ import {
   type Notice,
   type Overlay,
   type Pong,
+  readDirectors,
   readForecasts,
   readFrame,
   readGroupMesh,
@@ -75,6 +83,7 @@ import {
   readWelcome,
   type Scene,
   type Welcome,
+  writeDirectors,
   writeForecasts,
   writeFrame,
   writeGroupMesh,
@@ -109,7 +118,9 @@ export type ClientMessage =
   | Attend
   | FrameAck
   | Ping
-  | AskForecasts;
+  | AskForecasts
+  | SetName
+  | GiveGroup;
 
 const readClient: readonly ((r: ByteReader) => ClientMessage)[] = [
   readHello,
@@ -130,6 +141,8 @@ const readClient: readonly ((r: ByteReader) => ClientMessage)[] = [
   readFrameAck,
   readPing,
   readAskForecasts,
+  readSetName,
+  readGiveGroup,
 ];
 
 /** Reads a message; throws ProtocolError where it does not fit. */
@@ -198,6 +211,12 @@ export function encodeClient(message: ClientMessage): ArrayBuffer {
     case 'AskForecasts':
       writeAskForecasts(w, message);
       break;
+    case 'SetName':
+      writeSetName(w, message);
+      break;
+    case 'GiveGroup':
+      writeGiveGroup(w, message);
+      break;
   }
   return w.bytes();
 }
@@ -211,7 +230,8 @@ export type ServerMessage =
   | Overlay
   | Notice
   | Pong
-  | Forecasts;
+  | Forecasts
+  | Directors;
 
 const readServer: readonly ((r: ByteReader) => ServerMessage)[] = [
   readWelcome,
@@ -223,6 +243,7 @@ const readServer: readonly ((r: ByteReader) => ServerMessage)[] = [
   readNotice,
   readPong,
   readForecasts,
+  readDirectors,
 ];
 
 /** Reads a message; throws ProtocolError where it does not fit. */
@@ -263,6 +284,9 @@ export function encodeServer(message: ServerMessage): ArrayBuffer {
       break;
     case 'Forecasts':
       writeForecasts(w, message);
+      break;
+    case 'Directors':
+      writeDirectors(w, message);
       break;
   }
   return w.bytes();

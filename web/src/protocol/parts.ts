@@ -11,6 +11,32 @@ import {
   type Turn,
 } from './enums';
 
+/** Somebody who is connected. */
+export interface DirectorFrame {
+  client: number;
+  name: string;
+  /** 0 to 15; no two have the same */
+  colour: number;
+  /** ids of the groups that they may direct; empty: all */
+  groups: Uint32Array;
+}
+
+export function readDirectorFrame(r: ByteReader): DirectorFrame {
+  return {
+    client: r.u32(),
+    name: r.string(),
+    colour: r.u8(),
+    groups: r.u32s(),
+  };
+}
+
+export function writeDirectorFrame(w: ByteWriter, m: DirectorFrame): void {
+  w.u32(m.client);
+  w.string(m.name);
+  w.u8(m.colour);
+  w.u32s(m.groups);
+}
+
 /** One finger begins, moves, lifts or is lost, in world coordinates [m]. */
 export interface TouchEvent {
   phase: TouchPhase;

@@ -7,6 +7,7 @@ import {
 import {
   type ClipFrames,
   type CrowdFrame,
+  type DirectorFrame,
   type EventFrame,
   type ForecastFrame,
   type GroupFrame,
@@ -14,6 +15,7 @@ import {
   type MovingFrame,
   readClipFrames,
   readCrowdFrame,
+  readDirectorFrame,
   readEventFrame,
   readForecastFrame,
   readGroupFrame,
@@ -23,6 +25,7 @@ import {
   type ScenarioInfo,
   writeClipFrames,
   writeCrowdFrame,
+  writeDirectorFrame,
   writeEventFrame,
   writeForecastFrame,
   writeGroupFrame,
@@ -365,4 +368,22 @@ export function writeForecasts(w: ByteWriter, m: Forecasts): void {
   w.u8(8);
   w.u32(m.number);
   w.list(m.answers, writeForecastFrame);
+}
+
+/** Everybody who is connected, in the order in which they came; again whenever that changes. */
+export interface Directors {
+  type: 'Directors';
+  directors: DirectorFrame[];
+}
+
+export function readDirectors(r: ByteReader): Directors {
+  return {
+    type: 'Directors',
+    directors: r.list(readDirectorFrame),
+  };
+}
+
+export function writeDirectors(w: ByteWriter, m: Directors): void {
+  w.u8(9);
+  w.list(m.directors, writeDirectorFrame);
 }

@@ -10,6 +10,7 @@ import type { CameraControls, Padding } from './camera/camera_controls';
 import type { FrameView, ShapeMeshView, OverlayView } from '../model/frame_view';
 import type { GroundPoint, ScreenPoint } from '../model/plane';
 import type { DraftControl } from './marks/draft_control';
+import type { DirectorInfo } from '../model/directors';
 
 /** The characters whose whole poses the server shall send: those nearest to a point. */
 export interface Attention {
@@ -56,6 +57,8 @@ export interface StudioScene {
   showDrafts(drafts: readonly DraftControl[]): void;
   /** Our number at the server: whose fingers these are. */
   setClient(client: number): void;
+  /** Whose fingers have which colour and name. */
+  setDirectors(directors: readonly DirectorInfo[]): void;
   /** A rubber band or lasso being drawn; null takes it away. */
   previewControl(groupIndex: number, points: readonly GroundPoint[] | null, closed: boolean): void;
   /** Id of the character whose figure lies under client coordinates, or -1. */

@@ -1,5 +1,6 @@
 // The scene: everything that is drawn from the world's frames, and the camera that looks at it.
 
+import type { DirectorInfo } from '../model/directors';
 import './view.css';
 import type { Body } from './crowd/bodies/body';
 import type { ClipPoses } from './crowd/clips/clip_bank';
@@ -215,6 +216,10 @@ export class StudioView implements StudioScene {
 
   setClient(client: number): void {
     this.marks_.client = client;
+  }
+
+  setDirectors(directors: readonly DirectorInfo[]): void {
+    this.marks_.directors = new Map(directors.map((one) => [one.client, one]));
   }
 
   previewControl(groupIndex: number, points: readonly GroundPoint[] | null, closed: boolean): void {

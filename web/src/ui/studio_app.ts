@@ -29,6 +29,7 @@ import { TouchSender } from '../tools/touch_sender';
 import type { StudioScene } from '../scene/studio_scene';
 import { OrderChooser } from '../tools/order_chooser';
 import { OrderDesk } from './order_desk';
+import { DirectorsDesk } from './directors_desk';
 import { AttentionSender } from './attention_sender';
 import { ControlWatch, kKindNames, type ControlNews } from '../model/control_watch';
 import { openDialogsLazily } from './lazy_dialogs';
@@ -77,6 +78,7 @@ export class StudioApp {
   private readonly shell_: StudioShell;
   readonly desk: OrderDesk;
   private readonly orders_: OrderChooser;
+  private readonly directors_: DirectorsDesk;
   private readonly touches_: TouchSender;
   private readonly controls_: VirtualControls;
   private readonly chooser_: ToolChooser;
@@ -136,7 +138,8 @@ export class StudioApp {
     const eye = { camera: this.camera.hand, screenToWorld: toGround };
     this.keys_ = new CrowdKeys(eye, this.controls_, this.chooser_, () => this.middle(), say);
     const shortcuts = this.shortcuts();
-    this.shell_ = new StudioShell(page, this.store, this.controller_, this.desk, shortcuts);
+    this.directors_ = new DirectorsDesk(client_, this.store, view_, () => client_.clientId, say);
+    this.shell_ = new StudioShell(page, this.store, this.controller_, this.desk, this.directors_, shortcuts);
     this.start(page, shortcuts);
   }
 
@@ -254,12 +257,14 @@ export class StudioApp {
     client.on('frame', ({ frame, receivedAt }) => this.showFrame(frame, receivedAt));
     client.on('overlay', (overlay) => this.showOverlay(overlay));
     client.on('forecasts', (answers) => this.desk.queues.answered(answers, performance.now()));
+    client.on('directors', ({ directors }) => this.directors_.took(directors));
     client.on('notice', (notice) => this.noticed(notice));
   }
 
   private greeted({ scenarios }: Welcome): void {
     this.store.set({ scenarios });
     this.controller_.askOverlayAgain();
+    this.directors_.greeted();
   }
   private noticed(notice: Notice): void {
     // The server refused these touches, so no frame will show them.
@@ -333,6 +338,7 @@ export class StudioApp {
     this.timePicture();
     this.store.set(this.reader_.change(frame, this.store.state));
     this.desk.observe(frame);
+    this.directors_.observe(frame.groups);
     this.drafts_.observe(frame);
     for (const news of this.watch_.observe(frame)) this.announce(news);
     for (const { name, formation } of this.formations_.observe(this.store.state.groups, frame.step)) {

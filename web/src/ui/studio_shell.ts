@@ -6,6 +6,8 @@ import { NoticeBanner } from './panels/notice_banner';
 import { element } from './widgets/dom';
 import { CleanPicture } from './panels/clean_picture';
 import { CrowdArrows } from './panels/crowd_arrows';
+import { DirectorsPanel } from './panels/directors_panel';
+import type { DirectorActions } from '../model/directors';
 import { EmptyPanel } from './panels/empty_panel';
 import { pressWithExtraFingers } from './widgets/extra_finger_press';
 import { FormationPanel } from './panels/formation_panel';
@@ -48,11 +50,13 @@ export class StudioShell {
     private readonly store_: StudioStore,
     actions: StudioActions,
     orders: OrderActions,
+    directors: DirectorActions,
     shortcuts: readonly Shortcut[],
   ) {
     const scenario = new ScenarioPicker(store_, actions).root;
     const groups = new GroupChips(store_, actions, orders).root;
     const layers = new LayerBar(store_, actions).root;
+    const directing = new DirectorsPanel(store_, directors).root;
     this.formations_ = new FormationPanel(store_, actions);
     this.playback_ = new PlaybackBar(store_, actions);
     this.readout_ = new Readout(store_, actions);
@@ -67,7 +71,7 @@ export class StudioShell {
     const queue = new QueueBar(store_, orders).root;
     const hint = new HintBar(store_, actions).root;
     const legend = new LegendPanel(store_).root;
-    const header = element('header', { class: 'contents' }, scenario, groups, layers, phone);
+    const header = element('header', { class: 'contents' }, scenario, groups, layers, directing, phone);
     const banners = element(
       'div',
       { class: 'banners' },

@@ -10,10 +10,11 @@ export function programPath() {
 }
 
 /** Starts the program on a free port from `port` on; resolves when it prints its address. Paths from the root. */
-export async function startStudio({ scenario = 'web/tests/scenarios/hundred.json', port = 18080 } = {}) {
+/** `options` are further ones of the studio. */
+export async function startStudio({ scenario = 'web/tests/scenarios/hundred.json', port = 18080, options = [] } = {}) {
   const program = programPath();
   if (!existsSync(program)) throw new Error(`There is no ${program}: build it first, or name another by MUSTER=...`);
-  const child = spawn(program, ['studio', scenario, '--port', String(port)], {
+  const child = spawn(program, ['studio', scenario, '--port', String(port), ...options], {
     cwd: root,
     stdio: ['ignore', 'pipe', 'pipe'],
   });

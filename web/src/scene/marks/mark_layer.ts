@@ -2,7 +2,7 @@
 
 import { convexHull, distance, type GroundPoint, type ScreenPoint } from '../../model/plane';
 import type { DraftControl } from './draft_control';
-import type { MarkState, ShownControl } from './mark_state';
+import type { MarkState, ShownControl, TouchRing } from './mark_state';
 import { pathPoints, smooth, thinned } from './control_shapes';
 import type { OverlayView } from '../../model/frame_view';
 import { MarkExtent, type MarkBounds } from './mark_extent';
@@ -24,6 +24,10 @@ export interface MarkScene extends OrderScene {
 const kCheckpointGap = 30;
 /** None is shown so near its handle [CSS px]. */
 const kHandleRoom = 18;
+/** A director's name stands so far above the finger [CSS px]. */
+const kNameAbove = 46;
+/** Half of the longest name [CSS px]. */
+const kNameRoom = 170;
 /** Handles that the world has not answered yet are pale. */
 const kDraftAlpha = 0.55;
 
@@ -84,7 +88,12 @@ export class MarkLayer {
       addAll(control.supplementary);
       if (scene.paths) for (const point of control.points) addAll(point.path);
     }
-    for (const ring of [...marks.rings.values(), ...marks.others.values()]) add(ring.at.x, ring.at.y);
+    for (const ring of marks.rings.values()) add(ring.at.x, ring.at.y);
+    for (const ring of marks.others.values()) {
+      const at = scene.camera.worldToScreen(ring.at.x, ring.at.y);
+      for (const dx of [-kNameRoom, kNameRoom]) extent.add({ x: at.x + dx, y: at.y - kNameAbove });
+      extent.add(at);
+    }
     for (const { points, handles } of scene.drafts) for (const point of [...points, ...handles]) add(point.x, point.y);
     addAll(scene.overlay?.path ?? []);
     this.orders_.extend(extent, scene);
@@ -214,11 +223,24 @@ export class MarkLayer {
   }
 
   private drawRings(marks: MarkState, scene: MarkScene): void {
-    for (const ring of [...marks.rings.values(), ...marks.others.values()]) {
-      this.painter_.alpha = marks.left(ring.lifted, scene.now) * (ring.group < 0 ? 0.6 : 1);
-      const size = 0.55 + 0.45 * marks.grown(ring.since, scene.now, 90);
-      this.painter_.ring(scene.camera.worldToScreen(ring.at.x, ring.at.y), this.coloursOf(ring.group, scene), size);
+    for (const ring of marks.rings.values()) this.drawRing(ring, this.coloursOf(ring.group, scene), marks, scene);
+    const named = new Set<number>();
+    for (const [key, ring] of marks.others) {
+      const client = Number.parseInt(key, 10);
+      const director = marks.directors.get(client);
+      const colours = this.coloursOf(ring.group, scene);
+      const at = this.drawRing(ring, director ? { ...colours, accent: director.colour } : colours, marks, scene);
+      if (!director || named.has(client)) continue;
+      named.add(client);
+      this.painter_.label({ x: at.x, y: at.y - kNameAbove }, director.name, director.colour, '#ffffff');
     }
+  }
+
+  private drawRing(ring: TouchRing, colours: MarkColours, marks: MarkState, scene: MarkScene): ScreenPoint {
+    this.painter_.alpha = marks.left(ring.lifted, scene.now) * (ring.group < 0 ? 0.6 : 1);
+    const at = scene.camera.worldToScreen(ring.at.x, ring.at.y);
+    this.painter_.ring(at, colours, 0.55 + 0.45 * marks.grown(ring.since, scene.now, 90));
+    return at;
   }
 
   private drawDraft(draft: DraftControl, scene: MarkScene): void {
