@@ -17,7 +17,8 @@ std::vector<std::pair<const char*, std::string>> securityFields(int port) {
     return {
         {"Content-Security-Policy",
          "default-src 'self'; script-src 'self'; worker-src 'self' blob:; style-src 'self' 'unsafe-inline'; "
-         "img-src 'self' data: blob:; font-src 'self' data:; connect-src 'self' data: blob: ws://127.0.0.1:" +
+         "img-src 'self' data: blob:; media-src 'self' blob:; font-src 'self' data:; connect-src 'self' "
+         "data: blob: ws://127.0.0.1:" +
              number + " ws://localhost:" + number +
              "; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"},
         {"X-Content-Type-Options", "nosniff"},

@@ -232,9 +232,49 @@ struct Ping {
     }
 };
 
+/// Goes to a moment of the open take; playing goes on from there.
+struct Seek {
+    static constexpr std::uint8_t kNumber = 17;  ///< First byte of the message.
+    std::uint32_t step = 0;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(step);
+    }
+};
+
+/// Directs from the present moment of the open take on: a new take with its beginning.
+struct TakeAgain {
+    static constexpr std::uint8_t kNumber = 18;  ///< First byte of the message.
+    bool keep = false;  ///< what was recorded later goes on beneath what is directed now
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(keep);
+    }
+};
+
+/// Another name, part or speed of the open take; kept with its file.
+struct EditTake {
+    static constexpr std::uint8_t kNumber = 19;  ///< First byte of the message.
+    std::string title;
+    std::uint32_t from = 0;  ///< first step of the part that is shown
+    std::uint32_t to = 0;  ///< its last step; the largest number: the end
+    bool loop = false;  ///< plays over and over; not kept
+    std::vector<SpeedPiece> speeds;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(title, from, to, loop, speeds);
+    }
+};
+
 /// Would these orders arrive, by which way, when? Nothing changes.
 struct AskForecasts {
-    static constexpr std::uint8_t kNumber = 17;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 20;  ///< First byte of the message.
     std::uint32_t number = 0;  ///< comes back with the answer
     std::vector<ForecastAsk> asks;
 
@@ -248,6 +288,7 @@ struct AskForecasts {
 /// Any message of the page; the index is its number.
 using ClientMessage = std::variant<
     Hello, Touches, AddControl, PinControl, RemoveControl, SetFormation, SetCount, SetParameter,
-    Playback, SetSpeed, LoadScenario, Record, SetOverlay, Commands, Attend, FrameAck, Ping, AskForecasts>;
+    Playback, SetSpeed, LoadScenario, Record, SetOverlay, Commands, Attend, FrameAck, Ping, Seek,
+    TakeAgain, EditTake, AskForecasts>;
 
 }  // namespace muster::protocol

@@ -9,6 +9,7 @@ import { fileURLToPath } from 'node:url';
 import { demonstrationTests } from './demonstration.mjs';
 import { processTests } from './process.mjs';
 import { watchBodies, watchQueue, watchSilence } from './slow.mjs';
+import { takesTests } from './takes.mjs';
 import { RawSocket, ack, dial, exchange, fromClient, fromServer, hello, ping, request, stepOf } from './client.mjs';
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
@@ -136,10 +137,10 @@ await test('exact Origin of WebSockets', async () => {
 });
 
 await test('subprotocol', async () => {
-  const two = await RawSocket.open(port, { 'Sec-WebSocket-Protocol': 'other, muster.v7' });
-  check(two.status === 101 && /sec-websocket-protocol: muster\.v7/i.test(two.head), 'one of two');
+  const two = await RawSocket.open(port, { 'Sec-WebSocket-Protocol': 'other, muster.v8' });
+  check(two.status === 101 && /sec-websocket-protocol: muster\.v8/i.test(two.head), 'one of two');
   two.close();
-  for (const name of [null, 'muster.v1', 'muster', 'muster.v7x']) {
+  for (const name of [null, 'muster.v1', 'muster', 'muster.v8x']) {
     check((await RawSocket.open(port, { 'Sec-WebSocket-Protocol': name })).status === 400, `subprotocol ${name}`);
   }
   check((await RawSocket.open(port, {}, '/other')).status === 404, 'path');
@@ -373,6 +374,7 @@ await test('the studio still answers', async () => {
   idle.destroy();
 });
 
+await takesTests({ test, check, start, place });
 await processTests({ test, check, start, program, common, place });
 
 child.removeAllListeners('exit');

@@ -10,6 +10,9 @@ import type {
   Overlay,
   Scene,
   ServerMessage,
+  TakeKept,
+  TakeReady,
+  TakeState,
   Welcome,
 } from '../protocol/messages';
 import { Emitter } from './emitter';
@@ -28,6 +31,9 @@ export interface StudioEvents {
   overlay: Overlay;
   notice: Notice;
   forecasts: Forecasts;
+  takeState: TakeState;
+  takeReady: TakeReady;
+  takeKept: TakeKept;
 }
 
 /** What the client needs of a Worker. */
@@ -107,6 +113,15 @@ export class StudioClient extends Emitter<StudioEvents> implements MessageSender
         break;
       case 'Forecasts':
         this.emit('forecasts', message);
+        break;
+      case 'TakeState':
+        this.emit('takeState', message);
+        break;
+      case 'TakeReady':
+        this.emit('takeReady', message);
+        break;
+      case 'TakeKept':
+        this.emit('takeKept', message);
         break;
       case 'Pong':
         break;

@@ -111,6 +111,8 @@ export interface StudioState {
   readonly ownCharacter: string;
   readonly notice: Notice | null;
   readonly hint: boolean;
+  /** The shelf of takes is open. */
+  readonly shelf: boolean;
   readonly help: boolean;
 }
 
@@ -156,6 +158,7 @@ export const kInitialState: StudioState = {
   ownCharacter: '',
   notice: null,
   hint: false,
+  shelf: false,
   help: false,
 };
 

@@ -5,6 +5,7 @@ import {
   type AskForecasts,
   type Attend,
   type Commands,
+  type EditTake,
   type FrameAck,
   type Hello,
   type LoadScenario,
@@ -15,6 +16,7 @@ import {
   readAskForecasts,
   readAttend,
   readCommands,
+  readEditTake,
   readFrameAck,
   readHello,
   readLoadScenario,
@@ -23,24 +25,29 @@ import {
   readPlayback,
   readRecord,
   readRemoveControl,
+  readSeek,
   readSetCount,
   readSetFormation,
   readSetOverlay,
   readSetParameter,
   readSetSpeed,
+  readTakeAgain,
   readTouches,
   type Record,
   type RemoveControl,
+  type Seek,
   type SetCount,
   type SetFormation,
   type SetOverlay,
   type SetParameter,
   type SetSpeed,
+  type TakeAgain,
   type Touches,
   writeAddControl,
   writeAskForecasts,
   writeAttend,
   writeCommands,
+  writeEditTake,
   writeFrameAck,
   writeHello,
   writeLoadScenario,
@@ -49,11 +56,13 @@ import {
   writePlayback,
   writeRecord,
   writeRemoveControl,
+  writeSeek,
   writeSetCount,
   writeSetFormation,
   writeSetOverlay,
   writeSetParameter,
   writeSetSpeed,
+  writeTakeAgain,
   writeTouches,
 } from './client_messages';
 import {
@@ -72,8 +81,14 @@ import {
   readOverlay,
   readPong,
   readScene,
+  readTakeKept,
+  readTakeReady,
+  readTakeState,
   readWelcome,
   type Scene,
+  type TakeKept,
+  type TakeReady,
+  type TakeState,
   type Welcome,
   writeForecasts,
   writeFrame,
@@ -83,6 +98,9 @@ import {
   writeOverlay,
   writePong,
   writeScene,
+  writeTakeKept,
+  writeTakeReady,
+  writeTakeState,
   writeWelcome,
 } from './server_messages';
 
@@ -109,6 +127,9 @@ export type ClientMessage =
   | Attend
   | FrameAck
   | Ping
+  | Seek
+  | TakeAgain
+  | EditTake
   | AskForecasts;
 
 const readClient: readonly ((r: ByteReader) => ClientMessage)[] = [
@@ -129,6 +150,9 @@ const readClient: readonly ((r: ByteReader) => ClientMessage)[] = [
   readAttend,
   readFrameAck,
   readPing,
+  readSeek,
+  readTakeAgain,
+  readEditTake,
   readAskForecasts,
 ];
 
@@ -195,6 +219,15 @@ export function encodeClient(message: ClientMessage): ArrayBuffer {
     case 'Ping':
       writePing(w, message);
       break;
+    case 'Seek':
+      writeSeek(w, message);
+      break;
+    case 'TakeAgain':
+      writeTakeAgain(w, message);
+      break;
+    case 'EditTake':
+      writeEditTake(w, message);
+      break;
     case 'AskForecasts':
       writeAskForecasts(w, message);
       break;
@@ -211,7 +244,10 @@ export type ServerMessage =
   | Overlay
   | Notice
   | Pong
-  | Forecasts;
+  | Forecasts
+  | TakeState
+  | TakeReady
+  | TakeKept;
 
 const readServer: readonly ((r: ByteReader) => ServerMessage)[] = [
   readWelcome,
@@ -223,6 +259,9 @@ const readServer: readonly ((r: ByteReader) => ServerMessage)[] = [
   readNotice,
   readPong,
   readForecasts,
+  readTakeState,
+  readTakeReady,
+  readTakeKept,
 ];
 
 /** Reads a message; throws ProtocolError where it does not fit. */
@@ -263,6 +302,15 @@ export function encodeServer(message: ServerMessage): ArrayBuffer {
       break;
     case 'Forecasts':
       writeForecasts(w, message);
+      break;
+    case 'TakeState':
+      writeTakeState(w, message);
+      break;
+    case 'TakeReady':
+      writeTakeReady(w, message);
+      break;
+    case 'TakeKept':
+      writeTakeKept(w, message);
       break;
   }
   return w.bytes();
