@@ -64,7 +64,9 @@ std::vector<std::pair<const char*, std::string>> securityFields(const Doorway& d
     return {
         {"Content-Security-Policy",
          "default-src 'self'; script-src 'self'; worker-src 'self' blob:; style-src 'self' 'unsafe-inline'; "
-         "img-src 'self' data: blob:; font-src 'self' data:; connect-src 'self' data: blob: " +
+         "img-src 'self' data: blob:; media-src 'self' blob:; font-src 'self' data:; connect-src 'self' "
+         "data: "
+         "blob: " +
              sockets + "; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"},
         {"X-Content-Type-Options", "nosniff"},
         {"X-Frame-Options", "DENY"},

@@ -15,6 +15,7 @@ void addStudioCommand(CommandLine& line) {
     command.option("--scenarios", options->scenarioFolder, "Folder of the picker's scenarios.")
         .existingFolder();
     command.option("--page", options->pageFolder, "Folder of the built page.").existingFolder();
+    command.option("--takes", options->takesFolder, "Folder in which recordings are kept.");
     command.option("--threads", options->threads, "Threads of the simulation; 0 takes what the machine has.")
         .range(0, 256);
     command.flag(
@@ -25,7 +26,8 @@ void addStudioCommand(CommandLine& line) {
     command.flag("--json", options->json, "One JSON value on standard output: address and port.");
     command.footer(
         "Only this machine can connect, unless you say --lan. Ctrl+C ends it; twice, at once. Recordings are "
-        "kept in ./takes.\n"
+        "kept in ./takes\n"
+        "unless --takes names another folder.\n"
         "Examples:\n"
         "  muster studio\n"
         "  muster studio woodland --port 9000 --open\n"

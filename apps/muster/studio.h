@@ -12,7 +12,7 @@ struct StudioOptions {
     std::string scenario;
     std::string scenarioFolder;         ///< Folder of the scenarios that the studio offers.
     std::string pageFolder;             ///< Folder of the built page.
-    std::string takesFolder = "takes";  ///< Folder of recordings while they run; it is created when needed.
+    std::string takesFolder = "takes";  ///< Folder in which recordings are kept; it is created when needed.
     int threads = 1;                    ///< Number of simulation threads; 0 uses all cores.
     bool lan = false;                   ///< Other machines of the network may connect, with a token.
     bool openBrowser = false;           ///< Opens the page in the desktop's browser.

@@ -10,11 +10,14 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <thread>
 #include <variant>
 
 #include "browser.h"
+#include "export_desk.h"
+#include "http_answers.h"
 #include "invitation.h"
 #include "mailbox.h"
 #include "motion_bodies.h"
@@ -22,9 +25,10 @@
 #include "report.h"
 #include "scenario_folder.h"
 #include "session/protocol.h"
+#include "shelf_desk.h"
 #include "studio.h"
 #include "studio_server.h"
-#include "take_file.h"
+#include "take_shelf.h"
 
 namespace muster {
 namespace {
@@ -54,26 +58,16 @@ struct TakeRequested {
 };
 struct TakeUploaded {
     std::vector<std::uint8_t> bytes;
+    std::string name;  // On the shelf; empty where it comes from elsewhere.
     HttpReply reply;
 };
+struct TakeEdited {
+    std::string name;
+    TakeAbout about;
+};
 struct Interrupted {};
-using HostEvent = std::variant<Opened, Received, Refused, Closed, TakeRequested, TakeUploaded, Interrupted>;
-
-int httpStatus(StatusCode code) {
-    if (code == StatusCode::NotFound) return 404;
-    return code == StatusCode::LimitExceeded ? 413 : 400;
-}
-
-HttpAnswer sentence(int status, const std::string& words) {
-    HttpAnswer answer;
-    answer.status = status;
-    answer.body = words + "\n";
-    return answer;
-}
-
-HttpAnswer failure(const Status& status) {
-    return sentence(httpStatus(status.code()), status.message());
-}
+using HostEvent = std::variant<Opened, Received, Refused, Closed, TakeRequested, TakeUploaded, TakeEdited,
+                               Interrupted>;
 
 bool beginsWorld(const std::vector<std::uint8_t>& bytes) {
     static const auto restart = protocol::encode(protocol::Playback{protocol::PlaybackAction::Restart});
@@ -108,8 +102,7 @@ public:
         std::vector<HostEvent> events;
         auto last = Clock::now();
         while (!interrupted_) {
-            mailbox_.collect(
-                clients_.empty() ? kLongestWait : std::min(kLongestWait, session_.untilNextStep()), events);
+            mailbox_.collect(longestWait(), events);
             const auto now = Clock::now();
             // The world stands still while no client is connected.
             if (!clients_.empty()) session_.elapse(std::chrono::duration<double>(now - last).count());
@@ -119,7 +112,10 @@ public:
                 if (interrupted_) break;
                 std::visit(*this, event);
             }
-            if (!clients_.empty() && session_.stepDue()) session_.step();
+            if (!clients_.empty() && session_.stepDue())
+                session_.step();
+            else if (!clients_.empty())
+                session_.prepare();
             flush();
         }
         session_.finish();
@@ -150,13 +146,19 @@ public:
         event.reply(std::move(answer));
     }
     void operator()(TakeUploaded& event) {
-        const Status status = session_.openTake(event.bytes, "take");
+        const Status status = session_.openTake(event.bytes, event.name.empty() ? "take" : event.name,
+                                                event.name);
         if (!status.ok()) return event.reply(failure(status));
         event.reply(sentence(200, "The take is open."));
     }
+    void operator()(TakeEdited& event) { session_.takeEdited(event.name, event.about); }
     void operator()(Interrupted&) {}  // The event only ends the wait for the mailbox.
 
 private:
+    double longestWait() const {
+        if (clients_.empty()) return kLongestWait;
+        return session_.preparing() ? 0.0 : std::min(kLongestWait, session_.untilNextStep());
+    }
     void flush() {
         for (const auto& [connection, client] : clients_) {
             std::vector<MessageBytes> messages;
@@ -199,7 +201,14 @@ private:
     std::thread thread_;  // The last member, because the thread uses the others.
 };
 
-ServerEvents eventsTo(Mailbox<HostEvent>& mailbox, std::atomic<bool>& interrupted) {
+void openLater(Mailbox<HostEvent>& mailbox, std::vector<std::uint8_t> bytes, std::string name,
+               const HttpReply& reply) {
+    const std::size_t size = bytes.size();
+    if (!mailbox.post(TakeUploaded{std::move(bytes), std::move(name), reply}, size))
+        reply(sentence(503, "The simulation is busy."));
+}
+
+ServerEvents eventsTo(Mailbox<HostEvent>& mailbox, ShelfDesk& desk, std::atomic<bool>& interrupted) {
     ServerEvents events;
     events.opened = [&](ConnectionId id) { mailbox.post(Opened{id}); };
     events.received = [&](ConnectionId id, std::vector<std::uint8_t> bytes) {
@@ -212,9 +221,10 @@ ServerEvents eventsTo(Mailbox<HostEvent>& mailbox, std::atomic<bool>& interrupte
     events.closed = [&](ConnectionId id) { mailbox.post(Closed{id}); };
     events.takeRequested = [&](HttpReply reply) { mailbox.post(TakeRequested{std::move(reply)}); };
     events.takeUploaded = [&](std::vector<std::uint8_t> bytes, HttpReply reply) {
-        const std::size_t size = bytes.size();
-        if (!mailbox.post(TakeUploaded{std::move(bytes), reply}, size))
-            reply(sentence(503, "The simulation is busy."));
+        openLater(mailbox, std::move(bytes), {}, reply);
+    };
+    events.shelfRequested = [&](ShelfRequest request, HttpReply reply) {
+        if (!desk.post(std::move(request), reply)) reply(sentence(503, "The shelf is busy."));
     };
     events.interrupted = [&] {
         // A second interrupt ends the process at once; a recording loses at most its end.
@@ -235,8 +245,7 @@ Result<std::string> firstScenario(const StudioOptions& options, ScenarioFolder& 
     return folder.add(options.scenario);
 }
 
-Result<Session> makeSession(const StudioOptions& options) {
-    ScenarioFolder folder = ScenarioFolder::scan(options.scenarioFolder);
+Result<Session> makeSession(const StudioOptions& options, ScenarioFolder& folder, TakeShelf& shelf) {
     const auto name = firstScenario(options, folder);
     if (!name.ok()) return name.status();
     const auto world = folder.load(name.value());
@@ -253,10 +262,10 @@ Result<Session> makeSession(const StudioOptions& options) {
     def.loadClips = [folder](const std::string& of, const WorldDef& begun) {
         return folder.clips(of, begun);
     };
-    if (!options.takesFolder.empty())
-        def.openSink = [takes = options.takesFolder](const std::string& of) {
-            return openTakeFile(takes, of);
-        };
+    def.openSink = [&shelf](const std::string& of) { return shelf.record(of); };
+    def.keepAbout = [&shelf](const std::string& take, const TakeAbout& about) {
+        return shelf.edit(take, about);
+    };
     Session session(std::move(def));
     const Status status = session.load(name.value(), world.value());
     if (!status.ok()) return status.within(name.value());
@@ -306,10 +315,23 @@ int failed(const Status& status) {
 
 int runStudio(const StudioOptions& options) {
     if (Status status = pageExists(options.pageFolder); !status.ok()) return failed(status);
-    auto session = makeSession(options);
+    TakeShelf shelf(options.takesFolder);
+    ScenarioFolder folder = ScenarioFolder::scan(options.scenarioFolder);
+    auto session = makeSession(options, folder, shelf);
     if (!session.ok()) return failed(session.status());
     Mailbox<HostEvent> mailbox(kMailboxBytes);
     std::atomic<bool> interrupted = false;
+    ExportDesk exports(
+        [folder](const std::string& of, const WorldDef& def) { return folder.clips(of, def); });
+    std::optional<ShelfDesk> desk;
+    desk.emplace(
+        shelf, exports,
+        [&](std::vector<std::uint8_t> bytes, std::string name, const HttpReply& reply) {
+            openLater(mailbox, std::move(bytes), std::move(name), reply);
+        },
+        [&](std::string name, TakeAbout about) {
+            mailbox.post(TakeEdited{std::move(name), std::move(about)});
+        });
     ServerDef def;
     def.port = options.port;
     def.pageFolder = options.pageFolder;
@@ -318,7 +340,7 @@ int runStudio(const StudioOptions& options) {
     def.subprotocol = protocol::kSubprotocol;
     const std::string token = options.lan ? makeToken() : std::string();
     def.token = token;
-    def.events = eventsTo(mailbox, interrupted);
+    def.events = eventsTo(mailbox, *desk, interrupted);
     auto server = StudioServer::listen(std::move(def));
     if (!server.ok()) return failed(server.status());
     const int port = server.value()->port();
@@ -337,6 +359,7 @@ int runStudio(const StudioOptions& options) {
         served = serving.good();
     }
     // Events that arrive too late refer to connections, which must be destroyed before the server.
+    desk.reset();
     std::vector<HostEvent> late;
     mailbox.collect(0.0, late);
     return served ? 0 : 1;

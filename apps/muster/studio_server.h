@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "muster/status.h"
+#include "shelf_request.h"
 #include "static_files.h"
 
 namespace muster {
@@ -35,6 +36,7 @@ struct HttpAnswer {
     int status = 200;
     std::string type = "text/plain; charset=utf-8";
     std::string body;
+    std::string path;      ///< Of a file that is sent instead of the body; empty for none.
     std::string fileName;  ///< File name for saving; empty where the browser shows the answer.
     std::string location;  ///< Where a guest who has shown the token goes on; empty for none.
 };
@@ -54,6 +56,8 @@ struct ServerEvents {
     std::function<void(ConnectionId)> closed;
     std::function<void(HttpReply)> takeRequested;
     std::function<void(std::vector<std::uint8_t>, HttpReply)> takeUploaded;
+    /// Called for requests to the shelf of takes and to exports.
+    std::function<void(ShelfRequest, HttpReply)> shelfRequested;
     std::function<void()> interrupted;  ///< Called for each Ctrl+C or request to end.
 };
 

@@ -10,10 +10,11 @@ namespace {
 constexpr const char* kClientNames[] = {
     "Hello", "Touches", "AddControl", "PinControl", "RemoveControl", "SetFormation", "SetCount",
     "SetParameter", "Playback", "SetSpeed", "LoadScenario", "Record", "SetOverlay", "Commands",
-    "Attend", "FrameAck", "Ping", "AskForecasts", "SetName", "GiveGroup"};
+    "Attend", "FrameAck", "Ping", "Seek", "TakeAgain", "EditTake", "AskForecasts", "SetName",
+    "GiveGroup"};
 constexpr const char* kServerNames[] = {
     "Welcome", "Scene", "Motions", "GroupMesh", "Frame", "Overlay", "Notice", "Pong", "Forecasts",
-    "Directors"};
+    "TakeState", "TakeReady", "TakeKept", "Directors"};
 
 template <class Any, class Message>
 Result<Any> decodeAs(std::span<const std::uint8_t> bytes) {
@@ -62,9 +63,12 @@ Result<ClientMessage> decodeClient(std::span<const std::uint8_t> bytes) {
         case 14: return decodeAs<Any, Attend>(bytes);
         case 15: return decodeAs<Any, FrameAck>(bytes);
         case 16: return decodeAs<Any, Ping>(bytes);
-        case 17: return decodeAs<Any, AskForecasts>(bytes);
-        case 18: return decodeAs<Any, SetName>(bytes);
-        case 19: return decodeAs<Any, GiveGroup>(bytes);
+        case 17: return decodeAs<Any, Seek>(bytes);
+        case 18: return decodeAs<Any, TakeAgain>(bytes);
+        case 19: return decodeAs<Any, EditTake>(bytes);
+        case 20: return decodeAs<Any, AskForecasts>(bytes);
+        case 21: return decodeAs<Any, SetName>(bytes);
+        case 22: return decodeAs<Any, GiveGroup>(bytes);
         default: return unknown(bytes, std::size(kClientNames));
     }
 }
@@ -81,7 +85,10 @@ Result<ServerMessage> decodeServer(std::span<const std::uint8_t> bytes) {
         case 6: return decodeAs<Any, Notice>(bytes);
         case 7: return decodeAs<Any, Pong>(bytes);
         case 8: return decodeAs<Any, Forecasts>(bytes);
-        case 9: return decodeAs<Any, Directors>(bytes);
+        case 9: return decodeAs<Any, TakeState>(bytes);
+        case 10: return decodeAs<Any, TakeReady>(bytes);
+        case 11: return decodeAs<Any, TakeKept>(bytes);
+        case 12: return decodeAs<Any, Directors>(bytes);
         default: return unknown(bytes, std::size(kServerNames));
     }
 }

@@ -232,9 +232,49 @@ struct Ping {
     }
 };
 
+/// Goes to a moment of the open take; playing goes on from there.
+struct Seek {
+    static constexpr std::uint8_t kNumber = 17;  ///< First byte of the message.
+    std::uint32_t step = 0;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(step);
+    }
+};
+
+/// Directs from the present moment of the open take on: a new take with its beginning.
+struct TakeAgain {
+    static constexpr std::uint8_t kNumber = 18;  ///< First byte of the message.
+    bool keep = false;  ///< what was recorded later goes on beneath what is directed now
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(keep);
+    }
+};
+
+/// Another name, part or speed of the open take; kept with its file.
+struct EditTake {
+    static constexpr std::uint8_t kNumber = 19;  ///< First byte of the message.
+    std::string title;
+    std::uint32_t from = 0;  ///< first step of the part that is shown
+    std::uint32_t to = 0;  ///< its last step; the largest number: the end
+    bool loop = false;  ///< plays over and over; not kept
+    std::vector<SpeedPiece> speeds;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(title, from, to, loop, speeds);
+    }
+};
+
 /// Would these orders arrive, by which way, when? Nothing changes.
 struct AskForecasts {
-    static constexpr std::uint8_t kNumber = 17;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 20;  ///< First byte of the message.
     std::uint32_t number = 0;  ///< comes back with the answer
     std::vector<ForecastAsk> asks;
 
@@ -247,7 +287,7 @@ struct AskForecasts {
 
 /// How the sender is called from now on.
 struct SetName {
-    static constexpr std::uint8_t kNumber = 18;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 21;  ///< First byte of the message.
     std::string name;  ///< at most 40 characters count; empty: a number
 
     /// Lets an archive read or write the fields.
@@ -259,7 +299,7 @@ struct SetName {
 
 /// What a director may direct: one group and its parts, or everything.
 struct GiveGroup {
-    static constexpr std::uint8_t kNumber = 19;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 22;  ///< First byte of the message.
     std::uint32_t client = 0;
     std::uint32_t group = 0;  ///< 0: everything
 
@@ -273,7 +313,7 @@ struct GiveGroup {
 /// Any message of the page; the index is its number.
 using ClientMessage = std::variant<
     Hello, Touches, AddControl, PinControl, RemoveControl, SetFormation, SetCount, SetParameter,
-    Playback, SetSpeed, LoadScenario, Record, SetOverlay, Commands, Attend, FrameAck, Ping,
-    AskForecasts, SetName, GiveGroup>;
+    Playback, SetSpeed, LoadScenario, Record, SetOverlay, Commands, Attend, FrameAck, Ping, Seek,
+    TakeAgain, EditTake, AskForecasts, SetName, GiveGroup>;
 
 }  // namespace muster::protocol

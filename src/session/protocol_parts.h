@@ -30,6 +30,8 @@ enum class OverlayKind : std::uint8_t { None, Field, Cost, Density };
 /// Values of a field, as one byte.
 enum class MovingKind : std::uint8_t { Obstacle, Patch };
 /// Values of a field, as one byte.
+enum class TakeMarkKind : std::uint8_t { Touch, Order, Change, Event };
+/// Values of a field, as one byte.
 enum class NoticeLevel : std::uint8_t { Info, Warning, Error };
 /// Values of a field, as one byte.
 enum class OrderKind : std::uint8_t { Move, Face, Follow, Guard };
@@ -293,6 +295,35 @@ struct ClipFrames {
     template <class Archive>
     void visit(Archive& archive) {
         archive(name, motion, rate, cyclic, poses, hips, rotations);
+    }
+};
+
+/// A part of a take that plays faster or slower.
+struct SpeedPiece {
+    double from = 0.0;  ///< time of the take [s]
+    double to = 0.0;
+    double speed = 0.0;  ///< 0.1 to 8
+    double ease = 0.0;  ///< in which it comes and goes [s]
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(from, to, speed, ease);
+    }
+};
+
+/// Something that happens in a take, for its time line.
+struct TakeMark {
+    TakeMarkKind kind = TakeMarkKind::Touch;
+    std::uint32_t step = 0;
+    std::uint32_t length = 0;  ///< steps that a finger is down
+    std::string label;  ///< in one or two words
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(kind, step, length, label);
+        checkEnum(archive, kind, 4);
     }
 };
 

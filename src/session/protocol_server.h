@@ -11,7 +11,7 @@
 
 namespace muster::protocol {
 
-/// The first answer.
+/// The first answer; again with another number where a take is taken up.
 struct Welcome {
     static constexpr std::uint8_t kNumber = 0;  ///< First byte of the message.
     std::uint32_t client = 0;
@@ -174,9 +174,56 @@ struct Forecasts {
     }
 };
 
+/// The open take; again whenever it changes, and once with open 0 when it is left.
+struct TakeState {
+    static constexpr std::uint8_t kNumber = 9;  ///< First byte of the message.
+    bool open = false;
+    std::string name;  ///< of its file on the shelf; empty: it lies elsewhere
+    std::string title;
+    std::uint32_t steps = 0;
+    double stepTime = 0.0;  ///< [s]
+    std::uint32_t from = 0;
+    std::uint32_t to = 0;  ///< not beyond steps
+    bool loop = false;
+    std::vector<SpeedPiece> speeds;
+    std::vector<TakeMark> marks;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(open, name, title, steps, stepTime, from, to, loop, speeds, marks);
+    }
+};
+
+/// How far the open take has been read: seeks up to there are quick.
+struct TakeReady {
+    static constexpr std::uint8_t kNumber = 10;  ///< First byte of the message.
+    std::uint32_t steps = 0;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(steps);
+    }
+};
+
+/// A recording has ended and is kept.
+struct TakeKept {
+    static constexpr std::uint8_t kNumber = 11;  ///< First byte of the message.
+    std::string name;  ///< of its file on the shelf; empty: kept in memory only
+    double seconds = 0.0;
+    std::string scenario;  ///< its title
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(name, seconds, scenario);
+    }
+};
+
 /// Everybody who is connected, in the order in which they came; again whenever that changes.
 struct Directors {
-    static constexpr std::uint8_t kNumber = 9;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 12;  ///< First byte of the message.
     std::vector<DirectorFrame> directors;
 
     /// Lets an archive read or write the fields.
@@ -188,6 +235,7 @@ struct Directors {
 
 /// Any message of the server; the index is its number.
 using ServerMessage = std::variant<
-    Welcome, Scene, Motions, GroupMesh, Frame, Overlay, Notice, Pong, Forecasts, Directors>;
+    Welcome, Scene, Motions, GroupMesh, Frame, Overlay, Notice, Pong, Forecasts, TakeState, TakeReady,
+    TakeKept, Directors>;
 
 }  // namespace muster::protocol

@@ -19,16 +19,16 @@ double frameSpacing(std::size_t characters) {
 
 std::uint32_t Session::connect() {
     const std::uint32_t id = ++impl_->lastClient;
-    impl_->clients.emplace(id, SessionClient(impl_->def.limits));
+    impl_->clients.emplace(id, SessionClient(impl_->def.limits)).first->second.number = id;
     return id;
 }
 
 void Session::disconnect(std::uint32_t client) {
     const auto found = impl_->clients.find(client);
     if (found == impl_->clients.end()) return;
-    if (found->second.steers && !impl_->replay) {
+    if (found->second.steers && !impl_->player) {
         std::vector<CommandBody> bodies{ReleaseClient{}};
-        (void)impl_->submit(client, found->second, bodies);
+        (void)impl_->submit(found->second, bodies);
     }
     impl_->clients.erase(found);
     impl_->directors.leave(client);
@@ -70,11 +70,11 @@ void Session::Impl::tellOthers(std::uint32_t id, const std::string& did) {
     }
 }
 
-void Session::Impl::greet(std::uint32_t id, SessionClient& client, const std::string& called) {
+void Session::Impl::greet(SessionClient& client, const std::string& called) {
     client.greeted = true;
-    directors.join(id, called);
+    directors.join(client.number, called);
     protocol::Welcome welcome;
-    welcome.client = id;
+    welcome.client = client.number;
     welcome.version = def.version;
     for (const ScenarioEntry& entry : def.scenarios)
         welcome.scenarios.push_back({entry.name, entry.title, entry.description, entry.characters});
@@ -93,6 +93,7 @@ void Session::outgoing(std::uint32_t client, std::vector<MessageBytes>& messages
     if (found == impl_->clients.end()) return;
     SessionClient& to = found->second;
     if (to.greeted) impl_->sendDirectors(to);
+    if (to.greeted && impl_->world) impl_->sendTake(to);
     if (to.greeted && impl_->world && !to.awaitsAck) {
         impl_->sendOverlay(to);
         const bool due = !impl_->playing || impl_->realTime >= to.frameDue;
@@ -138,7 +139,7 @@ void Session::Impl::buildFrame() {
     frame.playing = playing;
     frame.speed = static_cast<float>(speed);
     frame.recordedSeconds = recordedFrom < 0.0 ? -1.0f : static_cast<float>(world->time() - recordedFrom);
-    frame.replaying = replay.has_value();
+    frame.replaying = player != nullptr;
     frame.demonstrating = demonstrating();
     frame.sceneRevision = sceneRevision;
     frameState = state;

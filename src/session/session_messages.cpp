@@ -39,17 +39,16 @@ Status limitExceeded(const std::string& what, std::size_t found, std::size_t mos
 // Handles one message.
 class Handler {
 public:
-    Handler(Session::Impl& session, std::uint32_t id, SessionClient& client)
-        : session_(session), id_(id), client_(client) {}
+    Handler(Session::Impl& session, SessionClient& client) : session_(session), client_(client) {}
 
     Status operator()(const protocol::Hello& message) {
         if (client_.greeted) return invalidArgument("a second Hello");
-        session_.greet(id_, client_, message.name);
+        session_.greet(client_, message.name);
         return {};
     }
 
     Status operator()(const protocol::SetName& message) {
-        session_.directors.rename(id_, message.name);
+        session_.directors.rename(client_.number, message.name);
         return {};
     }
 
@@ -59,10 +58,10 @@ public:
         const Status status = session_.directors.give(message.client, GroupId{message.group});
         if (!status.ok()) return status;
         const auto found = session_.clients.find(message.client);
-        if (message.client == id_ || found == session_.clients.end()) return {};
+        if (message.client == client_.number || found == session_.clients.end()) return {};
         const std::string what = group == nullptr ? "everything" : group->name;
         session_.notice(found->second, protocol::NoticeLevel::Info, "director",
-                        session_.directors.name(id_) + " gave you " + what + " to direct.");
+                        session_.directors.name(client_.number) + " gave you " + what + " to direct.");
         return {};
     }
 
@@ -157,8 +156,9 @@ public:
         if (!session_.world) return noWorld();
         switch (message.action) {
             case protocol::PlaybackAction::Play:
-                if (session_.replay && session_.replay->atEnd(*session_.world)) return session_.restart();
+                if (session_.player && session_.player->atEnd(*session_.world)) return session_.restart();
                 session_.playing = true;
+                session_.waitsForHand = false;
                 break;
             case protocol::PlaybackAction::Pause:
                 session_.playing = false;
@@ -195,16 +195,28 @@ public:
             return {StatusCode::NotFound, "no scenario is called '" + message.name.substr(0, 60) + "'"};
         const auto def = session_.def.loadScenario(found->name);
         if (!def.ok()) return def.status();
-        return told(session_.begin(found->name, def.value(), nullptr), "opened " + found->title);
+        return told(session_.begin(found->name, def.value()), "opened " + found->title);
     }
 
     Status operator()(const protocol::Record& message) {
         if (!session_.world) return noWorld();
-        if (session_.replay)
+        if (session_.player)
             return {StatusCode::Unsupported, "a take is being replayed; load a scenario to record"};
-        session_.setRecording(message.on, id_);
+        session_.setRecording(message.on, &client_);
         return {};
     }
+
+    Status operator()(const protocol::Seek& message) {
+        if (!session_.player) return {StatusCode::Unsupported, "no take is open"};
+        session_.player->want(message.step);
+        return {};
+    }
+
+    Status operator()(const protocol::TakeAgain& message) {
+        return session_.takeAgain(message.keep, client_);
+    }
+
+    Status operator()(const protocol::EditTake& message) { return session_.editTake(message); }
 
     Status operator()(const protocol::SetOverlay& message) {
         if (message.kind == protocol::OverlayKind::Cost) {
@@ -266,7 +278,7 @@ public:
 
 private:
     Status told(Status status, const std::string& did) const {
-        if (status.ok()) session_.tellOthers(id_, did);
+        if (status.ok()) session_.tellOthers(client_.number, did);
         return status;
     }
     static Status noWorld() { return {StatusCode::NotFound, "there is no world yet"}; }
@@ -290,12 +302,11 @@ private:
     Status submit(CommandBody body) {
         std::vector<CommandBody> bodies;
         bodies.push_back(std::move(body));
-        return session_.submit(id_, client_, bodies);
+        return session_.submit(client_, bodies);
     }
-    Status submit(std::vector<CommandBody> bodies) { return session_.submit(id_, client_, bodies); }
+    Status submit(std::vector<CommandBody> bodies) { return session_.submit(client_, bodies); }
 
     Session::Impl& session_;
-    std::uint32_t id_;
     SessionClient& client_;
 };
 
@@ -309,22 +320,21 @@ void Session::receive(std::uint32_t client, std::span<const std::uint8_t> bytes)
         impl_->notice(found->second, protocol::NoticeLevel::Error, "malformed", message.status().message());
         return;
     }
-    const Status status = impl_->handle(client, found->second, message.value());
+    const Status status = impl_->handle(found->second, message.value());
     if (status.ok()) return;
     impl_->notice(found->second, protocol::NoticeLevel::Error, protocol::messageName(message.value()),
                   status.message(), positionOf(message.value()));
 }
 
-Status Session::Impl::handle(std::uint32_t id, SessionClient& client,
-                             const protocol::ClientMessage& message) {
+Status Session::Impl::handle(SessionClient& client, const protocol::ClientMessage& message) {
     if (!client.greeted && !std::holds_alternative<protocol::Hello>(message))
         return invalidArgument("found no Hello yet, expected it first");
-    return std::visit(Handler(*this, id, client), message);
+    return std::visit(Handler(*this, client), message);
 }
 
-Status Session::Impl::submit(std::uint32_t id, SessionClient& client, std::vector<CommandBody>& bodies) {
+Status Session::Impl::submit(SessionClient& client, std::vector<CommandBody>& bodies) {
     if (!world) return {StatusCode::NotFound, "there is no world yet"};
-    if (replay) return {StatusCode::Unsupported, "a take is being replayed; load a scenario to steer"};
+    if (player) return {StatusCode::Unsupported, "a take is being replayed; load a scenario to steer"};
     // Lifting the fingers of a client that has left bypasses the limit; this happens once per client.
     const bool released = bodies.size() == 1 && std::holds_alternative<ReleaseClient>(bodies.front());
     if (!released && waitingCommands + bodies.size() > def.limits.waitingCommands) {
@@ -332,11 +342,11 @@ Status Session::Impl::submit(std::uint32_t id, SessionClient& client, std::vecto
                                                " commands wait for the next step"};
     }
     for (CommandBody& body : bodies)
-        if (const Status status = directors.admit(id, body); !status.ok()) return status;
+        if (const Status status = directors.admit(client.number, body); !status.ok()) return status;
     std::vector<Command> commands;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        commands.push_back({world->stepCount(), id, client.sequence + static_cast<std::uint32_t>(i) + 1,
-                            std::move(bodies[i])});
+        commands.push_back({world->stepCount(), client.number,
+                            client.sequence + static_cast<std::uint32_t>(i) + 1, std::move(bodies[i])});
         if (const Status status = validateCommand(commands.back()); !status.ok()) return status;
     }
     for (const Command& command : commands) {
@@ -346,6 +356,11 @@ Status Session::Impl::submit(std::uint32_t id, SessionClient& client, std::vecto
         client.sequence = command.sequence;
         client.steers = true;
         ++waitingCommands;
+    }
+    if (waitsForHand && !released) {
+        waitsForHand = false;
+        playing = true;
+        touchState();
     }
     return {};
 }

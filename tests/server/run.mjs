@@ -10,6 +10,7 @@ import { demonstrationTests } from './demonstration.mjs';
 import { lanTests } from './lan.mjs';
 import { processTests } from './process.mjs';
 import { watchBodies, watchQueue, watchSilence } from './slow.mjs';
+import { takesTests } from './takes.mjs';
 import { RawSocket, ack, dial, eventually, exchange, fromClient, fromServer, hello, ping, request, stepOf } from './client.mjs';
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
@@ -384,6 +385,7 @@ await test('the studio still answers', async () => {
   idle.destroy();
 });
 
+await takesTests({ test, check, start, place });
 await processTests({ test, check, start, program, common, place });
 
 child.removeAllListeners('exit');

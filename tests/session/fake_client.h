@@ -95,6 +95,9 @@ private:
         if (const auto* m = std::get_if<protocol::Forecasts>(&message)) forecasts.push_back(*m);
         if (const auto* m = std::get_if<protocol::Pong>(&message)) pongs.push_back(*m);
         if (const auto* m = std::get_if<protocol::Directors>(&message)) directors.push_back(*m);
+        if (const auto* m = std::get_if<protocol::TakeState>(&message)) takes.push_back(*m);
+        if (const auto* m = std::get_if<protocol::TakeReady>(&message)) ready = m->steps;
+        if (const auto* m = std::get_if<protocol::TakeKept>(&message)) kept.push_back(*m);
         if (const auto* m = std::get_if<protocol::Frame>(&message)) {
             frames.push_back(*m);
             page = decoder_.take(*m);
@@ -119,6 +122,9 @@ public:
     std::vector<protocol::Forecasts> forecasts;
     std::vector<protocol::Pong> pongs;
     std::vector<protocol::Directors> directors;
+    std::vector<protocol::TakeState> takes;
+    std::uint32_t ready = 0;  ///< Steps of the last TakeReady.
+    std::vector<protocol::TakeKept> kept;
 };
 
 /// A session that has loaded the small floor.

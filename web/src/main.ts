@@ -14,10 +14,12 @@ import './ui/styles/queue.css';
 import './ui/styles/view.css';
 import './ui/styles/readout.css';
 import './ui/styles/shapes.css';
+import './ui/styles/takes.css';
 
 import { StudioClient } from './link/studio_client';
 import { fetchBodies } from './scene/crowd/bodies/gltf_body';
 import { StudioApp } from './ui/studio_app';
+import { TakeDesk } from './ui/take_desk';
 import { StudioView } from './scene/studio_view';
 
 function byId<T extends HTMLElement>(id: string, type: new () => T): T {
@@ -37,6 +39,7 @@ const view = new StudioView(canvas, byId('overlay', HTMLElement));
 const worker = new Worker(new URL('./link/worker.ts', import.meta.url), { type: 'module' });
 const client = new StudioClient(worker);
 const app = new StudioApp(client, view, canvas, byId('ui', HTMLElement));
+new TakeDesk({ client, store: app.store, view, canvas, page: byId('ui', HTMLElement) });
 client.connect(socketAddress());
 void fetchBodies(document.baseURI, ['body-1', 'body-2']).then((bodies) => view.setBodies(bodies));
 

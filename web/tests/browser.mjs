@@ -14,6 +14,7 @@ import * as queue from './cases/queue.mjs';
 import * as realMaps from './cases/real_maps.mjs';
 import * as scenarios from './cases/scenarios.mjs';
 import * as session from './cases/session.mjs';
+import * as takes from './cases/takes.mjs';
 import * as touch from './cases/touch.mjs';
 import { startMadeCrowd } from './support/made_crowd.mjs';
 import { startStudio } from './support/server.mjs';
@@ -132,6 +133,11 @@ const kCases = [
     { scenario: 'scenarios/open.json', options: ['--lan'] },
   ],
   ['record and replay', session.recordAndReplay, ['desktop'], { room: true }],
+  ['takes: life of a take', takes.life, ['desktop', 'phone'], { scenario: 'web/tests/scenarios/hundred.json' }],
+  ['takes: scrub and trim', takes.scrubAndTrim, ['landscape', 'phone'], { scenario: 'scenarios/open.json' }],
+  ['takes: again and on top', takes.againAndOnTop, ['desktop'], { scenario: 'web/tests/scenarios/two-groups.json' }],
+  ['takes: exports', takes.exports, ['desktop'], { scenario: 'scenarios/open.json' }],
+  ['takes: cut off', takes.cutOff, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
   ['a page that hangs', session.stalledPage, ['desktop'], {}],
   ['first visit', look.firstVisit, [...kTablets, 'phone', 'narrow'], { hint: true }],
   ['layout', look.layout, [...kTablets, 'phone', 'narrow', 'zoomed'], {}],

@@ -11,6 +11,9 @@ import type {
   Overlay,
   Scene,
   ServerMessage,
+  TakeKept,
+  TakeReady,
+  TakeState,
   Welcome,
 } from '../protocol/messages';
 import { Emitter } from './emitter';
@@ -30,6 +33,9 @@ export interface StudioEvents {
   notice: Notice;
   forecasts: Forecasts;
   directors: Directors;
+  takeState: TakeState;
+  takeReady: TakeReady;
+  takeKept: TakeKept;
 }
 
 /** What the client needs of a Worker. */
@@ -112,6 +118,15 @@ export class StudioClient extends Emitter<StudioEvents> implements MessageSender
         break;
       case 'Directors':
         this.emit('directors', message);
+        break;
+      case 'TakeState':
+        this.emit('takeState', message);
+        break;
+      case 'TakeReady':
+        this.emit('takeReady', message);
+        break;
+      case 'TakeKept':
+        this.emit('takeKept', message);
         break;
       case 'Pong':
         break;

@@ -13,6 +13,8 @@ export interface StudioActions {
   /** To the next of the usual speeds; backwards where `back`. */
   nextSpeed(back?: boolean): void;
   toggleRecord(): void;
+  /** The shelf of takes, or away with it. */
+  showShelf(open: boolean): void;
   downloadTake(): void;
   openTake(file: File): void;
   /** A character from files in place of our people, and back. */

@@ -149,6 +149,8 @@ export interface StudioState {
   /** The readout shows its figures, not only words. */
   readonly figures: boolean;
   readonly dialog: DialogName;
+  /** The shelf of takes is open. */
+  readonly shelf: boolean;
   readonly help: boolean;
 }
 
@@ -206,6 +208,7 @@ export const kInitialState: StudioState = {
   tried: [],
   figures: false,
   dialog: 'none',
+  shelf: false,
   help: false,
 };
 

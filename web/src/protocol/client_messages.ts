@@ -8,9 +8,12 @@ import {
 import {
   type ForecastAsk,
   readForecastAsk,
+  readSpeedPiece,
   readTouchEvent,
+  type SpeedPiece,
   type TouchEvent,
   writeForecastAsk,
+  writeSpeedPiece,
   writeTouchEvent,
 } from './parts';
 
@@ -368,6 +371,76 @@ export function writePing(w: ByteWriter, m: Ping): void {
   w.f64(m.time);
 }
 
+/** Goes to a moment of the open take; playing goes on from there. */
+export interface Seek {
+  type: 'Seek';
+  step: number;
+}
+
+export function readSeek(r: ByteReader): Seek {
+  return {
+    type: 'Seek',
+    step: r.u32(),
+  };
+}
+
+export function writeSeek(w: ByteWriter, m: Seek): void {
+  w.u8(17);
+  w.u32(m.step);
+}
+
+/** Directs from the present moment of the open take on: a new take with its beginning. */
+export interface TakeAgain {
+  type: 'TakeAgain';
+  /** what was recorded later goes on beneath what is directed now */
+  keep: boolean;
+}
+
+export function readTakeAgain(r: ByteReader): TakeAgain {
+  return {
+    type: 'TakeAgain',
+    keep: r.bool(),
+  };
+}
+
+export function writeTakeAgain(w: ByteWriter, m: TakeAgain): void {
+  w.u8(18);
+  w.bool(m.keep);
+}
+
+/** Another name, part or speed of the open take; kept with its file. */
+export interface EditTake {
+  type: 'EditTake';
+  title: string;
+  /** first step of the part that is shown */
+  from: number;
+  /** its last step; the largest number: the end */
+  to: number;
+  /** plays over and over; not kept */
+  loop: boolean;
+  speeds: SpeedPiece[];
+}
+
+export function readEditTake(r: ByteReader): EditTake {
+  return {
+    type: 'EditTake',
+    title: r.string(),
+    from: r.u32(),
+    to: r.u32(),
+    loop: r.bool(),
+    speeds: r.list(readSpeedPiece),
+  };
+}
+
+export function writeEditTake(w: ByteWriter, m: EditTake): void {
+  w.u8(19);
+  w.string(m.title);
+  w.u32(m.from);
+  w.u32(m.to);
+  w.bool(m.loop);
+  w.list(m.speeds, writeSpeedPiece);
+}
+
 /** Would these orders arrive, by which way, when? Nothing changes. */
 export interface AskForecasts {
   type: 'AskForecasts';
@@ -385,7 +458,7 @@ export function readAskForecasts(r: ByteReader): AskForecasts {
 }
 
 export function writeAskForecasts(w: ByteWriter, m: AskForecasts): void {
-  w.u8(17);
+  w.u8(20);
   w.u32(m.number);
   w.list(m.asks, writeForecastAsk);
 }
@@ -405,7 +478,7 @@ export function readSetName(r: ByteReader): SetName {
 }
 
 export function writeSetName(w: ByteWriter, m: SetName): void {
-  w.u8(18);
+  w.u8(21);
   w.string(m.name);
 }
 
@@ -426,7 +499,7 @@ export function readGiveGroup(r: ByteReader): GiveGroup {
 }
 
 export function writeGiveGroup(w: ByteWriter, m: GiveGroup): void {
-  w.u8(19);
+  w.u8(22);
   w.u32(m.client);
   w.u32(m.group);
 }

@@ -5,6 +5,7 @@ import {
   type AskForecasts,
   type Attend,
   type Commands,
+  type EditTake,
   type FrameAck,
   type GiveGroup,
   type Hello,
@@ -16,6 +17,7 @@ import {
   readAskForecasts,
   readAttend,
   readCommands,
+  readEditTake,
   readFrameAck,
   readGiveGroup,
   readHello,
@@ -25,26 +27,31 @@ import {
   readPlayback,
   readRecord,
   readRemoveControl,
+  readSeek,
   readSetCount,
   readSetFormation,
   readSetName,
   readSetOverlay,
   readSetParameter,
   readSetSpeed,
+  readTakeAgain,
   readTouches,
   type Record,
   type RemoveControl,
+  type Seek,
   type SetCount,
   type SetFormation,
   type SetName,
   type SetOverlay,
   type SetParameter,
   type SetSpeed,
+  type TakeAgain,
   type Touches,
   writeAddControl,
   writeAskForecasts,
   writeAttend,
   writeCommands,
+  writeEditTake,
   writeFrameAck,
   writeGiveGroup,
   writeHello,
@@ -54,12 +61,14 @@ import {
   writePlayback,
   writeRecord,
   writeRemoveControl,
+  writeSeek,
   writeSetCount,
   writeSetFormation,
   writeSetName,
   writeSetOverlay,
   writeSetParameter,
   writeSetSpeed,
+  writeTakeAgain,
   writeTouches,
 } from './client_messages';
 import {
@@ -80,8 +89,14 @@ import {
   readOverlay,
   readPong,
   readScene,
+  readTakeKept,
+  readTakeReady,
+  readTakeState,
   readWelcome,
   type Scene,
+  type TakeKept,
+  type TakeReady,
+  type TakeState,
   type Welcome,
   writeDirectors,
   writeForecasts,
@@ -92,6 +107,9 @@ import {
   writeOverlay,
   writePong,
   writeScene,
+  writeTakeKept,
+  writeTakeReady,
+  writeTakeState,
   writeWelcome,
 } from './server_messages';
 
@@ -118,6 +136,9 @@ export type ClientMessage =
   | Attend
   | FrameAck
   | Ping
+  | Seek
+  | TakeAgain
+  | EditTake
   | AskForecasts
   | SetName
   | GiveGroup;
@@ -140,6 +161,9 @@ const readClient: readonly ((r: ByteReader) => ClientMessage)[] = [
   readAttend,
   readFrameAck,
   readPing,
+  readSeek,
+  readTakeAgain,
+  readEditTake,
   readAskForecasts,
   readSetName,
   readGiveGroup,
@@ -208,6 +232,15 @@ export function encodeClient(message: ClientMessage): ArrayBuffer {
     case 'Ping':
       writePing(w, message);
       break;
+    case 'Seek':
+      writeSeek(w, message);
+      break;
+    case 'TakeAgain':
+      writeTakeAgain(w, message);
+      break;
+    case 'EditTake':
+      writeEditTake(w, message);
+      break;
     case 'AskForecasts':
       writeAskForecasts(w, message);
       break;
@@ -231,6 +264,9 @@ export type ServerMessage =
   | Notice
   | Pong
   | Forecasts
+  | TakeState
+  | TakeReady
+  | TakeKept
   | Directors;
 
 const readServer: readonly ((r: ByteReader) => ServerMessage)[] = [
@@ -243,6 +279,9 @@ const readServer: readonly ((r: ByteReader) => ServerMessage)[] = [
   readNotice,
   readPong,
   readForecasts,
+  readTakeState,
+  readTakeReady,
+  readTakeKept,
   readDirectors,
 ];
 
@@ -284,6 +323,15 @@ export function encodeServer(message: ServerMessage): ArrayBuffer {
       break;
     case 'Forecasts':
       writeForecasts(w, message);
+      break;
+    case 'TakeState':
+      writeTakeState(w, message);
+      break;
+    case 'TakeReady':
+      writeTakeReady(w, message);
+      break;
+    case 'TakeKept':
+      writeTakeKept(w, message);
       break;
     case 'Directors':
       writeDirectors(w, message);

@@ -71,5 +71,7 @@ export interface StudioScene {
   lookAt(point: GroundPoint): void;
   /** CSS px that a metre on the ground takes in the middle of the view. */
   pixelsPerMetre(): number;
+  /** Draws again soon, even where nothing has changed. */
+  wake(): void;
   dispose(): void;
 }

@@ -262,7 +262,7 @@ export class StudioView implements StudioScene {
     this.overlayRoot_.replaceChildren();
   }
 
-  private readonly wake = (): void => void (this.activeUntil_ = performance.now() + kSettle);
+  readonly wake = (): void => void (this.activeUntil_ = performance.now() + kSettle);
 
   private resize(): void {
     const { clientWidth, clientHeight } = this.canvas_;

@@ -1,6 +1,6 @@
 // Carries out the actions of panels and keys.
 
-import { OverlayKind, PlaybackAction } from '../protocol/messages';
+import { OverlayKind, PlaybackAction, type ScenarioInfo } from '../protocol/messages';
 import { problem } from '../protocol/problem';
 import type { MessageSender } from '../link/studio_client';
 import type { ShapeActions } from '../model/shape_actions';
@@ -12,6 +12,7 @@ import { downloadTake, openTake } from './takes';
 import { rememberTheme, writeSetting } from './theme';
 import type { GroundPoint } from '../model/plane';
 import type { Layers } from '../model/view_settings';
+import type { StudioState } from '../model/studio_state';
 import type { StudioStore } from '../model/studio_store';
 
 export const kSpeeds: readonly number[] = [0.25, 0.5, 1, 2, 4];
@@ -25,6 +26,13 @@ export function nextSpeed(speed: number, back: boolean): number {
   const list = back ? [...kSpeeds].reverse() : kSpeeds;
   const next = list.find((one) => (back ? one < speed - 1e-3 : one > speed + 1e-3));
   return next ?? list[0]!;
+}
+
+/** The scenario to go back to from a take. */
+export function scenarioBehind(state: Pick<StudioState, 'scenarios' | 'title' | 'lastSteered'>): ScenarioInfo | null {
+  const { scenarios, title, lastSteered } = state;
+  const known = scenarios.find(({ name }) => name === lastSteered) ?? scenarios.find((one) => one.title === title);
+  return known ?? scenarios[0] ?? null;
 }
 
 export interface ControllerLink extends MessageSender {
@@ -89,6 +97,10 @@ export class StudioController implements StudioActions {
     this.say_(on ? 'Recording' : 'Recording stopped');
   }
 
+  showShelf(open: boolean): void {
+    if (this.store_.state.shelf !== open) this.store_.set({ shelf: open });
+  }
+
   downloadTake(): void {
     void downloadTake(this.store_.state.title).then((text) => this.tell(text));
   }
@@ -111,9 +123,7 @@ export class StudioController implements StudioActions {
    * the first.
    */
   leaveReplay(): void {
-    const { scenarios, title, lastSteered: lastLive } = this.store_.state;
-    const found =
-      scenarios.find(({ name }) => name === lastLive) ?? scenarios.find((one) => one.title === title) ?? scenarios[0];
+    const found = scenarioBehind(this.store_.state);
     if (found) this.loadScenario(found.name);
   }
 

@@ -1,6 +1,8 @@
 // Starts and stops `muster studio`.
 import { spawn } from 'node:child_process';
-import { existsSync } from 'node:fs';
+import { existsSync, mkdtempSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 const root = fileURLToPath(new URL('../../..', import.meta.url));
@@ -9,12 +11,17 @@ export function programPath() {
   return process.env.MUSTER ?? `${root}build/release/muster`;
 }
 
-/** Starts the program on a free port from `port` on; resolves when it prints its address. Paths from the root. */
-/** `options` are further ones of the studio. */
-export async function startStudio({ scenario = 'web/tests/scenarios/hundred.json', port = 18080, options = [] } = {}) {
+/** Starts the program on a free port from `port` on; resolves when it prints its address. Paths from the root; takes are kept
+ * in a new folder unless one is named. `options` are further ones of the studio. */
+export async function startStudio({
+  scenario = 'web/tests/scenarios/hundred.json',
+  port = 18080,
+  takes = mkdtempSync(join(tmpdir(), 'muster-takes-')),
+  options = [],
+} = {}) {
   const program = programPath();
   if (!existsSync(program)) throw new Error(`There is no ${program}: build it first, or name another by MUSTER=...`);
-  const child = spawn(program, ['studio', scenario, '--port', String(port), ...options], {
+  const child = spawn(program, ['studio', scenario, '--port', String(port), '--takes', takes, ...options], {
     cwd: root,
     stdio: ['ignore', 'pipe', 'pipe'],
   });
@@ -39,5 +46,13 @@ export async function startStudio({ scenario = 'web/tests/scenarios/hundred.json
       child.kill('SIGINT');
       setTimeout(() => child.kill('SIGKILL'), 3000).unref();
     });
-  return { url, port: Number(new URL(url).port), scenario, stop, output: () => output };
+  return {
+    url,
+    port: Number(new URL(url).port),
+    scenario,
+    takes,
+    stop,
+    kill: () => child.kill('SIGKILL'),
+    output: () => output,
+  };
 }
