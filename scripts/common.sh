@@ -4,7 +4,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root" || exit 1
 
 # Debian packages: to build the program; on top of that for the C++ tests, style, browser tests, WebAssembly, Blender.
-build_packages=(g++ cmake ninja-build libeigen3-dev nlohmann-json3-dev libcli11-dev libboost-dev libstb-dev libsqlite3-dev)
+build_packages=(g++ cmake ninja-build libeigen3-dev nlohmann-json3-dev libcli11-dev libboost-dev libstb-dev libsqlite3-dev libqrcodegencpp-dev)
 test_packages=(doctest-dev librapidcheck-dev liblemon-dev r-base-core r-cran-lme4 r-cran-lmertest)
 style_packages=(clang-format clang-tidy git)
 browser_packages=(chromium libgl1-mesa-dri libegl1)

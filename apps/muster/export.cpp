@@ -66,8 +66,10 @@ int exportFile(const ExportOptions& options) {
     const auto clips = clipsOf(options, *take);
     if (!clips.ok()) return reportFailure(clips.status());
     Progress progress("exporting");
-    const Status done = exportTake(*take, *clips, options.format, out, options.part,
-                                   [&](double share) { progress.show(share); });
+    const Status done = exportTake(*take, *clips, options.format, out, options.part, [&](double share) {
+        progress.show(share);
+        return true;
+    });
     if (!done.ok()) return reportFailure(done);
     std::printf("wrote %s\n", out.c_str());
     return kExitOk;

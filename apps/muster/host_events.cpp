@@ -1,5 +1,7 @@
 #include "host_events.h"
 
+#include <unistd.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -8,6 +10,7 @@
 #include <utility>
 
 #include "browser.h"
+#include "invitation.h"
 #include "motion_bodies.h"
 #include "report.h"
 #include "session/protocol.h"
@@ -17,11 +20,6 @@ namespace {
 
 constexpr int kExitInterrupted = 130;  // The exit code that shells use for Ctrl+C.
 constexpr const char* kHtmlBegins = "<html ";
-
-int httpStatus(StatusCode code) {
-    if (code == StatusCode::NotFound) return 404;
-    return code == StatusCode::LimitExceeded ? 413 : 400;
-}
 
 bool beginsWorld(const std::vector<std::uint8_t>& bytes) {
     static const auto restart = protocol::encode(protocol::Playback{protocol::PlaybackAction::Restart});
@@ -40,18 +38,31 @@ Status pageExists(const std::string& folder) {
             ": found no index.html, expected the built page; ./run builds it, --page names another folder"};
 }
 
+void printLinks(const Invitation& invitation) {
+    if (invitation.links.empty())
+        return void(std::printf("No network was found: only this machine can connect.\n"));
+    std::printf("For others in your network (whoever has the link can direct):\n");
+    for (const std::string& link : invitation.links) std::printf("  %s\n", link.c_str());
+    if (isatty(STDOUT_FILENO)) std::printf("\n%s\n", codeText(invitation.code).c_str());
+}
+
+void printAddress(const ServeOptions& options, const std::string& address, int port,
+                  const Invitation* invitation, const std::string& token) {
+    if (options.json) {
+        Json value{{"address", address}, {"port", port}};
+        if (invitation != nullptr) {
+            value["links"] = Json::arrayOf(invitation->links);
+            value["token"] = token;
+        }
+        printJsonValue(value);
+    } else {
+        std::printf("%s: %s\n", options.title.c_str(), address.c_str());
+        if (invitation != nullptr) printLinks(*invitation);
+    }
+    std::fflush(stdout);
+}
+
 }  // namespace
-
-HttpAnswer sentence(int status, const std::string& words) {
-    HttpAnswer answer;
-    answer.status = status;
-    answer.body = words + "\n";
-    return answer;
-}
-
-HttpAnswer failure(const Status& status) {
-    return sentence(httpStatus(status.code()), status.message());
-}
 
 void dropRepeated(std::vector<HostEvent>& events) {
     std::set<std::vector<std::uint8_t>> seen;
@@ -87,8 +98,11 @@ ServerEvents eventsTo(Mailbox<HostEvent>& mailbox, std::atomic<bool>& interrupte
     events.takeRequested = [&](HttpReply reply) { mailbox.post(TakeRequested{std::move(reply)}); };
     events.takeUploaded = [&](std::vector<std::uint8_t> bytes, HttpReply reply) {
         const std::size_t size = bytes.size();
-        if (!mailbox.post(TakeUploaded{std::move(bytes), reply}, size))
+        if (!mailbox.post(TakeUploaded{std::move(bytes), {}, reply}, size))
             reply(sentence(503, "The simulation is busy."));
+    };
+    events.shelfRequested = [](const ShelfRequest&, const HttpReply& reply) {
+        reply(sentence(404, "There are no takes here."));
     };
     events.interrupted = [&] {
         // A second interrupt ends the process at once; a recording loses at most its end.
@@ -106,6 +120,7 @@ Result<ServerDef> serverDef(const ServeOptions& options) {
     for (BodyFile& body : bodyFiles())
         def.files["/bodies/" + body.name] = {"model/gltf-binary", "no-cache", std::move(body.bytes)};
     def.subprotocol = protocol::kSubprotocol;
+    if (options.lan) def.token = makeToken();
     if (options.mode.empty()) return def;
     // The page learns by an attribute of its first element what it is to show.
     auto page = readStaticFile(options.pageFolder, "/index.html");
@@ -117,14 +132,17 @@ Result<ServerDef> serverDef(const ServeOptions& options) {
     return def;
 }
 
-void announce(const ServeOptions& options, int port) {
+void announce(const ServeOptions& options, StudioServer& server, const std::string& token) {
+    const int port = server.port();
+    Invitation invitation;
+    if (options.lan) invitation = makeInvitation(networkAddresses(), port, token);
+    server.addFile("/invitation.json", {"application/json", "no-store", invitationJson(invitation)});
     const std::string address = "http://127.0.0.1:" + std::to_string(port) + "/";
-    if (options.json)
-        printJsonValue({{"address", address}, {"port", port}});
-    else
-        std::printf("%s: %s\n", options.title.c_str(), address.c_str());
-    std::fflush(stdout);
-    if (options.openBrowser) openBrowser(address);
+    printAddress(options, address, port, options.lan ? &invitation : nullptr, token);
+}
+
+void openPage(const ServeOptions& options, int port) {
+    if (options.openBrowser) openBrowser("http://127.0.0.1:" + std::to_string(port) + "/");
 }
 
 int serveFailed(const Status& status) {

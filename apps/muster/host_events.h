@@ -9,7 +9,9 @@
 #include <variant>
 #include <vector>
 
+#include "http_answers.h"
 #include "mailbox.h"
+#include "muster/take.h"
 #include "studio_server.h"
 
 namespace muster {
@@ -35,21 +37,22 @@ struct TakeRequested {
 };
 struct TakeUploaded {
     std::vector<std::uint8_t> bytes;
+    std::string name;  // On the shelf; empty where it comes from elsewhere.
     HttpReply reply;
 };
+struct TakeEdited {
+    std::string name;
+    TakeAbout about;
+};
 struct Interrupted {};
-using HostEvent = std::variant<Opened, Received, Refused, Closed, TakeRequested, TakeUploaded, Interrupted>;
+using HostEvent = std::variant<Opened, Received, Refused, Closed, TakeRequested, TakeUploaded, TakeEdited,
+                               Interrupted>;
 
-/// Callbacks that post to the mailbox.
+/// Callbacks that post to the mailbox. There is no shelf of takes.
 ServerEvents eventsTo(Mailbox<HostEvent>& mailbox, std::atomic<bool>& interrupted);
 /// A new world costs much and replaces everything before it. Of equal waiting requests for one only the last
 /// is handled, so that a client cannot keep the simulation busy by repeating it.
 void dropRepeated(std::vector<HostEvent>& events);
-
-/// An answer of one sentence.
-HttpAnswer sentence(int status, const std::string& words);
-/// An answer that says what failed.
-HttpAnswer failure(const Status& status);
 
 /// Runs the server on its own thread; the destructor stops it.
 class Serving {
@@ -77,14 +80,18 @@ struct ServeOptions {
     std::string pageFolder;  ///< Folder of the built page.
     std::string mode;        ///< What the page shows instead of the studio: "study"; empty for the studio.
     std::string title = "Muster studio";  ///< Printed before the address.
+    bool lan = false;                     ///< Others in the network may come, by a link with a token.
     bool openBrowser = false;             ///< Opens the page in the desktop's browser.
     bool json = false;                    ///< Prints address and port as one JSON value.
 };
 
 /// The definition of a server of that page, without its events. Fails where there is no page.
 Result<ServerDef> serverDef(const ServeOptions& options);
-/// Prints the address and opens the browser, where that is wanted.
-void announce(const ServeOptions& options, int port);
+/// Prints the address, and the links for others in the network; opens the browser, where that is wanted.
+/// `token`: what guests must show.
+void announce(const ServeOptions& options, StudioServer& server, const std::string& token);
+/// Opens the page in the desktop's browser, where that is wanted.
+void openPage(const ServeOptions& options, int port);
 /// Prints why a server does not run; returns the exit code.
 int serveFailed(const Status& status);
 

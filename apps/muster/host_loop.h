@@ -37,7 +37,7 @@ public:
                 if (interrupted_) break;
                 std::visit(*this, event);
             }
-            if (!clients_.empty() && host_.stepDue()) host_.step();
+            if (!clients_.empty()) work();
             flush();
         }
         host_.finish();
@@ -72,19 +72,34 @@ public:
         }
     }
     void operator()(TakeUploaded& event) {
-        if constexpr (requires { host_.openTake(event.bytes, ""); }) {
-            const Status status = host_.openTake(event.bytes, "take");
+        if constexpr (requires { host_.takeName(); }) {
+            const Status status = host_.openTake(event.bytes, event.name.empty() ? "take" : event.name,
+                                                 event.name);
             if (!status.ok()) return event.reply(failure(status));
             event.reply(sentence(200, "The take is open."));
         } else {
             event.reply(sentence(404, "There are no takes here."));
         }
     }
+    void operator()(TakeEdited& event) {
+        if constexpr (requires { host_.takeName(); }) host_.takeEdited(event.name, event.about);
+    }
     void operator()(Interrupted&) {}  // The event only ends the wait for the mailbox.
 
 private:
     static constexpr double kLongestWait = 0.25;  // [s]
 
+    // A host may have work that makes later steps cheaper.
+    double longestWait() const {
+        if (clients_.empty()) return kLongestWait;
+        if constexpr (requires { host_.preparing(); })
+            if (host_.preparing()) return 0.0;
+        return std::min(kLongestWait, host_.untilNextStep());
+    }
+    void work() {
+        if (host_.stepDue()) return host_.step();
+        if constexpr (requires { host_.prepare(); }) host_.prepare();
+    }
     void flush() {
         for (const auto& [connection, client] : clients_) {
             std::vector<MessageBytes> messages;
@@ -100,32 +115,43 @@ private:
     const std::atomic<bool>& interrupted_;
 };
 
-/// Serves a page for a host until interrupted. Returns the program's exit code; failures are printed on
+/// Serves a page for a host until interrupted. `prepare` gets the mailbox and the server's callbacks; what it
+/// returns lives until nobody is served any more. Returns the program's exit code; failures are printed on
 /// standard error.
-template <class Host>
-int serve(Host& host, const ServeOptions& options) {
+template <class Host, class Prepare>
+int serve(Host& host, const ServeOptions& options, const Prepare& prepare) {
     constexpr std::size_t kMailboxBytes = std::size_t{128} << 20;  // Enough for a take and many messages.
     auto def = serverDef(options);
     if (!def.ok()) return serveFailed(def.status());
     Mailbox<HostEvent> mailbox(kMailboxBytes);
     std::atomic<bool> interrupted = false;
     def->events = eventsTo(mailbox, interrupted);
+    auto prepared = prepare(mailbox, def->events);
+    const std::string token = def->token;
     auto server = StudioServer::listen(std::move(def).value());
     if (!server.ok()) return serveFailed(server.status());
+    announce(options, *server.value(), token);
     bool served = true;
     {
         const Serving serving(*server.value(), [&] {
             interrupted = true;
             mailbox.post(Interrupted{});
         });
-        announce(options, server.value()->port());
+        openPage(options, server.value()->port());
         Simulation<Host>(host, mailbox, *server.value(), interrupted).run();
         served = serving.good();
     }
     // Events that arrive too late refer to connections, which must be destroyed before the server.
+    prepared = {};
     std::vector<HostEvent> late;
     mailbox.collect(0.0, late);
     return served ? 0 : 1;
+}
+
+/// The same, with nothing to prepare.
+template <class Host>
+int serve(Host& host, const ServeOptions& options) {
+    return serve(host, options, [](Mailbox<HostEvent>&, ServerEvents&) { return 0; });
 }
 
 }  // namespace muster

@@ -4,6 +4,7 @@
 #include <array>
 #include <boost/asio/post.hpp>
 #include <boost/beast/http.hpp>
+#include <boost/beast/http/file_body.hpp>
 #include <optional>
 #include <utility>
 
@@ -17,6 +18,8 @@ using Response = http::response<http::string_body>;
 
 /// Seconds that a closing connection waits for the client to close.
 inline constexpr int kLingerSeconds = 2;
+/// Time in which a file must be taken [s].
+inline constexpr int kFileSeconds = 600;
 inline constexpr const char* kSocketPath = "/ws";
 inline constexpr const char* kTakePath = "/take";
 inline constexpr const char* kHealthPath = "/health";
@@ -27,6 +30,10 @@ public:
     HttpConnection(StudioServer::Impl& server, tcp::socket socket)
         : server_(server), stream_(std::move(socket)) {
         ++server_.connections;
+        Error error;
+        const auto here = stream_.socket().local_endpoint(error);
+        door_ = {error ? std::string("0.0.0.0") : here.address().to_string(), server_.port,
+                 server_.def.token};
     }
     ~HttpConnection() { --server_.connections; }
 
@@ -56,10 +63,13 @@ private:
         if (error && error.category() != ofHttp) return;  // The client is gone or too slow.
         if (error) return refuse(400, "The request cannot be read.");
         const Request& request = parser_->get();
-        if (request.count(http::field::host) != 1 ||
-            !isLocalHost(toString(request[http::field::host]), server_.port))
-            return refuse(403, "Unknown host: the studio answers to 127.0.0.1 and localhost only.");
+        if (request.count(http::field::host) != 1 || !isOwnHost(toString(request[http::field::host]), door_))
+            return refuse(403, "Unknown host: the studio answers to its own address only.");
+        if (linkHasToken(toString(request.target()), door_)) return invite();
+        if (!door_.atDesk() && !cookieHasToken(toString(request[http::field::cookie]), door_))
+            return refuse(403, "This studio opens by its link only. Whoever started it has the link.");
         if (websocket::is_upgrade(request)) return upgrade();
+        if (isShelfTarget(toString(request.target()))) return askShelf();
         if (request.method() == http::verb::post) return post();
         if (request.method() != http::verb::get && request.method() != http::verb::head)
             return refuse(405, "Only GET, HEAD and POST are known.");
@@ -81,10 +91,42 @@ private:
         std::make_shared<SocketConnection>(server_, std::move(stream_))->start(request);
     }
 
+    // The browser keeps the token as a cookie, so that it stands in no address afterwards.
+    void invite() {
+        HttpAnswer answer;
+        answer.status = 303;
+        answer.body = "Welcome.\n";
+        answer.location = "/";
+        respond(std::move(answer), "no-store");
+    }
+
     bool originKnown() const {
         const Request& request = parser_->get();
         return request.count(http::field::origin) == 1 &&
-               isLocalOrigin(toString(request[http::field::origin]), server_.port);
+               isOwnOrigin(toString(request[http::field::origin]), door_);
+    }
+
+    // The shelf of takes and exports. Reading is allowed as for /take, changing as for opening a take.
+    void askShelf() {
+        const Request& request = parser_->get();
+        const bool head = request.method() == http::verb::head;
+        auto asked = shelfRequest(head ? "GET" : toString(request.method_string()),
+                                  toString(request.target()));
+        if (!asked) return refuse(405, "Nothing of that kind can be done here.");
+        if (isReading(asked->action) ? !takeKnown() : !originKnown()) return refuse(403, "Unknown origin.");
+        const std::size_t most = mostBodyBytes(asked->action, server_.def.limits.takeBytes);
+        const auto length = parser_->content_length();
+        if (parser_->chunked() || (most > 0 && !length))
+            return refuse(411, "The length of the body is expected.");
+        if (length && *length > most) return refuse(413, "The body is too large.");
+        stream_.expires_after(std::chrono::seconds(server_.def.limits.bodySeconds));
+        auto read = [self = shared_from_this(), asked = *asked](Error error, std::size_t) mutable {
+            if (error == http::error::body_limit) return self->refuse(413, "The body is too large.");
+            if (error) return;
+            asked.body = std::move(self->parser_->get().body());
+            self->server_.def.events.shelfRequested(std::move(asked), self->reply());
+        };
+        http::async_read(stream_, buffer_, *parser_, std::move(read));
     }
 
     // Pages of other sites must not make the server build a large take, even though they could not read it.
@@ -155,15 +197,49 @@ private:
         respond(std::move(answer), "no-store");
     }
 
+    // Sends a file in pieces, however large it is.
+    void respondFile(const HttpAnswer& answer, const std::string& cache) {
+        const Request& request = parser_->get();
+        http::file_body::value_type body;
+        Error error;
+        body.open(answer.path.c_str(), beast::file_mode::scan, error);
+        if (error) return refuse(404, "The file is gone.", true);
+        fileResponse_.emplace(std::piecewise_construct, std::make_tuple(std::move(body)),
+                              std::make_tuple(static_cast<http::status>(answer.status), 11));
+        setFields(*fileResponse_, answer, cache);
+        fileResponse_->keep_alive(request.keep_alive());
+        fileResponse_->prepare_payload();
+        stream_.expires_after(std::chrono::seconds(kFileSeconds));
+        const auto sent = [self = shared_from_this()](Error failed, std::size_t) {
+            const bool keep = !failed && self->fileResponse_->keep_alive();
+            self->fileResponse_.reset();
+            if (!keep) return self->close();
+            self->start();
+        };
+        if (request.method() != http::verb::head) return http::async_write(stream_, *fileResponse_, sent);
+        fileHead_.emplace(*fileResponse_);
+        http::async_write_header(stream_, *fileHead_, sent);
+    }
+
+    template <class AnyResponse>
+    void setFields(AnyResponse& response, const HttpAnswer& answer, const std::string& cache) const {
+        response.set(http::field::content_type, answer.type);
+        response.set(http::field::cache_control, cache);
+        if (!answer.fileName.empty())
+            response.set(http::field::content_disposition,
+                         "attachment; filename=\"" + answer.fileName + "\"");
+        for (const auto& [field, value] : securityFields(door_)) response.set(field, value);
+    }
+
     void respond(HttpAnswer answer, const std::string& cache) {
+        if (!answer.path.empty()) return respondFile(answer, cache);
         const Request& request = parser_->get();
         response_ = Response(static_cast<http::status>(answer.status), 11);
-        response_.set(http::field::content_type, answer.type);
-        response_.set(http::field::cache_control, cache);
-        if (!answer.fileName.empty())
-            response_.set(http::field::content_disposition,
-                          "attachment; filename=\"" + answer.fileName + "\"");
-        for (const auto& [field, value] : securityFields(server_.port)) response_.set(field, value);
+        setFields(response_, answer, cache);
+        if (!answer.location.empty()) {
+            response_.set(http::field::location, answer.location);
+            response_.set(http::field::set_cookie, tokenCookie(door_));
+        }
         response_.keep_alive(keep_ && parser_->is_header_done() && request.keep_alive());
         response_.body() = std::move(answer.body);
         response_.prepare_payload();
@@ -195,9 +271,12 @@ private:
 
     StudioServer::Impl& server_;
     beast::tcp_stream stream_;
+    Doorway door_;
     beast::flat_buffer buffer_;
     std::unique_ptr<http::request_parser<http::vector_body<std::uint8_t>>> parser_;
     Response response_;
+    std::optional<http::response<http::file_body>> fileResponse_;
+    std::optional<http::response_serializer<http::file_body>> fileHead_;
     bool keep_ = true;
     std::array<char, 4096> swallowed_{};
     std::size_t swallowedBytes_ = 0;

@@ -15,15 +15,23 @@ void addStudioCommand(CommandLine& line) {
     command.option("--scenarios", options->scenarioFolder, "Folder of the picker's scenarios.")
         .existingFolder();
     command.option("--page", options->pageFolder, "Folder of the built page.").existingFolder();
+    command.option("--takes", options->takesFolder, "Folder in which recordings are kept.");
     command.option("--threads", options->threads, "Threads of the simulation; 0 takes what the machine has.")
         .range(0, 256);
+    command.flag(
+        "--lan", options->lan,
+        "Other machines of your network can connect, by a link with a secret token; it is printed, as "
+        "a QR code, too.");
     command.flag("--open", options->openBrowser, "Opens the page in the desktop's browser.");
     command.flag("--json", options->json, "One JSON value on standard output: address and port.");
     command.footer(
-        "Only this machine can connect. Ctrl+C ends it; twice, at once. Recordings are kept in ./takes.\n"
+        "Only this machine can connect, unless you say --lan. Ctrl+C ends it; twice, at once. Recordings are "
+        "kept in ./takes\n"
+        "unless --takes names another folder.\n"
         "Examples:\n"
         "  muster studio\n"
-        "  muster studio woodland --port 9000 --open");
+        "  muster studio woodland --port 9000 --open\n"
+        "  muster studio --lan");
     command.run([options] {
         if (options->scenarioFolder.empty()) options->scenarioFolder = scenariosFolder();
         if (options->pageFolder.empty())

@@ -1,4 +1,4 @@
-// The studio: page and WebSocket on one port of the loopback interface.
+// The studio: page and WebSocket on one port.
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@ namespace muster {
 
 /// Options of the studio.
 struct StudioOptions {
-    std::string host = "127.0.0.1";  ///< Address to listen on; loopback only.
-    int port = 8080;                 ///< Where the port is in use, the next free one is used.
+    int port = 8080;  ///< Where the port is in use, the next free one is used.
     /// The first scenario to load: a name in the folder or a path; empty for the folder's default.
     std::string scenario;
     std::string scenarioFolder;         ///< Folder of the scenarios that the studio offers.
     std::string pageFolder;             ///< Folder of the built page.
-    std::string takesFolder = "takes";  ///< Folder of recordings while they run; it is created when needed.
+    std::string takesFolder = "takes";  ///< Folder in which recordings are kept; it is created when needed.
     int threads = 1;                    ///< Number of simulation threads; 0 uses all cores.
+    bool lan = false;                   ///< Other machines of the network may connect, with a token.
     bool openBrowser = false;           ///< Opens the page in the desktop's browser.
     bool json = false;                  ///< Prints address and port as one JSON value.
 };

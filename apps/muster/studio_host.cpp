@@ -1,12 +1,23 @@
-// The studio: its session and the page that shows it.
+// The studio: its session, its shelf of takes, and the page that shows it.
+#include <utility>
+
+#include "export_desk.h"
 #include "host_loop.h"
 #include "report.h"
 #include "scenario_folder.h"
+#include "shelf_desk.h"
 #include "studio.h"
-#include "take_file.h"
+#include "take_shelf.h"
 
 namespace muster {
 namespace {
+
+void openLater(Mailbox<HostEvent>& mailbox, std::vector<std::uint8_t> bytes, std::string name,
+               const HttpReply& reply) {
+    const std::size_t size = bytes.size();
+    if (!mailbox.post(TakeUploaded{std::move(bytes), std::move(name), reply}, size))
+        reply(sentence(503, "The simulation is busy."));
+}
 
 // The scenario requested by name or path, otherwise the folder's default.
 Result<std::string> firstScenario(const StudioOptions& options, ScenarioFolder& folder) {
@@ -19,8 +30,7 @@ Result<std::string> firstScenario(const StudioOptions& options, ScenarioFolder& 
     return folder.add(options.scenario);
 }
 
-Result<Session> makeSession(const StudioOptions& options) {
-    ScenarioFolder folder = ScenarioFolder::scan(options.scenarioFolder);
+Result<Session> makeSession(const StudioOptions& options, ScenarioFolder& folder, TakeShelf& shelf) {
     const auto name = firstScenario(options, folder);
     if (!name.ok()) return name.status();
     const auto world = folder.load(name.value());
@@ -37,10 +47,10 @@ Result<Session> makeSession(const StudioOptions& options) {
     def.loadClips = [folder](const std::string& of, const WorldDef& begun) {
         return folder.clips(of, begun);
     };
-    if (!options.takesFolder.empty())
-        def.openSink = [takes = options.takesFolder](const std::string& of) {
-            return openTakeFile(takes, of);
-        };
+    def.openSink = [&shelf](const std::string& of) { return shelf.record(of); };
+    def.keepAbout = [&shelf](const std::string& take, const TakeAbout& about) {
+        return shelf.edit(take, about);
+    };
     Session session(std::move(def));
     const Status status = session.load(name.value(), world.value());
     if (!status.ok()) return status.within(name.value());
@@ -50,20 +60,34 @@ Result<Session> makeSession(const StudioOptions& options) {
 }  // namespace
 
 int runStudio(const StudioOptions& options) {
-    if (options.host != "127.0.0.1" && options.host != "localhost") {
-        return serveFailed(invalidArgument("found the host '" + options.host +
-                                           "', expected 127.0.0.1: only this machine may connect"));
-    }
     ServeOptions serving;
     serving.port = options.port;
     serving.pageFolder = options.pageFolder;
+    serving.lan = options.lan;
     serving.openBrowser = options.openBrowser;
     serving.json = options.json;
     // Before the session: loading a scenario takes longer than to see that there is no page.
     if (const auto def = serverDef(serving); !def.ok()) return serveFailed(def.status());
-    auto session = makeSession(options);
+    TakeShelf shelf(options.takesFolder);
+    ScenarioFolder folder = ScenarioFolder::scan(options.scenarioFolder);
+    auto session = makeSession(options, folder, shelf);
     if (!session.ok()) return serveFailed(session.status());
-    return serve(session.value(), serving);
+    ExportDesk exports(
+        [folder](const std::string& of, const WorldDef& def) { return folder.clips(of, def); });
+    return serve(session.value(), serving, [&](Mailbox<HostEvent>& mailbox, ServerEvents& events) {
+        auto desk = std::make_unique<ShelfDesk>(
+            shelf, exports,
+            [&](std::vector<std::uint8_t> bytes, std::string name, const HttpReply& reply) {
+                openLater(mailbox, std::move(bytes), std::move(name), reply);
+            },
+            [&](std::string name, TakeAbout about) {
+                mailbox.post(TakeEdited{std::move(name), std::move(about)});
+            });
+        events.shelfRequested = [desk = desk.get()](ShelfRequest request, HttpReply reply) {
+            if (!desk->post(std::move(request), reply)) reply(sentence(503, "The shelf is busy."));
+        };
+        return desk;
+    });
 }
 
 }  // namespace muster

@@ -25,8 +25,9 @@ Status StudioServer::Impl::open() {
     const int last = def.port == 0 ? 0 : std::min(def.port + kPortsTried - 1, 65535);
     for (int candidate = def.port; candidate <= last; ++candidate) {
         Error error;
-        const tcp::endpoint endpoint(asio::ip::address_v4::loopback(),
-                                     static_cast<unsigned short>(candidate));
+        const auto address = def.token.empty() ? asio::ip::address_v4::loopback()
+                                               : asio::ip::address_v4::any();
+        const tcp::endpoint endpoint(address, static_cast<unsigned short>(candidate));
         acceptor.open(endpoint.protocol(), error);
         if (!error) closeOnExec(acceptor.native_handle());
         if (!error) acceptor.set_option(asio::socket_base::reuse_address(true), error);
@@ -79,6 +80,10 @@ Result<std::unique_ptr<StudioServer>> StudioServer::listen(ServerDef def) {
 
 int StudioServer::port() const {
     return impl_->port;
+}
+
+void StudioServer::addFile(const std::string& path, StaticFile file) {
+    impl_->def.files[path] = std::move(file);
 }
 
 void StudioServer::run() {

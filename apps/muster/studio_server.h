@@ -1,4 +1,4 @@
-// HTTP files and WebSocket messages on one port of the loopback interface (docs/security.md).
+// HTTP files and WebSocket messages on one port (docs/security.md).
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "muster/status.h"
+#include "shelf_request.h"
 #include "static_files.h"
 
 namespace muster {
@@ -35,7 +36,9 @@ struct HttpAnswer {
     int status = 200;
     std::string type = "text/plain; charset=utf-8";
     std::string body;
+    std::string path;      ///< Of a file that is sent instead of the body; empty for none.
     std::string fileName;  ///< File name for saving; empty where the browser shows the answer.
+    std::string location;  ///< Where a guest who has shown the token goes on; empty for none.
 };
 /// Sends the answer. It may be called from any thread, once.
 using HttpReply = std::function<void(HttpAnswer)>;
@@ -53,6 +56,8 @@ struct ServerEvents {
     std::function<void(ConnectionId)> closed;
     std::function<void(HttpReply)> takeRequested;
     std::function<void(std::vector<std::uint8_t>, HttpReply)> takeUploaded;
+    /// Called for requests to the shelf of takes and to exports.
+    std::function<void(ShelfRequest, HttpReply)> shelfRequested;
     std::function<void()> interrupted;  ///< Called for each Ctrl+C or request to end.
 };
 
@@ -63,6 +68,8 @@ struct ServerDef {
     std::string pageFolder;                   ///< Folder of the files served at /.
     std::map<std::string, StaticFile> files;  ///< Further files by path, for example "/bodies/body-1.glb".
     std::string subprotocol;                  ///< Subprotocol that WebSockets must request.
+    /// What guests from other machines must show. Empty: it listens on 127.0.0.1 only.
+    std::string token;
     ServerLimits limits;
     ServerEvents events;
 };
@@ -70,12 +77,14 @@ struct ServerDef {
 /// The server. run() occupies one thread; send() and stop() may be called from any.
 class StudioServer {
 public:
-    /// Listens on 127.0.0.1. Fails with IoError where no port is free.
+    /// Listens on 127.0.0.1, with a token on all IPv4 addresses. Fails with IoError where no port is free.
     static Result<std::unique_ptr<StudioServer>> listen(ServerDef def);
     ~StudioServer();
 
     /// The port that it listens on.
     int port() const;
+    /// Serves one more file. Call before run().
+    void addFile(const std::string& path, StaticFile file);
     /// Serves until stop().
     void run();
     /// Ends run(), closing all connections.

@@ -2,14 +2,13 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
-#include <random>
 #include <string>
 
-#include "base/hash.h"
 #include "commands.h"
 #include "folders.h"
 #include "gestures/control_scheme.h"
 #include "host_loop.h"
+#include "invitation.h"
 #include "report.h"
 #include "study/host/study_host.h"
 
@@ -38,13 +37,6 @@ std::string utcNow() {
     return text;
 }
 
-std::string randomToken() {
-    std::random_device source;
-    const auto half = [&] { return (std::uint64_t{source()} << 32) | source(); };
-    const std::uint64_t first = half();
-    return toHex(first) + toHex(half());
-}
-
 std::vector<std::string> mice() {
     std::vector<std::string> names;
     for (const NamedScheme& scheme : namedSchemes())
@@ -60,7 +52,7 @@ int studyRun(const StudyRunOptions& options) {
     def.settings = options.settings;
     def.kind = options.test ? RunKind::Test : RunKind::People;
     def.now = utcNow;
-    def.token = randomToken;
+    def.token = makeToken;
     StudyHost host(store.value(), std::move(def));
     return serve(host, options.serve);
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "muster/clip.h"
 #include "muster/status.h"
@@ -31,16 +32,21 @@ struct ExportDef {
     double to = -1.0;          ///< Time of the last frame [s] >= from, within the take; negative: its end.
     double fps = 30.0;         ///< Frames per second, 1 to 240.
     std::int32_t threads = 1;  ///< Number of threads, as for World::create.
+    /// Faster and slower parts: frames lie closer together in the take, or farther apart. The exported motion
+    /// still has `fps` frames per second.
+    std::vector<SpeedPiece> speeds;
 };
 
+/// Gets the share done, 0 to 1; false ends the export.
+using ExportProgress = std::function<bool(double)>;
+
 /// Replays `take`, its characters moved by the clips of `library`, and writes `path` in the format of that
-/// name. Positions and poses between steps are interpolated. `progress` gets the share done, 0 to 1; it may
-/// be empty. A failed export leaves no file. Fails as exportFormat() does; with InvalidArgument
-/// where the part does not lie in the take; with Corrupt where the replay gives other hashes; with
-/// LimitExceeded where the format cannot hold so much; with Unsupported where this build cannot write the
-/// format; with IoError.
+/// name. Positions and poses between steps are interpolated. `progress` may be empty; where it returns false
+/// the export fails with Unsupported. A failed export leaves no file. Fails as exportFormat() does; with
+/// InvalidArgument where the part does not lie in the take; with Corrupt where the replay gives other hashes;
+/// with LimitExceeded where the format cannot hold so much; with Unsupported where this build cannot write
+/// the format; with IoError.
 Status exportTake(const Take& take, const ClipLibrary& library, std::string_view format,
-                  const std::string& path, const ExportDef& def = {},
-                  const std::function<void(double)>& progress = {});
+                  const std::string& path, const ExportDef& def = {}, const ExportProgress& progress = {});
 
 }  // namespace muster

@@ -33,6 +33,8 @@ struct CrowdMotionDef {
 };
 
 struct CrowdView;
+/// The motion of a crowd at one moment (CrowdMotion::state()).
+struct CrowdMotionState;
 
 /// The motion of all characters of a world. Not thread-safe.
 class CrowdMotion {
@@ -51,6 +53,13 @@ public:
     /// The same for a crowd that is not a World; internal.
     void update(const CrowdView& crowd);
 
+    /// All that later motion depends on, to go back to together with a snapshot of the world.
+    std::shared_ptr<const CrowdMotionState> state() const;
+    /// Goes back, or on, to a state of a motion by the same clips.
+    void goBack(const CrowdMotionState& state);
+    /// The memory of a state [bytes].
+    static std::size_t sizeOf(const CrowdMotionState& state);
+
     /// Ids of the characters that get whole poses from the next update on, in any order; unknown ids are
     /// ignored. Empty for none.
     void setNear(std::span<const std::uint32_t> ids);
@@ -59,6 +68,8 @@ public:
     std::span<const MotionState> states() const;
     /// Indices of characters with whole poses, ascending.
     std::span<const std::uint32_t> near() const;
+    /// The id of near()[k].
+    std::uint32_t nearId(std::size_t k) const;
     /// The pose of near()[k], with locked feet, for a body of size 1. In the world it is scaled by `size`,
     /// rotated by `yaw` and moved to `position`.
     const BodyPose& pose(std::size_t k) const;

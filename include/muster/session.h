@@ -12,6 +12,7 @@
 
 #include "muster/clip.h"
 #include "muster/status.h"
+#include "muster/take.h"
 #include "muster/world.h"
 
 namespace muster {
@@ -55,6 +56,10 @@ public:
     virtual Status append(std::span<const std::uint8_t> bytes) = 0;
     /// Ends the recording.
     virtual Status finish() = 0;
+    /// Ends it and keeps nothing.
+    virtual Status discard() { return finish(); }
+    /// Name of the file on the shelf; empty where it is on none.
+    virtual std::string name() const { return {}; }
 };
 
 /// Definition of a session.
@@ -70,6 +75,8 @@ struct SessionDef {
     std::function<Result<ClipLibrary>(const std::string& name, const WorldDef& def)> loadClips;
     /// Begins a file for a recording of that scenario. Null keeps recordings in memory only.
     std::function<Result<std::unique_ptr<TakeSink>>(const std::string& name)> openSink;
+    /// Keeps what is said about a take with its file on the shelf, by its name. Null where there is no shelf.
+    std::function<Status(const std::string& name, const TakeAbout& about)> keepAbout;
     std::int32_t threads = 1;  ///< Threads of the world, as for ThreadPool.
     SessionLimits limits;      ///< Limits of requests by clients.
 };
@@ -86,12 +93,18 @@ public:
     Session(Session&&) noexcept;  ///< Moves.
     Session& operator=(Session&&) noexcept;
 
-    /// Begins a world, ending the one before and any recording or replay. Plays at once. Fails, changing
-    /// nothing, as World::create does.
+    /// Begins a world, ending the one before and any recording, which is kept, or replay. Plays at once.
+    /// Fails, changing nothing, as World::create does.
     Status load(const std::string& name, const WorldDef& def);
     /// Begins the replay of a take's bytes. Fails, changing nothing, as parseTake does, or where the take is
-    /// too large or holds no step.
-    Status openTake(std::span<const std::uint8_t> bytes, const std::string& sourceName);
+    /// too large or holds no step. `fileName` is its name on the shelf, empty where it lies elsewhere.
+    Status openTake(std::span<const std::uint8_t> bytes, const std::string& sourceName,
+                    const std::string& fileName = {});
+    /// What is said about the take on the shelf has changed; the open one follows where it is this.
+    void takeEdited(const std::string& fileName, const TakeAbout& about);
+    /// The name on the shelf of the take that is open, and of the one that is being recorded; empty for none.
+    std::string openTakeName() const;
+    std::string recordedTakeName() const;  ///< As above.
     /// Everything since the world began as a take that replays up to now; the opened take during a replay.
     /// Fails with NotFound before the first load.
     Result<std::vector<std::uint8_t>> take() const;
@@ -118,6 +131,10 @@ public:
     bool stepDue() const;
     /// Makes the step that is due; at speeds above 1, the steps of a sixtieth of a second.
     void step();
+    /// True where prepare() has something to do.
+    bool preparing() const;
+    /// Reads ahead in the take that is open, by one step, so that seeks in it are quick. Call while idle.
+    void prepare();
     /// Real time until a step is due [s]; a long time while paused.
     double untilNextStep() const;
 

@@ -34,6 +34,39 @@ struct TakeEvent {
     friend bool operator==(const TakeEvent&, const TakeEvent&) = default;
 };
 
+/// A part of a take that plays faster or slower than it was recorded.
+struct SpeedPiece {
+    double from = 0.0;   ///< Time in the take [s].
+    double to = 0.0;     ///< Time in the take [s] > from.
+    double speed = 1.0;  ///< Seconds of the take per second, 0.1 to 8.
+    double ease = 0.0;   ///< Time at each end in which the speed comes and goes [s] >= 0.
+    friend bool operator==(const SpeedPiece&, const SpeedPiece&) = default;
+};
+
+inline constexpr std::uint32_t kTakeEnd = 0xffffffff;  ///< As the last step of a part: the take's end.
+
+/// What is said about a take: its name, and the part of it that is to be shown. It changes nothing of what
+/// was recorded.
+struct TakeAbout {
+    std::string title;               ///< Name for people; empty for none, at most kMaxTitleBytes.
+    std::uint32_t from = 0;          ///< Steps before the part begins.
+    std::uint32_t to = kTakeEnd;     ///< Steps after which the part ends.
+    std::vector<SpeedPiece> speeds;  ///< In ascending order, apart from each other; at most kMaxSpeedPieces.
+
+    static constexpr std::size_t kMaxTitleBytes = 200;  ///< Length of a title.
+    static constexpr std::size_t kMaxSpeedPieces = 64;  ///< Number of speed pieces.
+
+    /// The first step of the part of a take with that many steps: below its last one.
+    std::uint32_t firstStep(std::uint32_t steps) const;
+    /// The last step of the part, at most `steps`.
+    std::uint32_t lastStep(std::uint32_t steps) const;
+    /// Seconds of the take per second that it is shown, at that time of the take [s].
+    double speedAt(double seconds) const;
+    /// Fails with InvalidArgument, naming the value, where it is not as described.
+    Status check() const;
+    friend bool operator==(const TakeAbout&, const TakeAbout&) = default;
+};
+
 /// A whole take in memory.
 struct Take {
     std::string scenario;           ///< Text of the scenario, map and clip facts embedded.
@@ -41,6 +74,7 @@ struct Take {
     std::vector<Command> commands;  ///< Commands in the order of submission.
     std::vector<HashMark> marks;    ///< Hash marks in ascending order of steps.
     std::vector<TakeEvent> events;  ///< Events in ascending order of steps; takes of before have none.
+    TakeAbout about;                ///< As said last; takes of before say nothing.
     bool finished = false;          ///< True where the take has an end record.
     std::size_t tornBytes = 0;      ///< Bytes of an unfinished last record that were left out.
     /// Steps whose hashes are known: up to the last mark.

@@ -13,15 +13,14 @@ Status ChosenScheme::choose(const std::string& name, std::uint32_t client) {
         def_ = found.value().def;
     }
     name_ = name;
-    client_ = client;
-    restart();
+    restart(client);
     return {};
 }
 
-void ChosenScheme::restart() {
+void ChosenScheme::restart(std::uint32_t client) {
     driver_.reset();
     viewTold_ = false;
-    if (!name_.empty()) driver_.emplace(def_, client_);
+    if (!name_.empty()) driver_.emplace(def_, client);
 }
 
 void ChosenScheme::setView(const GroundView& view, const World* world) {

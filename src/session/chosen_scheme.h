@@ -17,8 +17,8 @@ public:
     /// Another scheme for the client of that number; an empty name for none. Fails with NotFound, listing
     /// the names, and changes nothing then.
     Status choose(const std::string& name, std::uint32_t client);
-    /// A new world began: what the scheme remembers is forgotten.
-    void restart();
+    /// A new world began, in which the client has that number: what the scheme remembers is forgotten.
+    void restart(std::uint32_t client);
     /// How the ground is seen from now on; it outlives schemes and worlds.
     void setView(const GroundView& view, const World* world);
     /// Takes an input. Fails where there is no scheme or no view yet, and where the input is malformed.
@@ -31,7 +31,6 @@ public:
 private:
     std::string name_;
     SchemeDef def_;
-    std::uint32_t client_ = 0;
     std::optional<GroundView> view_;
     std::optional<SchemeDriver> driver_;
     bool viewTold_ = false;       // The driver knows the view.

@@ -14,6 +14,7 @@ constexpr std::size_t kMostClips = 256;  // Indices of clips are single bytes.
 constexpr double kLongestClip = 65.0;
 constexpr float kCoarseClip = 5.0f;  // Phases of 8 bits suffice for clips up to this length [s].
 constexpr std::size_t kLargeCrowd = 2000;
+constexpr std::size_t kTrackedCrowd = 500;  // Most characters whose whole poses all go on in a replay.
 // Largest number of whole poses per client in a large crowd. It keeps frames within 8 bytes per character.
 constexpr std::size_t kNearOfLarge = 100;
 // Largest number of poses of all clips: about 9 MB on the network, 34 MB on the graphics card.
@@ -102,10 +103,21 @@ Status MotionFrames::fits(const ClipLibrary& library) {
     return poses <= kMostPoses ? Status() : tooMany("frames of all motions", poses, kMostPoses);
 }
 
-void MotionFrames::restart(ClipLibrary library) {
+bool MotionFrames::tracksAll(const WorldDef& def) {
+    std::size_t count = 0;
+    for (const GroupDef& group : def.groups) count += static_cast<std::size_t>(std::max(0, group.count));
+    return count <= kTrackedCrowd;
+}
+
+void MotionFrames::goBack(const CrowdMotionState& state) {
+    motion_->goBack(state);
+}
+
+void MotionFrames::restart(ClipLibrary library, bool trackAll) {
     motion_.reset();
     library_ = std::make_unique<ClipLibrary>(std::move(library));
     motion_ = std::make_unique<CrowdMotion>(*library_);
+    trackAll_ = trackAll;
     untilChoice_ = 0;
     encodeMotions();
 }
@@ -149,7 +161,7 @@ void MotionFrames::chooseNear(const World& world, const std::vector<Attention>& 
     }
     std::sort(near_.begin(), near_.end());
     near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
-    motion_->setNear(near_);
+    if (!trackAll_) motion_->setNear(near_);
 }
 
 void MotionFrames::observe(const World& world, const std::vector<Attention>& attentions) {
@@ -174,11 +186,13 @@ void MotionFrames::build(CrowdPicture& picture) const {
         picture.clip[i] = static_cast<std::uint8_t>(state.clip);
         picture.phase[i] = phase65536(state.time, durations_[state.clip]);
     }
-    picture.near.assign(motion_->near().begin(), motion_->near().end());
+    picture.near.clear();
     picture.nearPlaces.clear();
     picture.nearPoses.clear();
-    for (std::size_t k = 0; k < picture.near.size(); ++k) {
-        const MotionState& state = states[picture.near[k]];
+    for (std::size_t k = 0; k < motion_->near().size(); ++k) {
+        if (trackAll_ && !std::binary_search(near_.begin(), near_.end(), motion_->nearId(k))) continue;
+        const MotionState& state = states[motion_->near()[k]];
+        picture.near.push_back(motion_->near()[k]);
         for (const double value : {state.position.x, state.position.y, static_cast<double>(state.yaw)})
             picture.nearPlaces.push_back(static_cast<float>(value));
         appendPose(motion_->pose(k), picture.nearPoses);

@@ -10,11 +10,11 @@ namespace {
 constexpr const char* kClientNames[] = {
     "Hello", "Touches", "AddControl", "PinControl", "RemoveControl", "SetFormation", "SetCount",
     "SetParameter", "Playback", "SetSpeed", "LoadScenario", "Record", "SetOverlay", "Commands",
-    "Attend", "FrameAck", "Ping", "AskForecasts", "SetScheme", "SetView", "Inputs", "EnterStudy",
-    "AnswerForm", "DoInStudy"};
+    "Attend", "FrameAck", "Ping", "Seek", "TakeAgain", "EditTake", "AskForecasts", "SetName",
+    "GiveGroup", "SetScheme", "SetView", "Inputs", "EnterStudy", "AnswerForm", "DoInStudy"};
 constexpr const char* kServerNames[] = {
     "Welcome", "Scene", "Motions", "GroupMesh", "Frame", "Overlay", "Notice", "Pong", "Forecasts",
-    "Marks", "StudyForm", "StudyState"};
+    "TakeState", "TakeReady", "TakeKept", "Directors", "Marks", "StudyForm", "StudyState"};
 
 template <class Any, class Message>
 Result<Any> decodeAs(std::span<const std::uint8_t> bytes) {
@@ -63,13 +63,18 @@ Result<ClientMessage> decodeClient(std::span<const std::uint8_t> bytes) {
         case 14: return decodeAs<Any, Attend>(bytes);
         case 15: return decodeAs<Any, FrameAck>(bytes);
         case 16: return decodeAs<Any, Ping>(bytes);
-        case 17: return decodeAs<Any, AskForecasts>(bytes);
-        case 18: return decodeAs<Any, SetScheme>(bytes);
-        case 19: return decodeAs<Any, SetView>(bytes);
-        case 20: return decodeAs<Any, Inputs>(bytes);
-        case 21: return decodeAs<Any, EnterStudy>(bytes);
-        case 22: return decodeAs<Any, AnswerForm>(bytes);
-        case 23: return decodeAs<Any, DoInStudy>(bytes);
+        case 17: return decodeAs<Any, Seek>(bytes);
+        case 18: return decodeAs<Any, TakeAgain>(bytes);
+        case 19: return decodeAs<Any, EditTake>(bytes);
+        case 20: return decodeAs<Any, AskForecasts>(bytes);
+        case 21: return decodeAs<Any, SetName>(bytes);
+        case 22: return decodeAs<Any, GiveGroup>(bytes);
+        case 23: return decodeAs<Any, SetScheme>(bytes);
+        case 24: return decodeAs<Any, SetView>(bytes);
+        case 25: return decodeAs<Any, Inputs>(bytes);
+        case 26: return decodeAs<Any, EnterStudy>(bytes);
+        case 27: return decodeAs<Any, AnswerForm>(bytes);
+        case 28: return decodeAs<Any, DoInStudy>(bytes);
         default: return unknown(bytes, std::size(kClientNames));
     }
 }
@@ -86,9 +91,13 @@ Result<ServerMessage> decodeServer(std::span<const std::uint8_t> bytes) {
         case 6: return decodeAs<Any, Notice>(bytes);
         case 7: return decodeAs<Any, Pong>(bytes);
         case 8: return decodeAs<Any, Forecasts>(bytes);
-        case 9: return decodeAs<Any, Marks>(bytes);
-        case 10: return decodeAs<Any, StudyForm>(bytes);
-        case 11: return decodeAs<Any, StudyState>(bytes);
+        case 9: return decodeAs<Any, TakeState>(bytes);
+        case 10: return decodeAs<Any, TakeReady>(bytes);
+        case 11: return decodeAs<Any, TakeKept>(bytes);
+        case 12: return decodeAs<Any, Directors>(bytes);
+        case 13: return decodeAs<Any, Marks>(bytes);
+        case 14: return decodeAs<Any, StudyForm>(bytes);
+        case 15: return decodeAs<Any, StudyState>(bytes);
         default: return unknown(bytes, std::size(kServerNames));
     }
 }

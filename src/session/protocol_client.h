@@ -232,9 +232,49 @@ struct Ping {
     }
 };
 
+/// Goes to a moment of the open take; playing goes on from there.
+struct Seek {
+    static constexpr std::uint8_t kNumber = 17;  ///< First byte of the message.
+    std::uint32_t step = 0;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(step);
+    }
+};
+
+/// Directs from the present moment of the open take on: a new take with its beginning.
+struct TakeAgain {
+    static constexpr std::uint8_t kNumber = 18;  ///< First byte of the message.
+    bool keep = false;  ///< what was recorded later goes on beneath what is directed now
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(keep);
+    }
+};
+
+/// Another name, part or speed of the open take; kept with its file.
+struct EditTake {
+    static constexpr std::uint8_t kNumber = 19;  ///< First byte of the message.
+    std::string title;
+    std::uint32_t from = 0;  ///< first step of the part that is shown
+    std::uint32_t to = 0;  ///< its last step; the largest number: the end
+    bool loop = false;  ///< plays over and over; not kept
+    std::vector<SpeedPiece> speeds;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(title, from, to, loop, speeds);
+    }
+};
+
 /// Would these orders arrive, by which way, when? Nothing changes.
 struct AskForecasts {
-    static constexpr std::uint8_t kNumber = 17;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 20;  ///< First byte of the message.
     std::uint32_t number = 0;  ///< comes back with the answer
     std::vector<ForecastAsk> asks;
 
@@ -245,9 +285,34 @@ struct AskForecasts {
     }
 };
 
+/// How the sender is called from now on.
+struct SetName {
+    static constexpr std::uint8_t kNumber = 21;  ///< First byte of the message.
+    std::string name;  ///< at most 40 characters count; empty: a number
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(name);
+    }
+};
+
+/// What a director may direct: one group and its parts, or everything.
+struct GiveGroup {
+    static constexpr std::uint8_t kNumber = 22;  ///< First byte of the message.
+    std::uint32_t client = 0;
+    std::uint32_t group = 0;  ///< 0: everything
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(client, group);
+    }
+};
+
 /// Inputs shall be judged by this control scheme; empty: by the page itself.
 struct SetScheme {
-    static constexpr std::uint8_t kNumber = 18;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 23;  ///< First byte of the message.
     std::string name;
 
     /// Lets an archive read or write the fields.
@@ -259,7 +324,7 @@ struct SetScheme {
 
 /// How the ground is seen from now on.
 struct SetView {
-    static constexpr std::uint8_t kNumber = 19;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 24;  ///< First byte of the message.
     std::vector<double> matrix;  ///< nine numbers by rows: from (x, y, 1) on the ground [m] to homogeneous pixels
     double width = 0.0;  ///< of the view [px]
     double height = 0.0;
@@ -274,7 +339,7 @@ struct SetView {
 
 /// Raw inputs, in the order they were seen, for the client's control scheme.
 struct Inputs {
-    static constexpr std::uint8_t kNumber = 20;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 25;  ///< First byte of the message.
     std::vector<RawInput> events;
 
     /// Lets an archive read or write the fields.
@@ -286,7 +351,7 @@ struct Inputs {
 
 /// Begins a run of the study, or goes on with one.
 struct EnterStudy {
-    static constexpr std::uint8_t kNumber = 21;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 26;  ///< First byte of the message.
     std::string token;  ///< as StudyState gave it; empty for a new run
 
     /// Lets an archive read or write the fields.
@@ -298,7 +363,7 @@ struct EnterStudy {
 
 /// The answers to the form that waits.
 struct AnswerForm {
-    static constexpr std::uint8_t kNumber = 22;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 27;  ///< First byte of the message.
     std::string instrument;
     std::vector<AnswerFrame> answers;
 
@@ -311,7 +376,7 @@ struct AnswerForm {
 
 /// What a person wants in a run of the study.
 struct DoInStudy {
-    static constexpr std::uint8_t kNumber = 23;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 28;  ///< First byte of the message.
     StudyAct act = StudyAct::Start;
 
     /// Lets an archive read or write the fields.
@@ -325,7 +390,8 @@ struct DoInStudy {
 /// Any message of the page; the index is its number.
 using ClientMessage = std::variant<
     Hello, Touches, AddControl, PinControl, RemoveControl, SetFormation, SetCount, SetParameter,
-    Playback, SetSpeed, LoadScenario, Record, SetOverlay, Commands, Attend, FrameAck, Ping,
-    AskForecasts, SetScheme, SetView, Inputs, EnterStudy, AnswerForm, DoInStudy>;
+    Playback, SetSpeed, LoadScenario, Record, SetOverlay, Commands, Attend, FrameAck, Ping, Seek,
+    TakeAgain, EditTake, AskForecasts, SetName, GiveGroup, SetScheme, SetView, Inputs, EnterStudy,
+    AnswerForm, DoInStudy>;
 
 }  // namespace muster::protocol

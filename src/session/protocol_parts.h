@@ -30,6 +30,8 @@ enum class OverlayKind : std::uint8_t { None, Field, Cost, Density };
 /// Values of a field, as one byte.
 enum class MovingKind : std::uint8_t { Obstacle, Patch };
 /// Values of a field, as one byte.
+enum class TakeMarkKind : std::uint8_t { Touch, Order, Change, Event };
+/// Values of a field, as one byte.
 enum class NoticeLevel : std::uint8_t { Info, Warning, Error };
 /// Values of a field, as one byte.
 enum class InputKind : std::uint8_t { Pointer, Key };
@@ -55,6 +57,20 @@ enum class Turn : std::uint8_t { Wheel, Reverse, Keep };
 enum class Stance : std::uint8_t { Normal, Hold, Yield };
 /// Values of a field, as one byte.
 enum class EventKind : std::uint8_t { EnterPatch, LeavePatch, TransitionStart, TransitionEnd, SingleStep, Collect, FormationChange, Swap, Arrived, Stuck, Blocked, Free, NoPath, Partial, OrderGiven, OrderBegun, OrderDone, OrderSkipped, Passed, GroupAdded, GroupRemoved, Joined, Left, Transferred };
+
+/// Somebody who is connected.
+struct DirectorFrame {
+    std::uint32_t client = 0;
+    std::string name;
+    std::uint8_t colour = 0;  ///< 0 to 15; no two have the same
+    std::vector<std::uint32_t> groups;  ///< ids of the groups that they may direct; empty: all
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(client, name, colour, groups);
+    }
+};
 
 /// One finger begins, moves, lifts or is lost, in world coordinates [m].
 struct TouchEvent {
@@ -293,6 +309,35 @@ struct ClipFrames {
     template <class Archive>
     void visit(Archive& archive) {
         archive(name, motion, rate, cyclic, poses, hips, rotations);
+    }
+};
+
+/// A part of a take that plays faster or slower.
+struct SpeedPiece {
+    double from = 0.0;  ///< time of the take [s]
+    double to = 0.0;
+    double speed = 0.0;  ///< 0.1 to 8
+    double ease = 0.0;  ///< in which it comes and goes [s]
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(from, to, speed, ease);
+    }
+};
+
+/// Something that happens in a take, for its time line.
+struct TakeMark {
+    TakeMarkKind kind = TakeMarkKind::Touch;
+    std::uint32_t step = 0;
+    std::uint32_t length = 0;  ///< steps that a finger is down
+    std::string label;  ///< in one or two words
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(kind, step, length, label);
+        checkEnum(archive, kind, 4);
     }
 };
 

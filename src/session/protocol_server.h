@@ -11,7 +11,7 @@
 
 namespace muster::protocol {
 
-/// The first answer.
+/// The first answer; again with another number where a take is taken up.
 struct Welcome {
     static constexpr std::uint8_t kNumber = 0;  ///< First byte of the message.
     std::uint32_t client = 0;
@@ -175,9 +175,68 @@ struct Forecasts {
     }
 };
 
+/// The open take; again whenever it changes, and once with open 0 when it is left.
+struct TakeState {
+    static constexpr std::uint8_t kNumber = 9;  ///< First byte of the message.
+    bool open = false;
+    std::string name;  ///< of its file on the shelf; empty: it lies elsewhere
+    std::string title;
+    std::uint32_t steps = 0;
+    double stepTime = 0.0;  ///< [s]
+    std::uint32_t from = 0;
+    std::uint32_t to = 0;  ///< not beyond steps
+    bool loop = false;
+    std::vector<SpeedPiece> speeds;
+    std::vector<TakeMark> marks;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(open, name, title, steps, stepTime, from, to, loop, speeds, marks);
+    }
+};
+
+/// How far the open take has been read: seeks up to there are quick.
+struct TakeReady {
+    static constexpr std::uint8_t kNumber = 10;  ///< First byte of the message.
+    std::uint32_t steps = 0;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(steps);
+    }
+};
+
+/// A recording has ended and is kept.
+struct TakeKept {
+    static constexpr std::uint8_t kNumber = 11;  ///< First byte of the message.
+    std::string name;  ///< of its file on the shelf; empty: kept in memory only
+    double seconds = 0.0;
+    std::string scenario;  ///< its title
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(name, seconds, scenario);
+    }
+};
+
+/// Everybody who is connected, in the order in which they came; again whenever that changes.
+struct Directors {
+    static constexpr std::uint8_t kNumber = 12;  ///< First byte of the message.
+    std::vector<DirectorFrame> directors;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(directors);
+    }
+};
+
 /// What a control scheme shows of what is being done; whenever it changes.
 struct Marks {
-    static constexpr std::uint8_t kNumber = 9;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 13;  ///< First byte of the message.
     std::string scheme;  ///< empty: the page judges inputs itself
     std::vector<std::uint32_t> selected;  ///< ids of characters, ascending
     std::vector<float> rectangle;  ///< x, y: the box that is being drawn [m]
@@ -195,7 +254,7 @@ struct Marks {
 
 /// The form that waits.
 struct StudyForm {
-    static constexpr std::uint8_t kNumber = 10;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 14;  ///< First byte of the message.
     std::string instrument;
     std::string title;
     std::string text;
@@ -212,7 +271,7 @@ struct StudyForm {
 
 /// Where a run of the study stands; whenever it changes.
 struct StudyState {
-    static constexpr std::uint8_t kNumber = 11;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 15;  ///< First byte of the message.
     StudyStage stage = StudyStage::Form;
     std::string token;  ///< by which a page goes on with the run
     std::uint32_t run = 0;  ///< its number in the database; 0 before consent
@@ -248,7 +307,7 @@ struct StudyState {
 
 /// Any message of the server; the index is its number.
 using ServerMessage = std::variant<
-    Welcome, Scene, Motions, GroupMesh, Frame, Overlay, Notice, Pong, Forecasts, Marks, StudyForm,
-    StudyState>;
+    Welcome, Scene, Motions, GroupMesh, Frame, Overlay, Notice, Pong, Forecasts, TakeState, TakeReady,
+    TakeKept, Directors, Marks, StudyForm, StudyState>;
 
 }  // namespace muster::protocol

@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "io/take/take_encoder.h"
 #include "muster/own_clips.h"
 #include "muster/scenario.h"
 #include "session/event_notices.h"
@@ -25,40 +24,49 @@ Session& Session::operator=(Session&&) noexcept = default;
 // ---- Worlds ----
 
 Status Session::Impl::begin(const std::string& worldName, const WorldDef& newDef,
-                            std::shared_ptr<const Take> take) {
+                            std::unique_ptr<TakePlayer> taken) {
     auto made = World::create(newDef, def.threads);
     if (!made.ok()) return made.status();
     stopRecording();
     world.emplace(std::move(made).value());
     if (&worldDef != &newDef) worldDef = newDef, warn();
     name = worldName;
-    replay.reset();
-    replayedTake = std::move(take);
-    if (replayedTake)
-        replay.emplace(*replayedTake);
-    else
+    if (player || taken) touchTake();
+    player = std::move(taken);
+    if (!player) {
         log.begin(worldDef, def.limits.takeBytes);
+        takenBytes.clear();
+    }
+    layer.clear();
+    waitsForHand = false;
+    recorded = false;
     fullReported = false;
     demonstratedUntil = 0;
     waitingCommands = 0;
-    inputsWait = false;
     singleSteps = 0;
     pacer.reset();
     playing = true;
     frames.restart();
+    directors.forgetGroups();
     beginMotion();
+    if (player) player->keep(*world, motion);
     refreshScene();
     touchState();
+    forgetClients();
+    return {};
+}
+
+// What clients did belongs to the world before.
+void Session::Impl::forgetClients() {
     for (auto& [id, client] : clients) {
         client.clock.restart();
         client.sequence = 0;
         client.steers = false;
         client.events.clear();
         client.frames.restart();
-        client.scheme.restart();
+        client.scheme.restart(client.number);
         client.touchWaiting = client.touchShown = 0.0;
     }
-    return {};
 }
 
 // Characters play Muster's own clips where the scenario names clips that cannot be read.
@@ -68,7 +76,8 @@ void Session::Impl::beginMotion() {
     clipsRead = clips.status();
     for (auto& [id, client] : clients)
         if (client.greeted) warnOfClips(client);
-    motion.restart(clips.ok() ? std::move(clips).value() : ownClips());
+    motion.restart(clips.ok() ? std::move(clips).value() : ownClips(),
+                   player != nullptr && MotionFrames::tracksAll(worldDef));
     observeMotion();
 }
 
@@ -88,14 +97,25 @@ void Session::Impl::warn() {
 
 Status Session::Impl::restart() {
     if (!world) return {StatusCode::NotFound, "there is no world to restart"};
-    return begin(name, worldDef, replayedTake);
+    if (player) {
+        player->want(player->first());
+        playing = true;
+        pacer.reset();
+        touchState();
+        return {};
+    }
+    const bool recording = recordedFrom >= 0.0;
+    stopRecording(true);
+    if (Status s = begin(name, worldDef); !s.ok()) return s;
+    if (recording) setRecording(true, nullptr);
+    return {};
 }
 
 // Submits all touches before the first step, as `muster play --gestures` does, because waiting commands are
 // part of the hash.
 Status Session::Impl::demonstrate() {
     if (!world) return {StatusCode::NotFound, "there is no world yet"};
-    if (replay)
+    if (player)
         return {StatusCode::Unsupported,
                 "a take is being replayed; load a scenario to watch its demonstration"};
     if (!canDemonstrate()) return {StatusCode::NotFound, "the scenario carries no touches to watch"};
@@ -106,7 +126,10 @@ Status Session::Impl::demonstrate() {
         return invalidArgument(worldDef.gestures + ": found the client " + std::to_string(command.client) +
                                ", expected 1 to " + std::to_string(kLastDemonstrator) + " to be watched");
     }
-    if (Status s = begin(name, worldDef, nullptr); !s.ok()) return s;
+    const bool recording = recordedFrom >= 0.0;
+    stopRecording(true);
+    if (Status s = begin(name, worldDef); !s.ok()) return s;
+    if (recording) setRecording(true, nullptr);
     for (const Command& command : *commands) {
         if (Status s = world->submit(command); !s.ok()) return s.within(worldDef.gestures);
         log.command(command);
@@ -116,57 +139,7 @@ Status Session::Impl::demonstrate() {
 }
 
 Status Session::load(const std::string& name, const WorldDef& def) {
-    return impl_->begin(name, def, nullptr);
-}
-
-Status Session::openTake(std::span<const std::uint8_t> bytes, const std::string& sourceName) {
-    if (bytes.size() > impl_->def.limits.openTakeBytes) {
-        return {StatusCode::LimitExceeded, sourceName + ": found " + std::to_string(bytes.size()) +
-                                               " bytes, expected at most " +
-                                               std::to_string(impl_->def.limits.openTakeBytes)};
-    }
-    auto take = parseTake(bytes, sourceName);
-    if (!take.ok()) return take.status();
-    if (take->steps() == 0) return invalidArgument(sourceName + ": holds no step to replay");
-    const WorldDef def = take->def;
-    return impl_->begin(def.name, def, std::make_shared<const Take>(std::move(take).value()));
-}
-
-Result<std::vector<std::uint8_t>> Session::take() const {
-    if (!impl_->world) return Status(StatusCode::NotFound, "there is no world to keep a take of");
-    if (!impl_->replay) return impl_->log.bytes(*impl_->world);
-    const Take& take = *impl_->replayedTake;
-    std::vector<std::uint8_t> bytes = TakeEncoder::begin(take.def);
-    const auto append = [&](const std::vector<std::uint8_t>& record) {
-        bytes.insert(bytes.end(), record.begin(), record.end());
-    };
-    std::size_t next = 0, nextEvent = 0;
-    const auto appendEventsUntil = [&](std::uint32_t until) {
-        for (; nextEvent < take.events.size() && take.events[nextEvent].step <= until; ++nextEvent)
-            append(TakeEncoder::event(take.events[nextEvent]));
-    };
-    for (const HashMark& mark : take.marks) {
-        appendEventsUntil(mark.step);
-        for (; next < mark.commands; ++next) append(TakeEncoder::command(take.commands[next]));
-        append(take.finished && &mark == &take.marks.back() ? TakeEncoder::end(mark)
-                                                            : TakeEncoder::mark(mark));
-    }
-    for (; next < take.commands.size(); ++next) append(TakeEncoder::command(take.commands[next]));
-    appendEventsUntil(take.steps());
-    return bytes;
-}
-
-std::string Session::takeName() const {
-    std::string name;
-    for (const char c : impl_->name) {
-        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-        name += plain || c == '-' || c == '_' ? c : '-';
-    }
-    return (name.empty() ? "muster" : name.substr(0, 60)) + ".take";
-}
-
-void Session::finish() {
-    impl_->stopRecording();
+    return impl_->begin(name, def);
 }
 
 const World* Session::world() const {
@@ -176,44 +149,10 @@ bool Session::playing() const {
     return impl_->playing;
 }
 bool Session::replaying() const {
-    return impl_->replay.has_value();
+    return impl_->player != nullptr;
 }
 bool Session::demonstrating() const {
     return impl_->demonstrating();
-}
-
-// ---- Recording ----
-
-void Session::Impl::setRecording(bool on, std::uint32_t client) {
-    if (!on) return stopRecording();
-    if (recordedFrom >= 0.0) return;
-    recordedFrom = world->time();
-    touchState();
-    if (!def.openSink) return;
-    auto sink = def.openSink(name);
-    const Status status = sink.ok() ? log.attach(std::move(sink).value()) : sink.status();
-    if (status.ok()) return;
-    const auto found = clients.find(client);
-    if (found == clients.end()) return;
-    notice(found->second, protocol::NoticeLevel::Warning, "record",
-           "Recording in memory only: " + status.message() + ".");
-}
-
-void Session::Impl::stopRecording() {
-    recordedFrom = -1.0;
-    touchState();
-    reportLostFile();
-    if (!world || !log.attached()) return;
-    const Status status = log.detach(*world);
-    if (!status.ok()) noticeAll(protocol::NoticeLevel::Warning, "record", status.message());
-}
-
-// Reports once that the file cannot be written; the log in memory continues.
-void Session::Impl::reportLostFile() {
-    const Status status = log.takeFailure();
-    if (status.ok()) return;
-    noticeAll(protocol::NoticeLevel::Warning, "record",
-              "Recording in memory only: " + status.message() + ".");
 }
 
 // ---- Steps ----
@@ -221,24 +160,28 @@ void Session::Impl::reportLostFile() {
 void Session::elapse(double seconds) {
     impl_->realTime += std::max(0.0, seconds);
     if (impl_->world && impl_->playing)
-        impl_->pacer.elapse(seconds, impl_->speed, impl_->world->parameters().stepTime);
+        impl_->pacer.elapse(seconds, impl_->pace(), impl_->world->parameters().stepTime);
 }
 
 bool Session::stepDue() const {
     if (!impl_->world) return false;
+    if (impl_->player && impl_->player->seeking()) return true;
     if (!impl_->playing) return impl_->singleSteps > 0;
     return impl_->pacer.due(impl_->world->parameters().stepTime, impl_->eager());
 }
 
 double Session::untilNextStep() const {
     if (!impl_->world) return kLongWait;
+    if (impl_->player && impl_->player->seeking()) return 0.0;
     if (!impl_->playing) return impl_->singleSteps > 0 ? 0.0 : kLongWait;
-    return impl_->pacer.until(impl_->speed, impl_->world->parameters().stepTime, impl_->eager());
+    return impl_->pacer.until(impl_->pace(), impl_->world->parameters().stepTime, impl_->eager());
 }
 
 void Session::step() {
-    const std::int32_t batch = impl_->playing ? Pacer::batch(impl_->speed) : 1;
+    if (impl_->player && impl_->player->seeking()) return impl_->seek();
+    const std::int32_t batch = impl_->playing ? Pacer::batch(impl_->pace()) : 1;
     for (std::int32_t i = 0; i < batch && stepDue(); ++i) {
+        if (impl_->player && impl_->player->seeking()) return;
         if (impl_->playing)
             impl_->pacer.pay(impl_->world->parameters().stepTime);
         else
@@ -248,38 +191,51 @@ void Session::step() {
 }
 
 void Session::Impl::stepOnce() {
-    if (replay && replay->atEnd(*world)) {
-        replayEnded();
-        return;
-    }
-    Status replayed;
-    if (replay)
-        replayed = replay->submit(*world);
+    if (player)
+        stepReplay();
     else
-        driveSchemes();
-    world->step();
+        stepWorld();
+}
+
+// What follows from every step.
+void Session::Impl::stepped() {
     waitingCommands = 0;
     inputsWait = false;
     touchState();
     frames.observe(*world);
+    directors.observe(*world);
     observeMotion();
-    if (!replay)
-        log.observe(*world);
-    else if (replayed.ok())
-        replayed = replay->compare(*world);
-    if (!replayed.ok()) {
-        playing = false;
-        noticeAll(protocol::NoticeLevel::Error, "replay",
-                  "The replay differs from the take: " + replayed.message());
-    } else if (replay && replay->atEnd(*world)) {
-        replayEnded();
-    }
-    if (log.full() && !fullReported && !replay) {
+}
+
+void Session::Impl::stepWorld() {
+    submitLayer();
+    driveSchemes();
+    world->step();
+    stepped();
+    log.observe(*world);
+    if (log.full() && !fullReported) {
         fullReported = true;
         noticeAll(protocol::NoticeLevel::Warning, "take-full",
                   "The take is full; restart to record a new one.");
     }
     noticeEvents();
+    queueEvents();
+    reportRejections();
+    reportLostFile();
+    if (sceneSignature(*world) != signature) refreshScene();
+}
+
+void Session::Impl::driveSchemes() {
+    for (auto& [id, client] : clients) {
+        std::vector<CommandBody> bodies = client.scheme.take(*world);
+        if (bodies.empty()) continue;
+        const Status status = submit(client, bodies);
+        if (!status.ok()) notice(client, protocol::NoticeLevel::Error, "Inputs", status.message());
+    }
+}
+
+// Events wait for the next frame of each client.
+void Session::Impl::queueEvents() {
     stepEvents.clear();
     appendEvents(*world, stepEvents);
     for (auto& [id, client] : clients) {
@@ -290,28 +246,6 @@ void Session::Impl::stepOnce() {
             client.events.erase(client.events.begin(), client.events.begin() + surplus);
         }
     }
-    reportRejections();
-    reportLostFile();
-    if (sceneSignature(*world) != signature) refreshScene();
-}
-
-void Session::Impl::driveSchemes() {
-    for (auto& [id, client] : clients) {
-        std::vector<CommandBody> bodies = client.scheme.take(*world);
-        if (bodies.empty()) continue;
-        const Status status = submit(id, client, bodies);
-        if (!status.ok()) notice(client, protocol::NoticeLevel::Error, "Inputs", status.message());
-    }
-}
-
-void Session::Impl::replayEnded() {
-    playing = false;
-    touchState();
-    std::string words = replayedTake->marks.empty() ? "The take ends here."
-                                                    : "The take ends here; every hash matched.";
-    if (const std::uint32_t steps = replay->unmarked(); steps > 0)
-        words += " It was never finished: its last " + std::to_string(steps) + " steps bear no hash.";
-    noticeAll(protocol::NoticeLevel::Info, "replay-end", words);
 }
 
 void Session::Impl::reportRejections() {
@@ -321,8 +255,10 @@ void Session::Impl::reportRejections() {
         if (std::holds_alternative<TouchMove>(body) || std::holds_alternative<TouchUp>(body) ||
             std::holds_alternative<TouchCancel>(body))
             continue;
-        const auto found = clients.find(rejection.command.client);
-        if (found != clients.end() && !replay)
+        const auto found = std::find_if(clients.begin(), clients.end(), [&](const auto& entry) {
+            return entry.second.number == rejection.command.client;
+        });
+        if (found != clients.end())
             notice(found->second, protocol::NoticeLevel::Warning, "rejected", rejection.status.message(),
                    positionOf(body));
     }

@@ -20,18 +20,19 @@ double frameSpacing(std::size_t characters) {
 
 std::uint32_t Session::connect() {
     const std::uint32_t id = ++impl_->lastClient;
-    impl_->clients.emplace(id, SessionClient(impl_->def.limits));
+    impl_->clients.emplace(id, SessionClient(impl_->def.limits)).first->second.number = id;
     return id;
 }
 
 void Session::disconnect(std::uint32_t client) {
     const auto found = impl_->clients.find(client);
     if (found == impl_->clients.end()) return;
-    if (found->second.steers && !impl_->replay) {
+    if (found->second.steers && !impl_->player) {
         std::vector<CommandBody> bodies{ReleaseClient{}};
-        (void)impl_->submit(client, found->second, bodies);
+        (void)impl_->submit(found->second, bodies);
     }
     impl_->clients.erase(found);
+    impl_->directors.leave(client);
 }
 
 void Session::notice(std::uint32_t client, bool error, const std::string& code, const std::string& text) {
@@ -63,10 +64,18 @@ void Session::Impl::noticeAll(protocol::NoticeLevel level, const std::string& co
     }
 }
 
-void Session::Impl::greet(std::uint32_t id, SessionClient& client) {
+void Session::Impl::tellOthers(std::uint32_t id, const std::string& did) {
+    for (auto& [other, client] : clients) {
+        if (client.greeted && other != id)
+            notice(client, protocol::NoticeLevel::Info, "director", directors.name(id) + " " + did + ".");
+    }
+}
+
+void Session::Impl::greet(SessionClient& client, const std::string& called) {
     client.greeted = true;
+    directors.join(client.number, called);
     protocol::Welcome welcome;
-    welcome.client = id;
+    welcome.client = client.number;
     welcome.version = def.version;
     for (const ScenarioEntry& entry : def.scenarios)
         welcome.scenarios.push_back({entry.name, entry.title, entry.description, entry.characters});
@@ -85,6 +94,8 @@ void Session::outgoing(std::uint32_t client, std::vector<MessageBytes>& messages
     const auto found = impl_->clients.find(client);
     if (found == impl_->clients.end()) return;
     SessionClient& to = found->second;
+    if (to.greeted) impl_->sendDirectors(to);
+    if (to.greeted && impl_->world) impl_->sendTake(to);
     to.scheme.send(to.outbox);
     if (to.greeted && impl_->world && !to.frames.waits()) {
         impl_->sendOverlay(to);
@@ -92,6 +103,12 @@ void Session::outgoing(std::uint32_t client, std::vector<MessageBytes>& messages
         if (to.sentState != impl_->state && due) impl_->sendFrame(to);
     }
     messages.swap(to.outbox);
+}
+
+void Session::Impl::sendDirectors(SessionClient& client) {
+    if (client.sentDirectors == directors.revision()) return;
+    client.sentDirectors = directors.revision();
+    client.outbox.push_back(protocol::encode(directors.message()));
 }
 
 // Builds the part of the frame that all clients share, once per state.
@@ -102,7 +119,7 @@ void Session::Impl::buildFrame() {
     frame.playing = playing;
     frame.speed = static_cast<float>(speed);
     frame.recordedSeconds = recordedFrom < 0.0 ? -1.0f : static_cast<float>(world->time() - recordedFrom);
-    frame.replaying = replay.has_value();
+    frame.replaying = player != nullptr;
     frame.demonstrating = demonstrating();
     frame.sceneRevision = sceneRevision;
     frameState = state;

@@ -40,12 +40,29 @@ Status limitExceeded(const std::string& what, std::size_t found, std::size_t mos
 // Handles one message.
 class Handler {
 public:
-    Handler(Session::Impl& session, std::uint32_t id, SessionClient& client)
-        : session_(session), id_(id), client_(client) {}
+    Handler(Session::Impl& session, SessionClient& client) : session_(session), client_(client) {}
 
-    Status operator()(const protocol::Hello&) {
+    Status operator()(const protocol::Hello& message) {
         if (client_.greeted) return invalidArgument("a second Hello");
-        session_.greet(id_, client_);
+        session_.greet(client_, message.name);
+        return {};
+    }
+
+    Status operator()(const protocol::SetName& message) {
+        session_.directors.rename(client_.number, message.name);
+        return {};
+    }
+
+    Status operator()(const protocol::GiveGroup& message) {
+        const GroupDef* group = message.group == 0 ? nullptr : groupDef(message.group);
+        if (message.group != 0 && group == nullptr) return noGroup(message.group);
+        const Status status = session_.directors.give(message.client, GroupId{message.group});
+        if (!status.ok()) return status;
+        const auto found = session_.clients.find(message.client);
+        if (message.client == client_.number || found == session_.clients.end()) return {};
+        const std::string what = group == nullptr ? "everything" : group->name;
+        session_.notice(found->second, protocol::NoticeLevel::Info, "director",
+                        session_.directors.name(client_.number) + " gave you " + what + " to direct.");
         return {};
     }
 
@@ -137,8 +154,9 @@ public:
         if (!session_.world) return noWorld();
         switch (message.action) {
             case protocol::PlaybackAction::Play:
-                if (session_.replay && session_.replay->atEnd(*session_.world)) return session_.restart();
+                if (session_.player && session_.player->atEnd(*session_.world)) return session_.restart();
                 session_.playing = true;
+                session_.waitsForHand = false;
                 break;
             case protocol::PlaybackAction::Pause:
                 session_.playing = false;
@@ -148,9 +166,9 @@ public:
                 session_.singleSteps = std::min(session_.singleSteps + 1, kMaxSingleSteps);
                 break;
             case protocol::PlaybackAction::Restart:
-                return session_.restart();
+                return told(session_.restart(), "began again");
             case protocol::PlaybackAction::Demonstrate:
-                return session_.demonstrate();
+                return told(session_.demonstrate(), "plays the touches that the scenario carries");
         }
         session_.pacer.reset();
         session_.touchState();
@@ -175,16 +193,28 @@ public:
             return {StatusCode::NotFound, "no scenario is called '" + message.name.substr(0, 60) + "'"};
         const auto def = session_.def.loadScenario(found->name);
         if (!def.ok()) return def.status();
-        return session_.begin(found->name, def.value(), nullptr);
+        return told(session_.begin(found->name, def.value()), "opened " + found->title);
     }
 
     Status operator()(const protocol::Record& message) {
         if (!session_.world) return noWorld();
-        if (session_.replay)
+        if (session_.player)
             return {StatusCode::Unsupported, "a take is being replayed; load a scenario to record"};
-        session_.setRecording(message.on, id_);
+        session_.setRecording(message.on, &client_);
         return {};
     }
+
+    Status operator()(const protocol::Seek& message) {
+        if (!session_.player) return {StatusCode::Unsupported, "no take is open"};
+        session_.player->want(message.step);
+        return {};
+    }
+
+    Status operator()(const protocol::TakeAgain& message) {
+        return session_.takeAgain(message.keep, client_);
+    }
+
+    Status operator()(const protocol::EditTake& message) { return session_.editTake(message); }
 
     Status operator()(const protocol::SetOverlay& message) {
         if (message.kind == protocol::OverlayKind::Cost) {
@@ -239,10 +269,10 @@ public:
     }
 
     Status operator()(const protocol::SetScheme& message) {
-        if (client_.steers && session_.world && !session_.replay) {
+        if (client_.steers && session_.world && !session_.player) {
             if (Status status = submit(CommandBody{ReleaseClient{}}); !status.ok()) return status;
         }
-        return client_.scheme.choose(message.name, id_);
+        return client_.scheme.choose(message.name, client_.number);
     }
 
     Status operator()(const protocol::SetView& message) {
@@ -254,7 +284,7 @@ public:
 
     Status operator()(const protocol::Inputs& message) {
         if (!session_.world) return noWorld();
-        if (session_.replay) return replays();
+        if (session_.player) return replays();
         if (Status status = checkInputs(message, session_.def.limits); !status.ok()) return status;
         if (!client_.touches.take(session_.realTime, static_cast<double>(message.events.size())))
             return tooManyTouches("inputs");
@@ -264,6 +294,7 @@ public:
             client_.touchWaiting = std::max(client_.touchWaiting, raw.time);
         }
         session_.inputsWait = true;
+        session_.handCame();
         return {};
     }
 
@@ -282,6 +313,10 @@ private:
         return {StatusCode::LimitExceeded,
                 "more than " + std::to_string(static_cast<int>(session_.def.limits.touchesPerSecond)) + " " +
                     what + " a second"};
+    }
+    Status told(Status status, const std::string& did) const {
+        if (status.ok()) session_.tellOthers(client_.number, did);
+        return status;
     }
     static Status noWorld() { return {StatusCode::NotFound, "there is no world yet"}; }
     static Status noGroup(std::uint32_t id) {
@@ -304,12 +339,11 @@ private:
     Status submit(CommandBody body) {
         std::vector<CommandBody> bodies;
         bodies.push_back(std::move(body));
-        return session_.submit(id_, client_, bodies);
+        return session_.submit(client_, bodies);
     }
-    Status submit(std::vector<CommandBody> bodies) { return session_.submit(id_, client_, bodies); }
+    Status submit(std::vector<CommandBody> bodies) { return session_.submit(client_, bodies); }
 
     Session::Impl& session_;
-    std::uint32_t id_;
     SessionClient& client_;
 };
 
@@ -323,32 +357,33 @@ void Session::receive(std::uint32_t client, std::span<const std::uint8_t> bytes)
         impl_->notice(found->second, protocol::NoticeLevel::Error, "malformed", message.status().message());
         return;
     }
-    const Status status = impl_->handle(client, found->second, message.value());
+    const Status status = impl_->handle(found->second, message.value());
     if (status.ok()) return;
     impl_->notice(found->second, protocol::NoticeLevel::Error, protocol::messageName(message.value()),
                   status.message(), positionOf(message.value()));
 }
 
-Status Session::Impl::handle(std::uint32_t id, SessionClient& client,
-                             const protocol::ClientMessage& message) {
+Status Session::Impl::handle(SessionClient& client, const protocol::ClientMessage& message) {
     if (!client.greeted && !std::holds_alternative<protocol::Hello>(message))
         return invalidArgument("found no Hello yet, expected it first");
-    return std::visit(Handler(*this, id, client), message);
+    return std::visit(Handler(*this, client), message);
 }
 
-Status Session::Impl::submit(std::uint32_t id, SessionClient& client, std::vector<CommandBody>& bodies) {
+Status Session::Impl::submit(SessionClient& client, std::vector<CommandBody>& bodies) {
     if (!world) return {StatusCode::NotFound, "there is no world yet"};
-    if (replay) return {StatusCode::Unsupported, "a take is being replayed; load a scenario to steer"};
+    if (player) return {StatusCode::Unsupported, "a take is being replayed; load a scenario to steer"};
     // Lifting the fingers of a client that has left bypasses the limit; this happens once per client.
     const bool released = bodies.size() == 1 && std::holds_alternative<ReleaseClient>(bodies.front());
     if (!released && waitingCommands + bodies.size() > def.limits.waitingCommands) {
         return {StatusCode::LimitExceeded, "more than " + std::to_string(def.limits.waitingCommands) +
                                                " commands wait for the next step"};
     }
+    for (CommandBody& body : bodies)
+        if (const Status status = directors.admit(client.number, body); !status.ok()) return status;
     std::vector<Command> commands;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        commands.push_back({world->stepCount(), id, client.sequence + static_cast<std::uint32_t>(i) + 1,
-                            std::move(bodies[i])});
+        commands.push_back({world->stepCount(), client.number,
+                            client.sequence + static_cast<std::uint32_t>(i) + 1, std::move(bodies[i])});
         if (const Status status = validateCommand(commands.back()); !status.ok()) return status;
     }
     for (const Command& command : commands) {
@@ -359,7 +394,15 @@ Status Session::Impl::submit(std::uint32_t id, SessionClient& client, std::vecto
         client.steers = true;
         ++waitingCommands;
     }
+    if (!released) handCame();
     return {};
+}
+
+void Session::Impl::handCame() {
+    if (!waitsForHand) return;
+    waitsForHand = false;
+    playing = true;
+    touchState();
 }
 
 }  // namespace muster

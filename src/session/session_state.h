@@ -8,13 +8,14 @@
 #include <vector>
 
 #include "base/token_bucket.h"
-#include "io/take/replayer.h"
 #include "muster/session.h"
 #include "session/chosen_scheme.h"
+#include "session/directors.h"
 #include "session/frame_sender.h"
 #include "session/pacer.h"
 #include "session/protocol.h"
 #include "session/take_log.h"
+#include "session/take_player.h"
 #include "session/touch_clock.h"
 
 namespace muster {
@@ -27,6 +28,7 @@ struct SessionClient {
           forecasts(limits.forecastsPerSecond, limits.forecastsPerSecond) {}
 
     bool greeted = false;        ///< True after its Hello message.
+    std::uint32_t number = 0;    ///< Its number in commands; its id, until a take is taken up.
     bool steers = false;         ///< True after it has given commands to this world.
     std::uint32_t sequence = 0;  ///< Sequence number of its last command.
     TouchClock clock;
@@ -38,6 +40,10 @@ struct SessionClient {
 
     FrameSender frames;                        ///< What the client knows of the world.
     std::uint64_t sentState = 0;               ///< Session state that the last frame showed; 0 for none.
+    std::uint32_t sentTake = 0;                ///< Revision of the last TakeState sent; 0 for none.
+    std::uint32_t sentReady = 0;               ///< Steps in the last TakeReady sent.
+    double readyDue = 0.0;                     ///< Real time at which the next TakeReady is due [s].
+    std::uint32_t sentDirectors = 0;           ///< Revision of the directors sent; 0 for none.
     double frameDue = 0.0;                     ///< Real time when the next frame is due while playing [s].
     std::vector<protocol::EventFrame> events;  ///< Events since the last frame.
     Attention attention;                       ///< The point that the client looks at.
@@ -56,48 +62,74 @@ struct Session::Impl {
     explicit Impl(SessionDef sessionDef) : def(std::move(sessionDef)) {}
 
     // Worlds (session.cpp).
-    Status begin(const std::string& worldName, const WorldDef& worldDef, std::shared_ptr<const Take> take);
+    Status begin(const std::string& worldName, const WorldDef& worldDef,
+                 std::unique_ptr<TakePlayer> taken = nullptr);
+    void forgetClients();
     void beginMotion();
     void warnOfClips(SessionClient& client);
     void observeMotion();
     Status restart();
     Status demonstrate();
     /// True where the scenario carries touches that can be watched now.
-    bool canDemonstrate() const { return !replay && !worldDef.gestures.empty() && def.loadGestures; }
+    bool canDemonstrate() const { return !player && !worldDef.gestures.empty() && def.loadGestures; }
     bool demonstrating() const { return world && world->stepCount() < demonstratedUntil; }
     void stepOnce();
-    void replayEnded();
+    void stepped();
+    void stepWorld();
+    void queueEvents();
     void reportRejections();
     void noticeEvents();
     void warn();
     void touchState() { ++state; }
     /// True where a client waits for the next step. That step may come up to one time step early.
     bool eager() const { return waitingCommands > 0 || inputsWait; }
+    /// Seconds of the world per second of real time.
+    double pace() const { return player ? speed * player->speed(*world) : speed; }
 
-    // Recording (session.cpp).
-    void setRecording(bool on, std::uint32_t client);
-    void stopRecording();
+    // Recording (session_takes.cpp).
+    void setRecording(bool on, SessionClient* client);
+    void beginFile(SessionClient* client);
+    void stopRecording(bool dropEmpty = false);
     void reportLostFile();
 
+    // Replays (session_takes.cpp).
+    void stepReplay();
+    void seek();
+    void replayEnded();
+    void replayFailed(const Status& status);
+    Status takeAgain(bool keep, SessionClient& client);
+    void renumberClients(const Take& take);
+    void liftRecorded(const Take& take, std::uint32_t step);
+    void submitLayer();
+    Status editTake(const protocol::EditTake& message);
+    void touchTake() { ++takeRevision, touchState(); }
+    void sendTake(SessionClient& client);
+
     // Clients (session_clients.cpp).
-    void greet(std::uint32_t id, SessionClient& client);
+    void greet(SessionClient& client, const std::string& called);
     void notice(SessionClient& client, protocol::NoticeLevel level, const std::string& code,
                 const std::string& text, std::optional<Vec2> place = std::nullopt);
     void noticeAll(protocol::NoticeLevel level, const std::string& code, const std::string& text,
                    std::optional<Vec2> place = std::nullopt);
+    /// Tells everybody but one director what that one did.
+    void tellOthers(std::uint32_t id, const std::string& did);
+    void sendDirectors(SessionClient& client);
     void buildFrame();
     void sendFrame(SessionClient& client);
     void sendOverlay(SessionClient& client);
 
     // Messages (session_messages.cpp).
-    Status handle(std::uint32_t id, SessionClient& client, const protocol::ClientMessage& message);
-    Status submit(std::uint32_t id, SessionClient& client, std::vector<CommandBody>& bodies);
+    Status handle(SessionClient& client, const protocol::ClientMessage& message);
+    Status submit(SessionClient& client, std::vector<CommandBody>& bodies);
     /// Gives the next step the commands of all control schemes.
     void driveSchemes();
+    /// Somebody steers: a world that waits for that goes on.
+    void handCame();
 
     SessionDef def;
     std::map<std::uint32_t, SessionClient> clients;  // By client number.
     std::uint32_t lastClient = kLastDemonstrator;
+    Directors directors;
 
     std::string name;  // The scenario's name.
     WorldDef worldDef;
@@ -105,8 +137,13 @@ struct Session::Impl {
     // The error that made the characters play Muster's own clips instead of the scenario's.
     Status clipsRead;
     std::optional<World> world;
-    std::shared_ptr<const Take> replayedTake;  // The take that is replayed; null otherwise.
-    std::optional<Replayer> replay;            // The replayer of that take.
+    std::unique_ptr<TakePlayer> player;    // Of the take that is open; null otherwise.
+    std::vector<std::uint8_t> takenBytes;  // Its bytes.
+    std::uint32_t takeRevision = 1;        // It grows with every change of what TakeState tells.
+    // Recorded commands beneath a take that is directed again, by step, and the next of them.
+    std::vector<Command> layer;
+    std::size_t nextOfLayer = 0;
+    bool waitsForHand = false;  // True until somebody steers, which then plays.
     // The step after the last touch of the demonstration; 0 for no demonstration.
     std::uint32_t demonstratedUntil = 0;
     TakeLog log;
@@ -121,6 +158,9 @@ struct Session::Impl {
     double speed = 1.0;
     // World time at which the recording began [s]; negative while not recording.
     double recordedFrom = -1.0;
+    TakeAbout recordedAbout;           // What is said about the recording that runs or ran in this world.
+    bool recorded = false;             // True after a recording began in this world.
+    std::size_t recordedCommands = 0;  // Commands in the log when it began.
 
     std::uint64_t state = 1;  // It grows with every step and every change that a frame shows.
     std::uint32_t sceneRevision = 0;

@@ -1,5 +1,6 @@
 #include "session/take_log.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "io/take/take_encoder.h"
@@ -17,6 +18,35 @@ void TakeLog::begin(const WorldDef& def, std::size_t limit) {
     bytes_ = TakeEncoder::begin(def);
     limit_ = limit;
     full_ = false;
+    commands_ = 0;
+}
+
+// Commands and events stand before the first mark at or after their step. A mark whose hash covers a dropped
+// command holds no more and is left out.
+void TakeLog::resume(const Take& take, std::uint32_t step, std::size_t commands, bool drop,
+                     std::size_t limit) {
+    begin(take.def, limit);
+    bool holds = true;
+    std::size_t next = 0, nextEvent = 0;
+    const auto submitUntil = [&](std::size_t end) {
+        for (; next < std::min(end, commands); ++next) {
+            const bool dropped = drop && take.commands[next].step >= step;
+            holds = holds && !dropped;
+            if (!dropped) command(take.commands[next]);
+        }
+    };
+    const auto raiseUntil = [&](std::uint32_t last) {
+        for (; nextEvent < take.events.size() && take.events[nextEvent].step <= last; ++nextEvent)
+            append(TakeEncoder::event(take.events[nextEvent]));
+    };
+    for (const HashMark& mark : take.marks) {
+        if (mark.step > step) break;
+        raiseUntil(mark.step);
+        submitUntil(mark.commands);
+        if (holds) append(TakeEncoder::mark(mark));
+    }
+    raiseUntil(step);
+    submitUntil(commands);
 }
 
 void TakeLog::append(const std::vector<std::uint8_t>& record) {
@@ -38,6 +68,7 @@ Status TakeLog::takeFailure() {
 
 void TakeLog::command(const Command& command) {
     append(TakeEncoder::command(command));
+    ++commands_;
 }
 
 void TakeLog::observe(const World& world) {
@@ -54,16 +85,24 @@ std::vector<std::uint8_t> TakeLog::bytes(const World& world) const {
     return all;
 }
 
-Status TakeLog::attach(std::unique_ptr<TakeSink> sink) {
+Status TakeLog::attach(std::unique_ptr<TakeSink> sink, const TakeAbout& about) {
     Status status = sink->append(bytes_);
+    if (status.ok()) status = sink->append(TakeEncoder::about(about));
     if (status.ok()) sink_ = std::move(sink);
     return status;
 }
 
-Status TakeLog::detach(const World& world) {
+Status TakeLog::discard() {
     if (!sink_) return {};
-    Status status;
-    if (!full_) status = sink_->append(TakeEncoder::end({world.stepCount(), world.hash()}));
+    const Status discarded = sink_->discard();
+    sink_.reset();
+    return discarded;
+}
+
+Status TakeLog::detach(const World& world, const TakeAbout& about) {
+    if (!sink_) return {};
+    Status status = sink_->append(TakeEncoder::about(about));
+    if (status.ok() && !full_) status = sink_->append(TakeEncoder::end({world.stepCount(), world.hash()}));
     const Status finished = sink_->finish();
     sink_.reset();
     return status.ok() ? finished : status;

@@ -14,16 +14,25 @@ class TakeLog {
 public:
     /// Starts the log of a new world.
     void begin(const WorldDef& def, std::size_t limit);
+    /// Starts with what a take holds up to that step. `commands` of it were submitted; with `drop`, those of
+    /// them that waited for that step or a later one were dropped again.
+    void resume(const Take& take, std::uint32_t step, std::size_t commands, bool drop, std::size_t limit);
     /// Must be called for each command, after it is submitted.
     void command(const Command& command);
     /// Must be called after every step.
     void observe(const World& world);
     /// The take up to now, with an end record.
     std::vector<std::uint8_t> bytes(const World& world) const;
-    /// Attaches a file: writes the log so far to it, then everything that follows.
-    Status attach(std::unique_ptr<TakeSink> sink);
-    /// Writes the end record and detaches the file.
-    Status detach(const World& world);
+    /// Attaches a file: writes the log so far to it and what is said about it, then everything that follows.
+    Status attach(std::unique_ptr<TakeSink> sink, const TakeAbout& about);
+    /// Writes what is said about the take and the end record, and detaches the file.
+    Status detach(const World& world, const TakeAbout& about);
+    /// Detaches the file and keeps nothing of it.
+    Status discard();
+    /// Name of the attached file on the shelf; empty for none.
+    std::string fileName() const { return sink_ ? sink_->name() : std::string(); }
+    /// Commands logged since the world began.
+    std::size_t commands() const { return commands_; }
     /// True while a file is attached.
     bool attached() const { return sink_ != nullptr; }
     /// The error that detached a file since the last call; OK for none.
@@ -37,6 +46,7 @@ private:
     std::vector<std::uint8_t> bytes_;
     std::size_t limit_ = 0;
     bool full_ = false;
+    std::size_t commands_ = 0;
     std::unique_ptr<TakeSink> sink_;
     Status failure_;
 };

@@ -106,42 +106,75 @@ TEST_CASE("nothing outside the folder is served, not by a link either, and no fo
 
 TEST_CASE("hosts and origins are those of this machine at this port, letter by letter") {
     for (const int port : {1, 8080, 65535}) {
+        const Doorway door{"127.0.0.1", port, ""};
         const std::string number = std::to_string(port);
         for (const std::string name : {"127.0.0.1", "localhost"}) {
-            CHECK(isLocalHost(name + ":" + number, port));
-            CHECK(isLocalOrigin("http://" + name + ":" + number, port));
-            CHECK(!isLocalHost(name, port));
-            CHECK(!isLocalHost(name + ":" + number + "0", port));
-            CHECK(!isLocalHost(name + ":" + number + " ", port));
-            CHECK(!isLocalHost(name + ".evil.example:" + number, port));
-            CHECK(!isLocalHost("evil." + name + ":" + number, port));
-            CHECK(!isLocalHost("evil@" + name + ":" + number, port));
-            CHECK(!isLocalOrigin("https://" + name + ":" + number, port));
-            CHECK(!isLocalOrigin("http://" + name + ":" + number + "/", port));
-            CHECK(!isLocalOrigin(name + ":" + number, port));
+            CHECK(isOwnHost(name + ":" + number, door));
+            CHECK(isOwnOrigin("http://" + name + ":" + number, door));
+            CHECK(!isOwnHost(name, door));
+            CHECK(!isOwnHost(name + ":" + number + "0", door));
+            CHECK(!isOwnHost(name + ":" + number + " ", door));
+            CHECK(!isOwnHost(name + ".evil.example:" + number, door));
+            CHECK(!isOwnHost("evil." + name + ":" + number, door));
+            CHECK(!isOwnHost("evil@" + name + ":" + number, door));
+            CHECK(!isOwnOrigin("https://" + name + ":" + number, door));
+            CHECK(!isOwnOrigin("http://" + name + ":" + number + "/", door));
+            CHECK(!isOwnOrigin(name + ":" + number, door));
         }
         for (const std::string& bad :
              std::vector<std::string>{"", "null", "http://", "0.0.0.0:" + number, "[::1]:" + number}) {
-            CHECK(!isLocalHost(bad, port));
-            CHECK(!isLocalOrigin("http://" + bad, port));
-            CHECK(!isLocalOrigin(bad, port));
+            CHECK(!isOwnHost(bad, door));
+            CHECK(!isOwnOrigin("http://" + bad, door));
+            CHECK(!isOwnOrigin(bad, door));
         }
     }
 }
 
-TEST_CASE("the security policy lets sockets go to this port alone") {
-    std::string policy;
-    for (const auto& [name, value] : securityFields(4321))
-        if (std::string(name) == "Content-Security-Policy") policy = value;
-    const auto has = [&](const std::string& words) { return policy.find(words) != std::string::npos; };
-    for (const std::string words : {"default-src 'self'", "ws://127.0.0.1:4321", "ws://localhost:4321",
-                                    "frame-ancestors 'none'", "base-uri 'none'", "form-action 'none'"})
-        CHECK_MESSAGE(has(words), words);
-    CHECK(!has("*"));
-    CHECK(!has("unsafe-eval"));
-    // Each source that is a socket names this port.
-    for (std::size_t at = policy.find("ws:"); at != std::string::npos; at = policy.find("ws:", at + 1)) {
-        const std::string source = policy.substr(at, policy.find_first_of(" ;", at) - at);
-        CHECK(isLocalHost(source.substr(5), 4321));
+TEST_CASE("guests name the address that they came to, and no other") {
+    const Doorway door{"192.168.1.5", 8080, "secret"};
+    CHECK(isOwnHost("192.168.1.5:8080", door));
+    CHECK(isOwnOrigin("http://192.168.1.5:8080", door));
+    for (const std::string name : {"localhost", "127.0.0.1", "192.168.1.50", "evil.example"})
+        CHECK(!isOwnHost(name + ":8080", door));
+    CHECK(!door.atDesk());
+}
+
+TEST_CASE("a token is known from a link and from a cookie, whole and exact") {
+    const Doorway door{"192.168.1.5", 8080, "abcdef"};
+    CHECK(linkHasToken("/?token=abcdef", door));
+    for (const std::string bad : {"/", "/?token=", "/?token=abcde", "/?token=abcdefg", "/?token=abcdeF",
+                                  "/x?token=abcdef", "/?token=abcdef&x=1"})
+        CHECK_MESSAGE(!linkHasToken(bad, door), bad);
+    CHECK(cookieHasToken("muster-8080=abcdef", door));
+    CHECK(cookieHasToken("a=b; muster-8080=abcdef; c=d", door));
+    for (const std::string bad : {"", "muster-8080=", "muster-8080=abcdefg", "muster-8081=abcdef",
+                                  "xmuster-8080=abcdef", "muster-8080 =abcdef", "muster-8080=abcde;f"})
+        CHECK_MESSAGE(!cookieHasToken(bad, door), bad);
+    CHECK(tokenCookie(door).starts_with("muster-8080=abcdef;"));
+    // Nobody passes where there is no token.
+    const Doorway closed{"192.168.1.5", 8080, ""};
+    CHECK(!linkHasToken("/?token=", closed));
+    CHECK(!cookieHasToken("muster-8080=", closed));
+}
+
+TEST_CASE("the security policy lets sockets go to this address and port alone") {
+    for (const std::string address : {"127.0.0.1", "192.168.1.5"}) {
+        const Doorway door{address, 4321, "t"};
+        std::string policy;
+        for (const auto& [name, value] : securityFields(door))
+            if (std::string(name) == "Content-Security-Policy") policy = value;
+        const auto has = [&](const std::string& words) { return policy.find(words) != std::string::npos; };
+        for (const std::string words : {std::string("default-src 'self'"), "ws://" + address + ":4321",
+                                        std::string("frame-ancestors 'none'"), std::string("base-uri 'none'"),
+                                        std::string("form-action 'none'")})
+            CHECK_MESSAGE(has(words), words);
+        CHECK(has("ws://localhost:4321") == door.atDesk());
+        CHECK(!has("*"));
+        CHECK(!has("unsafe-eval"));
+        // Each source that is a socket names this address and port.
+        for (std::size_t at = policy.find("ws:"); at != std::string::npos; at = policy.find("ws:", at + 1)) {
+            const std::string source = policy.substr(at, policy.find_first_of(" ;", at) - at);
+            CHECK(isOwnHost(source.substr(5), door));
+        }
     }
 }

@@ -12,10 +12,10 @@ export const fromClient = numbered(schema.client);
 /** How long a test waits for what must come [ms]: no measure of speed, only an end for what hangs. */
 export const kPatience = 60000;
 
-/** Waits until `test` holds, looking again every 20 ms; false where it does not in all that time. */
+/** Waits until `test`, which may be asynchronous, holds, looking again every 20 ms; false where it does not in all that time. */
 export async function eventually(test) {
   const end = Date.now() + kPatience;
-  while (!test()) {
+  while (!(await test())) {
     if (Date.now() > end) return false;
     await new Promise((done) => setTimeout(done, 20));
   }

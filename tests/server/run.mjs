@@ -7,9 +7,11 @@ import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { demonstrationTests } from './demonstration.mjs';
+import { lanTests } from './lan.mjs';
 import { processTests } from './process.mjs';
 import { watchBodies, watchQueue, watchSilence } from './slow.mjs';
-import { RawSocket, ack, dial, exchange, fromClient, fromServer, hello, ping, request, stepOf } from './client.mjs';
+import { takesTests } from './takes.mjs';
+import { RawSocket, ack, dial, eventually, exchange, fromClient, fromServer, hello, ping, request, stepOf } from './client.mjs';
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 const program = resolve(process.argv[2] ?? join(root, 'build/release/muster'));
@@ -271,6 +273,16 @@ await test('a client that neither acknowledges nor reads does not slow another',
   lively.close();
 });
 
+/** Starts a studio that tells what it is as JSON. */
+async function begin(...options) {
+  const own = spawn(program, ['studio', '--port', '18680', ...options, ...common], { cwd: place, stdio: ['ignore', 'pipe', 'inherit'] });
+  let text = '';
+  own.stdout.on('data', (chunk) => (text += chunk));
+  check(await eventually(() => text.trimEnd().endsWith('}')), `no address: ${text}`);
+  const ended = new Promise((done) => own.on('exit', done));
+  return { said: JSON.parse(text), end: () => (own.kill('SIGINT'), ended) };
+}
+await lanTests({ test, check, begin, closed: port });
 await demonstrationTests({ test, check, client, get, program, place });
 
 let take = null;
@@ -373,6 +385,7 @@ await test('the studio still answers', async () => {
   idle.destroy();
 });
 
+await takesTests({ test, check, start, place });
 await processTests({ test, check, start, program, common, place });
 
 child.removeAllListeners('exit');

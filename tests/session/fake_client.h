@@ -38,8 +38,9 @@ inline SessionDef sessionDef() {
 /// One client of a session.
 class FakeClient {
 public:
-    explicit FakeClient(Session& session, bool greet = true) : session_(session), id(session.connect()) {
-        if (greet) send(protocol::Hello{"fake"});
+    explicit FakeClient(Session& session, bool greet = true, const std::string& name = "fake")
+        : session_(session), id(session.connect()) {
+        if (greet) send(protocol::Hello{name});
     }
 
     template <class Message>
@@ -94,6 +95,10 @@ private:
         if (const auto* m = std::get_if<protocol::Forecasts>(&message)) forecasts.push_back(*m);
         if (const auto* m = std::get_if<protocol::Marks>(&message)) marks.push_back(*m);
         if (const auto* m = std::get_if<protocol::Pong>(&message)) pongs.push_back(*m);
+        if (const auto* m = std::get_if<protocol::Directors>(&message)) directors.push_back(*m);
+        if (const auto* m = std::get_if<protocol::TakeState>(&message)) takes.push_back(*m);
+        if (const auto* m = std::get_if<protocol::TakeReady>(&message)) ready = m->steps;
+        if (const auto* m = std::get_if<protocol::TakeKept>(&message)) kept.push_back(*m);
         if (const auto* m = std::get_if<protocol::Frame>(&message)) {
             frames.push_back(*m);
             page = decoder_.take(*m);
@@ -118,6 +123,10 @@ public:
     std::vector<protocol::Forecasts> forecasts;
     std::vector<protocol::Marks> marks;
     std::vector<protocol::Pong> pongs;
+    std::vector<protocol::Directors> directors;
+    std::vector<protocol::TakeState> takes;
+    std::uint32_t ready = 0;  ///< Steps of the last TakeReady.
+    std::vector<protocol::TakeKept> kept;
 };
 
 /// A session that has loaded the small floor.

@@ -8,12 +8,18 @@ import './ui/styles/messages.css';
 import './ui/styles/layout_floating.css';
 import './ui/styles/layout_sheet.css';
 import './ui/styles/layout_phone.css';
+import './ui/styles/directors.css';
 import './ui/styles/orders.css';
 import './ui/styles/queue.css';
+import './ui/styles/view.css';
+import './ui/styles/readout.css';
+import './ui/styles/shapes.css';
+import './ui/styles/takes.css';
 
 import { StudioClient } from './link/studio_client';
 import { fetchBodies } from './scene/crowd/bodies/gltf_body';
 import { StudioApp } from './ui/studio_app';
+import { TakeDesk } from './ui/take_desk';
 import { StudioView } from './scene/studio_view';
 
 function byId<T extends HTMLElement>(id: string, type: new () => T): T {
@@ -49,6 +55,7 @@ async function start(mode: string | undefined): Promise<object> {
     };
   }
   const app = new StudioApp(client, view, canvas, ui);
+  new TakeDesk({ client, store: app.store, view, canvas, page: ui });
   return {
     get frame() {
       return app.frame;

@@ -1,5 +1,7 @@
 // The studio in a real browser: node tests/browser.mjs [--only WORD] (MUSTER=path names the program)
 import { chromium } from 'playwright-core';
+import * as camera from './cases/camera.mjs';
+import * as directors from './cases/directors.mjs';
 import * as demonstration from './cases/demonstration.mjs';
 import * as feedback from './cases/feedback.mjs';
 import * as look from './cases/look.mjs';
@@ -14,6 +16,7 @@ import * as scenarios from './cases/scenarios.mjs';
 import * as session from './cases/session.mjs';
 import * as schemes from './cases/schemes.mjs';
 import * as study from './cases/study.mjs';
+import * as takes from './cases/takes.mjs';
 import * as touch from './cases/touch.mjs';
 import { startMadeCrowd } from './support/made_crowd.mjs';
 import { startStudio } from './support/server.mjs';
@@ -86,6 +89,22 @@ const kCases = [
     [...kTablets, 'phone', 'narrow', 'zoomed', 'wide'],
     { scenario: 'scenarios/open.json' },
   ],
+  ...['scenarios/course.json', 'scenarios/paper/x03-long-house.json', 'scenarios/paper/x08-congestion.json'].map(
+    (scenario) => [
+      `camera: watched crowd of ${scenario.replace(/.*\/|\.json/g, '')}`,
+      camera.watchedCrowd,
+      ['desktop', 'phone'],
+      { scenario },
+    ],
+  ),
+  [
+    'camera: by touch',
+    camera.cameraByTouch,
+    ['wide', 'landscape', 'portrait', 'phone'],
+    { scenario: 'web/tests/scenarios/two-groups.json' },
+  ],
+  ['camera: by keys', camera.cameraByKeys, ['desktop'], { touch: false, scenario: 'scenarios/block.json' }],
+  ['camera: wheel', camera.wheelEndsOnPeople, ['desktop'], { touch: false, scenario: 'scenarios/block.json' }],
   ['people', people.appear, ['desktop'], { search: '?quality=full' }],
   ['people in light quality', people.appearLight, ['desktop'], { search: '?quality=light' }],
   ['people on patches', people.motions, ['desktop'], { scenario: 'scenarios/course.json' }],
@@ -104,7 +123,24 @@ const kCases = [
   ],
   ['growing crowd', scenarios.growingCrowd, ['desktop'], { scenario: 'scenarios/open.json' }],
   ['two groups', scenarios.twoGroups, ['desktop'], { scenario: 'web/tests/scenarios/two-groups.json', room: true }],
+  [
+    'directors: two',
+    directors.twoDirectors,
+    [...kTablets, 'phone'],
+    { scenario: 'web/tests/scenarios/two-groups.json', room: true },
+  ],
+  [
+    'directors: invitation',
+    directors.invitation,
+    ['desktop', 'portrait', 'phone'],
+    { scenario: 'scenarios/open.json', options: ['--lan'] },
+  ],
   ['record and replay', session.recordAndReplay, ['desktop'], { room: true }],
+  ['takes: life of a take', takes.life, ['desktop', 'phone'], { scenario: 'web/tests/scenarios/hundred.json' }],
+  ['takes: scrub and trim', takes.scrubAndTrim, ['landscape', 'phone'], { scenario: 'scenarios/open.json' }],
+  ['takes: again and on top', takes.againAndOnTop, ['desktop'], { scenario: 'web/tests/scenarios/two-groups.json' }],
+  ['takes: exports', takes.exports, ['desktop'], { scenario: 'scenarios/open.json' }],
+  ['takes: cut off', takes.cutOff, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
   ['a page that hangs', session.stalledPage, ['desktop'], {}],
   ['first visit', look.firstVisit, [...kTablets, 'phone', 'narrow'], { hint: true }],
   ['layout', look.layout, [...kTablets, 'phone', 'narrow', 'zoomed'], {}],
@@ -166,7 +202,8 @@ async function runCase({ name, test, size, options }) {
       passed += 1;
       return console.log(`ok    ${name} (${size}, ${((Date.now() - started) / 1000).toFixed(1)} s)`);
     }
-    if (options.scenario) own = await startStudio({ scenario: options.scenario, port: 18280 });
+    if (options.scenario)
+      own = await startStudio({ scenario: options.scenario, port: 18280, options: options.options });
     if (options.made) own = await startMadeCrowd({ ...options.made, bodies: server.url });
     studio = own ? await openOwnPage(own, size, options) : await openPage(size, options);
     await studio.fit();

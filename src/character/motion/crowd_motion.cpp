@@ -13,6 +13,14 @@
 
 namespace muster {
 
+struct CrowdMotionState {
+    Player::Moment player;
+    std::vector<MotionState> states;
+    std::vector<std::uint32_t> near;
+    std::vector<std::uint32_t> nearIds;
+    std::vector<PosedBody> bodies;
+};
+
 struct CrowdMotion::Impl {
     Impl(const ClipLibrary& clips, const CrowdMotionDef& motionDef)
         : library(&clips), def(motionDef), table(clips), player(table) {}
@@ -130,6 +138,26 @@ void CrowdMotion::update(const CrowdView& crowd) {
     }
 }
 
+std::shared_ptr<const CrowdMotionState> CrowdMotion::state() const {
+    const Impl& m = *impl_;
+    return std::make_shared<const CrowdMotionState>(
+        CrowdMotionState{m.player.moment(), m.states, m.near, m.nearIds, m.bodies});
+}
+
+void CrowdMotion::goBack(const CrowdMotionState& state) {
+    Impl& m = *impl_;
+    m.player.goBack(state.player);
+    m.states = state.states;
+    m.near = state.near;
+    m.nearIds = state.nearIds;
+    m.bodies = state.bodies;
+}
+
+std::size_t CrowdMotion::sizeOf(const CrowdMotionState& state) {
+    return state.player.movers.size() * sizeof(Mover) + state.states.size() * sizeof(MotionState) +
+           state.near.size() * 2 * sizeof(std::uint32_t) + state.bodies.size() * sizeof(PosedBody);
+}
+
 void CrowdMotion::setNear(std::span<const std::uint32_t> ids) {
     impl_->wanted.assign(ids.begin(), ids.end());
     std::sort(impl_->wanted.begin(), impl_->wanted.end());
@@ -141,6 +169,9 @@ std::span<const MotionState> CrowdMotion::states() const {
 }
 std::span<const std::uint32_t> CrowdMotion::near() const {
     return impl_->near;
+}
+std::uint32_t CrowdMotion::nearId(std::size_t k) const {
+    return impl_->nearIds[k];
 }
 const BodyPose& CrowdMotion::pose(std::size_t k) const {
     return impl_->bodies[k].pose;

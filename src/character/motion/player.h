@@ -61,6 +61,14 @@ public:
     void restart();
     /// Call after each step of the world.
     void update(const CrowdView& crowd);
+    /// Where it stands between two updates.
+    struct Moment {
+        std::vector<Mover> movers;     ///< As movers().
+        std::uint32_t searchSlot = 0;  ///< Slot whose characters searched last.
+    };
+    Moment moment() const { return {movers_, searchSlot_}; }  ///< To go back to.
+    /// Goes back, or on, to a moment of a player with the same clips.
+    void goBack(const Moment& moment) { movers_ = moment.movers, searchSlot_ = moment.searchSlot; }
     /// Motion states, one per character.
     const std::vector<Mover>& movers() const { return movers_; }
 

@@ -24,8 +24,9 @@ struct Moment {
 /// Interpolates frames between steps.
 class Resampler {
 public:
-    Resampler(const ClipLibrary& library, const ExportDef& def, std::size_t frames, Exporter& exporter)
-        : def_(def), frames_(frames), exporter_(exporter) {
+    /// `times` are those of the frames in the take.
+    Resampler(const ClipLibrary& library, const ExportDef& def, std::vector<double> times, Exporter& exporter)
+        : def_(def), times_(std::move(times)), exporter_(exporter) {
         if (exporter.wantsPoses()) motion_.emplace(library);
     }
 
@@ -44,12 +45,12 @@ public:
         return !done();
     }
 
-    bool done() const { return next_ == frames_; }
-    double share() const { return static_cast<double>(next_) / static_cast<double>(frames_); }
+    bool done() const { return next_ == times_.size(); }
+    double share() const { return static_cast<double>(next_) / static_cast<double>(times_.size()); }
     const Status& status() const { return status_; }
 
 private:
-    double frameTime() const { return def_.from + static_cast<double>(next_) / def_.fps; }
+    double frameTime() const { return times_[next_]; }
 
     void fill(const World& world) {
         const CharactersView characters = world.characters();
@@ -103,7 +104,7 @@ private:
     }
 
     ExportDef def_;
-    std::size_t frames_;
+    std::vector<double> times_;
     Exporter& exporter_;
     std::optional<CrowdMotion> motion_;
     Moment before_, now_;
@@ -113,8 +114,29 @@ private:
     Status status_;
 };
 
-/// The number of frames in the exported part, or the reason why there are none.
-Result<std::size_t> framesOf(const Take& take, ExportDef& def) {
+/// Steps of the integration of a frame's way through the take.
+constexpr int kSpeedSamples = 8;
+
+/// The times of the frames in the take.
+std::vector<double> timesOf(const ExportDef& def) {
+    std::vector<double> times;
+    if (def.speeds.empty()) {
+        const auto frames = static_cast<std::size_t>((def.to - def.from + kTimeGrain) * def.fps) + 1;
+        for (std::size_t i = 0; i < frames; ++i) times.push_back(def.from + static_cast<double>(i) / def.fps);
+        return times;
+    }
+    TakeAbout about;
+    about.speeds = def.speeds;
+    for (double time = def.from; time <= def.to + kTimeGrain;) {
+        times.push_back(time);
+        for (int i = 0; i < kSpeedSamples; ++i)
+            time += about.speedAt(time + kTimeGrain) / (def.fps * kSpeedSamples);
+    }
+    return times;
+}
+
+/// The times of the frames of the exported part, or the reason why there are none.
+Result<std::vector<double>> framesOf(const Take& take, ExportDef& def) {
     const double end = static_cast<double>(take.steps()) * take.def.parameters.stepTime;
     const auto bad = [end](const char* what, double found, const char* expected) {
         char text[160];
@@ -128,30 +150,36 @@ Result<std::size_t> framesOf(const Take& take, ExportDef& def) {
     if (!(def.to >= def.from)) return bad("to", def.to, "a time not before from");
     if (def.to > end + 1e-6) return bad("to", def.to, "a time within the take");
     def.to = std::min(def.to, end);
-    return static_cast<std::size_t>((def.to - def.from + kTimeGrain) * def.fps) + 1;
+    TakeAbout about;
+    about.speeds = def.speeds;
+    if (Status s = about.check(); !s.ok()) return s;
+    return timesOf(def);
 }
 
 }  // namespace
 
 Status exportTake(const Take& take, const ClipLibrary& library, const ExportDef& def, Exporter& exporter,
-                  const std::function<void(double)>& progress) {
+                  const ExportProgress& progress) {
     ExportDef part = def;
-    const auto frames = framesOf(take, part);
-    if (!frames.ok()) return frames.status();
+    auto times = framesOf(take, part);
+    if (!times.ok()) return times.status();
     auto start = World::create(take.def, part.threads);
     if (!start.ok()) return start.status();
-    if (Status s = exporter.begin({take.def.name, part.fps, part.from, *frames, &*start}); !s.ok()) return s;
-    Resampler resampler(library, part, *frames, exporter);
+    if (Status s = exporter.begin({take.def.name, part.fps, part.from, times->size(), &*start}); !s.ok())
+        return s;
+    Resampler resampler(library, part, std::move(*times), exporter);
     bool more = resampler.observe(*start);
+    bool cancelled = false;
     if (more) {
         const auto report = replayTake(take, part.threads, [&](const World& world) {
             more = resampler.observe(world);
-            if (progress) progress(resampler.share());
-            return more;
+            cancelled = progress && !progress(resampler.share());
+            return more && !cancelled;
         });
         if (!report.ok()) return report.status();
     }
     if (!resampler.status().ok()) return resampler.status();
+    if (cancelled) return {StatusCode::Unsupported, "the export was cancelled"};
     if (!resampler.done()) return {StatusCode::Corrupt, "the take ended before its last frame"};
     return exporter.finish();
 }

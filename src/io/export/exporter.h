@@ -65,8 +65,8 @@ public:
 /// Replays `take` with the clips of `library` and passes its frames to `exporter`. Positions and poses
 /// between steps are interpolated. `progress` is called with the completed share; it may be empty. Fails with
 /// InvalidArgument where the part does not lie in the take, with Corrupt where the replay gives other hashes,
-/// and with the exporter's failures.
+/// with Unsupported where `progress` returns false, and with the exporter's failures.
 Status exportTake(const Take& take, const ClipLibrary& library, const ExportDef& def, Exporter& exporter,
-                  const std::function<void(double)>& progress = {});
+                  const ExportProgress& progress = {});
 
 }  // namespace muster

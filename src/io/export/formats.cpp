@@ -52,8 +52,7 @@ Result<std::unique_ptr<Exporter>> makeExporter(std::string_view format, const st
 }
 
 Status exportTake(const Take& take, const ClipLibrary& library, std::string_view format,
-                  const std::string& path, const ExportDef& def,
-                  const std::function<void(double)>& progress) {
+                  const std::string& path, const ExportDef& def, const ExportProgress& progress) {
     const auto exporter = makeExporter(format, path);
     return exporter.ok() ? exportTake(take, library, def, **exporter, progress) : exporter.status();
 }

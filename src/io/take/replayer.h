@@ -23,6 +23,22 @@ public:
     /// Steps after the last mark; they are replayed but not compared.
     std::uint32_t unmarked() const { return steps_ - take_->markedSteps(); }
 
+    /// How far a replay has come; with a snapshot of the world, all that it takes to go on from there.
+    struct Cursor {
+        std::size_t command = 0;     ///< Commands submitted.
+        std::size_t mark = 0;        ///< Marks compared.
+        std::size_t event = 0;       ///< Events compared.
+        std::uint64_t lastHash = 0;  ///< As lastHash().
+    };
+    /// Valid between compare() and submit().
+    Cursor cursor() const { return {nextCommand_, nextMark_, nextEvent_, lastHash_}; }
+    /// Goes back or on, with the world.
+    void goTo(const Cursor& cursor) {
+        nextCommand_ = cursor.command, nextMark_ = cursor.mark, nextEvent_ = cursor.event;
+        lastHash_ = cursor.lastHash;
+        compared_ = static_cast<std::uint32_t>(cursor.mark);
+    }
+
     /// Submits the commands recorded before the next mark. Fails like World::submit and compare().
     Status submit(World& world);
     /// Compares the marks and events of the world's step. Fails with Corrupt, naming the step, where a hash

@@ -1,5 +1,6 @@
 #include <cstring>
 
+#include "io/take/take_about.h"
 #include "io/take/take_encoder.h"
 #include "io/take/take_format.h"
 #include "muster/scenario.h"
@@ -65,6 +66,14 @@ std::vector<std::uint8_t> TakeEncoder::events(const World& world) {
         const std::vector<std::uint8_t> record = event({world.stepCount(), one});
         bytes.insert(bytes.end(), record.begin(), record.end());
     }
+    return bytes;
+}
+
+std::vector<std::uint8_t> TakeEncoder::about(const TakeAbout& about) {
+    const std::string text = writeTakeAbout(about);
+    const std::vector<std::uint8_t> payload(text.begin(), text.end());
+    std::vector<std::uint8_t> bytes;
+    putRecord(bytes, RecordKind::About, payload);
     return bytes;
 }
 

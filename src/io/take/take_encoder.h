@@ -19,6 +19,8 @@ public:
     static std::vector<std::uint8_t> event(const TakeEvent& event);
     /// Encodes the events of orders in a world's last step, one record each.
     static std::vector<std::uint8_t> events(const World& world);
+    /// Encodes what is said about the take.
+    static std::vector<std::uint8_t> about(const TakeAbout& about);
     /// Encodes a hash mark.
     static std::vector<std::uint8_t> mark(const HashMark& mark);
     /// Encodes the end record, with the last mark.

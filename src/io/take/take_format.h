@@ -8,7 +8,7 @@
 namespace muster {
 
 inline constexpr std::array<std::uint8_t, 8> kTakeMagic{'M', 'U', 'S', 'T', 'A', 'K', 'E', '\n'};
-inline constexpr std::uint32_t kTakeVersion = 2;        ///< As written; kArchiveVersion of its commands.
+inline constexpr std::uint32_t kTakeVersion = 3;        ///< As written.
 inline constexpr std::uint32_t kOldestTakeVersion = 1;  ///< That is read.
 inline constexpr std::size_t kTakeHeaderBytes = 12;     ///< Size of magic and version.
 inline constexpr std::size_t kRecordHeadBytes = 9;      ///< Size of length, kind and checksum of both.
@@ -20,8 +20,9 @@ enum class RecordKind : std::uint8_t {
     Scenario = 1,  ///< Text of the scenario; the first record, exactly once.
     Command = 2,   ///< A command as encodeCommand() writes it.
     Mark = 3,      ///< u32 step, u64 hash.
-    End = 4,       ///< Like Mark; it is the last record.
+    End = 4,       ///< Like Mark; only about records follow.
     Event = 5,     ///< u32 step, u8 kind, u32 subject, u32 value, f64 x, f64 y.
+    About = 6,     ///< JSON text; the last one counts.
 };
 
 }  // namespace muster

@@ -1,6 +1,7 @@
 #include <cstring>
 
 #include "base/text_file.h"
+#include "io/take/take_about.h"
 #include "io/take/take_format.h"
 #include "muster/scenario.h"
 #include "muster/take.h"
@@ -70,8 +71,9 @@ private:
         if (crc32(payload) != wordAt(bytes_, offset_ + kRecordHeadBytes + length)) {
             return corrupt("found contents that do not match their checksum");
         }
-        if (take_.finished) return corrupt("found more after the end");
-        if (Status s = accept(static_cast<RecordKind>(head[4]), payload); !s.ok()) return s;
+        const auto kind = static_cast<RecordKind>(head[4]);
+        if (take_.finished && kind != RecordKind::About) return corrupt("found more after the end");
+        if (Status s = accept(kind, payload); !s.ok()) return s;
         offset_ += kRecordHeadBytes + length + kRecordTailBytes;
         return {};
     }
@@ -86,6 +88,8 @@ private:
                 return command(payload);
             case RecordKind::Event:
                 return event(payload);
+            case RecordKind::About:
+                return about(payload);
             case RecordKind::Mark:
             case RecordKind::End:
                 take_.finished = kind == RecordKind::End;
@@ -123,6 +127,14 @@ private:
         if (!take_.events.empty() && raised.step < take_.events.back().step)
             return corrupt("found an earlier event");
         take_.events.push_back(raised);
+        return {};
+    }
+
+    Status about(std::span<const std::uint8_t> payload) {
+        auto said = readTakeAbout({reinterpret_cast<const char*>(payload.data()), payload.size()},
+                                  source_ + " (about)");
+        if (!said.ok()) return corrupt(said.status().message());
+        take_.about = std::move(said).value();
         return {};
     }
 

@@ -146,3 +146,32 @@ TEST_CASE("a take that replays to other hashes is not exported to its end") {
     take.marks.front().hash ^= 1;
     CHECK(exportTake(take, ownClips(), {}, recorder).code() == StatusCode::Corrupt);
 }
+
+TEST_CASE("frames lie closer together in the take where it is to play slower") {
+    const Take take = shortTake();
+    Recorder recorder;
+    recorder.poses = false;
+    ExportDef def{0.0, -1.0, 30.0, 1};
+    def.speeds = {{0.5, 1.0, 0.5, 0.0}};
+    REQUIRE(exportTake(take, ownClips(), def, recorder).ok());
+    // Half a second lasts a whole one.
+    CHECK(recorder.frames.size() == 76);
+    CHECK(recorder.info.frames == 76);
+    CHECK(recorder.frames[15].time == doctest::Approx(0.5));
+    CHECK(recorder.frames[30].time == doctest::Approx(0.75));
+    CHECK(recorder.frames[45].time == doctest::Approx(1.0));
+    CHECK(recorder.frames.back().time == doctest::Approx(2.0));
+    def.speeds = {{0.5, 0.4, 1.0, 0.0}};
+    Recorder none;
+    CHECK(exportTake(take, ownClips(), def, none).code() == StatusCode::InvalidArgument);
+}
+
+TEST_CASE("an export ends where its progress says so") {
+    const Take take = shortTake();
+    Recorder recorder;
+    int calls = 0;
+    const Status status = exportTake(take, ownClips(), {}, recorder, [&](double) { return ++calls < 10; });
+    CHECK(status.message() == "the export was cancelled");
+    CHECK(calls == 10);
+    CHECK(recorder.finished == 0);
+}

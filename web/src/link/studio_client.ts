@@ -2,6 +2,7 @@
 
 import type {
   ClientMessage,
+  Directors,
   Forecasts,
   Frame,
   GroupMesh,
@@ -13,6 +14,9 @@ import type {
   ServerMessage,
   StudyForm,
   StudyState,
+  TakeKept,
+  TakeReady,
+  TakeState,
   Welcome,
 } from '../protocol/messages';
 import { Emitter } from './emitter';
@@ -34,6 +38,10 @@ export interface StudioEvents {
   marks: Marks;
   studyForm: StudyForm;
   studyState: StudyState;
+  directors: Directors;
+  takeState: TakeState;
+  takeReady: TakeReady;
+  takeKept: TakeKept;
 }
 
 /** What the client needs of a Worker. */
@@ -122,6 +130,18 @@ export class StudioClient extends Emitter<StudioEvents> implements MessageSender
         break;
       case 'StudyState':
         this.emit('studyState', message);
+        break;
+      case 'Directors':
+        this.emit('directors', message);
+        break;
+      case 'TakeState':
+        this.emit('takeState', message);
+        break;
+      case 'TakeReady':
+        this.emit('takeReady', message);
+        break;
+      case 'TakeKept':
+        this.emit('takeKept', message);
         break;
       case 'Pong':
         break;

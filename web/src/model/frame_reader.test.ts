@@ -32,6 +32,7 @@ function frame(group: number[], groups: number[] = [4, 9]): StudioFrame {
     swapsPerSecond: 0.1,
     replaying: false,
     demonstrating: true,
+    collected: Uint8Array.of(1, 0, 1),
   };
   return part as unknown as StudioFrame;
 }

@@ -34,6 +34,13 @@ function nameOf(known: string | undefined, id: number, before: readonly GroupInf
   }
 }
 
+/** Of bytes that are 0 or 1. */
+function sumOf(list: ArrayLike<number>): number {
+  let sum = 0;
+  for (let i = 0; i < list.length; ++i) sum += list[i] ?? 0;
+  return sum;
+}
+
 function twoDigits(value: number): number {
   return Math.round(value * 100) / 100;
 }
@@ -119,6 +126,8 @@ export class FrameReader {
       speed: frame.speed,
       recorded: frame.recordedSeconds,
       characters: frame.x.length,
+      items: this.scene_?.items.length ?? 0,
+      collected: sumOf(frame.collected),
       stepMs: frame.stepMs,
       lag: frame.lagP95,
       swaps: frame.swapsPerSecond,

@@ -1,6 +1,7 @@
 // The actions of buttons, keys and gestures. Panels know no more of the studio.
 
 import type { OverlayKind } from '../protocol/messages';
+import type { DialogName, HintStep } from './studio_state';
 import type { Layers } from './view_settings';
 
 export interface StudioActions {
@@ -12,6 +13,8 @@ export interface StudioActions {
   /** To the next of the usual speeds; backwards where `back`. */
   nextSpeed(back?: boolean): void;
   toggleRecord(): void;
+  /** The shelf of takes, or away with it. */
+  showShelf(open: boolean): void;
   downloadTake(): void;
   openTake(file: File): void;
   /** A character from files in place of our people, and back. */
@@ -27,6 +30,12 @@ export interface StudioActions {
   toggleLayer(layer: keyof Layers): void;
   /** Shows the overlay, or takes it away where it is shown. */
   toggleOverlay(kind: OverlayKind): void;
+  /** The readout's figures, or its words alone. */
+  toggleFigures(): void;
+  /** Opens a dialog, or closes it with 'none'. */
+  openDialog(dialog: DialogName): void;
+  /** The tool that draws an outline as the formation, or none. */
+  toggleDraw(): void;
   toggleTheme(): void;
   showHelp(open: boolean): void;
   /** The list of control schemes. */
@@ -34,9 +43,23 @@ export interface StudioActions {
   /** Inputs are judged by this control scheme; empty: by the page itself. */
   chooseScheme(name: string): void;
   dismissHint(): void;
+  /** The visitor has done what a step of the hint tells of. */
+  tried(step: HintStep): void;
   dismissNotice(): void;
   /** Brings the spot that the message is about into view. */
   showNoticePlace(): void;
   retry(): void;
   fit(): void;
+  /** The camera goes along with the crowd, or stays. */
+  toggleFollow(): void;
+  /** Brings one group into view. */
+  frameGroup(index: number): void;
+  /** From above; without perspective. */
+  toggleTop(): void;
+  toggleFlat(): void;
+  /** Views 1 to 9. */
+  saveView(number: number): void;
+  showView(number: number): void;
+  /** Nothing but the scene, without marks and panels. */
+  toggleClean(): void;
 }

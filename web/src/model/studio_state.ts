@@ -9,11 +9,30 @@ import type { Walks } from './objective';
 import type { LinkState } from './link_state';
 import type { ConductFacts, OrderStyle } from './commands';
 import type { ClassCount } from './roles';
+import type { DirectorInfo, Invitation } from './directors';
 
 export type InputKind = 'touch' | 'mouse';
 
-/** What presses on the scene do: steer formations, give orders, or divide and join groups; once: follow or guard. */
-export type ToolName = 'steer' | 'order' | 'cut' | 'follow' | 'guard';
+/** What presses on the scene do: steer formations, give orders, or divide and join groups; once: follow, guard,
+ * draw an outline for the formation, or put a new group down. */
+export type ToolName = 'steer' | 'order' | 'cut' | 'follow' | 'guard' | 'draw' | 'place';
+
+export type DialogName = 'none' | 'text' | 'group';
+
+/** What the hint of the first visit tells of. */
+export const kHintSteps = ['point', 'line', 'area', 'camera'] as const;
+export type HintStep = (typeof kHintSteps)[number];
+
+/** Where a group is that is off screen. */
+export interface CrowdArrow {
+  readonly index: number;
+  readonly id: number;
+  /** Middle of the arrow [CSS px]. */
+  readonly x: number;
+  readonly y: number;
+  /** Its direction on the screen, from the right, clockwise [rad]. */
+  readonly angle: number;
+}
 
 export interface GroupInfo {
   readonly id: number;
@@ -99,6 +118,9 @@ export interface StudioState {
   /** Negative: not recording. */
   readonly recorded: number;
   readonly characters: number;
+  /** Things to collect, and how many are gone. */
+  readonly items: number;
+  readonly collected: number;
   readonly stepMs: number;
   readonly lag: number;
   readonly swaps: number;
@@ -109,8 +131,26 @@ export interface StudioState {
   readonly frames: number;
   /** File of the visitor's own character; empty where Muster's characters are shown. */
   readonly ownCharacter: string;
+  /** The camera goes along with the crowd. */
+  readonly following: boolean;
+  readonly topView: boolean;
+  /** Without perspective. */
+  readonly flatView: boolean;
+  /** Nothing but the scene is shown: no marks, no panels. */
+  readonly clean: boolean;
+  readonly arrows: readonly CrowdArrow[];
+  /** Everybody who is connected. */
+  readonly directors: readonly DirectorInfo[];
+  readonly invitation: Invitation;
   readonly notice: Notice | null;
   readonly hint: boolean;
+  /** What the hint tells of and the visitor has done, in its order. */
+  readonly tried: readonly HintStep[];
+  /** The readout shows its figures, not only words. */
+  readonly figures: boolean;
+  readonly dialog: DialogName;
+  /** The shelf of takes is open. */
+  readonly shelf: boolean;
   readonly help: boolean;
   /** Control schemes of the server. */
   readonly schemes: readonly SchemeInfo[];
@@ -152,6 +192,8 @@ export const kInitialState: StudioState = {
   speed: 1,
   recorded: -1,
   characters: 0,
+  items: 0,
+  collected: 0,
   stepMs: 0,
   lag: 0,
   swaps: 0,
@@ -159,8 +201,19 @@ export const kInitialState: StudioState = {
   parameters: [],
   frames: 0,
   ownCharacter: '',
+  following: false,
+  topView: false,
+  flatView: false,
+  clean: false,
+  arrows: [],
+  directors: [],
+  invitation: { links: [], code: [] },
   notice: null,
   hint: false,
+  tried: [],
+  figures: false,
+  dialog: 'none',
+  shelf: false,
   help: false,
   schemes: [],
   scheme: '',

@@ -13,11 +13,14 @@ import {
   readAnswerFrame,
   readForecastAsk,
   readRawInput,
+  readSpeedPiece,
   readTouchEvent,
+  type SpeedPiece,
   type TouchEvent,
   writeAnswerFrame,
   writeForecastAsk,
   writeRawInput,
+  writeSpeedPiece,
   writeTouchEvent,
 } from './parts';
 
@@ -375,6 +378,76 @@ export function writePing(w: ByteWriter, m: Ping): void {
   w.f64(m.time);
 }
 
+/** Goes to a moment of the open take; playing goes on from there. */
+export interface Seek {
+  type: 'Seek';
+  step: number;
+}
+
+export function readSeek(r: ByteReader): Seek {
+  return {
+    type: 'Seek',
+    step: r.u32(),
+  };
+}
+
+export function writeSeek(w: ByteWriter, m: Seek): void {
+  w.u8(17);
+  w.u32(m.step);
+}
+
+/** Directs from the present moment of the open take on: a new take with its beginning. */
+export interface TakeAgain {
+  type: 'TakeAgain';
+  /** what was recorded later goes on beneath what is directed now */
+  keep: boolean;
+}
+
+export function readTakeAgain(r: ByteReader): TakeAgain {
+  return {
+    type: 'TakeAgain',
+    keep: r.bool(),
+  };
+}
+
+export function writeTakeAgain(w: ByteWriter, m: TakeAgain): void {
+  w.u8(18);
+  w.bool(m.keep);
+}
+
+/** Another name, part or speed of the open take; kept with its file. */
+export interface EditTake {
+  type: 'EditTake';
+  title: string;
+  /** first step of the part that is shown */
+  from: number;
+  /** its last step; the largest number: the end */
+  to: number;
+  /** plays over and over; not kept */
+  loop: boolean;
+  speeds: SpeedPiece[];
+}
+
+export function readEditTake(r: ByteReader): EditTake {
+  return {
+    type: 'EditTake',
+    title: r.string(),
+    from: r.u32(),
+    to: r.u32(),
+    loop: r.bool(),
+    speeds: r.list(readSpeedPiece),
+  };
+}
+
+export function writeEditTake(w: ByteWriter, m: EditTake): void {
+  w.u8(19);
+  w.string(m.title);
+  w.u32(m.from);
+  w.u32(m.to);
+  w.bool(m.loop);
+  w.list(m.speeds, writeSpeedPiece);
+}
+
 /** Would these orders arrive, by which way, when? Nothing changes. */
 export interface AskForecasts {
   type: 'AskForecasts';
@@ -392,9 +465,50 @@ export function readAskForecasts(r: ByteReader): AskForecasts {
 }
 
 export function writeAskForecasts(w: ByteWriter, m: AskForecasts): void {
-  w.u8(17);
+  w.u8(20);
   w.u32(m.number);
   w.list(m.asks, writeForecastAsk);
+}
+
+/** How the sender is called from now on. */
+export interface SetName {
+  type: 'SetName';
+  /** at most 40 characters count; empty: a number */
+  name: string;
+}
+
+export function readSetName(r: ByteReader): SetName {
+  return {
+    type: 'SetName',
+    name: r.string(),
+  };
+}
+
+export function writeSetName(w: ByteWriter, m: SetName): void {
+  w.u8(21);
+  w.string(m.name);
+}
+
+/** What a director may direct: one group and its parts, or everything. */
+export interface GiveGroup {
+  type: 'GiveGroup';
+  client: number;
+  /** 0: everything */
+  group: number;
+}
+
+export function readGiveGroup(r: ByteReader): GiveGroup {
+  return {
+    type: 'GiveGroup',
+    client: r.u32(),
+    group: r.u32(),
+  };
+}
+
+export function writeGiveGroup(w: ByteWriter, m: GiveGroup): void {
+  w.u8(22);
+  w.u32(m.client);
+  w.u32(m.group);
 }
 
 /** Inputs shall be judged by this control scheme; empty: by the page itself. */
@@ -411,7 +525,7 @@ export function readSetScheme(r: ByteReader): SetScheme {
 }
 
 export function writeSetScheme(w: ByteWriter, m: SetScheme): void {
-  w.u8(18);
+  w.u8(23);
   w.string(m.name);
 }
 
@@ -438,7 +552,7 @@ export function readSetView(r: ByteReader): SetView {
 }
 
 export function writeSetView(w: ByteWriter, m: SetView): void {
-  w.u8(19);
+  w.u8(24);
   w.f64s(m.matrix);
   w.f64(m.width);
   w.f64(m.height);
@@ -459,7 +573,7 @@ export function readInputs(r: ByteReader): Inputs {
 }
 
 export function writeInputs(w: ByteWriter, m: Inputs): void {
-  w.u8(20);
+  w.u8(25);
   w.list(m.events, writeRawInput);
 }
 
@@ -478,7 +592,7 @@ export function readEnterStudy(r: ByteReader): EnterStudy {
 }
 
 export function writeEnterStudy(w: ByteWriter, m: EnterStudy): void {
-  w.u8(21);
+  w.u8(26);
   w.string(m.token);
 }
 
@@ -498,7 +612,7 @@ export function readAnswerForm(r: ByteReader): AnswerForm {
 }
 
 export function writeAnswerForm(w: ByteWriter, m: AnswerForm): void {
-  w.u8(22);
+  w.u8(27);
   w.string(m.instrument);
   w.list(m.answers, writeAnswerFrame);
 }
@@ -517,6 +631,6 @@ export function readDoInStudy(r: ByteReader): DoInStudy {
 }
 
 export function writeDoInStudy(w: ByteWriter, m: DoInStudy): void {
-  w.u8(23);
+  w.u8(28);
   w.u8(m.act);
 }

@@ -42,6 +42,14 @@ export const MovingKind = {
 } as const;
 export type MovingKind = (typeof MovingKind)[keyof typeof MovingKind];
 
+export const TakeMarkKind = {
+  Touch: 0,
+  Order: 1,
+  Change: 2,
+  Event: 3,
+} as const;
+export type TakeMarkKind = (typeof TakeMarkKind)[keyof typeof TakeMarkKind];
+
 export const NoticeLevel = {
   Info: 0,
   Warning: 1,

@@ -7,8 +7,10 @@ import {
   type Attend,
   type Commands,
   type DoInStudy,
+  type EditTake,
   type EnterStudy,
   type FrameAck,
+  type GiveGroup,
   type Hello,
   type Inputs,
   type LoadScenario,
@@ -21,8 +23,10 @@ import {
   readAttend,
   readCommands,
   readDoInStudy,
+  readEditTake,
   readEnterStudy,
   readFrameAck,
+  readGiveGroup,
   readHello,
   readInputs,
   readLoadScenario,
@@ -31,23 +35,29 @@ import {
   readPlayback,
   readRecord,
   readRemoveControl,
+  readSeek,
   readSetCount,
   readSetFormation,
+  readSetName,
   readSetOverlay,
   readSetParameter,
   readSetScheme,
   readSetSpeed,
   readSetView,
+  readTakeAgain,
   readTouches,
   type Record,
   type RemoveControl,
+  type Seek,
   type SetCount,
   type SetFormation,
+  type SetName,
   type SetOverlay,
   type SetParameter,
   type SetScheme,
   type SetSpeed,
   type SetView,
+  type TakeAgain,
   type Touches,
   writeAddControl,
   writeAnswerForm,
@@ -55,8 +65,10 @@ import {
   writeAttend,
   writeCommands,
   writeDoInStudy,
+  writeEditTake,
   writeEnterStudy,
   writeFrameAck,
+  writeGiveGroup,
   writeHello,
   writeInputs,
   writeLoadScenario,
@@ -65,16 +77,20 @@ import {
   writePlayback,
   writeRecord,
   writeRemoveControl,
+  writeSeek,
   writeSetCount,
   writeSetFormation,
+  writeSetName,
   writeSetOverlay,
   writeSetParameter,
   writeSetScheme,
   writeSetSpeed,
   writeSetView,
+  writeTakeAgain,
   writeTouches,
 } from './client_messages';
 import {
+  type Directors,
   type Forecasts,
   type Frame,
   type GroupMesh,
@@ -83,6 +99,7 @@ import {
   type Notice,
   type Overlay,
   type Pong,
+  readDirectors,
   readForecasts,
   readFrame,
   readGroupMesh,
@@ -94,11 +111,18 @@ import {
   readScene,
   readStudyForm,
   readStudyState,
+  readTakeKept,
+  readTakeReady,
+  readTakeState,
   readWelcome,
   type Scene,
   type StudyForm,
   type StudyState,
+  type TakeKept,
+  type TakeReady,
+  type TakeState,
   type Welcome,
+  writeDirectors,
   writeForecasts,
   writeFrame,
   writeGroupMesh,
@@ -110,6 +134,9 @@ import {
   writeScene,
   writeStudyForm,
   writeStudyState,
+  writeTakeKept,
+  writeTakeReady,
+  writeTakeState,
   writeWelcome,
 } from './server_messages';
 
@@ -136,7 +163,12 @@ export type ClientMessage =
   | Attend
   | FrameAck
   | Ping
+  | Seek
+  | TakeAgain
+  | EditTake
   | AskForecasts
+  | SetName
+  | GiveGroup
   | SetScheme
   | SetView
   | Inputs
@@ -162,7 +194,12 @@ const readClient: readonly ((r: ByteReader) => ClientMessage)[] = [
   readAttend,
   readFrameAck,
   readPing,
+  readSeek,
+  readTakeAgain,
+  readEditTake,
   readAskForecasts,
+  readSetName,
+  readGiveGroup,
   readSetScheme,
   readSetView,
   readInputs,
@@ -234,8 +271,23 @@ export function encodeClient(message: ClientMessage): ArrayBuffer {
     case 'Ping':
       writePing(w, message);
       break;
+    case 'Seek':
+      writeSeek(w, message);
+      break;
+    case 'TakeAgain':
+      writeTakeAgain(w, message);
+      break;
+    case 'EditTake':
+      writeEditTake(w, message);
+      break;
     case 'AskForecasts':
       writeAskForecasts(w, message);
+      break;
+    case 'SetName':
+      writeSetName(w, message);
+      break;
+    case 'GiveGroup':
+      writeGiveGroup(w, message);
       break;
     case 'SetScheme':
       writeSetScheme(w, message);
@@ -269,6 +321,10 @@ export type ServerMessage =
   | Notice
   | Pong
   | Forecasts
+  | TakeState
+  | TakeReady
+  | TakeKept
+  | Directors
   | Marks
   | StudyForm
   | StudyState;
@@ -283,6 +339,10 @@ const readServer: readonly ((r: ByteReader) => ServerMessage)[] = [
   readNotice,
   readPong,
   readForecasts,
+  readTakeState,
+  readTakeReady,
+  readTakeKept,
+  readDirectors,
   readMarks,
   readStudyForm,
   readStudyState,
@@ -326,6 +386,18 @@ export function encodeServer(message: ServerMessage): ArrayBuffer {
       break;
     case 'Forecasts':
       writeForecasts(w, message);
+      break;
+    case 'TakeState':
+      writeTakeState(w, message);
+      break;
+    case 'TakeReady':
+      writeTakeReady(w, message);
+      break;
+    case 'TakeKept':
+      writeTakeKept(w, message);
+      break;
+    case 'Directors':
+      writeDirectors(w, message);
       break;
     case 'Marks':
       writeMarks(w, message);

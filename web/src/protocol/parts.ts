@@ -11,9 +11,36 @@ import {
   type PointerDevice,
   type QuestionKind,
   type Stance,
+  type TakeMarkKind,
   type TouchPhase,
   type Turn,
 } from './enums';
+
+/** Somebody who is connected. */
+export interface DirectorFrame {
+  client: number;
+  name: string;
+  /** 0 to 15; no two have the same */
+  colour: number;
+  /** ids of the groups that they may direct; empty: all */
+  groups: Uint32Array;
+}
+
+export function readDirectorFrame(r: ByteReader): DirectorFrame {
+  return {
+    client: r.u32(),
+    name: r.string(),
+    colour: r.u8(),
+    groups: r.u32s(),
+  };
+}
+
+export function writeDirectorFrame(w: ByteWriter, m: DirectorFrame): void {
+  w.u32(m.client);
+  w.string(m.name);
+  w.u8(m.colour);
+  w.u32s(m.groups);
+}
 
 /** One finger begins, moves, lifts or is lost, in world coordinates [m]. */
 export interface TouchEvent {
@@ -547,6 +574,59 @@ export function writeClipFrames(w: ByteWriter, m: ClipFrames): void {
   w.u32(m.poses);
   w.f32s(m.hips);
   w.i16s(m.rotations);
+}
+
+/** A part of a take that plays faster or slower. */
+export interface SpeedPiece {
+  /** time of the take [s] */
+  from: number;
+  to: number;
+  /** 0.1 to 8 */
+  speed: number;
+  /** in which it comes and goes [s] */
+  ease: number;
+}
+
+export function readSpeedPiece(r: ByteReader): SpeedPiece {
+  return {
+    from: r.f64(),
+    to: r.f64(),
+    speed: r.f64(),
+    ease: r.f64(),
+  };
+}
+
+export function writeSpeedPiece(w: ByteWriter, m: SpeedPiece): void {
+  w.f64(m.from);
+  w.f64(m.to);
+  w.f64(m.speed);
+  w.f64(m.ease);
+}
+
+/** Something that happens in a take, for its time line. */
+export interface TakeMark {
+  kind: TakeMarkKind;
+  step: number;
+  /** steps that a finger is down */
+  length: number;
+  /** in one or two words */
+  label: string;
+}
+
+export function readTakeMark(r: ByteReader): TakeMark {
+  return {
+    kind: r.choice(4) as TakeMarkKind,
+    step: r.u32(),
+    length: r.u32(),
+    label: r.string(),
+  };
+}
+
+export function writeTakeMark(w: ByteWriter, m: TakeMark): void {
+  w.u8(m.kind);
+  w.u32(m.step);
+  w.u32(m.length);
+  w.string(m.label);
 }
 
 /** What a person does with fingers, mouse and keys, before anything judges it. */

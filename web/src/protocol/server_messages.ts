@@ -9,6 +9,7 @@ import {
 import {
   type ClipFrames,
   type CrowdFrame,
+  type DirectorFrame,
   type EventFrame,
   type ForecastFrame,
   type GroupFrame,
@@ -17,6 +18,7 @@ import {
   type QuestionFrame,
   readClipFrames,
   readCrowdFrame,
+  readDirectorFrame,
   readEventFrame,
   readForecastFrame,
   readGroupFrame,
@@ -25,10 +27,15 @@ import {
   readQuestionFrame,
   readScenarioInfo,
   readSchemeInfo,
+  readSpeedPiece,
+  readTakeMark,
   type ScenarioInfo,
   type SchemeInfo,
+  type SpeedPiece,
+  type TakeMark,
   writeClipFrames,
   writeCrowdFrame,
+  writeDirectorFrame,
   writeEventFrame,
   writeForecastFrame,
   writeGroupFrame,
@@ -37,9 +44,11 @@ import {
   writeQuestionFrame,
   writeScenarioInfo,
   writeSchemeInfo,
+  writeSpeedPiece,
+  writeTakeMark,
 } from './parts';
 
-/** The first answer. */
+/** The first answer; again with another number where a take is taken up. */
 export interface Welcome {
   type: 'Welcome';
   client: number;
@@ -378,6 +387,116 @@ export function writeForecasts(w: ByteWriter, m: Forecasts): void {
   w.list(m.answers, writeForecastFrame);
 }
 
+/** The open take; again whenever it changes, and once with open 0 when it is left. */
+export interface TakeState {
+  type: 'TakeState';
+  open: boolean;
+  /** of its file on the shelf; empty: it lies elsewhere */
+  name: string;
+  title: string;
+  steps: number;
+  /** [s] */
+  stepTime: number;
+  from: number;
+  /** not beyond steps */
+  to: number;
+  loop: boolean;
+  speeds: SpeedPiece[];
+  marks: TakeMark[];
+}
+
+export function readTakeState(r: ByteReader): TakeState {
+  return {
+    type: 'TakeState',
+    open: r.bool(),
+    name: r.string(),
+    title: r.string(),
+    steps: r.u32(),
+    stepTime: r.f64(),
+    from: r.u32(),
+    to: r.u32(),
+    loop: r.bool(),
+    speeds: r.list(readSpeedPiece),
+    marks: r.list(readTakeMark),
+  };
+}
+
+export function writeTakeState(w: ByteWriter, m: TakeState): void {
+  w.u8(9);
+  w.bool(m.open);
+  w.string(m.name);
+  w.string(m.title);
+  w.u32(m.steps);
+  w.f64(m.stepTime);
+  w.u32(m.from);
+  w.u32(m.to);
+  w.bool(m.loop);
+  w.list(m.speeds, writeSpeedPiece);
+  w.list(m.marks, writeTakeMark);
+}
+
+/** How far the open take has been read: seeks up to there are quick. */
+export interface TakeReady {
+  type: 'TakeReady';
+  steps: number;
+}
+
+export function readTakeReady(r: ByteReader): TakeReady {
+  return {
+    type: 'TakeReady',
+    steps: r.u32(),
+  };
+}
+
+export function writeTakeReady(w: ByteWriter, m: TakeReady): void {
+  w.u8(10);
+  w.u32(m.steps);
+}
+
+/** A recording has ended and is kept. */
+export interface TakeKept {
+  type: 'TakeKept';
+  /** of its file on the shelf; empty: kept in memory only */
+  name: string;
+  seconds: number;
+  /** its title */
+  scenario: string;
+}
+
+export function readTakeKept(r: ByteReader): TakeKept {
+  return {
+    type: 'TakeKept',
+    name: r.string(),
+    seconds: r.f64(),
+    scenario: r.string(),
+  };
+}
+
+export function writeTakeKept(w: ByteWriter, m: TakeKept): void {
+  w.u8(11);
+  w.string(m.name);
+  w.f64(m.seconds);
+  w.string(m.scenario);
+}
+
+/** Everybody who is connected, in the order in which they came; again whenever that changes. */
+export interface Directors {
+  type: 'Directors';
+  directors: DirectorFrame[];
+}
+
+export function readDirectors(r: ByteReader): Directors {
+  return {
+    type: 'Directors',
+    directors: r.list(readDirectorFrame),
+  };
+}
+
+export function writeDirectors(w: ByteWriter, m: Directors): void {
+  w.u8(12);
+  w.list(m.directors, writeDirectorFrame);
+}
+
 /** What a control scheme shows of what is being done; whenever it changes. */
 export interface Marks {
   type: 'Marks';
@@ -411,7 +530,7 @@ export function readMarks(r: ByteReader): Marks {
 }
 
 export function writeMarks(w: ByteWriter, m: Marks): void {
-  w.u8(9);
+  w.u8(13);
   w.string(m.scheme);
   w.u32s(m.selected);
   w.f32s(m.rectangle);
@@ -447,7 +566,7 @@ export function readStudyForm(r: ByteReader): StudyForm {
 }
 
 export function writeStudyForm(w: ByteWriter, m: StudyForm): void {
-  w.u8(10);
+  w.u8(14);
   w.string(m.instrument);
   w.string(m.title);
   w.string(m.text);
@@ -522,7 +641,7 @@ export function readStudyState(r: ByteReader): StudyState {
 }
 
 export function writeStudyState(w: ByteWriter, m: StudyState): void {
-  w.u8(11);
+  w.u8(15);
   w.u8(m.stage);
   w.string(m.token);
   w.u32(m.run);

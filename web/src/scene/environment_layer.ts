@@ -17,6 +17,7 @@ import { FatLines } from './drawing/fat_lines';
 import type { MovingView } from '../model/frame_view';
 import { centroid, circlePoints, GeometryBuilder } from './drawing/geometry_builder';
 import { addCar, addObstacle, type EdgeLine, lookOfObstacle, outlineOf } from './obstacles/obstacle_geometry';
+import { BuildingLayer } from './obstacles/building_layer';
 import { outerEdges } from './obstacles/outer_edges';
 import { kOpeningOrder, openingMaterial } from './drawing/openings';
 import { addPatch } from './patches/patch_geometry';
@@ -37,7 +38,6 @@ function shifted(points: readonly Point2[], centre: Point2): Point2[] {
 
 export class EnvironmentLayer {
   readonly group = new Group();
-  private readonly hatched_: MeshLambertMaterial;
   private readonly body_: MeshLambertMaterial;
   private readonly floor_: ShaderMaterial;
   private readonly opening_ = openingMaterial();
@@ -45,6 +45,7 @@ export class EnvironmentLayer {
   private readonly leaves_: MeshLambertMaterial;
   private readonly moving_ = new Map<string, MovingThing>();
   private readonly trees_ = new TreeLayer();
+  private readonly buildings_: BuildingLayer;
   private lines_: FatLines[] = [];
   private items_: InstancedMesh | null = null;
   private itemCount_ = 0;
@@ -53,7 +54,7 @@ export class EnvironmentLayer {
   private size_ = { width: 1, height: 1, ratio: 1 };
 
   constructor(shade: ShadeUniforms) {
-    this.hatched_ = bodyMaterial(shade, true);
+    this.buildings_ = new BuildingLayer(shade);
     this.body_ = bodyMaterial(shade, false);
     this.floor_ = floorMaterial(shade);
     this.water_ = seeThroughMaterial(0.6);
@@ -104,9 +105,15 @@ export class EnvironmentLayer {
     });
   }
 
-  /** Makes crowns transparent that hide characters; true while they change. */
+  /** Opacity of each still obstacle that is no tree, 0 to 1. */
+  get solid(): readonly number[] {
+    return this.buildings_.solid;
+  }
+
+  /** Makes crowns and buildings transparent that hide characters; true while they change. */
   reveal(people: Standing, camera: CameraController): boolean {
-    return this.trees_.reveal(people, camera);
+    const trees = this.trees_.reveal(people, camera);
+    return this.buildings_.reveal(people, camera) || trees;
   }
 
   /** Hides items that are gone; `collected` holds 1 per item gone. */
@@ -131,12 +138,13 @@ export class EnvironmentLayer {
   dispose(): void {
     this.clear();
     this.trees_.dispose();
-    for (const material of [this.hatched_, this.body_, this.floor_, this.opening_, this.water_, this.leaves_])
-      material.dispose();
+    this.buildings_.dispose();
+    for (const material of [this.body_, this.floor_, this.opening_, this.water_, this.leaves_]) material.dispose();
   }
 
   private clear(): void {
     this.trees_.clear();
+    this.buildings_.clear();
     this.group.traverse((object) => {
       if (object instanceof Mesh) (object as Mesh<BufferGeometry>).geometry.dispose();
       // Instances of trees and items have buffers of their own.
@@ -175,12 +183,15 @@ export class EnvironmentLayer {
   private buildStillObstacles(scene: SceneFacts, palette: Palette): void {
     const builder = new GeometryBuilder();
     const edges: EdgeLine[] = [];
-    for (const obstacle of scene.obstacles) {
-      if (obstacle.moving || lookOfObstacle(obstacle) === 'tree') continue;
+    const still = scene.obstacles.filter((one) => !one.moving && lookOfObstacle(one) !== 'tree');
+    const ends: number[] = [];
+    for (const obstacle of still) {
       if (lookOfObstacle(obstacle) === 'car') this.addVehicle(builder, obstacle, outlineOf(obstacle), palette);
       else edges.push(...addObstacle(builder, obstacle, palette));
+      ends.push(builder.triangleCount);
     }
-    this.addMesh(this.group, builder, this.hatched_, 0, true);
+    this.buildings_.build(builder, still, ends);
+    this.group.add(this.buildings_.group);
     const lines = outerEdges(edges).map((line) => ({ line, colour: palette.obstacleEdge, alpha: 0.8 }));
     this.addLines(this.group, lines, 1, 0);
   }

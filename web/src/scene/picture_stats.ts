@@ -19,6 +19,8 @@ export class PictureStats {
   /** Number of the server's frame whose controls, meshes and places the last picture shows; 0 before the first.
    * Characters run about a frame behind. */
   shownFrame = 0;
+  /** Called in the task that has drawn a picture, while the canvas still holds it. */
+  afterPicture?: (() => void) | undefined;
 
   /** A picture of this frame is drawn; `start` by performance.now() [ms]. */
   finish(start: number, frame: number | undefined): void {
@@ -27,6 +29,7 @@ export class PictureStats {
     this.framesTaken = 0;
     this.pictures += 1;
     if (frame !== undefined) this.shownFrame = frame;
+    this.afterPicture?.();
   }
 }
 

@@ -10,6 +10,7 @@ import type { CameraControls, GroundSight, Padding } from './camera/camera_contr
 import type { FrameView, ShapeMeshView, OverlayView } from '../model/frame_view';
 import type { GroundPoint, ScreenPoint } from '../model/plane';
 import type { DraftControl } from './marks/draft_control';
+import type { DirectorInfo } from '../model/directors';
 
 /** The characters whose whole poses the server shall send: those nearest to a point. */
 export interface Attention {
@@ -56,6 +57,8 @@ export interface StudioScene {
   showDrafts(drafts: readonly DraftControl[]): void;
   /** Our number at the server: whose fingers these are. */
   setClient(client: number): void;
+  /** Whose fingers have which colour and name. */
+  setDirectors(directors: readonly DirectorInfo[]): void;
   /** A rubber band or lasso being drawn; null takes it away. */
   previewControl(groupIndex: number, points: readonly GroundPoint[] | null, closed: boolean): void;
   /** Id of the character whose figure lies under client coordinates, or -1. */
@@ -68,5 +71,7 @@ export interface StudioScene {
   lookAt(point: GroundPoint): void;
   /** CSS px that a metre on the ground takes in the middle of the view. */
   pixelsPerMetre(): number;
+  /** Draws again soon, even where nothing has changed. */
+  wake(): void;
   dispose(): void;
 }

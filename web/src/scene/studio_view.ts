@@ -1,11 +1,11 @@
 // The scene: everything that is drawn from the world's frames, and the camera that looks at it.
 
+import type { DirectorInfo } from '../model/directors';
 import './view.css';
 import type { Body } from './crowd/bodies/body';
 import type { ClipPoses } from './crowd/clips/clip_bank';
 import { isSameWorld, type SceneFacts } from '../protocol/scene';
 import { CameraController } from './camera/camera_controller';
-import { crowdOutline } from './camera/bounds_builder';
 import type { Padding } from './camera/camera_controls';
 import { MarkState } from './marks/mark_state';
 import type { CrowdLayer } from './crowd/crowd_layer';
@@ -16,7 +16,8 @@ import type { FrameView, ShapeMeshView, MovingView, OverlayView } from '../model
 import { GroupState } from './marks/group_state';
 import { MarkLayer } from './marks/mark_layer';
 import { OrderPicture } from './order_picture';
-import { surroundings } from './camera/opening';
+import { ViewFitter } from './camera/view_fitter';
+import { coversFigure } from './crowd/figure_cover';
 import { accentColour, type Palette, paletteOf } from './drawing/palette';
 import { pickCharacter } from './crowd/picker';
 import { chooseQuality, rendererName } from './drawing/quality';
@@ -36,8 +37,6 @@ const kSettle = 700;
 const kEchoWait = 60;
 /** Interval between two checks whether the last picture is finished [ms]. */
 const kRetry = 3;
-/** Duration of a camera move to another view [ms]. */
-const kGlide = 260;
 const kNothingMoves: readonly MovingView[] = [];
 
 /** Draws the world with each refresh: controls and meshes of the newest frame, characters between the last two. */
@@ -51,6 +50,7 @@ export class StudioView implements StudioScene {
   private readonly timeline_ = new FrameTimeline();
   private readonly crowd_ = new CrowdState();
   readonly orders = new OrderPicture(() => this.wake(), this.crowd_);
+  private readonly fitter_ = new ViewFitter(this.camera);
   private readonly groups_ = new GroupState();
   private readonly observer_: ResizeObserver;
   private scene_: SceneFacts | null = null;
@@ -60,11 +60,9 @@ export class StudioView implements StudioScene {
   private readonly overlay_ = new OverlayState();
   private drafts_: readonly DraftControl[] = [];
   private preview_: readonly DraftControl[] = [];
-  private padding_: Padding = { top: 84, right: 24, bottom: 120, left: 24 };
   private moving_: readonly MovingView[] = kNothingMoves;
   private reduced_ = false;
   private activeGroup_ = -1;
-  private opened_ = false;
   private membersStale_ = true;
   /** The next picture answers a finger. */
   private urgent_ = false;
@@ -119,9 +117,7 @@ export class StudioView implements StudioScene {
     this.orders.clear();
     this.marks_.clear();
     this.moving_ = kNothingMoves;
-    this.opened_ = false;
-    this.camera.setWorld(scene.box.min[0], scene.box.min[1], scene.box.max[0], scene.box.max[1]);
-    this.camera.open();
+    this.fitter_.open(scene);
     this.setOverlay(null);
   }
 
@@ -201,7 +197,7 @@ export class StudioView implements StudioScene {
   }
 
   setPadding(padding: Padding): void {
-    this.padding_ = padding;
+    this.fitter_.padding = padding;
   }
 
   touchMark(id: number, world: GroundPoint | null, groupIndex: number): void {
@@ -220,6 +216,10 @@ export class StudioView implements StudioScene {
 
   setClient(client: number): void {
     this.marks_.client = client;
+  }
+
+  setDirectors(directors: readonly DirectorInfo[]): void {
+    this.marks_.directors = new Map(directors.map((one) => [one.client, one]));
   }
 
   previewControl(groupIndex: number, points: readonly GroundPoint[] | null, closed: boolean): void {
@@ -242,11 +242,11 @@ export class StudioView implements StudioScene {
   }
 
   fitCrowd(): void {
-    this.camera.glideFit(this.crowdPoints(), this.padding_, performance.now(), this.reduced_ ? 0 : kGlide);
+    this.fitter_.fit(this.crowd_.positions, this.timeline_.newest?.groups ?? [], this.reduced_);
   }
 
   lookAt(point: GroundPoint): void {
-    this.camera.glideTo(point, this.padding_, performance.now(), this.reduced_ ? 0 : kGlide);
+    this.fitter_.lookAt(point, this.reduced_);
     this.wake();
   }
 
@@ -262,7 +262,7 @@ export class StudioView implements StudioScene {
     this.overlayRoot_.replaceChildren();
   }
 
-  private readonly wake = (): void => void (this.activeUntil_ = performance.now() + kSettle);
+  readonly wake = (): void => void (this.activeUntil_ = performance.now() + kSettle);
 
   private resize(): void {
     const { clientWidth, clientHeight } = this.canvas_;
@@ -305,7 +305,7 @@ export class StudioView implements StudioScene {
       this.moving_ = blend.to.moving;
       this.stage_.environment.move(blend.from.moving, blend.to.moving, blend.alpha);
       this.stage_.environment.setCollected(blend.to.collected);
-      this.openView();
+      this.fitter_.show(this.crowd_.positions, this.timeline_.newest?.groups ?? []);
     }
     const newest = this.timeline_.newest;
     if (this.orders.update(newest?.groups ?? [])) this.membersStale_ = true;
@@ -334,6 +334,7 @@ export class StudioView implements StudioScene {
     if (this.membersStale_) this.dress(colours, greyed);
     this.groups_.showMeshes(this.stage_.meshes, this.layers_.mesh, accents);
     this.groups_.showPlaces(this.stage_.places, this.layers_.places, accents, now);
+    for (const layer of [this.stage_.meshes, this.stage_.places]) layer.setScale(this.camera.pixelsPerMetre());
     if (this.stage_.environment.reveal(this.crowd_, this.camera)) this.wake();
     this.stage_.crowd.update(this.crowd_, blend, this.camera);
     this.stage_.render(this.camera, this.stats);
@@ -352,6 +353,7 @@ export class StudioView implements StudioScene {
     this.markLayer_.draw(this.marks_, {
       ...view,
       paths: this.layers_.paths,
+      covered: (at) => coversFigure(this.crowd_, this.camera, at),
       greyed,
       drafts: [...this.drafts_, ...this.preview_],
       ...this.orders.scene(this.layers_.paths && !greyed),
@@ -383,18 +385,5 @@ export class StudioView implements StudioScene {
     const { overlay } = this.overlay_;
     if (!overlay) return -1;
     return this.crowd_.groupOf(overlay.character) ?? this.activeGroup_;
-  }
-
-  /** Fits the view to the crowd and to the obstacles near it, with the first frame that has a crowd. */
-  private openView(): void {
-    if (this.opened_ || this.camera.width < 2) return;
-    const points = this.crowdPoints();
-    if (points.length === 0) return;
-    this.opened_ = true;
-    this.camera.fit([...points, ...surroundings(this.scene_, points)], this.padding_);
-  }
-
-  private crowdPoints(): GroundPoint[] {
-    return crowdOutline(this.crowd_.positions, this.timeline_.newest?.groups ?? []);
   }
 }

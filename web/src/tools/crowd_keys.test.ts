@@ -43,6 +43,7 @@ beforeEach(() => {
   const orbit = new OrbitGesture(noCamera);
   const editor = new TouchEditor(touches, scene);
   chooser = new ToolChooser({
+    shapes: () => null,
     scene,
     hitTest: new FormationHitTest(),
     editor,

@@ -1,7 +1,7 @@
 // Keys that act on camera and controls.
 
 import type { StudioFrame } from '../model/studio_frame';
-import type { CameraControls } from '../scene/camera/camera_controls';
+import type { HandMoves } from '../scene/camera/camera_controls';
 import { pointsOf, type GroundPoint, type ScreenPoint } from '../model/plane';
 import type { VirtualControls, OwnControl } from './virtual_controls';
 import { KeyboardSteering, type ArrowKey, type GroundAxes } from './keyboard_steering';
@@ -9,7 +9,7 @@ import type { ToolChooser } from './tool_chooser';
 import { pageClock } from '../model/page_clock';
 
 export interface KeyScene {
-  readonly camera: CameraControls;
+  readonly camera: HandMoves;
   screenToWorld(at: ScreenPoint): GroundPoint | null;
 }
 

@@ -43,6 +43,18 @@ beforeEach(() => {
 });
 
 describe('PointerRouter', () => {
+  it('ignores a palm, and lets go where a finger becomes one', () => {
+    fire('pointerdown', { x: 50, width: 90, height: 70 });
+    fire('pointermove', { x: 60, width: 90, height: 70 });
+    fire('pointerup', { x: 60, width: 90, height: 70 });
+    expect(log).toEqual([]);
+    fire('pointerdown', { x: 50, width: 30, height: 34 });
+    fire('pointermove', { x: 54, width: 70, height: 60 });
+    fire('pointermove', { x: 56, width: 120, height: 90 });
+    fire('pointermove', { x: 58, width: 120, height: 90 });
+    expect(log).toEqual(['edit begin 1', 'edit move 54', 'edit cancel']);
+    expect(router.count).toBe(0);
+  });
   it('decides the owner at the start and keeps it wherever the contact goes', () => {
     fire('pointerdown', { x: 50 });
     fire('pointermove', { x: 300 });

@@ -27,6 +27,13 @@ const kMostTouches = 10;
 const kTapPx = 8;
 const kTapSeconds = 0.35;
 const kLinePx = 16;
+/** A contact this wide or high is a palm when it comes down; when it grows so far, it has become one [CSS px]. */
+const kPalm = { down: 64, grown: 110 };
+
+/** A hand that rests on the screen is no finger. */
+function isPalm({ pointerType, width, height }: PointerEvent, least: number): boolean {
+  return pointerType === 'touch' && Math.max(width, height) >= least;
+}
 
 export class PointerRouter {
   private readonly owned_ = new Map<number, Owned>();
@@ -56,6 +63,7 @@ export class PointerRouter {
   }
 
   private down(event: PointerEvent): void {
+    if (isPalm(event, kPalm.down)) return;
     const contact = this.contactOf(event);
     if (this.owned_.has(event.pointerId) || this.owned_.size >= kMostTouches) return;
     // The scene takes the focus for its keys, without the focus ring, which is for keyboard users.
@@ -90,6 +98,10 @@ export class PointerRouter {
   }
 
   private follow(owned: Owned, event: PointerEvent): void {
+    if (isPalm(event, kPalm.grown)) {
+      this.up(event, true);
+      return;
+    }
     const coalesced = event.getCoalescedEvents?.() ?? [];
     const contacts = (coalesced.length > 0 ? coalesced : [event]).map((one) => this.contactOf(one));
     const { screen } = contacts[contacts.length - 1]!;

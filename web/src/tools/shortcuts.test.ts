@@ -23,6 +23,8 @@ beforeEach(() => {
 describe('findShortcut', () => {
   const event = (key: string, target: EventTarget | null, ctrlKey = false) => ({
     key,
+    code: '',
+    altKey: false,
     target,
     ctrlKey,
     metaKey: false,

@@ -16,6 +16,8 @@ export interface Shortcut {
   readonly repeats?: boolean;
   /** With Ctrl (or Cmd) as well. */
   readonly ctrl?: boolean;
+  /** Only with Alt, by `KeyboardEvent.code`: Alt changes the letter on some keyboards. */
+  readonly alt?: readonly string[];
   /** Another line of the help tells of it. */
   readonly unlisted?: boolean;
 }
@@ -34,10 +36,11 @@ function isControl(target: EventTarget | null): boolean {
 
 export function findShortcut(
   shortcuts: readonly Shortcut[],
-  event: Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'metaKey' | 'target'>,
+  event: Pick<KeyboardEvent, 'key' | 'code' | 'ctrlKey' | 'metaKey' | 'altKey' | 'target'>,
 ): Shortcut | null {
   if (isTyping(event.target)) return null;
   const ctrl = event.ctrlKey || event.metaKey;
+  if (event.altKey) return ctrl ? null : (shortcuts.find((one) => one.run && one.alt?.includes(event.code)) ?? null);
   const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
   const found = shortcuts.find((shortcut) => shortcut.run && (!ctrl || shortcut.ctrl) && shortcut.match.includes(key));
   return !found || (found.sceneOnly && isControl(event.target)) ? null : found;

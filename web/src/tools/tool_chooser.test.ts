@@ -37,6 +37,7 @@ beforeEach(() => {
   frame.groups[0]!.vertices = new Float32Array([0, 0, 4, 0, 4, 4, 0, 4]);
   hitTest.setGroups(frame.groups);
   chooser = new ToolChooser({
+    shapes: () => null,
     scene,
     hitTest,
     editor: new TouchEditor(touches, scene),

@@ -30,6 +30,8 @@ export interface ChooserTools {
   readonly orbit: OrbitGesture;
   readonly controls: VirtualControls;
   readonly orders: OrderChooser;
+  /** Who draws outlines and puts groups down; null where another tool is in hand. */
+  readonly shapes: (contact: Contact) => ContactOwner | null;
 }
 
 /** A rubber band may begin so near the mesh [m]. */
@@ -56,6 +58,8 @@ export class ToolChooser {
     }
     const { ground } = contact;
     if (!ground) return contact.button === kRight ? orbit : camera;
+    const shaped = this.tools_.shapes(contact);
+    if (shaped) return shaped;
     const ordered = orders.choose(contact, this.formation(ground)?.index ?? -1);
     return ordered ?? this.drawing(contact, ground) ?? this.editing(ground) ?? camera;
   }

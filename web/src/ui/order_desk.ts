@@ -378,4 +378,6 @@ const kToolWords: Readonly<Record<ToolName, string>> = {
   cut: 'Cutting: draw across a formation',
   follow: 'Press on the group to follow',
   guard: 'Drag the rectangle to guard',
+  draw: 'Draw an outline on the ground',
+  place: 'Press on the ground for the new group',
 };

@@ -21,7 +21,7 @@ import { Drafts } from '../tools/drafts';
 import { FormationHitTest } from '../tools/formation_hit_test';
 import { VirtualControls } from '../tools/virtual_controls';
 import { PointerRouter } from '../tools/pointer_router';
-import { ShortcutHandler } from '../tools/shortcuts';
+import { ShortcutHandler, type Shortcut } from '../tools/shortcuts';
 import { SpaceKey } from '../tools/space_key';
 import { ToolChooser } from '../tools/tool_chooser';
 import { TouchEditor } from '../tools/touch_editor';
@@ -29,27 +29,35 @@ import { TouchSender } from '../tools/touch_sender';
 import type { StudioScene } from '../scene/studio_scene';
 import { OrderChooser } from '../tools/order_chooser';
 import { OrderDesk } from './order_desk';
+import { DirectorsDesk } from './directors_desk';
 import { AttentionSender } from './attention_sender';
 import { ControlWatch, kKindNames, type ControlNews } from '../model/control_watch';
-import { DemonstrationCamera } from './demonstration_camera';
+import { openDialogsLazily } from './lazy_dialogs';
+import { ShapeDesk } from './shape_desk';
+import { CameraDesk } from './camera_desk';
 import { DemonstrationWatch } from '../model/demonstration_watch';
 import { returnFocus } from './widgets/focus_return';
 import { FormationWatch } from '../model/formation_watch';
-import { formatClock } from '../model/formatters';
 import { FrameReader, sceneKey } from '../model/frame_reader';
-import { LayoutWatcher } from './layout_watcher';
-import { kHintKey, StudioController } from './studio_controller';
+import { followSettings } from './page_settings';
+import { StudioController } from './studio_controller';
 import { OwnPeople } from './own_people';
 import { SchemeDesk } from './scheme_desk';
 import { StudioShell } from './studio_shell';
 import { studioShortcuts } from './studio_shortcuts';
 import { StatsReadout, wantsStats } from './panels/stats_readout';
-import { isLost } from '../model/studio_state';
-import { applyTheme, followSystemTheme, preferredTheme, readSetting } from './theme';
+import { isLost, type HintStep } from '../model/studio_state';
 import type { GroundPoint, ScreenPoint } from '../model/plane';
 import { pageClock } from '../model/page_clock';
+import type { Padding } from '../scene/camera/camera_controls';
 import { fieldScale } from '../model/field_scale';
 import { StudioStore } from '../model/studio_store';
+
+const kTried: Record<ControlKind, HintStep> = {
+  [ControlKind.Point]: 'point',
+  [ControlKind.Line]: 'line',
+  [ControlKind.Area]: 'area',
+};
 
 export class StudioApp {
   readonly latency = new LatencyMeter();
@@ -62,7 +70,8 @@ export class StudioApp {
   private readonly watch_ = new ControlWatch();
   private readonly formations_ = new FormationWatch();
   private readonly demonstrations_ = new DemonstrationWatch();
-  private readonly guide_: DemonstrationCamera;
+  readonly camera: CameraDesk;
+  readonly shapes: ShapeDesk;
   private readonly attention_: AttentionSender;
   private readonly drafts_: Drafts;
   private readonly hitTest_ = new FormationHitTest();
@@ -71,6 +80,7 @@ export class StudioApp {
   readonly desk: OrderDesk;
   private readonly schemes_: SchemeDesk;
   private readonly orders_: OrderChooser;
+  private readonly directors_: DirectorsDesk;
   private readonly touches_: TouchSender;
   private readonly controls_: VirtualControls;
   private readonly chooser_: ToolChooser;
@@ -86,8 +96,23 @@ export class StudioApp {
     const say = (text: string): void => this.shell_.live.say(text);
     const people = new OwnPeople(view_, this.store);
     people.acceptDrops(window);
-    const look = { fitCrowd: () => this.fit(), lookAt: (point: GroundPoint) => this.lookAt(point) };
-    this.controller_ = new StudioController(client_, this.store, look, say, people);
+    const padding = (): Padding => this.shell_.padding();
+    this.camera = new CameraDesk({
+      view: view_,
+      store: this.store,
+      canvas: canvas_,
+      padding,
+      say,
+      moved: () => this.controller_.tried('camera'),
+    });
+    this.shapes = new ShapeDesk({
+      client: client_,
+      store: this.store,
+      viewTurn: () => view_.camera.pose.turn,
+      previewControl: (group, points, closed) => view_.previewControl(group, points, closed),
+      say,
+    });
+    this.controller_ = new StudioController(client_, this.store, this.camera, say, people, this.shapes);
     this.attention_ = new AttentionSender(client_);
     this.drafts_ = new Drafts(
       (drafts) => view_.showDrafts(drafts),
@@ -97,8 +122,8 @@ export class StudioApp {
     this.touches_ = new TouchSender(client_, (time) => this.latency.touched(time));
     this.controls_ = new VirtualControls(client_, this.touches_, () => client_.clientId, this.drafts_);
     const editor = new TouchEditor(this.touches_, view_, this.drafts_);
-    const camera = new CameraGesture(view_.camera);
-    const orbit = new OrbitGesture(view_.camera);
+    const camera = new CameraGesture(this.camera.hand);
+    const orbit = new OrbitGesture(this.camera.hand);
     this.desk = new OrderDesk(client_, this.store, view_, say);
     this.schemes_ = new SchemeDesk(client_, this.store, view_, say, (time) => this.latency.touched(time));
     const toGround = (at: ScreenPoint): GroundPoint | null => view_.screenToWorld(at);
@@ -111,13 +136,20 @@ export class StudioApp {
       orbit,
       controls: this.controls_,
       orders: this.orders_,
+      shapes: (contact) => this.shapes.owner(contact),
     });
-    this.guide_ = new DemonstrationCamera(view_, () => this.fit());
-    this.keys_ = new CrowdKeys(view_, this.controls_, this.chooser_, this.middle, say);
+    const eye = { camera: this.camera.hand, screenToWorld: toGround };
+    this.keys_ = new CrowdKeys(eye, this.controls_, this.chooser_, this.middle, say);
     const shortcuts = this.shortcuts();
-    this.shell_ = new StudioShell(page, this.store, this.controller_, this.desk, shortcuts);
+    this.directors_ = new DirectorsDesk(client_, this.store, view_, () => client_.clientId, say);
+    this.shell_ = new StudioShell(page, this.store, this.controller_, this.desk, this.directors_, shortcuts);
+    this.start(page, shortcuts);
+  }
+
+  private start(page: HTMLElement, shortcuts: readonly Shortcut[]): void {
+    openDialogsLazily(page, this.store, this.controller_, this.shapes);
     if (this.stats_) page.append(this.stats_.root);
-    returnFocus(page, canvas_);
+    returnFocus(page, this.canvas_);
     new ShortcutHandler(window, shortcuts);
     new SpaceKey(
       window,
@@ -125,21 +157,17 @@ export class StudioApp {
       () => this.controller_.togglePlay(),
     );
     this.routePointers();
-    this.followSettings();
+    followSettings(this.store, this.view_, () => this.shell_.padding());
     this.followClient();
     requestAnimationFrame(this.drawn);
   }
 
   private shortcuts() {
-    const { keys_: keys, controller_: controller, store, guide_: guide } = this;
-    const byHand = (act: () => void): void => {
-      guide.release();
-      act();
-    };
+    const { keys_: keys, controller_: controller, store } = this;
     return studioShortcuts(controller, this.desk, {
-      arrow: (key, long) => byHand(() => keys.arrow(key, long)),
-      zoom: (factor) => byHand(() => keys.zoom(factor)),
-      turn: (radians) => byHand(() => keys.turn(radians)),
+      arrow: (key, long) => keys.arrow(key, long),
+      zoom: (factor) => keys.zoom(factor),
+      turn: (radians) => keys.turn(radians),
       grabOrDrop: () => keys.grabOrDrop(store.state.active),
       letGo: () => this.letGo(),
       togglePin: () => keys.togglePin(),
@@ -160,14 +188,14 @@ export class StudioApp {
       choose: (contact) => this.schemes_.owner(contact) ?? this.steered(contact),
       tapped: (contact) => this.tapped(contact),
       doubleClicked: (contact) => this.doubleClicked(contact),
-      wheel: (at, factor) => this.view_.camera.zoomAt(at, factor),
+      wheel: (at, factor) => this.camera.hand.zoomAt(at, factor),
       pointed: (contact) => this.pointed(contact),
     });
     for (const type of ['pointerdown', 'pointermove', 'pointerup', 'pointerleave'] as const) {
       this.canvas_.addEventListener(type, (event) => this.keys_.pointed(event));
     }
-    for (const type of ['pointerdown', 'wheel'] as const) {
-      this.canvas_.addEventListener(type, () => this.guide_.release(), { passive: true });
+    for (const type of ['pointerdown', 'pointermove'] as const) {
+      this.canvas_.addEventListener(type, (event) => event.buttons !== 0 && this.camera.contact());
     }
   }
 
@@ -213,36 +241,6 @@ export class StudioApp {
     }
   }
 
-  private followSettings(): void {
-    const { store, view_: view } = this;
-    const touchFirst = window.matchMedia('(pointer: coarse)').matches;
-    const hint = readSetting(() => window.localStorage, kHintKey) === null;
-    store.set({ theme: preferredTheme(window), input: touchFirst ? 'touch' : 'mouse', hint });
-    new LayoutWatcher(window, (layout) => {
-      store.set({ layout });
-      requestAnimationFrame(() => view.setPadding(this.shell_.padding()));
-    });
-    followSystemTheme(window, (theme) => store.set({ theme }));
-    store.watch(['theme'], ({ theme }) => {
-      applyTheme(window, theme);
-      view.setTheme(theme);
-    });
-    store.watch(['layers'], ({ layers }) => view.setLayers(layers));
-    store.watch(['active'], ({ active }) => view.setActiveGroup(active));
-    store.watch(['selected'], ({ selected }) => view.orders.setSelected(selected));
-    store.watch(['overlay', 'chosen'], ({ overlay }) => {
-      document.documentElement.toggleAttribute('data-overlay', overlay !== OverlayKind.None);
-      view.setOverlay(null);
-    });
-    store.watch(['title', 'recorded'], ({ title, recorded }) => {
-      const name = title ? `${title} – Muster` : 'Muster';
-      document.title = recorded >= 0 ? `● ${formatClock(recorded).slice(0, -2)} ${name}` : name;
-    });
-    const motion = window.matchMedia('(prefers-reduced-motion: reduce)');
-    view.setReducedMotion(motion.matches);
-    motion.addEventListener('change', () => view.setReducedMotion(motion.matches));
-  }
-
   private followClient(): void {
     const { client_: client, store, view_: view } = this;
     client.on('link', (link) => {
@@ -260,12 +258,14 @@ export class StudioApp {
     client.on('frame', ({ frame, receivedAt }) => this.showFrame(frame, receivedAt));
     client.on('overlay', (overlay) => this.showOverlay(overlay));
     client.on('forecasts', (answers) => this.desk.queues.answered(answers, performance.now()));
+    client.on('directors', ({ directors }) => this.directors_.took(directors));
     client.on('notice', (notice) => this.noticed(notice));
   }
 
   private greeted({ scenarios }: Welcome): void {
     this.store.set({ scenarios });
     this.controller_.askOverlayAgain();
+    this.directors_.greeted();
   }
   private noticed(notice: Notice): void {
     // The server refused these touches, so no frame will show them.
@@ -311,7 +311,7 @@ export class StudioApp {
     this.forgetTouches();
     this.formations_.clear();
     this.desk.forgetWorld();
-    this.guide_.forget();
+    this.camera.forgetWorld();
     this.store.set({ active: 0, notice: null });
   }
 
@@ -333,12 +333,13 @@ export class StudioApp {
     // The touches of a take belong to no client of this session.
     this.view_.setClient(frame.replaying ? 0 : this.client_.clientId);
     this.view_.pushFrame(frame, receivedAt);
-    const { clientWidth, clientHeight } = this.canvas_;
-    this.guide_.observe(frame, clientWidth, clientHeight, () => this.shell_.padding());
+    this.camera.observe(frame);
+    this.shapes.observe(frame);
     this.latency.echoed(frame.touchEcho, frame.frame, pageClock(receivedAt));
     this.timePicture();
     this.store.set(this.reader_.change(frame, this.store.state));
     this.desk.observe(frame);
+    this.directors_.observe(frame.groups);
     this.drafts_.observe(frame);
     for (const news of this.watch_.observe(frame)) this.announce(news);
     for (const { name, formation } of this.formations_.observe(this.store.state.groups, frame.step)) {
@@ -350,6 +351,7 @@ export class StudioApp {
 
   private announce(news: ControlNews): void {
     if (news.client !== this.client_.clientId) return;
+    this.controller_.tried(kTried[news.kind]);
     const group = this.store.state.groups[news.index];
     const kind = kKindNames[news.kind];
     this.shell_.live.say(`${kind} on ${group?.name ?? 'the formation'}`);
@@ -364,16 +366,6 @@ export class StudioApp {
     this.view_.setOverlay(overlay);
   }
 
-  private fit(): void {
-    this.view_.setPadding(this.shell_.padding());
-    this.view_.fitCrowd();
-  }
-
-  private lookAt(point: GroundPoint): void {
-    this.view_.setPadding(this.shell_.padding());
-    this.view_.lookAt(point);
-  }
-
   private readonly middle = (): ScreenPoint => ({ x: this.canvas_.clientWidth / 2, y: this.canvas_.clientHeight / 2 });
 
   /** Runs once per picture of the display: queued moves are sent, and touches that the picture shows are timed. */
@@ -381,6 +373,7 @@ export class StudioApp {
     requestAnimationFrame(this.drawn);
     this.touches_.flush();
     this.desk.queues.tick(performance.now());
+    this.camera.tick(performance.now());
     if (this.client_.state.phase === 'open') this.attention_.consider(this.view_.attention(), performance.now());
     this.shell_.scale.update(this.view_.pixelsPerMetre());
     this.stats_?.show(this.view_.stats);

@@ -3,6 +3,15 @@ import { OverlayKind, PlaybackAction, type ClientMessage } from '../protocol/mes
 import { StudioController, nextSpeed } from './studio_controller';
 import { StudioStore } from '../model/studio_store';
 
+const nothing = (): void => undefined;
+const recordingCamera = {
+  toggleFollow: nothing,
+  frameGroup: nothing,
+  toggleTop: nothing,
+  toggleFlat: nothing,
+  saveView: nothing,
+  showView: nothing,
+};
 let sent: ClientMessage[];
 let said: string[];
 let seen: { x: number; y: number }[];
@@ -15,11 +24,22 @@ beforeEach(() => {
   seen = [];
   store = new StudioStore();
   const client = { send: (message: ClientMessage) => sent.push(message), retry: () => undefined };
-  const camera = { fitCrowd: () => undefined, lookAt: (point: { x: number; y: number }) => seen.push(point) };
-  controller = new StudioController(client, store, camera, (text) => said.push(text), {
-    open: () => Promise.resolve(),
-    reset: () => undefined,
-  });
+  const camera = {
+    fit: () => undefined,
+    lookAt: (point: { x: number; y: number }) => seen.push(point),
+    ...recordingCamera,
+  };
+  controller = new StudioController(
+    client,
+    store,
+    camera,
+    (text) => said.push(text),
+    {
+      open: () => Promise.resolve(),
+      reset: () => undefined,
+    },
+    { toggleDraw: nothing },
+  );
 });
 
 const group = { id: 7, name: 'North', colour: 0, count: 9, formation: 'square' };
@@ -118,7 +138,7 @@ describe('StudioController', () => {
     controller.toggleDemonstration();
     expect(sent).toEqual([]);
     expect(said).toEqual(['There is nothing to watch here']);
-    store.set({ demonstration: true });
+    store.set({ playing: true, demonstration: true });
     controller.toggleDemonstration();
     store.set({ demonstrating: true });
     controller.toggleDemonstration();

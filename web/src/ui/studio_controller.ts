@@ -1,8 +1,10 @@
 // Carries out the actions of panels and keys.
 
-import { OverlayKind, PlaybackAction } from '../protocol/messages';
+import { OverlayKind, PlaybackAction, type ScenarioInfo } from '../protocol/messages';
 import { problem } from '../protocol/problem';
 import type { MessageSender } from '../link/studio_client';
+import type { ShapeActions } from '../model/shape_actions';
+import { kHintSteps, type DialogName, type HintStep } from '../model/studio_state';
 import { kObjectives, objectiveParameters } from '../model/objective';
 import type { OwnPeople } from './own_people';
 import type { StudioActions } from '../model/studio_actions';
@@ -10,10 +12,14 @@ import { downloadTake, openTake } from './takes';
 import { rememberTheme, writeSetting } from './theme';
 import type { GroundPoint } from '../model/plane';
 import type { Layers } from '../model/view_settings';
+import type { StudioState } from '../model/studio_state';
 import type { StudioStore } from '../model/studio_store';
 
 export const kSpeeds: readonly number[] = [0.25, 0.5, 1, 2, 4];
+/** How long the hint stays when all of it is done [ms]. */
+const kHintLingers = 1600;
 export const kHintKey = 'muster.hint';
+export const kFiguresKey = 'muster.figures';
 
 /** The next speed in the list, round its ends; from between two, the next in that direction. */
 export function nextSpeed(speed: number, back: boolean): number {
@@ -22,15 +28,22 @@ export function nextSpeed(speed: number, back: boolean): number {
   return next ?? list[0]!;
 }
 
+/** The scenario to go back to from a take. */
+export function scenarioBehind(state: Pick<StudioState, 'scenarios' | 'title' | 'lastSteered'>): ScenarioInfo | null {
+  const { scenarios, title, lastSteered } = state;
+  const known = scenarios.find(({ name }) => name === lastSteered) ?? scenarios.find((one) => one.title === title);
+  return known ?? scenarios[0] ?? null;
+}
+
 export interface ControllerLink extends MessageSender {
   retry(): void;
 }
 
 /** What panels and keys ask of the camera. */
-export interface ControllerCamera {
-  fitCrowd(): void;
-  lookAt(point: GroundPoint): void;
-}
+export type ControllerCamera = Pick<
+  StudioActions,
+  'fit' | 'toggleFollow' | 'frameGroup' | 'toggleTop' | 'toggleFlat' | 'saveView' | 'showView'
+> & { lookAt(point: GroundPoint): void };
 
 export class StudioController implements StudioActions {
   /** `say` speaks to the live region. */
@@ -40,6 +53,7 @@ export class StudioController implements StudioActions {
     private readonly camera_: ControllerCamera,
     private readonly say_: (text: string) => void,
     private readonly people_: Pick<OwnPeople, 'open' | 'reset'>,
+    private readonly shapes_: Pick<ShapeActions, 'toggleDraw'>,
   ) {}
 
   togglePlay(): void {
@@ -53,8 +67,11 @@ export class StudioController implements StudioActions {
   }
 
   restart(): void {
+    const { playing } = this.store_.state;
     this.client_.send({ type: 'Playback', action: PlaybackAction.Restart });
-    this.say_('Back to the start');
+    // Who paused looks at the start before going on.
+    if (!playing) this.client_.send({ type: 'Playback', action: PlaybackAction.Pause });
+    this.say_(playing ? 'Back to the start' : 'Back to the start, paused');
   }
 
   toggleDemonstration(): void {
@@ -80,6 +97,10 @@ export class StudioController implements StudioActions {
     this.say_(on ? 'Recording' : 'Recording stopped');
   }
 
+  showShelf(open: boolean): void {
+    if (this.store_.state.shelf !== open) this.store_.set({ shelf: open });
+  }
+
   downloadTake(): void {
     void downloadTake(this.store_.state.title).then((text) => this.tell(text));
   }
@@ -102,9 +123,7 @@ export class StudioController implements StudioActions {
    * the first.
    */
   leaveReplay(): void {
-    const { scenarios, title, lastSteered: lastLive } = this.store_.state;
-    const found =
-      scenarios.find(({ name }) => name === lastLive) ?? scenarios.find((one) => one.title === title) ?? scenarios[0];
+    const found = scenarioBehind(this.store_.state);
     if (found) this.loadScenario(found.name);
   }
 
@@ -157,6 +176,20 @@ export class StudioController implements StudioActions {
     this.say_(`Cost of character ${id}`);
   }
 
+  openDialog(dialog: DialogName): void {
+    this.store_.set({ dialog });
+  }
+
+  toggleDraw(): void {
+    this.shapes_.toggleDraw();
+  }
+
+  toggleFigures(): void {
+    const figures = !this.store_.state.figures;
+    writeSetting(() => window.localStorage, kFiguresKey, figures ? 'shown' : 'hidden');
+    this.store_.set({ figures });
+  }
+
   toggleTheme(): void {
     const theme = this.store_.state.theme === 'dark' ? 'light' : 'dark';
     rememberTheme(window, theme);
@@ -173,6 +206,14 @@ export class StudioController implements StudioActions {
 
   chooseScheme(name: string): void {
     this.store_.set({ scheme: name });
+  }
+
+  tried(step: HintStep): void {
+    const { hint, tried } = this.store_.state;
+    if (!hint || tried.includes(step)) return;
+    this.store_.set({ tried: [...tried, step] });
+    // All is done: the ticks are seen for a moment.
+    if (tried.length + 1 === kHintSteps.length) window.setTimeout(() => this.dismissHint(), kHintLingers);
   }
 
   dismissHint(): void {
@@ -194,7 +235,37 @@ export class StudioController implements StudioActions {
   }
 
   fit(): void {
-    this.camera_.fitCrowd();
+    this.camera_.fit();
+  }
+
+  toggleFollow(): void {
+    this.camera_.toggleFollow();
+  }
+
+  frameGroup(index: number): void {
+    this.camera_.frameGroup(index);
+  }
+
+  toggleTop(): void {
+    this.camera_.toggleTop();
+  }
+
+  toggleFlat(): void {
+    this.camera_.toggleFlat();
+  }
+
+  saveView(number: number): void {
+    this.camera_.saveView(number);
+  }
+
+  showView(number: number): void {
+    this.camera_.showView(number);
+  }
+
+  toggleClean(): void {
+    const clean = !this.store_.state.clean;
+    this.store_.set({ clean });
+    this.say_(clean ? 'Marks and panels are hidden' : 'Marks and panels are back');
   }
 
   /** A server that was found again has forgotten the overlay. */

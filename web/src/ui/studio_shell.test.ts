@@ -1,4 +1,5 @@
 // @vitest-environment jsdom
+import type { DirectorActions } from '../model/directors';
 import { beforeEach, expect, it } from 'vitest';
 import type { OrderActions } from '../model/order_actions';
 import type { StudioActions } from '../model/studio_actions';
@@ -13,7 +14,7 @@ beforeEach(() => {
   store = new StudioStore();
   page = document.createElement('div');
   document.body.replaceChildren(page);
-  new StudioShell(page, store, {} as StudioActions, {} as OrderActions, []);
+  new StudioShell(page, store, {} as StudioActions, {} as OrderActions, {} as DirectorActions, []);
 });
 
 it('what needs the server is inert while it is lost, what does not stays', () => {

@@ -4,6 +4,10 @@ import type { Shortcut } from '../tools/shortcuts';
 import { LostBanner } from './panels/lost_banner';
 import { NoticeBanner } from './panels/notice_banner';
 import { element } from './widgets/dom';
+import { CleanPicture } from './panels/clean_picture';
+import { CrowdArrows } from './panels/crowd_arrows';
+import { DirectorsPanel } from './panels/directors_panel';
+import type { DirectorActions } from '../model/directors';
 import { EmptyPanel } from './panels/empty_panel';
 import { pressWithExtraFingers } from './widgets/extra_finger_press';
 import { FormationPanel } from './panels/formation_panel';
@@ -23,6 +27,7 @@ import { OrdersPanel } from './panels/orders_panel';
 import { QueueBar } from './panels/queue_bar';
 import type { StudioActions } from '../model/studio_actions';
 import { isLost } from '../model/studio_state';
+import { ViewBar } from './panels/view_bar';
 import { Tooltip } from './widgets/tooltip';
 import { PlaybackBar } from './panels/playback_bar';
 import type { Padding } from '../scene/camera/camera_controls';
@@ -46,11 +51,13 @@ export class StudioShell {
     private readonly store_: StudioStore,
     actions: StudioActions,
     orders: OrderActions,
+    directors: DirectorActions,
     shortcuts: readonly Shortcut[],
   ) {
     const scenario = new ScenarioPicker(store_, actions).root;
     const groups = new GroupChips(store_, actions, orders).root;
     const layers = new LayerBar(store_, actions).root;
+    const directing = new DirectorsPanel(store_, directors).root;
     this.formations_ = new FormationPanel(store_, actions);
     this.playback_ = new PlaybackBar(store_, actions);
     this.readout_ = new Readout(store_, actions);
@@ -65,7 +72,7 @@ export class StudioShell {
     const queue = new QueueBar(store_, orders).root;
     const hint = new HintBar(store_, actions).root;
     const legend = new LegendPanel(store_).root;
-    const header = element('header', { class: 'contents' }, scenario, groups, layers, phone);
+    const header = element('header', { class: 'contents' }, scenario, groups, layers, directing, phone);
     const banners = element(
       'div',
       { class: 'banners' },
@@ -86,6 +93,7 @@ export class StudioShell {
       legend,
       this.readout_.root,
       this.scale.root,
+      ...[new ViewBar(store_, actions), new CrowdArrows(store_, actions)].map(({ root }) => root),
     );
     this.page_.append(
       header,
@@ -93,6 +101,7 @@ export class StudioShell {
       this.live.root,
       new HelpDialog(store_, actions, shortcuts).root,
       new SchemeDialog(store_, actions).root,
+      new CleanPicture(store_, actions).root,
       new Tooltip(document).root,
     );
     pressWithExtraFingers(this.page_);
@@ -115,8 +124,8 @@ export class StudioShell {
       const right = layout === 'desktop' ? this.besideOrders() : this.beside(this.playback_.root);
       return { top, right, bottom: height - this.readout_.root.getBoundingClientRect().top + 12, left };
     }
-    const right = layout === 'portrait' ? this.besideOrders() : 24;
-    return { top, right, bottom: height - Math.min(height, ...below.map((box) => box.top)) + 24, left: 24 };
+    const right = layout === 'short' ? 24 : this.besideOrders();
+    return { top, right, bottom: height - Math.min(height, ...below.map((box) => box.top)) + 24, left: 14 };
   }
 
   private beside(panel: HTMLElement): number {

@@ -17,9 +17,9 @@ const recorder = new Proxy(
 );
 const shortcuts = studioShortcuts(recorder as StudioActions, recorder as OrderActions, recorder as KeyTools);
 
-function press(key: string, shiftKey = false): string | undefined {
+function press(key: string, shiftKey = false, code = ''): string | undefined {
   calls.length = 0;
-  const event = { key, shiftKey, ctrlKey: false, metaKey: false, target: null };
+  const event = { key, code, shiftKey, ctrlKey: false, metaKey: false, altKey: code !== '', target: null };
   findShortcut(shortcuts, event)?.run!(event as unknown as KeyboardEvent);
   return calls[0];
 }
@@ -36,7 +36,13 @@ it('every key does what the help says', () => {
   expect(press('c')).toBe('toggleOverlay 2');
   expect(press('?')).toBe('showHelp true');
   expect(press('p')).toBe('togglePin');
-  expect(press('i')).toBeUndefined();
+  expect(press('i')).toBe('toggleFollow');
+  expect(press('0')).toBe('toggleClean');
+  expect(press('†', false, 'KeyT')).toBe('toggleTop');
+  expect(press('o', false, 'KeyO')).toBe('toggleFlat');
+  expect(press('!', true, 'Digit1')).toBe('saveView 1');
+  expect(press('3', false, 'Digit3')).toBe('showView 3');
+  expect(press('r', false, 'KeyR')).toBeUndefined();
   expect(press('x')).toBe('toggleTool cut');
   expect(press('s')).toBe('stop');
   expect(press('k')).toBe('toggleHold');

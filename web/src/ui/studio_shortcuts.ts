@@ -155,6 +155,41 @@ function cameraKeys(actions: StudioActions, tools: KeyTools): Shortcut[] {
       run: (event) => tools.turn(event.key.toLowerCase() === 'q' ? kQuarterStep : -kQuarterStep),
     },
     { keys: 'F', does: 'fits crowd and paths', group: 'Camera', match: ['f'], run: () => actions.fit() },
+    {
+      keys: 'I',
+      does: 'follows the crowd, or stays',
+      group: 'Camera',
+      match: ['i'],
+      run: () => actions.toggleFollow(),
+    },
+    ...viewKeys(actions),
+  ];
+}
+
+function viewKeys(actions: StudioActions): Shortcut[] {
+  const digits = Array.from({ length: 9 }, (_, i) => `Digit${i + 1}`);
+  return [
+    { keys: 'Alt+T', does: 'from above', group: 'Camera', match: [], alt: ['KeyT'], run: () => actions.toggleTop() },
+    {
+      keys: 'Alt+O',
+      does: 'without perspective',
+      group: 'Camera',
+      match: [],
+      alt: ['KeyO'],
+      run: () => actions.toggleFlat(),
+    },
+    {
+      keys: 'Alt+1 – 9',
+      does: 'shows a saved view (with Shift: saves it)',
+      group: 'Camera',
+      match: [],
+      alt: digits,
+      run: (event) => {
+        const number = Number(event.code.slice(-1));
+        if (event.shiftKey) actions.saveView(number);
+        else actions.showView(number);
+      },
+    },
   ];
 }
 
@@ -173,6 +208,7 @@ function showKeys(actions: StudioActions): Shortcut[] {
     key('V', 'field of obstacles', () => actions.toggleOverlay(OverlayKind.Field)),
     key('C', 'cost of a character', () => actions.toggleOverlay(OverlayKind.Cost)),
     key('D', 'density', () => actions.toggleOverlay(OverlayKind.Density)),
+    key('0', 'a clean picture, without marks and panels', () => actions.toggleClean()),
     key('N', 'light or dark', () => actions.toggleTheme()),
     { keys: 'H ?', does: 'this help', group: 'Show', match: ['h', '?'], run: () => actions.showHelp(true) },
   ];

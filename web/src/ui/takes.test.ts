@@ -14,11 +14,16 @@ describe('openTake', () => {
   const file = new File(['x'], 'mine.take');
   it('tells why a file was refused', async () => {
     vi.stubGlobal('fetch', async () => new Response('the checksum of record 3 is wrong', { status: 400 }));
-    expect(await openTake(file)).toBe('“mine.take” could not be opened: the checksum of record 3 is wrong');
+    expect(await openTake(file)).toBe('“mine.take” could not be opened: the checksum of record 3 is wrong.');
   });
   it('says nothing where it worked, and that the server is away where it is', async () => {
-    vi.stubGlobal('fetch', async () => new Response('', { status: 200 }));
+    const asked: string[] = [];
+    vi.stubGlobal('fetch', async (path: string) => {
+      asked.push(path);
+      return new Response('{"name":"mine-2.take"}', { status: 200 });
+    });
     expect(await openTake(file)).toBeNull();
+    expect(asked).toEqual(['takes', 'takes/mine-2.take/open']);
     vi.stubGlobal('fetch', async () => Promise.reject(new TypeError('failed')));
     expect(await openTake(file)).toContain('does not answer');
   });

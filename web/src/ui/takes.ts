@@ -1,5 +1,7 @@
 // Takes travel by plain HTTP: one is downloaded, or a file is opened.
 
+import { ShelfLink } from './shelf_link';
+
 /** A file name for a take of this scenario. */
 export function takeName(scenario: string, now: Date): string {
   const plain =
@@ -30,18 +32,13 @@ export async function downloadTake(scenario: string): Promise<string | null> {
   }
 }
 
-/** Null where it worked, else a sentence for the visitor. */
+/** Puts a file on the shelf and plays it. Null where it worked, else a sentence for the visitor. */
 export async function openTake(file: File): Promise<string | null> {
   try {
-    const answer = await fetch('take', {
-      method: 'POST',
-      body: file,
-      headers: { 'Content-Type': 'application/octet-stream' },
-    });
-    if (answer.ok) return null;
-    const reason = (await answer.text()).trim();
-    return `“${file.name}” could not be opened: ${reason || answer.statusText}`;
-  } catch {
-    return `“${file.name}” could not be sent: the server does not answer.`;
+    const shelf = new ShelfLink();
+    await shelf.open(await shelf.put(file, file.name));
+    return null;
+  } catch (error) {
+    return error instanceof Error ? error.message : String(error);
   }
 }

@@ -164,18 +164,18 @@ export async function recordAndReplay(studio) {
   expect(opened.size > 100, `the take has ${opened.size} bytes`);
   expect(opened.status === 200, `it opens again: ${opened.status} ${opened.text}`);
   await studio.until('the replay', () => globalThis.__muster.frame.replaying);
-  expect(await studio.page.locator('.replay-label').isVisible(), 'the transport tells of the replay');
-  expect(await studio.page.locator('.record').isDisabled(), 'a replay is not recorded');
+  await studio.until('the time line', () => !document.querySelector('.time-line').hidden);
+  expect(!(await studio.page.locator('.record').isVisible()), 'a replay is not recorded');
   await studio.pictures(1);
   await studio.shot('replay');
   const broken = await studio.page.evaluate(
     async () => (await fetch('take', { method: 'POST', body: 'no take' })).status,
   );
   expect(broken === 400, `what is no take is refused: ${broken}`);
-  await studio.page.locator('.leave').click();
+  await studio.page.locator('.time-close').click();
   await studio.until(
     'the scenario',
     () => !globalThis.__muster.frame.replaying && globalThis.__muster.state.scenario === 'hundred',
   );
-  expect(!(await studio.page.locator('.leave').isVisible()), 'there is nothing to leave any more');
+  await studio.until('the time line to go', () => document.querySelector('.time-line').hidden);
 }

@@ -1,6 +1,8 @@
 // Starts and stops `muster studio`.
 import { spawn, spawnSync } from 'node:child_process';
-import { existsSync } from 'node:fs';
+import { existsSync, mkdtempSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 const root = fileURLToPath(new URL('../../..', import.meta.url));
@@ -9,9 +11,16 @@ export function programPath() {
   return process.env.MUSTER ?? `${root}build/release/muster`;
 }
 
-/** Starts the studio on a free port from `port` on; resolves when it prints its address. Paths from the root. */
-export async function startStudio({ scenario = 'web/tests/scenarios/hundred.json', port = 18080 } = {}) {
-  return { ...(await startServer(['studio', scenario, '--port', String(port)])), scenario };
+/** Starts the studio on a free port from `port` on; resolves when it prints its address. Paths from the root; takes are kept in
+ * a new folder unless one is named. `options` are further ones of the studio. */
+export async function startStudio({
+  scenario = 'web/tests/scenarios/hundred.json',
+  port = 18080,
+  takes = mkdtempSync(join(tmpdir(), 'muster-takes-')),
+  options = [],
+} = {}) {
+  const server = await startServer(['studio', scenario, '--port', String(port), '--takes', takes, ...options]);
+  return { ...server, scenario, takes };
 }
 
 /** Starts `muster study run` or `replay --studio` with these arguments. */
@@ -50,5 +59,11 @@ async function startServer(args) {
       child.kill('SIGINT');
       setTimeout(() => child.kill('SIGKILL'), 3000).unref();
     });
-  return { url, port: Number(new URL(url).port), stop, output: () => output };
+  return {
+    url,
+    port: Number(new URL(url).port),
+    stop,
+    kill: () => child.kill('SIGKILL'),
+    output: () => output,
+  };
 }

@@ -5,8 +5,8 @@ import type { GroundPoint } from '../../model/plane';
 
 /** Margin around every point [m]. */
 const kMargin = 1;
-/** A view of a small crowd still spans this much [m]. */
-const kSpanLeast = 20;
+/** A view of a small crowd still spans this much, in a wide window and in a narrow one [m]. */
+export const kSpanLeast = { wide: 20, narrow: 13 } as const;
 /** Number of directions whose farthest point is remembered. */
 const kDirections = 24;
 
@@ -31,13 +31,13 @@ export class BoundsBuilder {
   }
 
   /** Points whose outline holds all that was added; none where nothing was. */
-  outline(): GroundPoint[] {
+  outline(span: number = kSpanLeast.wide): GroundPoint[] {
     if (this.far_.length === 0) return [];
     const points = [...this.far_];
     const xs = points.map((point) => point.x);
     const ys = points.map((point) => point.y);
     const middle = { x: (Math.min(...xs) + Math.max(...xs)) / 2, y: (Math.min(...ys) + Math.max(...ys)) / 2 };
-    const half = kSpanLeast / 2;
+    const half = span / 2;
     for (const [u, v] of [
       [-1, 0],
       [1, 0],
@@ -51,12 +51,16 @@ export class BoundsBuilder {
 }
 
 /** Points whose outline holds the crowd, its places, and the paths that lie ahead. */
-export function crowdOutline(positions: Numbers, groups: readonly GroupView[]): GroundPoint[] {
+export function crowdOutline(
+  positions: Numbers,
+  groups: readonly GroupView[],
+  span: number = kSpanLeast.wide,
+): GroundPoint[] {
   const bounds = new BoundsBuilder();
   bounds.addAll(positions);
   for (const group of groups) {
     bounds.addAll(group.places);
     for (const control of group.controls) for (const point of control.points) bounds.addAll(point.path);
   }
-  return bounds.outline();
+  return bounds.outline(span);
 }

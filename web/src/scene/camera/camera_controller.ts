@@ -1,7 +1,7 @@
 // The camera's pose, and the projection between screen and ground. It is independent of three.js: the stage copies its
 // pose.
 
-import type { CameraControls, GroundSight, Padding, SeenGround } from './camera_controls';
+import type { CameraControls, CameraPose, GroundSight, Padding, SeenGround } from './camera_controls';
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
 import type { SceneBox } from '../../protocol/scene';
 
@@ -10,20 +10,12 @@ const kDegree = Math.PI / 180;
 const kLongLens = 8 * kDegree;
 const kPitchMin = 25 * kDegree;
 const kPitchMax = 85 * kDegree;
+/** Seen from above. */
+const kPitchTop = 89.5 * kDegree;
+/** Without perspective the lens is this narrow, and the eye as much farther away. */
+const kFlatLens = 2 * kDegree;
 /** [m] */
 const kDistanceMin = 5;
-
-export interface CameraPose {
-  /** Ground in the middle of the view [m]. */
-  targetX: number;
-  targetY: number;
-  /** From the eye to the target [m]. */
-  distance: number;
-  /** Direction of view on the ground, from +y, counter-clockwise [rad]. */
-  turn: number;
-  /** Below the horizon [rad]. */
-  pitch: number;
-}
 
 interface Basis {
   readonly eye: readonly [number, number, number];
@@ -37,10 +29,13 @@ export class CameraController implements CameraControls, GroundSight {
   private width_ = 1;
   private height_ = 1;
   private fieldOfView_ = 24 * kDegree;
-  private distanceMax_ = 400;
+  /** Of the world [m]. */
+  private diagonal_ = 125;
   private bounds_ = { minX: -1e6, minY: -1e6, maxX: 1e6, maxY: 1e6 };
   /** The view from straight above that is kept; null where the camera moves. */
   private down_: { readonly box: SceneBox; readonly padding: Padding } | null = null;
+  private top_ = false;
+  private flat_ = false;
   private glide_: { from: CameraPose; to: CameraPose; start: number; duration: number } | null = null;
 
   get pose(): Readonly<CameraPose> {
@@ -64,8 +59,45 @@ export class CameraController implements CameraControls, GroundSight {
   resize(width: number, height: number): void {
     this.width_ = Math.max(1, width);
     this.height_ = Math.max(1, height);
-    this.fieldOfView_ = (Math.min(width, height) < 520 ? 28 : 24) * kDegree;
+    this.setLens();
     if (this.down_) this.straightDown(this.down_.box, this.down_.padding);
+  }
+
+  /** Straight from above. */
+  get top(): boolean {
+    return this.top_;
+  }
+
+  /** Looks straight down, or as a scene opens. */
+  setTop(top: boolean): void {
+    this.glide_ = null;
+    this.top_ = top;
+    this.pose_.pitch = top ? kPitchTop : this.openPitch();
+  }
+
+  /** Without perspective: what is far is drawn as large as what is near. */
+  get flat(): boolean {
+    return this.flat_;
+  }
+
+  setFlat(flat: boolean): void {
+    this.flat_ = flat;
+    this.setLens();
+  }
+
+  /** The middle of the view keeps its scale. */
+  private setLens(): void {
+    this.glide_ = null;
+    const before = Math.tan(this.fieldOfView_ / 2);
+    const usual = Math.min(this.width_, this.height_) < 520 ? 28 : 24;
+    this.fieldOfView_ = this.flat_ ? kFlatLens : usual * kDegree;
+    // A window of another size keeps its distance.
+    const ratio = before / Math.tan(this.fieldOfView_ / 2);
+    if (ratio > 2 || ratio < 0.5) this.pose_.distance = this.clampDistance(this.pose_.distance * ratio);
+  }
+
+  private openPitch(): number {
+    return (this.height_ > this.width_ ? 50 : 46) * kDegree;
   }
 
   /** From straight above, all of the box between the panels, and so from now on: nothing moves this camera. */
@@ -117,13 +149,13 @@ export class CameraController implements CameraControls, GroundSight {
     if (this.down_) return this.straightDown(this.down_.box, this.down_.padding);
     this.glide_ = null;
     this.pose_.turn = 0.33;
-    this.pose_.pitch = (this.height_ > this.width_ ? 50 : 46) * kDegree;
+    this.pose_.pitch = this.top_ ? kPitchTop : this.openPitch();
   }
 
   /** Keeps the target in the world and the eye at a useful height. */
   setWorld(minX: number, minY: number, maxX: number, maxY: number): void {
     this.bounds_ = { minX, minY, maxX, maxY };
-    this.distanceMax_ = Math.max(60, 3.2 * Math.hypot(maxX - minX, maxY - minY));
+    this.diagonal_ = Math.hypot(maxX - minX, maxY - minY);
     this.limit();
   }
 
@@ -180,6 +212,8 @@ export class CameraController implements CameraControls, GroundSight {
     if (this.down_) return;
     this.glide_ = null;
     this.pose_.turn += turn;
+    if (this.top_ && tilt === 0) return;
+    this.top_ = false;
     this.pose_.pitch = Math.min(kPitchMax, Math.max(kPitchMin, this.pose_.pitch + tilt));
   }
 
@@ -200,6 +234,36 @@ export class CameraController implements CameraControls, GroundSight {
         { x: left + width / 2, y: top + height / 2 },
       );
     }
+  }
+
+  /** The pose in which all points are shown between the panels; the camera stays as it is. */
+  poseFor(points: readonly GroundPoint[], padding: Padding): CameraPose {
+    const { pose_: before, glide_: glide } = this;
+    this.pose_ = { ...before };
+    this.fit(points, padding);
+    const found = this.pose_;
+    this.pose_ = before;
+    this.glide_ = glide;
+    return found;
+  }
+
+  /** Goes a share of the way to a pose; its turn and pitch do not matter. */
+  approach({ targetX, targetY, distance }: CameraPose, share: number): void {
+    this.glide_ = null;
+    const { pose_: pose } = this;
+    pose.targetX += share * (targetX - pose.targetX);
+    pose.targetY += share * (targetY - pose.targetY);
+    pose.distance *= (distance / pose.distance) ** share;
+    this.limit();
+  }
+
+  /** Glides to a pose, turning the shorter way round. */
+  glideToPose(pose: CameraPose, now: number, duration: number): void {
+    const from = { ...this.pose_ };
+    const around = Math.atan2(Math.sin(pose.turn - from.turn), Math.cos(pose.turn - from.turn));
+    this.top_ = pose.pitch > kPitchMax;
+    this.setPose({ ...pose, turn: from.turn + around });
+    this.glideFrom(from, now, duration);
   }
 
   /** As `fit`, but gliding there within `duration` [ms]. */
@@ -235,6 +299,8 @@ export class CameraController implements CameraControls, GroundSight {
     this.pose_.targetX = mix(glide.from.targetX, glide.to.targetX);
     this.pose_.targetY = mix(glide.from.targetY, glide.to.targetY);
     this.pose_.distance = mix(glide.from.distance, glide.to.distance);
+    this.pose_.turn = mix(glide.from.turn, glide.to.turn);
+    this.pose_.pitch = mix(glide.from.pitch, glide.to.pitch);
     if (t >= 1) this.glide_ = null;
     return true;
   }
@@ -305,7 +371,7 @@ export class CameraController implements CameraControls, GroundSight {
   private glideFrom(from: CameraPose, now: number, duration: number): void {
     if (duration <= 0 || this.down_) return;
     this.glide_ = { from, to: { ...this.pose_ }, start: now, duration };
-    this.pose_ = from;
+    this.pose_ = { ...from };
   }
 
   private shift(dx: number, dy: number): void {
@@ -317,7 +383,12 @@ export class CameraController implements CameraControls, GroundSight {
   }
 
   private clampDistance(distance: number): number {
-    return Math.min(this.distanceMax_, Math.max(kDistanceMin, distance));
+    const farther = this.flat_ ? Math.tan(12 * kDegree) / Math.tan(kFlatLens / 2) : 1;
+    // The whole world is seen, in narrow windows as well.
+    const across =
+      2 * Math.tan((this.flat_ ? 24 * kDegree : this.fieldOfView_) / 2) * Math.min(1, this.width_ / this.height_);
+    const most = Math.max(60, 3.2 * this.diagonal_, (1.5 * this.diagonal_) / across);
+    return Math.min(farther * most, Math.max(farther * kDistanceMin, distance));
   }
 
   private limit(): void {
@@ -326,6 +397,6 @@ export class CameraController implements CameraControls, GroundSight {
     this.pose_.targetX = Math.min(maxX, Math.max(minX, this.pose_.targetX));
     this.pose_.targetY = Math.min(maxY, Math.max(minY, this.pose_.targetY));
     this.pose_.distance = this.clampDistance(this.pose_.distance);
-    this.pose_.pitch = Math.min(kPitchMax, Math.max(kPitchMin, this.pose_.pitch));
+    this.pose_.pitch = this.top_ ? kPitchTop : Math.min(kPitchMax, Math.max(kPitchMin, this.pose_.pitch));
   }
 }

@@ -24,7 +24,20 @@ export interface GroundSight {
   seenGround(): SeenGround;
 }
 
-export interface CameraControls {
+export interface CameraPose {
+  /** Ground in the middle of the view [m]. */
+  targetX: number;
+  targetY: number;
+  /** From the eye to the target [m]. */
+  distance: number;
+  /** Direction of view on the ground, from +y, counter-clockwise [rad]. */
+  turn: number;
+  /** Below the horizon [rad]. */
+  pitch: number;
+}
+
+/** What gestures and keys do with the camera. */
+export interface HandMoves {
   /** Keeps the ground under a finger that moved. */
   pan(from: ScreenPoint, to: ScreenPoint): void;
   /** Moves the picture by so many px (keyboard). */
@@ -35,6 +48,24 @@ export interface CameraControls {
   zoomAt(at: ScreenPoint, factor: number): void;
   /** Turns about the middle of the view and tilts [rad]; pitch stays within 25 to 85 degrees. */
   orbit(turn: number, tilt: number): void;
+}
+
+export interface CameraControls extends HandMoves {
+  readonly pose: Readonly<CameraPose>;
   /** Shows all points between the panels; pitch and turn stay. */
   fit(points: readonly GroundPoint[], padding: Padding): void;
+  /** The pose in which all points are shown between the panels; the camera stays as it is. */
+  poseFor(points: readonly GroundPoint[], padding: Padding): CameraPose;
+  /** As `fit`, gliding there within `duration` [ms]. */
+  glideFit(points: readonly GroundPoint[], padding: Padding, now: number, duration: number): void;
+  /** Goes a share of the way to a pose; its turn and pitch do not matter. */
+  approach(pose: CameraPose, share: number): void;
+  /** Glides to a pose within `duration` [ms]. */
+  glideToPose(pose: CameraPose, now: number, duration: number): void;
+  /** Straight from above. */
+  readonly top: boolean;
+  setTop(top: boolean): void;
+  /** Without perspective. */
+  readonly flat: boolean;
+  setFlat(flat: boolean): void;
 }

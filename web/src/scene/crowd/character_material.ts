@@ -23,8 +23,8 @@ export class CharacterUniforms {
   readonly uHairs = { value: kHairs.map((hex) => new Color(hex)) };
   readonly uClasses = { value: kClassColours.map((hex) => new Color(hex)) };
   readonly uGreyed = { value: 0 };
-  /** Trousers are lighter where the ground is dark. */
-  readonly uTrousers = { value: 1 };
+  /** Cloth of trousers: light where the ground is dark. */
+  readonly uTrousers = { value: new Color() };
   readonly uGreyTint = { value: new Color('#A9A6A2') };
   readonly uSun = { value: new Color() };
   readonly uSky = { value: new Color() };

@@ -155,7 +155,7 @@ uniform vec3 uSkins[5];
 uniform vec3 uHairs[5];
 uniform vec3 uClasses[${kClassColours.length}];
 uniform float uGreyed;
-uniform float uTrousers;
+uniform vec3 uTrousers;
 varying vec3 vPerson;
 varying float vGrey;
 
@@ -167,11 +167,13 @@ void colourPerson() {
   int hair = look - skin * 5;
   // Who is of a class wears a helmet.
   int unitClass = int(texelFetch(uMembers, rowOf(aWho.x) + ivec2(1, 0), 0).y + 0.5);
-  vec3 colour = worn.rgb * (0.86 + 0.28 * fract(gSize * 97.31));
+  bool far = region > 1.1 && region < 1.5;
+  // Those far away differ by nothing, legs are in shade.
+  vec3 colour = worn.rgb * (far ? (region > 1.3 ? 0.7 : 1.0) : 0.86 + 0.28 * fract(gSize * 97.31));
   if (region > 4.5) colour = mix(tint, worn.rgb, 0.3);
   else if (region > 3.5) colour = vec3(0.8);
   else if (region > 2.5) colour = unitClass > 0 ? uClasses[(unitClass - 1) % ${kClassColours.length}] : uHairs[hair];
-  else if (region > 1.5) colour = uTrousers * mix(worn.rgb * 0.16, vec3(0.012, 0.016, 0.026), 0.55);
+  else if (region > 1.5) colour = mix(worn.rgb * 0.16, uTrousers, 0.55);
   else if (region < 0.5) colour = uSkins[skin];
   vPerson = colour;
   vGrey = uGreyed * (1.0 - chosen);

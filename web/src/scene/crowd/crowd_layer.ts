@@ -18,6 +18,9 @@ import { type CrowdUniforms, CharacterUniforms } from './character_material';
 import type { Quality } from '../drawing/quality';
 import { RigPoses } from './rig_poses';
 
+/** Cloth that stands out from the ground. */
+const kTrousers = { light: '#1C2128', dark: '#9AA3AD' };
+
 /** Most whole poses that are shown at once. */
 export const kNearMost = 256;
 
@@ -86,7 +89,7 @@ export class CrowdLayer {
     this.uniforms_.uGreyed.value = greyed ? 1 : 0;
     this.uniforms_.uGreyTint.value.set(palette.grey);
     this.uniforms_.light(palette.sun, palette.sky);
-    this.uniforms_.uTrousers.value = dark ? 2.6 : 1;
+    this.uniforms_.uTrousers.value.set(dark ? kTrousers.dark : kTrousers.light);
     this.discs_.strength = dark ? 0.5 : 0.3;
   }
 

@@ -35,6 +35,7 @@ function draw(control: ControlView): void {
     palette: paletteOf('light'),
     colours: [0],
     paths: true,
+    covered: () => false,
     greyed: false,
     now: 1000,
     drafts: [],

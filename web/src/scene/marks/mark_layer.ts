@@ -2,10 +2,9 @@
 
 import { convexHull, distance, type GroundPoint, type ScreenPoint } from '../../model/plane';
 import type { DraftControl } from './draft_control';
-import type { MarkState, ShownControl } from './mark_state';
+import type { MarkState, ShownControl, TouchRing } from './mark_state';
 import { pathPoints, smooth, thinned } from './control_shapes';
 import type { OverlayView } from '../../model/frame_view';
-import { withAlpha } from '../drawing/colour';
 import { MarkExtent, type MarkBounds } from './mark_extent';
 import { MarkPainter, type MarkColours } from './mark_painter';
 import { OrderMarks, type OrderScene } from './order_marks';
@@ -14,6 +13,8 @@ import { drawScheme, extendByScheme } from './scheme_marks';
 
 export interface MarkScene extends OrderScene {
   readonly paths: boolean;
+  /** True where a mark on the ground would lie over a figure. */
+  covered(at: GroundPoint): boolean;
   readonly now: number;
   readonly drafts: readonly DraftControl[];
   readonly overlay: OverlayView | null;
@@ -24,6 +25,10 @@ export interface MarkScene extends OrderScene {
 const kCheckpointGap = 30;
 /** None is shown so near its handle [CSS px]. */
 const kHandleRoom = 18;
+/** A director's name stands so far above the finger [CSS px]. */
+const kNameAbove = 46;
+/** Half of the longest name [CSS px]. */
+const kNameRoom = 170;
 /** Handles that the world has not answered yet are pale. */
 const kDraftAlpha = 0.55;
 
@@ -59,7 +64,7 @@ export class MarkLayer {
   draw(marks: MarkState, scene: MarkScene): void {
     const controls = [...marks.controls];
     if (!this.cover(this.extentOf(controls, marks, scene))) return;
-    this.painter_.begin(this.bounds_ as MarkBounds, this.ratio_);
+    this.painter_.begin(this.bounds_ as MarkBounds, this.ratio_, this.width_);
     if (scene.overlay && scene.overlay.path.length >= 4) this.drawChosenPath(scene.overlay.path, scene);
     this.orders_.draw(scene);
     if (scene.scheme) drawScheme(this.painter_, scene.scheme, scene);
@@ -85,7 +90,12 @@ export class MarkLayer {
       addAll(control.supplementary);
       if (scene.paths) for (const point of control.points) addAll(point.path);
     }
-    for (const ring of [...marks.rings.values(), ...marks.others.values()]) add(ring.at.x, ring.at.y);
+    for (const ring of marks.rings.values()) add(ring.at.x, ring.at.y);
+    for (const ring of marks.others.values()) {
+      const at = scene.camera.worldToScreen(ring.at.x, ring.at.y);
+      for (const dx of [-kNameRoom, kNameRoom]) extent.add({ x: at.x + dx, y: at.y - kNameAbove });
+      extent.add(at);
+    }
     for (const { points, handles } of scene.drafts) for (const point of [...points, ...handles]) add(point.x, point.y);
     addAll(scene.overlay?.path ?? []);
     this.orders_.extend(extent, scene);
@@ -134,7 +144,8 @@ export class MarkLayer {
     if (shown.control.kind === 0) return;
     const soft = shown.control.supplementary;
     for (let i = 0; i + 1 < soft.length; i += 2) {
-      this.painter_.softPoint(scene.camera.worldToScreen(soft[i] ?? 0, soft[i + 1] ?? 0), colours);
+      const at = { x: soft[i] ?? 0, y: soft[i + 1] ?? 0 };
+      if (!scene.covered(at)) this.painter_.softPoint(scene.camera.worldToScreen(at.x, at.y), colours);
     }
   }
 
@@ -166,7 +177,7 @@ export class MarkLayer {
     });
     if (!away || shown.control.kind === 0 || ends.length < 2) return;
     const ghost = this.screen(shown.control.kind === 2 ? convexHull(ends) : ends, scene);
-    this.painter_.dashed(ghost, withAlpha(colours.accent, 0.8), 2.2, shown.control.kind === 2);
+    this.painter_.dashed(ghost, colours.accent, 2.2, shown.control.kind === 2, colours.casing);
   }
 
   private drawEnds(
@@ -188,7 +199,9 @@ export class MarkLayer {
         key,
         shownPoints.map((i) => points[i] as GroundPoint),
       );
-      const clear = shownPoints.filter((i) => distance(at[i] as ScreenPoint, at[0] as ScreenPoint) > kHandleRoom);
+      const clear = shownPoints.filter(
+        (i) => distance(at[i] as ScreenPoint, at[0] as ScreenPoint) > kHandleRoom && !scene.covered(points[i]!),
+      );
       clear.forEach((i, order) => this.painter_.checkpoint(at[i] as ScreenPoint, colours, order === 0));
       const last = at[at.length - 1] as ScreenPoint;
       const before = at[at.length - 2] as ScreenPoint;
@@ -208,15 +221,29 @@ export class MarkLayer {
       if (shown.control.kind === 0) this.painter_.pointHandle(point, colours, size);
       else if (shown.control.kind === 1) this.painter_.lineHandle(point, angle, colours, size);
       else this.painter_.areaHandle(point, colours, size);
+      if (shown.control.pinned) this.painter_.pin(point, colours, scene.palette.ink);
     }
   }
 
   private drawRings(marks: MarkState, scene: MarkScene): void {
-    for (const ring of [...marks.rings.values(), ...marks.others.values()]) {
-      this.painter_.alpha = marks.left(ring.lifted, scene.now) * (ring.group < 0 ? 0.6 : 1);
-      const size = 0.55 + 0.45 * marks.grown(ring.since, scene.now, 90);
-      this.painter_.ring(scene.camera.worldToScreen(ring.at.x, ring.at.y), this.coloursOf(ring.group, scene), size);
+    for (const ring of marks.rings.values()) this.drawRing(ring, this.coloursOf(ring.group, scene), marks, scene);
+    const named = new Set<number>();
+    for (const [key, ring] of marks.others) {
+      const client = Number.parseInt(key, 10);
+      const director = marks.directors.get(client);
+      const colours = this.coloursOf(ring.group, scene);
+      const at = this.drawRing(ring, director ? { ...colours, accent: director.colour } : colours, marks, scene);
+      if (!director || named.has(client)) continue;
+      named.add(client);
+      this.painter_.label({ x: at.x, y: at.y - kNameAbove }, director.name, director.colour, '#ffffff');
     }
+  }
+
+  private drawRing(ring: TouchRing, colours: MarkColours, marks: MarkState, scene: MarkScene): ScreenPoint {
+    this.painter_.alpha = marks.left(ring.lifted, scene.now) * (ring.group < 0 ? 0.6 : 1);
+    const at = scene.camera.worldToScreen(ring.at.x, ring.at.y);
+    this.painter_.ring(at, colours, 0.55 + 0.45 * marks.grown(ring.since, scene.now, 90));
+    return at;
   }
 
   private drawDraft(draft: DraftControl, scene: MarkScene): void {
@@ -224,7 +251,7 @@ export class MarkLayer {
     const at = this.screen(draft.points, scene);
     this.painter_.alpha = 1;
     if (draft.closed) this.painter_.veil(at, colours.accent);
-    this.painter_.dashed(at, colours.accent, 2.2, draft.closed);
+    this.painter_.dashed(at, colours.accent, 2.2, draft.closed, colours.casing);
     this.painter_.alpha = kDraftAlpha;
     for (const handle of this.screen(draft.handles, scene)) this.painter_.pointHandle(handle, colours, 1);
   }

@@ -14,10 +14,15 @@ export interface MarkColours {
 
 const kHandle = 22;
 const kRing = 60;
+/** On phones, where fingers would bury the crowd. */
+const kPhoneRing = 38;
+/** Width of a phone's screen, at most [CSS px]. */
+const kPhoneWidth = 520;
 /** Half the mean width of a letter of a label [CSS px]. */
 const kLetter = 3.9;
 
 export class MarkPainter {
+  private wide_ = Infinity;
   private readonly hatch_ = new Map<string, CanvasPattern | null>();
 
   constructor(private readonly pen_: Pen) {}
@@ -26,7 +31,8 @@ export class MarkPainter {
    * Begins a picture: clears the canvas, and sets its transform to CSS px of the screen, of which it covers these
    * bounds.
    */
-  begin(bounds: MarkBounds, ratio: number): void {
+  begin(bounds: MarkBounds, ratio: number, screenWidth = Infinity): void {
+    this.wide_ = screenWidth;
     this.pen_.setTransform(ratio, 0, 0, ratio, -bounds.x * ratio, -bounds.y * ratio);
     this.pen_.clearRect(bounds.x, bounds.y, bounds.width, bounds.height);
     this.pen_.lineCap = 'round';
@@ -46,8 +52,13 @@ export class MarkPainter {
     this.stroke(colours.accent, width);
   }
 
-  dashed(points: readonly ScreenPoint[], colour: string, width: number, closed: boolean): void {
+  /** Dashes; in a casing, so that they are seen on meshes of the same colour. */
+  dashed(points: readonly ScreenPoint[], colour: string, width: number, closed: boolean, casing?: string): void {
     if (points.length < 2) return;
+    if (casing) {
+      this.trace(points, closed);
+      this.stroke(withAlpha(casing, 0.85), width + 2.8);
+    }
     this.pen_.setLineDash([10, 8]);
     this.pen_.lineCap = 'butt';
     this.trace(points, closed);
@@ -142,10 +153,21 @@ export class MarkPainter {
 
   /** Under a finger, wider than its tip; `size` 0 to 1. */
   ring(at: ScreenPoint, colours: MarkColours, size: number): void {
-    const radius = (kRing / 2) * size;
-    this.disc(at, radius, withAlpha(colours.accent, 0.13));
+    const phone = this.wide_ <= kPhoneWidth;
+    const radius = ((phone ? kPhoneRing : kRing) / 2) * size;
+    if (!phone) this.disc(at, radius, withAlpha(colours.accent, 0.13));
     this.circle(at, radius + 1.5, withAlpha(colours.casing, 0.85), 1.5);
     this.circle(at, radius, colours.accent, 2);
+  }
+
+  /** A pin that sticks in a handle: it stays where it is. */
+  pin(at: ScreenPoint, colours: MarkColours, ink: string): void {
+    const head = { x: at.x + 6, y: at.y - 21 };
+    const needle = [at, { x: at.x + 4.4, y: at.y - 15.5 }];
+    this.cased(needle, { accent: ink, casing: colours.casing }, 2.2, 5.4);
+    this.disc(head, 8, colours.casing);
+    this.disc(head, 6.4, ink);
+    this.disc({ x: head.x - 1.8, y: head.y - 1.8 }, 1.7, colours.casing);
   }
 
   pointHandle(at: ScreenPoint, colours: MarkColours, size: number): void {

@@ -1,5 +1,6 @@
 // The marks on the screen and their age: handles grow in, bars and hulls fade in, ended marks fade out.
 
+import type { DirectorInfo } from '../../model/directors';
 import type { ControlView, GroupView } from '../../model/frame_view';
 import type { GroundPoint } from '../../model/plane';
 
@@ -32,6 +33,8 @@ export class MarkState {
   readonly rings = new Map<number, TouchRing>();
   /** Fingers of other clients, by client and touch, at the position that the server last received. */
   readonly others = new Map<string, TouchRing>();
+  /** Names and colours, by client. */
+  directors: ReadonlyMap<number, Pick<DirectorInfo, 'name' | 'colour'>> = new Map();
   /** Our number at the server. Our own rings are drawn before the server receives them. */
   client = 0;
   private shown_ = new Map<string, ShownControl>();

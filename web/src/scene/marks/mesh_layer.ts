@@ -17,6 +17,8 @@ import type { MeshTopology } from './mesh_topology';
 /** Above the ground [m]. */
 const kHeight = 0.014;
 const kFillAlpha = 0.09;
+/** Where a metre is this small, lines inside are not seen; where it is twice as large, fully [CSS px]. */
+const kDense = 6;
 
 export interface ShownMesh {
   readonly topology: MeshTopology;
@@ -39,6 +41,15 @@ export class MeshLayer {
     this.fill_.renderOrder = 3;
     this.group.add(this.fill_);
     for (const lines of this.lines()) this.group.add(lines.mesh);
+  }
+
+  /** Lines inside fade away where they would lie so close that they are noise; by the size of a metre [CSS px]. */
+  setScale(pixelsPerMetre: number): void {
+    const fade = Math.min(1, Math.max(0, (pixelsPerMetre - kDense) / kDense));
+    for (const lines of [this.inside_, this.insideBehind_]) {
+      lines.fade = fade;
+      lines.mesh.visible = fade > 0 && lines.count > 0;
+    }
   }
 
   setSize(width: number, height: number, ratio: number): void {

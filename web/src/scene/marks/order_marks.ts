@@ -5,7 +5,6 @@ import type { GroupView, OrderView } from '../../model/frame_view';
 import { frontLine, outlineOf, placed, widened, type GroupShapes } from '../../model/group_shapes';
 import { distance, pointsOf, type GroundPoint, type ScreenPoint } from '../../model/plane';
 import type { CameraController } from '../camera/camera_controller';
-import { withAlpha } from '../drawing/colour';
 import { accentColour, type Palette } from '../drawing/palette';
 import type { MarkExtent } from './mark_extent';
 import type { MarkColours, MarkPainter } from './mark_painter';
@@ -199,7 +198,7 @@ export class OrderMarks {
   private drawLeg({ points, order }: Leg, colours: MarkColours, scene: OrderScene): void {
     if (points.length < 2) return;
     const at = this.screen(points, scene);
-    if (order.kind === kFollow) this.painter_.dashed(at, colours.accent, 2.2, false);
+    if (order.kind === kFollow) this.painter_.dashed(at, colours.accent, 2.2, false, colours.casing);
     else this.painter_.cased(at, colours, 2.2, 5);
     this.drawArrows(at, colours);
   }
@@ -223,7 +222,7 @@ export class OrderMarks {
   private drawReturn(group: number, last: Leg, first: Leg, colours: MarkColours, scene: OrderScene): void {
     const ends = [last.points[last.points.length - 1]!, first.points[first.points.length - 1]!];
     const way = this.screen(scene.returns.get(group) ?? ends, scene);
-    this.painter_.dashed(way, withAlpha(colours.accent, 0.8), 2.2, false);
+    this.painter_.dashed(way, colours.accent, 2.2, false, colours.casing);
   }
 
   private ghost(group: GroupView, { order, points, facing }: Leg, { shapes }: OrderScene): StandPreview | null {
@@ -243,7 +242,7 @@ export class OrderMarks {
     if (!ghost || !end) return;
     // Who stands there already needs none.
     if (distance(group, end) < 1 && Math.abs(Math.sin((group.facing - leg.facing) / 2)) < 0.1) return;
-    this.painter_.dashed(this.screen(ghost.outline, scene), withAlpha(colours.accent, 0.8), 1.6, true);
+    this.painter_.dashed(this.screen(ghost.outline, scene), colours.accent, 1.8, true, colours.casing);
     this.drawFront(ghost.front, colours, scene);
   }
 
@@ -262,7 +261,7 @@ export class OrderMarks {
   private drawGuard(order: OrderView, colours: MarkColours, scene: OrderScene): void {
     const corners = this.screen(rectangleOf(order), scene);
     this.painter_.veil(corners, colours.accent);
-    this.painter_.dashed(corners, colours.accent, 2.2, true);
+    this.painter_.dashed(corners, colours.accent, 2.2, true, colours.casing);
   }
 
   private drawPreview({ moves, rectangle, route }: DrawnOrder, scene: OrderScene): void {
@@ -272,7 +271,7 @@ export class OrderMarks {
     if (route.length > 1) painter.cased(this.screen(route, scene), colours, 2.2, 5);
     if (rectangle.length > 2) {
       painter.veil(this.screen(rectangle, scene), colours.accent);
-      painter.dashed(this.screen(rectangle, scene), colours.accent, 2.2, true);
+      painter.dashed(this.screen(rectangle, scene), colours.accent, 2.2, true, colours.casing);
     }
     for (const forecast of scene.forecasts) this.drawForecastWay(forecast, scene);
     for (const move of moves) {
@@ -281,7 +280,7 @@ export class OrderMarks {
       const own = { accent: lost ? scene.palette.alarm : accent, casing };
       const outline = this.screen(move.outline, scene);
       painter.veil(outline, own.accent);
-      painter.dashed(outline, withAlpha(own.accent, 0.9), 1.6, true);
+      painter.dashed(outline, own.accent, 1.8, true, own.casing);
       for (const place of this.screen(move.places, scene)) {
         painter.dot(place, 3.6, own.casing);
         painter.dot(place, 2.5, own.accent);
@@ -308,7 +307,7 @@ export class OrderMarks {
       this.drawArrows(at, colours);
       return;
     }
-    this.painter_.dashed(at, colours.accent, 2.2, false);
+    this.painter_.dashed(at, colours.accent, 2.2, false, colours.casing);
     if (end) this.painter_.cross(end, { accent: scene.palette.alarm, casing: colours.casing });
   }
 

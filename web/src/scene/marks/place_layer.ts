@@ -18,6 +18,8 @@ export const kRing = { whole: 0, dashed: 1, crossed: 2 } as const;
 
 /** Half the quad beyond the ring's radius [m]. */
 const kMargin = 0.06;
+/** Where a metre is this small, rings are not seen; where it is twice as large, fully [CSS px]. */
+const kDense = 7;
 
 const kVertex = `
 attribute vec4 ring;
@@ -41,6 +43,7 @@ varying vec4 vTint;
 varying float vRadius;
 varying float vStyle;
 uniform float uPixel;
+uniform float uFade;
 void main() {
   float r = length(vAt);
   float wide = max(fwidth(r), 1e-5);
@@ -55,7 +58,7 @@ void main() {
     cover = max(cover, clamp(0.65 * uPixel + 0.5 - away, 0.0, 1.0));
   }
   if (cover < 0.01) discard;
-  gl_FragColor = vec4(vTint.rgb, vTint.a * cover);
+  gl_FragColor = vec4(vTint.rgb, vTint.a * cover * uFade);
 }`;
 
 export class PlaceLayer {
@@ -82,11 +85,18 @@ export class PlaceLayer {
       polygonOffset: true,
       polygonOffsetFactor: -3,
       polygonOffsetUnits: -6,
-      uniforms: { uPixel: { value: 1 } },
+      uniforms: { uPixel: { value: 1 }, uFade: { value: 1 } },
     });
     this.mesh = new Mesh(geometry, material);
     this.mesh.frustumCulled = false;
     this.mesh.renderOrder = 5;
+  }
+
+  /** Rings fade away where they would be dots; by the size of a metre [CSS px]. */
+  setScale(pixelsPerMetre: number): void {
+    const fade = Math.min(1, Math.max(0, (pixelsPerMetre - kDense) / kDense));
+    (this.mesh.material.uniforms['uFade'] as { value: number }).value = fade;
+    this.mesh.visible = fade > 0 && this.count_ > 0;
   }
 
   setPixelRatio(ratio: number): void {

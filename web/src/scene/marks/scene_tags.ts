@@ -16,12 +16,11 @@ import type { ScreenPoint } from '../../model/plane';
 /** How long a chip names a control's kind [ms]. */
 const kChipTime = 1200;
 const kChipFade = 180;
-/** Size of a tag, and least distance of tags with the same words [CSS px]. */
+/** Size of a tag [CSS px]. */
 const kTagWidth = 150;
 const kTagHeight = 30;
 const kIconWidth = 40;
 const kPhoneWidth = 520;
-const kRepeatHeight = 150;
 
 export interface TagScene {
   readonly camera: CameraController;
@@ -58,24 +57,22 @@ export function patchTags(scene: SceneFacts, view: TagScene): Tag[] {
   }
   // Phones show icons alone.
   const words = uncrowded(tags, view.camera.width > kPhoneWidth ? kTagWidth : kIconWidth);
+  const spots: Tag[] = [];
   scene.checkpoints.forEach((checkpoint, i) => {
     const at = view.camera.worldToScreen(checkpoint.position[0], checkpoint.position[1]);
-    if (onScreen(at, view.camera)) words.push({ key: `spot:${i}`, kind: 'spot', at, text: checkpoint.formation });
+    if (onScreen(at, view.camera)) spots.push({ key: `spot:${i}`, kind: 'spot', at, text: checkpoint.formation });
   });
-  return words;
+  return [...words, ...uncrowded(spots)];
 }
 
-/** Leaves out tags that would cover another, and those that repeat a neighbour's words. */
+/** Leaves out tags that would cover another; of those with the same words the nearest alone stays. */
 export function uncrowded(tags: readonly Tag[], width = kTagWidth): Tag[] {
   const kept: Tag[] = [];
   const nearest = [...tags].sort((a, b) => b.at.y - a.at.y || a.key.localeCompare(b.key));
   for (const tag of nearest) {
     const crowded = kept.some((other) => {
-      const same = other.text === tag.text;
-      return (
-        Math.abs(other.at.x - tag.at.x) < (same ? 2 * width : width) &&
-        Math.abs(other.at.y - tag.at.y) < (same ? kRepeatHeight : kTagHeight)
-      );
+      if (other.text === tag.text && other.detail === tag.detail) return true;
+      return Math.abs(other.at.x - tag.at.x) < width && Math.abs(other.at.y - tag.at.y) < kTagHeight;
     });
     if (!crowded) kept.push(tag);
   }

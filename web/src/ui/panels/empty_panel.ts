@@ -25,12 +25,8 @@ export class EmptyPanel {
     if (this.root.hidden) return;
     setText(this.title_, waiting ? 'Opening the studio' : 'Nobody is here yet');
     setText(this.about_, waiting ? 'Waiting for the server.' : 'Add a group, or open one of these scenarios.');
-    const add = element(
-      'button',
-      { type: 'button', class: 'soft', 'aria-disabled': 'true', 'data-tip': 'Add a group: soon' },
-      icon('plus'),
-      'Add a group',
-    );
+    const add = element('button', { type: 'button', class: 'soft' }, icon('plus'), 'Add a group');
+    add.addEventListener('click', () => this.actions_.openDialog('group'));
     const choices = state.scenarios.slice(0, 3).map((info) => {
       const button = element('button', { type: 'button', class: 'soft' }, info.title || info.name);
       button.addEventListener('click', () => this.actions_.loadScenario(info.name));

@@ -11,7 +11,8 @@ import type { StudioStore } from '../../model/studio_store';
 export interface FormationChoice {
   readonly name: string;
   readonly label: string;
-  readonly soon?: boolean;
+  /** What it opens instead of taking up a shape of the library. */
+  readonly opens?: 'text' | 'draw';
 }
 
 /** The first eight answer to the keys 1 to 8. */
@@ -24,9 +25,13 @@ export const kFormations: readonly FormationChoice[] = [
   { name: 'circle', label: 'Circle' },
   { name: 'crescent', label: 'Crescent' },
   { name: 'pacman', label: 'Pacman' },
-  { name: 'text', label: 'Text', soon: true },
-  { name: 'draw', label: 'Draw', soon: true },
+  { name: 'text', label: 'Text', opens: 'text' },
+  { name: 'draw', label: 'Draw', opens: 'draw' },
 ];
+
+const kTips = { text: 'Words as a formation', draw: 'Draw an outline on the ground as a formation' } as const;
+/** What the server calls shapes that are no part of the library. */
+const kOwnShapes: Readonly<Record<string, string>> = { outline: 'draw', points: 'text' };
 
 export class FormationPanel {
   private readonly mark_ = element('span', { class: 'formation-mark' });
@@ -47,7 +52,7 @@ export class FormationPanel {
   ) {
     kFormations.forEach((choice, i) => this.list_.append(this.button(choice, i)));
     new ToolbarFocus(this.list_, store);
-    store.watch(['groups', 'active'], (state) => this.show(state));
+    store.watch(['groups', 'active', 'tool'], (state) => this.show(state));
   }
 
   private button(choice: FormationChoice, index: number): HTMLButtonElement {
@@ -57,25 +62,33 @@ export class FormationPanel {
       {
         type: 'button',
         class: 'formation',
-        'aria-pressed': choice.soon ? undefined : 'false',
-        'aria-disabled': choice.soon ? 'true' : undefined,
+        'aria-pressed': 'false',
+        'aria-haspopup': choice.opens === 'text' ? 'dialog' : undefined,
         'aria-keyshortcuts': key,
         'data-key': key,
-        'data-tip': choice.soon ? `${choice.label}: soon` : choice.label,
-        'data-soon': choice.soon,
+        'data-tip': choice.opens ? kTips[choice.opens] : choice.label,
+        'data-opens': choice.opens,
       },
       formationIcon(choice.name),
       element('span', { class: 'label' }, choice.label),
     );
-    if (choice.soon) return button;
-    button.addEventListener('click', () => this.actions_.setFormation(choice.name));
+    button.addEventListener('click', () => this.chosen(choice));
     this.buttons_.set(choice.name, button);
     return button;
   }
 
+  private chosen({ name, opens }: FormationChoice): void {
+    if (opens === 'text') this.actions_.openDialog('text');
+    else if (opens === 'draw') this.actions_.toggleDraw();
+    else this.actions_.setFormation(name);
+  }
+
   private show(state: StudioState): void {
     const group = state.groups[state.active];
-    for (const [name, button] of this.buttons_) setPressed(button, group?.formation === name);
+    const shown = kOwnShapes[group?.formation ?? ''] ?? group?.formation;
+    for (const [name, button] of this.buttons_) {
+      setPressed(button, state.tool === 'draw' ? name === 'draw' : shown === name);
+    }
     const colour = group?.colour ?? 0;
     if (colour !== this.shownColour_) {
       this.shownColour_ = colour;

@@ -13,6 +13,8 @@ import type { StudioStore } from '../../model/studio_store';
 
 /** With more groups than this only the active one's chip has its name. */
 const kNamed = 4;
+/** Two presses within this time are a double press [ms]. */
+const kTwice = 500;
 
 export class GroupChips {
   readonly root = element('div', { class: 'groups panel', role: 'toolbar', 'aria-label': 'Groups' });
@@ -20,10 +22,11 @@ export class GroupChips {
     icon: 'plus',
     label: 'Add a group',
     iconOnly: true,
-    soon: true,
     className: 'add-group',
+    act: () => this.actions_.openDialog('group'),
   });
   private readonly focus_: ToolbarFocus;
+  private last_ = { index: -1, time: -kTwice };
   private shownKey_ = '';
   private groups_: readonly number[] = [];
   private readonly drag_ = new ChipDrag(
@@ -59,7 +62,7 @@ export class GroupChips {
       {
         type: 'button',
         class: 'chip',
-        'data-tip': `Choose ${group.name}; drag it onto another to join them`,
+        'data-tip': `Choose ${group.name}; twice: bring it into view; drag it onto another to join them`,
         'data-key': 'G',
       },
       groupMark(group.colour),
@@ -70,10 +73,18 @@ export class GroupChips {
     chip.addEventListener('click', (event) => {
       if (this.drag_.consumeClick()) return;
       if (event.shiftKey || event.ctrlKey || event.metaKey) this.orders_.choose(index, true);
-      else this.actions_.setActiveGroup(index);
+      else this.pressed(index, event.timeStamp);
     });
     this.drag_.watch(chip, group.id);
     return chip;
+  }
+
+  /** The second press in a short time brings the group into view. */
+  private pressed(index: number, time: number): void {
+    const twice = this.last_.index === index && time - this.last_.time < kTwice;
+    this.last_ = { index, time: twice ? -kTwice : time };
+    if (twice) this.actions_.frameGroup(index);
+    else this.actions_.setActiveGroup(index);
   }
 
   private update(chip: Element, group: GroupInfo, state: StudioState): void {

@@ -1,9 +1,10 @@
 // Shown on the first visit: how to make a point, a line and an area, and how to move the camera. The words follow the
-// last input device.
+// last input device; what is done is ticked, and goes.
 
 import { element, setText } from '../widgets/dom';
 import type { StudioActions } from '../../model/studio_actions';
-import type { InputKind } from '../../model/studio_state';
+import { kHintSteps, type InputKind } from '../../model/studio_state';
+import { icon } from '../widgets/icons';
 import type { StudioStore } from '../../model/studio_store';
 
 interface Words {
@@ -52,14 +53,24 @@ export class HintBar {
     const items = kPictures.map((body) => {
       const title = element('strong');
       const does = element('span', { class: 'secondary' });
-      this.root.append(
-        element('div', { class: 'hint-item' }, picture(body), element('div', { class: 'hint-words' }, title, does)),
+      const item = element(
+        'div',
+        { class: 'hint-item' },
+        picture(body),
+        element('div', { class: 'hint-words' }, title, does),
+        element('span', { class: 'hint-tick' }, icon('check'), element('span', { class: 'unseen' }, 'done')),
       );
-      return { title, does };
+      this.root.append(item);
+      return { item, title, does };
     });
     const done = element('button', { type: 'button', class: 'soft hint-done' }, 'Got it');
     done.addEventListener('click', () => actions.dismissHint());
     this.root.append(done);
+    store.watch(['tried'], ({ tried }) => {
+      kHintSteps.forEach((step, i) => items[i]!.item.classList.toggle('done', tried.includes(step)));
+      const next = kHintSteps.findIndex((step) => !tried.includes(step));
+      items.forEach(({ item }, i) => item.classList.toggle('next', i === next));
+    });
     store.watch(['input', 'hint', 'link', 'loaded'], (state) => {
       this.root.hidden = !state.hint || !state.loaded || state.link.phase === 'lost';
       kWords[state.input].forEach((words, i) => {

@@ -17,23 +17,13 @@ export function lostText(recorded: number, secondsToRetry: number): string {
 export class LostBanner {
   private readonly title_ = element('strong', {}, 'Connection lost');
   private readonly text_ = element('span', { class: 'secondary' });
-  private readonly retry_ = element('button', { type: 'button', class: 'soft' }, 'Try now');
-  private readonly goOn_ = element(
-    'button',
-    {
-      type: 'button',
-      class: 'solid',
-      'aria-disabled': 'true',
-      'data-tip': 'Go on without server: soon',
-    },
-    'Go on without server',
-  );
+  private readonly retry_ = element('button', { type: 'button', class: 'solid' }, 'Try now');
   readonly root = element(
     'section',
     { class: 'banner panel', role: 'alert' },
     icon('lost', 24),
     element('div', { class: 'banner-words' }, this.title_, this.text_),
-    element('div', { class: 'banner-buttons' }, this.retry_, this.goOn_),
+    element('div', { class: 'banner-buttons' }, this.retry_),
   );
 
   constructor(

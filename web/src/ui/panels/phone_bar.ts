@@ -30,6 +30,7 @@ export class PhoneBar {
     };
     item('restart', 'Restart', () => actions.restart());
     item('empty', 'Fit the view', () => actions.fit());
+    item('takes', 'All takes…', () => actions.showShelf(true));
     item('download', 'Download take', () => actions.downloadTake());
     item('open', 'Open take…', openTake);
     item('character', 'Own character…', openCharacter);

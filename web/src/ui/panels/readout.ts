@@ -1,8 +1,11 @@
-// The live figures: characters, step time, lag, swaps, and what the plan's objective comes to.
+// How the crowd does, in plain words; on request the figures: characters, step time, lag, swaps, and what the plan's
+// objective comes to.
 
 import { element, setAttribute, setText } from '../widgets/dom';
 import { formatCount, formatFigure, formatMs } from '../../model/formatters';
 import { objectiveFigure, objectiveOf, objectivesFor, kObjectives, objectiveText } from '../../model/objective';
+import { plainWords } from '../../model/plain_words';
+import { icon } from '../widgets/icons';
 import { Sparkline } from '../widgets/sparkline';
 import type { StudioActions } from '../../model/studio_actions';
 import type { StudioState } from '../../model/studio_state';
@@ -18,7 +21,8 @@ interface Row {
 const kEvery = 12;
 
 export class Readout {
-  readonly root = element('section', { class: 'readout panel', 'aria-label': 'Figures' });
+  private readonly rows_ = element('div', { class: 'figures' });
+  readonly root = element('section', { class: 'readout panel', 'aria-label': 'How the crowd does' }, this.rows_);
   private readonly characters_ = this.row('characters', 'Characters', '', 'characters', null);
   private readonly step_ = this.row(
     'ms',
@@ -45,6 +49,16 @@ export class Readout {
     'Changes of place without a command, per character and second',
   );
 
+  private readonly people_ = element('strong', { class: 'plain-people' });
+  private readonly does_ = element('span', { class: 'plain-does' });
+  private readonly items_ = element('span', { class: 'plain-items' });
+  private readonly slow_ = element('span', { class: 'plain-slow' });
+  private readonly plain_ = element(
+    'button',
+    { type: 'button', class: 'plain', 'aria-expanded': 'false', 'data-tip': 'Figures' },
+    element('span', { class: 'plain-words' }, this.people_, this.does_, this.items_, this.slow_),
+    icon('chevron'),
+  );
   private readonly objective_ = element('select', { class: 'objective', 'aria-label': 'What plans make least' });
   private readonly options_ = kObjectives.map(({ label }, index) => element('option', { value: String(index) }, label));
   private readonly walks_ = element('strong', { class: 'value' });
@@ -56,11 +70,18 @@ export class Readout {
   );
 
   constructor(store: StudioStore, actions: StudioActions) {
-    this.root.append(this.plan_);
+    this.root.prepend(this.plain_);
+    this.rows_.append(this.plan_);
     this.objective_.append(...this.options_);
     this.objective_.addEventListener('change', () => actions.setObjective(Number(this.objective_.value)));
     store.watch(['parameters'], (state) => this.showObjective(state));
     store.watch(['frames'], (state) => this.show(state));
+    this.plain_.addEventListener('click', () => actions.toggleFigures());
+    store.watch(['figures'], ({ figures }) => {
+      this.rows_.hidden = !figures;
+      this.root.classList.toggle('open', figures);
+      setAttribute(this.plain_, 'aria-expanded', String(figures));
+    });
   }
 
   private row(name: string, label: string, before: string, unit: string, spark: Sparkline | null, tip?: string): Row {
@@ -74,11 +95,16 @@ export class Readout {
     const short = element('span', { class: 'figure-before secondary' }, before);
     const unitText = element('span', { class: 'unit secondary' }, unit);
     row.append(element('span', { class: 'figure-value' }, short, value, unitText));
-    this.root.append(row);
+    this.rows_.append(row);
     return { root: row, value, spark };
   }
 
   private show(state: StudioState): void {
+    const words = plainWords(state);
+    setText(this.people_, words.people);
+    setText(this.does_, words.does);
+    setText(this.items_, words.items);
+    setText(this.slow_, words.slow);
     setText(this.characters_.value, formatCount(state.characters));
     if (state.frames % kEvery !== 1) return;
     setText(this.step_.value, formatMs(state.stepMs));

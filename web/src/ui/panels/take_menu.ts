@@ -33,6 +33,7 @@ export class TakeMenu {
   constructor(store: StudioStore, actions: StudioActions) {
     const ours = this.item('places', 'Our people', () => actions.ourPeople());
     this.list_.append(
+      this.item('takes', 'All takes…', () => actions.showShelf(true)),
       this.item('download', 'Download take', () => actions.downloadTake()),
       this.item('open', 'Open take…', () => this.chooseFile()),
       this.item('character', 'Own character…', () => this.chooseCharacter()),

@@ -13,6 +13,9 @@ const kShapes = {
   moon: '<path d="M16.2 12.3A7 7 0 0 1 7.7 3.8a7 7 0 1 0 8.5 8.5Z"/>',
   sun: '<circle cx="10" cy="10" r="3.4"/><path d="M10 1.8v2 M10 16.2v2 M1.8 10h2 M16.2 10h2 M4.2 4.2l1.4 1.4 M14.4 14.4l1.4 1.4 M4.2 15.8l1.4-1.4 M14.4 5.6l1.4-1.4"/>',
   help: '<path d="M6.8 7.2a3.2 3.2 0 1 1 4.9 2.7c-1.2.8-1.7 1.3-1.7 2.6"/><circle cx="10" cy="15.9" r="1.2" fill="currentColor" stroke="none"/>',
+  directors:
+    '<circle cx="7" cy="6.600" r="2.600"/><path d="M2.200 16.200c0-3.400 2-5.200 4.800-5.200s4.800 1.800 4.800 5.200"/><circle cx="14" cy="7.600" r="2"/><path d="M14 11.600c2.300 0 3.800 1.500 3.800 4.200"/>',
+  link: '<path d="M8.400 11.600a3 3 0 0 0 4.300 0l3-3a3 3 0 0 0-4.300-4.300l-1 1 M11.600 8.400a3 3 0 0 0-4.300 0l-3 3a3 3 0 0 0 4.300 4.300l1-1"/>',
   plus: '<path d="M10 3.5v13 M3.5 10h13"/>',
   restart: '<path d="M4.1 11.2a6.1 6.1 0 1 0 1.5-5.1L3.6 8 M3.4 4v4.2h4.2"/>',
   play: '<path d="M6.5 4.2v11.6L16 10Z" fill="currentColor" stroke-linejoin="round"/>',
@@ -49,6 +52,11 @@ const kShapes = {
   dials: '<path d="M3 6h8 M15 6h2 M3 14h2 M9 14h8"/><circle cx="13" cy="6" r="2"/><circle cx="7" cy="14" r="2"/>',
   earlier: '<path d="M16 10H5 M9 5.500 4.500 10 9 14.500" stroke-linejoin="round"/>',
   later: '<path d="M4 10h11 M11 5.500 15.500 10 11 14.500" stroke-linejoin="round"/>',
+  fit: '<path d="M3 7V3h4 M13 3h4v4 M17 13v4h-4 M7 17H3v-4" stroke-linejoin="round"/><circle cx="10" cy="10" r="2.2" fill="currentColor"/>',
+  camera:
+    '<rect x="2" y="5.500" width="10.500" height="9" rx="2"/><path d="m12.500 9 5-3v8l-5-3" stroke-linejoin="round"/>',
+  arrow: '<path d="M4 10h11 M10.500 5 15.500 10l-5 5" stroke-linejoin="round"/>',
+  show: '<path d="M3 12V5a2 2 0 0 1 2-2h10a2 2 0 0 1 2 2v7 M3 16.500h14" stroke-linejoin="round"/>',
   close: '<path d="m5 5 10 10 M15 5 5 15"/>',
   download: '<path d="M10 3v9.5 M6 9l4 4 4-4 M3.5 16.5h13"/>',
   open: '<path d="M2.8 15.8V4.8h5l1.8 2.2h7.6v8.8Z" stroke-linejoin="round"/>',

@@ -14,7 +14,6 @@ export interface ToolButtonDef {
   readonly key?: string;
   readonly className?: string;
   readonly pressed?: boolean;
-  readonly soon?: boolean;
   readonly act?: () => void;
 }
 
@@ -24,20 +23,18 @@ function labelOf(def: ToolButtonDef): HTMLElement {
 }
 
 export function toolButton(def: ToolButtonDef): HTMLButtonElement {
-  const tip = def.soon ? `${def.tip ?? def.label}: soon` : (def.tip ?? def.label);
   const button = element('button', {
     type: 'button',
     class: def.className,
     'aria-label': def.label,
     'aria-pressed': def.pressed === undefined ? undefined : String(def.pressed),
-    'aria-disabled': def.soon ? 'true' : undefined,
     'aria-keyshortcuts': def.key,
-    'data-tip': tip,
+    'data-tip': def.tip ?? def.label,
     'data-key': def.key,
   });
   if (def.icon) button.append(icon(def.icon));
   button.append(labelOf(def));
   const { act } = def;
-  if (act && !def.soon) button.addEventListener('click', () => act());
+  if (act) button.addEventListener('click', () => act());
   return button;
 }

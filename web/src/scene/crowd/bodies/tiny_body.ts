@@ -1,4 +1,5 @@
-// A body of a few tubes on the joints of any rig, for characters that are a few px tall.
+// A body of a few tubes on the joints of any rig, for characters that are a few px tall: nearly all of it has the
+// group's colour, or a large crowd would look like noise.
 
 import type { BufferGeometry } from 'three';
 import { kRegion } from './body';
@@ -26,15 +27,15 @@ function tubes({ bind, scale }: Rig): Tube[] {
     deep: [deep[0] * scale, deep[1] * scale],
     region,
   });
-  const { skin, shirt, trousers, hair } = kRegion;
+  const { skin, farShirt, farLegs } = kRegion;
   const sides = (['Left', 'Right'] as const).flatMap((side) => [
-    tube(`${side}UpLeg`, at(`${side}UpLeg`, 0.08), at(`${side}Foot`, -0.08), [0.1, 0.06], [0.1, 0.07], trousers),
-    tube(`${side}Arm`, at(`${side}Arm`), at(`${side}Hand`), [0.07, 0.05], [0.06, 0.05], shirt),
+    tube(`${side}UpLeg`, at(`${side}UpLeg`, 0.08), at(`${side}Foot`, -0.08), [0.1, 0.06], [0.1, 0.07], farLegs),
+    tube(`${side}Arm`, at(`${side}Arm`), at(`${side}Hand`), [0.07, 0.05], [0.06, 0.05], farShirt),
   ]);
   return [
-    tube('Spine', at('Hips', -0.02), at('Neck'), [0.16, 0.18], [0.11, 0.1], shirt),
+    tube('Spine', at('Hips', -0.02), at('Neck'), [0.16, 0.18], [0.11, 0.1], farShirt),
     tube('Head', at('Head', -0.06), at('Head', 0.12), [0.08, 0.1], [0.1, 0.11], skin),
-    tube('Head', at('Head', 0.1), at('Head', 0.23), [0.1, 0.07], [0.11, 0.08], hair),
+    tube('Head', at('Head', 0.1), at('Head', 0.23), [0.1, 0.07], [0.11, 0.08], farShirt),
     ...sides,
   ];
 }

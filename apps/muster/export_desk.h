@@ -1,0 +1,86 @@
+// Exports of takes, one after the other on a thread of its own.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <list>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "muster/export.h"
+
+namespace muster {
+
+/// What becomes of an export.
+enum class ExportState { Waiting, Running, Done, Failed };
+
+/// An export that somebody asked for.
+struct ExportOrder {
+    std::string take;    ///< Path of the take.
+    std::string format;  ///< As for exportTake().
+    std::string title;   ///< The file's name, without its ending.
+    double from = 0.0;   ///< [s]
+    double to = -1.0;    ///< [s]; negative: the end.
+    double fps = 30.0;
+    bool speeds = true;  ///< With the take's speeds, where the format has bodies in motion.
+};
+
+/// How far an export is.
+struct ExportReport {
+    ExportState state = ExportState::Waiting;
+    double share = 0.0;    ///< Done, 0 to 1.
+    std::string problem;   ///< Why it failed.
+    std::string fileName;  ///< For saving.
+    std::string path;      ///< Of the finished file.
+    std::uint64_t bytes = 0;
+};
+
+/// Makes exports in a folder of its own, which is removed at the end. Any thread may call.
+class ExportDesk {
+public:
+    /// The clips that characters of a scenario move by.
+    using LoadClips = std::function<Result<ClipLibrary>(const std::string& name, const WorldDef& def)>;
+
+    explicit ExportDesk(LoadClips loadClips);
+    ~ExportDesk();
+    ExportDesk(const ExportDesk&) = delete;
+    ExportDesk& operator=(const ExportDesk&) = delete;
+
+    static constexpr std::size_t kMostKept = 12;  ///< Exports that wait, run or are kept.
+
+    /// Takes an order and returns its number. Fails with NotFound for an unknown format, with LimitExceeded
+    /// where too many wait.
+    Result<std::string> begin(ExportOrder order);
+    /// How far it is. Fails with NotFound.
+    Result<ExportReport> report(const std::string& number) const;
+    /// Ends and forgets it, with its file. Fails with NotFound.
+    Status cancel(const std::string& number);
+
+private:
+    struct Job {
+        std::string number;
+        ExportOrder order;
+        ExportReport report;
+        bool cancelled = false;
+    };
+    void run();
+    void make(const std::shared_ptr<Job>& job);
+    Status write(const std::shared_ptr<Job>& job, const std::string& path);
+    std::shared_ptr<Job> find(const std::string& number) const;
+    void forgetOldest();
+
+    LoadClips loadClips_;
+    std::string folder_;
+    mutable std::mutex mutex_;
+    std::condition_variable changed_;
+    std::list<std::shared_ptr<Job>> jobs_;  // In the order of their numbers.
+    std::uint32_t last_ = 0;
+    bool ending_ = false;
+    std::thread thread_;  // The last member, because the thread uses the others.
+};
+
+}  // namespace muster

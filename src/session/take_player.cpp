@@ -1,0 +1,116 @@
+#include "session/take_player.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "session/take_marks.h"
+
+namespace muster {
+namespace {
+
+constexpr std::size_t kMomentBytes = std::size_t{384} << 20;  // Memory of all snapshots.
+
+std::uint32_t stepsPerSecond(const Take& take) {
+    return static_cast<std::uint32_t>(std::max(1.0, std::round(1.0 / take.def.parameters.stepTime)));
+}
+
+}  // namespace
+
+TakePlayer::TakePlayer(std::shared_ptr<const Take> take, std::string fileName)
+    : take_(std::move(take)),
+      fileName_(std::move(fileName)),
+      about_(take_->about),
+      replayer_(*take_),
+      moments_(stepsPerSecond(*take_), kMomentBytes),
+      marks_(takeMarks(*take_)) {}
+
+void TakePlayer::edit(TakeAbout about, bool loop) {
+    about_ = std::move(about);
+    loop_ = loop;
+}
+
+Status TakePlayer::step(World& world, const std::function<void()>& stepped) {
+    Status status = replayer_.submit(world);
+    world.step();
+    stepped();
+    if (status.ok()) status = replayer_.compare(world);
+    return status;
+}
+
+void TakePlayer::keep(const World& world, const MotionFrames& motion) {
+    if (!moments_.missing(world.stepCount())) return;
+    moments_.keep(world.stepCount(), {world.snapshot(), motion.motion().state(), replayer_.cursor()});
+}
+
+bool TakePlayer::jump(World& world, MotionFrames& motion) {
+    if (!wanted_) return false;
+    const auto* best = moments_.before(*wanted_);
+    const std::uint32_t now = world.stepCount();
+    if (best == nullptr || (now <= *wanted_ && now >= best->first)) return false;
+    if (!world.rewind(best->second.world).ok()) return false;
+    motion.goBack(*best->second.motion);
+    replayer_.goTo(best->second.cursor);
+    return true;
+}
+
+bool TakePlayer::reached(const World& world) {
+    if (!wanted_ || world.stepCount() < *wanted_) return false;
+    wanted_.reset();
+    return true;
+}
+
+void TakePlayer::beginScout(const MotionFrames& motion) {
+    auto world = World::create(take_->def, 1);
+    if (!world.ok()) {
+        scouted_ = true;
+        return;
+    }
+    scout_ = std::make_unique<Scout>(Scout{std::move(world).value(), Replayer(*take_),
+                                           CrowdMotion(motion.library(), {motion.tracksAll(take_->def)})});
+    scout_->motion.update(scout_->world);
+}
+
+void TakePlayer::prepare(const MotionFrames& motion) {
+    if (scouted_) return;
+    if (!scout_) beginScout(motion);
+    if (!scout_) return;
+    Scout& scout = *scout_;
+    // Where the shown world is ahead, the scout goes on from its last snapshot.
+    if (const auto* best = moments_.before(steps()); best && best->first > scout.world.stepCount()) {
+        if (!scout.world.rewind(best->second.world).ok()) scouted_ = true;
+        scout.motion.goBack(*best->second.motion);
+        scout.replayer.goTo(best->second.cursor);
+    }
+    if (!scouted_ && !scout.replayer.atEnd(scout.world)) {
+        Status status = scout.replayer.submit(scout.world);
+        scout.world.step();
+        scout.motion.update(scout.world);
+        if (status.ok()) status = scout.replayer.compare(scout.world);
+        const std::uint32_t step = scout.world.stepCount();
+        if (moments_.missing(step))
+            moments_.keep(step, {scout.world.snapshot(), scout.motion.state(), scout.replayer.cursor()});
+        // Where it differs, playing tells so.
+        if (status.ok() && !scout.replayer.atEnd(scout.world)) return;
+    }
+    scouted_ = true;
+    scout_.reset();
+}
+
+protocol::TakeState TakePlayer::state() const {
+    protocol::TakeState state;
+    state.open = true;
+    state.name = fileName_;
+    state.title = about_.title;
+    state.steps = steps();
+    state.stepTime = take_->def.parameters.stepTime;
+    state.from = first();
+    state.to = last();
+    state.loop = loop_;
+    for (const SpeedPiece& piece : about_.speeds)
+        state.speeds.push_back({piece.from, piece.to, piece.speed, piece.ease});
+    state.marks = marks_;
+    return state;
+}
+
+}  // namespace muster

@@ -1,0 +1,14 @@
+#include "world/take_up.h"
+
+#include "world/world_engine.h"
+
+namespace muster {
+
+std::size_t dropWaitingCommands(World& world) {
+    std::vector<Command>& queue = WorldAccess::of(world).state.queue;
+    const std::size_t dropped = queue.size();
+    queue.clear();
+    return dropped;
+}
+
+}  // namespace muster

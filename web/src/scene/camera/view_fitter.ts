@@ -1,0 +1,57 @@
+// Brings crowd and spots into view, and opens the view of a world.
+
+import type { SceneFacts } from '../../protocol/scene';
+import type { GroupView, Numbers } from '../../model/frame_view';
+import type { GroundPoint } from '../../model/plane';
+import { crowdOutline, kSpanLeast } from './bounds_builder';
+import type { CameraController } from './camera_controller';
+import type { Padding } from './camera_controls';
+import { surroundings } from './opening';
+
+/** Duration of a camera move to another view [ms]. */
+const kGlide = 260;
+/** A window narrower than this between its panels has no room for what stands about [CSS px]. */
+const kNarrow = 420;
+
+export class ViewFitter {
+  /** What panels cover. */
+  padding: Padding = { top: 84, right: 24, bottom: 120, left: 24 };
+  private scene_: SceneFacts | null = null;
+  private opened_ = false;
+
+  constructor(private readonly camera_: CameraController) {}
+
+  /** Another world: its view opens with the first crowd. */
+  open(scene: SceneFacts): void {
+    this.scene_ = scene;
+    this.opened_ = false;
+    this.camera_.setWorld(scene.box.min[0], scene.box.min[1], scene.box.max[0], scene.box.max[1]);
+    this.camera_.open();
+  }
+
+  /** Fits the view to the crowd, its orders and the obstacles near it, with the first frame that has a crowd. */
+  show(positions: Numbers, groups: readonly GroupView[]): void {
+    if (this.opened_ || this.camera_.width < 2) return;
+    const points = crowdOutline(positions, groups, this.span());
+    if (points.length === 0) return;
+    this.opened_ = true;
+    this.camera_.fit(this.narrow() ? points : [...points, ...surroundings(this.scene_, points)], this.padding);
+  }
+
+  fit(positions: Numbers, groups: readonly GroupView[], atOnce: boolean): void {
+    const points = crowdOutline(positions, groups, this.span());
+    this.camera_.glideFit(points, this.padding, performance.now(), atOnce ? 0 : kGlide);
+  }
+
+  lookAt(point: GroundPoint, atOnce: boolean): void {
+    this.camera_.glideTo(point, this.padding, performance.now(), atOnce ? 0 : kGlide);
+  }
+
+  private narrow(): boolean {
+    return this.camera_.width - this.padding.left - this.padding.right < kNarrow;
+  }
+
+  private span(): number {
+    return this.narrow() ? kSpanLeast.narrow : kSpanLeast.wide;
+  }
+}

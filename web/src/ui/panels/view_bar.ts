@@ -1,0 +1,36 @@
+// The camera's buttons: fit, follow, from above, and a clean picture.
+
+import type { StudioActions } from '../../model/studio_actions';
+import type { StudioStore } from '../../model/studio_store';
+import { element, setPressed } from '../widgets/dom';
+import { toolButton } from '../widgets/tool_button';
+import { ToolbarFocus } from '../widgets/toolbar_focus';
+
+export class ViewBar {
+  readonly root = element('div', { class: 'view-bar panel', role: 'toolbar', 'aria-label': 'View' });
+
+  constructor(store: StudioStore, actions: StudioActions) {
+    const fit = toolButton({
+      icon: 'fit',
+      label: 'Fit',
+      iconOnly: true,
+      key: 'F',
+      tip: 'Fits crowd and paths',
+      act: () => actions.fit(),
+    });
+    const follow = toolButton({
+      icon: 'camera',
+      label: 'Follow with the camera',
+      iconOnly: true,
+      key: 'I',
+      pressed: false,
+      className: 'toggle',
+      tip: 'The camera follows the crowd',
+      act: () => actions.toggleFollow(),
+    });
+    store.watch(['following'], ({ following }) => setPressed(follow, following));
+    store.watch(['groups'], ({ groups }) => (this.root.hidden = groups.length === 0));
+    this.root.append(fit, follow);
+    new ToolbarFocus(this.root, store);
+  }
+}
