@@ -4,7 +4,7 @@ import { OverlayKind, PlaybackAction, type ScenarioInfo } from '../protocol/mess
 import { problem } from '../protocol/problem';
 import type { MessageSender } from '../link/studio_client';
 import type { ShapeActions } from '../model/shape_actions';
-import { kHintSteps, type DialogName, type HintStep } from '../model/studio_state';
+import { kHintSteps, type DialogName, type HintStep, type StudioState } from '../model/studio_state';
 import { kObjectives, objectiveParameters } from '../model/objective';
 import type { OwnPeople } from './own_people';
 import type { StudioActions } from '../model/studio_actions';
@@ -12,7 +12,6 @@ import { downloadTake, openTake } from './takes';
 import { rememberTheme, writeSetting } from './theme';
 import type { GroundPoint } from '../model/plane';
 import type { Layers } from '../model/view_settings';
-import type { StudioState } from '../model/studio_state';
 import type { StudioStore } from '../model/studio_store';
 
 export const kSpeeds: readonly number[] = [0.25, 0.5, 1, 2, 4];

@@ -36,6 +36,17 @@ import type { StudioStore } from '../model/studio_store';
 /** Between top panels and the ground that must be seen: figures stand up into it [px]. */
 const kHeadroom = 44;
 
+/** What tells of losses, messages and a control that is in use, below each other. */
+function bannersOf(store: StudioStore, actions: StudioActions): HTMLElement {
+  return element(
+    'div',
+    { class: 'banners' },
+    new LostBanner(store, actions).root,
+    new NoticeBanner(store, actions).root,
+    new SchemeBanner(store, actions).root,
+  );
+}
+
 export class StudioShell {
   readonly scale = new ScaleBar();
   readonly live = new LiveRegion();
@@ -73,13 +84,7 @@ export class StudioShell {
     const hint = new HintBar(store_, actions).root;
     const legend = new LegendPanel(store_).root;
     const header = element('header', { class: 'contents' }, scenario, groups, layers, directing, phone);
-    const banners = element(
-      'div',
-      { class: 'banners' },
-      new LostBanner(store_, actions).root,
-      new NoticeBanner(store_, actions).root,
-      new SchemeBanner(store_, actions).root,
-    );
+    const banners = bannersOf(store_, actions);
     const empty = new EmptyPanel(store_, actions).root;
     const main = element(
       'div',

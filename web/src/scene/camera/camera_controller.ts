@@ -2,6 +2,7 @@
 // pose.
 
 import type { CameraControls, CameraPose, GroundSight, Padding, SeenGround } from './camera_controls';
+import { groundMatrix, type Basis } from './ground_matrix';
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
 import type { SceneBox } from '../../protocol/scene';
 
@@ -16,13 +17,6 @@ const kPitchTop = 89.5 * kDegree;
 const kFlatLens = 2 * kDegree;
 /** [m] */
 const kDistanceMin = 5;
-
-interface Basis {
-  readonly eye: readonly [number, number, number];
-  readonly forward: readonly [number, number, number];
-  readonly right: readonly [number, number, number];
-  readonly up: readonly [number, number, number];
-}
 
 export class CameraController implements CameraControls, GroundSight {
   private pose_: CameraPose = { targetX: 0, targetY: 0, distance: 40, turn: 0.33, pitch: 46 * kDegree };
@@ -128,20 +122,12 @@ export class CameraController implements CameraControls, GroundSight {
   }
 
   seenGround(): SeenGround {
-    const { eye, forward, right, up } = this.basis();
-    const row = (axis: readonly [number, number, number]): readonly number[] => [
-      axis[0],
-      axis[1],
-      -(axis[0] * eye[0] + axis[1] * eye[1] + axis[2] * eye[2]),
-    ];
-    const scale = this.height_ / (2 * Math.tan(this.fieldOfView_ / 2));
-    const [depth, across, along] = [row(forward), row(right), row(up)];
-    const matrix = [
-      ...depth.map((d, i) => (this.width_ / 2) * d + scale * across[i]!),
-      ...depth.map((d, i) => (this.height_ / 2) * d - scale * along[i]!),
-      ...depth,
-    ];
-    return { matrix, width: this.width_, height: this.height_ };
+    const lens = this.height_ / (2 * Math.tan(this.fieldOfView_ / 2));
+    return {
+      matrix: groundMatrix(this.basis(), lens, this.width_, this.height_),
+      width: this.width_,
+      height: this.height_,
+    };
   }
 
   /** The view as a scene opens, before a fit. */
