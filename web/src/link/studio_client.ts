@@ -10,6 +10,7 @@ import type {
   Motions,
   Notice,
   Overlay,
+  Pong,
   Scene,
   ServerMessage,
   StudyForm,
@@ -43,6 +44,24 @@ export interface StudioEvents {
   takeReady: TakeReady;
   takeKept: TakeKept;
 }
+
+/** The events of messages that are handed on as they come. */
+const kEvents = {
+  Welcome: 'welcome',
+  Scene: 'scene',
+  Motions: 'motions',
+  GroupMesh: 'groupMesh',
+  Overlay: 'overlay',
+  Notice: 'notice',
+  Forecasts: 'forecasts',
+  Marks: 'marks',
+  StudyForm: 'studyForm',
+  StudyState: 'studyState',
+  Directors: 'directors',
+  TakeState: 'takeState',
+  TakeReady: 'takeReady',
+  TakeKept: 'takeKept',
+} as const satisfies Record<Exclude<ServerMessage, Frame | Pong>['type'], keyof StudioEvents>;
 
 /** What the client needs of a Worker. */
 export interface WorkerPort {
@@ -99,52 +118,9 @@ export class StudioClient extends Emitter<StudioEvents> implements MessageSender
   }
 
   private dispatch(message: Exclude<ServerMessage, Frame>): void {
-    switch (message.type) {
-      case 'Welcome':
-        this.clientId = message.client;
-        this.emit('welcome', message);
-        break;
-      case 'Scene':
-        this.emit('scene', message);
-        break;
-      case 'Motions':
-        this.emit('motions', message);
-        break;
-      case 'GroupMesh':
-        this.emit('groupMesh', message);
-        break;
-      case 'Overlay':
-        this.emit('overlay', message);
-        break;
-      case 'Notice':
-        this.emit('notice', message);
-        break;
-      case 'Forecasts':
-        this.emit('forecasts', message);
-        break;
-      case 'Marks':
-        this.emit('marks', message);
-        break;
-      case 'StudyForm':
-        this.emit('studyForm', message);
-        break;
-      case 'StudyState':
-        this.emit('studyState', message);
-        break;
-      case 'Directors':
-        this.emit('directors', message);
-        break;
-      case 'TakeState':
-        this.emit('takeState', message);
-        break;
-      case 'TakeReady':
-        this.emit('takeReady', message);
-        break;
-      case 'TakeKept':
-        this.emit('takeKept', message);
-        break;
-      case 'Pong':
-        break;
-    }
+    if (message.type === 'Pong') return;
+    if (message.type === 'Welcome') this.clientId = message.client;
+    // Each type has the event of its own name.
+    this.emit(kEvents[message.type], message);
   }
 }
