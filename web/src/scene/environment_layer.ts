@@ -139,8 +139,7 @@ export class EnvironmentLayer {
     this.clear();
     this.trees_.dispose();
     this.buildings_.dispose();
-    for (const material of [this.body_, this.floor_, this.opening_, this.water_, this.leaves_])
-      material.dispose();
+    for (const material of [this.body_, this.floor_, this.opening_, this.water_, this.leaves_]) material.dispose();
   }
 
   private clear(): void {

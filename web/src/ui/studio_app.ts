@@ -31,6 +31,7 @@ import { OrderChooser } from '../tools/order_chooser';
 import { OrderDesk } from './order_desk';
 import { AttentionSender } from './attention_sender';
 import { ControlWatch, kKindNames, type ControlNews } from '../model/control_watch';
+import { GhostHand } from './ghost_hand';
 import { openDialogsLazily } from './lazy_dialogs';
 import { ShapeDesk } from './shape_desk';
 import { CameraDesk } from './camera_desk';
@@ -152,6 +153,7 @@ export class StudioApp {
     );
     this.routePointers();
     followSettings(this.store, this.view_, () => this.shell_.padding());
+    new GhostHand(page, this.store, this.view_, () => this.frame?.groups[this.store.state.active] ?? null);
     this.followClient();
     requestAnimationFrame(this.drawn);
   }

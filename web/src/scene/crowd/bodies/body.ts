@@ -4,7 +4,16 @@ import type { BufferGeometry, Texture } from 'three';
 import type { Rig } from './rig';
 
 /** Materials of the skin, as the attribute `region` numbers them; `own` keeps the colours of the file. */
-export const kRegion = { skin: 0, shirt: 1, farShirt: 1.2, farLegs: 1.4, trousers: 2, hair: 3, shoes: 4, own: 5 } as const;
+export const kRegion = {
+  skin: 0,
+  shirt: 1,
+  farShirt: 1.2,
+  farLegs: 1.4,
+  trousers: 2,
+  hair: 3,
+  shoes: 4,
+  own: 5,
+} as const;
 
 /** One draw call: geometry with `position`, `normal`, `joints`, `weights`, `region`, `tint`, and `uv` for a map. */
 export interface BodyPart {
