@@ -84,7 +84,8 @@ Status ScenarioFolder::addAs(const std::string& name, const std::string& path) {
 }
 
 std::string ScenarioFolder::first() const {
-    if (has("open")) return "open";
+    for (const char* name : {"market", "open"})
+        if (has(name)) return name;
     return entries_.empty() ? std::string() : entries_.front().name;
 }
 

@@ -4,6 +4,7 @@ import * as camera from './cases/camera.mjs';
 import * as directors from './cases/directors.mjs';
 import * as demonstration from './cases/demonstration.mjs';
 import * as feedback from './cases/feedback.mjs';
+import * as findings from './cases/findings.mjs';
 import * as look from './cases/look.mjs';
 import * as mouseAndKeys from './cases/mouse_and_keys.mjs';
 import * as objectives from './cases/objectives.mjs';
@@ -105,6 +106,26 @@ const kCases = [
   ],
   ['camera: by keys', camera.cameraByKeys, ['desktop'], { touch: false, scenario: 'scenarios/block.json' }],
   ['camera: wheel', camera.wheelEndsOnPeople, ['desktop'], { touch: false, scenario: 'scenarios/block.json' }],
+  ['first load', findings.firstLoad, ['desktop'], {}],
+  [
+    'market square',
+    findings.marketSquare,
+    ['wide', 'portrait', 'phone'],
+    { hint: true, scenario: 'scenarios/market.json' },
+  ],
+  ['hint ticks', findings.hintTicks, ['desktop', 'phone'], { hint: true, scenario: 'scenarios/block.json' }],
+  ['drawn formation', findings.drawnFormation, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
+  ['written formation', findings.writtenFormation, ['desktop'], { scenario: 'scenarios/open.json', room: true }],
+  ['palm and restart', findings.palmAndRestart, ['landscape'], { scenario: 'scenarios/open.json' }],
+  ['pinned marks', findings.marks, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],
+  ['hidden people', findings.hiddenPeople, ['desktop'], { scenario: 'scenarios/block.json' }],
+  ['small rings', findings.smallRings, ['phone', 'narrow'], { scenario: 'scenarios/open.json' }],
+  [
+    'nothing overlaps',
+    findings.nothingOverlaps,
+    ['wide', 'landscape', 'portrait', 'phone'],
+    { scenario: 'scenarios/paper/x03-long-house.json' },
+  ],
   ['people', people.appear, ['desktop'], { search: '?quality=full' }],
   ['people in light quality', people.appearLight, ['desktop'], { search: '?quality=light' }],
   ['people on patches', people.motions, ['desktop'], { scenario: 'scenarios/course.json' }],

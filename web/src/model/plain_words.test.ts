@@ -7,6 +7,8 @@ function words(change: Partial<StudioState>): string {
   return [people, does, items, slow].filter((one) => one !== '').join(' · ');
 }
 
+const kConduct = { stance: 'normal', cohesion: 0, squeeze: 1, avoids: false } as const;
+
 describe('plainWords', () => {
   it('tells where the crowd is on its way', () => {
     expect(words({ lag: 0.1 })).toBe('100 people · all in their places');
@@ -16,6 +18,9 @@ describe('plainWords', () => {
     expect(words({ lag: NaN })).toBe('100 people · all in their places');
     expect(words({ playing: false, lag: 5 })).toBe('100 people · paused');
     expect(words({ characters: 0 })).toBe('0 people');
+    const unit = { id: 1, orders: [{ id: 1, kind: 0 }], held: false, patrols: false, classes: [], conduct: kConduct };
+    expect(words({ lag: 0.1, units: [unit] })).toBe('100 people · walking as ordered');
+    expect(words({ lag: 0.1, units: [{ ...unit, held: true }] })).toBe('100 people · all in their places');
   });
   it('counts items, and says when the server cannot keep up', () => {
     expect(words({ items: 12, collected: 3 })).toContain('3 of 12 collected');

@@ -20,12 +20,14 @@ const kStep = 1000 / 60;
 
 type PlainState = Pick<
   StudioState,
-  'characters' | 'lag' | 'playing' | 'replaying' | 'stepMs' | 'speed' | 'items' | 'collected'
+  'characters' | 'lag' | 'playing' | 'replaying' | 'stepMs' | 'speed' | 'items' | 'collected' | 'units'
 >;
 
-function doing({ lag, playing, replaying }: PlainState): string {
+function doing({ lag, playing, replaying, units }: PlainState): string {
   if (!playing) return 'paused';
   if (replaying) return 'in a replay';
+  const ordered = units.some(({ orders, held }) => orders.length > 0 && !held);
+  if (ordered && lag < kNearly) return 'walking as ordered';
   if (!Number.isFinite(lag) || lag < kInPlace) return 'all in their places';
   if (lag < kNearly) return 'nearly in their places';
   return `on the way, ${lag < 9.95 ? lag.toFixed(1) : Math.round(lag)} m to go`;

@@ -95,6 +95,11 @@ export class StudioView implements StudioScene {
     return { drawn, clips: Array.from({ length: bank.clipCount }, (_, clip) => bank.name(clip)) };
   }
 
+  /** Opacity of each building, 0 to 1: for tests. */
+  get solid(): readonly number[] {
+    return this.stage_.environment.solid;
+  }
+
   /** The scale of the overlay on show, for its legend; null without one. */
   get fieldScale(): FieldScale | null {
     return this.overlay_.scale;

@@ -32,6 +32,7 @@ import { OrderDesk } from './order_desk';
 import { DirectorsDesk } from './directors_desk';
 import { AttentionSender } from './attention_sender';
 import { ControlWatch, kKindNames, type ControlNews } from '../model/control_watch';
+import { GhostHand } from './ghost_hand';
 import { openDialogsLazily } from './lazy_dialogs';
 import { ShapeDesk } from './shape_desk';
 import { CameraDesk } from './camera_desk';
@@ -158,6 +159,7 @@ export class StudioApp {
     );
     this.routePointers();
     followSettings(this.store, this.view_, () => this.shell_.padding());
+    new GhostHand(page, this.store, this.view_, () => this.frame?.groups[this.store.state.active] ?? null);
     this.followClient();
     requestAnimationFrame(this.drawn);
   }

@@ -35,6 +35,8 @@ import type { StudioStore } from '../model/studio_store';
 
 /** Between top panels and the ground that must be seen: figures stand up into it [px]. */
 const kHeadroom = 44;
+/** The queue and the hint stand at the lower edge of wide windows: fits leave room for them [px]. */
+const kFoot = 176;
 
 /** What tells of losses, messages and a control that is in use, below each other. */
 function bannersOf(store: StudioStore, actions: StudioActions): HTMLElement {
@@ -127,7 +129,12 @@ export class StudioShell {
     if (layout === 'desktop' || layout === 'landscape') {
       const left = this.formations_.root.getBoundingClientRect().right + 12;
       const right = layout === 'desktop' ? this.besideOrders() : this.beside(this.playback_.root);
-      return { top, right, bottom: height - this.readout_.root.getBoundingClientRect().top + 12, left };
+      return {
+        top,
+        right,
+        bottom: Math.max(kFoot, height - this.readout_.root.getBoundingClientRect().top + 12),
+        left,
+      };
     }
     const right = layout === 'short' ? 24 : this.besideOrders();
     return { top, right, bottom: height - Math.min(height, ...below.map((box) => box.top)) + 24, left: 14 };

@@ -17,6 +17,8 @@ const parameters = (studio) =>
 
 export async function objectives(studio) {
   const menu = studio.page.locator('select.objective');
+  expect(!(await menu.isVisible()), 'words come first, figures on request');
+  await studio.page.locator('.readout .plain').click();
   const chosen = () => menu.evaluate((select) => select.selectedOptions[0]?.textContent ?? '');
   const before = await parameters(studio);
   expect(before['plan.objective'] === 0 && before['plan.exponent'] === 2, `the default: ${JSON.stringify(before)}`);

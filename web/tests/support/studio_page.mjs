@@ -129,7 +129,7 @@ export class StudioPage {
   }
 
   /** Zooms out so that there is room to drag. */
-  async makeRoom(factor = 0.62) {
+  async makeRoom(factor = this.size === 'phone' ? 0.42 : 0.62) {
     await this.page.evaluate((zoom) => {
       const { view } = globalThis.__muster;
       view.camera.zoomAt({ x: innerWidth / 2, y: innerHeight / 2 }, zoom);

@@ -31,9 +31,9 @@ describe('surroundings', () => {
   it('holds what is near, drawn in, and leaves out what is far', () => {
     expect(surroundings(scene, crowd)).toEqual([
       { x: 8, y: 0 },
-      { x: 9, y: 0 },
-      { x: 9, y: 1 },
-      { x: 0, y: 13 },
+      { x: 8, y: 0 },
+      { x: 8, y: 1 },
+      { x: 0, y: 8 },
     ]);
   });
   it('has nothing to add where nobody is', () => {

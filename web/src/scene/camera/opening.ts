@@ -1,12 +1,16 @@
 // What the opening view shows apart from the crowd: the obstacles and patches near it.
 
 import type { Point2, SceneFacts } from '../../protocol/scene';
+import type { GroupView } from '../../model/frame_view';
+import { OrderKind } from '../../protocol/messages';
 import type { GroundPoint } from '../../model/plane';
 
 /** Things within this of the crowd are shown [m]. */
 const kNear = 20;
 /** They widen the view by no more than this to a side, so that people stay large [m]. */
-const kWiden = 11;
+const kWiden = 6;
+/** So far from the crowd its goals are shown [m]. */
+const kGoal = 12;
 
 /** Points to fit into the view: corners of what is near, drawn in where they would widen it too far. */
 export function surroundings(scene: SceneFacts | null, crowd: readonly GroundPoint[]): GroundPoint[] {
@@ -23,4 +27,17 @@ export function surroundings(scene: SceneFacts | null, crowd: readonly GroundPoi
   return corners
     .filter(([x, y]) => Math.hypot(x - clamp(x, x0, x1), y - clamp(y, y0, y1)) <= kNear)
     .map(([x, y]) => ({ x: clamp(x, x0 - kWiden, x1 + kWiden), y: clamp(y, y0 - kWiden, y1 + kWiden) }));
+}
+
+/** Where its orders lead the crowd, drawn in where they are far. */
+export function goals(groups: readonly GroupView[], crowd: readonly GroundPoint[]): GroundPoint[] {
+  const xs = crowd.map((point) => point.x);
+  const ys = crowd.map((point) => point.y);
+  const [x0, x1, y0, y1] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
+  const clamp = (value: number, low: number, high: number): number => Math.min(high, Math.max(low, value));
+  return groups.flatMap(({ orders }) =>
+    orders
+      .filter(({ kind }) => kind === OrderKind.Move || kind === OrderKind.Guard)
+      .map(({ x, y }) => ({ x: clamp(x, x0 - kGoal, x1 + kGoal), y: clamp(y, y0 - kGoal, y1 + kGoal) })),
+  );
 }

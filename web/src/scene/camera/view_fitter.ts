@@ -6,7 +6,7 @@ import type { GroundPoint } from '../../model/plane';
 import { crowdOutline, kSpanLeast } from './bounds_builder';
 import type { CameraController } from './camera_controller';
 import type { Padding } from './camera_controls';
-import { surroundings } from './opening';
+import { goals, surroundings } from './opening';
 
 /** Duration of a camera move to another view [ms]. */
 const kGlide = 260;
@@ -35,7 +35,8 @@ export class ViewFitter {
     const points = crowdOutline(positions, groups, this.span());
     if (points.length === 0) return;
     this.opened_ = true;
-    this.camera_.fit(this.narrow() ? points : [...points, ...surroundings(this.scene_, points)], this.padding);
+    const wanted = [...points, ...goals(groups, points)];
+    this.camera_.fit(this.narrow() ? wanted : [...wanted, ...surroundings(this.scene_, points)], this.padding);
   }
 
   fit(positions: Numbers, groups: readonly GroupView[], atOnce: boolean): void {
