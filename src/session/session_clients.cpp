@@ -31,8 +31,8 @@ void Session::disconnect(std::uint32_t client) {
         std::vector<CommandBody> bodies{ReleaseClient{}};
         (void)impl_->submit(found->second, bodies);
     }
+    impl_->directors.leave(found->second.number);
     impl_->clients.erase(found);
-    impl_->directors.leave(client);
 }
 
 void Session::notice(std::uint32_t client, bool error, const std::string& code, const std::string& text) {
@@ -66,7 +66,7 @@ void Session::Impl::noticeAll(protocol::NoticeLevel level, const std::string& co
 
 void Session::Impl::tellOthers(std::uint32_t id, const std::string& did) {
     for (auto& [other, client] : clients) {
-        if (client.greeted && other != id)
+        if (client.greeted && client.number != id)
             notice(client, protocol::NoticeLevel::Info, "director", directors.name(id) + " " + did + ".");
     }
 }

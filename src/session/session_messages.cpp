@@ -58,7 +58,9 @@ public:
         if (message.group != 0 && group == nullptr) return noGroup(message.group);
         const Status status = session_.directors.give(message.client, GroupId{message.group});
         if (!status.ok()) return status;
-        const auto found = session_.clients.find(message.client);
+        const auto found = std::find_if(
+            session_.clients.begin(), session_.clients.end(),
+            [&](const auto& entry) { return entry.second.number == message.client; });
         if (message.client == client_.number || found == session_.clients.end()) return {};
         const std::string what = group == nullptr ? "everything" : group->name;
         session_.notice(found->second, protocol::NoticeLevel::Info, "director",

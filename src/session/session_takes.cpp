@@ -266,9 +266,11 @@ void Session::Impl::renumberClients(const Take& take) {
     for (const Command& command : take.commands) lastClient = std::max(lastClient, command.client);
     forgetClients();
     for (auto& [id, client] : clients) {
+        const std::string called = client.greeted ? directors.name(client.number) : std::string();
+        if (client.greeted) directors.leave(client.number);
         client.number = ++lastClient;
         client.scheme.restart(client.number);
-        if (client.greeted) greet(client);
+        if (client.greeted) greet(client, called);
     }
 }
 

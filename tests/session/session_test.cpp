@@ -12,18 +12,21 @@
 using namespace muster;
 using namespace muster::testing;
 
-TEST_CASE("A client is welcomed, then gets the scene, the motions, the meshes and a frame, in this order") {
+TEST_CASE(
+    "A client is welcomed, then gets the directors, the scene, the motions, the meshes and a frame, in this "
+    "order") {
     Session session = startedSession();
     const std::uint32_t id = session.connect();
     session.receive(id, protocol::encode(protocol::Hello{"me"}));
     std::vector<MessageBytes> messages;
     session.outgoing(id, messages);
-    REQUIRE(messages.size() == 5);
+    REQUIRE(messages.size() == 6);
     CHECK(messages[0][0] == protocol::Welcome::kNumber);
-    CHECK(messages[1][0] == protocol::Scene::kNumber);
-    CHECK(messages[2][0] == protocol::Motions::kNumber);
-    CHECK(messages[3][0] == protocol::GroupMesh::kNumber);
-    CHECK(messages[4][0] == protocol::Frame::kNumber);
+    CHECK(messages[1][0] == protocol::Directors::kNumber);
+    CHECK(messages[2][0] == protocol::Scene::kNumber);
+    CHECK(messages[3][0] == protocol::Motions::kNumber);
+    CHECK(messages[4][0] == protocol::GroupMesh::kNumber);
+    CHECK(messages[5][0] == protocol::Frame::kNumber);
     const auto welcome = std::get<protocol::Welcome>(protocol::decodeServer(messages[0]).value());
     CHECK(welcome.client == id);
     CHECK(welcome.scenarios.size() == 2);

@@ -98,7 +98,8 @@ void dragRight(Room& room, Page& page) {
 StudyTrial longest(StudyStore& store) {
     StudyTrial best;
     std::size_t most = 0;
-    for (const StudyTrial& trial : store.trials().value()) {
+    const std::vector<StudyTrial> trials = store.trials().value();
+    for (const StudyTrial& trial : trials) {
         const std::size_t count = store.inputs(trial.id).value().size();
         if (count <= most) continue;
         most = count;
@@ -160,7 +161,8 @@ TEST_CASE("A trial is played, given up and replays to the same hash") {
     dragRight(room, page);
     page.act(StudyAct::GiveUp);
     CHECK(page.states.back().ended == protocol::TrialEnd::GivenUp);
-    for (const StudyTrial& trial : room.store->trials().value()) {
+    const std::vector<StudyTrial> trials = room.store->trials().value();
+    for (const StudyTrial& trial : trials) {
         TrialReplay replay = replayOf(*room.store, trial);
         while (!replay.atEnd()) REQUIRE(replay.step().ok());
         CHECK(replay.trial().world().hash() == trial.result.hash);
@@ -168,7 +170,7 @@ TEST_CASE("A trial is played, given up and replays to the same hash") {
         CHECK(replay.trial().result().gestures == trial.result.gestures);
         CHECK(trial.result.gestures > 0);
     }
-    CHECK(room.store->trials().value()[1].state == RunState::BrokenOff);
+    CHECK(trials[1].state == RunState::BrokenOff);
 }
 
 TEST_CASE("A lost page pauses its trial, lifts its fingers, and comes back by its token") {

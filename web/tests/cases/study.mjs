@@ -13,7 +13,7 @@ import { serious } from './look.mjs';
 async function withStudy(work) {
   const folder = mkdtempSync(join(tmpdir(), 'muster-study-'));
   const db = join(folder, 'study.db');
-  const run = ['run', '--db', db, '--mouse', 'mouse-paper', '--crowd', '16', '--test', '--port', '18680'];
+  const run = ['run', '--db', db, '--mouse', 'mouse-full-free', '--crowd', '16', '--test', '--port', '18680'];
   const server = await startStudy(...run);
   try {
     await work({ server, db, folder });
@@ -132,7 +132,7 @@ function checkStored(db, folder, forms) {
   const device = (of) => new Set(inputs.filter(({ trial }) => of.includes(trial)).map((row) => row.device));
   const ofScheme = (name) => trials.filter(({ scheme }) => scheme === name).map(({ trial }) => trial);
   expect([...device(ofScheme('touch'))].sort().join() === ',touch', 'touch was done by fingers alone');
-  expect([...device(ofScheme('mouse-paper'))].sort().join() === ',mouse', 'the mouse alone did the other');
+  expect([...device(ofScheme('mouse-full-free'))].sort().join() === ',mouse', 'the mouse alone did the other');
   expect(answers.filter(({ instrument }) => instrument === 'sus').length === 20, 'SUS is answered for both controls');
   const reasons = answers.find(({ item }) => item === 'reasons');
   expect(reasons?.text === 'It was at hand; "quoted", with a comma.', `reasons come through: ${reasons?.text}`);

@@ -161,7 +161,7 @@ export class StudyPerson {
     await this.fingers.up();
   }
 
-  /** The paper's mouse: a box round all by the right button, a click by the left one. */
+  /** By the full mouse: a box round all with the left button, a click with the right one. */
   async sendToItem() {
     const { mouse } = this.page;
     const { item } = await this.aim();
@@ -170,12 +170,12 @@ export class StudyPerson {
     const high = { x: Math.max(...frame.x) + 1, y: Math.max(...frame.y) + 1 };
     const [from, to, goal] = await this.screen([low, high, item]);
     await mouse.move(from.x, from.y);
-    await mouse.down({ button: 'right' });
+    await mouse.down();
     await mouse.move(to.x, to.y, { steps: 8 });
     await this.wait(80);
     await this.shot('box');
-    await mouse.up({ button: 'right' });
-    await mouse.click(goal.x, goal.y);
+    await mouse.up();
+    await mouse.click(goal.x, goal.y, { button: 'right' });
   }
 
   /** Ends the trial; practice only when it may end. */
