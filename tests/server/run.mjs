@@ -10,6 +10,7 @@ import { demonstrationTests } from './demonstration.mjs';
 import { lanTests } from './lan.mjs';
 import { processTests } from './process.mjs';
 import { watchBodies, watchQueue, watchSilence } from './slow.mjs';
+import { studyTests } from './study.mjs';
 import { takesTests } from './takes.mjs';
 import { RawSocket, ack, dial, eventually, exchange, fromClient, fromServer, hello, ping, request, stepOf } from './client.mjs';
 
@@ -386,6 +387,7 @@ await test('the studio still answers', async () => {
 });
 
 await takesTests({ test, check, start, place });
+await studyTests({ test, check, program, place });
 await processTests({ test, check, start, program, common, place });
 
 child.removeAllListeners('exit');

@@ -73,6 +73,7 @@ async function playTo(watcher, time) {
   if ((await watcher.frame()).time >= time) return;
   await speed(8);
   await playback(0);
+  await watcher.until('it to play', () => globalThis.__muster.frame.playing);
   await watcher.until(
     `second ${time}`,
     (t) => globalThis.__muster.frame.time >= t || !globalThis.__muster.frame.playing,
@@ -81,6 +82,16 @@ async function playTo(watcher, time) {
   );
   await playback(1);
   await watcher.wait(400);
+}
+
+/** The part of the page that shows the ground. */
+async function groundOf(watcher) {
+  const [low, high] = await watcher.screen([
+    { x: -20, y: -11.25 },
+    { x: 20, y: 11.25 },
+  ]);
+  const [x, y] = [Math.min(low.x, high.x), Math.min(low.y, high.y)];
+  return { x, y, width: Math.abs(high.x - low.x), height: Math.abs(high.y - low.y) };
 }
 
 /** Pictures of one trial at these times [s]; its last one from its end on. */
@@ -95,7 +106,9 @@ async function pictures(browser, trial, times) {
     const shots = [];
     for (const time of times) {
       await playTo(watcher, Math.min(time, Number(trial.seconds) - 0.05));
-      shots.push((await watcher.page.screenshot({ type: 'jpeg', quality: 88 })).toString('base64'));
+      await watcher.page.evaluate(() => (document.querySelector('.study-toast').hidden = true));
+      const shot = await watcher.page.screenshot({ type: 'jpeg', quality: 88, clip: await groundOf(watcher) });
+      shots.push(shot.toString('base64'));
     }
     if (watcher.errors.length > 0) throw new Error(watcher.errors.join('; '));
     await watcher.close();

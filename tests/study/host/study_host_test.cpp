@@ -349,3 +349,25 @@ TEST_CASE("A replay in the studio shows the trial and its pointers, and ends wit
     watcher.send(protocol::SetSpeed{9.0f});
     CHECK(watcher.noticed("SetSpeed").find("0.1 to 8") != std::string::npos);
 }
+
+TEST_CASE("A replay tells of a hash that is not the stored one") {
+    Room room("tampered");
+    Page page(*room.host);
+    toReady(page);
+    page.send(viewOfPage());
+    page.act(StudyAct::Start);
+    room.run(31.0, {&page});
+    page.act(StudyAct::GiveUp);
+    StudyTrial trial = longest(*room.store);
+    trial.result.hash ^= 1;
+    ReplayHost host(replayOf(*room.store, trial), {"1.0.0", trial, RunKind::Test, {}});
+    StudyPage<ReplayHost> watcher(host);
+    watcher.send(protocol::SetSpeed{8.0f});
+    for (int i = 0; i < 400; ++i) {
+        host.elapse(1.0 / 60.0);
+        while (host.stepDue()) host.step();
+        watcher.poll();
+    }
+    CHECK(watcher.noticed("replay-end").find("another hash") != std::string::npos);
+    CHECK(watcher.notices.back().level == protocol::NoticeLevel::Warning);
+}

@@ -62,7 +62,7 @@ export class StudyShell {
 
   private stopDialog(stop: () => void): HTMLDialogElement {
     const yes = element('button', { type: 'button', class: 'solid' }, 'Stop for good');
-    const no = element('button', { type: 'button', class: 'soft' }, 'Go on');
+    const no = element('button', { type: 'button', class: 'soft' }, 'Keep taking part');
     const dialog = element(
       'dialog',
       { class: 'study-dialog', 'aria-labelledby': 'study-stop-title' },
