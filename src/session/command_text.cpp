@@ -18,7 +18,8 @@ bool isOneOf(const CommandBody& body) {
 
 bool allowed(const CommandBody& body) {
     return isOneOf<GiveOrder, EditQueue, SetConduct, AddCharacters, RemoveCharacters, TransferCharacters,
-                   SplitGroup, MergeGroups, SetBodies, SetRoles, SetDemands, SetFormation, SetPose>(body);
+                   SplitGroup, MergeGroups, SetBodies, SetRoles, SetDemands, SetFormation, SetPose, AddGroup>(
+        body);
 }
 
 Status beyondLimit(const char* what, std::size_t found, std::size_t most) {
@@ -45,6 +46,9 @@ Result<std::vector<CommandBody>> parseCommandText(std::string_view text, const S
         const auto most = static_cast<std::size_t>(limits.charactersPerGroup);
         if (join != nullptr && join->positions.size() > most)
             return beyondLimit("characters", join->positions.size(), most);
+        const auto* group = std::get_if<AddGroup>(&command.body);
+        if (group != nullptr && group->group.count > limits.charactersPerGroup)
+            return beyondLimit("characters", static_cast<std::size_t>(group->group.count), most);
         bodies.push_back(std::move(command.body));
     }
     return bodies;

@@ -61,6 +61,7 @@ TEST_CASE("Text and number of commands have limits") {
     CHECK(wrongWith("[" + hold + "," + hold + "]", limits).empty());
     CHECK(has(wrongWith("[" + hold + "," + hold + "," + hold + "]", limits), "3 commands"));
     CHECK(has(wrongWith(R"([{"kind":"join","group":1,"positions":[[0,0],[2,0]]}])", limits), "2 characters"));
+    CHECK(has(wrongWith(R"([{"kind":"group","definition":{"count":2}}])", limits), "2 characters"));
     limits.commandBytes = 10;
     CHECK(has(wrongWith("[" + hold + "]", limits), "bytes"));
 }
@@ -77,6 +78,20 @@ TEST_CASE("A message of commands steers the world, and a bad one changes nothing
     run(session, 0.1, {&client});
     CHECK(client.meshes.back().formation == "wedge");
     CHECK_FALSE(client.noticed("Commands").empty());
+}
+
+TEST_CASE("A group comes by a command, with what its definition says") {
+    Session session = startedSession();
+    FakeClient client(session);
+    run(session, 0.1, {&client});
+    const std::size_t before = client.frames.back().groups.size();
+    client.send(protocol::Commands{
+        R"([{"kind":"group","definition":{"name":"Visitors","count":5,"formation":{"kind":"line","spacing":1.2},
+            "position":[2,3],"bodies":[{"radius":0.3,"maxSpeed":1.5}]}}])"});
+    run(session, 0.1, {&client});
+    CHECK(client.notices.empty());
+    CHECK(client.frames.back().groups.size() == before + 1);
+    CHECK(client.meshes.back().formation == "line");
 }
 
 TEST_CASE("Classes and radii come with the ids, and only where somebody has other ones") {

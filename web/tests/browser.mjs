@@ -116,6 +116,7 @@ const kCases = [
   ['hint ticks', findings.hintTicks, ['desktop', 'phone'], { hint: true, scenario: 'scenarios/block.json' }],
   ['drawn formation', findings.drawnFormation, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
   ['written formation', findings.writtenFormation, ['desktop'], { scenario: 'scenarios/open.json', room: true }],
+  ['added group', findings.addedGroup, ['desktop', 'phone'], { scenario: 'scenarios/open.json', room: true }],
   ['palm and restart', findings.palmAndRestart, ['landscape'], { scenario: 'scenarios/open.json' }],
   ['pinned marks', findings.marks, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],
   ['hidden people', findings.hiddenPeople, ['desktop'], { scenario: 'scenarios/block.json' }],

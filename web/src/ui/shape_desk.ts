@@ -134,7 +134,7 @@ export class ShapeDesk implements ShapeActions, OutlineSink {
       count,
       formation: { kind: formation, spacing },
       position: [round(at.x), round(at.y)],
-      bodies: { radius, maxSpeed: speed },
+      bodies: [{ radius, maxSpeed: speed }],
     };
     this.send([{ kind: 'group', definition }]);
     this.held_ = null;

@@ -144,8 +144,8 @@ export class StudioShell {
     return window.innerWidth - panel.getBoundingClientRect().left + 12;
   }
 
-  /** Before the first scene the orders are hidden. */
+  /** Before the first scene, and on phones below a message, the orders are hidden. */
   private besideOrders(): number {
-    return this.orders_.hidden ? 24 : this.beside(this.orders_);
+    return this.orders_.getClientRects().length === 0 ? 24 : this.beside(this.orders_);
   }
 }
