@@ -19,6 +19,7 @@ void addSweepCommand(CommandLine& line);
 void addStudyCommand(CommandLine& line);
 
 // Commands of `muster study`.
+void addStudyModelsCommand(Subcommand& study);
 void addStudyReportCommand(Subcommand& study);
 void addStudyExportCommand(Subcommand& study);
 

@@ -5,11 +5,13 @@ namespace muster {
 
 void addStudyCommand(CommandLine& line) {
     Subcommand study = line.add("study", "The study of touch and mouse (the paper's section 7.5).");
+    addStudyModelsCommand(study);
     addStudyReportCommand(study);
     addStudyExportCommand(study);
     study.footer(
         "All commands share one database file. Operator models are no people: reports never mix them.\n"
         "Example:\n"
+        "  muster study models --seeds 50 --db study.db\n"
         "  muster study report --db study.db -o report");
 }
 

@@ -55,8 +55,8 @@ static_assert(static_cast<int>(EventKind::Count) == static_cast<int>(protocol::E
 
 /// True where an order says more than the fields of a frame do.
 bool saysMore(const Order& order) {
-    return order.pace > 0.0 || order.share != Order{}.share || order.formation || !order.path.still() ||
-           !(order.offset == Vec2{});
+    return order.manner == Manner::Continuum || order.pace > 0.0 || order.share != Order{}.share ||
+           order.formation || !order.path.still() || !(order.offset == Vec2{});
 }
 
 /// The order as a gestures file with it alone.
@@ -75,7 +75,7 @@ protocol::OrderFrame orderFrame(const QueuedOrder& queued) {
     frame.hasFacing = order.facing.has_value();
     frame.facing = narrow(order.facing.value_or(0.0));
     frame.width = narrow(order.width);
-    frame.manner = static_cast<protocol::Manner>(order.manner);
+    frame.manner = order.manner == Manner::March ? protocol::Manner::March : protocol::Manner::Free;
     frame.turn = static_cast<protocol::Turn>(order.turn);
     frame.group = order.group.value;
     frame.character = order.character;

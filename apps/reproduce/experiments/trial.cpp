@@ -22,11 +22,11 @@ double orNothing(double value) {
 
 }  // namespace
 
-Result<Trial> Trial::open(const RunRequest& request, const TrialDef& def) {
+Result<ExperimentTrial> ExperimentTrial::open(const RunRequest& request, const ExperimentTrialDef& def) {
     const std::string path = request.folder + "/" + def.scenario + ".json";
     auto loaded = loadScenario(path);
     if (!loaded.ok()) return loaded.status();
-    Trial trial;
+    ExperimentTrial trial;
     trial.def_ = std::move(loaded).value();
     Parameters& parameters = trial.def_.parameters;
     if (Status s = usePreset(parameters, request.arm.preset); !s.ok()) return s.within(path);
@@ -45,7 +45,7 @@ Result<Trial> Trial::open(const RunRequest& request, const TrialDef& def) {
     return trial;
 }
 
-void Trial::shift(Vec2 by) {
+void ExperimentTrial::shift(Vec2 by) {
     for (GroupDef& group : def_.groups) group.position += by;
     for (Command& command : commands_) {
         if (auto* down = std::get_if<TouchDown>(&command.body)) down->position += by;
@@ -53,7 +53,7 @@ void Trial::shift(Vec2 by) {
     }
 }
 
-Status Trial::start() {
+Status ExperimentTrial::start() {
     auto world = World::create(def_);
     if (!world.ok()) return world.status();
     world_.emplace(std::move(world).value());
@@ -67,7 +67,7 @@ Status Trial::start() {
 }
 
 // Past positions of characters, for pictures.
-void Trial::follow() {
+void ExperimentTrial::follow() {
     if (!film_) return;
     const auto every = static_cast<std::uint32_t>(
         std::max(1.0, std::floor(kTrailPeriod / def_.parameters.stepTime)));
@@ -81,20 +81,20 @@ void Trial::follow() {
     }
 }
 
-void Trial::step() {
+void ExperimentTrial::step() {
     world_->step();
     metrics_->observe(*world_);
     follow();
 }
 
-void Trial::runUntil(double seconds, const std::function<void()>& watch) {
+void ExperimentTrial::runUntil(double seconds, const std::function<void()>& watch) {
     while (time() < seconds - 1e-9) {
         step();
         if (watch) watch();
     }
 }
 
-bool Trial::runUntilSettled(double longest, const std::function<void()>& watch) {
+bool ExperimentTrial::runUntilSettled(double longest, const std::function<void()>& watch) {
     const auto half = static_cast<std::uint32_t>(std::max(1.0, std::floor(0.5 / def_.parameters.stepTime)));
     const double end = gesturesEnd_ + longest;
     while (time() < end) {
@@ -106,7 +106,7 @@ bool Trial::runUntilSettled(double longest, const std::function<void()>& watch) 
     return metrics_->settled(*world_);
 }
 
-void Trial::shoot(const std::string& caption) {
+void ExperimentTrial::shoot(const std::string& caption) {
     if (!film_) return;
     // An invalid view is a mistake in an experiment; the strip then shows the caption only.
     auto svg = svgPicture(*world_, picture_);
@@ -114,7 +114,7 @@ void Trial::shoot(const std::string& caption) {
     frames_.push_back({time(), caption, svg.ok() ? std::move(svg).value() : std::string()});
 }
 
-void Trial::report(RunSample& sample) {
+void ExperimentTrial::report(RunSample& sample) {
     const RunFigures figures = metrics_->figures(*world_, false);
     sample.figures["arrived95"] = orNothing(figures.arrived95);
     sample.figures["arrived100"] = orNothing(figures.arrived100);

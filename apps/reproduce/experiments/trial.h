@@ -17,7 +17,7 @@
 namespace muster {
 
 /// What a trial starts from.
-struct TrialDef {
+struct ExperimentTrialDef {
     std::string scenario;  ///< File under the paper's folder without ".json".
     double jitter = 0.15;  ///< Starts are moved by up to this, by the seed [m] >= 0.
     std::vector<std::pair<std::string, double>> settings = {};  ///< Parameters by name, set after the preset.
@@ -25,11 +25,11 @@ struct TrialDef {
 };
 
 /// One run of a world: its definition may be changed first, then it is started, stepped and filmed.
-class Trial {
+class ExperimentTrial {
 public:
     /// Reads scenario and gestures, takes the request's preset (what differs between presets; the scenario's
     /// own parameters stay) and seed. Fails as loadScenario does, or naming a setting.
-    static Result<Trial> open(const RunRequest& request, const TrialDef& def);
+    static Result<ExperimentTrial> open(const RunRequest& request, const ExperimentTrialDef& def);
 
     /// May be changed before start().
     WorldDef& def() { return def_; }

@@ -114,7 +114,7 @@ public:
     }
     Result<RunSample> run(const RunRequest& request) const override {
         const std::size_t dash = request.arm.id.find('-');
-        auto trial = Trial::open(request, {.scenario = "x01-" + request.arm.id.substr(0, dash)});
+        auto trial = ExperimentTrial::open(request, {.scenario = "x01-" + request.arm.id.substr(0, dash)});
         if (!trial.ok()) return trial.status();
         drawDrag(request.seed, dash != std::string::npos, trial->commands());
         if (Status s = trial->start(); !s.ok()) return s;

@@ -57,7 +57,7 @@ public:
                 {"energy", "as-rigid-as-possible energy", "m²", 3}};
     }
     Result<RunSample> run(const RunRequest& request) const override {
-        auto trial = Trial::open(request, {.scenario = "x02-line-and-area"});
+        auto trial = ExperimentTrial::open(request, {.scenario = "x02-line-and-area"});
         if (!trial.ok()) return trial.status();
         drawLine(request.seed, trial->commands());
         if (Status s = trial->start(); !s.ok()) return s;

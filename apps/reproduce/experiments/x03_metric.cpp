@@ -77,10 +77,10 @@ public:
     Result<RunSample> run(const RunRequest& request) const override {
         const std::string& arm = request.arm.id;
         const bool plain = arm.ends_with("-plain");
-        auto trial = Trial::open(request,
-                                 {.scenario = plain ? "x03-plain-block" : "x03-long-house",
-                                  .settings = {{"plan.exponent", 1.0},
-                                               {"plan.geodesic", arm.starts_with("geodesic") ? 1.0 : 0.0}}});
+        auto trial = ExperimentTrial::open(
+            request, {.scenario = plain ? "x03-plain-block" : "x03-long-house",
+                      .settings = {{"plan.exponent", 1.0},
+                                   {"plan.geodesic", arm.starts_with("geodesic") ? 1.0 : 0.0}}});
         if (!trial.ok()) return trial.status();
         if (Status s = trial->start(); !s.ok()) return s;
         const std::span<const Vec2> now = trial->world().characters().position;

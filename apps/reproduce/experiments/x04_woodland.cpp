@@ -96,7 +96,7 @@ struct Between {
 };
 
 Result<RunSample> WoodlandExperiment::run(const RunRequest& request) const {
-    auto trial = Trial::open(request, {.scenario = "x04-woodland", .jitter = kWoodlandJitter});
+    auto trial = ExperimentTrial::open(request, {.scenario = "x04-woodland", .jitter = kWoodlandJitter});
     if (!trial.ok()) return trial.status();
     const bool bare = request.arm.id == "bare";
     if (bare) trial->def().patches.clear();

@@ -109,7 +109,7 @@ double strengthOf(const std::string& arm) {
 }
 
 Result<RunSample> TrafficExperiment::run(const RunRequest& request) const {
-    auto trial = Trial::open(request, {.scenario = "x05-traffic", .jitter = kTrafficJitter});
+    auto trial = ExperimentTrial::open(request, {.scenario = "x05-traffic", .jitter = kTrafficJitter});
     if (!trial.ok()) return trial.status();
     shiftCars(trial->def(), request.seed);
     jitterHand(trial->commands(), request.seed, kTrafficHand);

@@ -169,7 +169,7 @@ struct Watch {
 };
 
 Result<RunSample> CourseExperiment::run(const RunRequest& request) const {
-    auto trial = Trial::open(request, {.scenario = "x06-course", .jitter = kCourseJitter});
+    auto trial = ExperimentTrial::open(request, {.scenario = "x06-course", .jitter = kCourseJitter});
     if (!trial.ok()) return trial.status();
     jitterHand(trial->commands(), request.seed, kCourseHand);
     if (Status s = trial->start(); !s.ok()) return s;

@@ -126,7 +126,7 @@ private:
 };
 
 Result<RunSample> ThreePathsExperiment::run(const RunRequest& request) const {
-    auto trial = Trial::open(request, {.scenario = "x07-three-paths", .jitter = kLanesJitter});
+    auto trial = ExperimentTrial::open(request, {.scenario = "x07-three-paths", .jitter = kLanesJitter});
     if (!trial.ok()) return trial.status();
     if (request.arm.id == "lower") trial->shift({0.0, kLower});
     jitterHand(trial->commands(), request.seed, kLanesHand);

@@ -91,9 +91,9 @@ struct Queue {
 };
 
 Result<RunSample> CongestionExperiment::run(const RunRequest& request) const {
-    TrialDef def{.scenario = "x08-congestion"};
+    ExperimentTrialDef def{.scenario = "x08-congestion"};
     if (request.arm.id == "blind") def.settings = {{"density.enabled", 0.0}, {"plan.waits", 0.0}};
-    auto trial = Trial::open(request, def);
+    auto trial = ExperimentTrial::open(request, def);
     if (!trial.ok()) return trial.status();
     if (Status s = trial->start(); !s.ok()) return s;
     LaneWatch ways(kAlleyMiddle, {-kAlley, kAlley}, trial->world());

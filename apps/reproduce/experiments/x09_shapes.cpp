@@ -31,7 +31,7 @@ struct Variation {
         shift.y = random.uniform(-mostShift.y, mostShift.y);
         turn = random.uniform(-mostTurn, mostTurn);
     }
-    void apply(Trial& trial) const {
+    void apply(ExperimentTrial& trial) const {
         trial.shift(shift);
         trial.def().groups[0].angle += turn;
     }
@@ -64,7 +64,7 @@ double worse(double a, double b) {
 
 /// Five changes of formation while the mesh stands still.
 Result<RunSample> runOpen(const RunRequest& request) {
-    auto trial = Trial::open(request, {.scenario = "x09-shapes"});
+    auto trial = ExperimentTrial::open(request, {.scenario = "x09-shapes"});
     if (!trial.ok()) return trial.status();
     Variation(request.seed, {0.5, 0.5}, 0.35).apply(*trial);
     shuffleShapes(request.seed, trial->commands());
@@ -142,7 +142,7 @@ struct ArrowWatch {
 };
 
 Result<RunSample> runCorridor(const RunRequest& request) {
-    auto trial = Trial::open(request, {.scenario = "x09-corridor"});
+    auto trial = ExperimentTrial::open(request, {.scenario = "x09-corridor"});
     if (!trial.ok()) return trial.status();
     Variation(request.seed, {0.0, 0.5}, 0.0).apply(*trial);
     if (Status s = trial->start(); !s.ok()) return s;

@@ -127,7 +127,7 @@ public:
                 {"swaps", "swaps per character and second", "1/s", 3}};
     }
     Result<RunSample> run(const RunRequest& request) const override {
-        auto trial = Trial::open(request, {.scenario = "x10-pacman"});
+        auto trial = ExperimentTrial::open(request, {.scenario = "x10-pacman"});
         if (!trial.ok()) return trial.status();
         vary(request.seed, trial->commands());
         if (request.arm.id == "still")
@@ -177,7 +177,7 @@ public:
 
 private:
     /// Runs to the end and takes pictures of the mouth shut and open, alternating.
-    static void film(Trial& trial, PacmanWatch& watch) {
+    static void film(ExperimentTrial& trial, PacmanWatch& watch) {
         trial.picture().view = Box{{-17.5, -6.6}, {11.5, 6.6}};
         const auto observe = [&] { watch.observe(trial.world()); };
         // First at rest, then shut and wide open, alternating.

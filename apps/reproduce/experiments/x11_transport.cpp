@@ -73,10 +73,10 @@ std::int32_t inPlace(const World& world) {
 }
 
 Result<RunSample> TransportExperiment::run(const RunRequest& request) const {
-    const TrialDef def{.scenario = "x11-transport",
-                       .jitter = kTransportJitter,
-                       .settings = {{"plan.mode", planMode(request.arm.id)}}};
-    auto trial = Trial::open(request, def);
+    const ExperimentTrialDef def{.scenario = "x11-transport",
+                                 .jitter = kTransportJitter,
+                                 .settings = {{"plan.mode", planMode(request.arm.id)}}};
+    auto trial = ExperimentTrial::open(request, def);
     if (!trial.ok()) return trial.status();
     jitterHand(trial->commands(), request.seed, kTransportHand);
     if (Status s = trial->start(); !s.ok()) return s;

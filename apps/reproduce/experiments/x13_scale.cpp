@@ -52,7 +52,7 @@ constexpr Part kParts[] = {
 
 /// Changes the scene to another number of people: it keeps the people per square metre of ground and the
 /// fingers at the same corners of the formation.
-void enlarge(Trial& trial, std::int32_t count) {
+void enlarge(ExperimentTrial& trial, std::int32_t count) {
     WorldDef& def = trial.def();
     GroupDef& group = def.groups[0];
     const double crowd = std::sqrt(count / kReference), ground = std::max(1.0, crowd);
@@ -98,7 +98,7 @@ struct StepCost {
     }
 };
 
-StepCost measure(Trial& trial, const Size& size) {
+StepCost measure(ExperimentTrial& trial, const Size& size) {
     for (std::int32_t k = 0; k < size.warmUp; ++k) trial.step();
     StepCost cost;
     for (std::int32_t k = 0; k < size.steps; ++k) {
@@ -155,7 +155,7 @@ public:
         const double growth = request.arm.preset == "paper" ? kGrowthExact : kGrowthFast;
         for (const Size& size : kSizes) {
             if (count > 0.0 && rate * std::pow(count / size.count, growth) < kSlowest) break;
-            auto trial = Trial::open(request, {.scenario = "x13-scale"});
+            auto trial = ExperimentTrial::open(request, {.scenario = "x13-scale"});
             if (!trial.ok()) return trial.status();
             enlarge(*trial, size.count);
             if (Status s = trial->start(); !s.ok()) return s;
@@ -210,7 +210,7 @@ private:
         }
     }
     /// A picture of some sizes; the hash is that of a hundred.
-    static void film(Trial& trial, const Size& size, RunSample& sample) {
+    static void film(ExperimentTrial& trial, const Size& size, RunSample& sample) {
         const bool shown = size.count == 36 || size.count == 100 || size.count == 400 || size.count == 1000;
         if (shown) trial.shoot(std::to_string(size.count) + " characters");
         RunSample own;

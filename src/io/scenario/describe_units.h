@@ -17,7 +17,7 @@ inline constexpr NumberRange kDemand{0.0, 1000.0};
 
 // The words of enumerations, in the order of their values.
 inline constexpr std::array kOrderWords{"move", "face", "follow", "guard"};
-inline constexpr std::array kMannerWords{"march", "free"};
+inline constexpr std::array kMannerWords{"march", "free", "continuum"};
 inline constexpr std::array kTurnWords{"wheel", "reverse", "keep"};
 inline constexpr std::array kModeWords{"replace", "append", "insert"};
 inline constexpr std::array kEditWords{"cancel", "hold", "resume", "patrol", "endPatrol", "stop"};
@@ -112,7 +112,8 @@ void describeOrder(Visitor& v, Order& order) {
         if (Visitor::kReading && given) order.formation = formation;
     }
     if (takesPart<Visitor>(order.kind == OrderKind::Move || order.manner != Manner::March))
-        describeWord(v, "manner", order.manner, kMannerWords, "In formation, or each by the shortest way.");
+        describeWord(v, "manner", order.manner, kMannerWords,
+                     "In formation, each by the shortest way, or to one point by one field.");
     if (takesPart<Visitor>(order.kind == OrderKind::Move || order.turn != Turn::Wheel))
         describeWord(v, "turn", order.turn, kTurnWords, "How it turns on a march.");
     if (takesPart<Visitor>(order.pace != 0.0))
