@@ -21,6 +21,7 @@ void addStudyCommand(CommandLine& line);
 // Commands of `muster study`.
 void addStudyRunCommand(Subcommand& study);
 void addStudyReplayCommand(Subcommand& study);
+void addStudyModelsCommand(Subcommand& study);
 void addStudyReportCommand(Subcommand& study);
 void addStudyExportCommand(Subcommand& study);
 

@@ -49,6 +49,7 @@ struct WorldEngine {
         orders.reset(state);
         cost.reset(state);
         ways.reset(state);
+        steering.reset();
         for (const Group& group : state.groups) group.plan->bind(cost.ofClass(group.groundClass));
         events.clear();
         rejections.clear();

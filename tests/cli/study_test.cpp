@@ -45,3 +45,46 @@ TEST_CASE("muster study run and replay tell bad input in one sentence") {
     CHECK(none.code == 1);
     CHECK(none.error.find("no trial 7") != std::string::npos);
 }
+
+TEST_CASE(
+    "muster study models keeps trials, goes on, and gives the same report however it was cut into shards") {
+    const std::string series = " --environments single-block --schemes touch,mouse-full-free --threads 2";
+    const std::string whole = (workFolder() / "models_whole.db").string();
+    const std::string parts = (workFolder() / "models_parts.db").string();
+    CHECK(runProgram("study models --seeds 1" + series + " --db '" + whole + "'").code == 0);
+    const Outcome again = runProgram("study models --seeds 1" + series + " --db '" + whole + "'");
+    CHECK(again.code == 0);
+    CHECK(again.error.find("2 of 2 trials") != std::string::npos);
+    for (const std::string& shard : {std::string("0/2"), std::string("1/2")})
+        CHECK(runProgram("study models --seeds 1" + series + " --shard " + shard + " --db '" + parts +
+                         shard.substr(0, 1) + "'")
+                  .code == 0);
+    CHECK(runProgram("study models --merge '" + parts + "1' --merge '" + parts + "0' --db '" + parts + "'")
+              .code == 0);
+    for (const std::string& db : {whole, parts})
+        CHECK(runProgram("study report --db '" + db + "' -o '" + db + ".report'").code == 0);
+    CHECK(slurp(whole + ".report/report.html") == slurp(parts + ".report/report.html"));
+    CHECK(slurp(whole + ".report/results.json") == slurp(parts + ".report/results.json"));
+    CHECK(slurp(whole + ".report/results.json").find("\"models\"") != std::string::npos);
+}
+
+TEST_CASE("muster study models writes a job file, and refuses what cannot be") {
+    const std::string job = (workFolder() / "job.sh").string();
+    const Outcome written = runProgram(
+        "study models --seeds 3 --settings equal-motor --shard 0/8 --db study.db --slurm '" + job + "'");
+    CHECK(written.code == 0);
+    const std::string text = slurp(job);
+    CHECK(text.find("#SBATCH --array=0-7") != std::string::npos);
+    CHECK(text.find("--settings 'equal-motor'") != std::string::npos);
+    CHECK(text.find("--shard \"$SLURM_ARRAY_TASK_ID/8\"") != std::string::npos);
+    for (const std::string& wrong :
+         {std::string("--environments nowhere"), std::string("--schemes telepathy"),
+          std::string("--shard 3/2"), std::string("--shard half"), std::string("--settings hasty")}) {
+        const Outcome outcome = runProgram("study models " + wrong + " --db '" +
+                                           (workFolder() / "none.db").string() + "'");
+        INFO(wrong);
+        CHECK(outcome.code == 1);
+        CHECK(outcome.errorLines() == 1);
+    }
+    CHECK(runProgram("study models").code == 1);
+}

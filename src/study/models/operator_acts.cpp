@@ -1,6 +1,7 @@
 // How an operator model moves its hands for what it has decided.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "study/models/operator_model.h"
 
@@ -10,9 +11,21 @@ namespace {
 constexpr double kTarget = 1.0;       // What is aimed at is as large as an item's reach [m].
 constexpr double kBoxMargin = 0.45;   // A box is drawn so far round those whom it shall select [m].
 constexpr double kTwoFingers = 0.04;  // Between two fingers that come down together [s].
+constexpr double kBetweenTaps = 0.15;  // Between two taps on one spot [s].
 constexpr double kGripShare = 0.8;    // They come down within the crowd [m].
 constexpr double kLeastSelected = 0.5;
 constexpr std::size_t kNoCharge = static_cast<std::size_t>(-1);
+
+Vec2 nearestTo(std::span<const Vec2> points, Vec2 p) {
+    Vec2 nearest = p;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vec2 q : points) {
+        if (distance(p, q) >= least) continue;
+        least = distance(p, q);
+        nearest = q;
+    }
+    return nearest;
+}
 
 }  // namespace
 
@@ -92,18 +105,32 @@ void OperatorModel::send(double now, Charge& charge) {
     select(at, charge);
 }
 
+// Two taps give a formation its square back.
+double OperatorModel::tapTwice(double at, Vec2 where, double millimetres) {
+    for (std::int32_t tap = 0; tap < 2; ++tap)
+        at = hand_.click(PointerButton::Left, {}, at, where, millimetres, script_) + kBetweenTaps;
+    ++commands_;
+    return at;
+}
+
 // A finger or the mouse takes a formation and draws its way.
 void OperatorModel::draw(double now, Charge& charge) {
     const std::size_t hand = parameters_.hands > 1.5 && handFree_[1] < handFree_[0] ? 1 : 0;
     const double chosen = now + noisy(motor_.factor() * (parameters_.attention + parameters_.decideNext));
     const SeenPart about = seen(charge, chosen + 0.5);
     const double width = std::max(kTarget, std::min(about.bounds.width(), about.bounds.height()));
-    const double at = reachHand(chosen, about.centre, width, hand) + motor_.press();
-    const Vec2 from = seen(charge, at).centre;
+    double at = reachHand(chosen, about.centre, width, hand) + motor_.press();
+    if (charge.plan.square) at = tapTwice(at, about.centre, width * mmPerMetre_);
+    // It is taken by whoever is nearest to its middle, who may stand beside that; the way is drawn as far
+    // beside its own.
+    const SeenPart there = seen(charge, at);
+    const Vec2 from = nearestTo(there.positions, there.centre);
+    const Vec2 beside = from - there.centre;
     std::vector<PathLeg> legs;
     Vec2 last = from;
     // The way was planned for where the part was; it moves on meanwhile.
-    for (const Vec2 p : charge.plan.way) {
+    for (const Vec2 middle : charge.plan.way) {
+        const Vec2 p = studyRules().box.clamp(middle + beside);
         const double mm = millimetres(last, p);
         const double pause = noisy(motor_.factor() * parameters_.decideNext);
         legs.push_back({p, noisy(motor_.draw(mm, kTarget * mmPerMetre_)), pause});

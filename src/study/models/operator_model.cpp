@@ -137,7 +137,6 @@ void OperatorModel::begin(double now, const SeenScene& seen) {
     const double takeIn = parameters_.takeIn + parameters_.takeInItem * static_cast<double>(open.size());
     busyUntil_ = now + noisy(motor_.factor() * takeIn) + noisy(motor_.factor() * parameters_.decide);
     nextPlan_ = busyUntil_ + parameters_.replan;
-    nextLook_ = busyUntil_ + parameters_.lookRound;
     char text[96];
     std::snprintf(text, sizeof(text), "%s, %.1f s expected", plan.text.c_str(), plan.seconds);
     note("plan", now, busyUntil_, text);
@@ -198,18 +197,25 @@ bool OperatorModel::idle(const Charge& charge, const SeenScene& now) const {
     for (std::size_t i = 0; i < now.ids.size() && waits; ++i)
         if (std::binary_search(charge.plan.part.ids.begin(), charge.plan.part.ids.end(), now.ids[i]))
             waits = std::binary_search(now.busy.begin(), now.busy.end(), now.groups[i]);
-    const SeenScene& before = memory_.at(now.time - (waits ? kStuckLook : kIdleLook));
-    const double passed = now.time - before.time;
-    if (passed <= 0.5 * kIdleLook || (waits && now.time < charge.sentAt + kStuckLook)) return false;
-    Vec2 moved;
-    double count = 0.0;
-    for (std::size_t i = 0; i < now.ids.size(); ++i) {
-        if (!std::binary_search(charge.plan.part.ids.begin(), charge.plan.part.ids.end(), now.ids[i]))
-            continue;
-        moved += now.positions[i] - before.positions[i];
-        count += 1.0;
+    if (waits && now.time < charge.sentAt + kStuckLook) return false;
+    const std::int32_t looks = waits ? static_cast<std::int32_t>(kStuckLook / kIdleLook) : 1;
+    // It stands where it is not seen to move between any two of the last pictures.
+    for (std::int32_t k = 0; k < looks; ++k) {
+        const SeenScene& after = memory_.at(now.time - k * kIdleLook);
+        const SeenScene& before = memory_.at(after.time - kIdleLook);
+        const double passed = after.time - before.time;
+        if (passed <= 0.5 * kIdleLook) return false;
+        double moved = 0.0;
+        double count = 0.0;
+        for (std::size_t i = 0; i < after.ids.size(); ++i) {
+            if (!std::binary_search(charge.plan.part.ids.begin(), charge.plan.part.ids.end(), after.ids[i]))
+                continue;
+            moved += distance(after.positions[i], before.positions[i]);
+            count += 1.0;
+        }
+        if (count > 0.0 && moved / count / passed >= kStandingSpeed) return false;
     }
-    return count == 0.0 || length(moved) / count / passed < kStandingSpeed;
+    return true;
 }
 
 // Whether a part that has to be led from point to point is where the next one can be given.
@@ -304,7 +310,7 @@ void OperatorModel::renew(double now, const SeenScene& seen) {
             std::count_if(shares[i].begin(), shares[i].end(), [&](std::int32_t item) {
                 return std::count(charge.meant.begin(), charge.meant.end(), item) > 0;
             }));
-        charge.plan = planner_->next(this->seen(charge, now), shares[i], chance_);
+        charge.plan = planner_->renewed(this->seen(charge, now), shares[i], chance_);
         charge.meant = sweptBy(charge.plan, shares[i]);
         charge.point = 0;
         tasks_.push_back({Act::Send, i});

@@ -60,6 +60,7 @@ private:
     void send(double now, Charge& charge);
     void draw(double now, Charge& charge);
     void sweep(double now, Charge& charge);
+    double tapTwice(double at, Vec2 where, double millimetres);
     void select(double& at, Charge& charge);
     void point(double& at, Charge& charge, bool add);
     void renew(double now, const SeenScene& scene);
@@ -98,7 +99,6 @@ private:
     bool begun_ = false;
     double busyUntil_ = 0.0;                               // Until then it decides or moves [s].
     double nextPlan_ = 0.0;                                // Not before [s].
-    double nextLook_ = 0.0;                                // It looks round then [s].
     std::array<double, 2> handFree_{};                     // When each hand can touch again [s].
     std::array<Vec2, 2> handAt_{};                         // Where it is [m].
     std::size_t selected_ = static_cast<std::size_t>(-1);  // Charge whose characters are selected.

@@ -38,7 +38,6 @@ struct OperatorParameters {
     DeviceParameters touch;     ///< Of fingers.
     double hands = 2.0;         ///< Hands on the touch screen, 1 or 2.
     double secondHand = 0.2;    ///< More for a second hand with an aim of its own [s].
-    double span = 127.0;        ///< Widest span of one hand [mm].
     double key = 0.2;           ///< Pressing a key [s].
     double reaction = 0.25;     ///< From what is seen to what is done about it [s].
     double takeIn = 0.5;        ///< Taking in the scene at the start [s]...
@@ -50,7 +49,6 @@ struct OperatorParameters {
     double attention = 0.3;     ///< Attention goes from one group to another [s].
     double groupsInMind = 4.0;  ///< Groups that are directed at once.
     double replan = 1.0;        ///< Least time between two plans [s].
-    double lookRound = 3.8;     ///< Time after which one looks round [s].
     double routeDetour = 0.08;  ///< By how much routes are longer than the best found, as a share.
     double noise = 0.3;         ///< Coefficient of variation of each time.
     double between = 0.22;      ///< Standard deviation of the logarithm of a model's own factor of time.

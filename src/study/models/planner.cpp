@@ -20,6 +20,9 @@ constexpr double kLaneMargin = 1.0;     // A lane goes on so far behind its last
 constexpr std::array<std::array<std::int32_t, 2>, 9> kDivisions{
     {{1, 1}, {2, 1}, {1, 2}, {3, 1}, {1, 3}, {2, 2}, {4, 1}, {1, 4}, {3, 2}}};
 constexpr std::array<double, 4> kWidths{8.0, 12.0, 16.0, 20.0};
+constexpr double kWide = 1.4;            // A formation is wide that is so many times as wide as a square.
+constexpr double kMostPushed = 1.0;      // So far a formation may be pushed together at the border [m].
+constexpr double kPushedSeconds = 15.0;  // What more of that is expected to cost [s].
 
 double median(std::vector<double> values, double share) {
     std::sort(values.begin(), values.end());
@@ -223,7 +226,7 @@ OperatorPlan Planner::divided(const SeenPart& crowd, std::span<const std::int32_
     }
     for (std::int32_t i = 0; i < count; ++i) {
         if (ids[i].empty()) return {{}, {}, kInfinite, plan.text};
-        plan.parts.push_back({seenPart(ids[i], positions[i]), {}, {}, 0.0, {}});
+        plan.parts.push_back({seenPart(ids[i], positions[i]), {}, {}, 0.0, false, {}});
     }
     // Stretches of the tour end where what has been walked exceeds the part's share, counted with the way
     // there.
@@ -301,7 +304,7 @@ OperatorPlan Planner::swept(const SeenPart& crowd, std::span<const std::int32_t>
     }
     const double reach = width + 2.0 * 0.8 * def_.itemRadius;
     const auto lanes = static_cast<std::int32_t>(std::max(1.0, std::ceil((high - low) / reach)));
-    PlannedPart planned{crowd, {}, {}, width, along};
+    PlannedPart planned{crowd, {}, {}, width, false, along};
     const double start = dot(crowd.centre, across);
     const bool upwards = std::abs(start - low) <= std::abs(start - high);
     const double lane = (high - low) / lanes;
@@ -360,8 +363,62 @@ OperatorPlan Planner::plan(const SeenPart& crowd, std::span<const std::int32_t> 
     return best;
 }
 
+// How far the formation would have to be pushed together at the border on its way [m].
+double Planner::beyondBorder(const PlannedPart& planned) const {
+    double most = 0.0;
+    for (const Vec2 to : planned.way)
+        for (const Vec2 p : planned.part.positions) {
+            const Vec2 there = to + p - planned.part.centre;
+            most = std::max(most, distance(there, def_.border.clamp(there)));
+        }
+    return most;
+}
+
+double Planner::partSeconds(const PlannedPart& planned) const {
+    OperatorPlan plan;
+    plan.parts.push_back(planned);
+    return estimate(plan);
+}
+
+PlannedPart Planner::renewed(const SeenPart& part, std::span<const std::int32_t> open, Chance& chance) const {
+    PlannedPart best = next(part, open, chance);
+    if (!def_.repertoire.spreads) return best;
+    double least = partSeconds(best);
+    // A wide formation that is pushed together leaves items beside its way.
+    if (beyondBorder(best) > kMostPushed) least += kPushedSeconds;
+    const double own = std::max(part.bounds.width(), part.bounds.height());
+    const auto side = static_cast<std::int32_t>(std::ceil(std::sqrt(static_cast<double>(part.ids.size()))));
+    const double square = def_.spacing * (side - 1);
+    if (own > kWide * std::max(square, def_.spacing)) {
+        SeenPart squared = part;
+        for (std::size_t i = 0; i < squared.positions.size(); ++i) {
+            const auto n = static_cast<std::int32_t>(i);
+            const Vec2 place{static_cast<double>(n % side), static_cast<double>(n / side)};
+            squared.positions[i] = part.centre + place * def_.spacing - Vec2{0.5 * square, 0.5 * square};
+        }
+        PlannedPart led = next(seenPart(squared.ids, squared.positions), open, chance);
+        led.square = true;
+        const double seconds = partSeconds(led) + 2.0 * motor_->point(0.0, kTargetMetres * def_.mmPerMetre) +
+                               0.5 * (own - square) / def_.speed;
+        if (seconds < least) {
+            least = seconds;
+            best = std::move(led);
+        }
+    }
+    for (const double width : kWidths) {
+        if (width > def_.spacing * static_cast<double>(part.ids.size())) continue;
+        for (const Vec2 along : {Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}, Vec2{0, -1}}) {
+            OperatorPlan plan = swept(part, open, along, width);
+            if (plan.seconds >= least || plan.parts[0].way.empty()) continue;
+            least = plan.seconds;
+            best = std::move(plan.parts[0]);
+        }
+    }
+    return best;
+}
+
 PlannedPart Planner::next(const SeenPart& part, std::span<const std::int32_t> open, Chance& chance) const {
-    PlannedPart planned{part, {}, {}, 0.0, {}};
+    PlannedPart planned{part, {}, {}, 0.0, false, {}};
     lead(planned,
          tours_->tour(part.centre, open, def_.parameters.routeDetour * 2.0 * chance.uniform(), chance));
     return planned;

@@ -31,6 +31,7 @@ struct PlannedPart {
     std::vector<std::int32_t> stops;  ///< Items that it is led to, in this order; empty for a sweep.
     std::vector<Vec2> way;            ///< Where its middle is to go, one point after the other [m].
     double width = 0.0;               ///< Width of the front for a sweep [m]; 0 to leave the shape as it is.
+    bool square = false;              ///< The formation becomes a square again first.
     Vec2 along;                       ///< For a sweep: the unit vector of its first lane.
 };
 
@@ -60,7 +61,9 @@ public:
 
     /// The best plan for the whole crowd that is found; `open`: the items that are left.
     OperatorPlan plan(const SeenPart& crowd, std::span<const std::int32_t> open, Chance& chance) const;
-    /// A way for a part that is idle.
+    /// What a part that is idle shall do: a way as it is, as a square again, or a sweep.
+    PlannedPart renewed(const SeenPart& part, std::span<const std::int32_t> open, Chance& chance) const;
+    /// A way for a part as it is.
     PlannedPart next(const SeenPart& part, std::span<const std::int32_t> open, Chance& chance) const;
 
     /// Expected time for which the operator is busy with sending one part [s].
@@ -81,6 +84,8 @@ private:
     double clickSeconds(double metres) const;
     double cutSeconds() const;
     double walkSeconds(const PlannedPart& part) const;
+    double beyondBorder(const PlannedPart& part) const;
+    double partSeconds(const PlannedPart& part) const;
 
     PlannerDef def_;
     const TourFinder* tours_;

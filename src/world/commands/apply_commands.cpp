@@ -86,7 +86,9 @@ public:
         Group* group = state_.findGroup(set.group);
         if (group == nullptr) return notFound("group", set.group.value);
         const Status changed = changeFormation(state_, *group, set.formation, group->def.count);
-        if (changed.ok()) group->orders.own.reset();
+        if (!changed.ok()) return changed;
+        group->orders.own.reset();
+        state_.continuum.end(group->id);
         return changed;
     }
     Status operator()(const SetCount& set) {
@@ -104,6 +106,7 @@ public:
         Group* group = state_.findGroup(set.group);
         if (group == nullptr) return notFound("group", set.group.value);
         group->controls.clear();
+        state_.continuum.end(group->id);
         dropOrders(*group);
         group->orders.march.reversed = false;
         group->order.begin(state_.stepCount);

@@ -21,10 +21,19 @@ void endFirst(Group& group, bool stays) {
     group.orders.end();
 }
 
-Status cancel(Group& group, std::uint32_t id) {
+// Members without places stand at once, others where their places are.
+void standStill(WorldState& state, Group& group) {
+    if (Gathering* const gathering = state.continuum.find(group.id))
+        gathering->active = false;
+    else
+        standWhereItIs(group);
+}
+
+Status cancel(WorldState& state, Group& group, std::uint32_t id) {
     OrderQueue& queue = group.orders;
     if (id == 0) {
         if (!queue.orders.empty()) endFirst(group, true);
+        if (Gathering* const gathering = state.continuum.find(group.id)) gathering->active = false;
         queue.orders.clear();
         queue.march.speed = queue.march.spin = 0.0;
         return {};
@@ -52,9 +61,9 @@ void resume(Group& group) {
     if (isFree(queue)) queue.march.phase = MarchPhase::Idle;
 }
 
-void stop(Group& group) {
+void stop(WorldState& state, Group& group) {
     group.controls.clear();
-    standWhereItIs(group);
+    standStill(state, group);
     dropOrders(group);
 }
 
@@ -87,11 +96,12 @@ void shareOrders(WorldState& state, std::span<Group* const> parts, Vec2 middle) 
         queue.files = 0;
         for (QueuedOrder& queued : queue.orders) {
             if (p > 0) queued.id = state.nextOrder++;
-            if (queued.order.kind != OrderKind::Move) continue;
+            if (queued.order.kind != OrderKind::Move || queued.order.manner == Manner::Continuum) continue;
             queued.order.target += shift;
             for (Vec2& point : queued.order.route) point += shift;
         }
-        queue.target += shift;
+        const bool gathers = queue.begun && queue.orders.front().order.manner == Manner::Continuum;
+        if (!gathers) queue.target += shift;
     }
 }
 
@@ -134,7 +144,7 @@ Status editQueue(WorldState& state, const EditQueue& command, std::vector<Event>
     if (group == nullptr) return noGroup(command.group);
     switch (command.edit) {
         case QueueEdit::Cancel:
-            return cancel(*group, command.order);
+            return cancel(state, *group, command.order);
         case QueueEdit::Hold:
             hold(*group);
             break;
@@ -148,7 +158,7 @@ Status editQueue(WorldState& state, const EditQueue& command, std::vector<Event>
             group->orders.patrols = false;
             break;
         case QueueEdit::Stop:
-            stop(*group);
+            stop(state, *group);
             break;
     }
     return {};

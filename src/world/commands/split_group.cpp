@@ -156,6 +156,7 @@ void addParts(WorldState& state, std::uint32_t whole, const Parts& parts) {
     for (std::size_t p = 1; p < parts.size(); ++p) {
         Group part = partOf(state, state.groups[whole], p);
         part.id = GroupId{state.nextGroup++};
+        state.continuum.share(state.groups[whole].id, part.id);
         const auto index = static_cast<std::uint32_t>(state.groups.size());
         for (const std::uint32_t id : parts[p]) state.characters.group[state.characters.indexOf(id)] = index;
         state.groups.push_back(std::move(part));

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/maths.h"
+#include "world/stages/continuum_stage.h"
 #include "world/stages/order_formations.h"
 #include "world/stages/standstill.h"
 #include "world/state/ground_class.h"
@@ -32,6 +33,10 @@ Pose facingPose(Vec2 position, Vec2 front) {
 
 bool samePose(const Pose& a, const Pose& b) {
     return a.position == b.position && a.rotation.c == b.rotation.c && a.rotation.s == b.rotation.s;
+}
+
+bool isContinuum(const Order& order) {
+    return order.kind == OrderKind::Move && order.manner == Manner::Continuum;
 }
 
 void raise(std::vector<Event>& events, EventKind kind, const Group& group, std::uint32_t value) {
@@ -90,6 +95,10 @@ OrderStage::Outcome OrderStage::begin(WorldState& state, Group& group, ThreadPoo
     queue.march.phase = MarchPhase::Idle;
     group.avoidance = {};
     group.controls.clear();
+    if (isContinuum(order))
+        state.continuum.begin(group.id, queue.target);
+    else
+        state.continuum.end(group.id);
     takeUpFormation(state, group, order, pool);
     group.order.begin(state.stepCount);
     raise(events, EventKind::OrderBegun, group, id);
@@ -270,10 +279,59 @@ OrderStage::Outcome OrderStage::guard(WorldState& state, Group& group) {
     return queue.orders.size() > 1 && isDone(state, group) ? Outcome::Done : Outcome::GoesOn;
 }
 
+// All go to the target itself. The order is done once enough have come near, or nobody gets on any more;
+// those behind go on to the target of the last order.
+OrderStage::Outcome OrderStage::gather(WorldState& state, Group& group) {
+    OrderQueue& queue = group.orders;
+    queue.march.phase = MarchPhase::Stand;
+    queue.march.speed = queue.march.spin = 0.0;
+    queue.march.last = group.mesh.pose();
+    const Gathering* gathering = state.continuum.find(group.id);
+    // Fingers had taken the formation.
+    if (gathering == nullptr || !gathering->active) state.continuum.begin(group.id, queue.target);
+    gathering = state.continuum.find(group.id);
+    const Characters& c = state.characters;
+    const double reach = gatheringReach(group.members.size(), state.parameters.character.radius);
+    const std::uint32_t patience = stepsIn(state, MarchPace::kWaitedFor);
+    std::int32_t arrived = 0;
+    bool stuck = true;
+    for (const std::int32_t i : group.members) {
+        if (distance(c.position[i], queue.target) <= reach || gathering->hasArrived(c.id[i]))
+            ++arrived;
+        else
+            stuck = stuck && state.stepCount - c.walk[i].movedAt >= patience;
+    }
+    if (arrived > queue.arrived) {
+        queue.arrived = arrived;
+        queue.stoodAt = state.stepCount;
+    }
+    const double share = queue.orders.front().order.share * static_cast<double>(group.members.size());
+    const bool enough = arrived >= static_cast<std::int32_t>(std::ceil(share - 1e-9));
+    return enough || (stuck && state.stepCount - queue.stoodAt >= patience) ? Outcome::Done : Outcome::GoesOn;
+}
+
+// The formation of a group without places stays where its people are, so that fingers can take it there.
+void OrderStage::followPeople(WorldState& state) {
+    std::erase_if(state.continuum.gatherings, [&](const Gathering& gathering) {
+        const Group* const group = state.findGroup(gathering.group);
+        return group == nullptr || isHandled(*group);
+    });
+    for (const Gathering& gathering : state.continuum.gatherings) {
+        Group& group = *state.findGroup(gathering.group);
+        if (group.members.empty()) continue;
+        Vec2 sum;
+        for (const std::int32_t i : group.members) sum += state.characters.position[i];
+        Pose pose = group.mesh.pose();
+        pose.position = sum / static_cast<double>(group.members.size());
+        group.mesh.setPose(pose);
+    }
+}
+
 OrderStage::Outcome OrderStage::advance(WorldState& state, Group& group, ThreadPool& pool) {
     OrderQueue& queue = group.orders;
     const Order& order = queue.orders.front().order;
     if (order.kind == OrderKind::Guard) return guard(state, group);
+    if (isContinuum(order)) return gather(state, group);
     const FormationExtent extent = extentOf(group);
     MarchDef def = marchDefOf(state, group, order, extent);
     // A free group waits for nobody on a drawn way.
@@ -316,6 +374,7 @@ void OrderStage::run(WorldState& state, ThreadPool& pool, std::vector<Event>& ev
     budget_ = divided ? 0 : kCellsPerStep;
     ways_.update(state);
     avoidance_.begin();
+    followPeople(state);
     for (Group& group : state.groups) {
         avoids_ = false;
         runQueue(state, group, pool, events);

@@ -46,6 +46,8 @@ private:
     void avoid(const WorldState& state, Group& group, const MarchDef& def);
     Outcome follow(WorldState& state, Group& group, const MarchDef& def);
     Outcome guard(WorldState& state, Group& group);
+    Outcome gather(WorldState& state, Group& group);
+    static void followPeople(WorldState& state);
     bool isDone(const WorldState& state, Group& group);
     std::int32_t regionOf(WorldState& state, const Group& group);
     static Lead leadOf(const WorldState& state, const Order& order);

@@ -176,6 +176,23 @@ void PlanStage::finish(WorldState& state, Group& group, ThreadPool& pool, std::v
     group.planNow = false;
 }
 
+// Who goes by a field has no place; a new plan is made when places count again.
+bool PlanStage::goesWithout(WorldState& state, Group& group) {
+    if (state.continuum.find(group.id) == nullptr) return false;
+    for (const std::int32_t i : group.members) {
+        state.characters.place[i] = -1;
+        state.characters.chosen[i] = {};
+        state.characters.wait[i] = {};
+    }
+    if (!group.planNow || group.plan->pending()) group.plan->forget();
+    group.planNow = true;
+    group.provisional = group.assigned = false;
+    group.slice = 0;
+    group.objective = group.gapBound = 0.0;
+    group.walk = {};
+    return true;
+}
+
 void PlanStage::launch(ThreadPool& pool) {
     if (background_.empty()) return;
     pool.launch(
@@ -210,10 +227,14 @@ void PlanStage::run(WorldState& state, PlanCosts& costs, WayStage& ways, ThreadP
                     std::vector<Event>& events) {
     pool.wait();
     background_.clear();
+    without_.clear();
+    for (Group& group : state.groups) without_.push_back(goesWithout(state, group) ? 1 : 0);
     ways.run(state, costs, pool);
-    firstPlans_ = static_cast<std::int32_t>(std::count_if(
-        state.groups.begin(), state.groups.end(),
-        [](const Group& group) { return !group.members.empty() && (group.planNow || group.provisional); }));
+    const auto isWithout = [&](const Group& group) { return without_[&group - state.groups.data()] != 0; };
+    firstPlans_ = static_cast<std::int32_t>(
+        std::count_if(state.groups.begin(), state.groups.end(), [&](const Group& group) {
+            return !group.members.empty() && !isWithout(group) && (group.planNow || group.provisional);
+        }));
     starts_ = static_cast<std::int32_t>(
         std::count_if(state.groups.begin(), state.groups.end(),
                       [](const Group& group) { return !group.members.empty() && group.plan->starting(); }));
@@ -221,7 +242,7 @@ void PlanStage::run(WorldState& state, PlanCosts& costs, WayStage& ways, ThreadP
     firstCharacters_ = 0;
     for (std::size_t g = 0; g < state.groups.size(); ++g) {
         Group& group = state.groups[g];
-        if (group.members.empty()) continue;
+        if (group.members.empty() || without_[g] != 0) continue;
         const bool worked = group.plan->pending() && group.slice >= group.slices;
         if (worked && !group.planNow) finish(state, group, pool, events);
         if (group.planNow && waitsForFirstPlan(state, group)) continue;

@@ -30,6 +30,7 @@ private:
     void advance(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
     void finish(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
     bool waitsForFirstPlan(const WorldState& state, const Group& group);
+    bool goesWithout(WorldState& state, Group& group);
     void gatherWaits(const WorldState& state, const Group& group);
     void gatherSlowness(const WorldState& state, const Group& group);
     void findConnected(const WorldState& state, const Group& group);
@@ -42,6 +43,7 @@ private:
     std::int32_t starts_ = 0;            // Groups whose plans go on from other places than before.
     std::int32_t firstPlanRank_ = 0;     // Those of them that came before in this step.
     std::size_t firstCharacters_ = 0;    // Characters of the first plans that were made in this step.
+    std::vector<std::uint8_t> without_;  // By group: 1 where its members have no places.
     MemberArrays members_;
     std::vector<std::uint8_t> connected_;
     std::vector<std::int32_t> barred_;  // Of one group's members, as in PlanInput.

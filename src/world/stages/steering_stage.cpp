@@ -33,6 +33,10 @@ void SteeringStage::guide(WorldState& state, std::size_t index, PlanCosts& costs
     Group& group = state.groups[index];
     const std::size_t count = group.members.size();
     if (count == 0) return;
+    if (Gathering* const gathering = state.continuum.find(group.id)) {
+        gather(state, group, *gathering);
+        return;
+    }
     members_.gather(state.characters, group);
     directions_.resize(count);
     costs_.resize(count);
@@ -53,6 +57,18 @@ void SteeringStage::guide(WorldState& state, std::size_t index, PlanCosts& costs
         if (!ways.guide(state, index, k, place, characters.direction[i], characters.cost[i])) continue;
         // Its place is behind the passage, however near it is in a straight line.
         placePosition_[i] = characters.position[i] + characters.direction[i] * kFarAhead;
+        placeVelocity_[i] = {};
+    }
+}
+
+// Members without places.
+void SteeringStage::gather(WorldState& state, const Group& group, Gathering& gathering) {
+    continuum_.guide(state, group, gathering);
+    const Vec2 facing = group.orders.march.front(group.mesh.pose());
+    for (const std::int32_t i : group.members) {
+        facing_[i] = facing;
+        placePosition_[i] = state.characters.direction[i] == Vec2{} ? state.characters.position[i]
+                                                                    : gathering.target;
         placeVelocity_[i] = {};
     }
 }
@@ -83,6 +99,7 @@ void SteeringStage::run(WorldState& state, PlanCosts& costs, const WayStage& way
          {&placePosition_, &placeVelocity_, &facing_, &next_.position, &next_.velocity, &next_.heading})
         array->resize(count);
     resolveBodies(state);
+    continuum_.begin(state, costs);
     for (std::size_t g = 0; g < state.groups.size(); ++g) guide(state, g, costs, ways, pool);
     ownRoutes_.run(state);
     setPaces(state);

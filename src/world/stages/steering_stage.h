@@ -10,6 +10,7 @@
 #include "crowd/crowd_bodies.h"
 #include "crowd/steering.h"
 #include "planning/plan_costs.h"
+#include "world/stages/continuum_stage.h"
 #include "world/stages/go_round.h"
 #include "world/stages/member_arrays.h"
 #include "world/stages/own_routes.h"
@@ -29,6 +30,8 @@ struct NextMotion {
 /// Steers the characters of all groups.
 class SteeringStage {
 public:
+    /// Takes a new or restored state; call before its first step.
+    void reset() { continuum_.reset(); }
     /// Writes directions and costs of characters, and the next motion after `dt` [s].
     void run(WorldState& state, PlanCosts& costs, const WayStage& ways, double dt, ThreadPool& pool);
     /// Writes the next motion after another `dt` [s], by the same directions.
@@ -42,6 +45,7 @@ public:
 private:
     void guide(WorldState& state, std::size_t index, PlanCosts& costs, const WayStage& ways,
                ThreadPool& pool);
+    void gather(WorldState& state, const Group& group, Gathering& gathering);
     void directUnmatched(const WorldState& state, const Group& group);
     void resolveBodies(const WorldState& state);
     void setPaces(const WorldState& state);
@@ -49,6 +53,7 @@ private:
     Steering steering_;
     SharedPlaces shared_;
     OwnRoutes ownRoutes_;
+    ContinuumStage continuum_;
     GoRound goRound_;
     CrowdBodies bodies_;
     std::vector<std::uint8_t> firmness_;  // Of all groups.

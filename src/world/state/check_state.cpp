@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <string>
 #include <utility>
 
 #include "passages/way_number.h"
+#include "planning/plan_validation.h"
 #include "world/validation.h"
 
 namespace muster {
@@ -238,6 +240,25 @@ Status checkOwnRoutes(const WorldState& state) {
     return {};
 }
 
+Status checkContinuum(const WorldState& state) {
+    std::uint32_t last = 0;
+    for (const Gathering& gathering : state.continuum.gatherings) {
+        if (gathering.group.value <= last || !isPlace(gathering.target) ||
+            !ascending(gathering.arrived, state.nextCharacter))
+            return wrong("a gathering out of range");
+        last = gathering.group.value;
+    }
+    std::int32_t lastClass = std::numeric_limits<std::int32_t>::min();
+    for (const FrozenCost& frozen : state.continuum.costs) {
+        if (frozen.groundClass <= lastClass || !(frozen.cost.grid == state.environment.grid()) ||
+            !validateUnitCost(frozen.cost).ok())
+            return wrong("frozen costs of another ground");
+        lastClass = frozen.groundClass;
+    }
+    if (state.continuum.frozenAt > state.stepCount) return wrong("frozen costs of a later step");
+    return {};
+}
+
 Status checkWays(const WorldState& state) {
     for (const Passage& passage : state.passages)
         if (!isSane(passage)) return wrong("a passage out of range");
@@ -300,6 +321,7 @@ Status checkState(WorldState& state) {
             return wrong("a character with a place that is none");
     if (Status s = checkWays(state); !s.ok()) return s;
     if (Status s = checkOwnRoutes(state); !s.ok()) return s;
+    if (Status s = checkContinuum(state); !s.ok()) return s;
     return checkQueueAndMarks(state);
 }
 

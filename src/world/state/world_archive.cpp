@@ -58,6 +58,14 @@ void archive(Hasher& hasher, std::vector<Command>& queue) {
     }
 }
 
+// Worlds in which everybody has a place have the hashes of before.
+void archive(Hasher& hasher, Continuum& continuum) {
+    if (!continuum.gatherings.empty()) hasher(continuum);
+}
+void archive(auto& ar, Continuum& continuum) {
+    ar(continuum);
+}
+
 void archivePlan(Writer& writer, Group& group, const WorldState&, ThreadPool*) {
     group.plan->save(writer);
 }
@@ -92,6 +100,7 @@ void archiveState(auto& ar, WorldState& state, ThreadPool* pool) {
     archive(ar, state.parameters);
     archive(ar, state.environment);
     ar(state.characters, state.ownRoutes);
+    archive(ar, state.continuum);
     archive(ar, state.queue);
     ar(state.checkpoints, state.checkpointGroups, state.checkpointState, state.items, state.collected,
        state.random, state.stepCount, state.passages, state.survey, state.waysLookedAt, state.waysChosenAt,

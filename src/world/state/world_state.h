@@ -15,6 +15,7 @@
 #include "muster/world_def.h"
 #include "passages/survey_state.h"
 #include "routes/route_graph.h"
+#include "world/state/continuum.h"
 #include "world/state/group.h"
 #include "world/state/own_route.h"
 
@@ -27,6 +28,7 @@ struct WorldState {
     Characters characters;                            ///< In ascending order of ids.
     std::vector<Group> groups;                        ///< In ascending order of ids.
     std::vector<OwnRoute> ownRoutes;                  ///< In ascending order of characters.
+    Continuum continuum;                              ///< Groups without places.
     std::vector<Command> queue;                       ///< In the order of comesBefore().
     std::vector<FormationCheckpointDef> checkpoints;  ///< As defined.
     std::vector<GroupId> checkpointGroups;            ///< Whom each checkpoint concerns; none for any group.
