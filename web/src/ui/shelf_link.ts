@@ -52,6 +52,10 @@ export class ShelfLink {
     return ((await answer.json()) as { name: string }).name;
   }
 
+  async file(name: string): Promise<Blob> {
+    return (await ask('The take could not be copied', takeAddress(name))).blob();
+  }
+
   async open(name: string): Promise<void> {
     await ask('The take could not be opened', `takes/${name}/open`, { method: 'POST' });
   }

@@ -15,6 +15,7 @@ import { takePicture } from './scene_picture';
 import { Scrubber } from './scrubber';
 import { ShelfLink, pictureAddress, save, takeAddress } from './shelf_link';
 import { scenarioBehind } from './studio_controller';
+import { TakeCopies, isCopyOnly, withCopies } from './take_copies';
 import { openTake } from './takes';
 import { element } from './widgets/dom';
 import { LiveRegion } from './widgets/live_region';
@@ -46,6 +47,7 @@ interface Waiting {
 export class TakeDesk implements TakeActions {
   readonly exports: ExportDesk;
   private readonly shelf_ = new ShelfLink();
+  private readonly copies_ = new TakeCopies();
   private readonly live_ = new LiveRegion();
   private readonly line_ = new TimeLine(this);
   private readonly card_ = new TakeCard(this);
@@ -56,6 +58,8 @@ export class TakeDesk implements TakeActions {
   private step_ = 0;
   private waiting_: Waiting[] = [];
   private trims_ = false;
+  /** The copy of the take that was removed last. */
+  private removedCopy_: Blob | null = null;
   private lastPicture_: { readonly scenario: string; readonly blob: Blob } | null = null;
 
   constructor(private readonly parts_: TakeDeskParts) {
@@ -204,7 +208,7 @@ export class TakeDesk implements TakeActions {
 
   private async refresh(): Promise<void> {
     await this.tried(async () => {
-      this.takes_ = await this.shelf_.list();
+      this.takes_ = withCopies(await this.shelf_.list(), await this.copies_.list());
       this.shelfPanel_.setTakes(this.takes_, this.take_?.name ?? '');
     });
   }
@@ -212,10 +216,21 @@ export class TakeDesk implements TakeActions {
   openTake(name: string, trim = false): void {
     void this.tried(async () => {
       this.trims_ = trim;
-      await this.shelf_.open(name);
+      await this.shelf_.open(await this.onShelf(name));
       this.closeCard();
       this.closeShelf();
     });
+  }
+
+  /** Its name on the shelf; a take that only the browser has is put there first. */
+  private async onShelf(name: string): Promise<string> {
+    const take = this.takes_.find((one) => one.name === name);
+    if (!take || !isCopyOnly(take)) return name;
+    const file = await this.copies_.read(name);
+    if (!file) throw new Error('The copy of this take is lost.');
+    const put = await this.shelf_.put(file, takeTitle(take));
+    if (put !== name) await this.copies_.remove(name);
+    return put;
   }
 
   private async openFile(file: File): Promise<void> {
@@ -245,7 +260,9 @@ export class TakeDesk implements TakeActions {
 
   removeTake(take: ShelvedTake): void {
     void this.tried(async () => {
-      await this.shelf_.remove(take.name);
+      this.removedCopy_ = await this.copies_.read(take.name);
+      await this.copies_.remove(take.name);
+      if (!isCopyOnly(take)) await this.shelf_.remove(take.name);
       this.live_.say(`${takeTitle(take)} is removed`);
       if (this.parts_.store.state.shelf) this.shelfPanel_.offerUndo(take);
       if (this.card_.take?.name === take.name) this.showCard(take, 'removed');
@@ -255,7 +272,8 @@ export class TakeDesk implements TakeActions {
 
   restoreTake(take: ShelvedTake): void {
     void this.tried(async () => {
-      await this.shelf_.restore(take.name);
+      if (!isCopyOnly(take)) await this.shelf_.restore(take.name);
+      if (this.removedCopy_) await this.copies_.keep(take, this.removedCopy_);
       this.live_.say(`${takeTitle(take)} is back`);
       if (this.card_.take?.name === take.name) this.showCard(take, 'kept');
       await this.refresh();
@@ -295,7 +313,9 @@ export class TakeDesk implements TakeActions {
       if (picture) await this.shelf_.putPicture(name, picture);
       await this.refresh();
       const take = this.takes_.find((one) => one.name === name);
-      if (take) this.showCard(take, 'kept');
+      if (!take) return;
+      this.showCard(take, 'kept');
+      await this.copies_.keep(take, await this.shelf_.file(name));
     });
   }
 

@@ -84,6 +84,7 @@ export class TakeShelf {
     const about = element('span', { class: 'secondary' });
     const notes = [formatLengthOf(take.seconds), formatAge(take.changed, this.now_()), formatBytes(take.bytes)];
     if (take.recording) notes.unshift('recording');
+    else if ('copyOnly' in take) notes.unshift('in this browser only');
     else if (!take.finished) notes.unshift('cut off');
     setText(about, notes.join(' · '));
     words.append(about);
@@ -103,13 +104,13 @@ export class TakeShelf {
       words,
     );
     main.addEventListener('click', () => this.actions_.openTake(take.name));
-    const tools = element(
-      'span',
-      { class: 'shelf-tools' },
-      this.tool('takes', `Export ${title}`, take, () => this.actions_.exportTake(take.name)),
-      this.tool('download', `Save ${title} as a file`, take, () => this.actions_.saveTake(take)),
-      this.tool('close', `Remove ${title}`, take, () => this.actions_.removeTake(take)),
-    );
+    const tools = element('span', { class: 'shelf-tools' });
+    if (!('copyOnly' in take))
+      tools.append(
+        this.tool('takes', `Export ${title}`, take, () => this.actions_.exportTake(take.name)),
+        this.tool('download', `Save ${title} as a file`, take, () => this.actions_.saveTake(take)),
+      );
+    tools.append(this.tool('close', `Remove ${title}`, take, () => this.actions_.removeTake(take)));
     return element('li', { class: 'shelf-item' }, main, tools);
   }
 
