@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kShelfBytes = std::size_t{96} << 20;
 constexpr std::size_t kRequestBytes = 4096;  // What a request without a body counts for.
-constexpr double kShelfWait = 3600.0;         // [s]
+constexpr double kShelfWait = 3600.0;        // [s]
 
 HttpAnswer jsonAnswer(const Json& value) {
     HttpAnswer answer;

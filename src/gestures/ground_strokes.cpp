@@ -48,29 +48,35 @@ bool crosses(const GroupView& group, Vec2 from, Vec2 to) {
     return covered >= kAcross * (most - least);
 }
 
+// Ids of a group's characters in a loop. One sees people, not places: they count where they are.
+std::vector<std::uint32_t> idsInside(const World& world, const GroupView& group, std::span<const Vec2> loop) {
+    std::vector<std::uint32_t> ids;
+    for (const std::int32_t member : group.members)
+        if (inside(loop, world.characters().position[member])) ids.push_back(world.characters().id[member]);
+    std::sort(ids.begin(), ids.end());
+    return ids;
+}
+
 std::string finishLoop(const World& world, std::span<const Vec2> loop, std::vector<CommandBody>& commands) {
     MergeGroups merge;
     merge.shape = PartShape::Smaller;
     SplitGroup part;
-    part.by = SplitBy::Lasso;
-    part.points.assign(loop.begin(), loop.end());
-    std::size_t most = 0;
+    part.by = SplitBy::Ids;
     for (std::size_t g = 0; g < world.groupCount(); ++g) {
         const GroupView group = world.group(g);
-        std::size_t count = 0;
-        for (const Vec2 p : group.placePositions) count += inside(loop, p) ? 1 : 0;
-        if (count == 0) continue;
-        if (static_cast<double>(count) >= kLoopRound * static_cast<double>(group.placePositions.size()))
+        std::vector<std::uint32_t> ids = idsInside(world, group, loop);
+        if (ids.empty()) continue;
+        if (static_cast<double>(ids.size()) >= kLoopRound * static_cast<double>(group.members.size()))
             merge.groups.push_back(group.id);
-        if (count <= most || count == group.placePositions.size()) continue;
-        most = count;
+        if (ids.size() <= part.ids.size() || ids.size() == group.members.size()) continue;
+        part.ids = std::move(ids);
         part.group = group.id;
     }
     if (merge.groups.size() >= 2) {
         commands.emplace_back(std::move(merge));
         return {};
     }
-    if (most == 0)
+    if (part.ids.empty())
         return merge.groups.empty() ? "The loop holds nobody"
                                     : "The loop holds one whole formation: there is nothing to join";
     commands.emplace_back(std::move(part));

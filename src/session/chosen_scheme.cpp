@@ -19,19 +19,19 @@ Status ChosenScheme::choose(const std::string& name, std::uint32_t client) {
 
 void ChosenScheme::restart(std::uint32_t client) {
     driver_.reset();
-    viewTold_ = false;
+    viewKnown_ = false;
     if (!name_.empty()) driver_.emplace(def_, client);
 }
 
 void ChosenScheme::setView(const GroundView& view, const World* world) {
     view_ = view;
-    viewTold_ = driver_ && world != nullptr && driver_->input(view, *world).ok();
+    viewKnown_ = driver_ && world != nullptr && driver_->input(view, *world).ok();
 }
 
 Status ChosenScheme::input(const InputEvent& event, const World& world) {
     if (!driver_) return invalidArgument("found inputs, expected the choice of a control scheme before them");
     if (!view_) return invalidArgument("found inputs, expected a view of the ground before them");
-    if (!viewTold_) viewTold_ = driver_->input(*view_, world).ok();
+    if (!viewKnown_) viewKnown_ = driver_->input(*view_, world).ok();
     return driver_->input(event, world);
 }
 

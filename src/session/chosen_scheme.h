@@ -33,7 +33,7 @@ private:
     SchemeDef def_;
     std::optional<GroundView> view_;
     std::optional<SchemeDriver> driver_;
-    bool viewTold_ = false;       // The driver knows the view.
+    bool viewKnown_ = false;      // The driver knows the view.
     std::vector<Command> taken_;  // Working memory.
     MessageBytes sent_;           // The marks that were sent last.
 };

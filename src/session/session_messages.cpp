@@ -168,9 +168,9 @@ public:
                 session_.singleSteps = std::min(session_.singleSteps + 1, kMaxSingleSteps);
                 break;
             case protocol::PlaybackAction::Restart:
-                return told(session_.restart(), "began again");
+                return announced(session_.restart(), "began again");
             case protocol::PlaybackAction::Demonstrate:
-                return told(session_.demonstrate(), "plays the touches that the scenario carries");
+                return announced(session_.demonstrate(), "plays the touches that the scenario carries");
         }
         session_.pacer.reset();
         session_.touchState();
@@ -195,7 +195,7 @@ public:
             return {StatusCode::NotFound, "no scenario is called '" + message.name.substr(0, 60) + "'"};
         const auto def = session_.def.loadScenario(found->name);
         if (!def.ok()) return def.status();
-        return told(session_.begin(found->name, def.value()), "opened " + found->title);
+        return announced(session_.begin(found->name, def.value()), "opened " + found->title);
     }
 
     Status operator()(const protocol::Record& message) {
@@ -316,7 +316,7 @@ private:
                 "more than " + std::to_string(static_cast<int>(session_.def.limits.touchesPerSecond)) + " " +
                     what + " a second"};
     }
-    Status told(Status status, const std::string& did) const {
+    Status announced(Status status, const std::string& did) const {
         if (status.ok()) session_.tellOthers(client_.number, did);
         return status;
     }

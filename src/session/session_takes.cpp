@@ -142,7 +142,7 @@ void Session::Impl::stepReplay() {
     if (sceneSignature(*world) != signature) refreshScene();
     if (!same.ok())
         replayFailed(same);
-    else if (player->atEnd(*world))
+    else if (player->atEnd(*world) && !player->loops())  // Who loops shows the last state, too.
         replayEnded();
 }
 

@@ -74,9 +74,9 @@ TEST_CASE("Everybody learns who is there, at once and after each change") {
         ben.send(protocol::SetName{"Benno"});
         run(session, 0.1, {&anna, &ben});
         CHECK(newest(anna, 1).name == "Benno");
-        const std::size_t told = anna.directors.size();
+        const std::size_t heard = anna.directors.size();
         run(session, 0.5, {&anna, &ben});
-        CHECK(anna.directors.size() == told);
+        CHECK(anna.directors.size() == heard);
         session.disconnect(ben.id);
     }
     run(session, 0.1, {&anna});

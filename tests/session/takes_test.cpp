@@ -93,7 +93,7 @@ double secondsNow() {
 
 }  // namespace
 
-TEST_CASE("A take begins where Record was pressed, and is told when it is kept") {
+TEST_CASE("A take begins where Record was pressed, and everybody learns when it is kept") {
     MemoryShelf shelf;
     SessionDef def = sessionDef();
     shelf.serve(def);

@@ -21,7 +21,7 @@ struct StudyHostDef {
     PeopleSettings settings;             ///< What is compared.
     RunKind kind = RunKind::People;      ///< People or Test.
     std::function<std::string()> now;    ///< The date and time in UTC, "2026-11-24T06:00:00Z".
-    std::function<std::string()> token;  ///< A text that nobody can guess, anew with each call.
+    std::function<std::string()> token;  ///< A text that nobody can guess, new with each call.
     SessionLimits limits;                ///< Limits of messages.
 };
 

@@ -1,4 +1,4 @@
-// What a page is told of a trial and of a form.
+// What a page learns of a trial and of a form.
 #pragma once
 
 #include "session/protocol.h"

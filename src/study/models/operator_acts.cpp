@@ -1,5 +1,6 @@
 // How an operator model moves its hands for what it has decided.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -8,11 +9,13 @@
 namespace muster {
 namespace {
 
-constexpr double kTarget = 1.0;       // What is aimed at is as large as an item's reach [m].
-constexpr double kBoxMargin = 0.45;   // A box is drawn so far round those whom it shall select [m].
-constexpr double kTwoFingers = 0.04;  // Between two fingers that come down together [s].
+constexpr double kTarget = 1.0;        // What is aimed at is as large as an item's reach [m].
+constexpr double kBoxMargin = 0.45;    // A box is drawn so far round those whom it shall select [m].
+constexpr double kTwoFingers = 0.04;   // Between two fingers that come down together [s].
 constexpr double kBetweenTaps = 0.15;  // Between two taps on one spot [s].
-constexpr double kGripShare = 0.8;    // They come down within the crowd [m].
+constexpr double kTakenMargin = 0.55;  // A loop is drawn so far round those whom it takes out [m].
+constexpr double kFreeRoom = 0.8;      // It begins so far off its first corner [m].
+constexpr double kGripShare = 0.8;     // They come down within the crowd [m].
 constexpr double kLeastSelected = 0.5;
 constexpr std::size_t kNoCharge = static_cast<std::size_t>(-1);
 
@@ -41,6 +44,8 @@ void OperatorModel::perform(double now, const Task& task) {
     switch (task.act) {
         case Act::Cut:
             return cut(now, cuts_[task.index]);
+        case Act::TakeOut:
+            return takeOut(now, charges_[task.index]);
         case Act::Send:
             adopt(charges_[task.index], scene(now));
             return send(now, charges_[task.index]);
@@ -76,7 +81,7 @@ void OperatorModel::cut(double now, const std::array<Vec2, 2>& line) {
 
 // After a cut those who are seen to belong together are one part.
 void OperatorModel::adopt(Charge& charge, const SeenScene& seen) {
-    if (!repertoire_.draws || cuts_.empty()) return;
+    if (!repertoire_.draws || !divided_) return;
     std::vector<std::uint32_t> groups;
     for (std::size_t i = 0; i < seen.ids.size(); ++i)
         if (std::binary_search(charge.plan.part.ids.begin(), charge.plan.part.ids.end(), seen.ids[i]))
@@ -95,6 +100,42 @@ void OperatorModel::adopt(Charge& charge, const SeenScene& seen) {
     for (std::size_t i = 0; i < seen.ids.size(); ++i)
         if (seen.groups[i] == best) ids.push_back(seen.ids[i]);
     if (ids != charge.plan.part.ids) charge.plan.part.ids = std::move(ids);
+}
+
+// A finger draws a loop round a few, from the corner that is freest.
+void OperatorModel::takeOut(double now, const Charge& charge) {
+    const std::size_t hand = parameters_.hands > 1.5 && handFree_[1] < handFree_[0] ? 1 : 0;
+    const double chosen = now + noisy(motor_.factor() * parameters_.decideNext);
+    const Box box = seen(charge, chosen + 0.5).bounds.grown(kTakenMargin);
+    const std::array<Vec2, 4> corners{box.min, Vec2{box.max.x, box.min.y}, box.max,
+                                      Vec2{box.min.x, box.max.y}};
+    const SeenScene& scene = memory_.at(chosen - delay());
+    std::size_t first = 0;
+    double freest = -1.0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const double room = distance(corners[i], nearestTo(scene.positions, corners[i]));
+        if (room <= freest) continue;
+        freest = room;
+        first = i;
+    }
+    // It begins and ends farther out, where no finger takes the formation.
+    const Vec2 outside = studyRules().box.clamp(
+        corners[first] + normalized(corners[first] - (box.min + box.max) * 0.5) * kFreeRoom);
+    double at = reachHand(chosen, outside, kTarget, hand) + motor_.press();
+    std::vector<PathLeg> legs;
+    Vec2 from = outside;
+    for (std::size_t i = 0; i <= corners.size() + 1; ++i) {
+        const Vec2 to = i <= corners.size() ? corners[(first + i) % corners.size()] : outside;
+        legs.push_back({to, noisy(motor_.draw(millimetres(from, to), kTarget * mmPerMetre_)), 0.0});
+        from = to;
+    }
+    busyUntil_ = hand_.stroke(nextPointer_++, PointerButton::Left, {}, at, outside, legs,
+                              kTarget * mmPerMetre_, script_);
+    handAt_[hand] = outside;
+    handFree_[hand] = busyUntil_ + motor_.factor() * motor_.device().handOff;
+    divided_ = true;
+    ++commands_;
+    note("loop", now, busyUntil_, std::to_string(charge.plan.part.ids.size()) + " are taken out");
 }
 
 void OperatorModel::send(double now, Charge& charge) {

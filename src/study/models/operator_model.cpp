@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/maths.h"
 
@@ -16,6 +17,8 @@ constexpr double kIdleLook = 0.4;       // For so long one looks whether a part 
 constexpr double kStuckLook = 2.0;      // For so long where it has a way ahead [s].
 constexpr double kIdleGrace = 1.2;      // After an order nobody expects movement for so long [s].
 constexpr double kNear = 1.3;           // A point is reached when a part's middle is so near [m].
+constexpr std::size_t kLeftOver = 3;    // So few items are left-overs, which a few can fetch.
+constexpr double kPassedBeside = 2.0;   // So far aside somebody may still come over an item [m].
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 std::vector<Box> blocksOf(const Trial& trial) {
@@ -122,6 +125,7 @@ void OperatorModel::begin(double now, const SeenScene& seen) {
     const std::vector<std::int32_t> open = openItems(seen);
     const OperatorPlan plan = planner_->plan(seenPart(seen.ids, seen.positions), open, chance_);
     cuts_ = plan.cuts;
+    divided_ = !cuts_.empty();
     for (const PlannedPart& part : plan.parts) {
         Charge charge;
         charge.plan = part;
@@ -218,6 +222,51 @@ bool OperatorModel::idle(const Charge& charge, const SeenScene& now) const {
     return true;
 }
 
+// Whether what is left of a part's way meets none of the open items that it was meant for.
+bool OperatorModel::spent(const Charge& charge, const SeenScene& now) const {
+    if (charge.sentAt < 0.0 || now.time < charge.sentAt + kIdleGrace || charge.plan.way.empty()) return false;
+    if (charge.point < charge.plan.way.size()) return false;
+    const SeenPart part = seen(charge, now.time + delay());
+    const std::vector<Vec2>& way = charge.plan.way;
+    // The leg on which its middle is.
+    std::size_t leg = 0;
+    double least = std::numeric_limits<double>::infinity();
+    Vec2 from = charge.plan.part.centre;
+    for (std::size_t k = 0; k < way.size(); ++k) {
+        const double away = distanceToSegment(part.centre, from, way[k]);
+        if (away <= least) leg = k;
+        least = std::min(least, away);
+        from = way[k];
+    }
+    const Sweep sweep = planner_->sweepOf(part);
+    for (const std::int32_t item : charge.meant) {
+        if (now.collected[item] != 0) continue;
+        Vec2 at = part.centre;
+        for (std::size_t k = leg; k < way.size(); ++k) {
+            if (sweep.collects(at, way[k], tours_.items()[item])) return false;
+            if (charge.plan.width > 0.0 && aheadOfFront(charge, part, at, way[k], tours_.items()[item]))
+                return false;
+            at = way[k];
+        }
+    }
+    return true;
+}
+
+// Whether a wide front that is on its way from `at` to `to` still comes over an item.
+bool OperatorModel::aheadOfFront(const Charge& charge, const SeenPart& part, Vec2 at, Vec2 to, Vec2 item) {
+    const double length = distance(at, to);
+    if (length < 1e-6) return false;
+    const Vec2 along = (to - at) / length;
+    const Vec2 across = perpendicular(along);
+    if (std::abs(dot(item - at, across)) > 0.5 * charge.plan.width + 0.5) return false;
+    if (dot(item - to, along) > 1.0) return false;
+    const double depth = at == part.centre ? 0.0 : -1.0;
+    if (dot(item - at, along) > depth) return true;
+    return at == part.centre && std::any_of(part.positions.begin(), part.positions.end(), [&](Vec2 p) {
+               return dot(item - p, along) > 0.3 && std::abs(dot(item - p, across)) < kPassedBeside;
+           });
+}
+
 // Whether a part that has to be led from point to point is where the next one can be given.
 bool OperatorModel::due(const Charge& charge, const SeenScene& seen) const {
     if (repertoire_.draws || repertoire_.queues || charge.point == 0) return false;
@@ -256,45 +305,88 @@ void OperatorModel::watch(double now, const SeenScene& seen) {
     renew(now, seen);
 }
 
-// New ways for those who stand although items are left.
-void OperatorModel::renew(double now, const SeenScene& seen) {
+std::vector<std::size_t> OperatorModel::freeParts(const SeenScene& seen) const {
     std::vector<std::size_t> idles;
     for (std::size_t i = 0; i < charges_.size(); ++i)
-        if (idle(charges_[i], seen)) idles.push_back(i);
-    if (idles.empty()) return;
-    std::vector<std::int32_t> open = openItems(seen);
-    std::vector<std::int32_t> left;
+        if (!charges_[i].plan.part.ids.empty() && (idle(charges_[i], seen) || spent(charges_[i], seen)))
+            idles.push_back(i);
+    return idles;
+}
+
+// Open items that nobody is about to collect; where there are none, the far half of those of the busiest
+// part.
+std::vector<std::int32_t> OperatorModel::unclaimed(std::span<const std::size_t> idles,
+                                                   const SeenScene& seen) {
     const auto active = [&](std::size_t i) {
-        return std::find(idles.begin(), idles.end(), i) == idles.end();
+        return !charges_[i].plan.part.ids.empty() && std::find(idles.begin(), idles.end(), i) == idles.end();
     };
-    for (const std::int32_t item : open) {
+    std::vector<std::int32_t> left;
+    for (const std::int32_t item : openItems(seen)) {
         bool meant = false;
         for (std::size_t i = 0; i < charges_.size(); ++i)
             meant = meant ||
                     (active(i) && std::count(charges_[i].meant.begin(), charges_[i].meant.end(), item) > 0);
         if (!meant) left.push_back(item);
     }
-    if (left.empty()) {
-        // Help who has most left: the second half of what it was meant to collect.
-        std::size_t most = kNone;
-        std::size_t count = 2;
-        for (std::size_t i = 0; i < charges_.size(); ++i) {
-            std::vector<std::int32_t>& meant = charges_[i].meant;
-            std::erase_if(meant, [&](std::int32_t item) { return seen.collected[item] != 0; });
-            if (!active(i) || meant.size() < count) continue;
-            count = meant.size() + 1;
-            most = i;
-        }
-        if (most == kNone) return;
-        std::vector<std::int32_t>& meant = charges_[most].meant;
-        const auto half = static_cast<std::ptrdiff_t>((meant.size() + 1) / 2);
-        left.assign(meant.begin() + half, meant.end());
-        meant.erase(meant.begin() + half, meant.end());
+    if (!left.empty()) return left;
+    std::size_t most = kNone;
+    std::size_t count = 2;
+    for (std::size_t i = 0; i < charges_.size(); ++i) {
+        std::vector<std::int32_t>& meant = charges_[i].meant;
+        std::erase_if(meant, [&](std::int32_t item) { return seen.collected[item] != 0; });
+        if (!active(i) || meant.size() < count) continue;
+        count = meant.size() + 1;
+        most = i;
     }
+    if (most == kNone) return left;
+    std::vector<std::int32_t>& meant = charges_[most].meant;
+    const auto half = static_cast<std::ptrdiff_t>((meant.size() + 1) / 2);
+    left.assign(meant.begin() + half, meant.end());
+    meant.erase(meant.begin() + half, meant.end());
+    return left;
+}
+
+// A part gets a new way; or a few of it do, where that is quicker.
+void OperatorModel::renewPart(std::size_t index, std::span<const std::int32_t> items, double now) {
+    const SeenPart part = seen(charges_[index], now);
+    const auto missed = std::count_if(items.begin(), items.end(), [&](std::int32_t item) {
+        const std::vector<std::int32_t>& meant = charges_[index].meant;
+        return std::count(meant.begin(), meant.end(), item) > 0;
+    });
+    misses_ += static_cast<std::int32_t>(missed);
+    // Nobody sweeps twice for what a sweep has missed.
+    const bool sweeps = missed == 0 || charges_[index].plan.width == 0.0;
+    PlannedPart whole = planner_->renewed(part, items, sweeps, chance_);
+    const auto few = items.size() <= kLeftOver ? planner_->fetched(part, items, chance_) : std::nullopt;
+    if (few && planner_->partSeconds(*few) + planner_->takeOutSeconds(*few) < planner_->partSeconds(whole)) {
+        Charge charge;
+        charge.plan = *few;
+        charge.meant = sweptBy(charge.plan, items);
+        charges_[index].meant.clear();
+        std::erase_if(charges_[index].plan.part.ids, [&](std::uint32_t id) {
+            return std::binary_search(few->part.ids.begin(), few->part.ids.end(), id);
+        });
+        charges_.push_back(std::move(charge));
+        tasks_.push_back({Act::Send, charges_.size() - 1});
+        if (repertoire_.draws) tasks_.push_back({Act::TakeOut, charges_.size() - 1});
+        return;
+    }
+    Charge& charge = charges_[index];
+    charge.plan = std::move(whole);
+    charge.meant = sweptBy(charge.plan, items);
+    charge.point = 0;
+    tasks_.push_back({Act::Send, index});
+}
+
+// New ways for those who have nothing more to do although items are left.
+void OperatorModel::renew(double now, const SeenScene& seen) {
+    const std::vector<std::size_t> idles = freeParts(seen);
+    if (idles.empty()) return;
+    const std::vector<std::int32_t> left = unclaimed(idles, seen);
     std::vector<std::vector<std::int32_t>> shares(charges_.size());
     for (const std::int32_t item : left) {
         std::size_t nearest = idles[0];
-        double least = 1e9;
+        double least = std::numeric_limits<double>::infinity();
         for (const std::size_t i : idles) {
             const double away = ground_.distance(this->seen(charges_[i], now).centre, tours_.items()[item]);
             if (away >= least) continue;
@@ -303,23 +395,13 @@ void OperatorModel::renew(double now, const SeenScene& seen) {
         }
         shares[nearest].push_back(item);
     }
-    for (const std::size_t i : idles) {
-        if (shares[i].empty()) continue;
-        Charge& charge = charges_[i];
-        misses_ += static_cast<std::int32_t>(
-            std::count_if(shares[i].begin(), shares[i].end(), [&](std::int32_t item) {
-                return std::count(charge.meant.begin(), charge.meant.end(), item) > 0;
-            }));
-        charge.plan = planner_->renewed(this->seen(charge, now), shares[i], chance_);
-        charge.meant = sweptBy(charge.plan, shares[i]);
-        charge.point = 0;
-        tasks_.push_back({Act::Send, i});
-    }
+    for (const std::size_t i : idles)
+        if (!shares[i].empty()) renewPart(i, shares[i], now);
     if (tasks_.empty()) return;
     busyUntil_ = now + noisy(motor_.factor() * parameters_.decide);
     nextPlan_ = busyUntil_ + parameters_.replan;
     note("plan", now, busyUntil_,
-         std::to_string(left.size()) + " items for " + std::to_string(tasks_.size()) + " idle parts");
+         std::to_string(left.size()) + " items for " + std::to_string(idles.size()) + " idle parts");
 }
 
 }  // namespace muster

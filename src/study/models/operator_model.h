@@ -45,7 +45,7 @@ private:
         double sentAt = -1.0;             ///< When the last was sent [s]; before 0 for never.
         std::uint8_t digit = 0;           ///< Its control group; 0 for none.
     };
-    enum class Act : std::uint8_t { Cut, Send, Point };
+    enum class Act : std::uint8_t { Cut, TakeOut, Send, Point };
     struct Task {
         Act act = Act::Send;
         std::size_t index = 0;  ///< Of the cut or the charge.
@@ -57,6 +57,7 @@ private:
     void watch(double now, const SeenScene& scene);
     void perform(double now, const Task& task);
     void cut(double now, const std::array<Vec2, 2>& line);
+    void takeOut(double now, const Charge& charge);
     void send(double now, Charge& charge);
     void draw(double now, Charge& charge);
     void sweep(double now, Charge& charge);
@@ -64,9 +65,14 @@ private:
     void select(double& at, Charge& charge);
     void point(double& at, Charge& charge, bool add);
     void renew(double now, const SeenScene& scene);
+    std::vector<std::size_t> freeParts(const SeenScene& scene) const;
+    std::vector<std::int32_t> unclaimed(std::span<const std::size_t> idles, const SeenScene& scene);
+    void renewPart(std::size_t index, std::span<const std::int32_t> items, double now);
     void adopt(Charge& charge, const SeenScene& scene);
     void adoptSelected(double now, Charge& charge);
     bool idle(const Charge& charge, const SeenScene& now) const;
+    bool spent(const Charge& charge, const SeenScene& now) const;
+    static bool aheadOfFront(const Charge& charge, const SeenPart& part, Vec2 at, Vec2 to, Vec2 item);
     bool due(const Charge& charge, const SeenScene& scene) const;
     SeenPart seen(const Charge& charge, double at) const;
     std::vector<std::int32_t> openItems(const SeenScene& scene) const;
@@ -97,6 +103,7 @@ private:
     std::vector<ScriptedInput> script_;  // In the order of time.
     std::size_t played_ = 0;
     bool begun_ = false;
+    bool divided_ = false;                                 // Strokes have divided the crowd.
     double busyUntil_ = 0.0;                               // Until then it decides or moves [s].
     double nextPlan_ = 0.0;                                // Not before [s].
     std::array<double, 2> handFree_{};                     // When each hand can touch again [s].

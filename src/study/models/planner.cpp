@@ -21,6 +21,8 @@ constexpr std::array<std::array<std::int32_t, 2>, 9> kDivisions{
     {{1, 1}, {2, 1}, {1, 2}, {3, 1}, {1, 3}, {2, 2}, {4, 1}, {1, 4}, {3, 2}}};
 constexpr std::array<double, 4> kWidths{8.0, 12.0, 16.0, 20.0};
 constexpr double kWide = 1.4;            // A formation is wide that is so many times as wide as a square.
+constexpr std::size_t kFew = 4;          // So many are sent to fetch what is left.
+constexpr double kTakenMargin = 0.55;    // They are encircled so far off [m].
 constexpr double kMostPushed = 1.0;      // So far a formation may be pushed together at the border [m].
 constexpr double kPushedSeconds = 15.0;  // What more of that is expected to cost [s].
 
@@ -76,20 +78,66 @@ Sweep Planner::sweepOf(const SeenPart& part) const {
     return sweep;
 }
 
+// Where the middle of a part goes so that one of its characters stands on an item: where it ends, those whose
+// mesh is drawn bring whoever is nearest.
+Vec2 Planner::aimedAt(Vec2 from, Vec2 item, const Sweep& sweep) const {
+    Vec2 best = def_.border.clamp(item - sweep.aim);
+    double least = distance(from, best);
+    for (const Vec2 offset : sweep.offsets) {
+        const Vec2 to = def_.border.clamp(item - offset);
+        if (distance(from, to) >= least || distance(to + offset, item) > 0.5 * sweep.reach) continue;
+        least = distance(from, to);
+        best = to;
+    }
+    return best;
+}
+
+// The way over these stops.
+std::vector<Vec2> Planner::wayOver(Vec2 from, std::span<const std::int32_t> stops, const Sweep& sweep) const {
+    std::vector<Vec2> way;
+    for (const std::int32_t stop : stops) {
+        const Vec2 item = tours_->items()[stop];
+        const bool ends = def_.repertoire.draws && &stop == &stops.back();
+        const Vec2 to = ends ? aimedAt(from, item, sweep) : def_.border.clamp(item - sweep.aim);
+        if (def_.repertoire.draws)
+            tours_->ground().appendWay(from, to, way);
+        else
+            way.push_back(to);
+        from = to;
+    }
+    return way;
+}
+
 // Leads a part over items in this order, but for those that it sweeps up beside its way.
 void Planner::lead(PlannedPart& planned, std::span<const std::int32_t> order) const {
     const Sweep sweep = sweepOf(planned.part);
-    planned.stops = tours_->thinned(planned.part.centre, order, sweep);
-    planned.way.clear();
+    const Vec2 centre = planned.part.centre;
+    planned.stops = tours_->thinned(centre, order, sweep);
+    planned.way = wayOver(centre, planned.stops, sweep);
+    if (!def_.repertoire.draws) return;
+    // The way is another one than that of the middle: what it misses is led to as well, and what lies beside
+    // it is not.
+    const auto missed = [&](std::int32_t item) { return !collectedOn(planned, sweep, item); };
+    planned.stops.assign(order.begin(), order.end());
+    planned.way = wayOver(centre, planned.stops, sweep);
+    for (std::size_t i = 0; i < planned.stops.size();) {
+        const std::vector<std::int32_t> kept = planned.stops;
+        planned.stops.erase(planned.stops.begin() + static_cast<std::ptrdiff_t>(i));
+        planned.way = wayOver(centre, planned.stops, sweep);
+        if (std::none_of(order.begin(), order.end(), missed)) continue;
+        planned.stops = kept;
+        planned.way = wayOver(centre, planned.stops, sweep);
+        ++i;
+    }
+}
+
+bool Planner::collectedOn(const PlannedPart& planned, const Sweep& sweep, std::int32_t item) const {
     Vec2 at = planned.part.centre;
-    for (const std::int32_t stop : planned.stops) {
-        const Vec2 to = def_.border.clamp(tours_->items()[stop] - sweep.aim);
-        if (def_.repertoire.draws)
-            tours_->ground().appendWay(at, to, planned.way);
-        else
-            planned.way.push_back(to);
+    for (const Vec2 to : planned.way) {
+        if (sweep.collects(at, to, tours_->items()[item])) return true;
         at = to;
     }
+    return false;
 }
 
 double Planner::cutSeconds() const {
@@ -138,6 +186,7 @@ double Planner::sendSeconds(const PlannedPart& planned) const {
 }
 
 double Planner::walkSeconds(const PlannedPart& planned) const {
+    if (planned.width > 0.0) return sweepSeconds(planned);
     Vec2 at = planned.part.centre;
     double metres = 0.0;
     for (const Vec2 p : planned.way) {
@@ -145,6 +194,24 @@ double Planner::walkSeconds(const PlannedPart& planned) const {
         at = p;
     }
     return metres / def_.speed;
+}
+
+// A wide front is as slow as those of it who have to go round most.
+double Planner::sweepSeconds(const PlannedPart& planned) const {
+    const Vec2 across = perpendicular(planned.along);
+    double most = 0.0;
+    for (const double share : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
+        const Vec2 side = across * (0.5 * share * planned.width);
+        Vec2 at = def_.border.clamp(planned.part.centre + side);
+        double metres = 0.0;
+        for (const Vec2 p : planned.way) {
+            const Vec2 to = def_.border.clamp(p + side);
+            metres += tours_->ground().distance(at, to);
+            at = to;
+        }
+        most = std::max(most, metres);
+    }
+    return most / def_.speed;
 }
 
 // Parts that go on by themselves once they are sent.
@@ -380,7 +447,46 @@ double Planner::partSeconds(const PlannedPart& planned) const {
     return estimate(plan);
 }
 
-PlannedPart Planner::renewed(const SeenPart& part, std::span<const std::int32_t> open, Chance& chance) const {
+double Planner::takeOutSeconds(const PlannedPart& few) const {
+    if (!def_.repertoire.draws) return 0.0;  // They are selected anyway.
+    const double mm = def_.mmPerMetre;
+    const double round = 2.0 * (few.part.bounds.width() + few.part.bounds.height() + 4.0 * kTakenMargin);
+    return motor_->point(6.0 * mm, kTargetMetres * mm) + motor_->draw(round * mm, kTargetMetres * mm) +
+           motor_->device().handOff + motor_->factor() * def_.parameters.decideNext + 2.0 * motor_->press();
+}
+
+std::optional<PlannedPart> Planner::fetched(const SeenPart& part, std::span<const std::int32_t> open,
+                                            Chance& chance) const {
+    if (!def_.repertoire.divides || open.empty() || part.ids.size() <= 2 * kFew) return std::nullopt;
+    const auto away = [&](std::size_t i, std::int32_t item) {
+        return tours_->ground().distance(part.positions[i], tours_->items()[item]);
+    };
+    std::int32_t nearest = open[0];
+    double least = kInfinite;
+    for (const std::int32_t item : open)
+        for (std::size_t i = 0; i < part.ids.size(); ++i)
+            if (away(i, item) < least) {
+                least = away(i, item);
+                nearest = item;
+            }
+    std::vector<std::size_t> order(part.ids.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return away(a, nearest) < away(b, nearest); });
+    order.resize(kFew);
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return part.ids[a] < part.ids[b]; });
+    std::vector<std::uint32_t> ids;
+    std::vector<Vec2> positions;
+    for (const std::size_t i : order) {
+        ids.push_back(part.ids[i]);
+        positions.push_back(part.positions[i]);
+    }
+    return next(seenPart(std::move(ids), std::move(positions)), open, chance);
+}
+
+PlannedPart Planner::renewed(const SeenPart& part, std::span<const std::int32_t> open, bool sweeps,
+                             Chance& chance) const {
     PlannedPart best = next(part, open, chance);
     if (!def_.repertoire.spreads) return best;
     double least = partSeconds(best);
@@ -405,6 +511,7 @@ PlannedPart Planner::renewed(const SeenPart& part, std::span<const std::int32_t>
             best = std::move(led);
         }
     }
+    if (!sweeps) return best;
     for (const double width : kWidths) {
         if (width > def_.spacing * static_cast<double>(part.ids.size())) continue;
         for (const Vec2 along : {Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}, Vec2{0, -1}}) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -61,8 +62,17 @@ public:
 
     /// The best plan for the whole crowd that is found; `open`: the items that are left.
     OperatorPlan plan(const SeenPart& crowd, std::span<const std::int32_t> open, Chance& chance) const;
-    /// What a part that is idle shall do: a way as it is, as a square again, or a sweep.
-    PlannedPart renewed(const SeenPart& part, std::span<const std::int32_t> open, Chance& chance) const;
+    /// What a part that is idle shall do: a way as it is, as a square again, or, where `sweeps`, a sweep.
+    PlannedPart renewed(const SeenPart& part, std::span<const std::int32_t> open, bool sweeps,
+                        Chance& chance) const;
+    /// A few of a part's characters, those next to the nearest of these items, and their way; none where the
+    /// part is as small itself, or cannot be divided.
+    std::optional<PlannedPart> fetched(const SeenPart& part, std::span<const std::int32_t> open,
+                                       Chance& chance) const;
+    /// Expected time until a part has collected what it is led to [s].
+    double partSeconds(const PlannedPart& part) const;
+    /// Expected time for which the operator is busy with taking a few out of a part [s].
+    double takeOutSeconds(const PlannedPart& few) const;
     /// A way for a part as it is.
     PlannedPart next(const SeenPart& part, std::span<const std::int32_t> open, Chance& chance) const;
 
@@ -84,8 +94,11 @@ private:
     double clickSeconds(double metres) const;
     double cutSeconds() const;
     double walkSeconds(const PlannedPart& part) const;
+    double sweepSeconds(const PlannedPart& part) const;
+    Vec2 aimedAt(Vec2 from, Vec2 item, const Sweep& sweep) const;
+    std::vector<Vec2> wayOver(Vec2 from, std::span<const std::int32_t> stops, const Sweep& sweep) const;
+    bool collectedOn(const PlannedPart& part, const Sweep& sweep, std::int32_t item) const;
     double beyondBorder(const PlannedPart& part) const;
-    double partSeconds(const PlannedPart& part) const;
 
     PlannerDef def_;
     const TourFinder* tours_;

@@ -10,14 +10,14 @@ constexpr double kTrust = 0.85;       // Of its reach one counts on so much.
 constexpr std::int32_t kRounds = 40;  // Of improvement, at most.
 constexpr std::int32_t kSpoilTries = 60;
 
+}  // namespace
+
 double distanceToSegment(Vec2 p, Vec2 a, Vec2 b) {
     const Vec2 along = b - a;
     const double squared = lengthSquared(along);
     const double t = squared > 0.0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0.0;
     return distance(p, a + along * t);
 }
-
-}  // namespace
 
 bool Sweep::collects(Vec2 a, Vec2 b, Vec2 item) const {
     return std::any_of(offsets.begin(), offsets.end(), [&](Vec2 offset) {

@@ -20,6 +20,9 @@ struct Sweep {
     bool collects(Vec2 a, Vec2 b, Vec2 item) const;
 };
 
+/// Distance of a point to the straight line from `a` to `b` [m].
+double distanceToSegment(Vec2 p, Vec2 a, Vec2 b);
+
 /// Finds tours. The best found are made worse on purpose: people's are.
 class TourFinder {
 public:

@@ -20,7 +20,7 @@ class ContinuumStage {
 public:
     /// Forgets all fields; call when the state has become another.
     void reset() { fields_.clear(); }
-    /// Freezes the costs anew where that is due. Call once per step, before guide().
+    /// Freezes the costs again where that is due. Call once per step, before guide().
     void begin(WorldState& state, PlanCosts& costs);
     /// Writes directions and costs of the members of a group without places, and who has arrived.
     void guide(WorldState& state, const Group& group, Gathering& gathering);
