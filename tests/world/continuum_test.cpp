@@ -37,6 +37,16 @@ double fastest(const World& world) {
     return most;
 }
 
+/// How far anybody gets within so many steps [m]: who stands in a crush may be jostled, but stays.
+double farthestMove(World& world, int steps) {
+    const std::vector<Vec2> before(world.characters().position.begin(), world.characters().position.end());
+    for (int s = 0; s < steps; ++s) world.step();
+    double most = 0.0;
+    for (std::size_t i = 0; i < before.size(); ++i)
+        most = std::max(most, distance(before[i], world.characters().position[i]));
+    return most;
+}
+
 bool saw(const World& world, EventKind kind) {
     return std::any_of(world.events().begin(), world.events().end(),
                        [&](const Event& event) { return event.kind == kind; });
@@ -118,7 +128,7 @@ TEST_CASE("a target within an obstacle is gathered at where ground is free; one 
     REQUIRE(stepsUntilDone(world, 1500) > 0);
     for (int s = 0; s < 1200; ++s) world.step();
     CHECK(farthest(world, {6, 0}) < 4.5);
-    CHECK(fastest(world) < 0.1);
+    CHECK(farthestMove(world, 300) < 0.2);
 
     WorldDef walled = openFloor(16);
     walled.obstacles.push_back(block(-0.5, -12, 0.5, 12));

@@ -103,7 +103,8 @@ void ContinuumStage::findArrived(const WorldState& state, const Group& group, Ga
     for (const std::int32_t i : group.members) {
         if (gathering.hasArrived(c.id[i])) continue;
         const double away = distance(c.position[i], gathering.target);
-        const bool stands = state.stepCount - c.walk[i].movedAt >= patience;
+        // Once the order is done nobody jostles on against those who stand.
+        const bool stands = group.orders.orders.empty() || state.stepCount - c.walk[i].movedAt >= patience;
         if (away > kAtTarget && !((away <= reach || stands) && touches(c.position[i]))) continue;
         gathering.arrived.insert(
             std::lower_bound(gathering.arrived.begin(), gathering.arrived.end(), c.id[i]), c.id[i]);

@@ -44,7 +44,8 @@ std::map<std::string, std::string> contents(StudyStore& store) {
     for (const StudyRun& run : runs)
         found["run " + std::to_string(run.id)] = run.version + run.note +
                                                  std::to_string(static_cast<int>(run.state));
-    for (const StudyTrial& trial : store.trials().value()) {
+    const auto trials = store.trials().value();
+    for (const StudyTrial& trial : trials) {
         const std::string key = trial.def.environment + " " + trial.def.scheme + " " +
                                 std::to_string(trial.def.seed) + " " + trial.setting;
         CHECK(found.count(key) == 0);
@@ -66,8 +67,10 @@ TEST_CASE("shards are parts of a series without overlap, balanced over environme
         return t.def.environment + t.def.scheme + std::to_string(t.def.seed) + t.setting;
     };
     def.shards = 3;
-    for (def.shard = 0; def.shard < 3; ++def.shard)
-        for (const SeriesTrial& trial : seriesTrials(def).value()) CHECK(seen.insert(key(trial)).second);
+    for (def.shard = 0; def.shard < 3; ++def.shard) {
+        const auto part = seriesTrials(def).value();
+        for (const SeriesTrial& trial : part) CHECK(seen.insert(key(trial)).second);
+    }
     CHECK(seen.size() == all.size());
     // The first seed comes before the second in all environments and controls.
     for (std::size_t i = 1; i < all.size(); ++i) CHECK(all[i - 1].def.seed <= all[i].def.seed);
@@ -103,7 +106,8 @@ TEST_CASE("a small study of models: all trials end, are kept, and replay from th
         CHECK(trial.result.collected == trial.result.items);
         CHECK(trial.state == RunState::Complete);
         const double perMinute = 60.0 * trial.result.gestures / trial.result.seconds;
-        CHECK(perMinute > 5.0);
+        // A touch draws a whole way, or two; a mouse clicks on each point.
+        CHECK(perMinute > (trial.def.scheme == "touch" ? 1.0 : 20.0));
         CHECK(perMinute < 110.0);
         CHECK_FALSE(store.decisions(trial.id).value().empty());
     }
@@ -145,8 +149,15 @@ TEST_CASE(
     REQUIRE(mergeSeries(one, merged).ok());  // Nothing twice.
     const auto expected = contents(whole);
     CHECK(expected.size() == 5);
-    CHECK(contents(shared) == expected);
-    CHECK(contents(merged) == expected);
+    for (StudyStore* store : {&shared, &merged}) {
+        const auto found = contents(*store);
+        CHECK(found.size() == expected.size());
+        for (const auto& [key, value] : expected) {
+            INFO(key);
+            CHECK(found.count(key) == 1);
+            if (found.count(key) == 1) CHECK(found.at(key) == value);
+        }
+    }
 }
 
 TEST_CASE("tuning seeds are never kept") {
