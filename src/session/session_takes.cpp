@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kStepsPerSeek = 90;       // Steps between two reads of the clients' messages.
 constexpr double kReadySpacing = 0.25;  // Least time between two TakeReady messages [s].
+constexpr double kMoment = 2.0;         // So short a recording says nothing by itself [s].
 
 }  // namespace
 
@@ -101,7 +102,7 @@ void Session::Impl::beginFile(SessionClient* client) {
            "Recording in memory only: " + status.message() + ".");
 }
 
-// With `dropEmpty` a recording in which nobody did anything is not kept.
+// With `dropEmpty` a moment's recording in which nobody did anything is not kept.
 void Session::Impl::stopRecording(bool dropEmpty) {
     const bool ran = recordedFrom >= 0.0;
     const double seconds = ran ? world->time() - recordedFrom : 0.0;
@@ -110,7 +111,7 @@ void Session::Impl::stopRecording(bool dropEmpty) {
     reportLostFile();
     if (!world || !ran) return;
     const bool empty = world->stepCount() <= recordedAbout.from ||
-                       (dropEmpty && log.commands() == recordedCommands);
+                       (dropEmpty && seconds < kMoment && log.commands() == recordedCommands);
     recordedAbout.to = empty ? kTakeEnd : world->stepCount();
     protocol::TakeKept kept{log.fileName(), seconds, worldDef.name};
     if (log.attached()) {

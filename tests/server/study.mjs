@@ -75,7 +75,7 @@ export async function studyTests({ test, check, program, place }) {
     check(stateOf(socket).run === 0 && stateOf(socket).token === '', 'nothing has begun');
     socket.write(consent('no'));
     check(await socket.until((self) => self.notices().length === 1), 'a wrong answer is told');
-    check(readNotice(socket.messages.find((one) => one[0] === fromServer.Notice)).text.includes('none of its choices'), 'by a sentence');
+    check(readNotice(socket.messages.find((one) => one[0] === fromServer.Notice)).includes('none of its choices'), 'by a sentence');
     socket.write(consent('yes'));
     check(await socket.until((self) => stateOf(self).run === 1), 'the run begins');
     const { token } = stateOf(socket);
