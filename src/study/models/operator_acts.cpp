@@ -154,6 +154,14 @@ double OperatorModel::tapTwice(double at, Vec2 where, double millimetres) {
     return at;
 }
 
+// True where one of the items that a part is led to lies by a point of its way.
+bool OperatorModel::isStop(const PlannedPart& plan, Vec2 point) const {
+    const double reach = std::max(plan.part.bounds.width(), plan.part.bounds.height()) + kTarget;
+    return std::any_of(plan.stops.begin(), plan.stops.end(), [&](std::int32_t stop) {
+        return distance(tours_.items()[stop], point) < reach;
+    });
+}
+
 // A finger or the mouse takes a formation and draws its way.
 void OperatorModel::draw(double now, Charge& charge) {
     const std::size_t hand = parameters_.hands > 1.5 && handFree_[1] < handFree_[0] ? 1 : 0;
@@ -167,14 +175,17 @@ void OperatorModel::draw(double now, Charge& charge) {
     const SeenPart there = seen(charge, at);
     const Vec2 from = nearestTo(there.positions, there.centre);
     const Vec2 beside = from - there.centre;
+    const double tolerance = toleranceOf(there) * mmPerMetre_;
     std::vector<PathLeg> legs;
     Vec2 last = from;
     // The way was planned for where the part was; it moves on meanwhile.
     for (const Vec2 middle : charge.plan.way) {
         const Vec2 p = studyRules().box.clamp(middle + beside);
         const double mm = millimetres(last, p);
-        const double pause = noisy(motor_.factor() * parameters_.decideNext);
-        legs.push_back({p, noisy(motor_.draw(mm, kTarget * mmPerMetre_)), pause});
+        // Where to go on is decided at items, not where the way bends round a block.
+        const bool stop = isStop(charge.plan, middle);
+        const double pause = stop ? noisy(motor_.factor() * parameters_.decideNext) : 0.0;
+        legs.push_back({p, noisy(motor_.draw(mm, tolerance)), pause});
         last = p;
     }
     busyUntil_ = hand_.stroke(nextPointer_++, PointerButton::Left, {}, at, from, legs, width * mmPerMetre_,
@@ -301,12 +312,13 @@ void OperatorModel::adoptSelected(double now, Charge& charge) {
 // Clicks on the next point of a part's way.
 void OperatorModel::point(double& at, Charge& charge, bool add) {
     const Vec2 to = charge.plan.way[charge.point];
-    at = reachHand(at, to, kTarget, 0) + motor_.press();
+    const double width = toleranceOf(seen(charge, at));
+    at = reachHand(at, to, width, 0) + motor_.press();
     const bool paper = scheme_.kind == SchemeKind::MousePaper;
     Modifiers modifiers;
     modifiers.shift = add;
     at = hand_.click(paper ? PointerButton::Left : PointerButton::Right, modifiers, at, to,
-                     kTarget * mmPerMetre_, script_);
+                     width * mmPerMetre_, script_);
     ++charge.point;
     ++commands_;
     charge.sentAt = at;

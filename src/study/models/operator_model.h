@@ -59,6 +59,7 @@ private:
     void cut(double now, const std::array<Vec2, 2>& line);
     void takeOut(double now, const Charge& charge);
     void send(double now, Charge& charge);
+    bool isStop(const PlannedPart& plan, Vec2 point) const;
     void draw(double now, Charge& charge);
     void sweep(double now, Charge& charge);
     double tapTwice(double at, Vec2 where, double millimetres);

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kTargetMetres = 1.0;   // What is aimed at is as large as an item's reach [m].
+constexpr double kSwathShare = 0.8;     // Of the width of a part, which one counts on.
 constexpr double kPackedRadius = 0.28;  // Of those who gather, times the root of their number [m].
 constexpr double kCutBeyond = 1.2;      // A cut begins and ends so far beyond the crowd [m].
 constexpr double kLaneMargin = 1.0;     // A lane goes on so far behind its last item [m].
@@ -54,6 +55,10 @@ SeenPart seenPart(std::vector<std::uint32_t> ids, std::vector<Vec2> positions) {
         part.bounds.max = {std::max(part.bounds.max.x, p.x), std::max(part.bounds.max.y, p.y)};
     }
     return part;
+}
+
+double toleranceOf(const SeenPart& part) {
+    return std::max(kTargetMetres, kSwathShare * std::min(part.bounds.width(), part.bounds.height()));
 }
 
 Planner::Planner(const PlannerDef& def, const TourFinder& tours, const Motor& motor)
@@ -155,9 +160,9 @@ double Planner::selectSeconds(const PlannedPart& planned) const {
     return seconds + motor_->factor() * def_.parameters.attention;
 }
 
-double Planner::clickSeconds(double metres) const {
+double Planner::clickSeconds(const PlannedPart& planned, double metres) const {
     const double mm = def_.mmPerMetre;
-    return motor_->point(metres * mm, kTargetMetres * mm) + 2.0 * motor_->press() +
+    return motor_->point(metres * mm, toleranceOf(planned.part) * mm) + 2.0 * motor_->press() +
            motor_->factor() * def_.parameters.decideNext;
 }
 
@@ -168,7 +173,7 @@ double Planner::sendSeconds(const PlannedPart& planned) const {
         double seconds = selectSeconds(planned);
         Vec2 at = planned.part.centre;
         for (const Vec2 p : planned.way) {
-            seconds += clickSeconds(distance(at, p));
+            seconds += clickSeconds(planned, distance(at, p));
             at = p;
         }
         return seconds;
@@ -177,7 +182,7 @@ double Planner::sendSeconds(const PlannedPart& planned) const {
     const double wide = std::max(across, kTargetMetres) * mm;
     double seconds = motor_->point(8.0 * mm, wide) + motor_->factor() * def_.parameters.attention;
     const double stops = std::max<double>(1.0, static_cast<double>(planned.stops.size()));
-    seconds += motor_->draw(wayLength(planned.part.centre, planned.way) * mm, kTargetMetres * mm) +
+    seconds += motor_->draw(wayLength(planned.part.centre, planned.way) * mm, toleranceOf(planned.part) * mm) +
                next * stops;
     if (planned.width > 0.0)
         seconds += motor_->factor() * def_.parameters.secondHand +
@@ -222,7 +227,7 @@ double Planner::estimateQueued(const OperatorPlan& plan) const {
     for (const PlannedPart& planned : plan.parts) {
         if (planned.way.empty()) continue;
         const double send = sendSeconds(planned);
-        const double first = def_.repertoire.draws ? 0.3 * send : selectSeconds(planned) + clickSeconds(5.0);
+        const double first = def_.repertoire.draws ? 0.3 * send : selectSeconds(planned) + clickSeconds(planned, 5.0);
         last = std::max({last, now + first + walkSeconds(planned), now + send});
         now += send;
     }
@@ -247,7 +252,7 @@ double Planner::estimateAttended(const OperatorPlan& plan) const {
         const Vec2 to = planned.way[next[chosen]];
         now = std::max(now, due[chosen] + (next[chosen] > 0 ? def_.parameters.reaction : 0.0));
         if (chosen != before) now += selectSeconds(planned);
-        now += clickSeconds(distance(from, to));
+        now += clickSeconds(planned, distance(from, to));
         due[chosen] = now + tours_->ground().distance(from, to) / def_.speed;
         last = std::max(last, due[chosen]);
         ++next[chosen];

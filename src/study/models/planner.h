@@ -25,6 +25,9 @@ struct SeenPart {
 
 /// Makes a part from its characters.
 SeenPart seenPart(std::vector<std::uint32_t> ids, std::vector<Vec2> positions);
+/// How wide the target is at which a part is sent, or the path along which it is drawn [m]: as wide as an item's
+/// reach, and wider for those who come broadly over it anyway.
+double toleranceOf(const SeenPart& part);
 
 /// A part and what it is to do.
 struct PlannedPart {
@@ -91,7 +94,7 @@ private:
     double estimateQueued(const OperatorPlan& plan) const;
     double estimateAttended(const OperatorPlan& plan) const;
     double selectSeconds(const PlannedPart& part) const;
-    double clickSeconds(double metres) const;
+    double clickSeconds(const PlannedPart& part, double metres) const;
     double cutSeconds() const;
     double walkSeconds(const PlannedPart& part) const;
     double sweepSeconds(const PlannedPart& part) const;
