@@ -36,6 +36,20 @@ double HandScript::stroke(std::uint32_t pointer, PointerButton button, Modifiers
                           std::vector<ScriptedInput>& script) {
     add(PointerPhase::Down, pointer, button, modifiers, at, from, chance_->scatter(motor_->scatter(width)),
         script);
+    return path(pointer, button, modifiers, at, from, legs, {}, width, script);
+}
+
+double HandScript::carry(std::uint32_t pointer, double at, Vec2 from, std::span<const PathLeg> legs,
+                         double grip, double end, std::vector<ScriptedInput>& script) {
+    const Vec2 beside = chance_->scatter(motor_->scatter(grip));
+    add(PointerPhase::Down, pointer, PointerButton::Left, {}, at, from, beside, script);
+    return path(pointer, PointerButton::Left, {}, at, from, legs, beside, end, script);
+}
+
+// From where the hand has gone down until it lifts; all of it is off by `beside` [mm].
+double HandScript::path(std::uint32_t pointer, PointerButton button, Modifiers modifiers, double at,
+                        Vec2 from, std::span<const PathLeg> legs, Vec2 beside, double end,
+                        std::vector<ScriptedInput>& script) {
     Vec2 wobble;
     const double keep = 1.0 - 1.0 / (kRate * kWobbleTime);
     const double fresh = motor_->device().wobble * std::sqrt(1.0 - keep * keep);
@@ -47,14 +61,14 @@ double HandScript::stroke(std::uint32_t pointer, PointerButton button, Modifiers
             const double t = static_cast<double>(i) / count;
             wobble = wobble * keep + chance_->scatter(fresh);
             add(PointerPhase::Move, pointer, button, modifiers, now + t * leg.seconds,
-                lerp(begin, leg.to, eased(t)), wobble, script);
+                lerp(begin, leg.to, eased(t)), beside + wobble, script);
         }
         now += leg.seconds + leg.pause;
         begin = leg.to;
     }
     now += motor_->press();
-    add(PointerPhase::Up, pointer, button, modifiers, now, begin, chance_->scatter(motor_->scatter(width)),
-        script);
+    add(PointerPhase::Up, pointer, button, modifiers, now, begin,
+        beside + chance_->scatter(motor_->scatter(end)), script);
     last_ = begin;
     return now;
 }

@@ -30,10 +30,14 @@ public:
     HandScript(const GroundView& view, const Motor& motor, Chance& chance)
         : view_(&view), motor_(&motor), chance_(&chance) {}
 
-    /// A finger or button goes down at `from` at the time `at`, follows the legs, and lifts. `errors`: wobble
-    /// and scatter. Returns when it lifts.
+    /// A finger or button goes down at `from` at the time `at`, follows the legs, and lifts, with scatter at
+    /// both ends and wobble between; `width`: of the target of each end [mm]. Returns when it lifts.
     double stroke(std::uint32_t pointer, PointerButton button, Modifiers modifiers, double at, Vec2 from,
                   std::span<const PathLeg> legs, double width, std::vector<ScriptedInput>& script);
+    /// The same for what is taken hold of within a target of `grip` and carried to one of `end` [mm]: one
+    /// sees it move, so the hand keeps as far beside its way as it took hold.
+    double carry(std::uint32_t pointer, double at, Vec2 from, std::span<const PathLeg> legs, double grip,
+                 double end, std::vector<ScriptedInput>& script);
     /// A click or tap. Returns when it ends.
     double click(PointerButton button, Modifiers modifiers, double at, Vec2 where, double width,
                  std::vector<ScriptedInput>& script);
@@ -43,6 +47,8 @@ public:
     Vec2 last() const { return last_; }
 
 private:
+    double path(std::uint32_t pointer, PointerButton button, Modifiers modifiers, double at, Vec2 from,
+                std::span<const PathLeg> legs, Vec2 beside, double end, std::vector<ScriptedInput>& script);
     void add(PointerPhase phase, std::uint32_t pointer, PointerButton button, Modifiers modifiers, double at,
              Vec2 ground, Vec2 errorMm, std::vector<ScriptedInput>& script);
 

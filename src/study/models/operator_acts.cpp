@@ -157,9 +157,8 @@ double OperatorModel::tapTwice(double at, Vec2 where, double millimetres) {
 // True where one of the items that a part is led to lies by a point of its way.
 bool OperatorModel::isStop(const PlannedPart& plan, Vec2 point) const {
     const double reach = std::max(plan.part.bounds.width(), plan.part.bounds.height()) + kTarget;
-    return std::any_of(plan.stops.begin(), plan.stops.end(), [&](std::int32_t stop) {
-        return distance(tours_.items()[stop], point) < reach;
-    });
+    return std::any_of(plan.stops.begin(), plan.stops.end(),
+                       [&](std::int32_t stop) { return distance(tours_.items()[stop], point) < reach; });
 }
 
 // A finger or the mouse takes a formation and draws its way.
@@ -185,11 +184,12 @@ void OperatorModel::draw(double now, Charge& charge) {
         // Where to go on is decided at items, not where the way bends round a block.
         const bool stop = isStop(charge.plan, middle);
         const double pause = stop ? noisy(motor_.factor() * parameters_.decideNext) : 0.0;
-        legs.push_back({p, noisy(motor_.draw(mm, tolerance)), pause});
+        const bool ends = &middle == &charge.plan.way.back();
+        legs.push_back({p, noisy(motor_.draw(mm, ends ? kTarget * mmPerMetre_ : tolerance)), pause});
         last = p;
     }
-    busyUntil_ = hand_.stroke(nextPointer_++, PointerButton::Left, {}, at, from, legs, width * mmPerMetre_,
-                              script_);
+    busyUntil_ = hand_.carry(nextPointer_++, at, from, legs, width * mmPerMetre_, kTarget * mmPerMetre_,
+                             script_);
     charge.sentAt = busyUntil_;
     charge.point = charge.plan.way.size();
     handAt_[hand] = last;

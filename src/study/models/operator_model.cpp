@@ -18,6 +18,7 @@ constexpr double kStuckLook = 2.0;      // For so long where it has a way ahead 
 constexpr double kIdleGrace = 1.2;      // After an order nobody expects movement for so long [s].
 constexpr double kNear = 1.3;           // A point is reached when a part's middle is so near [m].
 constexpr std::size_t kLeftOver = 3;    // So few items are left-overs, which a few can fetch.
+constexpr double kSameLeg = 0.3;        // Legs are told apart by so much [m].
 constexpr double kPassedBeside = 2.0;   // So far aside somebody may still come over an item [m].
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
@@ -228,13 +229,13 @@ bool OperatorModel::spent(const Charge& charge, const SeenScene& now) const {
     if (charge.point < charge.plan.way.size()) return false;
     const SeenPart part = seen(charge, now.time + delay());
     const std::vector<Vec2>& way = charge.plan.way;
-    // The leg on which its middle is.
+    // The leg on which its middle is; the first one where legs lie on each other.
     std::size_t leg = 0;
     double least = std::numeric_limits<double>::infinity();
     Vec2 from = charge.plan.part.centre;
     for (std::size_t k = 0; k < way.size(); ++k) {
         const double away = distanceToSegment(part.centre, from, way[k]);
-        if (away <= least) leg = k;
+        if (away < least - kSameLeg) leg = k;
         least = std::min(least, away);
         from = way[k];
     }
@@ -388,10 +389,14 @@ void OperatorModel::renew(double now, const SeenScene& seen) {
         std::size_t nearest = idles[0];
         double least = std::numeric_limits<double>::infinity();
         for (const std::size_t i : idles) {
-            const double away = ground_.distance(this->seen(charges_[i], now).centre, tours_.items()[item]);
-            if (away >= least) continue;
-            least = away;
-            nearest = i;
+            // Who is nearest counts, not the middle of a wide front.
+            const SeenPart part = this->seen(charges_[i], now);
+            for (const Vec2 p : part.positions) {
+                const double away = ground_.distance(p, tours_.items()[item]);
+                if (away >= least) continue;
+                least = away;
+                nearest = i;
+            }
         }
         shares[nearest].push_back(item);
     }

@@ -182,7 +182,8 @@ double Planner::sendSeconds(const PlannedPart& planned) const {
     const double wide = std::max(across, kTargetMetres) * mm;
     double seconds = motor_->point(8.0 * mm, wide) + motor_->factor() * def_.parameters.attention;
     const double stops = std::max<double>(1.0, static_cast<double>(planned.stops.size()));
-    seconds += motor_->draw(wayLength(planned.part.centre, planned.way) * mm, toleranceOf(planned.part) * mm) +
+    seconds += motor_->draw(wayLength(planned.part.centre, planned.way) * mm,
+                            toleranceOf(planned.part) * mm) +
                next * stops;
     if (planned.width > 0.0)
         seconds += motor_->factor() * def_.parameters.secondHand +
@@ -227,7 +228,8 @@ double Planner::estimateQueued(const OperatorPlan& plan) const {
     for (const PlannedPart& planned : plan.parts) {
         if (planned.way.empty()) continue;
         const double send = sendSeconds(planned);
-        const double first = def_.repertoire.draws ? 0.3 * send : selectSeconds(planned) + clickSeconds(planned, 5.0);
+        const double first = def_.repertoire.draws ? 0.3 * send
+                                                   : selectSeconds(planned) + clickSeconds(planned, 5.0);
         last = std::max({last, now + first + walkSeconds(planned), now + send});
         now += send;
     }
@@ -298,7 +300,7 @@ OperatorPlan Planner::divided(const SeenPart& crowd, std::span<const std::int32_
     }
     for (std::int32_t i = 0; i < count; ++i) {
         if (ids[i].empty()) return {{}, {}, kInfinite, plan.text};
-        plan.parts.push_back({seenPart(ids[i], positions[i]), {}, {}, 0.0, false, {}});
+        plan.parts.push_back({seenPart(ids[i], positions[i]), {}, {}, 0.0, false, {}, 0.0});
     }
     // Stretches of the tour end where what has been walked exceeds the part's share, counted with the way
     // there.
@@ -376,7 +378,7 @@ OperatorPlan Planner::swept(const SeenPart& crowd, std::span<const std::int32_t>
     }
     const double reach = width + 2.0 * 0.8 * def_.itemRadius;
     const auto lanes = static_cast<std::int32_t>(std::max(1.0, std::ceil((high - low) / reach)));
-    PlannedPart planned{crowd, {}, {}, width, false, along};
+    PlannedPart planned{crowd, {}, {}, width, false, along, 0.0};
     const double start = dot(crowd.centre, across);
     const bool upwards = std::abs(start - low) <= std::abs(start - high);
     const double lane = (high - low) / lanes;
@@ -449,7 +451,7 @@ double Planner::beyondBorder(const PlannedPart& planned) const {
 double Planner::partSeconds(const PlannedPart& planned) const {
     OperatorPlan plan;
     plan.parts.push_back(planned);
-    return estimate(plan);
+    return planned.reforms + estimate(plan);
 }
 
 double Planner::takeOutSeconds(const PlannedPart& few) const {
@@ -494,9 +496,9 @@ PlannedPart Planner::renewed(const SeenPart& part, std::span<const std::int32_t>
                              Chance& chance) const {
     PlannedPart best = next(part, open, chance);
     if (!def_.repertoire.spreads) return best;
-    double least = partSeconds(best);
     // A wide formation that is pushed together leaves items beside its way.
-    if (beyondBorder(best) > kMostPushed) least += kPushedSeconds;
+    if (beyondBorder(best) > kMostPushed) best.reforms = kPushedSeconds;
+    double least = partSeconds(best);
     const double own = std::max(part.bounds.width(), part.bounds.height());
     const auto side = static_cast<std::int32_t>(std::ceil(std::sqrt(static_cast<double>(part.ids.size()))));
     const double square = def_.spacing * (side - 1);
@@ -509,8 +511,8 @@ PlannedPart Planner::renewed(const SeenPart& part, std::span<const std::int32_t>
         }
         PlannedPart led = next(seenPart(squared.ids, squared.positions), open, chance);
         led.square = true;
-        const double seconds = partSeconds(led) + 2.0 * motor_->point(0.0, kTargetMetres * def_.mmPerMetre) +
-                               0.5 * (own - square) / def_.speed;
+        led.reforms = 2.0 * motor_->point(0.0, kTargetMetres * def_.mmPerMetre) + (own - square) / def_.speed;
+        const double seconds = partSeconds(led);
         if (seconds < least) {
             least = seconds;
             best = std::move(led);
@@ -530,7 +532,7 @@ PlannedPart Planner::renewed(const SeenPart& part, std::span<const std::int32_t>
 }
 
 PlannedPart Planner::next(const SeenPart& part, std::span<const std::int32_t> open, Chance& chance) const {
-    PlannedPart planned{part, {}, {}, 0.0, false, {}};
+    PlannedPart planned{part, {}, {}, 0.0, false, {}, 0.0};
     lead(planned,
          tours_->tour(part.centre, open, def_.parameters.routeDetour * 2.0 * chance.uniform(), chance));
     return planned;

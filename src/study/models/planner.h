@@ -25,8 +25,8 @@ struct SeenPart {
 
 /// Makes a part from its characters.
 SeenPart seenPart(std::vector<std::uint32_t> ids, std::vector<Vec2> positions);
-/// How wide the target is at which a part is sent, or the path along which it is drawn [m]: as wide as an item's
-/// reach, and wider for those who come broadly over it anyway.
+/// How wide the target is at which a part is sent, or the path along which it is drawn [m]: as wide as an
+/// item's reach, and wider for those who come broadly over it anyway.
 double toleranceOf(const SeenPart& part);
 
 /// A part and what it is to do.
@@ -37,6 +37,7 @@ struct PlannedPart {
     double width = 0.0;               ///< Width of the front for a sweep [m]; 0 to leave the shape as it is.
     bool square = false;              ///< The formation becomes a square again first.
     Vec2 along;                       ///< For a sweep: the unit vector of its first lane.
+    double reforms = 0.0;             ///< Expected time for taking another shape first [s].
 };
 
 /// What is to be done, and what it would take.

@@ -86,7 +86,7 @@ export class DirectorsDesk implements DirectorActions {
 
   private async askInvitation(): Promise<void> {
     try {
-      const answer = await fetch('/invitation.json', { cache: 'no-store' });
+      const answer = await fetch('invitation.json', { cache: 'no-store' });
       if (!answer.ok) return;
       this.store_.set({ invitation: (await answer.json()) as Invitation });
     } catch {

@@ -81,7 +81,7 @@ async function oneGroupOnly(studio, other) {
   await other.page.locator('.notice', { hasText: 'not yours to direct' }).waitFor();
   await other.send({ type: 'SetFormation', group: wanted.id, formation: 'ring' });
   await studio.eventually(async () => {
-    const { groups } = await studio.page.evaluate(() => globalThis.__muster.store.state);
+    const { groups } = await studio.page.evaluate(() => globalThis.__muster.state);
     expect(groups[1].formation === 'ring' && groups[0].formation !== 'ring', 'only their own group changed');
   });
 }

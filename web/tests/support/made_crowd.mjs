@@ -284,6 +284,8 @@ export async function startMadeCrowd({ count = 10000, near = 100, bodies = '' } 
       const answer = await fetch(new URL(path, bodies));
       return response.writeHead(answer.status).end(Buffer.from(await answer.arrayBuffer()));
     }
+    const nothing = { '/takes': { takes: [] }, '/invitation.json': { links: [], code: [] } }[path];
+    if (nothing) return response.writeHead(200, { 'Content-Type': 'application/json' }).end(JSON.stringify(nothing));
     const file = `${dist}${path === '/' ? 'index.html' : path.slice(1)}`;
     if (path.includes('..') || !existsSync(file)) return response.writeHead(404).end();
     response
