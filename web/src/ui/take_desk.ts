@@ -116,7 +116,10 @@ export class TakeDesk implements TakeActions {
     if (open && before?.name !== take.name) this.line_.track.setReady(0);
     this.line_.setTake(this.take_, this.titleOf(take));
     if (!open) return;
-    if (!before) this.live_.say('A take is open');
+    if (!before) {
+      this.live_.say('A take is open');
+      this.card_.close();
+    }
     if (this.trims_) requestAnimationFrame(() => this.line_.track.focusFrom());
     this.trims_ = false;
     this.waiting_ = this.waiting_.filter((one) => one.step >= 0 || (one.done(), false));

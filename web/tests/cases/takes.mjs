@@ -286,7 +286,8 @@ export async function exports(studio) {
       video.muted = true;
       video.src = URL.createObjectURL(new globalThis.Blob([bytes], { type }));
       await new Promise((done, fail) => {
-        video.onloadeddata = done;
+        video.onseeked = done;
+        video.onloadeddata = () => (video.currentTime = Math.min(0.1, video.duration / 2));
         video.onerror = () => fail(new Error(video.error?.message ?? 'no film'));
       });
       const canvas = document.createElement('canvas');
