@@ -239,8 +239,10 @@ async function runCase({ name, test, size, options }) {
     failed.push(`${name} (${size})`);
     console.log(`FAIL  ${name} (${size}): ${error.message}`);
     await studio?.shot(`failed-${name.replace(/\W+/g, '-')}`).catch(() => undefined);
-    // What a failed case leaves behind is no concern of the next.
+    // What a failed case leaves behind, on its page or in the common server, is no concern of the next.
     await closeShared();
+    await server.stop();
+    server = await startStudio();
   } finally {
     if (studio !== shared.studio) await studio?.close().catch(() => undefined);
     await own?.stop();

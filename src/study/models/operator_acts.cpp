@@ -17,6 +17,7 @@ constexpr double kTakenMargin = 0.55;  // A loop is drawn so far round those who
 constexpr double kFreeRoom = 0.8;      // It begins so far off its first corner [m].
 constexpr double kGripShare = 0.8;     // They come down within the crowd [m].
 constexpr double kLeastSelected = 0.5;
+constexpr double kLeastOwn = 0.7;  // So many of a formation are meant where it is the part that one sends.
 constexpr std::size_t kNoCharge = static_cast<std::size_t>(-1);
 
 Vec2 nearestTo(std::span<const Vec2> points, Vec2 p) {
@@ -99,6 +100,8 @@ void OperatorModel::adopt(Charge& charge, const SeenScene& seen) {
     std::vector<std::uint32_t> ids;
     for (std::size_t i = 0; i < seen.ids.size(); ++i)
         if (seen.groups[i] == best) ids.push_back(seen.ids[i]);
+    // As long as the cut is not seen yet, one goes by what was meant.
+    if (static_cast<double>(most) < kLeastOwn * static_cast<double>(ids.size())) return;
     if (ids != charge.plan.part.ids) charge.plan.part.ids = std::move(ids);
 }
 

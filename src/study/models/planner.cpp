@@ -16,6 +16,7 @@ constexpr double kTargetMetres = 1.0;   // What is aimed at is as large as an it
 constexpr double kSwathShare = 0.8;     // Of the width of a part, which one counts on.
 constexpr double kPackedRadius = 0.28;  // Of those who gather, times the root of their number [m].
 constexpr double kCutBeyond = 1.2;      // A cut begins and ends so far beyond the crowd [m].
+constexpr double kLoosest = 1.25;       // A front collects all before it up to this spacing, in spacings.
 constexpr double kLaneMargin = 1.0;     // A lane goes on so far behind its last item [m].
 // Shapes of divisions: columns and rows.
 constexpr std::array<std::array<std::int32_t, 2>, 9> kDivisions{
@@ -230,7 +231,7 @@ double Planner::estimateQueued(const OperatorPlan& plan) const {
         const double send = sendSeconds(planned);
         const double first = def_.repertoire.draws ? 0.3 * send
                                                    : selectSeconds(planned) + clickSeconds(planned, 5.0);
-        last = std::max({last, now + first + walkSeconds(planned), now + send});
+        last = std::max({last, now + first + planned.reforms + walkSeconds(planned), now + send});
         now += send;
     }
     return last;
@@ -266,13 +267,9 @@ double Planner::estimate(const OperatorPlan& plan) const {
     return def_.repertoire.draws || def_.repertoire.queues ? estimateQueued(plan) : estimateAttended(plan);
 }
 
-// Divides the crowd by lines into cells of about as many people, and the tour into as many stretches.
-OperatorPlan Planner::divided(const SeenPart& crowd, std::span<const std::int32_t> tour, std::int32_t columns,
-                              std::int32_t rows, Chance& chance) const {
+// Divides the crowd by lines into cells of about as many people; no parts where a cell is empty.
+OperatorPlan Planner::cells(const SeenPart& crowd, std::int32_t columns, std::int32_t rows) const {
     OperatorPlan plan;
-    char text[64];
-    std::snprintf(text, sizeof(text), "%d x %d parts", columns, rows);
-    plan.text = text;
     std::vector<double> xs, ys;
     for (const Vec2 p : crowd.positions) {
         xs.push_back(p.x);
@@ -299,9 +296,21 @@ OperatorPlan Planner::divided(const SeenPart& crowd, std::span<const std::int32_
         positions[row * columns + column].push_back(p);
     }
     for (std::int32_t i = 0; i < count; ++i) {
-        if (ids[i].empty()) return {{}, {}, kInfinite, plan.text};
+        if (ids[i].empty()) return {{}, {}, kInfinite, {}};
         plan.parts.push_back({seenPart(ids[i], positions[i]), {}, {}, 0.0, false, {}, 0.0});
     }
+    return plan;
+}
+
+// Divides the crowd into cells, and the tour into as many stretches.
+OperatorPlan Planner::divided(const SeenPart& crowd, std::span<const std::int32_t> tour, std::int32_t columns,
+                              std::int32_t rows, Chance& chance) const {
+    OperatorPlan plan = cells(crowd, columns, rows);
+    if (plan.parts.empty()) return plan;
+    const std::int32_t count = columns * rows;
+    char text[64];
+    std::snprintf(text, sizeof(text), "%d x %d parts", columns, rows);
+    plan.text = text;
     // Stretches of the tour end where what has been walked exceeds the part's share, counted with the way
     // there.
     std::vector<std::vector<std::int32_t>> stretches;
@@ -409,8 +418,45 @@ OperatorPlan Planner::swept(const SeenPart& crowd, std::span<const std::int32_t>
         forward = !forward;
     }
     plan.parts.push_back(std::move(planned));
-    const double own = std::max(crowd.bounds.width(), crowd.bounds.height());
-    plan.seconds = estimate(plan) + 0.5 * std::abs(width - own) / def_.speed;
+    // Half of it lies aside of where it stands before it can begin.
+    const double own = crowd.bounds.width() * std::abs(across.x) + crowd.bounds.height() * std::abs(across.y);
+    plan.parts[0].reforms = 0.5 * std::abs(width - own) / def_.speed;
+    plan.seconds = estimate(plan);
+    return plan;
+}
+
+// Two halves, each of which sweeps up what lies on its side.
+OperatorPlan Planner::parted(const SeenPart& crowd, std::span<const std::int32_t> open,
+                             std::int32_t columns) const {
+    OperatorPlan plan = cells(crowd, columns, 3 - columns);
+    if (plan.parts.size() != 2) return plan;
+    const Vec2 apart = columns == 2 ? Vec2{1.0, 0.0} : Vec2{0.0, 1.0};
+    const Vec2 line = plan.cuts[0][0];
+    double reforms = 0.0;
+    for (std::size_t side = 0; side < 2; ++side) {
+        std::vector<std::int32_t> own;
+        for (const std::int32_t i : open)
+            if ((dot(tours_->items()[i] - line, apart) > 0.0) == (side == 1)) own.push_back(i);
+        if (own.empty()) continue;
+        OperatorPlan best;
+        best.seconds = kInfinite;
+        const SeenPart part = plan.parts[side].part;
+        for (const double width : kWidths) {
+            if (width > def_.spacing * kLoosest * static_cast<double>(part.ids.size())) continue;
+            for (const Vec2 along : {Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}, Vec2{0, -1}}) {
+                OperatorPlan one = swept(part, own, along, width);
+                if (one.seconds < best.seconds && !one.parts[0].way.empty()) best = std::move(one);
+            }
+        }
+        if (best.parts.empty()) return {{}, {}, kInfinite, {}};
+        reforms = std::max(reforms, best.parts[0].reforms);
+        plan.parts[side] = std::move(best.parts[0]);
+    }
+    char text[64];
+    std::snprintf(text, sizeof(text), "2 halves sweep %.0f and %.0f m wide", plan.parts[0].width,
+                  plan.parts[1].width);
+    plan.text = text;
+    plan.seconds = estimate(plan) + 0.0 * reforms;
     return plan;
 }
 
@@ -421,6 +467,7 @@ OperatorPlan Planner::plan(const SeenPart& crowd, std::span<const std::int32_t> 
     best.seconds = kInfinite;
     const auto most = static_cast<std::int32_t>(def_.parameters.groupsInMind + 0.5);
     const auto consider = [&](OperatorPlan&& plan) {
+        if (const char* f = getenv("FORCE"); f && def_.repertoire.draws && plan.text.find(f) == std::string::npos) return;
         if (plan.seconds < best.seconds) best = std::move(plan);
     };
     for (const auto& [columns, rows] : kDivisions) {
@@ -434,6 +481,8 @@ OperatorPlan Planner::plan(const SeenPart& crowd, std::span<const std::int32_t> 
         for (const Vec2 along : {Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}, Vec2{0, -1}})
             consider(swept(crowd, open, along, width));
     }
+    if (def_.repertoire.divides && most >= 2 && std::ssize(crowd.ids) >= 4)
+        for (const std::int32_t columns : {1, 2}) consider(parted(crowd, open, columns));
     return best;
 }
 
@@ -451,7 +500,7 @@ double Planner::beyondBorder(const PlannedPart& planned) const {
 double Planner::partSeconds(const PlannedPart& planned) const {
     OperatorPlan plan;
     plan.parts.push_back(planned);
-    return planned.reforms + estimate(plan);
+    return estimate(plan);
 }
 
 double Planner::takeOutSeconds(const PlannedPart& few) const {

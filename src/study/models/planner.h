@@ -86,10 +86,12 @@ public:
     Sweep sweepOf(const SeenPart& part) const;
 
 private:
+    OperatorPlan cells(const SeenPart& crowd, std::int32_t columns, std::int32_t rows) const;
     OperatorPlan divided(const SeenPart& crowd, std::span<const std::int32_t> tour, std::int32_t columns,
                          std::int32_t rows, Chance& chance) const;
     OperatorPlan swept(const SeenPart& crowd, std::span<const std::int32_t> open, Vec2 along,
                        double width) const;
+    OperatorPlan parted(const SeenPart& crowd, std::span<const std::int32_t> open, std::int32_t columns) const;
     void lead(PlannedPart& part, std::span<const std::int32_t> order) const;
     double estimate(const OperatorPlan& plan) const;
     double estimateQueued(const OperatorPlan& plan) const;
