@@ -317,7 +317,8 @@ export class TakeDesk implements TakeActions {
       await this.refresh();
       const take = this.takes_.find((one) => one.name === name);
       if (!take) return;
-      this.showCard(take, 'kept');
+      // A take that was opened meanwhile has its time line where the card would be.
+      if (!this.take_) this.showCard(take, 'kept');
       await this.copies_.keep(take, await this.shelf_.file(name));
     });
   }

@@ -67,8 +67,8 @@ export class TakeShelf {
   offerUndo(take: ShelvedTake): void {
     const back = element('button', { type: 'button', class: 'soft' }, icon('undo'), 'Bring it back');
     back.addEventListener('click', () => {
-      this.undo_.hidden = true;
       this.root.querySelector<HTMLElement>('.shelf-close')?.focus();
+      this.undo_.hidden = true;
       this.actions_.restoreTake(take);
     });
     this.undo_.replaceChildren(element('span', {}, `“${takeTitle(take)}” is removed.`), back);

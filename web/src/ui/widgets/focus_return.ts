@@ -15,6 +15,6 @@ export function returnFocus(root: HTMLElement, scene: HTMLElement): void {
 
 /** A dialog or an open list has keys of its own. */
 function isOpen(focused: HTMLElement): boolean {
-  if (focused.closest('dialog[open]') !== null) return true;
+  if (focused.closest('dialog[open], [role="dialog"]') !== null) return true;
   return focused.closest('[role="group"]') !== null || focused.getAttribute('aria-expanded') === 'true';
 }
