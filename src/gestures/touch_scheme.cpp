@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "gestures/calling.h"
 #include "gestures/ground_strokes.h"
 #include "gestures/group_lookup.h"
 #include "gestures/reaches.h"
@@ -52,13 +53,15 @@ void TouchScheme::down(const PointerEvent& event, Vec2 ground, const World& worl
         return;
     }
     if (!def_.splits || strokeBy_ != 0 || (def_.oneFinger && hands_.any())) return;
+    presses_.push_back({event.pointer, event.screen, event.time, {}});
     strokeBy_ = event.pointer + 1;
     marks_.stroke.assign(1, ground);
 }
 
 void TouchScheme::up(const PointerEvent& event, const World& world, std::vector<CommandBody>& commands) {
     const bool cancelled = event.phase == PointerPhase::Cancel;
-    if (strokeBy_ == event.pointer + 1) {
+    const bool onGround = strokeBy_ == event.pointer + 1;
+    if (onGround) {
         if (!cancelled) marks_.notice = finishStroke(world, marks_.stroke, commands);
         marks_.stroke.clear();
         strokeBy_ = 0;
@@ -68,6 +71,10 @@ void TouchScheme::up(const PointerEvent& event, const World& world, std::vector<
     const bool tap = !cancelled && press != presses_.end() && event.time - press->time < kTapTime;
     const GroupId group = press != presses_.end() ? press->group : GroupId{};
     if (press != presses_.end()) presses_.erase(press);
+    if (onGround) {
+        if (tap) groundTapped(event, world, commands);
+        return;
+    }
     hands_.up(event.pointer, event.time, cancelled || tap, commands);
     if (tap) tapped(event, group, world, commands);
 }
@@ -87,8 +94,21 @@ void TouchScheme::tapped(const PointerEvent& event, GroupId group, const World& 
     lastTap_ = {};
 }
 
+// Two taps on free ground call whoever is nearest.
+void TouchScheme::groundTapped(const PointerEvent& event, const World& world,
+                               std::vector<CommandBody>& commands) {
+    const bool again = event.time - lastGroundTapTime_ < kDoubleTime &&
+                       distance(event.screen, lastGroundTap_) * view_.mmPerPixel < kDoubleTravel;
+    lastGroundTap_ = event.screen;
+    lastGroundTapTime_ = again ? -1e9 : event.time;
+    const auto ground = view_.groundAt(event.screen);
+    if (!again || !ground) return;
+    if (const auto id = whoComes(world, *ground)) sender_.send(world, std::span(&*id, 1), *ground, false, commands);
+}
+
 void TouchScheme::beforeStep(const World& world, std::vector<CommandBody>& commands) {
     hands_.beforeStep(world, commands);
+    sender_.beforeStep(world, commands);
 }
 
 }  // namespace muster

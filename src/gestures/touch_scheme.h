@@ -6,10 +6,12 @@
 
 #include "gestures/control_scheme.h"
 #include "gestures/mesh_hands.h"
+#include "gestures/sender.h"
 
 namespace muster {
 
-/// Fingers on formations move, bend, widen and divide them; strokes on free ground cut and join them.
+/// Fingers on formations move, bend, widen and divide them; strokes on free ground cut and join them, two taps
+/// there call whoever is nearest.
 class TouchScheme final : public ControlScheme {
 public:
     TouchScheme(const SchemeDef& def, std::uint32_t client)
@@ -18,13 +20,14 @@ public:
     void input(const InputEvent& event, const World& world, std::vector<CommandBody>& commands) override;
     void beforeStep(const World& world, std::vector<CommandBody>& commands) override;
     const SchemeMarks& marks() const override { return marks_; }
-    bool busy() const override { return hands_.any() || strokeBy_ != 0; }
+    bool busy() const override { return hands_.any() || strokeBy_ != 0 || sender_.busy(); }
 
 private:
     void down(const PointerEvent& event, Vec2 ground, const World& world, std::vector<CommandBody>& commands);
     void up(const PointerEvent& event, const World& world, std::vector<CommandBody>& commands);
     void tapped(const PointerEvent& event, GroupId group, const World& world,
                 std::vector<CommandBody>& commands);
+    void groundTapped(const PointerEvent& event, const World& world, std::vector<CommandBody>& commands);
 
     /// A finger that has just come down and not moved.
     struct Press {
@@ -42,6 +45,9 @@ private:
     std::vector<Press> presses_;
     GroupId lastTap_;
     double lastTapTime_ = -1e9;
+    Sender sender_{SchemeMovement::Free};
+    Vec2 lastGroundTap_;  // On the display [px].
+    double lastGroundTapTime_ = -1e9;
 };
 
 }  // namespace muster

@@ -45,6 +45,8 @@ void OperatorModel::perform(double now, const Task& task) {
     switch (task.act) {
         case Act::Cut:
             return cut(now, cuts_[task.index]);
+        case Act::Call:
+            return call(now, static_cast<std::int32_t>(task.index));
         case Act::TakeOut:
             return takeOut(now, charges_[task.index]);
         case Act::Send:
@@ -139,6 +141,42 @@ void OperatorModel::takeOut(double now, const Charge& charge) {
     divided_ = true;
     ++commands_;
     note("loop", now, busyUntil_, std::to_string(charge.plan.part.ids.size()) + " are taken out");
+}
+
+// Two taps by an item; who was nearest is expected to come.
+void OperatorModel::call(double now, std::int32_t item) {
+    const std::size_t hand = parameters_.hands > 1.5 && handFree_[1] < handFree_[0] ? 1 : 0;
+    const double chosen = now + noisy(motor_.factor() * parameters_.decideNext);
+    const Vec2 to = tours_.items()[item];
+    double at = reachHand(chosen, to, kTarget, hand);
+    for (std::int32_t tap = 0; tap < 2; ++tap)
+        at = hand_.click(PointerButton::Left, {}, at, to, kTarget * mmPerMetre_, script_) +
+             (tap == 0 ? kBetweenTaps : 0.0);
+    busyUntil_ = at;
+    handFree_[hand] = at + motor_.factor() * motor_.device().handOff;
+    ++commands_;
+    Charge charge;
+    double least = std::numeric_limits<double>::infinity();
+    const SeenScene& scene = memory_.at(chosen - delay());
+    for (std::size_t i = 0; i < scene.ids.size(); ++i) {
+        if (distance(scene.positions[i], to) >= least) continue;
+        if (divided_ && std::binary_search(scene.busy.begin(), scene.busy.end(), scene.groups[i]) &&
+            std::count(scene.groups.begin(), scene.groups.end(), scene.groups[i]) == 1)
+            continue;
+        least = distance(scene.positions[i], to);
+        charge.plan.part = seenPart({scene.ids[i]}, {scene.positions[i]});
+    }
+    if (charge.plan.part.ids.empty()) return;
+    charge.plan.stops = {item};
+    charge.plan.way = {to};
+    charge.meant = {item};
+    charge.point = 1;
+    charge.sentAt = at;
+    for (Charge& other : charges_)
+        std::erase_if(other.plan.part.ids, [&](std::uint32_t id) { return id == charge.plan.part.ids[0]; });
+    charges_.push_back(std::move(charge));
+    divided_ = true;
+    note("call", now, busyUntil_, "");
 }
 
 void OperatorModel::send(double now, Charge& charge) {

@@ -16,6 +16,7 @@ constexpr double kStandingSpeed = 0.3;  // Who is seen slower stands [m/s].
 constexpr double kIdleLook = 0.4;       // For so long one looks whether a part stands [s].
 constexpr double kStuckLook = 2.0;      // For so long where it has a way ahead [s].
 constexpr double kIdleGrace = 1.2;      // After an order nobody expects movement for so long [s].
+constexpr double kStaged = 1.5;         // Where it will sweep from is reached so near [m].
 constexpr double kNear = 1.3;           // A point is reached when a part's middle is so near [m].
 constexpr std::size_t kLeftOver = 3;    // So few items are left-overs, which a few can fetch.
 constexpr double kSameLeg = 0.3;        // Legs are told apart by so much [m].
@@ -162,7 +163,7 @@ std::vector<std::int32_t> OperatorModel::sweptBy(const PlannedPart& part,
     for (const std::int32_t item : open) {
         if (std::find(swept.begin(), swept.end(), item) != swept.end()) continue;
         Vec2 at = part.part.centre;
-        bool found = part.width > 0.0;  // A sweep is meant for all.
+        bool found = part.width > 0.0 && part.stops.empty();  // A sweep is meant for all.
         for (const Vec2 to : part.way) {
             found = found || sweep.collects(at, to, tours_.items()[item]);
             at = to;
@@ -228,6 +229,14 @@ bool OperatorModel::spent(const Charge& charge, const SeenScene& now) const {
     if (charge.sentAt < 0.0 || now.time < charge.sentAt + kIdleGrace || charge.plan.way.empty()) return false;
     if (charge.point < charge.plan.way.size()) return false;
     const SeenPart part = seen(charge, now.time + delay());
+    if (charge.plan.stages) return distance(part.centre, charge.plan.way.back()) < kStaged;
+    return std::none_of(charge.meant.begin(), charge.meant.end(), [&](std::int32_t item) {
+        return now.collected[item] == 0 && comesOver(charge, part, item);
+    });
+}
+
+// Whether a part comes over an item on what is left of its way.
+bool OperatorModel::comesOver(const Charge& charge, const SeenPart& part, std::int32_t item) const {
     const std::vector<Vec2>& way = charge.plan.way;
     // The leg on which its middle is; the first one where legs lie on each other.
     std::size_t leg = 0;
@@ -240,17 +249,13 @@ bool OperatorModel::spent(const Charge& charge, const SeenScene& now) const {
         from = way[k];
     }
     const Sweep sweep = planner_->sweepOf(part);
-    for (const std::int32_t item : charge.meant) {
-        if (now.collected[item] != 0) continue;
-        Vec2 at = part.centre;
-        for (std::size_t k = leg; k < way.size(); ++k) {
-            if (sweep.collects(at, way[k], tours_.items()[item])) return false;
-            if (charge.plan.width > 0.0 && aheadOfFront(charge, part, at, way[k], tours_.items()[item]))
-                return false;
-            at = way[k];
-        }
+    Vec2 at = part.centre;
+    for (std::size_t k = leg; k < way.size(); ++k) {
+        if (sweep.collects(at, way[k], tours_.items()[item])) return true;
+        if (charge.plan.width > 0.0 && aheadOfFront(charge, part, at, way[k], tours_.items()[item])) return true;
+        at = way[k];
     }
-    return true;
+    return false;
 }
 
 // Whether a wide front that is on its way from `at` to `to` still comes over an item.
@@ -314,28 +319,34 @@ std::vector<std::size_t> OperatorModel::freeParts(const SeenScene& seen) const {
     return idles;
 }
 
-// Open items that nobody is about to collect; where there are none, the far half of those of the busiest
-// part.
+bool OperatorModel::active(std::size_t i, std::span<const std::size_t> idles) const {
+    return !charges_[i].plan.part.ids.empty() && std::find(idles.begin(), idles.end(), i) == idles.end();
+}
+
+// Open items that nobody is about to collect.
 std::vector<std::int32_t> OperatorModel::unclaimed(std::span<const std::size_t> idles,
-                                                   const SeenScene& seen) {
-    const auto active = [&](std::size_t i) {
-        return !charges_[i].plan.part.ids.empty() && std::find(idles.begin(), idles.end(), i) == idles.end();
-    };
+                                                   const SeenScene& seen) const {
     std::vector<std::int32_t> left;
     for (const std::int32_t item : openItems(seen)) {
         bool meant = false;
         for (std::size_t i = 0; i < charges_.size(); ++i)
             meant = meant ||
-                    (active(i) && std::count(charges_[i].meant.begin(), charges_[i].meant.end(), item) > 0);
+                    (active(i, idles) && std::count(charges_[i].meant.begin(), charges_[i].meant.end(), item) > 0);
         if (!meant) left.push_back(item);
     }
-    if (!left.empty()) return left;
+    return left;
+}
+
+// The far half of the items of the busiest part.
+std::vector<std::int32_t> OperatorModel::takenOver(std::span<const std::size_t> idles, const SeenScene& seen) {
+    std::vector<std::int32_t> left;
     std::size_t most = kNone;
     std::size_t count = 2;
     for (std::size_t i = 0; i < charges_.size(); ++i) {
         std::vector<std::int32_t>& meant = charges_[i].meant;
         std::erase_if(meant, [&](std::int32_t item) { return seen.collected[item] != 0; });
-        if (!active(i) || meant.size() < count) continue;
+        // A front that goes on comes over its own anyway.
+        if (!active(i, idles) || charges_[i].plan.width > 0.0 || meant.size() < count) continue;
         count = meant.size() + 1;
         most = i;
     }
@@ -354,7 +365,7 @@ void OperatorModel::renewPart(std::size_t index, std::span<const std::int32_t> i
         const std::vector<std::int32_t>& meant = charges_[index].meant;
         return std::count(meant.begin(), meant.end(), item) > 0;
     });
-    misses_ += static_cast<std::int32_t>(missed);
+    if (!charges_[index].plan.stages) misses_ += static_cast<std::int32_t>(missed);
     // Nobody sweeps twice for what a sweep has missed.
     const bool sweeps = missed == 0 || charges_[index].plan.width == 0.0;
     PlannedPart whole = planner_->renewed(part, items, sweeps, chance_);
@@ -379,11 +390,53 @@ void OperatorModel::renewPart(std::size_t index, std::span<const std::int32_t> i
     tasks_.push_back({Act::Send, index});
 }
 
+// A front does not come back for what it has passed.
+void OperatorModel::dropPassed(const SeenScene& seen) {
+    for (Charge& charge : charges_) {
+        if (charge.plan.width == 0.0 || charge.sentAt < 0.0 || seen.time < charge.sentAt + kIdleGrace) continue;
+        const SeenPart part = this->seen(charge, seen.time + delay());
+        std::erase_if(charge.meant, [&](std::int32_t item) { return !comesOver(charge, part, item); });
+    }
+}
+
+// Whether calling whoever is nearest to each of these items is quicker than sending those who are idle.
+bool OperatorModel::callsFor(std::span<const std::size_t> idles, std::span<const std::int32_t> left,
+                             double now) {
+    if (!repertoire_.calls) return false;
+    if (idles.empty()) return true;
+    const SeenScene& scene = memory_.at(now - delay());
+    double calls = 0.0;
+    double last = 0.0;
+    for (const std::int32_t item : left) {
+        calls += planner_->callSeconds();
+        double least = std::numeric_limits<double>::infinity();
+        for (const Vec2 p : scene.positions) least = std::min(least, ground_.distance(p, tours_.items()[item]));
+        last = std::max(last, calls + least / kSpeed);
+    }
+    double parts = std::numeric_limits<double>::infinity();
+    for (const std::size_t i : idles) {
+        const PlannedPart way = planner_->renewed(seen(charges_[i], now), left, true, chance_);
+        parts = std::min(parts, planner_->partSeconds(way));
+    }
+    if (getenv("DBG")) fprintf(stderr, "%.2f calls %zu %.1f parts %.1f\n", now, left.size(), last, parts);
+    return last < parts;
+}
+
 // New ways for those who have nothing more to do although items are left.
 void OperatorModel::renew(double now, const SeenScene& seen) {
     const std::vector<std::size_t> idles = freeParts(seen);
+    if (idles.empty() && !repertoire_.calls) return;
+    if (repertoire_.calls) dropPassed(seen);
+    std::vector<std::int32_t> left = unclaimed(idles, seen);
+    if (!left.empty() && callsFor(idles, left, now)) {
+        for (const std::int32_t item : left) tasks_.push_back({Act::Call, static_cast<std::size_t>(item)});
+        busyUntil_ = now + noisy(motor_.factor() * parameters_.decide);
+        nextPlan_ = busyUntil_ + parameters_.replan;
+        note("plan", now, busyUntil_, std::to_string(left.size()) + " items for whoever is nearest");
+        return;
+    }
     if (idles.empty()) return;
-    const std::vector<std::int32_t> left = unclaimed(idles, seen);
+    if (left.empty()) left = takenOver(idles, seen);
     std::vector<std::vector<std::int32_t>> shares(charges_.size());
     for (const std::int32_t item : left) {
         std::size_t nearest = idles[0];

@@ -45,10 +45,10 @@ private:
         double sentAt = -1.0;             ///< When the last was sent [s]; before 0 for never.
         std::uint8_t digit = 0;           ///< Its control group; 0 for none.
     };
-    enum class Act : std::uint8_t { Cut, TakeOut, Send, Point };
+    enum class Act : std::uint8_t { Cut, TakeOut, Send, Point, Call };
     struct Task {
         Act act = Act::Send;
-        std::size_t index = 0;  ///< Of the cut or the charge.
+        std::size_t index = 0;  ///< Of the cut, the charge or the item.
     };
 
     void play(Trial& trial);
@@ -58,6 +58,7 @@ private:
     void perform(double now, const Task& task);
     void cut(double now, const std::array<Vec2, 2>& line);
     void takeOut(double now, const Charge& charge);
+    void call(double now, std::int32_t item);
     void send(double now, Charge& charge);
     bool isStop(const PlannedPart& plan, Vec2 point) const;
     void draw(double now, Charge& charge);
@@ -66,13 +67,18 @@ private:
     void select(double& at, Charge& charge);
     void point(double& at, Charge& charge, bool add);
     void renew(double now, const SeenScene& scene);
+    bool callsFor(std::span<const std::size_t> idles, std::span<const std::int32_t> left, double now);
+    void dropPassed(const SeenScene& scene);
     std::vector<std::size_t> freeParts(const SeenScene& scene) const;
-    std::vector<std::int32_t> unclaimed(std::span<const std::size_t> idles, const SeenScene& scene);
+    bool active(std::size_t charge, std::span<const std::size_t> idles) const;
+    std::vector<std::int32_t> unclaimed(std::span<const std::size_t> idles, const SeenScene& scene) const;
+    std::vector<std::int32_t> takenOver(std::span<const std::size_t> idles, const SeenScene& scene);
     void renewPart(std::size_t index, std::span<const std::int32_t> items, double now);
     void adopt(Charge& charge, const SeenScene& scene);
     void adoptSelected(double now, Charge& charge);
     bool idle(const Charge& charge, const SeenScene& now) const;
     bool spent(const Charge& charge, const SeenScene& now) const;
+    bool comesOver(const Charge& charge, const SeenPart& part, std::int32_t item) const;
     static bool aheadOfFront(const Charge& charge, const SeenPart& part, Vec2 at, Vec2 to, Vec2 item);
     bool due(const Charge& charge, const SeenScene& scene) const;
     SeenPart seen(const Charge& charge, double at) const;

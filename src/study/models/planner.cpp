@@ -16,6 +16,8 @@ constexpr double kTargetMetres = 1.0;   // What is aimed at is as large as an it
 constexpr double kSwathShare = 0.8;     // Of the width of a part, which one counts on.
 constexpr double kPackedRadius = 0.28;  // Of those who gather, times the root of their number [m].
 constexpr double kCutBeyond = 1.2;      // A cut begins and ends so far beyond the crowd [m].
+constexpr double kNarrow = 0.3;         // A front folds where it finds less of its width.
+constexpr double kFrontShare = 0.75;    // Of a walker's speed, which a wide front makes.
 constexpr double kLoosest = 1.25;       // A front collects all before it up to this spacing, in spacings.
 constexpr double kLaneMargin = 1.0;     // A lane goes on so far behind its last item [m].
 // Shapes of divisions: columns and rows.
@@ -23,7 +25,10 @@ constexpr std::array<std::array<std::int32_t, 2>, 9> kDivisions{
     {{1, 1}, {2, 1}, {1, 2}, {3, 1}, {1, 3}, {2, 2}, {4, 1}, {1, 4}, {3, 2}}};
 constexpr std::array<double, 4> kWidths{8.0, 12.0, 16.0, 20.0};
 constexpr double kWide = 1.4;            // A formation is wide that is so many times as wide as a square.
+constexpr std::size_t kLeftOver = 3;     // So few items may be left for later.
 constexpr std::size_t kFew = 4;          // So many are sent to fetch what is left.
+constexpr double kTapSeconds = 0.05;     // A finger is down for a tap [s].
+constexpr double kBetweenTaps = 0.15;    // Between two taps on one spot [s].
 constexpr double kTakenMargin = 0.55;    // They are encircled so far off [m].
 constexpr double kMostPushed = 1.0;      // So far a formation may be pushed together at the border [m].
 constexpr double kPushedSeconds = 15.0;  // What more of that is expected to cost [s].
@@ -218,6 +223,18 @@ double Planner::sweepSeconds(const PlannedPart& planned) const {
         }
         most = std::max(most, metres);
     }
+    return most / (kFrontShare * def_.speed) + foldSeconds(planned);
+}
+
+// A front folds where it finds little of its width, and unfolds behind.
+double Planner::foldSeconds(const PlannedPart& planned) const {
+    double most = 0.0;
+    Vec2 at = planned.part.centre;
+    for (const Vec2 to : planned.way) {
+        const double left = tours_->ground().narrowest(at, to, planned.width).least;
+        if (left < kNarrow * planned.width) most = std::max(most, planned.width - left);
+        at = to;
+    }
     return most / def_.speed;
 }
 
@@ -231,7 +248,7 @@ double Planner::estimateQueued(const OperatorPlan& plan) const {
         const double send = sendSeconds(planned);
         const double first = def_.repertoire.draws ? 0.3 * send
                                                    : selectSeconds(planned) + clickSeconds(planned, 5.0);
-        last = std::max({last, now + first + planned.reforms + walkSeconds(planned), now + send});
+        last = std::max({last, now + first + planned.reforms + walkSeconds(planned) + planned.later, now + send});
         now += send;
     }
     return last;
@@ -297,7 +314,7 @@ OperatorPlan Planner::cells(const SeenPart& crowd, std::int32_t columns, std::in
     }
     for (std::int32_t i = 0; i < count; ++i) {
         if (ids[i].empty()) return {{}, {}, kInfinite, {}};
-        plan.parts.push_back({seenPart(ids[i], positions[i]), {}, {}, 0.0, false, {}, 0.0});
+        plan.parts.push_back({seenPart(ids[i], positions[i]), {}, {}, 0.0, false, {}, 0.0, false, 0.0});
     }
     return plan;
 }
@@ -387,7 +404,7 @@ OperatorPlan Planner::swept(const SeenPart& crowd, std::span<const std::int32_t>
     }
     const double reach = width + 2.0 * 0.8 * def_.itemRadius;
     const auto lanes = static_cast<std::int32_t>(std::max(1.0, std::ceil((high - low) / reach)));
-    PlannedPart planned{crowd, {}, {}, width, false, along, 0.0};
+    PlannedPart planned{crowd, {}, {}, width, false, along, 0.0, false, 0.0};
     const double start = dot(crowd.centre, across);
     const bool upwards = std::abs(start - low) <= std::abs(start - high);
     const double lane = (high - low) / lanes;
@@ -425,38 +442,73 @@ OperatorPlan Planner::swept(const SeenPart& crowd, std::span<const std::int32_t>
     return plan;
 }
 
-// Two halves, each of which sweeps up what lies on its side.
-OperatorPlan Planner::parted(const SeenPart& crowd, std::span<const std::int32_t> open,
-                             std::int32_t columns) const {
+// The sweep of a part that takes least; one without a way where none does.
+PlannedPart Planner::bestSweep(const SeenPart& part, std::span<const std::int32_t> open) const {
+    PlannedPart best{part, {}, {}, 0.0, false, {}, 0.0, false, 0.0};
+    double least = kInfinite;
+    for (const double width : kWidths) {
+        if (width > kLoosest * def_.spacing * static_cast<double>(part.ids.size())) continue;
+        for (const Vec2 along : {Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}, Vec2{0, -1}}) {
+            OperatorPlan plan = swept(part, open, along, width);
+            if (plan.seconds >= least || plan.parts[0].way.empty()) continue;
+            least = plan.seconds;
+            best = std::move(plan.parts[0]);
+        }
+    }
+    return best;
+}
+
+// The same sweep, but that the part goes through the narrows on its way as it is; none where there are none.
+std::optional<PlannedPart> Planner::staged(const PlannedPart& sweep, std::span<const std::int32_t> open) const {
+    const Vec2 to = sweep.way.back();
+    const Vec2 from = to + sweep.along * dot(sweep.part.centre - to, sweep.along);
+    const double end = tours_->ground().narrowest(from, to, sweep.width).end;
+    if (end <= 0.0 || dot(to - from, sweep.along) <= end) return std::nullopt;
+    PlannedPart planned{sweep.part, {}, {}, 0.0, false, {}, 0.0, true, 0.0};
+    const Vec2 stage = from + sweep.along * end;
+    tours_->ground().appendWay(sweep.part.centre, stage, planned.way);
+    std::vector<std::int32_t> beyond;
+    for (const std::int32_t i : open)
+        if (dot(tours_->items()[i] - stage, sweep.along) > -kLaneMargin) beyond.push_back(i);
+    if (beyond.size() + kLeftOver < open.size()) return std::nullopt;
+    std::vector<Vec2> there = sweep.part.positions;
+    for (Vec2& p : there) p += stage - sweep.part.centre;
+    const PlannedPart rest = bestSweep(seenPart(sweep.part.ids, there), beyond);
+    if (rest.way.empty()) return std::nullopt;
+    planned.later = motor_->factor() * def_.parameters.decide + partSeconds(rest) +
+                    callSeconds() * static_cast<double>(open.size() - beyond.size());
+    return planned;
+}
+
+// Two parts, each of which sweeps up what lies on its side of a line.
+OperatorPlan Planner::parted(const SeenPart& crowd, std::span<const std::int32_t> open, std::int32_t columns,
+                             double share) const {
     OperatorPlan plan = cells(crowd, columns, 3 - columns);
     if (plan.parts.size() != 2) return plan;
     const Vec2 apart = columns == 2 ? Vec2{1.0, 0.0} : Vec2{0.0, 1.0};
-    const Vec2 line = plan.cuts[0][0];
-    double reforms = 0.0;
+    std::vector<double> along;
+    for (const std::int32_t i : open) along.push_back(dot(tours_->items()[i], apart));
+    const double line = median(along, share);
     for (std::size_t side = 0; side < 2; ++side) {
         std::vector<std::int32_t> own;
         for (const std::int32_t i : open)
-            if ((dot(tours_->items()[i] - line, apart) > 0.0) == (side == 1)) own.push_back(i);
-        if (own.empty()) continue;
-        OperatorPlan best;
-        best.seconds = kInfinite;
-        const SeenPart part = plan.parts[side].part;
-        for (const double width : kWidths) {
-            if (width > def_.spacing * kLoosest * static_cast<double>(part.ids.size())) continue;
-            for (const Vec2 along : {Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}, Vec2{0, -1}}) {
-                OperatorPlan one = swept(part, own, along, width);
-                if (one.seconds < best.seconds && !one.parts[0].way.empty()) best = std::move(one);
-            }
-        }
-        if (best.parts.empty()) return {{}, {}, kInfinite, {}};
-        reforms = std::max(reforms, best.parts[0].reforms);
-        plan.parts[side] = std::move(best.parts[0]);
+            if ((dot(tours_->items()[i], apart) > line) == (side == 1)) own.push_back(i);
+        if (own.empty()) return {{}, {}, kInfinite, {}};
+        PlannedPart best = bestSweep(plan.parts[side].part, own);
+        if (best.way.empty()) return {{}, {}, kInfinite, {}};
+        if (const auto other = staged(best, own); other && partSeconds(*other) < partSeconds(best)) best = *other;
+        best.stops = own;
+        plan.parts[side] = std::move(best);
     }
+    // Those who have farthest to go are sent first.
+    std::stable_sort(plan.parts.begin(), plan.parts.end(), [&](const PlannedPart& a, const PlannedPart& b) {
+        return partSeconds(a) > partSeconds(b);
+    });
     char text[64];
     std::snprintf(text, sizeof(text), "2 halves sweep %.0f and %.0f m wide", plan.parts[0].width,
                   plan.parts[1].width);
     plan.text = text;
-    plan.seconds = estimate(plan) + 0.0 * reforms;
+    plan.seconds = estimate(plan);
     return plan;
 }
 
@@ -482,7 +534,8 @@ OperatorPlan Planner::plan(const SeenPart& crowd, std::span<const std::int32_t> 
             consider(swept(crowd, open, along, width));
     }
     if (def_.repertoire.divides && most >= 2 && std::ssize(crowd.ids) >= 4)
-        for (const std::int32_t columns : {1, 2}) consider(parted(crowd, open, columns));
+        for (const std::int32_t columns : {1, 2})
+            for (const double share : {0.35, 0.5, 0.65}) consider(parted(crowd, open, columns, share));
     return best;
 }
 
@@ -509,6 +562,12 @@ double Planner::takeOutSeconds(const PlannedPart& few) const {
     const double round = 2.0 * (few.part.bounds.width() + few.part.bounds.height() + 4.0 * kTakenMargin);
     return motor_->point(6.0 * mm, kTargetMetres * mm) + motor_->draw(round * mm, kTargetMetres * mm) +
            motor_->device().handOff + motor_->factor() * def_.parameters.decideNext + 2.0 * motor_->press();
+}
+
+double Planner::callSeconds() const {
+    const double mm = def_.mmPerMetre;
+    return motor_->point(8.0 * mm, kTargetMetres * mm) + 2.0 * kTapSeconds + kBetweenTaps +
+           motor_->factor() * def_.parameters.decideNext;
 }
 
 std::optional<PlannedPart> Planner::fetched(const SeenPart& part, std::span<const std::int32_t> open,
@@ -581,7 +640,7 @@ PlannedPart Planner::renewed(const SeenPart& part, std::span<const std::int32_t>
 }
 
 PlannedPart Planner::next(const SeenPart& part, std::span<const std::int32_t> open, Chance& chance) const {
-    PlannedPart planned{part, {}, {}, 0.0, false, {}, 0.0};
+    PlannedPart planned{part, {}, {}, 0.0, false, {}, 0.0, false, 0.0};
     lead(planned,
          tours_->tour(part.centre, open, def_.parameters.routeDetour * 2.0 * chance.uniform(), chance));
     return planned;

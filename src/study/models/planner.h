@@ -38,6 +38,8 @@ struct PlannedPart {
     bool square = false;              ///< The formation becomes a square again first.
     Vec2 along;                       ///< For a sweep: the unit vector of its first lane.
     double reforms = 0.0;             ///< Expected time for taking another shape first [s].
+    bool stages = false;              ///< It goes where it will sweep from; that is decided there.
+    double later = 0.0;               ///< Expected time of what it does then [s].
 };
 
 /// What is to be done, and what it would take.
@@ -77,6 +79,8 @@ public:
     double partSeconds(const PlannedPart& part) const;
     /// Expected time for which the operator is busy with taking a few out of a part [s].
     double takeOutSeconds(const PlannedPart& few) const;
+    /// Expected time for which the operator is busy with calling somebody to an item [s].
+    double callSeconds() const;
     /// A way for a part as it is.
     PlannedPart next(const SeenPart& part, std::span<const std::int32_t> open, Chance& chance) const;
 
@@ -91,7 +95,7 @@ private:
                          std::int32_t rows, Chance& chance) const;
     OperatorPlan swept(const SeenPart& crowd, std::span<const std::int32_t> open, Vec2 along,
                        double width) const;
-    OperatorPlan parted(const SeenPart& crowd, std::span<const std::int32_t> open, std::int32_t columns) const;
+    OperatorPlan parted(const SeenPart& crowd, std::span<const std::int32_t> open, std::int32_t columns, double share) const;
     void lead(PlannedPart& part, std::span<const std::int32_t> order) const;
     double estimate(const OperatorPlan& plan) const;
     double estimateQueued(const OperatorPlan& plan) const;
@@ -100,6 +104,9 @@ private:
     double clickSeconds(const PlannedPart& part, double metres) const;
     double cutSeconds() const;
     double walkSeconds(const PlannedPart& part) const;
+    double foldSeconds(const PlannedPart& part) const;
+    PlannedPart bestSweep(const SeenPart& part, std::span<const std::int32_t> open) const;
+    std::optional<PlannedPart> staged(const PlannedPart& sweep, std::span<const std::int32_t> open) const;
     double sweepSeconds(const PlannedPart& part) const;
     Vec2 aimedAt(Vec2 from, Vec2 item, const Sweep& sweep) const;
     std::vector<Vec2> wayOver(Vec2 from, std::span<const std::int32_t> stops, const Sweep& sweep) const;

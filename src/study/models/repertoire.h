@@ -12,6 +12,7 @@ struct Repertoire {
     bool queues = false;       ///< Points can be added behind those that are not reached yet.
     bool divides = false;      ///< Parts can be sent apart.
     bool spreads = false;      ///< Two fingers set a formation's width and draw two ways at once.
+    bool calls = false;        ///< Two taps call whoever is nearest.
     bool keepsShape = false;   ///< Those who are sent keep about their places beside each other; else they
                                ///< gather.
     bool keepsGroups = false;  ///< A digit brings a selection back.

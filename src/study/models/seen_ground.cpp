@@ -7,6 +7,8 @@ namespace muster {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kNarrow = 0.3;  // A way is narrow for a front that finds less of its width.
+constexpr double kSample = 0.5;  // Fronts are looked at every so far [m].
 constexpr double kSlack = 0.01;  // So that a line along a margin is clear [m].
 
 // Whether the segment from a to b meets the inside of the box (Liang and Barsky 1984).
@@ -31,7 +33,7 @@ bool inside(const Box& box, Vec2 p) {
 
 }  // namespace
 
-SeenGround::SeenGround(std::span<const Box> blocks, const Box& border, double margin) {
+SeenGround::SeenGround(std::span<const Box> blocks, const Box& border, double margin) : border_(border) {
     for (const Box& block : blocks) blocks_.push_back(block.grown(margin - kSlack));
     for (const Box& block : blocks) {
         const Box grown = block.grown(margin);
@@ -43,6 +45,31 @@ SeenGround::SeenGround(std::span<const Box> blocks, const Box& border, double ma
         }
     }
     joinCorners();
+}
+
+SeenGround::Narrow SeenGround::narrowest(Vec2 a, Vec2 b, double width) const {
+    const double length = muster::distance(a, b);
+    if (length < 1e-9) return {width, 0.0};
+    const Vec2 along = (b - a) / length;
+    const Vec2 across = perpendicular(along);
+    Narrow narrow{width, 0.0};
+    for (double s = 0.0; s <= length; s += kSample) {
+        double free = 0.0;
+        double most = 0.0;
+        for (double t = -0.5 * width; t <= 0.5 * width; t += kSample) {
+            const Vec2 p = a + along * s + across * t;
+            const bool barred = std::any_of(blocks_.begin(), blocks_.end(),
+                                            [&](const Box& block) { return inside(block, p); });
+            if (!border_.contains(p)) continue;
+            most += kSample;
+            free += barred ? 0.0 : kSample;
+        }
+        if (most == 0.0) continue;
+        const double here = width * free / most;
+        narrow.least = std::min(narrow.least, here);
+        if (here < kNarrow * width) narrow.end = s + kSample;
+    }
+    return narrow;
 }
 
 // Floyd and Warshall.

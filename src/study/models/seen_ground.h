@@ -18,6 +18,13 @@ public:
     bool clear(Vec2 a, Vec2 b) const;
     /// Length of the shortest way [m].
     double distance(Vec2 a, Vec2 b) const;
+    /// What a front of this width finds on its way from `a` to `b`.
+    struct Narrow {
+        double least = 0.0;  ///< How wide the way is where it is narrowest [m].
+        double end = 0.0;    ///< How far from `a` it is narrow for the last time [m].
+    };
+    /// Looks along the way of a front.
+    Narrow narrowest(Vec2 a, Vec2 b, double width) const;
     /// Appends the corners of the shortest way behind `a`, `b` included.
     void appendWay(Vec2 a, Vec2 b, std::vector<Vec2>& way) const;
 
@@ -30,6 +37,7 @@ private:
     Best best(Vec2 a, Vec2 b) const;
     void joinCorners();
 
+    Box border_;
     std::vector<Box> blocks_;           // Grown by a little less than the margin.
     std::vector<Vec2> corners_;         // Of blocks grown by the margin, inside the border.
     std::vector<double> lengths_;       // Between all corners, row-major.
