@@ -35,11 +35,12 @@ struct SchemeDef {
     bool oneFinger = false;  ///< For Touch: other fingers than the first are ignored.
     bool shapes = true;      ///< False: lines, areas and widths are off; one point moves a formation.
     bool splits = true;      ///< False: nothing divides or joins formations.
+    bool calls = true;       ///< For Touch: two taps where nobody stands call whoever is nearest.
 
     /// Lets an archive read or write the definition.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(kind, movement, oneFinger, shapes, splits);
+        archive(kind, movement, oneFinger, shapes, splits, calls);
     }
     friend bool operator==(const SchemeDef&, const SchemeDef&) = default;
 };

@@ -8,8 +8,11 @@ namespace {
 using enum SchemeKind;
 using enum SchemeMovement;
 
-constexpr std::array<NamedScheme, 8> kSchemes{{
-    {"touch", "Touch", "Fingers on the crowd: drag, spread, pull apart, join.", {Touch, Free}},
+constexpr std::array<NamedScheme, 9> kSchemes{{
+    {"touch",
+     "Touch",
+     "Fingers on the crowd: drag, spread, pull apart, join; two taps call somebody.",
+     {Touch, Free}},
     {"mouse-paper",
      "Mouse, as in the paper",
      "Drag with the right button across characters to select them; click with the left one to send them.",
@@ -37,6 +40,10 @@ constexpr std::array<NamedScheme, 8> kSchemes{{
      "Touch, no split",
      "As Touch; the crowd stays whole, as the paper's.",
      {Touch, Free, false, true, false}},
+    {"touch-no-calls",
+     "Touch, no calls",
+     "As Touch; two taps call nobody.",
+     {Touch, Free, false, true, true, false}},
 }};
 
 }  // namespace

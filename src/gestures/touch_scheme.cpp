@@ -27,8 +27,11 @@ void TouchScheme::input(const InputEvent& event, const World& world, std::vector
         case PointerPhase::Move:
             if (!ground) return;
             std::erase_if(presses_, [&](const Press& press) {
-                return press.pointer == pointer->pointer &&
-                       distance(press.screen, pointer->screen) * view_.mmPerPixel > travelOf(pointer->device);
+                if (press.pointer != pointer->pointer ||
+                    distance(press.screen, pointer->screen) * view_.mmPerPixel <= travelOf(pointer->device))
+                    return false;
+                takeHold(press, pointer->time, world, commands);
+                return true;
             });
             hands_.move(pointer->pointer, *ground, pointer->time, world, commands);
             if (strokeBy_ == pointer->pointer + 1) marks_.stroke.push_back(*ground);
@@ -47,15 +50,28 @@ void TouchScheme::down(const PointerEvent& event, Vec2 ground, const World& worl
     const double reach = std::clamp(metresFor(view_, event.screen, reachOf(event.device)), kLeastReach,
                                     kMostReach);
     const GroupId group = groupAt(world, ground, reach);
+    // Two fingers are no tap.
+    for (Press& press : presses_) {
+        takeHold(press, event.time, world, commands);
+        press.waits = false;
+    }
     if (group) {
-        presses_.push_back({event.pointer, event.screen, event.time, group});
-        hands_.down(event.pointer, group, ground, event.time, world, commands);
+        // Between the people of a wide formation two taps call somebody; they must not end its way.
+        const bool waits = def_.splits && def_.calls && !hands_.any() &&
+                           characterAt(world, view_, event.screen, reachOf(event.device)) < 0;
+        presses_.push_back({event.pointer, event.screen, event.time, group, ground, waits});
+        if (!waits) hands_.down(event.pointer, group, ground, event.time, world, commands);
         return;
     }
     if (!def_.splits || strokeBy_ != 0 || (def_.oneFinger && hands_.any())) return;
-    presses_.push_back({event.pointer, event.screen, event.time, {}});
+    presses_.push_back({event.pointer, event.screen, event.time, {}, ground, false});
     strokeBy_ = event.pointer + 1;
     marks_.stroke.assign(1, ground);
+}
+
+void TouchScheme::takeHold(const Press& press, double time, const World& world,
+                           std::vector<CommandBody>& commands) {
+    if (press.waits) hands_.down(press.pointer, press.group, press.ground, time, world, commands);
 }
 
 void TouchScheme::up(const PointerEvent& event, const World& world, std::vector<CommandBody>& commands) {
@@ -71,12 +87,13 @@ void TouchScheme::up(const PointerEvent& event, const World& world, std::vector<
     const bool tap = !cancelled && press != presses_.end() && event.time - press->time < kTapTime;
     const GroupId group = press != presses_.end() ? press->group : GroupId{};
     if (press != presses_.end()) presses_.erase(press);
-    if (onGround) {
-        if (tap) groundTapped(event, world, commands);
-        return;
-    }
-    hands_.up(event.pointer, event.time, cancelled || tap, commands);
-    if (tap) tapped(event, group, world, commands);
+    if (!onGround) hands_.up(event.pointer, event.time, cancelled || tap, commands);
+    if (!tap) return;
+    // What one taps is what one sees: people, or ground on which nobody stands.
+    if (characterAt(world, view_, event.screen, reachOf(event.device)) < 0)
+        emptyTapped(event, world, commands);
+    else
+        tapped(event, group, world, commands);
 }
 
 // Two taps after each other give a formation its square back.
@@ -94,19 +111,27 @@ void TouchScheme::tapped(const PointerEvent& event, GroupId group, const World& 
     lastTap_ = {};
 }
 
-// Two taps on free ground call whoever is nearest.
-void TouchScheme::groundTapped(const PointerEvent& event, const World& world,
-                               std::vector<CommandBody>& commands) {
-    const bool again = event.time - lastGroundTapTime_ < kDoubleTime &&
-                       distance(event.screen, lastGroundTap_) * view_.mmPerPixel < kDoubleTravel;
-    lastGroundTap_ = event.screen;
-    lastGroundTapTime_ = again ? -1e9 : event.time;
+// Two taps where nobody stands call whoever is nearest.
+void TouchScheme::emptyTapped(const PointerEvent& event, const World& world,
+                              std::vector<CommandBody>& commands) {
+    if (!def_.splits || !def_.calls) return;
+    const bool again = event.time - lastEmptyTapTime_ < kDoubleTime &&
+                       distance(event.screen, lastEmptyTap_) * view_.mmPerPixel < kDoubleTravel;
+    lastEmptyTap_ = event.screen;
+    lastEmptyTapTime_ = again ? -1e9 : event.time;
     const auto ground = view_.groundAt(event.screen);
     if (!again || !ground) return;
-    if (const auto id = whoComes(world, *ground)) sender_.send(world, std::span(&*id, 1), *ground, false, commands);
+    if (const auto id = whoComes(world, *ground))
+        sender_.send(world, std::span(&*id, 1), *ground, false, commands);
 }
 
 void TouchScheme::beforeStep(const World& world, std::vector<CommandBody>& commands) {
+    // A finger that rests for longer than a tap takes hold, too.
+    std::erase_if(presses_, [&](const Press& press) {
+        if (world.time() - press.time < kTapTime) return false;
+        takeHold(press, world.time(), world, commands);
+        return true;
+    });
     hands_.beforeStep(world, commands);
     sender_.beforeStep(world, commands);
 }

@@ -10,8 +10,8 @@
 
 namespace muster {
 
-/// Fingers on formations move, bend, widen and divide them; strokes on free ground cut and join them, two taps
-/// there call whoever is nearest.
+/// Fingers on formations move, bend, widen and divide them; strokes on free ground cut and join them; two
+/// taps where nobody stands call whoever is nearest.
 class TouchScheme final : public ControlScheme {
 public:
     TouchScheme(const SchemeDef& def, std::uint32_t client)
@@ -23,19 +23,22 @@ public:
     bool busy() const override { return hands_.any() || strokeBy_ != 0 || sender_.busy(); }
 
 private:
-    void down(const PointerEvent& event, Vec2 ground, const World& world, std::vector<CommandBody>& commands);
-    void up(const PointerEvent& event, const World& world, std::vector<CommandBody>& commands);
-    void tapped(const PointerEvent& event, GroupId group, const World& world,
-                std::vector<CommandBody>& commands);
-    void groundTapped(const PointerEvent& event, const World& world, std::vector<CommandBody>& commands);
-
     /// A finger that has just come down and not moved.
     struct Press {
         std::uint32_t pointer = 0;
         Vec2 screen;
         double time = 0.0;
         GroupId group;
+        Vec2 ground;
+        bool waits = false;  ///< It has not taken hold of its formation yet.
     };
+
+    void down(const PointerEvent& event, Vec2 ground, const World& world, std::vector<CommandBody>& commands);
+    void takeHold(const Press& press, double time, const World& world, std::vector<CommandBody>& commands);
+    void up(const PointerEvent& event, const World& world, std::vector<CommandBody>& commands);
+    void tapped(const PointerEvent& event, GroupId group, const World& world,
+                std::vector<CommandBody>& commands);
+    void emptyTapped(const PointerEvent& event, const World& world, std::vector<CommandBody>& commands);
 
     SchemeDef def_;
     MeshHands hands_;
@@ -46,8 +49,8 @@ private:
     GroupId lastTap_;
     double lastTapTime_ = -1e9;
     Sender sender_{SchemeMovement::Free};
-    Vec2 lastGroundTap_;  // On the display [px].
-    double lastGroundTapTime_ = -1e9;
+    Vec2 lastEmptyTap_;  // On the display [px].
+    double lastEmptyTapTime_ = -1e9;
 };
 
 }  // namespace muster

@@ -16,6 +16,9 @@ constexpr double kBetweenTaps = 0.15;  // Between two taps on one spot [s].
 constexpr double kTakenMargin = 0.55;  // A loop is drawn so far round those whom it takes out [m].
 constexpr double kFreeRoom = 0.8;      // It begins so far off its first corner [m].
 constexpr double kGripShare = 0.8;     // They come down within the crowd [m].
+constexpr double kPasses = 0.8;        // Who comes so near an item passes over it, or nearly [m].
+constexpr double kPassingSpeed = 0.5;  // Unless slower than that [m/s].
+constexpr double kGlance = 0.2;        // Between two pictures that tell who moves [s].
 constexpr double kLeastSelected = 0.5;
 constexpr double kLeastOwn = 0.7;  // So many of a formation are meant where it is the part that one sends.
 constexpr std::size_t kNoCharge = static_cast<std::size_t>(-1);
@@ -143,11 +146,24 @@ void OperatorModel::takeOut(double now, const Charge& charge) {
     note("loop", now, busyUntil_, std::to_string(charge.plan.part.ids.size()) + " are taken out");
 }
 
+// Whether somebody is seen to move by a point.
+bool OperatorModel::passes(const SeenScene& scene, Vec2 point) const {
+    const SeenScene& before = memory_.at(scene.time - kGlance);
+    for (std::size_t i = 0; i < scene.ids.size(); ++i)
+        if (distance(scene.positions[i], point) < kPasses &&
+            distance(scene.positions[i], before.positions[i]) > kGlance * kPassingSpeed)
+            return true;
+    return false;
+}
+
 // Two taps by an item; who was nearest is expected to come.
 void OperatorModel::call(double now, std::int32_t item) {
     const std::size_t hand = parameters_.hands > 1.5 && handFree_[1] < handFree_[0] ? 1 : 0;
     const double chosen = now + noisy(motor_.factor() * parameters_.decideNext);
     const Vec2 to = tours_.items()[item];
+    // Nobody calls for what has gone, or to where somebody just passes.
+    const SeenScene& scene = memory_.at(now - delay());
+    if (scene.collected[item] != 0 || passes(scene, to)) return;
     double at = reachHand(chosen, to, kTarget, hand);
     for (std::int32_t tap = 0; tap < 2; ++tap)
         at = hand_.click(PointerButton::Left, {}, at, to, kTarget * mmPerMetre_, script_) +
@@ -157,7 +173,6 @@ void OperatorModel::call(double now, std::int32_t item) {
     ++commands_;
     Charge charge;
     double least = std::numeric_limits<double>::infinity();
-    const SeenScene& scene = memory_.at(chosen - delay());
     for (std::size_t i = 0; i < scene.ids.size(); ++i) {
         if (distance(scene.positions[i], to) >= least) continue;
         if (divided_ && std::binary_search(scene.busy.begin(), scene.busy.end(), scene.groups[i]) &&

@@ -252,7 +252,8 @@ bool OperatorModel::comesOver(const Charge& charge, const SeenPart& part, std::i
     Vec2 at = part.centre;
     for (std::size_t k = leg; k < way.size(); ++k) {
         if (sweep.collects(at, way[k], tours_.items()[item])) return true;
-        if (charge.plan.width > 0.0 && aheadOfFront(charge, part, at, way[k], tours_.items()[item])) return true;
+        if (charge.plan.width > 0.0 && aheadOfFront(charge, part, at, way[k], tours_.items()[item]))
+            return true;
         at = way[k];
     }
     return false;
@@ -330,15 +331,16 @@ std::vector<std::int32_t> OperatorModel::unclaimed(std::span<const std::size_t> 
     for (const std::int32_t item : openItems(seen)) {
         bool meant = false;
         for (std::size_t i = 0; i < charges_.size(); ++i)
-            meant = meant ||
-                    (active(i, idles) && std::count(charges_[i].meant.begin(), charges_[i].meant.end(), item) > 0);
+            meant = meant || (active(i, idles) &&
+                              std::count(charges_[i].meant.begin(), charges_[i].meant.end(), item) > 0);
         if (!meant) left.push_back(item);
     }
     return left;
 }
 
 // The far half of the items of the busiest part.
-std::vector<std::int32_t> OperatorModel::takenOver(std::span<const std::size_t> idles, const SeenScene& seen) {
+std::vector<std::int32_t> OperatorModel::takenOver(std::span<const std::size_t> idles,
+                                                   const SeenScene& seen) {
     std::vector<std::int32_t> left;
     std::size_t most = kNone;
     std::size_t count = 2;
@@ -393,7 +395,8 @@ void OperatorModel::renewPart(std::size_t index, std::span<const std::int32_t> i
 // A front does not come back for what it has passed.
 void OperatorModel::dropPassed(const SeenScene& seen) {
     for (Charge& charge : charges_) {
-        if (charge.plan.width == 0.0 || charge.sentAt < 0.0 || seen.time < charge.sentAt + kIdleGrace) continue;
+        if (charge.plan.width == 0.0 || charge.sentAt < 0.0 || seen.time < charge.sentAt + kIdleGrace)
+            continue;
         const SeenPart part = this->seen(charge, seen.time + delay());
         std::erase_if(charge.meant, [&](std::int32_t item) { return !comesOver(charge, part, item); });
     }
@@ -410,7 +413,8 @@ bool OperatorModel::callsFor(std::span<const std::size_t> idles, std::span<const
     for (const std::int32_t item : left) {
         calls += planner_->callSeconds();
         double least = std::numeric_limits<double>::infinity();
-        for (const Vec2 p : scene.positions) least = std::min(least, ground_.distance(p, tours_.items()[item]));
+        for (const Vec2 p : scene.positions)
+            least = std::min(least, ground_.distance(p, tours_.items()[item]));
         last = std::max(last, calls + least / kSpeed);
     }
     double parts = std::numeric_limits<double>::infinity();
@@ -418,7 +422,6 @@ bool OperatorModel::callsFor(std::span<const std::size_t> idles, std::span<const
         const PlannedPart way = planner_->renewed(seen(charges_[i], now), left, true, chance_);
         parts = std::min(parts, planner_->partSeconds(way));
     }
-    if (getenv("DBG")) fprintf(stderr, "%.2f calls %zu %.1f parts %.1f\n", now, left.size(), last, parts);
     return last < parts;
 }
 

@@ -58,6 +58,7 @@ private:
     void perform(double now, const Task& task);
     void cut(double now, const std::array<Vec2, 2>& line);
     void takeOut(double now, const Charge& charge);
+    bool passes(const SeenScene& scene, Vec2 point) const;
     void call(double now, std::int32_t item);
     void send(double now, Charge& charge);
     bool isStop(const PlannedPart& plan, Vec2 point) const;

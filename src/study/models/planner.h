@@ -95,7 +95,8 @@ private:
                          std::int32_t rows, Chance& chance) const;
     OperatorPlan swept(const SeenPart& crowd, std::span<const std::int32_t> open, Vec2 along,
                        double width) const;
-    OperatorPlan parted(const SeenPart& crowd, std::span<const std::int32_t> open, std::int32_t columns, double share) const;
+    OperatorPlan parted(const SeenPart& crowd, std::span<const std::int32_t> open, std::int32_t columns,
+                        double share) const;
     void lead(PlannedPart& part, std::span<const std::int32_t> order) const;
     double estimate(const OperatorPlan& plan) const;
     double estimateQueued(const OperatorPlan& plan) const;

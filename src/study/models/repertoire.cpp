@@ -9,7 +9,7 @@ Repertoire repertoireOf(const SchemeDef& def) {
     r.queues = def.kind == SchemeKind::MouseFull;
     r.divides = r.draws ? def.splits : true;
     r.spreads = r.touch && def.shapes && !def.oneFinger;
-    r.calls = r.touch && def.splits;
+    r.calls = r.touch && def.splits && def.calls;
     r.keepsShape = r.draws || def.movement == SchemeMovement::Free;
     r.keepsGroups = def.kind == SchemeKind::MouseFull;
     return r;

@@ -10,6 +10,7 @@ const kTouch: readonly Line[] = [
   ['Pull two fingers apart', 'tears the crowd in two'],
   ['A stroke across the crowd', 'divides it; a loop round parts joins them'],
   ['Two taps on the crowd', 'give it its square back'],
+  ['Two taps where nobody stands', 'call whoever is nearest there'],
 ];
 const kPaper: readonly Line[] = [
   ['Right button: drag a box', 'selects the characters in it'],
