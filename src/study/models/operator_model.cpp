@@ -18,6 +18,7 @@ constexpr double kStuckLook = 2.0;      // For so long where it has a way ahead 
 constexpr double kIdleGrace = 1.2;      // After an order nobody expects movement for so long [s].
 constexpr double kStaged = 1.5;         // Where it will sweep from is reached so near [m].
 constexpr double kNear = 1.3;           // A point is reached when a part's middle is so near [m].
+constexpr double kAgainSeconds = 5.0;   // What an item that was missed is expected to cost once more [s].
 constexpr std::size_t kLeftOver = 3;    // So few items are left-overs, which a few can fetch.
 constexpr double kSameLeg = 0.3;        // Legs are told apart by so much [m].
 constexpr double kPassedBeside = 2.0;   // So far aside somebody may still come over an item [m].
@@ -422,6 +423,14 @@ bool OperatorModel::callsFor(std::span<const std::size_t> idles, std::span<const
         const PlannedPart way = planner_->renewed(seen(charges_[i], now), left, true, chance_);
         parts = std::min(parts, planner_->partSeconds(way));
     }
+    // Who has passed by an item may do so again.
+    const auto again = std::count_if(left.begin(), left.end(), [&](std::int32_t item) {
+        return std::any_of(idles.begin(), idles.end(), [&](std::size_t i) {
+            const std::vector<std::int32_t>& meant = charges_[i].meant;
+            return !charges_[i].plan.stages && std::count(meant.begin(), meant.end(), item) > 0;
+        });
+    });
+    parts += kAgainSeconds * static_cast<double>(again);
     return last < parts;
 }
 

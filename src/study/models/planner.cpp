@@ -18,6 +18,7 @@ constexpr double kPackedRadius = 0.28;  // Of those who gather, times the root o
 constexpr double kCutBeyond = 1.2;      // A cut begins and ends so far beyond the crowd [m].
 constexpr double kNarrow = 0.3;         // A front folds where it finds less of its width.
 constexpr double kFrontShare = 0.75;    // Of a walker's speed, which a wide front makes.
+constexpr double kLaterShare = 1.4;     // What is decided later takes so many times as long as it would now.
 constexpr double kThinShare = 0.6;      // The same for one of a single rank: it bends more, and misses more.
 constexpr double kRanks = 1.3;          // A front is thin that has fewer.
 constexpr double kLoosest = 1.25;       // A front collects all before it up to this spacing, in spacings.
@@ -480,7 +481,7 @@ std::optional<PlannedPart> Planner::staged(const PlannedPart& sweep,
     for (Vec2& p : there) p += stage - sweep.part.centre;
     const PlannedPart rest = bestSweep(seenPart(sweep.part.ids, there), beyond);
     if (rest.way.empty()) return std::nullopt;
-    planned.later = motor_->factor() * def_.parameters.decide + partSeconds(rest) +
+    planned.later = motor_->factor() * def_.parameters.decide + kLaterShare * partSeconds(rest) +
                     callSeconds() * static_cast<double>(open.size() - beyond.size());
     return planned;
 }
