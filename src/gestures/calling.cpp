@@ -2,21 +2,21 @@
 
 #include <limits>
 
+#include "geometry/polygon.h"
+
 namespace muster {
 namespace {
 
 constexpr double kBarred = 2.0;  // So many times as far counts who has to go round an obstacle.
 
-bool crosses(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-    const auto side = [](Vec2 p, Vec2 q, Vec2 r) { return cross(q - p, r - p) > 0.0; };
-    return side(a, b, c) != side(a, b, d) && side(c, d, a) != side(c, d, b);
-}
-
 bool barred(const World& world, Vec2 from, Vec2 to) {
     for (const ObstacleId id : world.obstacleIds()) {
-        const auto& outline = world.obstacle(id).outline;
-        for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++)
-            if (crosses(from, to, outline[j], outline[i])) return true;
+        const ObstacleView obstacle = world.obstacle(id);
+        const double gap = obstacle.def.radius > 0.0
+                               ? segmentDistance(obstacle.centre, obstacle.centre, from, to) -
+                                     obstacle.def.radius
+                               : segmentDistance(obstacle.outline, from, to);
+        if (gap <= 0.0) return true;
     }
     return false;
 }

@@ -162,7 +162,8 @@ void MeshHands::takeAgain(const World& world, std::vector<CommandBody>& commands
 
 // Two fingers that came down one after the other tear a formation once they are far enough apart.
 void MeshHands::tear(const Finger& moved, const World& world, std::vector<CommandBody>& commands) {
-    if (tornStep_ == world.stepCount() + 1) return;
+    // In the step after, fingers do not know their parts yet.
+    if (tornStep_ != 0 && world.stepCount() <= tornStep_) return;
     for (const Finger& other : fingers_) {
         if (other.group != moved.group || other.pointer == moved.pointer || other.paired) continue;
         const std::int32_t index = groupIndex(world, moved.group);

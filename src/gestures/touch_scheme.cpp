@@ -88,39 +88,37 @@ void TouchScheme::up(const PointerEvent& event, const World& world, std::vector<
     const GroupId group = press != presses_.end() ? press->group : GroupId{};
     if (press != presses_.end()) presses_.erase(press);
     if (!onGround) hands_.up(event.pointer, event.time, cancelled || tap, commands);
-    if (!tap) return;
-    // What one taps is what one sees: people, or ground on which nobody stands.
-    if (characterAt(world, view_, event.screen, reachOf(event.device)) < 0)
-        emptyTapped(event, world, commands);
-    else
-        tapped(event, group, world, commands);
+    if (tap) tapped(event, group, world, commands);
 }
 
-// Two taps after each other give a formation its square back.
+// What one taps is what one sees: people, whose formation becomes a square again by two taps, or ground on
+// which nobody stands, to where two taps call whoever is nearest.
 void TouchScheme::tapped(const PointerEvent& event, GroupId group, const World& world,
                          std::vector<CommandBody>& commands) {
-    const bool again = group == lastTap_ && event.time - lastTapTime_ < kDoubleTime;
-    lastTap_ = group;
-    lastTapTime_ = event.time;
+    const bool onPeople = characterAt(world, view_, event.screen, reachOf(event.device)) >= 0;
+    const Tap tap{onPeople ? group : GroupId{}, event.screen, event.time};
+    const bool again = tap.group == lastTap_.group && tap.time - lastTap_.time < kDoubleTime &&
+                       distance(tap.screen, lastTap_.screen) * view_.mmPerPixel < kDoubleTravel;
+    lastTap_ = again ? Tap{} : tap;
+    if (!again) return;
+    if (onPeople)
+        squareAgain(group, world, commands);
+    else
+        call(event.screen, world, commands);
+}
+
+void TouchScheme::squareAgain(GroupId group, const World& world, std::vector<CommandBody>& commands) const {
     const std::int32_t index = groupIndex(world, group);
-    if (!again || !def_.shapes || index < 0) return;
+    if (!def_.shapes || index < 0) return;
     SetFormation set{group, world.groupDef(static_cast<std::size_t>(index)).formation};
     set.formation.kind = FormationKind::Square;
     set.formation.files = 0;
     commands.emplace_back(std::move(set));
-    lastTap_ = {};
 }
 
-// Two taps where nobody stands call whoever is nearest.
-void TouchScheme::emptyTapped(const PointerEvent& event, const World& world,
-                              std::vector<CommandBody>& commands) {
-    if (!def_.splits || !def_.calls) return;
-    const bool again = event.time - lastEmptyTapTime_ < kDoubleTime &&
-                       distance(event.screen, lastEmptyTap_) * view_.mmPerPixel < kDoubleTravel;
-    lastEmptyTap_ = event.screen;
-    lastEmptyTapTime_ = again ? -1e9 : event.time;
-    const auto ground = view_.groundAt(event.screen);
-    if (!again || !ground) return;
+void TouchScheme::call(Vec2 screen, const World& world, std::vector<CommandBody>& commands) {
+    const auto ground = view_.groundAt(screen);
+    if (!def_.splits || !def_.calls || !ground) return;
     if (const auto id = whoComes(world, *ground))
         sender_.send(world, std::span(&*id, 1), *ground, false, commands);
 }

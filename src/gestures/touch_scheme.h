@@ -33,12 +33,20 @@ private:
         bool waits = false;  ///< It has not taken hold of its formation yet.
     };
 
+    /// A finger that has come down and up again; no group where nobody stands.
+    struct Tap {
+        GroupId group;
+        Vec2 screen;
+        double time = -1e9;
+    };
+
     void down(const PointerEvent& event, Vec2 ground, const World& world, std::vector<CommandBody>& commands);
     void takeHold(const Press& press, double time, const World& world, std::vector<CommandBody>& commands);
     void up(const PointerEvent& event, const World& world, std::vector<CommandBody>& commands);
     void tapped(const PointerEvent& event, GroupId group, const World& world,
                 std::vector<CommandBody>& commands);
-    void emptyTapped(const PointerEvent& event, const World& world, std::vector<CommandBody>& commands);
+    void squareAgain(GroupId group, const World& world, std::vector<CommandBody>& commands) const;
+    void call(Vec2 screen, const World& world, std::vector<CommandBody>& commands);
 
     SchemeDef def_;
     MeshHands hands_;
@@ -46,11 +54,8 @@ private:
     GroundView view_;
     std::uint32_t strokeBy_ = 0;  // Pointer that draws on free ground, and 1; 0 for none.
     std::vector<Press> presses_;
-    GroupId lastTap_;
-    double lastTapTime_ = -1e9;
+    Tap lastTap_;
     Sender sender_{SchemeMovement::Free};
-    Vec2 lastEmptyTap_;  // On the display [px].
-    double lastEmptyTapTime_ = -1e9;
 };
 
 }  // namespace muster

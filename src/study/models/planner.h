@@ -91,6 +91,8 @@ public:
 
 private:
     OperatorPlan cells(const SeenPart& crowd, std::int32_t columns, std::int32_t rows) const;
+    std::vector<std::vector<std::int32_t>> stretchesOf(Vec2 from, std::span<const std::int32_t> tour,
+                                                       std::int32_t count) const;
     OperatorPlan divided(const SeenPart& crowd, std::span<const std::int32_t> tour, std::int32_t columns,
                          std::int32_t rows, Chance& chance) const;
     OperatorPlan swept(const SeenPart& crowd, std::span<const std::int32_t> open, Vec2 along,
