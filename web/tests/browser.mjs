@@ -14,6 +14,7 @@ import * as people from './cases/people.mjs';
 import * as queue from './cases/queue.mjs';
 import * as realMaps from './cases/real_maps.mjs';
 import * as scenarios from './cases/scenarios.mjs';
+import * as shapes from './cases/shapes.mjs';
 import * as session from './cases/session.mjs';
 import * as schemes from './cases/schemes.mjs';
 import * as study from './cases/study.mjs';
@@ -114,8 +115,9 @@ const kCases = [
     { hint: true, scenario: 'scenarios/market.json' },
   ],
   ['hint ticks', findings.hintTicks, ['desktop', 'phone'], { hint: true, scenario: 'scenarios/block.json' }],
-  ['drawn formation', findings.drawnFormation, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
-  ['written formation', findings.writtenFormation, ['desktop'], { scenario: 'scenarios/open.json', room: true }],
+  ['drawn formation', shapes.drawnFormation, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
+  ['formation of one’s own', shapes.ownShape, ['desktop', 'portrait', 'phone'], { scenario: 'scenarios/open.json' }],
+  ['written formation', shapes.writtenFormation, ['desktop'], { scenario: 'scenarios/open.json', room: true }],
   ['added group', findings.addedGroup, ['desktop', 'phone'], { scenario: 'scenarios/open.json', room: true }],
   ['palm and restart', findings.palmAndRestart, ['landscape'], { scenario: 'scenarios/open.json' }],
   ['pinned marks', findings.marks, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],

@@ -123,7 +123,7 @@ OperatorPlan Planner::plan(const SeenPart& crowd, std::span<const std::int32_t> 
         crowd.centre, open, def_.parameters.routeDetour * 2.0 * chance.uniform(), chance);
     OperatorPlan best;
     best.seconds = kInfinite;
-    const auto most = static_cast<std::int32_t>(def_.parameters.groupsInMind + 0.5);
+    const auto most = static_cast<std::int32_t>(std::floor(def_.parameters.groupsInMind + 0.5));
     const auto consider = [&](OperatorPlan&& plan) {
         if (plan.seconds < best.seconds) best = std::move(plan);
     };
@@ -199,7 +199,8 @@ PlannedPart Planner::renewed(const SeenPart& part, std::span<const std::int32_t>
         SeenPart squared = part;
         for (std::size_t i = 0; i < squared.positions.size(); ++i) {
             const auto n = static_cast<std::int32_t>(i);
-            const Vec2 place{static_cast<double>(n % side), static_cast<double>(n / side)};
+            const std::int32_t rank = n / side;
+            const Vec2 place{static_cast<double>(n - rank * side), static_cast<double>(rank)};
             squared.positions[i] = part.centre + place * def_.spacing - Vec2{0.5 * square, 0.5 * square};
         }
         PlannedPart led = next(seenPart(squared.ids, squared.positions), open, chance);

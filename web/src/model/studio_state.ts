@@ -17,7 +17,7 @@ export type InputKind = 'touch' | 'mouse';
  * draw an outline for the formation, or put a new group down. */
 export type ToolName = 'steer' | 'order' | 'cut' | 'follow' | 'guard' | 'draw' | 'place';
 
-export type DialogName = 'none' | 'text' | 'group';
+export type DialogName = 'none' | 'text' | 'shape' | 'group';
 
 /** What the hint of the first visit tells of. */
 export const kHintSteps = ['point', 'line', 'area', 'camera'] as const;

@@ -54,17 +54,6 @@ it('keeps what was asked for last, however long an earlier file takes to read', 
   expect(store.state.ownCharacter).toBe('');
 });
 
-it('takes files that are dropped on the page', async () => {
-  const people = new OwnPeople({ setOwnBody }, store, () => Promise.resolve(kCharacter));
-  people.acceptDrops(window);
-  const drop = Object.assign(new Event('drop', { cancelable: true }), {
-    dataTransfer: { files: [new File(['x'], 'a.glb')], types: ['Files'] },
-  });
-  window.dispatchEvent(drop);
-  expect(drop.defaultPrevented).toBe(true);
-  await vi.waitFor(() => expect(setOwnBody).toHaveBeenCalledTimes(1));
-});
-
 it('says what came with it and what it costs', () => {
   expect(welcomeText({ ...kCharacter, clips: [{ name: 'run' }, { name: 'walk' }] as never, triangles: 40000 })).toBe(
     'Everybody is robot.glb now, with run, walk of its own; with 40,000 triangles a large crowd of it will be slow.',

@@ -1,4 +1,4 @@
-// Replaces Muster's characters by a visitor's own, from a chosen or dropped file.
+// Replaces Muster's characters by a visitor's own, from a chosen file.
 
 import { NoticeLevel, type Notice } from '../protocol/messages';
 import { problem } from '../protocol/problem';
@@ -65,18 +65,5 @@ export class OwnPeople {
     this.requests_ += 1;
     this.view_.setOwnBody(null);
     this.store_.set({ ownCharacter: '' });
-  }
-
-  /** Files dropped anywhere on the page. */
-  acceptDrops(page: Window): void {
-    page.addEventListener('dragover', (event) => {
-      if (event.dataTransfer?.types.includes('Files')) event.preventDefault();
-    });
-    page.addEventListener('drop', (event) => {
-      const files = [...(event.dataTransfer?.files ?? [])];
-      if (files.length === 0) return;
-      event.preventDefault();
-      void this.open(files);
-    });
   }
 }

@@ -5,6 +5,7 @@ import { commandText, moveEvent, type CommandEvent } from '../model/commands';
 import { areaOf, centreOf, outlineFrom } from '../model/outline';
 import type { GroundPoint } from '../model/plane';
 import type { NewGroup, ShapeActions } from '../model/shape_actions';
+import type { OwnShape } from '../model/shape_edit';
 import type { StudioFrame } from '../model/studio_frame';
 import type { StudioStore } from '../model/studio_store';
 import { problem } from '../protocol/problem';
@@ -24,6 +25,8 @@ const kStyle = { manner: 'march', turn: 'keep', mode: 'replace' } as const;
 export interface ShapeDeskHost {
   readonly client: MessageSender;
   readonly store: StudioStore;
+  /** The shape of a group; undefined where its mesh has not come yet. */
+  shapeOf(group: number): OwnShape | undefined;
   /** Direction of view on the ground, from +y [rad]. */
   viewTurn(): number;
   previewControl(groupIndex: number, points: readonly GroundPoint[] | null, closed: boolean): void;
@@ -33,6 +36,7 @@ export interface ShapeDeskHost {
 export class ShapeDesk implements ShapeActions, OutlineSink {
   private frame_: StudioFrame | null = null;
   private held_: NewGroup | null = null;
+  private picture_: File | null = null;
 
   constructor(private readonly host_: ShapeDeskHost) {}
 
@@ -68,6 +72,33 @@ export class ShapeDesk implements ShapeActions, OutlineSink {
     const points = places.map(({ x, y }) => [round(scale * (c * x - s * y)), round(scale * (s * x + c * y))]);
     this.send([{ kind: 'formation', group: group.id, formation: { kind: 'points', spacing: kWordGap, points } }]);
     this.host_.say(`${group.name}: ${words}`);
+  }
+
+  shape(): OwnShape | null {
+    const { group } = this.active();
+    return (group && this.host_.shapeOf(group.id)) ?? null;
+  }
+
+  openPicture(picture: File): void {
+    this.picture_ = picture;
+    // A dialog that is open reads it at once.
+    this.host_.store.set({ dialog: 'none' });
+    this.host_.store.set({ dialog: 'shape' });
+  }
+
+  takePicture(): File | null {
+    const picture = this.picture_;
+    this.picture_ = null;
+    return picture;
+  }
+
+  takeShape({ spacing, places }: OwnShape, title: string): void {
+    const { group } = this.active();
+    if (!group) return;
+    const points = places.map(({ x, y }) => [round(x), round(y)]);
+    const formation = { kind: 'points', spacing: round(spacing), points };
+    this.send([{ kind: 'formation', group: group.id, formation }]);
+    this.host_.say(`${group.name}: ${title}`);
   }
 
   holdGroup(group: NewGroup): void {

@@ -42,6 +42,7 @@ import { FormationWatch } from '../model/formation_watch';
 import { FrameReader, sceneKey } from '../model/frame_reader';
 import { followSettings } from './page_settings';
 import { StudioController } from './studio_controller';
+import { FileDesk } from './file_desk';
 import { OwnPeople } from './own_people';
 import { SchemeDesk } from './scheme_desk';
 import { StudioShell } from './studio_shell';
@@ -96,7 +97,6 @@ export class StudioApp {
   ) {
     const say = (text: string): void => this.shell_.live.say(text);
     const people = new OwnPeople(view_, this.store);
-    people.acceptDrops(window);
     const padding = (): Padding => this.shell_.padding();
     this.camera = new CameraDesk({
       view: view_,
@@ -109,6 +109,7 @@ export class StudioApp {
     this.shapes = new ShapeDesk({
       client: client_,
       store: this.store,
+      shapeOf: (group) => this.desk.shapes.of(group),
       viewTurn: () => view_.camera.pose.turn,
       previewControl: (group, points, closed) => view_.previewControl(group, points, closed),
       say,
@@ -149,6 +150,7 @@ export class StudioApp {
 
   private start(page: HTMLElement, shortcuts: readonly Shortcut[]): void {
     openDialogsLazily(page, this.store, this.controller_, this.shapes);
+    new FileDesk(this.store, this.controller_, this.shapes).acceptDrops(window);
     if (this.stats_) page.append(this.stats_.root);
     returnFocus(page, this.canvas_);
     new ShortcutHandler(window, shortcuts);

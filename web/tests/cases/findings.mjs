@@ -6,13 +6,6 @@ import { layout, serious } from './look.mjs';
 
 const kFirstLoad = 350_000;
 
-async function tap(studio, locator) {
-  const box = await locator.boundingBox();
-  await studio.fingers.down({ 1: { x: box.x + box.width / 2, y: box.y + box.height / 2 } });
-  await studio.wait(40);
-  await studio.fingers.up();
-}
-
 /** The market square: two groups that walk, a hand that drags once, a hint that ticks off what is done. */
 export async function marketSquare(studio) {
   const { page } = studio;
@@ -87,85 +80,6 @@ async function middle(studio, count) {
     });
   }, count);
   return Object.fromEntries(list.map((at, i) => [i + 1, at]));
-}
-
-/** Draw: a finger draws a triangle round the group, which becomes its formation. */
-export async function drawnFormation(studio) {
-  const { page } = studio;
-  const draw = page.locator('.formation', { hasText: 'Draw' });
-  await draw.scrollIntoViewIfNeeded();
-  await tap(studio, draw);
-  await studio.eventually(async () =>
-    expect((await draw.getAttribute('aria-pressed')) === 'true', 'the drawing tool is in hand'),
-  );
-  const corners = await page.evaluate(() => {
-    const { view, frame } = globalThis.__muster;
-    const { x, y } = frame.groups[0];
-    return [0, 1, 2, 3].map((k) => {
-      const a = (2 * Math.PI * k) / 3 + 0.7;
-      return view.worldToScreen({ x: x + 6.5 * Math.cos(a), y: y + 6.5 * Math.sin(a) });
-    });
-  });
-  await studio.fingers.down({ 1: corners[0] });
-  for (const corner of corners.slice(1)) await studio.fingers.move({ 1: corner }, { steps: 14, ms: 280 });
-  await studio.shot('drawing-an-outline');
-  await studio.fingers.up();
-  await studio.until('the drawn formation', () => globalThis.__muster.state.groups[0].formation === 'outline');
-  expect((await draw.getAttribute('aria-pressed')) === 'true', 'Draw is shown as the formation');
-  expect(await page.evaluate(() => globalThis.__muster.state.tool === 'steer'), 'and the tool is put away');
-  await studio.wait(3500);
-  await studio.shot('drawn-formation');
-  // Each of three corners of the triangle has somebody near it, and nobody stands far outside.
-  const found = await page.evaluate(() => {
-    const { frame } = globalThis.__muster;
-    const { x, y, places } = frame.groups[0];
-    const reach = (a) => {
-      let most = -Infinity;
-      for (let i = 0; i + 1 < places.length; i += 2)
-        most = Math.max(most, (places[i] - x) * Math.cos(a) + (places[i + 1] - y) * Math.sin(a));
-      return most;
-    };
-    return [0, 1, 2, 3, 4, 5].map((k) => reach((Math.PI * k) / 3 + 0.7));
-  });
-  const [tips, sides] = [[0, 2, 4].map((k) => found[k]), [1, 3, 5].map((k) => found[k])];
-  expect(Math.min(...tips) > 1.4 * Math.max(...sides), `a triangle, as drawn: ${found.map((one) => one.toFixed(1))}`);
-}
-
-/** Text: words become places. */
-export async function writtenFormation(studio) {
-  const { page } = studio;
-  const text = page.locator('.formation', { hasText: 'Text' });
-  await text.scrollIntoViewIfNeeded();
-  await text.click();
-  const dialog = page.locator('dialog.shape-dialog[open]');
-  await dialog.locator('input').fill('HI');
-  await studio.wait(200);
-  await serious(studio, 'dialog for words');
-  await studio.shot('words-dialog');
-  await dialog.locator('button[type="submit"]').click();
-  await studio.until('the written formation', () => globalThis.__muster.state.groups[0].formation === 'points');
-  await studio.wait(5000);
-  await page.keyboard.press('f');
-  await studio.wait(500);
-  await studio.shot('written-formation');
-  const words = await page.evaluate(() => {
-    const { frame, view } = globalThis.__muster;
-    const { places } = frame.groups[0];
-    const at = Array.from({ length: places.length / 2 }, (_, i) =>
-      view.worldToScreen({ x: places[2 * i], y: places[2 * i + 1] }),
-    );
-    const xs = at.map((p) => p.x).sort((a, b) => a - b);
-    const ys = at.map((p) => p.y);
-    return { wide: xs[xs.length - 1] - xs[0], high: Math.max(...ys) - Math.min(...ys), count: at.length };
-  });
-  expect(words.wide > words.high * 0.9, `HI reads from the left to the right: ${JSON.stringify(words)}`);
-  // Nothing is left that does nothing.
-  const dead = await page.evaluate(() =>
-    [...document.querySelectorAll('#ui button')]
-      .filter((node) => /soon/.test(node.dataset.tip ?? '') || /without server/.test(node.textContent))
-      .map((node) => node.ariaLabel ?? node.textContent),
-  );
-  expect(dead.length === 0, `dead controls: ${dead.join(', ')}`);
 }
 
 /** "+": a group with name, number and formation, put down by a tap. */

@@ -83,7 +83,7 @@ export async function wholeRun(browser, size) {
     const forms = [];
     const played = new Set();
     for (let i = 0; i < 60; ++i) {
-      await person.until('a stage', () => document.querySelector('.study-card') !== null);
+      await person.until('a stage', () => globalThis.__muster?.study && document.querySelector('.study-card') !== null);
       const state = await person.state();
       if (state.stage === kStage.thanks) break;
       if (state.stage === kStage.form) {

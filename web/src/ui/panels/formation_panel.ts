@@ -12,7 +12,7 @@ export interface FormationChoice {
   readonly name: string;
   readonly label: string;
   /** What it opens instead of taking up a shape of the library. */
-  readonly opens?: 'text' | 'draw';
+  readonly opens?: 'text' | 'draw' | 'shape';
 }
 
 /** The first eight answer to the keys 1 to 8. */
@@ -27,9 +27,14 @@ export const kFormations: readonly FormationChoice[] = [
   { name: 'pacman', label: 'Pacman' },
   { name: 'text', label: 'Text', opens: 'text' },
   { name: 'draw', label: 'Draw', opens: 'draw' },
+  { name: 'more', label: 'More', opens: 'shape' },
 ];
 
-const kTips = { text: 'Words as a formation', draw: 'Draw an outline on the ground as a formation' } as const;
+const kTips = {
+  text: 'Words as a formation',
+  draw: 'Draw an outline on the ground as a formation',
+  shape: 'Mirror, turn, loosen, save; a picture as a formation',
+} as const;
 /** What the server calls shapes that are no part of the library. */
 const kOwnShapes: Readonly<Record<string, string>> = { outline: 'draw', points: 'text' };
 
@@ -63,7 +68,7 @@ export class FormationPanel {
         type: 'button',
         class: 'formation',
         'aria-pressed': 'false',
-        'aria-haspopup': choice.opens === 'text' ? 'dialog' : undefined,
+        'aria-haspopup': choice.opens && choice.opens !== 'draw' ? 'dialog' : undefined,
         'aria-keyshortcuts': key,
         'data-key': key,
         'data-tip': choice.opens ? kTips[choice.opens] : choice.label,
@@ -78,8 +83,8 @@ export class FormationPanel {
   }
 
   private chosen({ name, opens }: FormationChoice): void {
-    if (opens === 'text') this.actions_.openDialog('text');
-    else if (opens === 'draw') this.actions_.toggleDraw();
+    if (opens === 'draw') this.actions_.toggleDraw();
+    else if (opens) this.actions_.openDialog(opens);
     else this.actions_.setFormation(name);
   }
 

@@ -1,4 +1,4 @@
-// Dialogs for words as a formation and for a new group. This file is loaded when the first of them is opened.
+// Dialogs for words as a formation, for shapes of one's own, and for a new group. This file is loaded when the first of them is opened.
 
 import { spreadOver, type Mask } from '../../model/spread';
 import type { GroundPoint } from '../../model/plane';
@@ -6,16 +6,15 @@ import type { ShapeActions } from '../../model/shape_actions';
 import type { StudioActions } from '../../model/studio_actions';
 import type { StudioStore } from '../../model/studio_store';
 import { element, setText } from '../widgets/dom';
-import { icon } from '../widgets/icons';
+import { dialogOf, drawPlaces, field } from './dialog_parts';
 import { kFormations } from './formation_panel';
+import { OwnShapeDialog } from './own_shape_dialog';
 
 /** Letters at most, and the height of a letter in the picture that is spread over [cells]. */
 const kMostLetters = 24;
 const kLetterCells = 72;
 /** With fewer people per letter than this, letters are thin lines. */
 const kThin = 26;
-/** Size of the preview [CSS px]. */
-const kPreview = { width: 340, height: 110 };
 
 /** The words in black on a picture as small as serves. */
 function maskOf(words: string, perLetter: number): Mask {
@@ -35,26 +34,6 @@ function maskOf(words: string, perLetter: number): Mask {
     height,
     cells: Uint8Array.from({ length: width * height }, (_, i) => (data[4 * i + 3]! > 110 ? 1 : 0)),
   };
-}
-
-function dialogOf(title: string, close: () => void): { root: HTMLDialogElement; form: HTMLFormElement } {
-  const id = `dialog-${title.toLowerCase().replace(/\W+/g, '-')}`;
-  const end = element('button', { type: 'button', 'aria-label': 'Close' }, icon('close'));
-  const form = element('form', { method: 'dialog', class: 'shape-form' });
-  const root = element(
-    'dialog',
-    { class: 'help shape-dialog', 'aria-labelledby': id },
-    element('header', {}, element('h2', { id }, title), end),
-    form,
-  );
-  end.addEventListener('click', () => root.close());
-  root.addEventListener('close', close);
-  root.addEventListener('click', (event) => event.target === root && root.close());
-  return { root, form };
-}
-
-function field(label: string, input: HTMLElement): HTMLElement {
-  return element('label', { class: 'shape-field' }, element('span', {}, label), input);
 }
 
 class TextDialog {
@@ -112,25 +91,7 @@ class TextDialog {
         ? `${count} people for ${letters} letters: it will be hard to read.`
         : `${groups[active]?.name ?? 'The group'}: ${count} people.`,
     );
-    this.draw(places);
-  }
-
-  private draw(places: readonly GroundPoint[]): void {
-    const { width, height } = kPreview;
-    const ratio = Math.min(2, window.devicePixelRatio || 1);
-    [this.picture_.width, this.picture_.height] = [width * ratio, height * ratio];
-    const pen = this.picture_.getContext('2d');
-    if (!pen || places.length === 0) return;
-    const wide = Math.max(...places.map(({ x }) => Math.abs(x)), 1);
-    const high = Math.max(...places.map(({ y }) => Math.abs(y)), 1);
-    const scale = Math.min((width / 2 - 10) / wide, (height / 2 - 10) / high);
-    pen.setTransform(ratio, 0, 0, ratio, (width / 2) * ratio, (height / 2) * ratio);
-    pen.fillStyle = getComputedStyle(this.root).color;
-    for (const { x, y } of places) {
-      pen.beginPath();
-      pen.arc(scale * x, -scale * y, Math.min(4, Math.max(1.2, 0.36 * scale * this.gap_)), 0, 2 * Math.PI);
-      pen.fill();
-    }
+    drawPlaces(this.picture_, places, this.gap_);
   }
 }
 
@@ -220,7 +181,11 @@ export function watchShapeDialogs(
   shapes: ShapeActions,
 ): void {
   const close = (): void => actions.openDialog('none');
-  const dialogs = { text: new TextDialog(store, shapes, close), group: new GroupDialog(store, shapes, close) };
+  const dialogs = {
+    text: new TextDialog(store, shapes, close),
+    shape: new OwnShapeDialog(store, shapes, close),
+    group: new GroupDialog(store, shapes, close),
+  };
   for (const dialog of Object.values(dialogs)) page.append(dialog.root);
   store.watch(['dialog'], ({ dialog }) => {
     if (dialog !== 'none' && !dialogs[dialog].root.open) dialogs[dialog].open();

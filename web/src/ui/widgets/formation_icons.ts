@@ -70,6 +70,11 @@ const kDots: Readonly<Record<string, readonly Dot[]>> = {
   pacman: [...arc(0.01, 1), ...arc(6.4, 5, 0.12, 0.88), ...arc(12.4, 9, 0.11, 0.89)],
   text: kLetter,
   draw: kDrawn,
+  more: [
+    [8, kMiddle],
+    [kMiddle, kMiddle],
+    [26, kMiddle],
+  ],
 };
 
 export function formationIcon(name: string): SVGSVGElement {
