@@ -36,7 +36,7 @@ const kTips = {
   shape: 'Mirror, turn, loosen, save; a picture as a formation',
 } as const;
 /** What the server calls shapes that are no part of the library. */
-const kOwnShapes: Readonly<Record<string, string>> = { outline: 'draw', points: 'text' };
+const kOwnShapes: Readonly<Record<string, string>> = { outline: 'draw', points: 'more' };
 
 export class FormationPanel {
   private readonly mark_ = element('span', { class: 'formation-mark' });

@@ -146,7 +146,10 @@ export class OwnShapeDialog {
     const scale = kGap / Math.max(gap, 1e-9);
     this.title_ = file.name.replace(/\.\w+$/, '');
     this.name_.value = this.title_.slice(0, kMostLetters);
-    this.show({ spacing: kGap, places: places.map(({ x, y }) => ({ x: scale * y, y: -scale * x })) }, file.name);
+    this.show(
+      { spacing: kGap, places: places.map(({ x, y }) => ({ x: scale * y, y: -scale * x })) },
+      `From “${file.name}”.`,
+    );
   }
 
   private save(): void {
