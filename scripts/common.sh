@@ -8,6 +8,7 @@ build_packages=(g++ cmake ninja-build libeigen3-dev nlohmann-json3-dev libcli11-
 test_packages=(doctest-dev librapidcheck-dev liblemon-dev r-base-core r-cran-lme4 r-cran-lmertest)
 style_packages=(clang-format clang-tidy git)
 browser_packages=(chromium libgl1-mesa-dri libegl1)
+firefox_packages=(firefox-esr xvfb libgl1-mesa-dri libegl1)
 wasm_packages=(emscripten)
 blender_packages=(blender python3-numpy)
 configure_again=no  # Becomes yes once packages have come, for what is found now.
