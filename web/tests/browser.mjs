@@ -4,6 +4,7 @@ import * as camera from './cases/camera.mjs';
 import * as directors from './cases/directors.mjs';
 import * as demonstration from './cases/demonstration.mjs';
 import * as feedback from './cases/feedback.mjs';
+import * as film from './cases/film_camera.mjs';
 import * as findings from './cases/findings.mjs';
 import * as look from './cases/look.mjs';
 import * as mouseAndKeys from './cases/mouse_and_keys.mjs';
@@ -163,6 +164,7 @@ const kCases = [
   ['takes: life of a take', takes.life, ['desktop', 'phone'], { scenario: 'web/tests/scenarios/hundred.json' }],
   ['takes: scrub and trim', takes.scrubAndTrim, ['landscape', 'phone'], { scenario: 'scenarios/open.json' }],
   ['takes: again and on top', takes.againAndOnTop, ['desktop'], { scenario: 'web/tests/scenarios/two-groups.json' }],
+  ['takes: film camera', film.filmCamera, ['desktop', 'portrait', 'phone'], { scenario: 'scenarios/open.json' }],
   ['takes: exports', takes.exports, ['desktop'], { scenario: 'scenarios/open.json' }],
   ['takes: cut off', takes.cutOff, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
   ['a page that hangs', session.stalledPage, ['desktop'], {}],

@@ -8,6 +8,8 @@ import type { TakeActions } from '../model/take_actions';
 import { kTakeEnd, takeTitle, type OpenTake, type ShelvedTake, type TakeAbout } from '../model/take_facts';
 import type { StudioScene } from '../scene/studio_scene';
 import { ExportDesk } from './export_desk';
+import { FilmCameraDesk } from './film_camera_desk';
+import { FilmCameraMenu } from './panels/film_camera_menu';
 import { TakeCard, type CardKind } from './panels/take_card';
 import { TakeShelf } from './panels/take_shelf';
 import { TimeLine } from './panels/time_line';
@@ -49,7 +51,14 @@ export class TakeDesk implements TakeActions {
   private readonly shelf_ = new ShelfLink();
   private readonly copies_ = new TakeCopies();
   private readonly live_ = new LiveRegion();
-  private readonly line_ = new TimeLine(this);
+  private readonly cameraMenu_ = new FilmCameraMenu({
+    keepView: () => this.film_.keep(this.step_),
+    removeView: (step) => this.film_.remove(step),
+    showMoment: (step) => this.seek(step),
+    filmCamera: (on) => this.film_.switch(on),
+  });
+  private readonly line_ = new TimeLine(this, this.cameraMenu_.root);
+  private readonly film_: FilmCameraDesk;
   private readonly card_ = new TakeCard(this);
   private readonly shelfPanel_: TakeShelf;
   private readonly scrubber_: Scrubber;
@@ -64,6 +73,7 @@ export class TakeDesk implements TakeActions {
 
   constructor(private readonly parts_: TakeDeskParts) {
     const { client, store, view, canvas, page } = parts_;
+    this.film_ = new FilmCameraDesk(view.camera, () => this.showKeys());
     this.scrubber_ = new Scrubber((message) => client.send(message));
     const file = element('input', {
       type: 'file',
@@ -114,6 +124,7 @@ export class TakeDesk implements TakeActions {
     this.take_ = open ? take : null;
     document.documentElement.toggleAttribute('data-take', open);
     if (open && before?.name !== take.name) this.line_.track.setReady(0);
+    this.film_.open(open ? take.name : '');
     this.line_.setTake(this.take_, this.titleOf(take));
     if (!open) return;
     if (!before) {
@@ -131,9 +142,16 @@ export class TakeDesk implements TakeActions {
 
   private observe(step: number): void {
     this.step_ = step;
+    if (this.take_) this.film_.observe(step);
     this.scrubber_.observe(step);
     this.line_.setStep(this.scrubber_.wished ?? step);
     this.waiting_ = this.waiting_.filter((one) => one.step !== step || (one.done(), false));
+  }
+
+  private showKeys(): void {
+    const { keys, on } = this.film_;
+    this.cameraMenu_.show(keys, on, this.take_?.stepTime ?? 1 / 60);
+    this.line_.track.setKeys(keys.map(({ step }) => step));
   }
 
   beginScrub(): void {

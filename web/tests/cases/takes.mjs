@@ -17,31 +17,31 @@ async function drag(studio, group = 0, metres = 2.5, ms = 600) {
   await studio.fingers.up();
 }
 
-async function record(studio, seconds = 1.5, group = 0) {
+export async function record(studio, seconds = 1.5, group = 0) {
   await studio.page.locator('.record').click();
   await studio.until('the record clock', () => globalThis.__muster.frame.recordedSeconds >= 0);
   await drag(studio, group);
   await studio.until('so much of it', (least) => globalThis.__muster.frame.recordedSeconds >= least, seconds);
 }
 
-async function stop(studio) {
+export async function stop(studio) {
   await studio.page.locator('.record').click();
   await studio.until('the card', () => !document.querySelector('.take-card').hidden);
 }
 
 /** Opens the take of the card. */
-async function play(studio) {
+export async function play(studio) {
   await studio.page.locator('.card-play').click();
   await studio.until('the time line', () => !document.querySelector('.time-line').hidden);
 }
 
-async function pause(studio) {
+export async function pause(studio) {
   await studio.send({ type: 'Playback', action: 1 });
   await studio.until('a pause', () => !globalThis.__muster.frame.playing);
 }
 
 /** What the time line's handles say. */
-const timeLine = (studio) =>
+export const timeLine = (studio) =>
   studio.page.evaluate(() => {
     const value = (name) => Number(document.querySelector(name).getAttribute('aria-valuenow'));
     const box = document.querySelector('.time-track').getBoundingClientRect();

@@ -24,7 +24,11 @@ export class TimeLine {
   readonly root: HTMLElement;
   private take_: OpenTake | null = null;
 
-  constructor(private readonly actions_: TakeActions) {
+  /** `camera`: the menu of the film camera. */
+  constructor(
+    private readonly actions_: TakeActions,
+    camera: HTMLElement | null = null,
+  ) {
     this.track = new TimeTrack(actions_);
     this.loop_ = toolButton({
       icon: 'patrol',
@@ -72,7 +76,7 @@ export class TimeLine {
         'div',
         { class: 'time-head' },
         element('div', { class: 'time-words' }, this.title_, this.clock_),
-        element('div', { class: 'time-tools' }, again, layer, this.loop_, holder, out),
+        element('div', { class: 'time-tools' }, again, layer, this.loop_, holder, ...(camera ? [camera] : []), out),
         close,
       ),
       element('div', { class: 'time-track-holder' }, this.track.root),

@@ -11,6 +11,15 @@ const kRows = 4;
 /** A press this near to an end of the part takes hold of it [px]. */
 const kReach = 22;
 
+/** A key frame of the camera, about its middle, so far below the upper edge [px]. */
+const kDiamond: readonly (readonly [number, number])[] = [
+  [0, -5],
+  [5, 0],
+  [0, 5],
+  [-5, 0],
+];
+const kDiamondAt = 18;
+
 type Hold = 'head' | 'from' | 'to';
 
 /** The row of each touch: the lowest that is free. */
@@ -46,6 +55,7 @@ export class TimeTrack {
   private take_: OpenTake | null = null;
   private step_ = 0;
   private hold_: Hold | null = null;
+  private keys_: readonly number[] = [];
   private part_: { readonly from: number; readonly to: number } | null = null;
 
   constructor(private readonly actions_: TakeActions) {
@@ -81,6 +91,12 @@ export class TimeTrack {
   setReady(steps: number): void {
     const share = this.take_ ? Math.min(1, steps / this.take_.steps) : 0;
     this.ready_.style.width = `${100 * share}%`;
+  }
+
+  /** Key frames of the camera. */
+  setKeys(steps: readonly number[]): void {
+    this.keys_ = steps;
+    this.drawMarks();
   }
 
   focusFrom(): void {
@@ -222,6 +238,12 @@ export class TimeTrack {
       context.fillRect(left, 0, right - left, height);
       context.fillStyle = colour('--ink-2');
       if (right - left > 22) context.fillText(`${Number(piece.speed.toFixed(2))}×`, left + 4, 11);
+    }
+    context.fillStyle = colour('--ink');
+    for (const step of this.keys_) {
+      context.beginPath();
+      for (const [dx, dy] of kDiamond) context.lineTo(x(step) + dx, kDiamondAt + dy);
+      context.fill();
     }
     const touches = take.marks.filter((mark) => mark.kind === TakeMarkKind.Touch);
     const rows = rowsOf(touches);

@@ -1,0 +1,73 @@
+// The camera of a film: key frames along a take, between which it moves with ease.
+
+import type { CameraPose } from './camera_controls';
+
+export interface CameraKey {
+  /** Of the take. */
+  readonly step: number;
+  readonly pose: CameraPose;
+}
+
+/** Keys nearer to each other than this are one [steps]. */
+const kSameKey = 6;
+const kMostKeys = 200;
+
+/** From still to still. */
+function eased(share: number): number {
+  return share * share * (3 - 2 * share);
+}
+
+function between(a: CameraPose, b: CameraPose, share: number): CameraPose {
+  const mix = (from: number, to: number): number => from + share * (to - from);
+  const turn = Math.atan2(Math.sin(b.turn - a.turn), Math.cos(b.turn - a.turn));
+  return {
+    targetX: mix(a.targetX, b.targetX),
+    targetY: mix(a.targetY, b.targetY),
+    // As many times nearer in each moment: otherwise a zoom seems to hurry at its near end.
+    distance: Math.exp(mix(Math.log(a.distance), Math.log(b.distance))),
+    turn: a.turn + share * turn,
+    pitch: mix(a.pitch, b.pitch),
+  };
+}
+
+/** Where the camera is at a moment; before the first key and behind the last it rests there. Null without keys. */
+export function poseAt(keys: readonly CameraKey[], step: number): CameraPose | null {
+  const next = keys.findIndex((key) => key.step > step);
+  if (keys.length === 0) return null;
+  if (next < 0) return keys[keys.length - 1]!.pose;
+  if (next === 0) return keys[0]!.pose;
+  const [a, b] = [keys[next - 1]!, keys[next]!];
+  return between(a.pose, b.pose, eased((step - a.step) / (b.step - a.step)));
+}
+
+/** With a key at this moment, in place of one that is as good as there. Keys ascend. */
+export function withKey(keys: readonly CameraKey[], step: number, pose: CameraPose): CameraKey[] {
+  const others = keys.filter((key) => Math.abs(key.step - step) >= kSameKey);
+  return [...others, { step, pose: { ...pose } }].sort((a, b) => a.step - b.step).slice(0, kMostKeys);
+}
+
+export function withoutKey(keys: readonly CameraKey[], step: number): CameraKey[] {
+  return keys.filter((key) => key.step !== step);
+}
+
+function isKey(value: unknown): value is CameraKey {
+  const { step, pose } = (value ?? {}) as { step?: unknown; pose?: Record<string, unknown> };
+  const numbers = ['targetX', 'targetY', 'distance', 'turn', 'pitch'].map((name) => pose?.[name]);
+  return (
+    Number.isInteger(step) &&
+    (step as number) >= 0 &&
+    numbers.every(Number.isFinite) &&
+    (pose!['distance'] as number) > 0
+  );
+}
+
+/** Keys from what a browser has kept; what is none is left out. */
+export function readKeys(text: string | null): CameraKey[] {
+  try {
+    const kept: unknown = JSON.parse(text ?? '[]');
+    const keys = Array.isArray(kept) ? kept.filter(isKey) : [];
+    return keys.sort((a, b) => a.step - b.step).slice(0, kMostKeys);
+  } catch {
+    return [];
+  }
+}
