@@ -5,15 +5,13 @@
 #include <limits>
 
 #include "study/models/operator_model.h"
+#include "study/models/planner_rules.h"
 
 namespace muster {
 namespace {
 
-constexpr double kTarget = 1.0;        // What is aimed at is as large as an item's reach [m].
 constexpr double kBoxMargin = 0.45;    // A box is drawn so far round those whom it shall select [m].
 constexpr double kTwoFingers = 0.04;   // Between two fingers that come down together [s].
-constexpr double kBetweenTaps = 0.15;  // Between two taps on one spot [s].
-constexpr double kTakenMargin = 0.55;  // A loop is drawn so far round those whom it takes out [m].
 constexpr double kFreeRoom = 0.8;      // It begins so far off its first corner [m].
 constexpr double kGripShare = 0.8;     // They come down within the crowd [m].
 constexpr double kPasses = 0.8;        // Who comes so near an item passes over it, or nearly [m].
@@ -35,6 +33,11 @@ Vec2 nearestTo(std::span<const Vec2> points, Vec2 p) {
 }
 
 }  // namespace
+
+// The hand that is free first.
+std::size_t OperatorModel::freeHand() const {
+    return parameters_.hands > 1.5 && handFree_[1] < handFree_[0] ? 1 : 0;
+}
 
 // When a hand has got from where it is to `to` [s], and notes that it is there.
 double OperatorModel::reachHand(double now, Vec2 to, double width, std::size_t hand) {
@@ -72,13 +75,13 @@ void OperatorModel::perform(double now, const Task& task) {
 }
 
 void OperatorModel::cut(double now, const std::array<Vec2, 2>& line) {
-    const std::size_t hand = parameters_.hands > 1.5 && handFree_[1] < handFree_[0] ? 1 : 0;
+    const std::size_t hand = freeHand();
     double at = now + noisy(motor_.factor() * parameters_.decideNext);
-    at = reachHand(at, line[0], kTarget, hand) + motor_.press();
-    const double seconds = noisy(motor_.drag(millimetres(line[0], line[1]), kTarget * mmPerMetre_));
+    at = reachHand(at, line[0], kTargetMetres, hand) + motor_.press();
+    const double seconds = noisy(motor_.drag(millimetres(line[0], line[1]), kTargetMetres * mmPerMetre_));
     const PathLeg leg{line[1], seconds, 0.0};
     busyUntil_ = hand_.stroke(nextPointer_++, PointerButton::Left, {}, at, line[0], std::span(&leg, 1),
-                              kTarget * mmPerMetre_, script_);
+                              kTargetMetres * mmPerMetre_, script_);
     handAt_[hand] = line[1];
     handFree_[hand] = busyUntil_ + motor_.factor() * motor_.device().handOff;
     ++commands_;
@@ -112,7 +115,7 @@ void OperatorModel::adopt(Charge& charge, const SeenScene& seen) {
 
 // A finger draws a loop round a few, from the corner that is freest.
 void OperatorModel::takeOut(double now, const Charge& charge) {
-    const std::size_t hand = parameters_.hands > 1.5 && handFree_[1] < handFree_[0] ? 1 : 0;
+    const std::size_t hand = freeHand();
     const double chosen = now + noisy(motor_.factor() * parameters_.decideNext);
     const Box box = seen(charge, chosen + 0.5).bounds.grown(kTakenMargin);
     const std::array<Vec2, 4> corners{box.min, Vec2{box.max.x, box.min.y}, box.max,
@@ -129,16 +132,16 @@ void OperatorModel::takeOut(double now, const Charge& charge) {
     // It begins and ends farther out, where no finger takes the formation.
     const Vec2 outside = studyRules().box.clamp(
         corners[first] + normalized(corners[first] - (box.min + box.max) * 0.5) * kFreeRoom);
-    double at = reachHand(chosen, outside, kTarget, hand) + motor_.press();
+    double at = reachHand(chosen, outside, kTargetMetres, hand) + motor_.press();
     std::vector<PathLeg> legs;
     Vec2 from = outside;
     for (std::size_t i = 0; i <= corners.size() + 1; ++i) {
         const Vec2 to = i <= corners.size() ? corners[(first + i) % corners.size()] : outside;
-        legs.push_back({to, noisy(motor_.draw(millimetres(from, to), kTarget * mmPerMetre_)), 0.0});
+        legs.push_back({to, noisy(motor_.draw(millimetres(from, to), kTargetMetres * mmPerMetre_)), 0.0});
         from = to;
     }
     busyUntil_ = hand_.stroke(nextPointer_++, PointerButton::Left, {}, at, outside, legs,
-                              kTarget * mmPerMetre_, script_);
+                              kTargetMetres * mmPerMetre_, script_);
     handAt_[hand] = outside;
     handFree_[hand] = busyUntil_ + motor_.factor() * motor_.device().handOff;
     divided_ = true;
@@ -158,15 +161,15 @@ bool OperatorModel::passes(const SeenScene& scene, Vec2 point) const {
 
 // Two taps by an item; who was nearest is expected to come.
 void OperatorModel::call(double now, std::int32_t item) {
-    const std::size_t hand = parameters_.hands > 1.5 && handFree_[1] < handFree_[0] ? 1 : 0;
+    const std::size_t hand = freeHand();
     const double chosen = now + noisy(motor_.factor() * parameters_.decideNext);
     const Vec2 to = tours_.items()[item];
     // Nobody calls for what has gone, or to where somebody just passes.
     const SeenScene& scene = memory_.at(now - delay());
     if (scene.collected[item] != 0 || passes(scene, to)) return;
-    double at = reachHand(chosen, to, kTarget, hand);
+    double at = reachHand(chosen, to, kTargetMetres, hand);
     for (std::int32_t tap = 0; tap < 2; ++tap)
-        at = hand_.click(PointerButton::Left, {}, at, to, kTarget * mmPerMetre_, script_) +
+        at = hand_.click(PointerButton::Left, {}, at, to, kTargetMetres * mmPerMetre_, script_) +
              (tap == 0 ? kBetweenTaps : 0.0);
     busyUntil_ = at;
     handFree_[hand] = at + motor_.factor() * motor_.device().handOff;
@@ -212,17 +215,17 @@ double OperatorModel::tapTwice(double at, Vec2 where, double millimetres) {
 
 // True where one of the items that a part is led to lies by a point of its way.
 bool OperatorModel::isStop(const PlannedPart& plan, Vec2 point) const {
-    const double reach = std::max(plan.part.bounds.width(), plan.part.bounds.height()) + kTarget;
+    const double reach = std::max(plan.part.bounds.width(), plan.part.bounds.height()) + kTargetMetres;
     return std::any_of(plan.stops.begin(), plan.stops.end(),
                        [&](std::int32_t stop) { return distance(tours_.items()[stop], point) < reach; });
 }
 
 // A finger or the mouse takes a formation and draws its way.
 void OperatorModel::draw(double now, Charge& charge) {
-    const std::size_t hand = parameters_.hands > 1.5 && handFree_[1] < handFree_[0] ? 1 : 0;
+    const std::size_t hand = freeHand();
     const double chosen = now + noisy(motor_.factor() * (parameters_.attention + parameters_.decideNext));
     const SeenPart about = seen(charge, chosen + 0.5);
-    const double width = std::max(kTarget, std::min(about.bounds.width(), about.bounds.height()));
+    const double width = std::max(kTargetMetres, std::min(about.bounds.width(), about.bounds.height()));
     double at = reachHand(chosen, about.centre, width, hand) + motor_.press();
     if (charge.plan.square) at = tapTwice(at, about.centre, width * mmPerMetre_);
     // It is taken by whoever is nearest to its middle, who may stand beside that; the way is drawn as far
@@ -241,10 +244,10 @@ void OperatorModel::draw(double now, Charge& charge) {
         const bool stop = isStop(charge.plan, middle);
         const double pause = stop ? noisy(motor_.factor() * parameters_.decideNext) : 0.0;
         const bool ends = &middle == &charge.plan.way.back();
-        legs.push_back({p, noisy(motor_.draw(mm, ends ? kTarget * mmPerMetre_ : tolerance)), pause});
+        legs.push_back({p, noisy(motor_.draw(mm, ends ? kTargetMetres * mmPerMetre_ : tolerance)), pause});
         last = p;
     }
-    busyUntil_ = hand_.carry(nextPointer_++, at, from, legs, width * mmPerMetre_, kTarget * mmPerMetre_,
+    busyUntil_ = hand_.carry(nextPointer_++, at, from, legs, width * mmPerMetre_, kTargetMetres * mmPerMetre_,
                              script_);
     charge.sentAt = busyUntil_;
     charge.point = charge.plan.way.size();
@@ -267,14 +270,14 @@ void OperatorModel::sweep(double now, Charge& charge) {
     }
     const std::array<Vec2, 2> grips{part.centre + across * (kGripShare * low),
                                     part.centre + across * (kGripShare * high)};
-    const double at = std::max(reachHand(chosen, grips[0], kTarget, 0),
-                               reachHand(chosen, grips[1], kTarget, 1));
+    const double at = std::max(reachHand(chosen, grips[0], kTargetMetres, 0),
+                               reachHand(chosen, grips[1], kTargetMetres, 1));
     const double half = 0.5 * charge.plan.width;
-    const double spread = noisy(motor_.drag(half * mmPerMetre_, kTarget * mmPerMetre_));
+    const double spread = noisy(motor_.drag(half * mmPerMetre_, kTargetMetres * mmPerMetre_));
     std::vector<PathLeg> common;
     Vec2 last = part.centre;
     for (const Vec2 p : charge.plan.way) {
-        const double seconds = noisy(motor_.draw(millimetres(last, p), 2.0 * kTarget * mmPerMetre_));
+        const double seconds = noisy(motor_.draw(millimetres(last, p), 2.0 * kTargetMetres * mmPerMetre_));
         common.push_back({p, seconds, noisy(motor_.factor() * parameters_.decideNext)});
         last = p;
     }
@@ -284,7 +287,7 @@ void OperatorModel::sweep(double now, Charge& charge) {
         std::vector<PathLeg> legs{{part.centre + side, spread, 0.0}};
         for (const PathLeg& leg : common) legs.push_back({leg.to + side, leg.seconds, leg.pause});
         busyUntil_ = hand_.stroke(nextPointer_++, PointerButton::Left, {}, at + (i == 0 ? 0.0 : kTwoFingers),
-                                  grips[i], legs, kTarget * mmPerMetre_, both);
+                                  grips[i], legs, kTargetMetres * mmPerMetre_, both);
         handAt_[i] = legs.back().to;
         handFree_[i] = busyUntil_ + motor_.factor() * motor_.device().handOff;
     }
@@ -310,12 +313,12 @@ void OperatorModel::select(double& at, Charge& charge) {
             const Box box = seen(charge, at + 0.7).bounds.grown(kBoxMargin);
             const Vec2 first{box.min.x, box.max.y};
             const Vec2 second{box.max.x, box.min.y};
-            at = reachHand(at, first, kTarget, 0) + motor_.press();
-            const PathLeg leg{second, noisy(motor_.drag(millimetres(first, second), kTarget * mmPerMetre_)),
-                              0.0};
+            at = reachHand(at, first, kTargetMetres, 0) + motor_.press();
+            const PathLeg leg{
+                second, noisy(motor_.drag(millimetres(first, second), kTargetMetres * mmPerMetre_)), 0.0};
             const bool paper = scheme_.kind == SchemeKind::MousePaper;
             at = hand_.stroke(1, paper ? PointerButton::Right : PointerButton::Left, {}, at, first,
-                              std::span(&leg, 1), kTarget * mmPerMetre_, script_);
+                              std::span(&leg, 1), kTargetMetres * mmPerMetre_, script_);
             handAt_[0] = second;
             if (charge.digit != 0) {
                 at += noisy(motor_.factor() * 2.0 * parameters_.key);

@@ -87,6 +87,7 @@ private:
     std::vector<std::int32_t> sweptBy(const PlannedPart& part, std::span<const std::int32_t> open) const;
     double noisy(double seconds) { return seconds * chance_.gamma(parameters_.noise); }
     double millimetres(Vec2 a, Vec2 b) const { return distance(a, b) * mmPerMetre_; }
+    std::size_t freeHand() const;
     double reachHand(double now, Vec2 to, double width, std::size_t hand);
     double delay() const;
     const SeenScene& scene(double now) const { return memory_.at(now - delay()); }

@@ -213,15 +213,8 @@ PlannedPart Planner::renewed(const SeenPart& part, std::span<const std::int32_t>
         }
     }
     if (!sweeps) return best;
-    for (const double width : kWidths) {
-        if (width > def_.spacing * static_cast<double>(part.ids.size())) continue;
-        for (const Vec2 along : {Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}, Vec2{0, -1}}) {
-            OperatorPlan plan = swept(part, open, along, width);
-            if (plan.seconds >= least || plan.parts[0].way.empty()) continue;
-            least = plan.seconds;
-            best = std::move(plan.parts[0]);
-        }
-    }
+    PlannedPart sweep = bestSweep(part, open, 1.0);
+    if (!sweep.way.empty() && partSeconds(sweep) < least) best = std::move(sweep);
     return best;
 }
 

@@ -108,7 +108,7 @@ private:
     double cutSeconds() const;
     double walkSeconds(const PlannedPart& part) const;
     double foldSeconds(const PlannedPart& part) const;
-    PlannedPart bestSweep(const SeenPart& part, std::span<const std::int32_t> open) const;
+    PlannedPart bestSweep(const SeenPart& part, std::span<const std::int32_t> open, double loosest) const;
     std::optional<PlannedPart> staged(const PlannedPart& sweep, std::span<const std::int32_t> open) const;
     double sweepSeconds(const PlannedPart& part) const;
     Vec2 aimedAt(Vec2 from, Vec2 item, const Sweep& sweep) const;

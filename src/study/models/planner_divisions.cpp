@@ -190,12 +190,14 @@ OperatorPlan Planner::swept(const SeenPart& crowd, std::span<const std::int32_t>
     return plan;
 }
 
-// The sweep of a part that takes least; one without a way where none does.
-PlannedPart Planner::bestSweep(const SeenPart& part, std::span<const std::int32_t> open) const {
+// The sweep of a part that takes least, with at most so many spacings between two; one without a way where
+// there is none.
+PlannedPart Planner::bestSweep(const SeenPart& part, std::span<const std::int32_t> open,
+                               double loosest) const {
     PlannedPart best{part, {}, {}, 0.0, false, {}, 0.0, false, 0.0};
     double least = kInfinite;
     for (const double width : kWidths) {
-        if (width > kLoosest * def_.spacing * static_cast<double>(part.ids.size())) continue;
+        if (width > loosest * def_.spacing * static_cast<double>(part.ids.size())) continue;
         for (const Vec2 along : {Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}, Vec2{0, -1}}) {
             OperatorPlan plan = swept(part, open, along, width);
             if (plan.seconds >= least || plan.parts[0].way.empty()) continue;
@@ -222,7 +224,7 @@ std::optional<PlannedPart> Planner::staged(const PlannedPart& sweep,
     if (beyond.size() + kLeftOver < open.size()) return std::nullopt;
     std::vector<Vec2> there = sweep.part.positions;
     for (Vec2& p : there) p += stage - sweep.part.centre;
-    const PlannedPart rest = bestSweep(seenPart(sweep.part.ids, there), beyond);
+    const PlannedPart rest = bestSweep(seenPart(sweep.part.ids, there), beyond, kLoosest);
     if (rest.way.empty()) return std::nullopt;
     planned.later = motor_->factor() * def_.parameters.decide + kLaterShare * partSeconds(rest) +
                     callSeconds() * static_cast<double>(open.size() - beyond.size());
@@ -243,7 +245,7 @@ OperatorPlan Planner::parted(const SeenPart& crowd, std::span<const std::int32_t
         for (const std::int32_t i : open)
             if ((dot(tours_->items()[i], apart) > line) == (side == 1)) own.push_back(i);
         if (own.empty()) return {{}, {}, kInfinite, {}};
-        PlannedPart best = bestSweep(plan.parts[side].part, own);
+        PlannedPart best = bestSweep(plan.parts[side].part, own, kLoosest);
         if (best.way.empty()) return {{}, {}, kInfinite, {}};
         if (const auto other = staged(best, own); other && partSeconds(*other) < partSeconds(best))
             best = *other;

@@ -8,14 +8,11 @@
 namespace muster {
 namespace {
 
-constexpr double kSwathShare = 0.8;    // Of the width of a part, which one counts on.
-constexpr double kNarrow = 0.3;        // A front folds where it finds less of its width.
-constexpr double kFrontShare = 0.75;   // Of a walker's speed, which a wide front makes.
-constexpr double kThinShare = 0.6;     // The same for one of a single rank: it bends more, and misses more.
-constexpr double kRanks = 1.3;         // A front is thin that has fewer.
-constexpr double kTapSeconds = 0.05;   // A finger is down for a tap [s].
-constexpr double kBetweenTaps = 0.15;  // Between two taps on one spot [s].
-constexpr double kTakenMargin = 0.55;  // They are encircled so far off [m].
+constexpr double kSwathShare = 0.8;   // Of the width of a part, which one counts on.
+constexpr double kFrontShare = 0.75;  // Of a walker's speed, which a wide front makes.
+constexpr double kThinShare = 0.6;    // The same for one of a single rank: it bends more, and misses more.
+constexpr double kRanks = 1.3;        // A front is thin that has fewer.
+constexpr double kTapSeconds = 0.05;  // A finger is down for a tap [s].
 
 double wayLength(Vec2 from, std::span<const Vec2> way) {
     double sum = 0.0;
@@ -113,8 +110,8 @@ double Planner::foldSeconds(const PlannedPart& planned) const {
     double most = 0.0;
     Vec2 at = planned.part.centre;
     for (const Vec2 to : planned.way) {
-        const double left = tours_->ground().narrowest(at, to, planned.width).least;
-        if (left < kNarrow * planned.width) most = std::max(most, planned.width - left);
+        const SeenGround::Narrow narrow = tours_->ground().narrowest(at, to, planned.width);
+        if (narrow.end > 0.0) most = std::max(most, planned.width - narrow.least);
         at = to;
     }
     return most / def_.speed;

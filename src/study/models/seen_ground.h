@@ -21,7 +21,7 @@ public:
     /// What a front of this width finds on its way from `a` to `b`.
     struct Narrow {
         double least = 0.0;  ///< How wide the way is where it is narrowest [m].
-        double end = 0.0;    ///< How far from `a` it is narrow for the last time [m].
+        double end = 0.0;    ///< How far from `a` it is narrow for the last time, above 0; 0 for never [m].
     };
     /// Looks along the way of a front.
     Narrow narrowest(Vec2 a, Vec2 b, double width) const;

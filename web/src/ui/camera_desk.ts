@@ -1,6 +1,6 @@
 // What panels and keys ask of the camera: to fit, to follow, to look from above, and to come back to saved views.
 
-import type { CameraPose, HandMoves, Padding } from '../scene/camera/camera_controls';
+import { isPose, type CameraPose, type HandMoves, type Padding } from '../scene/camera/camera_controls';
 import { crowdOutline, kSpanLeast } from '../scene/camera/bounds_builder';
 import type { StudioScene } from '../scene/studio_scene';
 import type { StudioFrame } from '../model/studio_frame';
@@ -245,10 +245,4 @@ export function arrowAt(
 
 function isInside({ x, y }: ScreenPoint, width: number, height: number): boolean {
   return x > 0 && y > 0 && x < width && y < height;
-}
-
-function isPose(value: unknown): value is CameraPose {
-  if (typeof value !== 'object' || value === null) return false;
-  const pose = value as Record<string, unknown>;
-  return ['targetX', 'targetY', 'distance', 'turn', 'pitch'].every((key) => Number.isFinite(pose[key]));
 }

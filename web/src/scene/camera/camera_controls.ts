@@ -36,6 +36,13 @@ export interface CameraPose {
   pitch: number;
 }
 
+/** True for a pose, as it may be kept in a browser. */
+export function isPose(value: unknown): value is CameraPose {
+  if (typeof value !== 'object' || value === null) return false;
+  const pose = value as Record<string, unknown>;
+  return ['targetX', 'targetY', 'distance', 'turn', 'pitch'].every((key) => Number.isFinite(pose[key]));
+}
+
 /** What gestures and keys do with the camera. */
 export interface HandMoves {
   /** Keeps the ground under a finger that moved. */

@@ -1,6 +1,6 @@
 // The camera of a film: key frames along a take, between which it moves with ease.
 
-import type { CameraPose } from './camera_controls';
+import { isPose, type CameraPose } from './camera_controls';
 
 export interface CameraKey {
   /** Of the take. */
@@ -51,14 +51,8 @@ export function withoutKey(keys: readonly CameraKey[], step: number): CameraKey[
 }
 
 function isKey(value: unknown): value is CameraKey {
-  const { step, pose } = (value ?? {}) as { step?: unknown; pose?: Record<string, unknown> };
-  const numbers = ['targetX', 'targetY', 'distance', 'turn', 'pitch'].map((name) => pose?.[name]);
-  return (
-    Number.isInteger(step) &&
-    (step as number) >= 0 &&
-    numbers.every(Number.isFinite) &&
-    (pose!['distance'] as number) > 0
-  );
+  const { step, pose } = (value ?? {}) as { step?: unknown; pose?: unknown };
+  return Number.isInteger(step) && (step as number) >= 0 && isPose(pose) && pose.distance > 0;
 }
 
 /** Keys from what a browser has kept; what is none is left out. */
