@@ -134,6 +134,8 @@ std::optional<protocol::Overlay> buildOverlay(const World& world, protocol::Over
             return std::nullopt;
         case protocol::OverlayKind::Cost:
             return costOverlay(world, character);
+        case protocol::OverlayKind::Reach:
+            return std::nullopt;
         case protocol::OverlayKind::Field: {
             const Environment& environment = inspect::environment(world);
             fill(overlay, overlayGrid(environment.grid(), environment.grid().box()),

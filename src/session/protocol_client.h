@@ -178,7 +178,7 @@ struct SetOverlay {
     template <class Archive>
     void visit(Archive& archive) {
         archive(kind, character);
-        checkEnum(archive, kind, 4);
+        checkEnum(archive, kind, 5);
     }
 };
 
@@ -374,9 +374,35 @@ struct AnswerForm {
     }
 };
 
+/// A change of the place that is being made, in the words of gesture files, which its director can undo.
+struct Edit {
+    static constexpr std::uint8_t kNumber = 28;  ///< First byte of the message.
+    std::string label;  ///< what was done, for the undo: 'Move wall'; at most 80 bytes
+    std::uint32_t gesture = 0;  ///< edits of one director in a row with the same number are undone together; 0: alone
+    std::string events;  ///< as in Commands; each thing at most once
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(label, gesture, events);
+    }
+};
+
+/// Takes back the sender's last change of the place, or makes it again, by commands at the present step.
+struct UndoEdit {
+    static constexpr std::uint8_t kNumber = 29;  ///< First byte of the message.
+    bool redo = false;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(redo);
+    }
+};
+
 /// What a person wants in a run of the study.
 struct DoInStudy {
-    static constexpr std::uint8_t kNumber = 28;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 30;  ///< First byte of the message.
     StudyAct act = StudyAct::Start;
 
     /// Lets an archive read or write the fields.
@@ -392,6 +418,6 @@ using ClientMessage = std::variant<
     Hello, Touches, AddControl, PinControl, RemoveControl, SetFormation, SetCount, SetParameter,
     Playback, SetSpeed, LoadScenario, Record, SetOverlay, Commands, Attend, FrameAck, Ping, Seek,
     TakeAgain, EditTake, AskForecasts, SetName, GiveGroup, SetScheme, SetView, Inputs, EnterStudy,
-    AnswerForm, DoInStudy>;
+    AnswerForm, Edit, UndoEdit, DoInStudy>;
 
 }  // namespace muster::protocol

@@ -8,8 +8,8 @@
 
 namespace muster::protocol {
 
-inline constexpr std::uint32_t kVersion = 8;                 ///< Raised by any change of a message.
-inline constexpr const char* kSubprotocol = "muster.v8";  ///< Of the WebSocket.
+inline constexpr std::uint32_t kVersion = 9;                 ///< Raised by any change of a message.
+inline constexpr const char* kSubprotocol = "muster.v9";  ///< Of the WebSocket.
 
 /// Marks the input as bad where an enumeration read from it has no such value.
 template <class Archive, class Enum>
@@ -26,7 +26,7 @@ enum class ControlKind : std::uint8_t { Point, Line, Area };
 /// Values of a field, as one byte.
 enum class PlaybackAction : std::uint8_t { Play, Pause, SingleStep, Restart, Demonstrate };
 /// Values of a field, as one byte.
-enum class OverlayKind : std::uint8_t { None, Field, Cost, Density };
+enum class OverlayKind : std::uint8_t { None, Field, Cost, Density, Reach };
 /// Values of a field, as one byte.
 enum class MovingKind : std::uint8_t { Obstacle, Patch };
 /// Values of a field, as one byte.

@@ -300,6 +300,9 @@ public:
         return {};
     }
 
+    Status operator()(const protocol::Edit&) { return {StatusCode::Unsupported, "no place is being made"}; }
+    Status operator()(const protocol::UndoEdit&) { return {StatusCode::Unsupported, "no place is being made"}; }
+
     Status operator()(const protocol::EnterStudy&) { return noStudy(); }
     Status operator()(const protocol::AnswerForm&) { return noStudy(); }
     Status operator()(const protocol::DoInStudy&) { return noStudy(); }

@@ -286,7 +286,7 @@ export interface SetOverlay {
 export function readSetOverlay(r: ByteReader): SetOverlay {
   return {
     type: 'SetOverlay',
-    kind: r.choice(4) as OverlayKind,
+    kind: r.choice(5) as OverlayKind,
     character: r.u32(),
   };
 }
@@ -617,6 +617,51 @@ export function writeAnswerForm(w: ByteWriter, m: AnswerForm): void {
   w.list(m.answers, writeAnswerFrame);
 }
 
+/** A change of the place that is being made, in the words of gesture files, which its director can undo. */
+export interface Edit {
+  type: 'Edit';
+  /** what was done, for the undo: 'Move wall'; at most 80 bytes */
+  label: string;
+  /** edits of one director in a row with the same number are undone together; 0: alone */
+  gesture: number;
+  /** as in Commands; each thing at most once */
+  events: string;
+}
+
+export function readEdit(r: ByteReader): Edit {
+  return {
+    type: 'Edit',
+    label: r.string(),
+    gesture: r.u32(),
+    events: r.string(),
+  };
+}
+
+export function writeEdit(w: ByteWriter, m: Edit): void {
+  w.u8(28);
+  w.string(m.label);
+  w.u32(m.gesture);
+  w.string(m.events);
+}
+
+/** Takes back the sender's last change of the place, or makes it again, by commands at the present step. */
+export interface UndoEdit {
+  type: 'UndoEdit';
+  redo: boolean;
+}
+
+export function readUndoEdit(r: ByteReader): UndoEdit {
+  return {
+    type: 'UndoEdit',
+    redo: r.bool(),
+  };
+}
+
+export function writeUndoEdit(w: ByteWriter, m: UndoEdit): void {
+  w.u8(29);
+  w.bool(m.redo);
+}
+
 /** What a person wants in a run of the study. */
 export interface DoInStudy {
   type: 'DoInStudy';
@@ -631,6 +676,6 @@ export function readDoInStudy(r: ByteReader): DoInStudy {
 }
 
 export function writeDoInStudy(w: ByteWriter, m: DoInStudy): void {
-  w.u8(28);
+  w.u8(30);
   w.u8(m.act);
 }

@@ -7,6 +7,7 @@ import {
   type Attend,
   type Commands,
   type DoInStudy,
+  type Edit,
   type EditTake,
   type EnterStudy,
   type FrameAck,
@@ -23,6 +24,7 @@ import {
   readAttend,
   readCommands,
   readDoInStudy,
+  readEdit,
   readEditTake,
   readEnterStudy,
   readFrameAck,
@@ -46,6 +48,7 @@ import {
   readSetView,
   readTakeAgain,
   readTouches,
+  readUndoEdit,
   type Record,
   type RemoveControl,
   type Seek,
@@ -59,12 +62,14 @@ import {
   type SetView,
   type TakeAgain,
   type Touches,
+  type UndoEdit,
   writeAddControl,
   writeAnswerForm,
   writeAskForecasts,
   writeAttend,
   writeCommands,
   writeDoInStudy,
+  writeEdit,
   writeEditTake,
   writeEnterStudy,
   writeFrameAck,
@@ -88,9 +93,11 @@ import {
   writeSetView,
   writeTakeAgain,
   writeTouches,
+  writeUndoEdit,
 } from './client_messages';
 import {
   type Directors,
+  type EditHistory,
   type Forecasts,
   type Frame,
   type GroupMesh,
@@ -100,6 +107,7 @@ import {
   type Overlay,
   type Pong,
   readDirectors,
+  readEditHistory,
   readForecasts,
   readFrame,
   readGroupMesh,
@@ -123,6 +131,7 @@ import {
   type TakeState,
   type Welcome,
   writeDirectors,
+  writeEditHistory,
   writeForecasts,
   writeFrame,
   writeGroupMesh,
@@ -174,6 +183,8 @@ export type ClientMessage =
   | Inputs
   | EnterStudy
   | AnswerForm
+  | Edit
+  | UndoEdit
   | DoInStudy;
 
 const readClient: readonly ((r: ByteReader) => ClientMessage)[] = [
@@ -205,6 +216,8 @@ const readClient: readonly ((r: ByteReader) => ClientMessage)[] = [
   readInputs,
   readEnterStudy,
   readAnswerForm,
+  readEdit,
+  readUndoEdit,
   readDoInStudy,
 ];
 
@@ -304,6 +317,12 @@ export function encodeClient(message: ClientMessage): ArrayBuffer {
     case 'AnswerForm':
       writeAnswerForm(w, message);
       break;
+    case 'Edit':
+      writeEdit(w, message);
+      break;
+    case 'UndoEdit':
+      writeUndoEdit(w, message);
+      break;
     case 'DoInStudy':
       writeDoInStudy(w, message);
       break;
@@ -320,6 +339,7 @@ export type ServerMessage =
   | Overlay
   | Notice
   | Pong
+  | EditHistory
   | Forecasts
   | TakeState
   | TakeReady
@@ -338,6 +358,7 @@ const readServer: readonly ((r: ByteReader) => ServerMessage)[] = [
   readOverlay,
   readNotice,
   readPong,
+  readEditHistory,
   readForecasts,
   readTakeState,
   readTakeReady,
@@ -383,6 +404,9 @@ export function encodeServer(message: ServerMessage): ArrayBuffer {
       break;
     case 'Pong':
       writePong(w, message);
+      break;
+    case 'EditHistory':
+      writeEditHistory(w, message);
       break;
     case 'Forecasts':
       writeForecasts(w, message);

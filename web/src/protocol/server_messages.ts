@@ -276,12 +276,14 @@ export interface Overlay {
   straight: number;
   /** x, y from the character to its place */
   path: Float32Array;
+  /** for Reach: x, y and width [m] of each gap between obstacles that is too narrow for anybody */
+  gaps: Float32Array;
 }
 
 export function readOverlay(r: ByteReader): Overlay {
   return {
     type: 'Overlay',
-    kind: r.choice(4) as OverlayKind,
+    kind: r.choice(5) as OverlayKind,
     character: r.u32(),
     x: r.f32(),
     y: r.f32(),
@@ -293,6 +295,7 @@ export function readOverlay(r: ByteReader): Overlay {
     way: r.f32(),
     straight: r.f32(),
     path: r.f32s(),
+    gaps: r.f32s(),
   };
 }
 
@@ -310,6 +313,7 @@ export function writeOverlay(w: ByteWriter, m: Overlay): void {
   w.f32(m.way);
   w.f32(m.straight);
   w.f32s(m.path);
+  w.f32s(m.gaps);
 }
 
 /** Something to tell the person. */
@@ -366,6 +370,39 @@ export function writePong(w: ByteWriter, m: Pong): void {
   w.f64(m.time);
 }
 
+/** What the client can undo and redo; whenever it changes. */
+export interface EditHistory {
+  type: 'EditHistory';
+  /** steps that can be taken back */
+  undo: number;
+  /** of the first of them */
+  undoLabel: string;
+  redo: number;
+  redoLabel: string;
+  /** the place differs from what was opened */
+  edited: boolean;
+}
+
+export function readEditHistory(r: ByteReader): EditHistory {
+  return {
+    type: 'EditHistory',
+    undo: r.u32(),
+    undoLabel: r.string(),
+    redo: r.u32(),
+    redoLabel: r.string(),
+    edited: r.bool(),
+  };
+}
+
+export function writeEditHistory(w: ByteWriter, m: EditHistory): void {
+  w.u8(8);
+  w.u32(m.undo);
+  w.string(m.undoLabel);
+  w.u32(m.redo);
+  w.string(m.redoLabel);
+  w.bool(m.edited);
+}
+
 /** The answers, as far as group and order are still there. */
 export interface Forecasts {
   type: 'Forecasts';
@@ -382,7 +419,7 @@ export function readForecasts(r: ByteReader): Forecasts {
 }
 
 export function writeForecasts(w: ByteWriter, m: Forecasts): void {
-  w.u8(8);
+  w.u8(9);
   w.u32(m.number);
   w.list(m.answers, writeForecastFrame);
 }
@@ -422,7 +459,7 @@ export function readTakeState(r: ByteReader): TakeState {
 }
 
 export function writeTakeState(w: ByteWriter, m: TakeState): void {
-  w.u8(9);
+  w.u8(10);
   w.bool(m.open);
   w.string(m.name);
   w.string(m.title);
@@ -449,7 +486,7 @@ export function readTakeReady(r: ByteReader): TakeReady {
 }
 
 export function writeTakeReady(w: ByteWriter, m: TakeReady): void {
-  w.u8(10);
+  w.u8(11);
   w.u32(m.steps);
 }
 
@@ -473,7 +510,7 @@ export function readTakeKept(r: ByteReader): TakeKept {
 }
 
 export function writeTakeKept(w: ByteWriter, m: TakeKept): void {
-  w.u8(11);
+  w.u8(12);
   w.string(m.name);
   w.f64(m.seconds);
   w.string(m.scenario);
@@ -493,7 +530,7 @@ export function readDirectors(r: ByteReader): Directors {
 }
 
 export function writeDirectors(w: ByteWriter, m: Directors): void {
-  w.u8(12);
+  w.u8(13);
   w.list(m.directors, writeDirectorFrame);
 }
 
@@ -530,7 +567,7 @@ export function readMarks(r: ByteReader): Marks {
 }
 
 export function writeMarks(w: ByteWriter, m: Marks): void {
-  w.u8(13);
+  w.u8(14);
   w.string(m.scheme);
   w.u32s(m.selected);
   w.f32s(m.rectangle);
@@ -566,7 +603,7 @@ export function readStudyForm(r: ByteReader): StudyForm {
 }
 
 export function writeStudyForm(w: ByteWriter, m: StudyForm): void {
-  w.u8(14);
+  w.u8(15);
   w.string(m.instrument);
   w.string(m.title);
   w.string(m.text);
@@ -641,7 +678,7 @@ export function readStudyState(r: ByteReader): StudyState {
 }
 
 export function writeStudyState(w: ByteWriter, m: StudyState): void {
-  w.u8(15);
+  w.u8(16);
   w.u8(m.stage);
   w.string(m.token);
   w.u32(m.run);
