@@ -225,7 +225,7 @@ TEST_CASE("an unedited scenario is saved as it was") {
 
 TEST_CASE("a map stays a map while nothing of it is changed") {
     Session session = startedSession();
-    const char* text = R"({"format":"muster-scenario","version":1,"box":{"min":[0,0],"max":[16,16]},
+    const char* text = R"({"format":"muster-scenario","version":1,"box":[[0,0],[16,16]],
         "groups":[{"count":4,"position":[3,3]}],
         "map":{"rows":["........","........","....@@..","....@@..","........","........","........","........"],"metresPerCell":2}})";
     const Status opened = session.openScenario("small map", text);
