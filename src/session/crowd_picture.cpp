@@ -22,7 +22,7 @@ struct Bounds {
     double span() const { return std::max(max.x - min.x, max.y - min.y); }
 };
 
-Bounds boundsOf(std::span<const Vec2> positions) {
+Bounds boundsOfPositions(std::span<const Vec2> positions) {
     if (positions.empty()) return {};
     Bounds bounds{positions.front(), positions.front()};
     for (const Vec2 p : positions) {
@@ -39,7 +39,7 @@ std::uint16_t number(double metres, double quantum) {
 }  // namespace
 
 void PlaceLattice::cover(std::span<const Vec2> positions) {
-    const Bounds bounds = boundsOf(positions);
+    const Bounds bounds = boundsOfPositions(positions);
     double needed = positions.size() > kFineCrowd ? kFinestLarge : kFinest;
     while (bounds.span() > needed * kSteps * kUsedShare) needed *= 2.0;
     const double reach = quantum_ * kSteps;

@@ -11,11 +11,12 @@ constexpr const char* kClientNames[] = {
     "Hello", "Touches", "AddControl", "PinControl", "RemoveControl", "SetFormation", "SetCount",
     "SetParameter", "Playback", "SetSpeed", "LoadScenario", "Record", "SetOverlay", "Commands",
     "Attend", "FrameAck", "Ping", "Seek", "TakeAgain", "EditTake", "AskForecasts", "SetName",
-    "GiveGroup", "SetScheme", "SetView", "Inputs", "EnterStudy", "AnswerForm", "Edit", "UndoEdit",
-    "DoInStudy"};
+    "GiveGroup", "SetScheme", "SetView", "Inputs", "EnterStudy", "AnswerForm", "AskPath", "BendPath",
+    "Edit", "UndoEdit", "DoInStudy"};
 constexpr const char* kServerNames[] = {
-    "Welcome", "Scene", "Motions", "GroupMesh", "Frame", "Overlay", "Notice", "Pong", "EditHistory",
-    "Forecasts", "TakeState", "TakeReady", "TakeKept", "Directors", "Marks", "StudyForm", "StudyState"};
+    "Welcome", "Scene", "Motions", "GroupMesh", "Frame", "Overlay", "Notice", "Pong", "TakePath",
+    "EditHistory", "Forecasts", "TakeState", "TakeReady", "TakeKept", "Directors", "Marks",
+    "StudyForm", "StudyState"};
 
 template <class Any, class Message>
 Result<Any> decodeAs(std::span<const std::uint8_t> bytes) {
@@ -75,9 +76,11 @@ Result<ClientMessage> decodeClient(std::span<const std::uint8_t> bytes) {
         case 25: return decodeAs<Any, Inputs>(bytes);
         case 26: return decodeAs<Any, EnterStudy>(bytes);
         case 27: return decodeAs<Any, AnswerForm>(bytes);
-        case 28: return decodeAs<Any, Edit>(bytes);
-        case 29: return decodeAs<Any, UndoEdit>(bytes);
-        case 30: return decodeAs<Any, DoInStudy>(bytes);
+        case 28: return decodeAs<Any, AskPath>(bytes);
+        case 29: return decodeAs<Any, BendPath>(bytes);
+        case 30: return decodeAs<Any, Edit>(bytes);
+        case 31: return decodeAs<Any, UndoEdit>(bytes);
+        case 32: return decodeAs<Any, DoInStudy>(bytes);
         default: return unknown(bytes, std::size(kClientNames));
     }
 }
@@ -93,15 +96,16 @@ Result<ServerMessage> decodeServer(std::span<const std::uint8_t> bytes) {
         case 5: return decodeAs<Any, Overlay>(bytes);
         case 6: return decodeAs<Any, Notice>(bytes);
         case 7: return decodeAs<Any, Pong>(bytes);
-        case 8: return decodeAs<Any, EditHistory>(bytes);
-        case 9: return decodeAs<Any, Forecasts>(bytes);
-        case 10: return decodeAs<Any, TakeState>(bytes);
-        case 11: return decodeAs<Any, TakeReady>(bytes);
-        case 12: return decodeAs<Any, TakeKept>(bytes);
-        case 13: return decodeAs<Any, Directors>(bytes);
-        case 14: return decodeAs<Any, Marks>(bytes);
-        case 15: return decodeAs<Any, StudyForm>(bytes);
-        case 16: return decodeAs<Any, StudyState>(bytes);
+        case 8: return decodeAs<Any, TakePath>(bytes);
+        case 9: return decodeAs<Any, EditHistory>(bytes);
+        case 10: return decodeAs<Any, Forecasts>(bytes);
+        case 11: return decodeAs<Any, TakeState>(bytes);
+        case 12: return decodeAs<Any, TakeReady>(bytes);
+        case 13: return decodeAs<Any, TakeKept>(bytes);
+        case 14: return decodeAs<Any, Directors>(bytes);
+        case 15: return decodeAs<Any, Marks>(bytes);
+        case 16: return decodeAs<Any, StudyForm>(bytes);
+        case 17: return decodeAs<Any, StudyState>(bytes);
         default: return unknown(bytes, std::size(kServerNames));
     }
 }

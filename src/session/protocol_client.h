@@ -374,9 +374,39 @@ struct AnswerForm {
     }
 };
 
+/// Where a group or a character goes in the open take.
+struct AskPath {
+    static constexpr std::uint8_t kNumber = 28;  ///< First byte of the message.
+    std::uint32_t group = 0;  ///< id
+    std::uint32_t character = 0;  ///< id; 0: the group as a whole
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(group, character);
+    }
+};
+
+/// Moves that path, and simulates everything again as another take, which opens.
+struct BendPath {
+    static constexpr std::uint8_t kNumber = 29;  ///< First byte of the message.
+    std::uint32_t group = 0;
+    std::uint32_t character = 0;
+    std::uint32_t step = 0;  ///< where the path is taken hold of
+    double dx = 0.0;  ///< how far it is moved there [m]
+    double dy = 0.0;
+    double seconds = 0.0;  ///< so long before and after it moves along, ever less: 0.5 to 60
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(group, character, step, dx, dy, seconds);
+    }
+};
+
 /// A change of the place that is being made, in the words of gesture files, which its director can undo.
 struct Edit {
-    static constexpr std::uint8_t kNumber = 28;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 30;  ///< First byte of the message.
     std::string label;  ///< what was done, for the undo: 'Move wall'; at most 80 bytes
     std::uint32_t gesture = 0;  ///< edits of one director in a row with the same number are undone together; 0: alone
     std::string events;  ///< as in Commands; each thing at most once
@@ -390,7 +420,7 @@ struct Edit {
 
 /// Takes back the sender's last change of the place, or makes it again, by commands at the present step.
 struct UndoEdit {
-    static constexpr std::uint8_t kNumber = 29;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 31;  ///< First byte of the message.
     bool redo = false;
 
     /// Lets an archive read or write the fields.
@@ -402,7 +432,7 @@ struct UndoEdit {
 
 /// What a person wants in a run of the study.
 struct DoInStudy {
-    static constexpr std::uint8_t kNumber = 30;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 32;  ///< First byte of the message.
     StudyAct act = StudyAct::Start;
 
     /// Lets an archive read or write the fields.
@@ -418,6 +448,6 @@ using ClientMessage = std::variant<
     Hello, Touches, AddControl, PinControl, RemoveControl, SetFormation, SetCount, SetParameter,
     Playback, SetSpeed, LoadScenario, Record, SetOverlay, Commands, Attend, FrameAck, Ping, Seek,
     TakeAgain, EditTake, AskForecasts, SetName, GiveGroup, SetScheme, SetView, Inputs, EnterStudy,
-    AnswerForm, Edit, UndoEdit, DoInStudy>;
+    AnswerForm, AskPath, BendPath, Edit, UndoEdit, DoInStudy>;
 
 }  // namespace muster::protocol

@@ -163,9 +163,24 @@ struct Pong {
     }
 };
 
+/// The path that was asked for, as soon as the take has been read.
+struct TakePath {
+    static constexpr std::uint8_t kNumber = 8;  ///< First byte of the message.
+    std::uint32_t group = 0;
+    std::uint32_t character = 0;
+    std::uint32_t spacing = 0;  ///< steps from one point to the next
+    std::vector<float> points;  ///< x, y from the beginning of the take [m]; the last one stands for what follows
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(group, character, spacing, points);
+    }
+};
+
 /// What the client can undo and redo; whenever it changes.
 struct EditHistory {
-    static constexpr std::uint8_t kNumber = 8;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 9;  ///< First byte of the message.
     std::uint32_t undo = 0;  ///< steps that can be taken back
     std::string undoLabel;  ///< of the first of them
     std::uint32_t redo = 0;
@@ -181,7 +196,7 @@ struct EditHistory {
 
 /// The answers, as far as group and order are still there.
 struct Forecasts {
-    static constexpr std::uint8_t kNumber = 9;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 10;  ///< First byte of the message.
     std::uint32_t number = 0;
     std::vector<ForecastFrame> answers;
 
@@ -194,7 +209,7 @@ struct Forecasts {
 
 /// The open take; again whenever it changes, and once with open 0 when it is left.
 struct TakeState {
-    static constexpr std::uint8_t kNumber = 10;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 11;  ///< First byte of the message.
     bool open = false;
     std::string name;  ///< of its file on the shelf; empty: it lies elsewhere
     std::string title;
@@ -215,7 +230,7 @@ struct TakeState {
 
 /// How far the open take has been read: seeks up to there are quick.
 struct TakeReady {
-    static constexpr std::uint8_t kNumber = 11;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 12;  ///< First byte of the message.
     std::uint32_t steps = 0;
 
     /// Lets an archive read or write the fields.
@@ -227,7 +242,7 @@ struct TakeReady {
 
 /// A recording has ended and is kept.
 struct TakeKept {
-    static constexpr std::uint8_t kNumber = 12;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 13;  ///< First byte of the message.
     std::string name;  ///< of its file on the shelf; empty: kept in memory only
     double seconds = 0.0;
     std::string scenario;  ///< its title
@@ -241,7 +256,7 @@ struct TakeKept {
 
 /// Everybody who is connected, in the order in which they came; again whenever that changes.
 struct Directors {
-    static constexpr std::uint8_t kNumber = 13;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 14;  ///< First byte of the message.
     std::vector<DirectorFrame> directors;
 
     /// Lets an archive read or write the fields.
@@ -253,7 +268,7 @@ struct Directors {
 
 /// What a control scheme shows of what is being done; whenever it changes.
 struct Marks {
-    static constexpr std::uint8_t kNumber = 14;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 15;  ///< First byte of the message.
     std::string scheme;  ///< empty: the page judges inputs itself
     std::vector<std::uint32_t> selected;  ///< ids of characters, ascending
     std::vector<float> rectangle;  ///< x, y: the box that is being drawn [m]
@@ -271,7 +286,7 @@ struct Marks {
 
 /// The form that waits.
 struct StudyForm {
-    static constexpr std::uint8_t kNumber = 15;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 16;  ///< First byte of the message.
     std::string instrument;
     std::string title;
     std::string text;
@@ -288,7 +303,7 @@ struct StudyForm {
 
 /// Where a run of the study stands; whenever it changes.
 struct StudyState {
-    static constexpr std::uint8_t kNumber = 16;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 17;  ///< First byte of the message.
     StudyStage stage = StudyStage::Form;
     std::string token;  ///< by which a page goes on with the run
     std::uint32_t run = 0;  ///< its number in the database; 0 before consent
@@ -324,7 +339,7 @@ struct StudyState {
 
 /// Any message of the server; the index is its number.
 using ServerMessage = std::variant<
-    Welcome, Scene, Motions, GroupMesh, Frame, Overlay, Notice, Pong, EditHistory, Forecasts,
+    Welcome, Scene, Motions, GroupMesh, Frame, Overlay, Notice, Pong, TakePath, EditHistory, Forecasts,
     TakeState, TakeReady, TakeKept, Directors, Marks, StudyForm, StudyState>;
 
 }  // namespace muster::protocol

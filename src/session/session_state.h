@@ -45,6 +45,7 @@ struct SessionClient {
     std::uint32_t sentTake = 0;                ///< Revision of the last TakeState sent; 0 for none.
     std::uint32_t sentReady = 0;               ///< Steps in the last TakeReady sent.
     double readyDue = 0.0;                     ///< Real time at which the next TakeReady is due [s].
+    std::optional<protocol::AskPath> path;     ///< The path of the take that it waits for.
     std::uint32_t sentDirectors = 0;           ///< Revision of the directors sent; 0 for none.
     std::uint32_t sentHistory = 0;             ///< Revision of the edits that the last EditHistory told.
     double frameDue = 0.0;                     ///< Real time when the next frame is due while playing [s].
@@ -109,6 +110,12 @@ struct Session::Impl {
     Status editTake(const protocol::EditTake& message);
     void touchTake() { ++takeRevision, touchState(); }
     void sendTake(SessionClient& client);
+
+    // Paths of the open take (session_paths.cpp).
+    Status askPath(SessionClient& client, const protocol::AskPath& message);
+    Status changePath(const protocol::BendPath& message);
+    void sendPath(SessionClient& client);
+    void keepChanged();
 
     // Clients (session_clients.cpp).
     void greet(SessionClient& client, const std::string& called);

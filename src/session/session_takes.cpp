@@ -30,7 +30,7 @@ Status Session::openTake(std::span<const std::uint8_t> bytes, const std::string&
     auto read = parseTake(bytes, sourceName);
     if (!read.ok()) return read.status();
     if (read->steps() == 0) return invalidArgument(sourceName + ": holds no step to replay");
-    const auto take = std::make_shared<const Take>(std::move(read).value());
+    const auto take = std::make_shared<Take>(std::move(read).value());
     auto player = std::make_unique<TakePlayer>(take, fileName);
     if (Status s = impl_->begin(take->def.name, take->def, std::move(player)); !s.ok()) return s;
     impl_->takenBytes.assign(bytes.begin(), bytes.end() - static_cast<std::ptrdiff_t>(take->tornBytes));
@@ -190,6 +190,7 @@ bool Session::preparing() const {
 
 void Session::prepare() {
     if (preparing()) impl_->player->prepare(impl_->motion);
+    if (impl_->player && impl_->player->marked()) impl_->keepChanged();
 }
 
 Status Session::Impl::editTake(const protocol::EditTake& message) {
@@ -215,6 +216,7 @@ void Session::Impl::sendTake(SessionClient& client) {
         client.sentTake = takeRevision;
         client.sentReady = 0;
     }
+    sendPath(client);
     if (!player || client.sentReady == player->ready() || realTime < client.readyDue) return;
     client.sentReady = player->ready();
     client.readyDue = realTime + kReadySpacing;

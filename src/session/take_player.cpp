@@ -17,13 +17,30 @@ std::uint32_t stepsPerSecond(const Take& take) {
 
 }  // namespace
 
-TakePlayer::TakePlayer(std::shared_ptr<const Take> take, std::string fileName)
+TakePlayer::TakePlayer(std::shared_ptr<Take> take, std::string fileName)
     : take_(std::move(take)),
       fileName_(std::move(fileName)),
       about_(take_->about),
       replayer_(*take_),
       moments_(stepsPerSecond(*take_), kMomentBytes),
+      paths_(*take_),
       marks_(takeMarks(*take_)) {}
+
+std::unique_ptr<TakePlayer> TakePlayer::marking(std::shared_ptr<Take> take) {
+    auto player = std::make_unique<TakePlayer>(std::move(take), "");
+    player->marking_ = true;
+    player->replayer_ = Replayer::marking(*player->take_);
+    return player;
+}
+
+void TakePlayer::kept(std::string fileName) {
+    marking_ = false;
+    fileName_ = std::move(fileName);
+    // From now on the hashes are compared.
+    const Replayer::Cursor cursor = replayer_.cursor();
+    replayer_ = Replayer(*take_);
+    replayer_.goTo(cursor);
+}
 
 void TakePlayer::edit(TakeAbout about, bool loop) {
     about_ = std::move(about);
@@ -33,6 +50,7 @@ void TakePlayer::edit(TakeAbout about, bool loop) {
 Status TakePlayer::step(World& world, const std::function<void()>& stepped) {
     Status status = replayer_.submit(world);
     world.step();
+    paths_.observe(world);
     stepped();
     if (status.ok()) status = replayer_.compare(world);
     return status;
@@ -66,7 +84,8 @@ void TakePlayer::beginScout(const MotionFrames& motion) {
         scouted_ = true;
         return;
     }
-    scout_ = std::make_unique<Scout>(Scout{std::move(world).value(), Replayer(*take_),
+    scout_ = std::make_unique<Scout>(Scout{std::move(world).value(),
+                                           marking_ ? Replayer::marking(*take_) : Replayer(*take_),
                                            CrowdMotion(motion.library(), {motion.tracksAll(take_->def)})});
     scout_->motion.update(scout_->world);
 }
@@ -85,6 +104,7 @@ void TakePlayer::prepare(const MotionFrames& motion) {
     if (!scouted_ && !scout.replayer.atEnd(scout.world)) {
         Status status = scout.replayer.submit(scout.world);
         scout.world.step();
+        paths_.observe(scout.world);
         scout.motion.update(scout.world);
         if (status.ok()) status = scout.replayer.compare(scout.world);
         const std::uint32_t step = scout.world.stepCount();

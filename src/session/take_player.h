@@ -11,6 +11,7 @@
 #include "session/motion_frames.h"
 #include "session/protocol.h"
 #include "session/take_moments.h"
+#include "session/take_paths.h"
 
 namespace muster {
 
@@ -21,7 +22,9 @@ class TakePlayer {
 public:
     /// `fileName` is the take's name on the shelf, empty where it lies elsewhere. The clips must outlive
     /// this.
-    TakePlayer(std::shared_ptr<const Take> take, std::string fileName);
+    TakePlayer(std::shared_ptr<Take> take, std::string fileName);
+    /// Plays a take whose marks have no hashes yet, and puts them there while it is read.
+    static std::unique_ptr<TakePlayer> marking(std::shared_ptr<Take> take);
 
     const Take& take() const { return *take_; }                        ///< What is played.
     const std::string& fileName() const { return fileName_; }          ///< Its name on the shelf.
@@ -62,6 +65,11 @@ public:
     /// Steps up to which seeks are quick.
     std::uint32_t ready() const { return scouted_ ? steps() : moments_.last(); }
     const TakeMoments& moments() const { return moments_; }  ///< The snapshots.
+    const TakePaths& paths() const { return paths_; }        ///< Whole as soon as nothing is preparing.
+    /// True where the marks of a take that had none are all there, and it waits to be kept.
+    bool marked() const { return marking_ && scouted_; }
+    /// It is kept under that name on the shelf, empty for none.
+    void kept(std::string fileName);
 
     /// What the page knows of the take.
     protocol::TakeState state() const;
@@ -74,13 +82,15 @@ private:
     };
     void beginScout(const MotionFrames& motion);
 
-    std::shared_ptr<const Take> take_;
+    std::shared_ptr<Take> take_;
+    bool marking_ = false;
     std::string fileName_;
     TakeAbout about_;
     bool loop_ = false;
     Replayer replayer_;
     std::optional<std::uint32_t> wanted_;
     TakeMoments moments_;
+    TakePaths paths_;
     std::unique_ptr<Scout> scout_;
     bool scouted_ = false;
     std::vector<protocol::TakeMark> marks_;

@@ -98,6 +98,7 @@ private:
         if (const auto* m = std::get_if<protocol::Directors>(&message)) directors.push_back(*m);
         if (const auto* m = std::get_if<protocol::TakeState>(&message)) takes.push_back(*m);
         if (const auto* m = std::get_if<protocol::EditHistory>(&message)) history = *m;
+        if (const auto* m = std::get_if<protocol::TakePath>(&message)) path = *m;
         if (const auto* m = std::get_if<protocol::TakeReady>(&message)) ready = m->steps;
         if (const auto* m = std::get_if<protocol::TakeKept>(&message)) kept.push_back(*m);
         if (const auto* m = std::get_if<protocol::Frame>(&message)) {
@@ -127,6 +128,7 @@ public:
     std::vector<protocol::Directors> directors;
     std::vector<protocol::TakeState> takes;
     protocol::EditHistory history;  ///< The newest.
+    std::optional<protocol::TakePath> path;
     std::uint32_t ready = 0;  ///< Steps of the last TakeReady.
     std::vector<protocol::TakeKept> kept;
 };

@@ -50,6 +50,7 @@ Status Replayer::compare(World& world) {
         // mark.
         if (Status s = submitUntil(world, mark.commands); !s.ok()) return s;
         lastHash_ = world.hash();
+        if (marked_ != nullptr) marked_->marks[nextMark_].hash = lastHash_;
         if (lastHash_ != mark.hash) {
             return {StatusCode::Corrupt, "step " + std::to_string(mark.step) + ": found the hash " +
                                              toHex(lastHash_) + ", expected " + toHex(mark.hash) +

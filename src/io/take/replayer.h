@@ -14,6 +14,13 @@ class Replayer {
 public:
     /// The take must outlive this.
     explicit Replayer(const Take& take) : take_(&take), steps_(take.steps()) {}
+    /// For a take whose marks have no hashes yet: they are put there instead of compared. It must outlive
+    /// this.
+    static Replayer marking(Take& take) {
+        Replayer replayer(take);
+        replayer.marked_ = &take;
+        return replayer;
+    }
 
     /// True where the take has no further step.
     bool atEnd(const World& world) const { return world.stepCount() >= steps_; }
@@ -50,7 +57,8 @@ private:
     Status compareEvents(const World& world);
 
     const Take* take_;
-    std::uint32_t steps_;  // Stored, because counting the steps takes long.
+    Take* marked_ = nullptr;  // The same take, where its marks are to be made.
+    std::uint32_t steps_;     // Stored, because counting the steps takes long.
     std::size_t nextCommand_ = 0;
     std::size_t nextMark_ = 0;
     std::size_t nextEvent_ = 0;

@@ -17,6 +17,7 @@ import type {
   StudyForm,
   StudyState,
   TakeKept,
+  TakePath,
   TakeReady,
   TakeState,
   Welcome,
@@ -45,6 +46,7 @@ export interface StudioEvents {
   takeReady: TakeReady;
   takeKept: TakeKept;
   editHistory: EditHistory;
+  takePath: TakePath;
 }
 
 /** The events of messages that are handed on as they come. */
@@ -64,6 +66,7 @@ const kEvents = {
   TakeReady: 'takeReady',
   TakeKept: 'takeKept',
   EditHistory: 'editHistory',
+  TakePath: 'takePath',
 } as const satisfies Record<Exclude<ServerMessage, Frame | Pong>['type'], keyof StudioEvents>;
 
 /** What the client needs of a Worker. */

@@ -617,6 +617,65 @@ export function writeAnswerForm(w: ByteWriter, m: AnswerForm): void {
   w.list(m.answers, writeAnswerFrame);
 }
 
+/** Where a group or a character goes in the open take. */
+export interface AskPath {
+  type: 'AskPath';
+  /** id */
+  group: number;
+  /** id; 0: the group as a whole */
+  character: number;
+}
+
+export function readAskPath(r: ByteReader): AskPath {
+  return {
+    type: 'AskPath',
+    group: r.u32(),
+    character: r.u32(),
+  };
+}
+
+export function writeAskPath(w: ByteWriter, m: AskPath): void {
+  w.u8(28);
+  w.u32(m.group);
+  w.u32(m.character);
+}
+
+/** Moves that path, and simulates everything again as another take, which opens. */
+export interface BendPath {
+  type: 'BendPath';
+  group: number;
+  character: number;
+  /** where the path is taken hold of */
+  step: number;
+  /** how far it is moved there [m] */
+  dx: number;
+  dy: number;
+  /** so long before and after it moves along, ever less: 0.5 to 60 */
+  seconds: number;
+}
+
+export function readBendPath(r: ByteReader): BendPath {
+  return {
+    type: 'BendPath',
+    group: r.u32(),
+    character: r.u32(),
+    step: r.u32(),
+    dx: r.f64(),
+    dy: r.f64(),
+    seconds: r.f64(),
+  };
+}
+
+export function writeBendPath(w: ByteWriter, m: BendPath): void {
+  w.u8(29);
+  w.u32(m.group);
+  w.u32(m.character);
+  w.u32(m.step);
+  w.f64(m.dx);
+  w.f64(m.dy);
+  w.f64(m.seconds);
+}
+
 /** A change of the place that is being made, in the words of gesture files, which its director can undo. */
 export interface Edit {
   type: 'Edit';
@@ -638,7 +697,7 @@ export function readEdit(r: ByteReader): Edit {
 }
 
 export function writeEdit(w: ByteWriter, m: Edit): void {
-  w.u8(28);
+  w.u8(30);
   w.string(m.label);
   w.u32(m.gesture);
   w.string(m.events);
@@ -658,7 +717,7 @@ export function readUndoEdit(r: ByteReader): UndoEdit {
 }
 
 export function writeUndoEdit(w: ByteWriter, m: UndoEdit): void {
-  w.u8(29);
+  w.u8(31);
   w.bool(m.redo);
 }
 
@@ -676,6 +735,6 @@ export function readDoInStudy(r: ByteReader): DoInStudy {
 }
 
 export function writeDoInStudy(w: ByteWriter, m: DoInStudy): void {
-  w.u8(30);
+  w.u8(32);
   w.u8(m.act);
 }

@@ -4,7 +4,9 @@ import {
   type AddControl,
   type AnswerForm,
   type AskForecasts,
+  type AskPath,
   type Attend,
+  type BendPath,
   type Commands,
   type DoInStudy,
   type Edit,
@@ -21,7 +23,9 @@ import {
   readAddControl,
   readAnswerForm,
   readAskForecasts,
+  readAskPath,
   readAttend,
+  readBendPath,
   readCommands,
   readDoInStudy,
   readEdit,
@@ -66,7 +70,9 @@ import {
   writeAddControl,
   writeAnswerForm,
   writeAskForecasts,
+  writeAskPath,
   writeAttend,
+  writeBendPath,
   writeCommands,
   writeDoInStudy,
   writeEdit,
@@ -120,6 +126,7 @@ import {
   readStudyForm,
   readStudyState,
   readTakeKept,
+  readTakePath,
   readTakeReady,
   readTakeState,
   readWelcome,
@@ -127,6 +134,7 @@ import {
   type StudyForm,
   type StudyState,
   type TakeKept,
+  type TakePath,
   type TakeReady,
   type TakeState,
   type Welcome,
@@ -144,6 +152,7 @@ import {
   writeStudyForm,
   writeStudyState,
   writeTakeKept,
+  writeTakePath,
   writeTakeReady,
   writeTakeState,
   writeWelcome,
@@ -183,6 +192,8 @@ export type ClientMessage =
   | Inputs
   | EnterStudy
   | AnswerForm
+  | AskPath
+  | BendPath
   | Edit
   | UndoEdit
   | DoInStudy;
@@ -216,6 +227,8 @@ const readClient: readonly ((r: ByteReader) => ClientMessage)[] = [
   readInputs,
   readEnterStudy,
   readAnswerForm,
+  readAskPath,
+  readBendPath,
   readEdit,
   readUndoEdit,
   readDoInStudy,
@@ -317,6 +330,12 @@ export function encodeClient(message: ClientMessage): ArrayBuffer {
     case 'AnswerForm':
       writeAnswerForm(w, message);
       break;
+    case 'AskPath':
+      writeAskPath(w, message);
+      break;
+    case 'BendPath':
+      writeBendPath(w, message);
+      break;
     case 'Edit':
       writeEdit(w, message);
       break;
@@ -339,6 +358,7 @@ export type ServerMessage =
   | Overlay
   | Notice
   | Pong
+  | TakePath
   | EditHistory
   | Forecasts
   | TakeState
@@ -358,6 +378,7 @@ const readServer: readonly ((r: ByteReader) => ServerMessage)[] = [
   readOverlay,
   readNotice,
   readPong,
+  readTakePath,
   readEditHistory,
   readForecasts,
   readTakeState,
@@ -404,6 +425,9 @@ export function encodeServer(message: ServerMessage): ArrayBuffer {
       break;
     case 'Pong':
       writePong(w, message);
+      break;
+    case 'TakePath':
+      writeTakePath(w, message);
       break;
     case 'EditHistory':
       writeEditHistory(w, message);

@@ -370,6 +370,35 @@ export function writePong(w: ByteWriter, m: Pong): void {
   w.f64(m.time);
 }
 
+/** The path that was asked for, as soon as the take has been read. */
+export interface TakePath {
+  type: 'TakePath';
+  group: number;
+  character: number;
+  /** steps from one point to the next */
+  spacing: number;
+  /** x, y from the beginning of the take [m]; the last one stands for what follows */
+  points: Float32Array;
+}
+
+export function readTakePath(r: ByteReader): TakePath {
+  return {
+    type: 'TakePath',
+    group: r.u32(),
+    character: r.u32(),
+    spacing: r.u32(),
+    points: r.f32s(),
+  };
+}
+
+export function writeTakePath(w: ByteWriter, m: TakePath): void {
+  w.u8(8);
+  w.u32(m.group);
+  w.u32(m.character);
+  w.u32(m.spacing);
+  w.f32s(m.points);
+}
+
 /** What the client can undo and redo; whenever it changes. */
 export interface EditHistory {
   type: 'EditHistory';
@@ -395,7 +424,7 @@ export function readEditHistory(r: ByteReader): EditHistory {
 }
 
 export function writeEditHistory(w: ByteWriter, m: EditHistory): void {
-  w.u8(8);
+  w.u8(9);
   w.u32(m.undo);
   w.string(m.undoLabel);
   w.u32(m.redo);
@@ -419,7 +448,7 @@ export function readForecasts(r: ByteReader): Forecasts {
 }
 
 export function writeForecasts(w: ByteWriter, m: Forecasts): void {
-  w.u8(9);
+  w.u8(10);
   w.u32(m.number);
   w.list(m.answers, writeForecastFrame);
 }
@@ -459,7 +488,7 @@ export function readTakeState(r: ByteReader): TakeState {
 }
 
 export function writeTakeState(w: ByteWriter, m: TakeState): void {
-  w.u8(10);
+  w.u8(11);
   w.bool(m.open);
   w.string(m.name);
   w.string(m.title);
@@ -486,7 +515,7 @@ export function readTakeReady(r: ByteReader): TakeReady {
 }
 
 export function writeTakeReady(w: ByteWriter, m: TakeReady): void {
-  w.u8(11);
+  w.u8(12);
   w.u32(m.steps);
 }
 
@@ -510,7 +539,7 @@ export function readTakeKept(r: ByteReader): TakeKept {
 }
 
 export function writeTakeKept(w: ByteWriter, m: TakeKept): void {
-  w.u8(12);
+  w.u8(13);
   w.string(m.name);
   w.f64(m.seconds);
   w.string(m.scenario);
@@ -530,7 +559,7 @@ export function readDirectors(r: ByteReader): Directors {
 }
 
 export function writeDirectors(w: ByteWriter, m: Directors): void {
-  w.u8(13);
+  w.u8(14);
   w.list(m.directors, writeDirectorFrame);
 }
 
@@ -567,7 +596,7 @@ export function readMarks(r: ByteReader): Marks {
 }
 
 export function writeMarks(w: ByteWriter, m: Marks): void {
-  w.u8(14);
+  w.u8(15);
   w.string(m.scheme);
   w.u32s(m.selected);
   w.f32s(m.rectangle);
@@ -603,7 +632,7 @@ export function readStudyForm(r: ByteReader): StudyForm {
 }
 
 export function writeStudyForm(w: ByteWriter, m: StudyForm): void {
-  w.u8(15);
+  w.u8(16);
   w.string(m.instrument);
   w.string(m.title);
   w.string(m.text);
@@ -678,7 +707,7 @@ export function readStudyState(r: ByteReader): StudyState {
 }
 
 export function writeStudyState(w: ByteWriter, m: StudyState): void {
-  w.u8(16);
+  w.u8(17);
   w.u8(m.stage);
   w.string(m.token);
   w.u32(m.run);

@@ -4,7 +4,9 @@ import { crowd, distance, mean, points, shifted } from '../support/geometry.mjs'
 
 async function openList(studio) {
   const phone = await studio.page.locator('.phone-bar').isVisible();
-  await studio.page.getByRole('button', { name: phone ? 'More' : 'Takes', exact: true }).click();
+  // The formations have a “More”, too.
+  const from = phone ? studio.page.locator('.phone-bar') : studio.page;
+  await from.getByRole('button', { name: phone ? 'More' : 'Takes', exact: true }).click();
   await studio.page.locator('.menu-item', { hasText: 'Control…' }).locator('visible=true').click();
   await studio.page.locator('dialog.schemes[open]').waitFor();
 }
