@@ -26,6 +26,7 @@ const kLayers = [
   'scene/ground',
   'scene/obstacles',
   'scene/patches',
+  'scene/scenery',
   'scene/marks',
   'scene',
   'tools',

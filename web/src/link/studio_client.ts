@@ -3,6 +3,7 @@
 import type {
   ClientMessage,
   Directors,
+  EditHistory,
   Forecasts,
   Frame,
   GroupMesh,
@@ -43,6 +44,7 @@ export interface StudioEvents {
   takeState: TakeState;
   takeReady: TakeReady;
   takeKept: TakeKept;
+  editHistory: EditHistory;
 }
 
 /** The events of messages that are handed on as they come. */
@@ -61,6 +63,7 @@ const kEvents = {
   TakeState: 'takeState',
   TakeReady: 'takeReady',
   TakeKept: 'takeKept',
+  EditHistory: 'editHistory',
 } as const satisfies Record<Exclude<ServerMessage, Frame | Pong>['type'], keyof StudioEvents>;
 
 /** What the client needs of a Worker. */

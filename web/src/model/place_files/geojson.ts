@@ -146,7 +146,7 @@ function nameOf(properties: Properties): string {
   const name = [properties['name'], properties['Name'], properties['addr:housename']].find(
     (one) => typeof one === 'string',
   );
-  return (name as string | undefined) ?? house.join(' ');
+  return name ?? house.join(' ');
 }
 
 /** Outlines of one shape, or why it is none. */

@@ -1,0 +1,58 @@
+// Imported models, drawn as they stand: one flat shaded mesh for each.
+
+import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, type MeshLambertMaterial } from 'three';
+import { shownBy, type SceneryModel } from '../../model/place_files/scenery';
+import type { SceneFacts } from '../../protocol/scene';
+import { bodyMaterial, type ShadeUniforms } from '../drawing/shade';
+
+function geometryOf({ positions, colours }: SceneryModel): BufferGeometry {
+  const corners = positions.length / 3;
+  const perCorner = new Uint8Array(3 * corners);
+  for (let i = 0; i < corners; ++i)
+    for (let k = 0; k < 3; ++k) perCorner[3 * i + k] = colours[3 * Math.floor(i / 3) + k]!;
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(positions, 3));
+  geometry.setAttribute('color', new BufferAttribute(perCorner, 3, true));
+  // Without an index each triangle has normals of its own.
+  geometry.computeVertexNormals();
+  return geometry;
+}
+
+export class SceneryLayer {
+  readonly group = new Group();
+  private readonly material_: MeshLambertMaterial;
+  private isShown_: ReturnType<typeof shownBy> = () => false;
+
+  constructor(shade: ShadeUniforms) {
+    this.material_ = bodyMaterial(shade, false);
+    this.material_.side = DoubleSide;
+  }
+
+  set(models: readonly SceneryModel[]): void {
+    this.clear();
+    for (const model of models) {
+      const mesh = new Mesh(geometryOf(model), this.material_);
+      mesh.castShadow = true;
+      mesh.receiveShadow = true;
+      this.group.add(mesh);
+    }
+    this.isShown_ = shownBy(models);
+  }
+
+  /** The scene without the obstacles that a model shows. */
+  without(scene: SceneFacts): SceneFacts {
+    if (this.group.children.length === 0) return scene;
+    return { ...scene, obstacles: scene.obstacles.filter((one) => one.moving || !this.isShown_(one)) };
+  }
+
+  dispose(): void {
+    this.clear();
+    this.material_.dispose();
+  }
+
+  private clear(): void {
+    for (const child of this.group.children)
+      if (child instanceof Mesh) (child as Mesh<BufferGeometry>).geometry.dispose();
+    this.group.clear();
+  }
+}
