@@ -8,9 +8,8 @@ import { placesWithScenery } from './place_shelf';
 export function openPlacesLazily(parts: PlaceParts): void {
   const { store, client } = parts;
   let desk: Promise<PlaceDesk> | null = null;
-  let waits = true;
   const loaded = (): Promise<PlaceDesk> => {
-    desk ??= import('./place_desk').then(({ PlaceDesk: Desk }) => new Desk(parts));
+    desk ??= import('./place_desk').then((module) => new module.PlaceDesk(parts));
     return desk;
   };
   const failed = (): void => {
@@ -20,13 +19,13 @@ export function openPlacesLazily(parts: PlaceParts): void {
   store.watch(['places'], ({ places }) => {
     if (places !== 'none' && !desk) loaded().catch(failed);
   });
-  client.on('editHistory', ({ edited }) => {
-    if (edited || desk) loaded().then((one) => one.setEdited(edited), failed);
+  client.on('editHistory', (history) => {
+    if (history.edited || desk) loaded().then((one) => one.setHistory(history), failed);
+  });
+  client.on('welcome', () => {
+    if (hasAutosave()) loaded().then((one) => one.offerKept(), failed);
   });
   store.watch(['title'], ({ title }) => {
     if (!desk && placesWithScenery(() => window.localStorage).includes(title)) loaded().catch(failed);
-    if (!waits || title === '' || !hasAutosave()) return;
-    waits = false;
-    loaded().then((one) => one.offerKept(), failed);
   });
 }

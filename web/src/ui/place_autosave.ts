@@ -7,10 +7,10 @@ import type { PlaceShelf } from './place_shelf';
 
 /** So long after the last change [ms]. */
 export const kAutosaveAfter = 2000;
-/** A copy that is younger may be behind the server by an edit: it is the same place [s]. */
-const kFresh = 15;
 /** When the newest copy was kept that the visitor did not want, or has opened [s since 1970]. */
 const kSeenKey = 'muster.autosave.seen';
+/** The place that was edited when the page was left: the server has more of it than the copy. */
+const kBehindKey = 'muster.autosave.behind';
 /** There is something to look for. */
 const kKeptKey = 'muster.autosave';
 
@@ -19,7 +19,6 @@ export interface AutosaveParts {
   readonly shelf: Pick<PlaceShelf, 'autosave' | 'list' | 'read'>;
   readonly picture: () => Promise<Blob | null>;
   readonly storage?: () => Storage;
-  readonly now?: () => number;
 }
 
 export function hasAutosave(storage: () => Storage = () => window.localStorage): boolean {
@@ -33,21 +32,23 @@ export function hasAutosave(storage: () => Storage = () => window.localStorage):
 export class PlaceAutosave {
   private timer_ = 0;
   private edited_ = false;
+  private own_ = false;
+  /** Of the place that is edited. */
+  private name_ = '';
   private readonly storage_: () => Storage;
-  private readonly now_: () => number;
 
   constructor(private readonly parts_: AutosaveParts) {
     this.storage_ = parts_.storage ?? (() => window.localStorage);
-    this.now_ = parts_.now ?? (() => Date.now() / 1000);
+    window.addEventListener('pagehide', () => this.waiting && this.own_ && this.write(kBehindKey, this.name_));
   }
 
   get waiting(): boolean {
     return this.timer_ !== 0;
   }
 
-  /** The server says whether the place differs from what was opened. */
-  setEdited(edited: boolean): void {
-    this.edited_ = edited;
+  /** The server says whether the place differs from what was opened. `own`: this page has edited it. */
+  setEdited(edited: boolean, name: string, own: boolean): void {
+    [this.edited_, this.name_, this.own_] = [edited, name, own];
     if (edited) this.changed();
     else this.cancel();
   }
@@ -89,8 +90,10 @@ export class PlaceAutosave {
       if (!newest || newest.changed <= this.seen()) return null;
       const [here, kept] = await Promise.all([this.parts_.link.read(), this.parts_.shelf.read(newest.id)]);
       if (here === kept) return null;
-      const isSame = (JSON.parse(here) as PlaceDefinition).name === newest.name;
-      return isSame && this.now_() - newest.changed < kFresh ? null : newest;
+      const { name } = JSON.parse(here) as PlaceDefinition;
+      const behind = this.read(kBehindKey);
+      this.write(kBehindKey, '');
+      return name === newest.name && name === behind ? null : newest;
     } catch {
       return null;
     }
@@ -101,10 +104,14 @@ export class PlaceAutosave {
   }
 
   private seen(): number {
+    return Number(this.read(kSeenKey));
+  }
+
+  private read(key: string): string {
     try {
-      return Number(this.storage_().getItem(kSeenKey) ?? 0);
+      return this.storage_().getItem(key) ?? '';
     } catch {
-      return 0;
+      return '';
     }
   }
 

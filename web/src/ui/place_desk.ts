@@ -12,7 +12,7 @@ import { sceneryOf, type SceneryModel } from '../model/place_files/scenery';
 import type { Template } from '../model/place_files/templates';
 import type { PlacesView } from '../model/studio_state';
 import type { StudioStore } from '../model/studio_store';
-import { NoticeLevel } from '../protocol/messages';
+import { NoticeLevel, type EditHistory } from '../protocol/messages';
 import { problem } from '../protocol/problem';
 import type { StudioScene } from '../scene/studio_scene';
 import './styles/places.css';
@@ -63,6 +63,8 @@ export class PlaceDesk implements PlaceActions {
     store.watch(['places', 'placeFiles'], ({ places, placeFiles }) => this.shown(places, placeFiles));
     store.watch(['title'], ({ title }) => void this.showScenery(title));
     client.on('scene', () => this.autosave_.changed());
+    // Another server may come back: its place is not what was edited.
+    client.on('link', ({ phase }) => phase !== 'open' && this.autosave_.setEdited(false, '', false));
   }
 
   // The dialog.
@@ -88,12 +90,12 @@ export class PlaceDesk implements PlaceActions {
 
   openFiles(files: readonly File[]): void {
     const { store } = this.parts_;
-    const before = store.state.notice;
+    const before = store.state;
     void this.parts_.files.open(files).then(() => {
-      const { notice, places } = store.state;
+      const { notice, placeFiles } = store.state;
       // A dialog hides the banner: it says itself what is wrong. What is no place is opened elsewhere.
-      if (notice && notice !== before) this.dialog_.say(notice.text);
-      else if (places !== 'import' && places !== 'shelf') this.close();
+      if (notice && notice !== before.notice) this.dialog_.say(notice.text);
+      else if (placeFiles === before.placeFiles) this.close();
     });
   }
 
@@ -305,18 +307,20 @@ export class PlaceDesk implements PlaceActions {
     this.parts_.view.setScenery(models);
   }
 
-  setEdited(edited: boolean): void {
-    this.autosave_.setEdited(edited);
+  setHistory({ edited, undo, redo }: Omit<EditHistory, 'type'>): void {
+    this.autosave_.setEdited(edited, this.parts_.store.state.title, undo + redo > 0);
   }
 
   async offerKept(): Promise<void> {
+    const { page } = this.parts_;
     const place = await this.autosave_.lost();
+    page.querySelector('.place-banner')?.remove();
     if (!place) return;
     const banner = placeBanner(
       place,
       () => this.openPlace(place),
       () => this.autosave_.markSeen(place),
     );
-    (this.parts_.page.querySelector('.banners') ?? this.parts_.page).append(banner);
+    (page.querySelector('.banners') ?? page).append(banner);
   }
 }

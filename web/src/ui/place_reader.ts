@@ -21,18 +21,11 @@ async function mainOf(files: readonly File[]): Promise<{ readonly file: File; re
 export async function readSource(files: readonly File[]): Promise<ImportSource> {
   const { file, kind } = await mainOf(files);
   if (file.size > kMost) throw new FileProblem(`“${file.name}” is larger than 256 MB.`);
-  switch (kind) {
-    case 'geojson':
-      return { kind: 'geojson', file: file.name, text: await file.text() };
-    case 'map':
-      return { kind: 'map', file: file.name, map: readGridMap(await file.text(), file.name) };
-    case 'obj':
-      return { kind: 'model', file: file.name, meshes: readObj(await file.text(), file.name), up: null };
-    case 'scenery': {
-      const { readModel } = await import('../scene/scenery/model_file');
-      return { kind: 'model', file: file.name, meshes: await readModel(file, files), up: 'y' };
-    }
-    default:
-      throw new FileProblem(`“${file.name}” is no file that becomes a place.`);
-  }
+  const { name } = file;
+  if (kind === 'geojson') return { kind: 'geojson', file: name, text: await file.text() };
+  if (kind === 'map') return { kind: 'map', file: name, map: readGridMap(await file.text(), name) };
+  if (kind === 'obj') return { kind: 'model', file: name, meshes: readObj(await file.text(), name), up: null };
+  if (kind !== 'scenery') throw new FileProblem(`“${name}” is no file that becomes a place.`);
+  const { readModel } = await import('../scene/scenery/model_file');
+  return { kind: 'model', file: name, meshes: await readModel(file, files), up: 'y' };
 }

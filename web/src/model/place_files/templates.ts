@@ -80,7 +80,7 @@ function street(): PlaceDefinition {
       wall('Cinema', box(-23, -15.5, -10, -9), 6),
       wall('Station', box(10, -15.5, 23, -9), 5),
       car('Taxi', -1.6, 1, 0.5),
-      car('Van', 1.6, -1, 14),
+      car('Van', 1.6, -1, 9),
     ],
     groups: [crowd('North', 36, [0, 10], -Math.PI / 2), crowd('South', 36, [0, -10], Math.PI / 2)],
   });
@@ -101,7 +101,7 @@ function room(): PlaceDefinition {
       { name: 'Pillar', centre: [0, 3.5], radius: 0.35, height: 3 },
       { name: 'Pillar', centre: [0, -3.5], radius: 0.35, height: 3 },
     ],
-    groups: [crowd('Guests', 40, [-3, 0]), crowd('Waiting', 20, [15.5, 0], Math.PI)],
+    groups: [crowd('Guests', 40, [-4, 0]), crowd('Waiting', 20, [15.5, 0], Math.PI)],
   });
 }
 

@@ -21,7 +21,7 @@ function geometryOf({ positions, colours }: SceneryModel): BufferGeometry {
 export class SceneryLayer {
   readonly group = new Group();
   private readonly material_: MeshLambertMaterial;
-  private isShown_: ReturnType<typeof shownBy> = () => false;
+  private models_: readonly SceneryModel[] = [];
 
   constructor(shade: ShadeUniforms) {
     this.material_ = bodyMaterial(shade, false);
@@ -36,13 +36,14 @@ export class SceneryLayer {
       mesh.receiveShadow = true;
       this.group.add(mesh);
     }
-    this.isShown_ = shownBy(models);
+    this.models_ = models;
   }
 
   /** The scene without the obstacles that a model shows. */
   without(scene: SceneFacts): SceneFacts {
-    if (this.group.children.length === 0) return scene;
-    return { ...scene, obstacles: scene.obstacles.filter((one) => one.moving || !this.isShown_(one)) };
+    if (this.models_.length === 0) return scene;
+    const isShown = shownBy(this.models_);
+    return { ...scene, obstacles: scene.obstacles.filter((one) => one.moving || !isShown(one)) };
   }
 
   dispose(): void {

@@ -94,11 +94,12 @@ export class PlaceImport {
     return this.source_;
   }
 
-  /** `present` is the place as it is now, where that is known; `at` is where the view looks. */
+  /** `present` is the place as it is now, where that is known; `at` is where the view looks. Throws where the file is bad. */
   open(source: ImportSource, present: PlaceDefinition | null, at: { readonly x: number; readonly y: number }): void {
+    const settings = { ...usualSettings(source), at: { x: Math.round(at.x), y: Math.round(at.y) } };
+    importedFrom(source, settings);
     this.source_ = source;
     this.present_ = present;
-    const settings = { ...usualSettings(source), at: { x: Math.round(at.x), y: Math.round(at.y) } };
     this.fill(source, settings);
     this.form_.hidden = false;
     this.add_.hidden = source.kind === 'map';

@@ -13,7 +13,7 @@ function card(template: Template, actions: PlaceActions): HTMLElement {
     { type: 'button', class: 'place-card' },
     element('span', { class: 'place-card-picture' }, placePicture(drawingOf(place))),
     element('strong', {}, template.name),
-    element('span', { class: 'secondary' }, place.description ?? ''),
+    element('span', { class: 'secondary place-card-about' }, place.description ?? ''),
     element('span', { class: 'secondary place-card-facts' }, factsOf(place)),
   );
   button.addEventListener('click', () => actions.openTemplate(template));
