@@ -101,6 +101,12 @@ ServerEvents eventsTo(Mailbox<HostEvent>& mailbox, std::atomic<bool>& interrupte
         if (!mailbox.post(TakeUploaded{std::move(bytes), {}, reply}, size))
             reply(sentence(503, "The simulation is busy."));
     };
+    events.placeRequested = [&](HttpReply reply) { mailbox.post(PlaceRequested{std::move(reply)}); };
+    events.placeUploaded = [&](std::vector<std::uint8_t> bytes, std::string name, HttpReply reply) {
+        const std::size_t size = bytes.size();
+        if (!mailbox.post(PlaceUploaded{std::move(bytes), std::move(name), reply}, size))
+            reply(sentence(503, "The simulation is busy."));
+    };
     events.shelfRequested = [](const ShelfRequest&, const HttpReply& reply) {
         reply(sentence(404, "There are no takes here."));
     };

@@ -44,9 +44,17 @@ struct TakeEdited {
     std::string name;
     TakeAbout about;
 };
+struct PlaceRequested {
+    HttpReply reply;
+};
+struct PlaceUploaded {
+    std::vector<std::uint8_t> bytes;
+    std::string name;
+    HttpReply reply;
+};
 struct Interrupted {};
 using HostEvent = std::variant<Opened, Received, Refused, Closed, TakeRequested, TakeUploaded, TakeEdited,
-                               Interrupted>;
+                               PlaceRequested, PlaceUploaded, Interrupted>;
 
 /// Callbacks that post to the mailbox. There is no shelf of takes.
 ServerEvents eventsTo(Mailbox<HostEvent>& mailbox, std::atomic<bool>& interrupted);

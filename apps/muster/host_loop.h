@@ -81,6 +81,30 @@ public:
             event.reply(sentence(404, "There are no takes here."));
         }
     }
+    void operator()(PlaceRequested& event) {
+        if constexpr (requires { host_.scenario(); }) {
+            auto text = host_.scenario();
+            if (!text.ok()) return event.reply(failure(text.status()));
+            HttpAnswer answer;
+            answer.type = "application/json";
+            answer.body = std::move(text).value();
+            answer.fileName = host_.scenarioName();
+            event.reply(std::move(answer));
+        } else {
+            event.reply(sentence(404, "There is no place to edit here."));
+        }
+    }
+    void operator()(PlaceUploaded& event) {
+        if constexpr (requires { host_.scenario(); }) {
+            const std::string_view text(reinterpret_cast<const char*>(event.bytes.data()),
+                                        event.bytes.size());
+            const Status status = host_.openScenario(event.name, text);
+            if (!status.ok()) return event.reply(failure(status));
+            event.reply(sentence(200, "The place is open."));
+        } else {
+            event.reply(sentence(404, "There is no place to edit here."));
+        }
+    }
     void operator()(TakeEdited& event) {
         if constexpr (requires { host_.takeName(); }) host_.takeEdited(event.name, event.about);
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "request_target.h"
+
 namespace muster {
 namespace {
 
@@ -33,10 +35,6 @@ constexpr std::array kRoutes{
     Route{"DELETE", "/exports", true, "", ShelfAction::CancelExport},
     Route{"GET", "/exports", true, "/file", ShelfAction::DownloadExport},
 };
-
-std::string_view withoutQuery(std::string_view target) {
-    return target.substr(0, target.find_first_of("?#"));
-}
 
 bool below(std::string_view target, std::string_view folder) {
     return target.substr(0, folder.size()) == folder &&

@@ -56,6 +56,8 @@ struct ServerEvents {
     std::function<void(ConnectionId)> closed;
     std::function<void(HttpReply)> takeRequested;
     std::function<void(std::vector<std::uint8_t>, HttpReply)> takeUploaded;
+    std::function<void(HttpReply)> placeRequested;
+    std::function<void(std::vector<std::uint8_t>, std::string name, HttpReply)> placeUploaded;
     /// Called for requests to the shelf of takes and to exports.
     std::function<void(ShelfRequest, HttpReply)> shelfRequested;
     std::function<void()> interrupted;  ///< Called for each Ctrl+C or request to end.

@@ -10,6 +10,7 @@
 #include "muster/control.h"
 #include "muster/id.h"
 #include "muster/order_commands.h"
+#include "muster/place_commands.h"
 #include "muster/unit_commands.h"
 #include "muster/world_def.h"
 
@@ -238,12 +239,13 @@ struct SetParameter {
 };
 
 /// The body of a command. The order of alternatives is part of the file format: append only.
-using CommandBody = std::variant<TouchDown, TouchMove, TouchUp, TouchCancel, AddControl, PinControl,
-                                 RemoveControl, ReleaseClient, SetFormation, SetCount, SetPose, AddGroup,
-                                 RemoveGroup, AddObstacle, ChangeObstacle, RemoveObstacle, AddPatch,
-                                 ChangePatch, RemovePatch, SetParameter, GiveOrder, EditQueue, SetConduct,
-                                 AddCharacters, RemoveCharacters, TransferCharacters, SplitGroup, MergeGroups,
-                                 SetBodies, SetRoles, SetDemands, SetDriver, WriteMotion>;
+using CommandBody = std::variant<
+    TouchDown, TouchMove, TouchUp, TouchCancel, AddControl, PinControl, RemoveControl, ReleaseClient,
+    SetFormation, SetCount, SetPose, AddGroup, RemoveGroup, AddObstacle, ChangeObstacle, RemoveObstacle,
+    AddPatch, ChangePatch, RemovePatch, SetParameter, GiveOrder, EditQueue, SetConduct, AddCharacters,
+    RemoveCharacters, TransferCharacters, SplitGroup, MergeGroups, SetBodies, SetRoles, SetDemands, SetDriver,
+    WriteMotion, AddItem, ChangeItem, RemoveItem, AddCheckpoint, ChangeCheckpoint, RemoveCheckpoint,
+    PlaceGroup, NameGroup>;
 
 /// A change of a world, with its step and sender. Commands apply in the order of (step, client, sequence).
 struct Command {

@@ -23,9 +23,11 @@ struct Id {
     }
 };
 
-using ObstacleId = Id<struct ObstacleTag>;  ///< Names an obstacle.
-using PatchId = Id<struct PatchTag>;        ///< Names a patch.
-using GroupId = Id<struct GroupTag>;        ///< Names a group.
-using ControlId = Id<struct ControlTag>;    ///< Names a control.
+using ObstacleId = Id<struct ObstacleTag>;      ///< Names an obstacle.
+using PatchId = Id<struct PatchTag>;            ///< Names a patch.
+using GroupId = Id<struct GroupTag>;            ///< Names a group.
+using ItemId = Id<struct ItemTag>;              ///< Names an item.
+using CheckpointId = Id<struct CheckpointTag>;  ///< Names a formation checkpoint.
+using ControlId = Id<struct ControlTag>;        ///< Names a control.
 
 }  // namespace muster

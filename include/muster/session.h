@@ -96,6 +96,14 @@ public:
     /// Begins a world, ending the one before and any recording, which is kept, or replay. Plays at once.
     /// Fails, changing nothing, as World::create does.
     Status load(const std::string& name, const WorldDef& def);
+    /// The same from the text of a scenario file that lies nowhere. Fails, changing nothing, as parseScenario
+    /// and World::create do.
+    Status openScenario(const std::string& name, std::string_view text);
+    /// The place as a scenario file: what the world began from, with all edits since. Restart begins with it,
+    /// and a world made from it has the same hashes. Fails with NotFound before the first load.
+    Result<std::string> scenario() const;
+    /// A file name for it: "open.json".
+    std::string scenarioName() const;
     /// Begins the replay of a take's bytes. Fails, changing nothing, as parseTake does, or where the take is
     /// too large or holds no step. `fileName` is its name on the shelf, empty where it lies elsewhere.
     Status openTake(std::span<const std::uint8_t> bytes, const std::string& sourceName,

@@ -67,8 +67,11 @@ public:
     std::span<const PatchId> patchIds() const;                    ///< Ids in ascending order.
     PatchView patch(PatchId id) const;                            ///< The patch of that id.
     std::span<const ItemDef> items() const;                       ///< All items.
+    std::span<const ItemId> itemIds() const;                      ///< Of each item, ascending.
     std::span<const std::uint8_t> collected() const;              ///< Per item: 1 once collected, else 0.
     std::span<const FormationCheckpointDef> checkpoints() const;  ///< All formation checkpoints.
+    std::span<const CheckpointId> checkpointIds() const;          ///< Of each checkpoint, ascending.
+    std::span<const GroupId> checkpointGroups() const;            ///< Whom each concerns; none for any group.
 
     std::span<const Event> events() const;          ///< Events of the last step.
     std::span<const Rejection> rejections() const;  ///< Commands that failed in the last step.

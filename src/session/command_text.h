@@ -10,8 +10,10 @@
 namespace muster {
 
 /// Reads events; the session sets time, step and client. Only orders, changes of units, formations and poses
-/// are allowed: fingers come in messages of their own, and nobody builds walls from a page. Fails with one
-/// sentence that names the event.
+/// are allowed: fingers and edits of the place come in messages of their own. Fails with one sentence that
+/// names the event.
 Result<std::vector<CommandBody>> parseCommandText(std::string_view text, const SessionLimits& limits);
+/// The same for edits of the place: what stands and lies in it, and its groups.
+Result<std::vector<CommandBody>> parseEditText(std::string_view text, const SessionLimits& limits);
 
 }  // namespace muster

@@ -8,6 +8,7 @@
 #include "cost/unit_cost.h"
 #include "environment/environment.h"
 #include "planning/plan.h"
+#include "session/reach_overlay.h"
 #include "world/inspect.h"
 
 namespace muster {
@@ -27,7 +28,7 @@ struct Destination {
 };
 
 // A box of whole ground cells, coarsened until their number is within the limit.
-Grid overlayGrid(const Grid& ground, const Box& box) {
+Grid coarseGrid(const Grid& ground, const Box& box) {
     const Cell low = ground.nearestCell(box.min);
     const Cell high = ground.nearestCell(box.max);
     Grid grid;
@@ -45,11 +46,6 @@ Grid overlayGrid(const Grid& ground, const Box& box) {
 
 template <class Value>
 void fill(protocol::Overlay& overlay, const Grid& grid, Value value) {
-    overlay.x = static_cast<float>(grid.centre({0, 0}).x);
-    overlay.y = static_cast<float>(grid.centre({0, 0}).y);
-    overlay.cell = static_cast<float>(grid.cell);
-    overlay.width = static_cast<std::uint32_t>(grid.width);
-    overlay.height = static_cast<std::uint32_t>(grid.height);
     overlay.values.resize(grid.count());
     for (std::int32_t i = 0; i < grid.count(); ++i)
         overlay.values[i] = static_cast<float>(value(grid.centre(grid.at(i))));
@@ -115,7 +111,7 @@ std::optional<protocol::Overlay> costOverlay(const World& world, std::uint32_t c
     overlay.kind = protocol::OverlayKind::Cost;
     overlay.character = character;
     const Grid& ground = inspect::environment(world).grid();
-    fill(overlay, overlayGrid(ground, boundsOfGroup(world, *destination)),
+    fill(overlay, putOverlayGrid(overlay, ground, boundsOfGroup(world, *destination)),
          [&](Vec2 p) { return destination->cost(p); });
     overlay.cost = static_cast<float>(destination->cost(destination->from));
     overlay.straight = static_cast<float>(distance(destination->from, destination->to));
@@ -124,6 +120,16 @@ std::optional<protocol::Overlay> costOverlay(const World& world, std::uint32_t c
 }
 
 }  // namespace
+
+Grid putOverlayGrid(protocol::Overlay& overlay, const Grid& ground, const Box& box) {
+    const Grid grid = coarseGrid(ground, box);
+    overlay.x = static_cast<float>(grid.centre({0, 0}).x);
+    overlay.y = static_cast<float>(grid.centre({0, 0}).y);
+    overlay.cell = static_cast<float>(grid.cell);
+    overlay.width = static_cast<std::uint32_t>(grid.width);
+    overlay.height = static_cast<std::uint32_t>(grid.height);
+    return grid;
+}
 
 std::optional<protocol::Overlay> buildOverlay(const World& world, protocol::OverlayKind kind,
                                               std::uint32_t character) {
@@ -135,16 +141,16 @@ std::optional<protocol::Overlay> buildOverlay(const World& world, protocol::Over
         case protocol::OverlayKind::Cost:
             return costOverlay(world, character);
         case protocol::OverlayKind::Reach:
-            return std::nullopt;
+            return buildReachOverlay(world);
         case protocol::OverlayKind::Field: {
             const Environment& environment = inspect::environment(world);
-            fill(overlay, overlayGrid(environment.grid(), environment.grid().box()),
+            fill(overlay, putOverlayGrid(overlay, environment.grid(), environment.grid().box()),
                  [&](Vec2 p) { return length(environment.potentialField(p)); });
             return overlay;
         }
         case protocol::OverlayKind::Density: {
             const DensityField& density = inspect::density(world);
-            fill(overlay, overlayGrid(density.grid(), density.grid().box()),
+            fill(overlay, putOverlayGrid(overlay, density.grid(), density.grid().box()),
                  [&](Vec2 p) { return density.densityAt(p); });
             return overlay;
         }

@@ -3,6 +3,7 @@
 #include "base/hash.h"
 #include "base/json.h"
 #include "environment/environment.h"
+#include "io/scenario/describe_shapes.h"
 #include "muster/formation.h"
 #include "muster/parameter_table.h"
 #include "world/inspect.h"
@@ -22,6 +23,23 @@ Json points(const Polygon& polygon) {
     return list;
 }
 
+void putPath(Json& item, const TimedPath& path) {
+    if (path.still()) return;
+    Json waypoints = Json::array();
+    for (const Waypoint& w : path.waypoints)
+        waypoints.push(Json{{"t", w.time}, {"x", w.position.x}, {"y", w.position.y}, {"angle", w.angle}});
+    item["path"] = Json{{"waypoints", std::move(waypoints)}, {"loop", path.loop}};
+}
+
+/// As in scenario files.
+Json shape(const FormationDef& formation) {
+    Json item;
+    FieldWriter writer(item);
+    FormationDef copy = formation;
+    describeFormation(writer, copy);
+    return item;
+}
+
 Json obstacles(const Environment& environment) {
     Json list = Json::array();
     for (const ObstacleId id : environment.obstacleIds()) {
@@ -35,6 +53,9 @@ Json obstacles(const Environment& environment) {
         }
         item["height"] = def.height;
         item["moving"] = !def.path.still();
+        putPath(item, def.path);
+        if (def.range >= 0.0) item["range"] = def.range;
+        if (def.strength >= 0.0) item["strength"] = def.strength;
         list.push(std::move(item));
     }
     return list;
@@ -47,12 +68,15 @@ Json patches(const Environment& environment) {
         const PatchDef& def = *environment.patch(id);
         const auto motion = static_cast<std::size_t>(def.motion);
         const double clipSpeed = motion < clips.size() ? clips[motion].speed : 1.0;
-        list.push(Json{{"id", id.value},
-                       {"name", def.name},
-                       {"polygon", points(def.polygon)},
-                       {"motion", def.motion},
-                       {"speed", def.speed > 0.0 ? def.speed : clipSpeed},
-                       {"moving", !def.path.still()}});
+        Json item{{"id", id.value},
+                  {"name", def.name},
+                  {"polygon", points(def.polygon)},
+                  {"motion", def.motion},
+                  {"speed", def.speed > 0.0 ? def.speed : clipSpeed},
+                  {"moving", !def.path.still()}};
+        putPath(item, def.path);
+        if (def.speed > 0.0) item["ownSpeed"] = def.speed;
+        list.push(std::move(item));
     }
     return list;
 }
@@ -64,34 +88,47 @@ Json clips(const Environment& environment) {
     return list;
 }
 
-Json groups(const World& world) {
+Json groups(const World& world, const Place& place) {
     Json list = Json::array();
     for (std::size_t g = 0; g < world.groupCount(); ++g) {
         const GroupView view = world.group(g);
-        list.push(Json{{"id", view.id.value},
-                       {"name", view.name},
-                       {"count", view.count},
-                       {"formation", formationName(view.formation)},
-                       {"colour", (view.id.value + kColours - 1) % kColours}});
+        Json item{{"id", view.id.value},
+                  {"name", view.name},
+                  {"count", view.count},
+                  {"formation", formationName(view.formation)},
+                  {"colour", (view.id.value + kColours - 1) % kColours}};
+        if (const PlaceGroupDef* start = place.group(view.id))
+            item["start"] = Json{{"position", point(start->def.position)},
+                                 {"angle", start->def.angle},
+                                 {"formation", shape(start->def.formation)}};
+        list.push(std::move(item));
     }
     return list;
 }
 
 Json checkpoints(const World& world) {
     Json list = Json::array();
-    for (const FormationCheckpointDef& checkpoint : world.checkpoints()) {
-        list.push(Json{{"position", point(checkpoint.position)},
+    for (std::size_t c = 0; c < world.checkpoints().size(); ++c) {
+        const FormationCheckpointDef& checkpoint = world.checkpoints()[c];
+        list.push(Json{{"id", world.checkpointIds()[c].value},
+                       {"position", point(checkpoint.position)},
                        {"radius", checkpoint.radius},
                        {"formation", formationName(checkpoint.formation.kind)},
-                       {"group", checkpoint.group}});
+                       {"shape", shape(checkpoint.formation)},
+                       {"group", world.checkpointGroups()[c].value},
+                       {"once", checkpoint.once},
+                       {"trigger", checkpoint.trigger == CheckpointTrigger::Mesh ? "mesh" : "crowd"},
+                       {"share", checkpoint.share}});
     }
     return list;
 }
 
 Json items(const World& world) {
     Json list = Json::array();
-    for (const ItemDef& item : world.items())
-        list.push(Json{{"position", point(item.position)}, {"radius", item.radius}});
+    for (std::size_t i = 0; i < world.items().size(); ++i)
+        list.push(Json{{"id", world.itemIds()[i].value},
+                       {"position", point(world.items()[i].position)},
+                       {"radius", world.items()[i].radius}});
     return list;
 }
 
@@ -110,22 +147,24 @@ Json parameters(const World& world) {
 
 }  // namespace
 
-std::string buildSceneJson(const std::string& name, const WorldDef& def, const World& world,
-                           bool demonstration) {
+std::string buildSceneJson(const SceneSource& source) {
+    const World& world = source.world;
+    const WorldDef& def = source.def;
     const Environment& environment = inspect::environment(world);
     Json scene;
-    scene["name"] = name;
+    scene["world"] = source.worldNumber;
+    scene["name"] = source.name;
     scene["title"] = def.name;
     scene["description"] = def.description;
     scene["credit"] = def.credit;
-    scene["demonstration"] = demonstration;
+    scene["demonstration"] = source.demonstration;
     scene["box"] = Json{{"min", point(environment.def().box.min)}, {"max", point(environment.def().box.max)}};
     scene["cell"] = environment.def().cell;
     scene["radius"] = world.parameters().character.radius;
     scene["obstacles"] = obstacles(environment);
     scene["patches"] = patches(environment);
     scene["clips"] = clips(environment);
-    scene["groups"] = groups(world);
+    scene["groups"] = groups(world, source.place);
     scene["items"] = items(world);
     scene["checkpoints"] = checkpoints(world);
     scene["parameters"] = parameters(world);
@@ -139,6 +178,19 @@ std::uint64_t sceneSignature(const World& world) {
     for (std::size_t g = 0; g < world.groupCount(); ++g) {
         const GroupView view = world.group(g);
         hash.add(view.id.value);
+        for (const char c : view.name) hash.add(static_cast<std::uint8_t>(c));
+    }
+    for (std::size_t i = 0; i < world.items().size(); ++i) {
+        hash.add(world.itemIds()[i].value);
+        hash.add(world.items()[i].position.x);
+        hash.add(world.items()[i].position.y);
+        hash.add(world.items()[i].radius);
+    }
+    for (std::size_t c = 0; c < world.checkpoints().size(); ++c) {
+        hash.add(world.checkpointIds()[c].value);
+        hash.add(world.checkpoints()[c].position.x);
+        hash.add(world.checkpoints()[c].position.y);
+        hash.add(world.checkpoints()[c].radius);
     }
     for (const ParameterInfo& info : parameterTable()) hash.add(info.get(world.parameters()));
     return hash.value();

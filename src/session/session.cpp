@@ -30,6 +30,9 @@ Status Session::Impl::begin(const std::string& worldName, const WorldDef& newDef
     stopRecording();
     world.emplace(std::move(made).value());
     if (&worldDef != &newDef) worldDef = newDef, warn();
+    editor.begin(worldDef);
+    givenEdits.clear();
+    ++worldNumber;
     name = worldName;
     if (player || taken) touchTake();
     player = std::move(taken);
@@ -106,7 +109,7 @@ Status Session::Impl::restart() {
     }
     const bool recording = recordedFrom >= 0.0;
     stopRecording(true);
-    if (Status s = begin(name, worldDef); !s.ok()) return s;
+    if (Status s = beginAgain(); !s.ok()) return s;
     if (recording) setRecording(true, nullptr);
     return {};
 }
@@ -128,7 +131,7 @@ Status Session::Impl::demonstrate() {
     }
     const bool recording = recordedFrom >= 0.0;
     stopRecording(true);
-    if (Status s = begin(name, worldDef); !s.ok()) return s;
+    if (Status s = beginAgain(); !s.ok()) return s;
     if (recording) setRecording(true, nullptr);
     for (const Command& command : *commands) {
         if (Status s = world->submit(command); !s.ok()) return s.within(worldDef.gestures);
@@ -209,10 +212,12 @@ void Session::Impl::stepped() {
 
 void Session::Impl::stepWorld() {
     submitLayer();
+    submitEdits();
     driveSchemes();
     world->step();
     stepped();
     log.observe(*world);
+    editsCarriedOut();
     if (log.full() && !fullReported) {
         fullReported = true;
         noticeAll(protocol::NoticeLevel::Warning, "take-full",
@@ -275,7 +280,7 @@ void Session::Impl::refreshScene() {
     ++sceneRevision;
     protocol::Scene scene;
     scene.revision = sceneRevision;
-    scene.json = buildSceneJson(name, worldDef, *world, canDemonstrate());
+    scene.json = buildSceneJson({name, worldDef, *world, editor.place(), worldNumber, canDemonstrate()});
     sceneBytes = protocol::encode(scene);
     touchState();
 }

@@ -3,6 +3,7 @@
 
 #include "session/overlay.h"
 #include "session/raw_inputs.h"
+#include "session/reach_overlay.h"
 #include "session/session_state.h"
 
 namespace muster {
@@ -32,6 +33,7 @@ void Session::disconnect(std::uint32_t client) {
         (void)impl_->submit(found->second, bodies);
     }
     impl_->directors.leave(found->second.number);
+    impl_->editor.forget(found->second.number);
     impl_->clients.erase(found);
 }
 
@@ -96,6 +98,7 @@ void Session::outgoing(std::uint32_t client, std::vector<MessageBytes>& messages
     SessionClient& to = found->second;
     if (to.greeted) impl_->sendDirectors(to);
     if (to.greeted && impl_->world) impl_->sendTake(to);
+    if (to.greeted) impl_->sendHistory(to);
     to.scheme.send(to.outbox);
     if (to.greeted && impl_->world && !to.frames.waits()) {
         impl_->sendOverlay(to);
@@ -136,6 +139,11 @@ void Session::Impl::sendFrame(SessionClient& client) {
 void Session::Impl::sendOverlay(SessionClient& client) {
     if (client.overlay == protocol::OverlayKind::None || realTime < client.overlayDue) return;
     if (client.overlayState == state) return;
+    if (client.overlay == protocol::OverlayKind::Reach) {
+        const ReachVersion version = reachVersion(*world);
+        if (client.overlayState != 0 && client.sentReach == version) return;
+        client.sentReach = version;
+    }
     client.overlayDue = realTime + 1.0 / def.limits.overlaysPerSecond;
     client.overlayState = state;
     const auto overlay = buildOverlay(*world, client.overlay, client.overlayCharacter);

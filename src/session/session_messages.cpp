@@ -300,8 +300,8 @@ public:
         return {};
     }
 
-    Status operator()(const protocol::Edit&) { return {StatusCode::Unsupported, "no place is being made"}; }
-    Status operator()(const protocol::UndoEdit&) { return {StatusCode::Unsupported, "no place is being made"}; }
+    Status operator()(const protocol::Edit& message) { return session_.edit(client_, message); }
+    Status operator()(const protocol::UndoEdit& message) { return session_.undoEdit(client_, message.redo); }
 
     Status operator()(const protocol::EnterStudy&) { return noStudy(); }
     Status operator()(const protocol::AnswerForm&) { return noStudy(); }
@@ -374,7 +374,7 @@ Status Session::Impl::handle(SessionClient& client, const protocol::ClientMessag
     return std::visit(Handler(*this, client), message);
 }
 
-Status Session::Impl::submit(SessionClient& client, std::vector<CommandBody>& bodies) {
+Status Session::Impl::submit(SessionClient& client, std::vector<CommandBody>& bodies, bool steers) {
     if (!world) return {StatusCode::NotFound, "there is no world yet"};
     if (player) return {StatusCode::Unsupported, "a take is being replayed; load a scenario to steer"};
     // Lifting the fingers of a client that has left bypasses the limit; this happens once per client.
@@ -399,7 +399,7 @@ Status Session::Impl::submit(SessionClient& client, std::vector<CommandBody>& bo
         client.steers = true;
         ++waitingCommands;
     }
-    if (!released) handCame();
+    if (!released && steers) handCame();
     return {};
 }
 

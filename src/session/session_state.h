@@ -13,7 +13,9 @@
 #include "session/directors.h"
 #include "session/frame_sender.h"
 #include "session/pacer.h"
+#include "session/place_editor.h"
 #include "session/protocol.h"
+#include "session/reach_overlay.h"
 #include "session/take_log.h"
 #include "session/take_player.h"
 #include "session/touch_clock.h"
@@ -44,6 +46,7 @@ struct SessionClient {
     std::uint32_t sentReady = 0;               ///< Steps in the last TakeReady sent.
     double readyDue = 0.0;                     ///< Real time at which the next TakeReady is due [s].
     std::uint32_t sentDirectors = 0;           ///< Revision of the directors sent; 0 for none.
+    std::uint32_t sentHistory = 0;             ///< Revision of the edits that the last EditHistory told.
     double frameDue = 0.0;                     ///< Real time when the next frame is due while playing [s].
     std::vector<protocol::EventFrame> events;  ///< Events since the last frame.
     Attention attention;                       ///< The point that the client looks at.
@@ -55,6 +58,7 @@ struct SessionClient {
     std::uint32_t overlayCharacter = 0;
     double overlayDue = 0.0;         ///< Real time at which the next overlay is due [s].
     std::uint64_t overlayState = 0;  ///< Session state that the last overlay showed; 0 for none.
+    ReachVersion sentReach;          ///< What the last overlay of reach was made from.
 };
 
 /// The complete state of a session.
@@ -69,6 +73,7 @@ struct Session::Impl {
     void warnOfClips(SessionClient& client);
     void observeMotion();
     Status restart();
+    Status beginAgain();
     Status demonstrate();
     /// True where the scenario carries touches that can be watched now.
     bool canDemonstrate() const { return !player && !worldDef.gestures.empty() && def.loadGestures; }
@@ -118,9 +123,17 @@ struct Session::Impl {
     void sendFrame(SessionClient& client);
     void sendOverlay(SessionClient& client);
 
+    // The place (session_place.cpp).
+    Status edit(SessionClient& client, const protocol::Edit& message);
+    Status undoEdit(SessionClient& client, bool redo);
+    void submitEdits();
+    void editsCarriedOut();
+    void sendHistory(SessionClient& client);
+
     // Messages (session_messages.cpp).
     Status handle(SessionClient& client, const protocol::ClientMessage& message);
-    Status submit(SessionClient& client, std::vector<CommandBody>& bodies);
+    /// `steers`: a world that waits for somebody to steer goes on.
+    Status submit(SessionClient& client, std::vector<CommandBody>& bodies, bool steers = true);
     /// Gives the next step the commands of all control schemes.
     void driveSchemes();
     /// Somebody steers: a world that waits for that goes on.
@@ -130,6 +143,9 @@ struct Session::Impl {
     std::map<std::uint32_t, SessionClient> clients;  // By client number.
     std::uint32_t lastClient = kLastDemonstrator;
     Directors directors;
+    PlaceEditor editor;
+    std::vector<PlaceEditor::Given> givenEdits;  // Edits of the step that is made.
+    std::uint32_t worldNumber = 0;               // Worlds that have begun.
 
     std::string name;  // The scenario's name.
     WorldDef worldDef;

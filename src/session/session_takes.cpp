@@ -264,6 +264,7 @@ Status Session::Impl::takeAgain(bool keep, SessionClient& client) {
 
 // Recorded commands keep their numbers, so whoever steers now gets higher ones.
 void Session::Impl::renumberClients(const Take& take) {
+    editor.forgetAll();
     for (const Command& command : take.commands) lastClient = std::max(lastClient, command.client);
     forgetClients();
     for (auto& [id, client] : clients) {

@@ -121,6 +121,10 @@ Status validateCheckpoint(const FormationCheckpointDef& checkpoint, std::size_t 
          inRange("share", checkpoint.share, 1e-6, 1.0), validateFormation(checkpoint.formation)});
 }
 
+Status validateName(const std::string& name) {
+    return isText("name", name);
+}
+
 Status validateItem(const ItemDef& item) {
     return first({isPlace("position", item.position), inRange("radius", item.radius, 0.01, 1e4)});
 }

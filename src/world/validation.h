@@ -43,6 +43,8 @@ Status validateConduct(const Conduct& conduct);
 Status validateBodies(const std::vector<Body>& bodies, std::size_t count, bool optional);
 /// InvalidArgument where a role is bad.
 Status validateRoles(const std::vector<RoleDef>& roles);
+/// InvalidArgument where a name is too long or no text.
+Status validateName(const std::string& name);
 /// InvalidArgument where a demand is out of its range.
 Status validateDemands(const std::vector<double>& demands);
 /// InvalidArgument naming the first bad thing of a whole definition ("groups[1]: ...").

@@ -152,6 +152,15 @@ std::span<const std::uint8_t> World::collected() const {
 std::span<const FormationCheckpointDef> World::checkpoints() const {
     return engine_->state.checkpoints;
 }
+std::span<const ItemId> World::itemIds() const {
+    return engine_->state.itemIds;
+}
+std::span<const CheckpointId> World::checkpointIds() const {
+    return engine_->state.checkpointIds;
+}
+std::span<const GroupId> World::checkpointGroups() const {
+    return engine_->state.checkpointGroups;
+}
 std::span<const Event> World::events() const {
     return engine_->events;
 }

@@ -94,11 +94,14 @@ Result<World> World::createOn(std::unique_ptr<ThreadPool> pool, const WorldDef& 
     if (const Status added = addGround(state.environment, def); !added.ok()) return added;
     state.environment.setTime(0.0);
     state.checkpoints = def.checkpoints;
+    for (std::size_t i = 0; i < def.checkpoints.size(); ++i)
+        state.checkpointIds.push_back(CheckpointId{state.nextCheckpoint++});
     // Groups are numbered from 1 in this order.
     for (const FormationCheckpointDef& checkpoint : def.checkpoints)
         state.checkpointGroups.push_back(GroupId{static_cast<std::uint32_t>(checkpoint.group + 1)});
     state.items = def.items;
     state.collected.assign(def.items.size(), 0);
+    for (std::size_t i = 0; i < def.items.size(); ++i) state.itemIds.push_back(ItemId{state.nextItem++});
     for (std::size_t i = 0; i < def.groups.size(); ++i) {
         const Status added = addGroup(state, def.groups[i]);
         if (!added.ok()) return added.within("groups[" + std::to_string(i) + "]");

@@ -8,6 +8,8 @@ const numbered = (section) => Object.fromEntries(Object.keys(section).map((name,
 /** First bytes of messages, by name. */
 export const fromServer = numbered(schema.server);
 export const fromClient = numbered(schema.client);
+/** The WebSocket's subprotocol. */
+export const kSubprotocol = `muster.v${schema.version}`;
 
 /** How long a test waits for what must come [ms]: no measure of speed, only an end for what hangs. */
 export const kPatience = 60000;
@@ -83,7 +85,7 @@ export class RawSocket {
       Connection: 'Upgrade',
       'Sec-WebSocket-Key': randomBytes(16).toString('base64'),
       'Sec-WebSocket-Version': '13',
-      'Sec-WebSocket-Protocol': 'muster.v8',
+      'Sec-WebSocket-Protocol': kSubprotocol,
       ...headers,
     };
     const lines = Object.entries(all).filter(([, value]) => value !== null).map(([name, value]) => `${name}: ${value}\r\n`);

@@ -2,6 +2,7 @@
 // address: it is this machine, but not the desk.
 import http from 'node:http';
 import { randomBytes } from 'node:crypto';
+import { kSubprotocol } from './client.mjs';
 
 const kNetwork = '127.0.0.2';
 
@@ -30,7 +31,7 @@ function upgrade(port, headers) {
     Origin: `http://${kNetwork}:${port}`,
     'Sec-WebSocket-Key': randomBytes(16).toString('base64'),
     'Sec-WebSocket-Version': '13',
-    'Sec-WebSocket-Protocol': 'muster.v8',
+    'Sec-WebSocket-Protocol': kSubprotocol,
     ...headers,
   };
 }

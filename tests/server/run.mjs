@@ -11,8 +11,9 @@ import { lanTests } from './lan.mjs';
 import { processTests } from './process.mjs';
 import { watchBodies, watchQueue, watchSilence } from './slow.mjs';
 import { studyTests } from './study.mjs';
+import { placesTests } from './places.mjs';
 import { takesTests } from './takes.mjs';
-import { RawSocket, ack, dial, eventually, exchange, fromClient, fromServer, hello, ping, request, stepOf } from './client.mjs';
+import { RawSocket, ack, dial, eventually, exchange, fromClient, fromServer, hello, kSubprotocol, ping, request, stepOf } from './client.mjs';
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 const program = resolve(process.argv[2] ?? join(root, 'build/release/muster'));
@@ -139,10 +140,10 @@ await test('exact Origin of WebSockets', async () => {
 });
 
 await test('subprotocol', async () => {
-  const two = await RawSocket.open(port, { 'Sec-WebSocket-Protocol': 'other, muster.v8' });
-  check(two.status === 101 && /sec-websocket-protocol: muster\.v8/i.test(two.head), 'one of two');
+  const two = await RawSocket.open(port, { 'Sec-WebSocket-Protocol': `other, ${kSubprotocol}` });
+  check(two.status === 101 && two.head.toLowerCase().includes(`sec-websocket-protocol: ${kSubprotocol}`), 'one of two');
   two.close();
-  for (const name of [null, 'muster.v1', 'muster', 'muster.v8x']) {
+  for (const name of [null, 'muster.v1', 'muster', `${kSubprotocol}x`]) {
     check((await RawSocket.open(port, { 'Sec-WebSocket-Protocol': name })).status === 400, `subprotocol ${name}`);
   }
   check((await RawSocket.open(port, {}, '/other')).status === 404, 'path');
@@ -387,6 +388,7 @@ await test('the studio still answers', async () => {
 });
 
 await takesTests({ test, check, start, place });
+await placesTests({ test, check, start, program, place });
 await studyTests({ test, check, program, place });
 await processTests({ test, check, start, program, common, place });
 

@@ -97,6 +97,7 @@ private:
         if (const auto* m = std::get_if<protocol::Pong>(&message)) pongs.push_back(*m);
         if (const auto* m = std::get_if<protocol::Directors>(&message)) directors.push_back(*m);
         if (const auto* m = std::get_if<protocol::TakeState>(&message)) takes.push_back(*m);
+        if (const auto* m = std::get_if<protocol::EditHistory>(&message)) history = *m;
         if (const auto* m = std::get_if<protocol::TakeReady>(&message)) ready = m->steps;
         if (const auto* m = std::get_if<protocol::TakeKept>(&message)) kept.push_back(*m);
         if (const auto* m = std::get_if<protocol::Frame>(&message)) {
@@ -125,6 +126,7 @@ public:
     std::vector<protocol::Pong> pongs;
     std::vector<protocol::Directors> directors;
     std::vector<protocol::TakeState> takes;
+    protocol::EditHistory history;  ///< The newest.
     std::uint32_t ready = 0;  ///< Steps of the last TakeReady.
     std::vector<protocol::TakeKept> kept;
 };

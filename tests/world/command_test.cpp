@@ -44,6 +44,11 @@ std::vector<Command> everyCommand() {
     group.conduct = {Stance::Hold, 0.5, 0.25, true};
     group.orders = {order, Order::face(1.0)};
     group.patrols = true;
+    FormationCheckpointDef checkpoint;
+    checkpoint.position = {3, 4};
+    checkpoint.formation = outline;
+    checkpoint.once = false;
+    checkpoint.trigger = CheckpointTrigger::Mesh;
     const std::vector<CommandBody> bodies = {
         TouchDown{7, {1.5, -2.25}, 0.125, GroupId{2}},
         TouchMove{7, {1, 2}, 0.25},
@@ -77,7 +82,15 @@ std::vector<Command> everyCommand() {
         SetRoles{GroupId{1}, group.roles},
         SetDemands{GroupId{1}, {0.5, 2.0}},
         SetDriver{{4, 2}, Driver::Outside},
-        WriteMotion{{4, 2}, {{0, 0}, {1, 2}}, {{1, 0}, {0, 1}}}};
+        WriteMotion{{4, 2}, {{0, 0}, {1, 2}}, {{1, 0}, {0, 1}}},
+        AddItem{{{1, 2}, 0.75}},
+        ChangeItem{ItemId{3}, {{1, 2}, 0.75}},
+        RemoveItem{ItemId{3}},
+        AddCheckpoint{checkpoint, GroupId{2}},
+        ChangeCheckpoint{CheckpointId{5}, checkpoint, GroupId{}},
+        RemoveCheckpoint{CheckpointId{5}},
+        PlaceGroup{GroupId{1}, {1, 2}, 0.3},
+        NameGroup{GroupId{1}, "Guests"}};
     std::vector<Command> commands;
     for (const CommandBody& body : bodies) {
         const auto n = static_cast<std::uint32_t>(commands.size());

@@ -178,6 +178,27 @@ struct BodyFields {
         v.points("positions", c.positions, 1, kMaxCharacters, "Where they are.", Need::Required);
         v.points("velocities", c.velocities, 0, kMaxCharacters, "How fast; left out: by the last positions.");
     }
+    void operator()(AddItem& c) { item(c.item); }
+    void operator()(ChangeItem& c) {
+        id("id", c.id);
+        item(c.item);
+    }
+    void operator()(RemoveItem& c) { id("id", c.id); }
+    void operator()(AddCheckpoint& c) { checkpoint(c.checkpoint, c.group); }
+    void operator()(ChangeCheckpoint& c) {
+        id("id", c.id);
+        checkpoint(c.checkpoint, c.group);
+    }
+    void operator()(RemoveCheckpoint& c) { id("id", c.id); }
+    void operator()(PlaceGroup& c) {
+        id("group", c.group);
+        spot(c.position);
+        v.number("angle", c.angle, kAngle, "Where it faces.");
+    }
+    void operator()(NameGroup& c) {
+        id("group", c.group);
+        v.text("name", c.name, "Shown on its chip.", Need::Required);
+    }
     void ids(std::vector<std::uint32_t>& list) {
         v.numbers("ids", list, kId, kMaxCharacters, "Ids of characters.", Need::Required);
     }
@@ -188,6 +209,17 @@ struct BodyFields {
     void patch(PatchDef& def) {
         v.object(
             "definition", "", [&](auto& inner) { describePatch(inner, def, {}); }, Need::Required);
+    }
+    void item(ItemDef& def) {
+        v.object(
+            "definition", "", [&](auto& inner) { describeItem(inner, def); }, Need::Required);
+    }
+    /// The group that it concerns has an id here.
+    void checkpoint(FormationCheckpointDef& def, GroupId& group) {
+        v.object(
+            "definition", "", [&](auto& inner) { describeCheckpoint(inner, def, [] {}); }, Need::Required);
+        if (takesPart<Visitor>(static_cast<bool>(group)))
+            v.whole("group", group.value, kId, "Group it concerns; left out: any.");
     }
 };
 

@@ -66,21 +66,28 @@ void describeGroup(Visitor& v, GroupDef& group) {
     v.flag("patrols", group.patrols, "Orders that are done come last again.");
 }
 
-template <class Visitor>
-void describeCheckpoint(Visitor& v, FormationCheckpointDef& checkpoint, std::size_t groups) {
+/// A checkpoint without the group that it concerns, which is put by `putGroup()`.
+template <class Visitor, class PutGroup>
+void describeCheckpoint(Visitor& v, FormationCheckpointDef& checkpoint, PutGroup putGroup) {
     v.point("position", checkpoint.position, "Where it lies.", Need::Required);
     v.number("radius", checkpoint.radius, {0.01, 1e4, "m"}, "Works for who comes within it.");
     v.objectOrKind(
         "formation", "What the group becomes.",
         [&](auto& inner) { describeFormation(inner, checkpoint.formation); }, Need::Required);
-    if (Visitor::kReading || Visitor::kSchema || checkpoint.group >= 0) {
-        const double most = Visitor::kSchema ? 999.0 : static_cast<double>(groups) - 1.0;
-        v.whole("group", checkpoint.group, {-1.0, most}, "Index of the group it concerns; -1 for any.");
-    }
+    putGroup();
     v.flag("once", checkpoint.once, "Works once per group; else each time the group comes anew.");
     describeWord(v, "trigger", checkpoint.trigger, kTriggerWords,
                  "What passes it: a share of the crowd, or the centre of the mesh.");
     v.number("share", checkpoint.share, {1e-6, 1.0}, "For crowd: share of the group that has been in it.");
+}
+
+template <class Visitor>
+void describeCheckpoint(Visitor& v, FormationCheckpointDef& checkpoint, std::size_t groups) {
+    describeCheckpoint(v, checkpoint, [&] {
+        if (!Visitor::kReading && !Visitor::kSchema && checkpoint.group < 0) return;
+        const double most = Visitor::kSchema ? 999.0 : static_cast<double>(groups) - 1.0;
+        v.whole("group", checkpoint.group, {-1.0, most}, "Index of the group it concerns; -1 for any.");
+    });
 }
 
 template <class Visitor>

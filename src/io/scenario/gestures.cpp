@@ -15,12 +15,47 @@ namespace {
 constexpr const char* kGesturesFormat = "muster-gestures";
 constexpr std::size_t kMaxEvents = 1000000;
 constexpr const char* kOrder = "";  // Orders are called by what they ask for.
-constexpr const char* kKinds[] = {
-    "down",           "move",           "up",      "cancel",      "control",     "pin",         "remove",
-    "release",        "formation",      "count",   "pose",        "group",       "removeGroup", "obstacle",
-    "changeObstacle", "removeObstacle", "patch",   "changePatch", "removePatch", "parameter",   kOrder,
-    "queue",          "conduct",        "join",    "leave",       "transfer",    "split",       "merge",
-    "bodies",         "roles",          "demands", "driver",      "motion"};
+constexpr const char* kKinds[] = {"down",
+                                  "move",
+                                  "up",
+                                  "cancel",
+                                  "control",
+                                  "pin",
+                                  "remove",
+                                  "release",
+                                  "formation",
+                                  "count",
+                                  "pose",
+                                  "group",
+                                  "removeGroup",
+                                  "obstacle",
+                                  "changeObstacle",
+                                  "removeObstacle",
+                                  "patch",
+                                  "changePatch",
+                                  "removePatch",
+                                  "parameter",
+                                  kOrder,
+                                  "queue",
+                                  "conduct",
+                                  "join",
+                                  "leave",
+                                  "transfer",
+                                  "split",
+                                  "merge",
+                                  "bodies",
+                                  "roles",
+                                  "demands",
+                                  "driver",
+                                  "motion",
+                                  "item",
+                                  "changeItem",
+                                  "removeItem",
+                                  "checkpoint",
+                                  "changeCheckpoint",
+                                  "removeCheckpoint",
+                                  "placeGroup",
+                                  "nameGroup"};
 static_assert(std::size(kKinds) == std::variant_size_v<CommandBody>);
 
 /// An event of the file: a command with its time.

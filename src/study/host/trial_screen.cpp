@@ -28,7 +28,7 @@ void TrialScreen::refreshScene(const Trial& trial) {
     signature_ = sceneSignature(trial.world());
     protocol::Scene scene;
     scene.revision = ++sceneRevision_;
-    scene.json = buildSceneJson(trial.def().environment, def_, trial.world(), false);
+    scene.json = buildSceneJson({trial.def().environment, def_, trial.world(), Place(), 1, false});
     scene_ = protocol::encode(scene);
     ++state_;
 }

@@ -8,6 +8,7 @@
 #include "muster/parameter_table.h"
 #include "world/commands/body_commands.h"
 #include "world/commands/order_commands.h"
+#include "world/commands/place_commands.h"
 #include "world/commands/role_commands.h"
 #include "world/commands/unit_commands.h"
 #include "world/state/ground_class.h"
@@ -169,6 +170,14 @@ public:
     Status operator()(const SetDemands& set) { return setDemands(editableGroups(), set); }
     Status operator()(const SetDriver& set) { return setDriver(state_, set); }
     Status operator()(const WriteMotion& write) { return writeMotion(state_, write); }
+    Status operator()(const AddItem& add) { return addItem(state_, add); }
+    Status operator()(const ChangeItem& change) { return changeItem(state_, change); }
+    Status operator()(const RemoveItem& remove) { return removeItem(state_, remove); }
+    Status operator()(const AddCheckpoint& add) { return addCheckpoint(state_, add); }
+    Status operator()(const ChangeCheckpoint& change) { return changeCheckpoint(state_, change); }
+    Status operator()(const RemoveCheckpoint& remove) { return removeCheckpoint(state_, remove); }
+    Status operator()(const PlaceGroup& place) { return placeGroup(editableGroups(), place); }
+    Status operator()(const NameGroup& name) { return nameGroup(state_, name); }
 
 private:
     // Background work reads the plans.

@@ -14,16 +14,27 @@ namespace {
 constexpr std::size_t kMaxTouches = 64;    // Of one control.
 constexpr std::int32_t kAnyMotion = 1000;  // Whether the world knows the motion shows when it is applied.
 
-constexpr auto kNames = std::to_array<const char*>(
-    {"TouchDown",        "TouchMove",          "TouchUp",        "TouchCancel",
-     "AddControl",       "PinControl",         "RemoveControl",  "ReleaseClient",
-     "SetFormation",     "SetCount",           "SetPose",        "AddGroup",
-     "RemoveGroup",      "AddObstacle",        "ChangeObstacle", "RemoveObstacle",
-     "AddPatch",         "ChangePatch",        "RemovePatch",    "SetParameter",
-     "GiveOrder",        "EditQueue",          "SetConduct",     "AddCharacters",
-     "RemoveCharacters", "TransferCharacters", "SplitGroup",     "MergeGroups",
-     "SetBodies",        "SetRoles",           "SetDemands",     "SetDriver",
-     "WriteMotion"});
+constexpr auto kNames = std::to_array<const char*>({"TouchDown",        "TouchMove",
+                                                    "TouchUp",          "TouchCancel",
+                                                    "AddControl",       "PinControl",
+                                                    "RemoveControl",    "ReleaseClient",
+                                                    "SetFormation",     "SetCount",
+                                                    "SetPose",          "AddGroup",
+                                                    "RemoveGroup",      "AddObstacle",
+                                                    "ChangeObstacle",   "RemoveObstacle",
+                                                    "AddPatch",         "ChangePatch",
+                                                    "RemovePatch",      "SetParameter",
+                                                    "GiveOrder",        "EditQueue",
+                                                    "SetConduct",       "AddCharacters",
+                                                    "RemoveCharacters", "TransferCharacters",
+                                                    "SplitGroup",       "MergeGroups",
+                                                    "SetBodies",        "SetRoles",
+                                                    "SetDemands",       "SetDriver",
+                                                    "WriteMotion",      "AddItem",
+                                                    "ChangeItem",       "RemoveItem",
+                                                    "AddCheckpoint",    "ChangeCheckpoint",
+                                                    "RemoveCheckpoint", "PlaceGroup",
+                                                    "NameGroup"});
 static_assert(kNames.size() == std::variant_size_v<CommandBody>);
 
 /// Makes the alternative with that index; false where there is none.
@@ -140,6 +151,19 @@ struct Validator {
         if (Status s = places("velocities", c.velocities); !s.ok()) return s;
         return places("positions", c.positions);
     }
+    Status operator()(const AddItem& c) const { return validateItem(c.item); }
+    Status operator()(const ChangeItem& c) const { return validateItem(c.item); }
+    Status operator()(const RemoveItem&) const { return {}; }
+    Status operator()(const AddCheckpoint& c) const { return validateCheckpoint(c.checkpoint, kMaxGroups); }
+    Status operator()(const ChangeCheckpoint& c) const {
+        return validateCheckpoint(c.checkpoint, kMaxGroups);
+    }
+    Status operator()(const RemoveCheckpoint&) const { return {}; }
+    Status operator()(const PlaceGroup& c) const {
+        return std::fabs(c.angle) <= 1e6 ? place(c.position)
+                                         : invalidArgument("angle is not in [-1e6, 1e6] rad");
+    }
+    Status operator()(const NameGroup& c) const { return validateName(c.name); }
 
 private:
     static Status places(const char* what, const std::vector<Vec2>& points) {

@@ -274,11 +274,22 @@ Status checkWays(const WorldState& state) {
     return {};
 }
 
+/// True where ids ascend below the next one.
+template <class AnyId>
+bool ascend(const std::vector<AnyId>& ids, std::uint32_t next) {
+    for (std::size_t k = 0; k < ids.size(); ++k)
+        if (ids[k].value == 0 || ids[k].value >= next || (k > 0 && ids[k] <= ids[k - 1])) return false;
+    return true;
+}
+
 Status checkQueueAndMarks(const WorldState& state) {
     if (state.lastCommandStep > state.stepCount || state.collected.size() != state.items.size() ||
         state.checkpointState.size() != state.groups.size() * state.checkpoints.size() ||
-        state.checkpointGroups.size() != state.checkpoints.size())
+        state.checkpointGroups.size() != state.checkpoints.size() ||
+        state.checkpointIds.size() != state.checkpoints.size() || state.itemIds.size() != state.items.size())
         return wrong("lists of different lengths");
+    if (!ascend(state.itemIds, state.nextItem) || !ascend(state.checkpointIds, state.nextCheckpoint))
+        return wrong("ids of items or checkpoints out of order");
     for (const ItemDef& item : state.items)
         if (Status s = validateItem(item); !s.ok()) return s;
     for (const FormationCheckpointDef& checkpoint : state.checkpoints)

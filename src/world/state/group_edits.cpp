@@ -30,30 +30,48 @@ Body bodyOf(const GroupDef& def, std::size_t index) {
     return def.bodies[std::min(index, def.bodies.size() - 1)];
 }
 
+/// Makes a character of a group, an index of all arrays, stand still near a position.
+void standStill(WorldState& state, const Group& group, std::size_t i, Vec2 position) {
+    Characters& c = state.characters;
+    const double radius = radiusOf(state.parameters.character, c.body[i]);
+    c.position[i] = state.environment.projectToFreeSpace(position, radius);
+    c.velocity[i] = {};
+    c.heading[i] = group.mesh.pose().rotation.apply({1.0, 0.0});
+    c.place[i] = -1;
+    c.direction[i] = {};
+    c.cost[i] = 0.0;
+    c.motion[i] = 0;
+    c.phase[i] = MotionPhase::Steady;
+    c.motionTime[i] = 0.0;
+    c.patch[i] = 0;
+    c.lastSingle[i] = 0;
+    c.walk[i] = {c.position[i], state.stepCount, state.stepCount, false,
+                 false,         c.position[i],   state.stepCount};
+    c.wait[i] = {};
+    c.chosen[i] = {};
+    c.wanted[i] = {};
+}
+
+/// One entry more in each array.
+struct Extension {
+    [[maybe_unused]] static constexpr bool kReading = false;
+
+    template <class... Arrays>
+    void operator()(Arrays&... arrays) const {
+        (arrays.emplace_back(), ...);
+    }
+};
+
 void addCharacter(WorldState& state, const Group& group, std::uint32_t groupIndex, Vec2 position,
                   const Body& body) {
     Characters& c = state.characters;
-    const double radius = body.radius > 0.0 ? body.radius : state.parameters.character.radius;
-    c.id.push_back(state.nextCharacter++);
-    c.group.push_back(groupIndex);
-    c.position.push_back(state.environment.projectToFreeSpace(position, radius));
-    c.velocity.push_back({});
-    c.heading.push_back(group.mesh.pose().rotation.apply({1.0, 0.0}));
-    c.place.push_back(-1);
-    c.direction.push_back({});
-    c.cost.push_back(0.0);
-    c.motion.push_back(0);
-    c.phase.push_back(MotionPhase::Steady);
-    c.motionTime.push_back(0.0);
-    c.patch.push_back(0);
-    c.lastSingle.push_back(0);
-    c.walk.push_back({c.position.back(), state.stepCount, state.stepCount, false, false, c.position.back(),
-                      state.stepCount});
-    c.wait.push_back({});
-    c.chosen.push_back({});
-    c.body.push_back(body);
-    c.driver.push_back(Driver::Muster);
-    c.wanted.push_back({});
+    Extension extension;
+    c.visit(extension);
+    c.id.back() = state.nextCharacter++;
+    c.group.back() = groupIndex;
+    c.body.back() = body;
+    c.driver.back() = Driver::Muster;
+    standStill(state, group, c.size() - 1, position);
 }
 
 // Drops the marked entries of all arrays of characters; an archive, as far as visits go.
@@ -207,6 +225,33 @@ Status addGroup(WorldState& state, const GroupDef& def) {
     partAtStart(state);
     resetPlaces(state, state.groups.back(), targets);
     if (def.starts.empty() && anyInside(state)) startAtPlaces(state, state.groups.back());
+    return {};
+}
+
+Status standAt(WorldState& state, Group& group, const Pose& pose) {
+    const Formation formation = group.mesh.formation();
+    if (const Status placed = group.mesh.reset(formation, pose); !placed.ok())
+        return placed.within("group '" + group.def.name + "'");
+    std::vector<Vec2> targets;
+    group.mesh.placePositions(targets);
+    for (std::size_t k = 0; k < group.members.size(); ++k) {
+        const auto i = static_cast<std::size_t>(group.members[k]);
+        standStill(state, group, i,
+                   targets.empty() ? pose.position : targets[std::min(k, targets.size() - 1)]);
+        std::erase_if(state.ownRoutes,
+                      [&](const OwnRoute& route) { return route.character == state.characters.id[i]; });
+    }
+    partAtStart(state);
+    resetPlaces(state, group, targets);
+    if (anyInside(state)) startAtPlaces(state, group);
+    group.planNow = true;
+    group.assigned = false;
+    group.refitted = false;
+    group.lastAssignment.clear();
+    group.visitors.clear();
+    group.settling = {};
+    ++group.formationVersion;
+    group.order.begin(state.stepCount);
     return {};
 }
 

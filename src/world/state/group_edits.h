@@ -21,6 +21,9 @@ void exchangePlans(WorldState& state);
 Status addGroup(WorldState& state, const GroupDef& def);
 /// Removes a group and its characters. No background work may be running.
 void removeGroup(WorldState& state, std::size_t index);
+/// Puts a group elsewhere at once: mesh, places and characters, who stand still at their places. Fails,
+/// changing nothing, where the mesh cannot stand there.
+Status standAt(WorldState& state, Group& group, const Pose& pose);
 /// Gives a group another formation with `count` places. New places appear at once where they can be reached;
 /// they are assigned afresh. Fails, changing nothing, where the formation cannot be made.
 Status changeFormation(WorldState& state, Group& group, const FormationDef& def, std::int32_t count);

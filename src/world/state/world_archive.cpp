@@ -66,6 +66,19 @@ void archive(auto& ar, Continuum& continuum) {
     ar(continuum);
 }
 
+/// True where items or checkpoints have come or gone since the world was made.
+bool isRenumbered(const WorldState& state) {
+    return state.nextItem != state.items.size() + 1 || state.nextCheckpoint != state.checkpoints.size() + 1;
+}
+
+// Worlds that have the items and checkpoints of their definition have the hashes of before.
+void archiveIds(Hasher& hasher, WorldState& state) {
+    if (isRenumbered(state)) hasher(state.itemIds, state.checkpointIds, state.nextItem, state.nextCheckpoint);
+}
+void archiveIds(auto& ar, WorldState& state) {
+    ar(state.itemIds, state.checkpointIds, state.nextItem, state.nextCheckpoint);
+}
+
 void archivePlan(Writer& writer, Group& group, const WorldState&, ThreadPool*) {
     group.plan->save(writer);
 }
@@ -105,6 +118,7 @@ void archiveState(auto& ar, WorldState& state, ThreadPool* pool) {
     ar(state.checkpoints, state.checkpointGroups, state.checkpointState, state.items, state.collected,
        state.random, state.stepCount, state.passages, state.survey, state.waysLookedAt, state.waysChosenAt,
        state.lastCommandStep, state.groundEdits, state.nextCharacter, state.nextGroup, state.nextOrder);
+    archiveIds(ar, state);
     if constexpr (std::decay_t<decltype(ar)>::kReading)
         if (!ar.ok()) return;
     archiveGroups(ar, state, pool);

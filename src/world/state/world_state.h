@@ -33,7 +33,9 @@ struct WorldState {
     std::vector<FormationCheckpointDef> checkpoints;  ///< As defined.
     std::vector<GroupId> checkpointGroups;            ///< Whom each checkpoint concerns; none for any group.
     std::vector<std::uint8_t> checkpointState;        ///< Groups x checkpoints: bit 0 inside, bit 1 used.
+    std::vector<CheckpointId> checkpointIds;          ///< Of each checkpoint, ascending.
     std::vector<ItemDef> items;                       ///< As defined.
+    std::vector<ItemId> itemIds;                      ///< Of each item, ascending.
     std::vector<std::uint8_t> collected;              ///< Per item, 1 once collected.
     Random random;                                    ///< For start positions.
     std::uint32_t stepCount = 0;                      ///< Steps done.
@@ -46,6 +48,8 @@ struct WorldState {
     std::uint32_t nextCharacter = 1;                  ///< Id of the next character.
     std::uint32_t nextGroup = 1;                      ///< Id of the next group.
     std::uint32_t nextOrder = 1;                      ///< Id of the next order.
+    std::uint32_t nextItem = 1;                       ///< Id of the next item.
+    std::uint32_t nextCheckpoint = 1;                 ///< Id of the next checkpoint.
 
     // Caches.
     RouteGraph routes;  ///< Where usual characters can walk; as it was after the last refreshRoutes().

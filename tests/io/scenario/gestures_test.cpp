@@ -89,6 +89,11 @@ TEST_CASE("every kind of command survives the file") {
     guard.path.waypoints = {{0, {0, 0}, 0}, {2, {1, 0}, 0}};
     guard.character = 17;
     const Body heavy{0.4, 1.2, 3.0, 5.0, 2.0, 3};
+    FormationCheckpointDef checkpoint;
+    checkpoint.position = {3, 4};
+    checkpoint.formation = ring;
+    checkpoint.once = false;
+    checkpoint.trigger = CheckpointTrigger::Mesh;
     const std::vector<CommandBody> bodies = {
         TouchDown{7, {1.5, -2.25}, 0.1, GroupId{2}},
         TouchMove{7, {1, 2}, 0.1 + 0.2},
@@ -123,6 +128,14 @@ TEST_CASE("every kind of command survives the file") {
         SetDemands{GroupId{1}, {1.0, 0.5, 0.1 + 0.2}},
         SetDriver{{3}, Driver::Outside},
         WriteMotion{{3}, {{0.1, 0.2}}, {{1.0 / 3.0, 0}}},
+        AddItem{{{0.1, 2}, 0.75}},
+        ChangeItem{ItemId{3}, {{1, 2}, 0.75}},
+        RemoveItem{ItemId{3}},
+        AddCheckpoint{checkpoint, GroupId{2}},
+        ChangeCheckpoint{CheckpointId{5}, checkpoint, GroupId{}},
+        RemoveCheckpoint{CheckpointId{5}},
+        PlaceGroup{GroupId{1}, {1, 2}, 0.3},
+        NameGroup{GroupId{1}, "Gäste"},
         GiveOrder{GroupId{2}, QueueMode::Append, 0, guard},
         GiveOrder{GroupId{2}, QueueMode::Replace, 0, Order::face(-1.5)},
         GiveOrder{GroupId{2}, QueueMode::Replace, 0, Order::follow(GroupId{1}, {-2, 0.5})},

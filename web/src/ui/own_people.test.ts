@@ -54,6 +54,36 @@ it('keeps what was asked for last, however long an earlier file takes to read', 
   expect(store.state.ownCharacter).toBe('');
 });
 
+it('is there again after a reload, without a word, until it is taken off', async () => {
+  let kept: readonly File[] = [];
+  const copy = {
+    keep: (files: readonly File[]) => Promise.resolve(void (kept = files)),
+    read: () => Promise.resolve(kept),
+    forget: () => Promise.resolve(void (kept = [])),
+  };
+  const read = vi.fn(() => Promise.resolve(kCharacter));
+  await new OwnPeople({ setOwnBody }, store, read, copy).open([new File(['x'], 'robot.glb')]);
+  store = new StudioStore();
+  const again = new OwnPeople({ setOwnBody }, store, read, copy);
+  await again.restore();
+  expect(store.state.ownCharacter).toBe('robot.glb');
+  expect(store.state.notice).toBeNull();
+  expect(setOwnBody).toHaveBeenCalledTimes(2);
+  again.reset();
+  const bare = new OwnPeople({ setOwnBody }, new StudioStore(), read, copy);
+  await bare.restore();
+  expect(read).toHaveBeenCalledTimes(2);
+});
+
+it('keeps nothing of a file that will not do', async () => {
+  const keep = vi.fn(() => Promise.resolve());
+  const copy = { keep, read: () => Promise.resolve([]), forget: () => Promise.resolve() };
+  await new OwnPeople({ setOwnBody }, store, () => Promise.reject(new Error('no')), copy).open([
+    new File(['x'], 'x.glb'),
+  ]);
+  expect(keep).not.toHaveBeenCalled();
+});
+
 it('says what came with it and what it costs', () => {
   expect(welcomeText({ ...kCharacter, clips: [{ name: 'run' }, { name: 'walk' }] as never, triangles: 40000 })).toBe(
     'Everybody is robot.glb now, with run, walk of its own; with 40,000 triangles a large crowd of it will be slow.',

@@ -5,6 +5,7 @@ import { problem } from '../protocol/problem';
 import type { OwnCharacter } from '../scene/crowd/own_character/own_character';
 import type { StudioScene } from '../scene/studio_scene';
 import type { StudioStore } from '../model/studio_store';
+import type { CharacterCopy } from './own_people_copy';
 
 /** Reads files; throws with a sentence for the visitor. */
 export type CharacterReader = (files: readonly File[]) => Promise<OwnCharacter>;
@@ -39,25 +40,42 @@ export class OwnPeople {
     private readonly view_: Pick<StudioScene, 'setOwnBody'>,
     private readonly store_: StudioStore,
     private readonly read_: CharacterReader = readLazily,
+    private readonly copy_: CharacterCopy | null = null,
   ) {}
 
   /** Reads files and dresses everybody; says why where it cannot. */
   async open(files: readonly File[]): Promise<void> {
-    if (files.length === 0) return;
+    if (files.length === 0 || !(await this.dress(files))) return;
+    await this.copy_?.keep(files);
+  }
+
+  /** Dresses everybody as before a reload, without a word. */
+  async restore(): Promise<void> {
+    const requests = this.requests_;
+    const files = (await this.copy_?.read()) ?? [];
+    if (files.length === 0 || requests !== this.requests_) return;
+    const { notice } = this.store_.state;
+    if (await this.dress(files)) this.store_.set({ notice });
+  }
+
+  /** False where the files will not do, or something else was asked for meanwhile. */
+  private async dress(files: readonly File[]): Promise<boolean> {
     const mine = ++this.requests_;
     try {
       const character = await this.read_(files);
-      if (mine !== this.requests_) return;
+      if (mine !== this.requests_) return false;
       this.view_.setOwnBody(character.body, character.clips);
       const level = character.triangles > kManyTriangles ? NoticeLevel.Warning : NoticeLevel.Info;
       this.store_.set({
         ownCharacter: character.body.name,
         notice: noticeOf('character', level, welcomeText(character)),
       });
+      return true;
     } catch (error) {
-      if (mine !== this.requests_) return;
+      if (mine !== this.requests_) return false;
       const reason = error instanceof Error ? error.message : String(error);
       this.store_.set({ notice: problem('character', `${reason.replace(/\.$/, '')}.`) });
+      return false;
     }
   }
 
@@ -65,5 +83,6 @@ export class OwnPeople {
     this.requests_ += 1;
     this.view_.setOwnBody(null);
     this.store_.set({ ownCharacter: '' });
+    void this.copy_?.forget();
   }
 }

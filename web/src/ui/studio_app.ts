@@ -44,6 +44,7 @@ import { followSettings } from './page_settings';
 import { StudioController } from './studio_controller';
 import { FileDesk } from './file_desk';
 import { OwnPeople } from './own_people';
+import { OwnPeopleCopy } from './own_people_copy';
 import { SchemeDesk } from './scheme_desk';
 import { StudioShell } from './studio_shell';
 import { studioShortcuts } from './studio_shortcuts';
@@ -97,7 +98,8 @@ export class StudioApp {
     page: HTMLElement,
   ) {
     const say = (text: string): void => this.shell_.live.say(text);
-    const people = new OwnPeople(view_, this.store);
+    const people = new OwnPeople(view_, this.store, undefined, new OwnPeopleCopy());
+    void people.restore();
     const padding = (): Padding => this.shell_.padding();
     this.camera = new CameraDesk({
       view: view_,

@@ -148,6 +148,11 @@ export async function ownCharacter(studio) {
     /no joint for the left knee/.test(document.querySelector('.banner.notice strong').textContent),
   );
   expect((await drawn(studio))[0].body === 'painted.glb', 'the one before stays');
+  await studio.page.reload();
+  await studio.until('the same people after a reload', () => {
+    const drawn = globalThis.__muster?.view.people.drawn ?? [];
+    return drawn.length > 0 && drawn.every((one) => one.body === 'painted.glb' && one.near + one.far > 0);
+  });
   await studio.page.evaluate(() =>
     [...document.querySelectorAll('.menu-item')].find((one) => one.textContent === 'Our people').click(),
   );

@@ -31,6 +31,7 @@ export class CameraController implements CameraControls, GroundSight {
   private top_ = false;
   private flat_ = false;
   private glide_: { from: CameraPose; to: CameraPose; start: number; duration: number } | null = null;
+  private placed_ = false;
 
   get pose(): Readonly<CameraPose> {
     return this.pose_;
@@ -130,10 +131,16 @@ export class CameraController implements CameraControls, GroundSight {
     };
   }
 
+  /** True once the view has been brought to a pose since the scene opened. */
+  get placed(): boolean {
+    return this.placed_;
+  }
+
   /** The view as a scene opens, before a fit. */
   open(): void {
     if (this.down_) return this.straightDown(this.down_.box, this.down_.padding);
     this.glide_ = null;
+    this.placed_ = false;
     this.pose_.turn = 0.33;
     this.pose_.pitch = this.top_ ? kPitchTop : this.openPitch();
   }
@@ -245,6 +252,7 @@ export class CameraController implements CameraControls, GroundSight {
 
   /** Glides to a pose, turning the shorter way round. */
   glideToPose(pose: CameraPose, now: number, duration: number): void {
+    this.placed_ = true;
     const from = { ...this.pose_ };
     const around = Math.atan2(Math.sin(pose.turn - from.turn), Math.cos(pose.turn - from.turn));
     this.top_ = pose.pitch > kPitchMax;

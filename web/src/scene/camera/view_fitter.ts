@@ -29,12 +29,14 @@ export class ViewFitter {
     this.camera_.open();
   }
 
-  /** Fits the view to the crowd, its orders and the obstacles near it, with the first frame that has a crowd. */
+  /** Fits the view to the crowd, its orders and the obstacles near it, with the first frame that has a crowd, unless
+   * something else has brought the view to a pose by then: a film camera, say, before the first picture. */
   show(positions: Numbers, groups: readonly GroupView[]): void {
     if (this.opened_ || this.camera_.width < 2) return;
     const points = crowdOutline(positions, groups, this.span());
     if (points.length === 0) return;
     this.opened_ = true;
+    if (this.camera_.placed) return;
     const wanted = [...points, ...goals(groups, points)];
     this.camera_.fit(this.narrow() ? wanted : [...wanted, ...surroundings(this.scene_, points)], this.padding);
   }

@@ -33,6 +33,7 @@ function costText(state: StudioState): LegendText {
 export function legendText(state: StudioState): LegendText | null {
   switch (state.overlay) {
     case OverlayKind.None:
+    case OverlayKind.Reach:
       return null;
     case OverlayKind.Cost:
       return costText(state);

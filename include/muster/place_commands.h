@@ -1,0 +1,101 @@
+// Commands that change what lies on the ground, and where groups stand, while a world runs.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "muster/id.h"
+#include "muster/world_def.h"
+
+namespace muster {
+
+/// Adds an item to collect.
+struct AddItem {
+    ItemDef item;  ///< Its definition.
+
+    /// Lets an archive read or write the command.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(item);
+    }
+};
+/// Moves an item or changes its radius. Whether it is collected stays.
+struct ChangeItem {
+    ItemId id;     ///< Its id.
+    ItemDef item;  ///< Its new definition.
+
+    /// Lets an archive read or write the command.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(id, item);
+    }
+};
+/// Removes an item.
+struct RemoveItem {
+    ItemId id;  ///< Its id.
+
+    /// Lets an archive read or write the command.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(id);
+    }
+};
+/// Adds a formation checkpoint (SPEC M7), which nobody has passed yet.
+struct AddCheckpoint {
+    FormationCheckpointDef checkpoint;  ///< Its definition; its `group` is not read.
+    GroupId group;                      ///< Whom it concerns; none for any group.
+
+    /// Lets an archive read or write the command.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(checkpoint, group);
+    }
+};
+/// Changes a formation checkpoint. Who has passed it stays.
+struct ChangeCheckpoint {
+    CheckpointId id;                    ///< Its id.
+    FormationCheckpointDef checkpoint;  ///< Its new definition; its `group` is not read.
+    GroupId group;                      ///< Whom it concerns; none for any group.
+
+    /// Lets an archive read or write the command.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(id, checkpoint, group);
+    }
+};
+/// Removes a formation checkpoint.
+struct RemoveCheckpoint {
+    CheckpointId id;  ///< Its id.
+
+    /// Lets an archive read or write the command.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(id);
+    }
+};
+/// Puts a group elsewhere at once: its mesh, its places, and its characters, who stand still there. Its
+/// orders and controls end. (SetPose moves the mesh alone, and characters walk.)
+struct PlaceGroup {
+    GroupId group;       ///< Which.
+    Vec2 position;       ///< New centre of the formation [m].
+    double angle = 0.0;  ///< New heading, counter-clockwise from +x [rad].
+
+    /// Lets an archive read or write the command.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(group, position, angle);
+    }
+};
+/// Gives a group another name.
+struct NameGroup {
+    GroupId group;     ///< Which.
+    std::string name;  ///< At most 4,096 bytes.
+
+    /// Lets an archive read or write the command.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(group, name);
+    }
+};
+
+}  // namespace muster

@@ -1,0 +1,58 @@
+// The place that is being made: what the world began from, with all that was edited since.
+#pragma once
+
+#include <vector>
+
+#include "muster/command.h"
+#include "muster/world.h"
+
+namespace muster {
+
+/// A group of the place.
+struct PlaceGroupDef {
+    GroupId id;    ///< In the world that goes on.
+    GroupDef def;  ///< How it starts.
+};
+
+/// A definition, and the ids that its things have in the world that goes on, in their order. (What a map
+/// makes comes behind them.)
+struct PlaceDefinition {
+    WorldDef def;
+    std::vector<std::uint32_t> obstacles;
+    std::vector<std::uint32_t> patches;
+    std::vector<std::uint32_t> items;
+    std::vector<std::uint32_t> checkpoints;
+    std::vector<std::uint32_t> groups;
+};
+
+/// Obstacles, patches, items and checkpoints are those of the world. How groups start, and parameters, are
+/// kept here: directing changes the groups of a world, and not where they start.
+class Place {
+public:
+    /// A world began from that definition.
+    void begin(const WorldDef& def);
+    /// A world began from definition(): groups have new ids, and what was edited stays edited.
+    void beginAgain();
+    /// The world has carried out this edit.
+    void apply(const CommandBody& edit, const World& world);
+
+    /// True where something was edited.
+    bool edited() const { return edited_; }
+    /// Its groups, in the order of their ids.
+    const std::vector<PlaceGroupDef>& groups() const { return groups_; }
+    /// The group of that id; null where the place has none.
+    const PlaceGroupDef* group(GroupId id) const;
+    /// What a world begins from that has what is here now. `began` is what this world began from.
+    PlaceDefinition definition(const WorldDef& began, const World& world) const;
+
+private:
+    PlaceGroupDef* find(GroupId id);
+    void setBodies(const SetBodies& set, const World& world);
+    void addNewest(const GroupDef& def, const World& world);
+
+    std::vector<PlaceGroupDef> groups_;
+    std::vector<SetParameter> parameters_;  // In the order in which they were set.
+    bool edited_ = false;
+};
+
+}  // namespace muster

@@ -1,0 +1,20 @@
+// Applies the commands of muster/place_commands.h.
+#pragma once
+
+#include "muster/place_commands.h"
+#include "world/state/world_state.h"
+
+namespace muster {
+
+// Each fails, changing nothing, with NotFound where the world lacks what is named.
+Status addItem(WorldState& state, const AddItem& add);  ///< Fails where there are 20,000 items.
+Status changeItem(WorldState& state, const ChangeItem& change);
+Status removeItem(WorldState& state, const RemoveItem& remove);
+Status addCheckpoint(WorldState& state,
+                     const AddCheckpoint& add);  ///< Fails where there are 20,000 checkpoints.
+Status changeCheckpoint(WorldState& state, const ChangeCheckpoint& change);
+Status removeCheckpoint(WorldState& state, const RemoveCheckpoint& remove);
+Status placeGroup(WorldState& state, const PlaceGroup& place);
+Status nameGroup(WorldState& state, const NameGroup& name);
+
+}  // namespace muster
