@@ -22,8 +22,13 @@ export function openPlacesLazily(parts: PlaceParts): void {
   client.on('editHistory', (history) => {
     if (history.edited || desk) loaded().then((one) => one.setHistory(history), failed);
   });
+  // Another place has its welcome, too: a server is asked once.
+  let isNew = true;
+  client.on('link', ({ phase }) => (isNew ||= phase !== 'open'));
   client.on('welcome', () => {
-    if (hasAutosave()) loaded().then((one) => one.offerKept(), failed);
+    const asks = isNew && hasAutosave();
+    isNew = false;
+    if (asks) loaded().then((one) => one.offerKept(), failed);
   });
   store.watch(['title'], ({ title }) => {
     if (!desk && placesWithScenery(() => window.localStorage).includes(title)) loaded().catch(failed);

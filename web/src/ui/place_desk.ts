@@ -220,9 +220,8 @@ export class PlaceDesk implements PlaceActions {
       if (name !== present) await this.shelf_.keepScenery(name, await this.shelf_.scenery(present));
       const auto = (await this.shelf_.list()).find((one) => one.auto && one.name === present);
       if (auto) await this.shelf_.remove(auto.id);
-      const lasting = await this.shelf_.isLasting();
       this.dialog_.saySaved(
-        lasting
+        this.shelf_.lasting
           ? `“${name}” is saved in this browser.`
           : `This browser keeps “${name}” only until the page is left: download it, too.`,
       );

@@ -1,13 +1,14 @@
 // Where the browser keeps places: its database, or memory where there is none.
 
+import { BrowserStore, result } from './browser_store';
+
 export type DrawerName = 'places' | 'files' | 'scenery';
-const kDrawers: readonly DrawerName[] = ['places', 'files', 'scenery'];
-const kDatabase = 'muster-places';
 
 /** Records with an `id`. */
 export interface Drawers {
   /** Whether what is put there outlasts the page. */
   readonly lasting: boolean;
+  /** Throws a sentence for the visitor where there is no room. */
   put(drawer: DrawerName, record: { readonly id: string }): Promise<void>;
   get(drawer: DrawerName, id: string): Promise<unknown>;
   all(drawer: DrawerName): Promise<readonly unknown[]>;
@@ -38,53 +39,43 @@ export class MemoryDrawers implements Drawers {
   }
 }
 
-function result<T>(request: IDBRequest<T>): Promise<T> {
-  return new Promise((done, fail) => {
-    request.onsuccess = () => done(request.result);
-    request.onerror = () => fail(request.error ?? new Error('the browser keeps nothing'));
-  });
+interface Kept {
+  readonly name: string;
+  readonly record: unknown;
 }
 
 class DatabaseDrawers implements Drawers {
   readonly lasting = true;
+  private readonly stores_: Readonly<Record<DrawerName, BrowserStore>>;
 
-  constructor(private readonly database_: IDBDatabase) {}
+  constructor(factory: IDBFactory) {
+    const store = (name: DrawerName): BrowserStore => new BrowserStore(`muster-place-${name}`, name, factory);
+    this.stores_ = { places: store('places'), files: store('files'), scenery: store('scenery') };
+  }
 
   async put(drawer: DrawerName, record: { readonly id: string }): Promise<void> {
-    await this.within(drawer, 'readwrite', (store) => store.put(record));
+    const kept: Kept = { name: record.id, record };
+    const done = await this.stores_[drawer].within('readwrite', (store) => result(store.put(kept)));
+    if (done === null) throw new Error('This browser has no room for it: download the file instead.');
   }
 
-  get(drawer: DrawerName, id: string): Promise<unknown> {
-    return this.within(drawer, 'readonly', (store) => store.get(id));
+  async get(drawer: DrawerName, id: string): Promise<unknown> {
+    const kept = await this.stores_[drawer].within('readonly', (store) =>
+      result(store.get(id) as IDBRequest<Kept | undefined>),
+    );
+    return kept?.record;
   }
 
-  all(drawer: DrawerName): Promise<readonly unknown[]> {
-    return this.within(drawer, 'readonly', (store) => store.getAll() as IDBRequest<unknown[]>);
+  async all(drawer: DrawerName): Promise<readonly unknown[]> {
+    const all = await this.stores_[drawer].within('readonly', (store) => result(store.getAll() as IDBRequest<Kept[]>));
+    return (all ?? []).map(({ record }) => record);
   }
 
   async remove(drawer: DrawerName, id: string): Promise<void> {
-    await this.within(drawer, 'readwrite', (store) => store.delete(id));
-  }
-
-  private within<T>(
-    drawer: DrawerName,
-    mode: IDBTransactionMode,
-    work: (store: IDBObjectStore) => IDBRequest<T>,
-  ): Promise<T> {
-    return result(work(this.database_.transaction(drawer, mode).objectStore(drawer)));
+    await this.stores_[drawer].within('readwrite', (store) => result(store.delete(id)));
   }
 }
 
-/** Never fails. */
-export async function openDrawers(factory: IDBFactory | undefined = globalThis.indexedDB): Promise<Drawers> {
-  if (!factory) return new MemoryDrawers();
-  try {
-    const opening = factory.open(kDatabase, 1);
-    opening.onupgradeneeded = () => {
-      for (const name of kDrawers) opening.result.createObjectStore(name, { keyPath: 'id' });
-    };
-    return new DatabaseDrawers(await result(opening));
-  } catch {
-    return new MemoryDrawers();
-  }
+export function openDrawers(factory: IDBFactory | undefined = globalThis.indexedDB): Drawers {
+  return factory ? new DatabaseDrawers(factory) : new MemoryDrawers();
 }

@@ -26,23 +26,19 @@ function factsIn(text: string): string {
 }
 
 export class PlaceShelf {
-  private readonly drawers_: Promise<Drawers>;
-
   constructor(
-    drawers: Promise<Drawers> = openDrawers(),
+    private readonly drawers_: Drawers = openDrawers(),
     private readonly storage_: () => Storage = () => window.localStorage,
     private readonly now_: () => number = () => Date.now() / 1000,
-  ) {
-    this.drawers_ = drawers;
-  }
+  ) {}
 
-  async isLasting(): Promise<boolean> {
-    return (await this.drawers_).lasting;
+  get lasting(): boolean {
+    return this.drawers_.lasting;
   }
 
   /** The newest first. */
   async list(): Promise<readonly KeptPlace[]> {
-    const all = (await (await this.drawers_).all('places')) as readonly KeptPlace[];
+    const all = (await this.drawers_.all('places')) as readonly KeptPlace[];
     return [...all].sort((a, b) => b.changed - a.changed);
   }
 
@@ -61,7 +57,7 @@ export class PlaceShelf {
   }
 
   async read(id: string): Promise<string> {
-    const found = (await (await this.drawers_).get('files', id)) as { readonly text: string } | undefined;
+    const found = (await this.drawers_.get('files', id)) as { readonly text: string } | undefined;
     if (!found) throw new Error('The browser has lost this place.');
     return found.text;
   }
@@ -73,7 +69,7 @@ export class PlaceShelf {
 
   /** Returns what brings it back. */
   async remove(id: string): Promise<() => Promise<void>> {
-    const drawers = await this.drawers_;
+    const drawers = this.drawers_;
     const [place, file] = [await drawers.get('places', id), await drawers.get('files', id)];
     await drawers.remove('places', id);
     await drawers.remove('files', id);
@@ -89,12 +85,12 @@ export class PlaceShelf {
   /** Empty at once where there is none. */
   async scenery(place: string): Promise<readonly SceneryModel[]> {
     if (!this.placesWithScenery().includes(place)) return [];
-    const found = (await (await this.drawers_).get('scenery', place)) as { models: SceneryModel[] } | undefined;
+    const found = (await this.drawers_.get('scenery', place)) as { models: SceneryModel[] } | undefined;
     return found?.models ?? [];
   }
 
   async keepScenery(place: string, models: readonly SceneryModel[]): Promise<void> {
-    const drawers = await this.drawers_;
+    const drawers = this.drawers_;
     if (models.length > 0) await drawers.put('scenery', { id: place, models } as { id: string });
     else await drawers.remove('scenery', place);
     const others = this.placesWithScenery().filter((one) => one !== place);
@@ -110,7 +106,7 @@ export class PlaceShelf {
   }
 
   private async keep(id: string, name: string, text: string, picture: Blob | null, auto: boolean): Promise<KeptPlace> {
-    const drawers = await this.drawers_;
+    const drawers = this.drawers_;
     const place: KeptPlace = { id, name, changed: this.now_(), facts: factsIn(text), picture, auto };
     await drawers.put('files', { id, text } as { id: string });
     await drawers.put('places', place);

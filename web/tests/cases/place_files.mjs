@@ -198,7 +198,8 @@ export async function importTown(studio, server) {
     expect((await present(server)).obstacles.length > before, 'obstacles are added to the place'),
   );
   const { notice } = await obstacles(studio);
-  expect(/obstacles are added/.test(notice ?? ''), `it is told: ${notice}`);
+  // What the new walls do to the crowd may be told after it.
+  expect(/obstacles are added|is cut off/.test(notice ?? ''), `it is told: ${notice}`);
   await studio.send({ type: 'UndoEdit', redo: false });
   await studio.eventually(async () =>
     expect((await present(server)).obstacles.length === before, 'one undo takes all of them back'),

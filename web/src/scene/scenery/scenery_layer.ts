@@ -5,6 +5,9 @@ import { shownBy, type SceneryModel } from '../../model/place_files/scenery';
 import type { SceneFacts } from '../../protocol/scene';
 import { bodyMaterial, type ShadeUniforms } from '../drawing/shade';
 
+/** Floors of models lie so far above the ground, or the two would flicker [m]. */
+const kLift = 0.02;
+
 function geometryOf({ positions, colours }: SceneryModel): BufferGeometry {
   const corners = positions.length / 3;
   const perCorner = new Uint8Array(3 * corners);
@@ -32,6 +35,7 @@ export class SceneryLayer {
     this.clear();
     for (const model of models) {
       const mesh = new Mesh(geometryOf(model), this.material_);
+      mesh.position.z = kLift;
       mesh.castShadow = true;
       mesh.receiveShadow = true;
       this.group.add(mesh);

@@ -40,7 +40,12 @@ const kFields: readonly NumberField[] = [
 ];
 
 export class PlaceImport {
-  private readonly picture_ = element('div', { class: 'place-preview' });
+  private readonly picture_ = element('div', {
+    class: 'place-preview',
+    tabindex: -1,
+    role: 'group',
+    'aria-label': 'How it will look',
+  });
   private readonly note_ = element('p', { class: 'place-note', role: 'status' });
   private readonly fields_ = element('div', { class: 'place-fields' });
   private readonly name_ = element('input', { type: 'text', maxlength: 80, autocomplete: 'off', required: true });
@@ -101,10 +106,12 @@ export class PlaceImport {
     this.source_ = source;
     this.present_ = present;
     this.fill(source, settings);
+    this.shown_.checked = true;
     this.form_.hidden = false;
     this.add_.hidden = source.kind === 'map';
     this.work();
-    this.name_.focus();
+    // Not a field: on phones its keyboard would cover the drawing.
+    this.picture_.focus();
   }
 
   private numberInput(min: number, max: number, step: number | 'any'): HTMLInputElement {
