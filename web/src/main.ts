@@ -18,6 +18,7 @@ import './ui/styles/takes.css';
 
 import { StudioClient } from './link/studio_client';
 import { fetchBodies } from './scene/crowd/bodies/gltf_body';
+import { openPlacesLazily } from './ui/lazy_places';
 import { StudioApp } from './ui/studio_app';
 import { TakeDesk } from './ui/take_desk';
 import { StudioView } from './scene/studio_view';
@@ -55,7 +56,9 @@ async function start(mode: string | undefined): Promise<object> {
     };
   }
   const app = new StudioApp(client, view, canvas, ui);
-  new TakeDesk({ client, store: app.store, view, canvas, page: ui });
+  const parts = { client, store: app.store, view, canvas, page: ui };
+  new TakeDesk(parts);
+  openPlacesLazily({ ...parts, files: app.files });
   return {
     get frame() {
       return app.frame;

@@ -11,6 +11,7 @@ import * as mouseAndKeys from './cases/mouse_and_keys.mjs';
 import * as objectives from './cases/objectives.mjs';
 import * as orders from './cases/orders.mjs';
 import * as overlays from './cases/overlays.mjs';
+import * as placeFiles from './cases/place_files.mjs';
 import * as people from './cases/people.mjs';
 import * as queue from './cases/queue.mjs';
 import * as realMaps from './cases/real_maps.mjs';
@@ -22,7 +23,7 @@ import * as study from './cases/study.mjs';
 import * as takes from './cases/takes.mjs';
 import * as touch from './cases/touch.mjs';
 import { startMadeCrowd } from './support/made_crowd.mjs';
-import { startStudio } from './support/server.mjs';
+import { kPort, startStudio } from './support/server.mjs';
 import { StudioPage } from './support/studio_page.mjs';
 
 const kFlags = ['--no-sandbox', '--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'];
@@ -167,6 +168,38 @@ const kCases = [
   ['takes: film camera', film.filmCamera, ['desktop', 'portrait', 'phone'], { scenario: 'scenarios/open.json' }],
   ['takes: exports', takes.exports, ['desktop'], { scenario: 'scenarios/open.json' }],
   ['takes: cut off', takes.cutOff, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
+  [
+    'place files: save and open',
+    placeFiles.saveAndOpen,
+    ['desktop', 'portrait', 'phone', 'narrow'],
+    { touch: false, scenario: 'scenarios/open.json' },
+  ],
+  [
+    'place files: templates',
+    placeFiles.templates,
+    ['desktop', 'portrait', 'phone', 'narrow'],
+    { touch: false, scenario: 'scenarios/open.json' },
+  ],
+  [
+    'place files: GeoJSON',
+    placeFiles.importTown,
+    ['desktop', 'portrait', 'phone'],
+    { touch: false, scenario: 'scenarios/open.json' },
+  ],
+  [
+    'place files: models',
+    placeFiles.importModels,
+    ['desktop', 'phone'],
+    { touch: false, scenario: 'scenarios/open.json' },
+  ],
+  ['place files: grid map', placeFiles.importMap, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],
+  ['place files: bad files', placeFiles.badFiles, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],
+  [
+    'place files: autosave',
+    placeFiles.autosave,
+    ['desktop', 'phone'],
+    { touch: false, scenario: 'scenarios/open.json' },
+  ],
   ['a page that hangs', session.stalledPage, ['desktop'], {}],
   ['first visit', look.firstVisit, [...kTablets, 'phone', 'narrow'], { hint: true }],
   ['layout', look.layout, [...kTablets, 'phone', 'narrow', 'zoomed'], {}],
@@ -229,7 +262,7 @@ async function attempt({ name, test, size, options }) {
       return '';
     }
     if (options.scenario)
-      own = await startStudio({ scenario: options.scenario, port: 18280, options: options.options });
+      own = await startStudio({ scenario: options.scenario, port: kPort + 200, options: options.options });
     if (options.made) own = await startMadeCrowd({ ...options.made, bodies: server.url });
     studio = own ? await openOwnPage(own, size, options) : await openPage(size, options);
     await studio.fit();

@@ -6,8 +6,14 @@ const bytes = (text: string): Uint8Array => Uint8Array.from(text, (one) => one.c
 describe('the kind of a file', () => {
   const kFiles: readonly (readonly [FileKind, string])[] = [
     ['take', 'MUSTAKE\n\x03\0\0\0rest'],
-    ['character', 'glTF\x02\0\0\0'],
-    ['character', '{ "asset": { "version": "2.0" }, "meshes": [] }'],
+    ['character', 'glTF\x02\0\0\0....' + '....JSON{"skins": [{"joints": []}]}'],
+    ['scenery', 'glTF\x02\0\0\0'],
+    ['character', '{ "asset": { "version": "2.0" }, "meshes": [], "skins": [ {} ] }'],
+    ['scenery', '{ "asset": { "version": "2.0" }, "meshes": [], "skins": [] }'],
+    ['obj', '# Blender\nmtllib a.mtl\no Cube\nv 1.0 -1 0.5\nvn 0 0 1\nf 1 1 1\n'],
+    ['unknown', 'v 1 2 3\nhello there\nv 2 3 4\n'],
+    ['scenario', '{"format": "muster-scenario", "box": []}'],
+    ['geojson', '{"type": "LineString", "coordinates": []}'],
     ['picture', '\x89PNG\r\n\x1a\n'],
     ['picture', '\xff\xd8\xff\xe0..JFIF'],
     ['picture', 'RIFF\0\0\0\0WEBPVP8 '],
@@ -30,7 +36,7 @@ describe('the kind of a file', () => {
   it('has one sentence that names the file wherever the studio does not open it', () => {
     for (const [kind] of kFiles) {
       const text = refusal(kind, 'town.x');
-      if (['take', 'character', 'picture'].includes(kind)) expect(text).toBeNull();
+      if (!['gestures', 'motion', 'empty', 'unknown'].includes(kind)) expect(text).toBeNull();
       else expect(text).toMatch(/^“town\.x” .*\.$/);
     }
   });

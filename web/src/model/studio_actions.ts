@@ -1,7 +1,7 @@
 // The actions of buttons, keys and gestures. Panels know no more of the studio.
 
 import type { OverlayKind } from '../protocol/messages';
-import type { DialogName, HintStep } from './studio_state';
+import type { DialogName, HintStep, PlacesView } from './studio_state';
 import type { Layers } from './view_settings';
 
 export interface StudioActions {
@@ -34,6 +34,8 @@ export interface StudioActions {
   toggleFigures(): void;
   /** Opens a dialog, or closes it with 'none'. */
   openDialog(dialog: DialogName): void;
+  /** Opens the dialog of places, with files if there are any, or closes it. */
+  showPlaces(view: PlacesView, files?: readonly File[]): void;
   /** The tool that draws an outline as the formation, or none. */
   toggleDraw(): void;
   toggleTheme(): void;

@@ -17,6 +17,9 @@ export type InputKind = 'touch' | 'mouse';
  * draw an outline for the formation, or put a new group down. */
 export type ToolName = 'steer' | 'order' | 'cut' | 'follow' | 'guard' | 'draw' | 'place';
 
+/** What the dialog of places shows. */
+export type PlacesView = 'none' | 'shelf' | 'new' | 'import' | 'save';
+
 export type DialogName = 'none' | 'text' | 'shape' | 'group';
 
 /** What the hint of the first visit tells of. */
@@ -149,6 +152,9 @@ export interface StudioState {
   /** The readout shows its figures, not only words. */
   readonly figures: boolean;
   readonly dialog: DialogName;
+  readonly places: PlacesView;
+  /** Files that wait to be opened or imported there. */
+  readonly placeFiles: readonly File[];
   /** The shelf of takes is open. */
   readonly shelf: boolean;
   readonly help: boolean;
@@ -213,6 +219,8 @@ export const kInitialState: StudioState = {
   tried: [],
   figures: false,
   dialog: 'none',
+  places: 'none',
+  placeFiles: [],
   shelf: false,
   help: false,
   schemes: [],

@@ -1,6 +1,7 @@
 // The three.js side of the view: renderer, light, and the layers that fill the scene.
 
 import { Color, PCFSoftShadowMap, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
+import type { SceneryModel } from '../model/place_files/scenery';
 import type { SceneBox, SceneFacts } from '../protocol/scene';
 import type { CameraController } from './camera/camera_controller';
 import { CrowdLayer } from './crowd/crowd_layer';
@@ -16,6 +17,7 @@ import type { ShadeUniforms } from './drawing/shade';
 import { Sun } from './drawing/sun';
 import type { ViewStats } from './picture_stats';
 import { EnvironmentLayer } from './environment_layer';
+import { SceneryLayer } from './scenery/scenery_layer';
 
 /** Most device px per CSS px. */
 const kMaxPixelRatio = 2;
@@ -30,6 +32,8 @@ export class Stage {
   readonly meshes = new MeshLayer();
   readonly places = new PlaceLayer();
   readonly environment: EnvironmentLayer;
+  private readonly scenery_: SceneryLayer;
+  private shown_: { readonly scene: SceneFacts; readonly palette: Palette } | null = null;
   private readonly ground_: GroundLayer;
   /** In light quality, where no field is painted on the ground. */
   private readonly plain_: PlainGroundLayer | null;
@@ -71,11 +75,13 @@ export class Stage {
     this.ground_ = new GroundLayer(this.shade_);
     this.ground_.mesh.visible = full;
     this.environment = new EnvironmentLayer(this.shade_);
+    this.scenery_ = new SceneryLayer(this.shade_);
     this.eye_.up.set(0, 0, 1);
     this.scene_.add(
       this.ground_.mesh,
       this.sun_.group,
       this.environment.group,
+      this.scenery_.group,
       this.crowd.group,
       this.meshes.group,
       this.places.mesh,
@@ -113,7 +119,14 @@ export class Stage {
     this.box_ = scene.box;
     this.ground_.setBox(scene.box);
     this.plain_?.setBox(scene.box);
-    this.environment.build(scene, palette);
+    this.shown_ = { scene, palette };
+    this.environment.build(this.scenery_.without(scene), palette);
+  }
+
+  /** Imported models, in place of the obstacles that they came to. */
+  setScenery(models: readonly SceneryModel[]): void {
+    this.scenery_.set(models);
+    if (this.shown_) this.setScene(this.shown_.scene, this.shown_.palette);
   }
 
   setField(picture: FieldRaster | null): void {
@@ -159,7 +172,7 @@ export class Stage {
   }
 
   dispose(): void {
-    for (const part of [this.crowd, this.meshes, this.places, this.environment, this.ground_, this.sun_])
+    for (const part of [this.crowd, this.meshes, this.places, this.environment, this.scenery_, this.ground_, this.sun_])
       part.dispose();
     this.plain_?.dispose();
     this.renderer_.dispose();

@@ -9,6 +9,7 @@ import type { SceneFacts } from '../protocol/scene';
 import type { CameraControls, GroundSight, Padding } from './camera/camera_controls';
 import type { FrameView, ShapeMeshView, OverlayView } from '../model/frame_view';
 import type { GroundPoint, ScreenPoint } from '../model/plane';
+import type { SceneryModel } from '../model/place_files/scenery';
 import type { DraftControl } from './marks/draft_control';
 import type { DirectorInfo } from '../model/directors';
 
@@ -29,6 +30,8 @@ export interface StudioScene {
   readonly orders: OrderPicture;
   /** Replaces the environment; where it is another world, the next frame fits the view to the crowd. */
   setScene(scene: SceneFacts): void;
+  /** Imported models, in place of the obstacles that they came to. */
+  setScenery(models: readonly SceneryModel[]): void;
   /** The clips that frames refer to by index. */
   setMotions(clips: readonly ClipPoses[]): void;
   /** Muster's own people; a simple person is drawn until they have come. */

@@ -29,6 +29,7 @@ import { TagLayer } from './marks/tag_layer';
 import type { GroundPoint, ScreenPoint } from '../model/plane';
 import type { DraftControl } from './marks/draft_control';
 import type { Layers, Theme } from '../model/view_settings';
+import type { SceneryModel } from '../model/place_files/scenery';
 import type { FieldScale } from '../model/field_scale';
 
 /** Pictures are drawn for this long after the last change, until fades have ended [ms]. */
@@ -124,6 +125,11 @@ export class StudioView implements StudioScene {
     this.moving_ = kNothingMoves;
     this.fitter_.open(scene);
     this.setOverlay(null);
+  }
+
+  setScenery(models: readonly SceneryModel[]): void {
+    this.stage_.setScenery(models);
+    this.wake();
   }
 
   setMotions(clips: readonly ClipPoses[]): void {

@@ -1,32 +1,41 @@
 // Opens files that a visitor chooses or drops, each by what stands in it.
 
-import { kHead, kindOf, refusal, type FileKind } from '../model/file_kind';
+import { bytesThatTell, isForPlaces, kHead, kindOf, refusal, type FileKind } from '../model/file_kind';
 import type { ShapeActions } from '../model/shape_actions';
 import type { StudioActions } from '../model/studio_actions';
 import type { StudioStore } from '../model/studio_store';
 import { problem } from '../protocol/problem';
 
-async function kindOfFile(file: File): Promise<FileKind> {
-  return kindOf(new Uint8Array(await file.slice(0, kHead).arrayBuffer()));
+async function bytesOf(file: File, count: number): Promise<Uint8Array> {
+  return new Uint8Array(await file.slice(0, count).arrayBuffer());
+}
+
+export async function kindOfFile(file: File): Promise<FileKind> {
+  const head = await bytesOf(file, kHead);
+  const needed = bytesThatTell(head);
+  return kindOf(needed > head.length ? await bytesOf(file, needed) : head);
 }
 
 export class FileDesk {
   constructor(
     private readonly store_: StudioStore,
-    private readonly actions_: Pick<StudioActions, 'openCharacter' | 'openTake'>,
+    private readonly actions_: Pick<StudioActions, 'openCharacter' | 'openTake' | 'showPlaces'>,
     private readonly shapes_: Pick<ShapeActions, 'openPicture'>,
   ) {}
 
-  /** Opens one file, or a character with its parts; says why where it cannot. */
+  /** Opens one file, or a character or model with its parts; says why where it cannot. */
   async open(files: readonly File[]): Promise<void> {
     const [first] = files;
     if (!first) return;
     try {
       const kinds = await Promise.all(files.map(kindOfFile));
       if (kinds.includes('character')) return this.actions_.openCharacter(files);
-      const text = refusal(kinds[0]!, first.name);
+      if (kinds.includes('scenery')) return this.actions_.showPlaces('import', files);
+      const [kind] = kinds;
+      const text = refusal(kind!, first.name);
       if (text !== null) return this.refuse(text);
-      if (kinds[0] === 'take') this.actions_.openTake(first);
+      if (isForPlaces(kind!)) this.actions_.showPlaces(kind === 'scenario' ? 'shelf' : 'import', [first]);
+      else if (kind === 'take') this.actions_.openTake(first);
       else this.shapes_.openPicture(first);
     } catch {
       this.refuse(`“${first.name}” cannot be read.`);

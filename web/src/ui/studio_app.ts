@@ -75,6 +75,7 @@ export class StudioApp {
   private readonly demonstrations_ = new DemonstrationWatch();
   readonly camera: CameraDesk;
   readonly shapes: ShapeDesk;
+  readonly files: FileDesk;
   private readonly attention_: AttentionSender;
   private readonly drafts_: Drafts;
   private readonly hitTest_ = new FormationHitTest();
@@ -117,6 +118,7 @@ export class StudioApp {
       say,
     });
     this.controller_ = new StudioController(client_, this.store, this.camera, say, people, this.shapes);
+    this.files = new FileDesk(this.store, this.controller_, this.shapes);
     this.attention_ = new AttentionSender(client_);
     this.drafts_ = new Drafts(
       (drafts) => view_.showDrafts(drafts),
@@ -152,7 +154,7 @@ export class StudioApp {
 
   private start(page: HTMLElement, shortcuts: readonly Shortcut[]): void {
     openDialogsLazily(page, this.store, this.controller_, this.shapes);
-    new FileDesk(this.store, this.controller_, this.shapes).acceptDrops(window);
+    this.files.acceptDrops(window);
     if (this.stats_) page.append(this.stats_.root);
     returnFocus(page, this.canvas_);
     new ShortcutHandler(window, shortcuts);

@@ -4,7 +4,7 @@ import { OverlayKind, PlaybackAction, type ScenarioInfo } from '../protocol/mess
 import { problem } from '../protocol/problem';
 import type { MessageSender } from '../link/studio_client';
 import type { ShapeActions } from '../model/shape_actions';
-import { kHintSteps, type DialogName, type HintStep, type StudioState } from '../model/studio_state';
+import { kHintSteps, type DialogName, type HintStep, type PlacesView, type StudioState } from '../model/studio_state';
 import { kObjectives, objectiveParameters } from '../model/objective';
 import type { OwnPeople } from './own_people';
 import type { StudioActions } from '../model/studio_actions';
@@ -177,6 +177,10 @@ export class StudioController implements StudioActions {
 
   openDialog(dialog: DialogName): void {
     this.store_.set({ dialog });
+  }
+
+  showPlaces(places: PlacesView, placeFiles: readonly File[] = []): void {
+    this.store_.set({ places, placeFiles });
   }
 
   toggleDraw(): void {

@@ -7,6 +7,9 @@ import { fileURLToPath } from 'node:url';
 
 const root = fileURLToPath(new URL('../../..', import.meta.url));
 
+/** The first port that is tried; MUSTER_PORT names another, so that two can test side by side. */
+export const kPort = Number(process.env.MUSTER_PORT ?? 18080);
+
 export function programPath() {
   return process.env.MUSTER ?? `${root}build/release/muster`;
 }
@@ -15,7 +18,7 @@ export function programPath() {
  * a new folder unless one is named. `options` are further ones of the studio. */
 export async function startStudio({
   scenario = 'web/tests/scenarios/hundred.json',
-  port = 18080,
+  port = kPort,
   takes = mkdtempSync(join(tmpdir(), 'muster-takes-')),
   options = [],
 } = {}) {

@@ -7,12 +7,13 @@ import { StudioStore } from '../../model/studio_store';
 
 const info = (name: string, title: string): ScenarioInfo => ({ name, title, description: '', characters: 9 });
 const loadScenario = vi.fn();
+const showPlaces = vi.fn();
 let store: StudioStore;
 let root: HTMLElement;
 
 beforeEach(() => {
   store = new StudioStore();
-  root = new ScenarioPicker(store, { loadScenario } as unknown as StudioActions).root;
+  root = new ScenarioPicker(store, { loadScenario, showPlaces } as unknown as StudioActions).root;
   document.body.replaceChildren(root);
   store.set({
     scenarios: [info('open', 'Open square'), info('paper/x04', 'X4'), info('paper/x06', 'X6')],
@@ -36,6 +37,15 @@ it('opens on the current scenario; arrows go on across groups, and a choice load
   press('ArrowUp');
   expect(document.activeElement!.textContent).toContain('Open square');
   press('End');
+  for (let i = 0; i < 4; ++i) press('ArrowUp');
   (document.activeElement as HTMLElement).click();
   expect(loadScenario).toHaveBeenCalledWith('paper/x06');
+});
+
+it('has the ways to places of one’s own below the scenarios', () => {
+  root.querySelector<HTMLElement>('.scenario-button')!.click();
+  press('End');
+  expect(document.activeElement!.textContent).toBe('Save this place…');
+  (document.activeElement as HTMLElement).click();
+  expect(showPlaces).toHaveBeenCalledWith('save');
 });

@@ -3,12 +3,19 @@
 import type { ScenarioInfo } from '../../protocol/messages';
 import { element, setText } from '../widgets/dom';
 import { formatCount } from '../../model/formatters';
-import { icon, logo } from '../widgets/icons';
+import { icon, logo, type IconName } from '../widgets/icons';
 import { Popup } from '../widgets/popup';
 import { groupScenarios, type ScenarioGroup } from '../../model/scenario_groups';
 import type { StudioActions } from '../../model/studio_actions';
-import type { StudioState } from '../../model/studio_state';
+import type { PlacesView, StudioState } from '../../model/studio_state';
 import type { StudioStore } from '../../model/studio_store';
+
+const kPlaces: readonly (readonly [PlacesView, IconName, string])[] = [
+  ['new', 'plus', 'New place…'],
+  ['shelf', 'open', 'Saved places…'],
+  ['import', 'place', 'Import a file…'],
+  ['save', 'download', 'Save this place…'],
+];
 
 export class ScenarioPicker {
   private readonly title_ = element('span', { class: 'title' });
@@ -25,6 +32,11 @@ export class ScenarioPicker {
     icon('chevron'),
   );
   private readonly list_ = element('div', { class: 'scenario-list panel', role: 'group', 'aria-label': 'Scenarios' });
+  private readonly places_ = element('div', {
+    class: 'scenario-places',
+    role: 'group',
+    'aria-label': 'Your own places',
+  });
   readonly root = element('div', { class: 'scenario panel' }, this.button_, this.list_);
   private readonly popup_ = new Popup(this.button_, this.list_);
 
@@ -32,6 +44,7 @@ export class ScenarioPicker {
     store: StudioStore,
     private readonly actions_: StudioActions,
   ) {
+    this.places_.append(...kPlaces.map((one) => this.placeItem(...one)));
     store.watch(['title'], (state) => {
       setText(this.title_, state.title || 'Muster');
       this.button_.setAttribute('aria-label', `Scenario: ${state.title || 'none'}`);
@@ -42,7 +55,7 @@ export class ScenarioPicker {
   private fill(state: StudioState): void {
     const groups = groupScenarios(state.scenarios).flatMap((group, index) => this.group(group, index, state.scenario));
     const credit = state.credit ? [element('p', { class: 'credit secondary' }, state.credit)] : [];
-    this.list_.replaceChildren(...groups, ...credit);
+    this.list_.replaceChildren(...groups, ...credit, this.places_);
   }
 
   private group({ title, scenarios }: ScenarioGroup, index: number, current: string): HTMLElement[] {
@@ -51,6 +64,15 @@ export class ScenarioPicker {
     const id = `scenario-group-${index}`;
     const heading = element('div', { class: 'scenario-heading', id }, title);
     return [element('div', { class: 'scenario-group', role: 'group', 'aria-labelledby': id }, heading, ...items)];
+  }
+
+  private placeItem(view: PlacesView, name: IconName, label: string): HTMLButtonElement {
+    const item = element('button', { type: 'button', class: 'place-menu-item' }, icon(name), label);
+    item.addEventListener('click', () => {
+      this.popup_.close(true);
+      this.actions_.showPlaces(view);
+    });
+    return item;
   }
 
   private item(info: ScenarioInfo, current: boolean): HTMLButtonElement {

@@ -61,6 +61,11 @@ const kShapes = {
   download: '<path d="M10 3v9.5 M6 9l4 4 4-4 M3.5 16.5h13"/>',
   open: '<path d="M2.8 15.8V4.8h5l1.8 2.2h7.6v8.8Z" stroke-linejoin="round"/>',
   character: '<circle cx="10" cy="5" r="2.7"/><path d="M4.5 17c.3-4.200 2-6.400 5.5-6.400s5.200 2.200 5.5 6.400"/>',
+  rename:
+    '<path d="M4 16l.8-3.600L13 4.200a1.700 1.700 0 0 1 2.400 0l.4.4a1.700 1.700 0 0 1 0 2.400L7.600 15.200Z M11.600 5.600l2.800 2.800" stroke-linejoin="round"/>',
+  copy: '<rect x="7" y="7" width="9.500" height="9.500" rx="2"/><path d="M13 4.500a1 1 0 0 0-1-1H5.500a2 2 0 0 0-2 2V12a1 1 0 0 0 1 1"/>',
+  place:
+    '<path d="M10 17.500s-5.500-5.200-5.500-9.500a5.500 5.500 0 0 1 11 0c0 4.300-5.500 9.500-5.500 9.500Z" stroke-linejoin="round"/><circle cx="10" cy="8" r="1.900"/>',
   check: '<path d="m4 10.5 4 4 8-9"/>',
   empty:
     '<path d="M10 1.5 12.7 5H7.3Z M10 18.5 7.3 15h5.4Z M1.5 10 5 7.3v5.4Z M18.5 10 15 12.7V7.3Z M10 5v10 M5 10h10"/>',

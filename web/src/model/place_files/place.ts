@@ -1,0 +1,134 @@
+// What a place is made of, as scenario files say it (docs/scenario-format.md), and what was read from other files.
+
+import type { GroundPoint } from '../plane';
+
+export type Pair = readonly [x: number, y: number];
+
+/** A polygon, or a disc where it has a radius. */
+export interface ObstacleDefinition {
+  readonly name: string;
+  readonly polygon?: readonly Pair[];
+  readonly centre?: Pair;
+  readonly radius?: number;
+  readonly height?: number;
+  /** Moves it: offsets from where it is defined. */
+  readonly path?: { readonly waypoints: readonly Waypoint[]; readonly loop: boolean };
+}
+
+export interface Waypoint {
+  /** [s] */
+  readonly t: number;
+  readonly x: number;
+  readonly y: number;
+}
+
+export interface PatchDefinition {
+  readonly name: string;
+  readonly polygon: readonly Pair[];
+  readonly motion: string | number;
+}
+
+export interface GroupDefinition {
+  readonly name?: string;
+  readonly count: number;
+  readonly formation?: string | { readonly kind: string; readonly spacing?: number };
+  readonly position?: Pair;
+  /** [rad] */
+  readonly angle?: number;
+}
+
+export interface MapDefinition {
+  readonly rows?: readonly string[];
+  readonly metresPerCell?: number;
+  readonly origin?: Pair;
+}
+
+/** So much of a scenario as the page reads and writes. */
+export interface PlaceDefinition {
+  readonly format: 'muster-scenario';
+  readonly version: 1;
+  readonly name: string;
+  readonly description?: string;
+  readonly credit?: string;
+  readonly map?: MapDefinition;
+  /** Lower left and upper right corner. */
+  readonly box?: readonly [Pair, Pair];
+  /** Edge of a ground cell [m]. */
+  readonly cell?: number;
+  readonly obstacles?: readonly ObstacleDefinition[];
+  readonly patches?: readonly PatchDefinition[];
+  readonly groups?: readonly GroupDefinition[];
+}
+
+/** The ground that something takes [m], counter-clockwise. */
+export interface Outline {
+  readonly name: string;
+  readonly height: number;
+  readonly corners: readonly GroundPoint[];
+}
+
+export interface Bounds {
+  readonly min: GroundPoint;
+  readonly max: GroundPoint;
+}
+
+/** Obstacles of a place, at most. */
+export const kMostObstacles = 20000;
+/** Heights that a scenario takes [m]. */
+const kHeights = { least: 0.01, most: 1000 };
+/** Lengths are written to the millimetre. */
+const kDigits = 1000;
+
+/** A file that cannot be used; the message is the sentence for the visitor. */
+export class FileProblem extends Error {
+  override name = 'FileProblem';
+}
+
+export const toMillimetre = (value: number): number => Math.round(value * kDigits) / kDigits;
+
+export const pairOf = ({ x, y }: GroundPoint): Pair => [toMillimetre(x), toMillimetre(y)];
+
+/** Null where there are no points. */
+export function boundsOf(points: Iterable<GroundPoint>): Bounds | null {
+  let [left, bottom, right, top] = [Infinity, Infinity, -Infinity, -Infinity];
+  for (const { x, y } of points) {
+    [left, bottom] = [Math.min(left, x), Math.min(bottom, y)];
+    [right, top] = [Math.max(right, x), Math.max(top, y)];
+  }
+  return left > right ? null : { min: { x: left, y: bottom }, max: { x: right, y: top } };
+}
+
+export function boundsOfOutlines(outlines: readonly Outline[]): Bounds | null {
+  return boundsOf(
+    (function* () {
+      for (const { corners } of outlines) yield* corners;
+    })(),
+  );
+}
+
+export function obstacleOf({ name, height, corners }: Outline): ObstacleDefinition {
+  return {
+    name: [...name].slice(0, 80).join(''),
+    polygon: corners.map(pairOf),
+    height: toMillimetre(Math.min(kHeights.most, Math.max(kHeights.least, height))),
+  };
+}
+
+/** Scaled and turned [rad] about the middle of their box, which comes to stand at a point. */
+export function placedOutlines(
+  outlines: readonly Outline[],
+  { scale, turn, at }: { readonly scale: number; readonly turn: number; readonly at: GroundPoint },
+): Outline[] {
+  const bounds = boundsOfOutlines(outlines);
+  if (!bounds) return [];
+  const [mx, my] = [(bounds.min.x + bounds.max.x) / 2, (bounds.min.y + bounds.max.y) / 2];
+  const [c, s] = [scale * Math.cos(turn), scale * Math.sin(turn)];
+  return outlines.map(({ name, height, corners }) => ({
+    name,
+    height: height * scale,
+    corners: corners.map(({ x, y }) => ({
+      x: at.x + c * (x - mx) - s * (y - my),
+      y: at.y + s * (x - mx) + c * (y - my),
+    })),
+  }));
+}

@@ -1,0 +1,33 @@
+// A place as a small drawing, in the colours of the theme.
+
+import type { PlaceDrawing } from '../../model/place_files/place_drawing';
+
+const kSvg = 'http://www.w3.org/2000/svg';
+/** Accents, in the order in which groups get them. */
+const kAccents = ['blue', 'ember', 'green', 'plum', 'ochre', 'slate'];
+
+function path(shape: string, className: string): SVGPathElement {
+  const made = document.createElementNS(kSvg, 'path');
+  made.setAttribute('d', shape);
+  made.setAttribute('class', className);
+  return made;
+}
+
+/** With `present`, another place behind it, faintly; its box counts then. */
+export function placePicture(drawing: PlaceDrawing, present: PlaceDrawing | null = null): SVGSVGElement {
+  const svg = document.createElementNS(kSvg, 'svg');
+  const [left, top, width, height] = (present ?? drawing).viewBox;
+  const margin = 0.03 * Math.max(width, height);
+  svg.setAttribute('viewBox', [left - margin, top - margin, width + 2 * margin, height + 2 * margin].join(' '));
+  svg.setAttribute('class', 'place-drawing');
+  svg.setAttribute('aria-hidden', 'true');
+  const ground = document.createElementNS(kSvg, 'rect');
+  for (const [name, value] of Object.entries({ x: left, y: top, width, height }))
+    ground.setAttribute(name, String(value));
+  ground.setAttribute('class', 'drawn-ground');
+  svg.append(ground);
+  if (present) svg.append(path(present.patches + present.obstacles, 'drawn-present'));
+  svg.append(path(drawing.patches, 'drawn-patches'), path(drawing.obstacles, 'drawn-obstacles'));
+  drawing.groups.forEach((shape, i) => svg.append(path(shape, `drawn-group drawn-${kAccents[i % kAccents.length]}`)));
+  return svg;
+}

@@ -1,0 +1,401 @@
+// Places as files: saved, opened, imported, kept while somebody edits.
+import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { expect } from '../support/expect.mjs';
+import { madeCharacter } from '../support/made_glb.mjs';
+import { madeMap, madeModel, madeObj, madeTown } from '../support/made_places.mjs';
+import { runProgram, startStudio } from '../support/server.mjs';
+import { serious } from './look.mjs';
+
+const dialogOf = (studio) => studio.page.locator('dialog.place-dialog[open]');
+const title = (studio) => studio.page.evaluate(() => globalThis.__muster.state.title);
+const present = async (server) => JSON.parse(await (await fetch(new URL('scenario', server.url))).text());
+
+/** Opens the dialog from the list of scenarios. */
+async function openPlaces(studio, label) {
+  await studio.page.locator('.scenario-button').click();
+  await studio.page.locator('.place-menu-item', { hasText: label }).click();
+  await dialogOf(studio).waitFor();
+}
+
+const untilTitle = (studio, wanted) =>
+  studio.until(`the place ${wanted}`, (one) => globalThis.__muster.state.title === one, wanted);
+
+/** Lets files fall on the page, as from a folder. */
+async function drop(studio, ...files) {
+  await studio.page.evaluate(
+    (list) => {
+      const dataTransfer = new DataTransfer();
+      for (const { name, text } of list)
+        dataTransfer.items.add(new File([Uint8Array.from(atob(text), (one) => one.charCodeAt(0))], name));
+      globalThis.dispatchEvent(new DragEvent('drop', { dataTransfer, cancelable: true, bubbles: true }));
+    },
+    files.map(({ name, buffer }) => ({ name, text: Buffer.from(buffer).toString('base64') })),
+  );
+}
+
+const choose = (studio, ...files) =>
+  studio.page
+    .locator('input[aria-label="Open or import a place"]')
+    .setInputFiles(files.map(({ name, buffer }) => ({ name, buffer, mimeType: '' })));
+
+async function reload(studio, url) {
+  await studio.page.goto(url);
+  await studio.until('the page again', () => (globalThis.__muster?.frame?.groups.length ?? 0) > 0);
+}
+
+/** Nothing of the dialog is wider than the window. */
+async function fits(studio, what) {
+  const wide = await studio.page.evaluate(() => {
+    const dialog = document.querySelector('dialog.place-dialog');
+    const edge = dialog.getBoundingClientRect().right + 0.5;
+    const beyond = [...dialog.querySelectorAll('*:not(svg *)')].filter(
+      (node) => node.getClientRects().length > 0 && node.getBoundingClientRect().right > edge,
+    );
+    const small = [...dialog.querySelectorAll('button, input, select')]
+      .filter((node) => node.getClientRects().length > 0 && node.type !== 'checkbox')
+      .filter((node) => node.getBoundingClientRect().height < 43.9);
+    return [...beyond, ...small].map((node) => `${node.tagName} ${node.className} ${node.textContent}`.slice(0, 60));
+  });
+  expect(wide.length === 0, `${what}: out of the dialog or too small: ${wide.join('; ')}`);
+}
+
+/** Save, reload, open; rename, duplicate, remove and bring back. */
+export async function saveAndOpen(studio, server) {
+  const { page } = studio;
+  await openPlaces(studio, 'Save this place');
+  const dialog = dialogOf(studio);
+  await dialog.locator('input[type="text"]').fill('My square');
+  await serious(studio, 'dialog for saving a place');
+  await fits(studio, 'saving');
+  await studio.shot('place-save');
+  await dialog.locator('button', { hasText: 'Save in this browser' }).click();
+  await studio.eventually(async () =>
+    expect(/“My square” is saved/.test(await dialog.textContent()), 'the place is saved'),
+  );
+  await page.keyboard.press('Escape');
+  await reload(studio, server.url);
+  await openPlaces(studio, 'Saved places');
+  const items = dialog.locator('.place-item');
+  await studio.eventually(async () => expect((await items.count()) === 1, 'it is on the shelf after a reload'));
+  const facts = await items.first().textContent();
+  expect(/32 × 32 m · 49 people/.test(facts), `with its facts: ${facts}`);
+  expect((await items.locator('img').count()) === 1, 'and a picture');
+  await items.locator('button[aria-label="Duplicate My square"]').click();
+  await studio.eventually(async () => expect((await items.count()) === 2, 'it is duplicated'));
+  await dialog.locator('button[aria-label="Rename My square copy"]').click();
+  await dialog.locator('.place-rename input').fill('Other square');
+  await studio.shot('place-rename');
+  await dialog.locator('.place-rename input').press('Enter');
+  await studio.eventually(async () =>
+    expect(/Other square/.test(await dialog.textContent()), 'the duplicate has another name'),
+  );
+  await serious(studio, 'saved places');
+  await fits(studio, 'saved places');
+  await studio.shot('place-shelf');
+  await dialog.locator('button[aria-label="Remove My square"]').click();
+  await studio.eventually(async () => expect((await items.count()) === 1, 'it is removed'));
+  await dialog.locator('button', { hasText: 'Bring it back' }).click();
+  await studio.eventually(async () => expect((await items.count()) === 2, 'and back'));
+  await dialog.locator('button[aria-label="Open Other square"]').click();
+  await untilTitle(studio, 'Other square');
+  await dialog.waitFor({ state: 'detached' }).catch(() => undefined);
+  expect((await dialog.count()) === 0, 'the dialog closes');
+  expect((await present(server)).groups[0].count === 49, 'the same people stand there');
+}
+
+/** Every template opens, and what is downloaded is played by the command line to the end that the server's file has. */
+export async function templates(studio, server) {
+  const names = [];
+  await openPlaces(studio, 'New place');
+  const cards = dialogOf(studio).locator('.place-card');
+  const count = await cards.count();
+  expect(count === 6, `six templates: ${count}`);
+  await serious(studio, 'templates');
+  await fits(studio, 'templates');
+  await studio.shot('place-templates');
+  for (let i = 0; i < count; ++i) {
+    if (i > 0) await openPlaces(studio, 'New place');
+    const name = await cards.nth(i).locator('strong').textContent();
+    names.push(name);
+    await cards.nth(i).click();
+    await untilTitle(studio, name);
+    await studio.until('its people', () => globalThis.__muster.frame.groups.length > 0);
+    await studio.fit();
+    await studio.shot(`template-${i + 1}`);
+    if (studio.size !== 'desktop' && i === 1) return;
+  }
+  console.log(`measured: templates: ${names.join(', ')}`);
+  await openPlaces(studio, 'Save this place');
+  const [download] = await Promise.all([
+    studio.page.waitForEvent('download'),
+    dialogOf(studio).locator('button', { hasText: 'Download' }).click(),
+  ]);
+  expect(download.suggestedFilename() === 'stadium-gate.json', download.suggestedFilename());
+  const folder = mkdtempSync(join(tmpdir(), 'muster-place-'));
+  const [mine, own] = ['downloaded.json', 'server.json'].map((name) => join(folder, name));
+  await download.saveAs(mine);
+  writeFileSync(own, JSON.stringify(await present(server)));
+  const hashes = [mine, own].map((file) => {
+    const { status, stdout, stderr } = runProgram('play', file, '--seconds', '2', '--json');
+    expect(status === 0, `the command line plays ${file}: ${stderr}`);
+    return JSON.parse(stdout).hash;
+  });
+  console.log(`measured: downloaded place plays to ${hashes[0]}`);
+  expect(hashes[0] === hashes[1] && String(hashes[0]).length > 4, `the same hash: ${hashes.join(', ')}`);
+  expect(readFileSync(mine).length > 100, 'and is a whole file');
+}
+
+const obstacles = (studio) =>
+  studio.page.evaluate(() => ({
+    shown: globalThis.__muster.view.solid.length,
+    notice: globalThis.__muster.state.notice?.text,
+  }));
+
+/** GeoJSON by picker as a new place, and by drop into the present one, which one undo takes back. */
+export async function importTown(studio, server) {
+  await openPlaces(studio, 'Import a file');
+  const dialog = dialogOf(studio);
+  await choose(studio, { name: 'old_town.geojson', buffer: madeTown({ bad: 2 }) });
+  await dialog.locator('.place-import:not([hidden])').waitFor();
+  const said = () => dialog.locator('.place-import .place-note').textContent();
+  await studio.eventually(async () => expect(/obstacles on 80 × 48 m/.test(await said()), `measured: ${await said()}`));
+  expect(
+    /3 of 7 outlines were left out: .*2 cross themselves/.test(await said()),
+    `and what is left out: ${await said()}`,
+  );
+  await studio.wait(200);
+  await serious(studio, 'import of GeoJSON');
+  await fits(studio, 'import');
+  await studio.shot('place-import-town');
+  await dialog.locator('label', { hasText: 'Scale' }).locator('input').fill('0.5');
+  await studio.eventually(async () => expect(/on 4\d × \d+ m/.test(await said()), `half as large: ${await said()}`));
+  await dialog.locator('label', { hasText: 'Scale' }).locator('input').fill('');
+  await studio.eventually(async () => expect(/number is missing/.test(await said()), 'an empty field is told of'));
+  await dialog.locator('label', { hasText: 'Scale' }).locator('input').fill('1');
+  await dialog.locator('button', { hasText: 'New place' }).click();
+  await untilTitle(studio, 'Old town');
+  await studio.fit();
+  await studio.wait(400);
+  await studio.shot('place-town');
+  const town = await present(server);
+  const heights = town.obstacles.map(({ height }) => height);
+  expect(heights.includes(15) && heights.includes(40) && heights.includes(2.2), `heights are read: ${heights}`);
+  expect(
+    town.obstacles.some(({ name }) => name === 'Tower'),
+    'and names',
+  );
+  // The courtyard is open ground.
+  const before = town.obstacles.length;
+  await drop(studio, { name: 'again.json', buffer: madeTown({ bad: 0 }) });
+  await dialog.locator('.place-import:not([hidden])').waitFor();
+  await dialog.locator('label', { hasText: 'Scale' }).locator('input').fill('0.2');
+  await studio.wait(400);
+  await studio.shot('place-import-add');
+  await dialog.locator('button', { hasText: 'Add to this place' }).click();
+  await studio.eventually(async () =>
+    expect((await present(server)).obstacles.length > before, 'obstacles are added to the place'),
+  );
+  const { notice } = await obstacles(studio);
+  // What the new walls do to the crowd may be told after it.
+  expect(/obstacles are added|is cut off/.test(notice ?? ''), `it is told: ${notice}`);
+  await studio.send({ type: 'UndoEdit', redo: false });
+  await studio.eventually(async () =>
+    expect((await present(server)).obstacles.length === before, 'one undo takes all of them back'),
+  );
+}
+
+/** OBJ and GLB: footprints in the place, the model on the screen, also after a reload. */
+export async function importModels(studio, server) {
+  const dialog = dialogOf(studio);
+  await openPlaces(studio, 'Import a file');
+  await choose(studio, { name: 'yard.obj', buffer: madeObj() });
+  const note = dialog.locator('.place-import .place-note');
+  await studio.eventually(async () =>
+    expect(/2 obstacles on/.test(await note.textContent()), await note.textContent()),
+  );
+  await studio.wait(200);
+  await serious(studio, 'import of a model');
+  await fits(studio, 'import of a model');
+  await studio.shot('place-import-obj');
+  await dialog.locator('button', { hasText: 'New place' }).click();
+  await untilTitle(studio, 'Yard');
+  const yard = await present(server);
+  const byName = Object.fromEntries(yard.obstacles.map((one) => [one.name, one]));
+  expect(
+    byName['yard.obj: Hut']?.height === 2.95,
+    `a hut of 3 m on its floor: ${JSON.stringify(yard.obstacles).slice(0, 300)}`,
+  );
+  expect(byName['yard.obj: Bench']?.height === 0.45, 'and a bench of half a metre');
+  await studio.eventually(async () =>
+    expect((await obstacles(studio)).shown === 0, 'the model is shown in place of its footprints'),
+  );
+  await studio.fit();
+  await studio.wait(400);
+  await studio.shot('place-yard');
+  await reload(studio, server.url);
+  await studio.eventually(async () => expect((await obstacles(studio)).shown === 0, 'also after a reload'));
+  // A GLB by drop, added beside it, without being shown.
+  const small = { Statue: [[0, 0, 1, 2.5, 1]] };
+  await drop(studio, { name: 'statue.glb', buffer: madeModel({ objects: small, shift: 5 }) });
+  await dialog.locator('.place-import:not([hidden])').waitFor();
+  await dialog.locator('.place-check input').uncheck();
+  await dialog.locator('label', { hasText: 'Added at' }).locator('input').fill('5');
+  await dialog.locator('button', { hasText: 'Add to this place' }).click();
+  await studio.eventually(async () =>
+    expect(
+      (await present(server)).obstacles.some(({ name, height }) => name === 'statue.glb: Statue' && height === 2.5),
+      'the statue stands in the place',
+    ),
+  );
+  await studio.eventually(async () => expect((await obstacles(studio)).shown === 1, 'and is drawn as an obstacle'));
+  await drop(studio, { name: 'hall.glb', buffer: madeModel() });
+  await dialog.locator('.place-import:not([hidden])').waitFor();
+  await studio.eventually(async () => expect(/2 obstacles/.test(await note.textContent()), 'a whole yard as GLB'));
+  await dialog.locator('button', { hasText: 'New place' }).click();
+  await untilTitle(studio, 'Hall');
+  await studio.fit();
+  await studio.wait(400);
+  await studio.shot('place-hall');
+}
+
+/** A grid map becomes a place that embeds it. */
+export async function importMap(studio, server) {
+  await drop(studio, { name: 'rooms.txt', buffer: madeMap() });
+  const dialog = dialogOf(studio);
+  await dialog.locator('.place-import:not([hidden])').waitFor();
+  expect(
+    !(await dialog.locator('button', { hasText: 'Add to this place' }).isVisible()),
+    'a map is a place of its own',
+  );
+  await dialog.locator('label', { hasText: 'People' }).locator('input').fill('20');
+  await dialog.locator('label', { hasText: 'Cell' }).locator('input').fill('2');
+  await studio.wait(400);
+  await serious(studio, 'import of a map');
+  await studio.shot('place-import-map');
+  await dialog.locator('button', { hasText: 'New place' }).click();
+  await untilTitle(studio, 'Rooms');
+  const place = await present(server);
+  expect(place.map.rows.length === 16 && place.map.metresPerCell === 2, 'the map is in the file');
+  expect(place.groups[0].count === 20, 'with twenty people');
+  await studio.fit();
+  await studio.wait(400);
+  await studio.shot('place-map');
+}
+
+/** Every bad file gets one sentence that names it, by picker and by drop; nothing changes. */
+export async function badFiles(studio, server) {
+  const before = await title(studio);
+  const cases = [
+    ['cut.geojson', madeTown().subarray(0, 200), /^“cut\.geojson” cannot be read: it is no whole JSON file\.$/],
+    [
+      'points.json',
+      Buffer.from('{"type": "Point", "coordinates": [1, 2]}'),
+      /^“points\.json” holds no polygons and no lines\.$/,
+    ],
+    [
+      'broken.obj',
+      Buffer.from('v 0 0 0\nv 1 0 0\nf 1 2 9\n'),
+      /^“broken\.obj” is broken in line 3: it has no corner 9\.$/,
+    ],
+    ['cut.glb', madeModel().subarray(0, 300), /^“cut\.glb” cannot be read: .*\.$/],
+    ['short.map', madeMap().subarray(0, 100), /^“short\.map” is broken in line \d+: .*\.$/],
+    [
+      'wrong.json',
+      Buffer.from('{"format": "muster-scenario", "version": 1, "groups": 7}'),
+      /^“wrong\.json” could not be opened: .*groups.*\.$/,
+    ],
+    ['torn.json', Buffer.from('{"format": "muster-scenario", "version": 1, '), /^“torn\.json” cannot be read: .*\.$/],
+    ['walk.bvh', Buffer.from('HIERARCHY\nROOT Hips\n'), /^“walk\.bvh” is recorded motion: .*\.$/],
+    ['noise.bin', Buffer.from([1, 2, 3, 0, 255]), /^“noise\.bin” is no take, .*\.$/],
+    ['nothing.obj', Buffer.alloc(0), /^“nothing\.obj” is empty\.$/],
+  ];
+  const dialog = dialogOf(studio);
+  for (const [name, buffer, sentence] of cases) {
+    for (const way of ['picker', 'drop']) {
+      if (way === 'picker') await openPlaces(studio, 'Import a file');
+      await (way === 'picker' ? choose : drop)(studio, { name, buffer });
+      await studio.eventually(async () => {
+        const inside = await studio.page
+          .locator('dialog.place-dialog[open] .place-said:not([hidden])')
+          .allTextContents();
+        const banner = await studio.page.locator('.banner.notice:not([hidden]) strong').allTextContents();
+        expect(
+          [...inside, ...banner].some((text) => sentence.test(text)),
+          `${name} by ${way}: ${[...inside, ...banner]}`,
+        );
+      }, 5000);
+      if (name === 'broken.obj' && way === 'picker') {
+        await serious(studio, 'a bad file');
+        await studio.shot('place-bad-file');
+      }
+      if ((await dialog.count()) > 0) await studio.page.keyboard.press('Escape');
+      await studio.page.evaluate(() => document.querySelector('.banner.notice:not([hidden]) .notice-close')?.click());
+    }
+  }
+  expect((await title(studio)) === before, 'the place is as before');
+  expect((await present(server)).name === before, 'on the server, too');
+  // A body is a character, whatever picker it came by.
+  await openPlaces(studio, 'Import a file');
+  await choose(studio, { name: 'person.glb', buffer: madeCharacter() });
+  await studio.until('everybody to be it', () =>
+    globalThis.__muster.view.people.drawn.every((one) => one.body === 'person.glb'),
+  );
+  expect((await dialog.count()) === 0, 'and the dialog is out of the way');
+}
+
+/** What is edited is kept, and offered where the server has begun anew. */
+export async function autosave(studio, server) {
+  const wall = {
+    kind: 'obstacle',
+    definition: {
+      name: 'Wall',
+      polygon: [
+        [3, 3],
+        [6, 3],
+        [6, 3.5],
+        [3, 3.5],
+      ],
+      height: 2,
+    },
+  };
+  await studio.send({ type: 'Edit', label: 'Wall', gesture: 0, events: JSON.stringify([wall]) });
+  await studio.eventually(async () =>
+    expect(
+      (await present(server)).obstacles.some(({ name }) => name === 'Wall'),
+      'the wall stands',
+    ),
+  );
+  await studio.until('the copy in the browser', () => localStorage.getItem('muster.autosave') !== null);
+  await reload(studio, server.url);
+  await studio.wait(1500);
+  expect((await studio.page.locator('.place-banner').count()) === 0, 'nothing is offered while the server has it');
+  server.kill();
+  await studio.wait(300);
+  const again = await startStudio({ scenario: server.scenario, port: server.port, takes: server.takes });
+  try {
+    await reload(studio, again.url);
+    await studio.page.locator('.place-banner').waitFor();
+    const words = await studio.page.locator('.place-banner strong').textContent();
+    expect(/^Your place ‘Open square’ of \d\d:\d\d is kept$/.test(words), words);
+    await serious(studio, 'a kept place');
+    await studio.shot('place-kept');
+    await studio.page.locator('.place-banner button', { hasText: 'Open' }).click();
+    await studio.eventually(async () =>
+      expect(
+        (await present(again)).obstacles.some(({ name }) => name === 'Wall'),
+        'the wall is back',
+      ),
+    );
+    await reload(studio, again.url);
+    await studio.wait(1500);
+    expect((await studio.page.locator('.place-banner').count()) === 0, 'and it is not offered again');
+    await openPlaces(studio, 'Saved places');
+    await studio.eventually(async () =>
+      expect(/Autosaved – Open square, \d\d:\d\d/.test(await dialogOf(studio).textContent()), 'it is on the shelf'),
+    );
+  } finally {
+    await again.stop();
+  }
+}
