@@ -7,7 +7,6 @@ import { madeCharacter } from '../support/made_glb.mjs';
 import { madeMap, madeModel, madeObj, madeTown } from '../support/made_places.mjs';
 import { runProgram, startStudio } from '../support/server.mjs';
 import { serious } from './look.mjs';
-
 const dialogOf = (studio) => studio.page.locator('dialog.place-dialog[open]');
 const title = (studio) => studio.page.evaluate(() => globalThis.__muster.state.title);
 const present = async (server) => JSON.parse(await (await fetch(new URL('scenario', server.url))).text());
