@@ -27,7 +27,7 @@ public:
 
     /// Another world began: all histories end.
     void begin(const WorldDef& def);
-    /// The same place begins anew in a world whose things have the ids 1, 2, 3... in the order of `before`.
+    /// The same place begins again in a world whose things have the ids 1, 2, 3... in the order of `before`.
     void beginAgain(const PlaceDefinition& before);
     /// A director has left.
     void forget(std::uint32_t client) { histories_.erase(client); }

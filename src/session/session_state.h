@@ -47,7 +47,7 @@ struct SessionClient {
     double readyDue = 0.0;                     ///< Real time at which the next TakeReady is due [s].
     std::optional<protocol::AskPath> path;     ///< The path of the take that it waits for.
     std::uint32_t sentDirectors = 0;           ///< Revision of the directors sent; 0 for none.
-    std::uint32_t sentHistory = 0;             ///< Revision of the edits that the last EditHistory told.
+    std::uint32_t sentHistory = 0;             ///< Revision of the edits of the last EditHistory.
     double frameDue = 0.0;                     ///< Real time when the next frame is due while playing [s].
     std::vector<protocol::EventFrame> events;  ///< Events since the last frame.
     Attention attention;                       ///< The point that the client looks at.
