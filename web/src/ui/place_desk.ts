@@ -58,7 +58,10 @@ export class PlaceDesk implements PlaceActions {
 
   constructor(private readonly parts_: PlaceParts) {
     const { store, client, page } = parts_;
-    this.dialog_ = new PlaceDialog(this, () => store.set({ places: 'none', placeFiles: [] }));
+    this.dialog_ = new PlaceDialog(this, () => {
+      // Its event comes late: a file that fell on the page meanwhile may have opened it again.
+      if (!this.dialog_.root.open) store.set({ places: 'none', placeFiles: [] });
+    });
     page.append(this.dialog_.root);
     store.watch(['places', 'placeFiles'], ({ places, placeFiles }) => this.shown(places, placeFiles));
     store.watch(['title'], ({ title }) => void this.showScenery(title));

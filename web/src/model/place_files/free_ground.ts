@@ -7,6 +7,33 @@ import { Raster } from './raster';
 /** The ground is looked at with cells of this size [m] or larger. */
 const kCell = 0.5;
 
+/** Blocks all free cells but those of the largest region: nobody shall begin in a closed courtyard. */
+export function largestRegion(blocked: ArrayLike<number>, width: number, height: number): Uint8Array {
+  const region = new Int32Array(width * height);
+  const sizes = [0];
+  const open: number[] = [];
+  const visit = (i: number): void => {
+    if (blocked[i] || region[i] !== 0) return;
+    region[i] = sizes.length - 1;
+    sizes[sizes.length - 1]! += 1;
+    open.push(i);
+  };
+  for (let start = 0; start < region.length; ++start) {
+    if (blocked[start] || region[start] !== 0) continue;
+    sizes.push(0);
+    visit(start);
+    for (let i = open.pop(); i !== undefined; i = open.pop()) {
+      const x = i % width;
+      if (x > 0) visit(i - 1);
+      if (x + 1 < width) visit(i + 1);
+      if (i >= width) visit(i - width);
+      if (i + width < region.length) visit(i + width);
+    }
+  }
+  const largest = sizes.indexOf(Math.max(...sizes.slice(1)), 1);
+  return Uint8Array.from(region, (one) => (one === largest && largest > 0 ? 0 : 1));
+}
+
 /** Distance of each free cell to the nearest blocked one or to the rim, in cells; 0 where blocked. Chessboard steps. */
 export function roomOf(blocked: ArrayLike<number>, width: number, height: number): Uint16Array {
   const room = new Uint16Array(width * height);
@@ -52,7 +79,8 @@ export function startFor(people: number, box: Bounds, outlines: readonly Outline
     if (inside) corners.forEach((a, i) => raster.line(a, corners[(i + 1) % corners.length]!, block));
   }
   const needed = (Math.sqrt(people) * spacing) / 2 / raster.cell + 2;
-  const found = roomiest(roomOf(blocked, raster.width, raster.height), raster.width, needed);
+  const { width, height } = raster;
+  const found = roomiest(roomOf(largestRegion(blocked, width, height), width, height), width, needed);
   if (!found) return { x: (box.min.x + box.max.x) / 2, y: (box.min.y + box.max.y) / 2 };
   const corner = raster.corner(found.column, found.row);
   return { x: corner.x + raster.cell / 2, y: corner.y + raster.cell / 2 };

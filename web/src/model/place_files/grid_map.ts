@@ -1,6 +1,6 @@
 // MovingAI maps: rows of letters for cells. A place embeds them.
 
-import { roomiest, roomOf } from './free_ground';
+import { largestRegion, roomiest, roomOf } from './free_ground';
 import { FileProblem, toMillimetre, type PlaceDefinition } from './place';
 
 export interface GridMap {
@@ -49,7 +49,7 @@ export function placeOfMap(map: GridMap, name: string, metresPerCell: number, pe
   const { width, height, rows } = map;
   const blocked = rows.flatMap((row) => Array.from(row, (one) => (kStanding.includes(one) ? 0 : 1)));
   const needed = Math.sqrt(people) / 2 / metresPerCell + 1;
-  const found = roomiest(roomOf(blocked, width, height), width, needed)!;
+  const found = roomiest(roomOf(largestRegion(blocked, width, height), width, height), width, needed)!;
   const usual = Math.min(0.5, Math.max(0.25, metresPerCell / 2));
   const least = metresPerCell * Math.sqrt((width * height) / kMostGround);
   return {

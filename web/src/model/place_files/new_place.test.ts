@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { insidePolygon } from '../plane';
-import { roomOf, startFor } from './free_ground';
+import { largestRegion, roomOf, startFor } from './free_ground';
 import { placeOfMap, readGridMap } from './grid_map';
 import { additionOf, cellFor, kMostBytes, placeAround, within } from './new_place';
 import { obstacleOf, placedOutlines, type Outline } from './place';
@@ -83,6 +83,30 @@ describe('free ground', () => {
     blocked[0] = 1;
     const room = roomOf(blocked, 7, 7);
     expect([room[0], room[8], room[24], room[48], room[16]]).toEqual([0, 1, 3, 1, 2]);
+  });
+
+  it('is never that of a closed courtyard', () => {
+    const box = { min: { x: 0, y: 0 }, max: { x: 40, y: 40 } };
+    const sides = [
+      [10, 10, 20, 2],
+      [10, 28, 20, 2],
+      [10, 10, 2, 20],
+      [28, 10, 2, 20],
+    ] as const;
+    const walls = sides.map(([x, y, wide, high]) => ({
+      name: '',
+      height: 3,
+      corners: [
+        { x, y },
+        { x: x + wide, y },
+        { x: x + wide, y: y + high },
+        { x, y: y + high },
+      ],
+    }));
+    const { x, y } = startFor(9, box, walls);
+    expect(x > 10 && x < 30 && y > 10 && y < 30).toBe(false);
+    expect([...largestRegion([0, 1, 0, 1, 1, 0], 3, 2)]).toEqual([1, 1, 0, 1, 1, 0]);
+    expect([...largestRegion([1, 1], 2, 1)]).toEqual([1, 1]);
   });
 
   it('is found in the only gap, and the middle serves where there is none', () => {
