@@ -17,19 +17,16 @@ async function open(studio) {
 }
 
 /** The newest scene, once `test` holds of it. */
-async function scene(studio, what, test, value) {
-  await studio.until(
-    what,
-    ([source, given]) => {
-      const last = globalThis.__scenes.at(-1);
-      return Boolean(last && new Function('scene', 'value', `return (${source})(scene, value)`)(last, given));
-    },
-    [test.toString(), value ?? null],
-  );
-  return studio.page.evaluate(() => globalThis.__scenes.at(-1));
+async function scene(studio, what, test) {
+  let last = null;
+  await studio.eventually(async () => {
+    last = await studio.page.evaluate(() => globalThis.__scenes.at(-1) ?? null);
+    expect(last !== null && test(last), what);
+  });
+  return last;
 }
 
-const tool = (studio, name) => studio.page.getByRole('button', { name, exact: true }).click();
+const tool = (studio, name) => studio.page.locator('.build-panel').getByRole('button', { name, exact: true }).click();
 
 async function drag(studio, from, to, options = {}) {
   const [a, b] = await screen(studio, [from, to]);
@@ -80,7 +77,7 @@ export async function byMouse(studio) {
   await tool(studio, 'Checkpoint');
   await drag(studio, { x: 5, y: 4 }, { x: 5, y: 5.5 });
   await tool(studio, 'Patch');
-  await page.getByLabel('Motion').selectOption('crawl');
+  await page.locator('.build-panel').getByLabel('Motion').selectOption('crawl');
   await drag(studio, { x: -5, y: -1 }, { x: -3, y: 1 });
   now = await scene(studio, 'all of them', (one) => one.patches.length === 1 && one.items.length === 1);
   expect(now.obstacles.length === 2 && Math.abs(now.obstacles[1].radius - 1) < 0.3, 'a disc');
@@ -88,8 +85,8 @@ export async function byMouse(studio) {
   expect(now.checkpoints.length === 1 && now.checkpoints[0].radius > 1, 'a checkpoint');
   await studio.shot('build');
   await tool(studio, 'Wall');
-  await page.getByLabel('Width [m]').fill('0.5');
-  await page.getByLabel('Width [m]').press('Enter');
+  await page.locator('.build-panel').getByLabel('Width [m]').fill('0.5');
+  await page.locator('.build-panel').getByLabel('Width [m]').press('Enter');
   await drag(studio, { x: -1, y: 5 }, { x: 3, y: 5 });
   now = await scene(studio, 'a wall', (one) => one.obstacles.length === 3);
   const ys = now.obstacles[2].polygon.map(([, y]) => y);
@@ -107,8 +104,8 @@ export async function byMouse(studio) {
   await drag(studio, { x: 3, y: 2 }, { x: 6, y: 2 });
   now = await scene(studio, 'a mover', (one) => one.obstacles.some(({ path }) => path?.loop));
   await tool(studio, 'People');
-  await page.getByLabel('People').fill('9');
-  await page.getByLabel('People').press('Enter');
+  await page.locator('.build-panel').getByLabel('People', { exact: true }).fill('9');
+  await page.locator('.build-panel').getByLabel('People', { exact: true }).press('Enter');
   await drag(studio, { x: -4, y: -5 }, { x: -4, y: -3 });
   now = await scene(studio, 'people', (one) => one.groups.length === 2);
   expect(now.groups[1].count === 9 && Math.abs(now.groups[1].start.angle - Math.PI / 2) < 0.2, 'who face north');
@@ -136,26 +133,26 @@ export async function numbers(studio) {
   await drag(studio, { x: 3, y: 3 }, { x: 5, y: 5 });
   let now = await scene(studio, 'a box', (one) => one.obstacles.length === 1);
   await tool(studio, 'Select');
-  await page.getByLabel('Name').fill('Kiosk');
-  await page.getByLabel('Name').press('Enter');
+  await page.locator('.build-panel').getByLabel('Name', { exact: true }).fill('Kiosk');
+  await page.locator('.build-panel').getByLabel('Name', { exact: true }).press('Enter');
   await scene(studio, 'its name', (one) => one.obstacles[0].name === 'Kiosk');
-  await page.getByLabel('Height [m]').fill('4.5');
-  await page.getByLabel('Height [m]').press('Enter');
+  await page.locator('.build-panel').getByLabel('Height [m]').fill('4.5');
+  await page.locator('.build-panel').getByLabel('Height [m]').press('Enter');
   await scene(studio, 'its height', (one) => one.obstacles[0].height === 4.5);
-  await page.getByLabel('X [m]').fill('-4');
-  await page.getByLabel('X [m]').press('Enter');
+  await page.locator('.build-panel').getByLabel('X [m]').fill('-4');
+  await page.locator('.build-panel').getByLabel('X [m]').press('Enter');
   now = await scene(studio, 'its place', (one) => one.obstacles[0].polygon[0][0] < 0);
   expect(near(now.obstacles[0].polygon[0], [-5, 3], 0.2), 'where it was typed');
   await page.locator('.build-layers summary').click();
-  await page.getByLabel('Lock obstacles').check();
+  await page.locator('.build-panel').getByLabel('Lock obstacles').check();
   await page.keyboard.press('Escape');
   const [at] = await screen(studio, [{ x: -4, y: 4 }]);
   await page.mouse.click(at.x, at.y);
   expect((await page.locator('.build-chosen-fields h3').count()) === 0, 'what is locked cannot be chosen');
-  await page.getByLabel('Lock obstacles').uncheck();
-  await page.getByLabel('Hide obstacles').check();
+  await page.locator('.build-panel').getByLabel('Lock obstacles').uncheck();
+  await page.locator('.build-panel').getByLabel('Hide obstacles').check();
   expect((await page.locator('.build-layer .build-obstacle').count()) === 0, 'what is hidden is not drawn');
-  await page.getByLabel('Hide obstacles').uncheck();
+  await page.locator('.build-panel').getByLabel('Hide obstacles').uncheck();
   await page.evaluate(() => {
     const walls = [
       [3, -6, 7, -5.7],
