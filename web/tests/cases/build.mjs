@@ -145,13 +145,14 @@ export async function numbers(studio) {
   expect(near(now.obstacles[0].polygon[0], [-5, 3], 0.2), 'where it was typed');
   await page.locator('.build-layers summary').click();
   await page.locator('.build-panel').getByLabel('Lock obstacles').check();
-  await page.keyboard.press('Escape');
   const [at] = await screen(studio, [{ x: -4, y: 4 }]);
   await page.mouse.click(at.x, at.y);
   expect((await page.locator('.build-chosen-fields h3').count()) === 0, 'what is locked cannot be chosen');
   await page.locator('.build-panel').getByLabel('Lock obstacles').uncheck();
   await page.locator('.build-panel').getByLabel('Hide obstacles').check();
-  expect((await page.locator('.build-layer .build-obstacle').count()) === 0, 'what is hidden is not drawn');
+  await studio.eventually(async () =>
+    expect((await page.locator('.build-layer .build-obstacle').count()) === 0, 'what is hidden is not drawn'),
+  );
   await page.locator('.build-panel').getByLabel('Hide obstacles').uncheck();
   await page.evaluate(() => {
     const walls = [

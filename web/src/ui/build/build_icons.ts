@@ -22,9 +22,17 @@ const kShapes: Readonly<Record<BuildTool | 'redo' | 'undo' | 'remove' | 'copy', 
 
 export function buildIcon(name: keyof typeof kShapes): SVGElement {
   const made = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-  made.setAttribute('viewBox', '0 0 20 20');
-  made.setAttribute('class', 'icon');
-  made.setAttribute('aria-hidden', 'true');
+  const style = {
+    viewBox: '0 0 20 20',
+    width: '20',
+    height: '20',
+    fill: 'none',
+    stroke: 'currentColor',
+    'stroke-width': '1.6',
+    'stroke-linecap': 'round',
+    'aria-hidden': 'true',
+  };
+  for (const [key, value] of Object.entries(style)) made.setAttribute(key, value);
   made.innerHTML = kShapes[name];
   return made;
 }
