@@ -18,6 +18,7 @@ import './ui/styles/takes.css';
 
 import { StudioClient } from './link/studio_client';
 import { fetchBodies } from './scene/crowd/bodies/gltf_body';
+import { openBuildLazily } from './ui/lazy_build';
 import { openPlacesLazily } from './ui/lazy_places';
 import { StudioApp } from './ui/studio_app';
 import { TakeDesk } from './ui/take_desk';
@@ -59,6 +60,7 @@ async function start(mode: string | undefined): Promise<object> {
   const parts = { client, store: app.store, view, canvas, page: ui };
   new TakeDesk(parts);
   openPlacesLazily({ ...parts, files: app.files });
+  openBuildLazily(parts);
   return {
     get frame() {
       return app.frame;

@@ -1,5 +1,6 @@
 // The studio in a real browser: node tests/browser.mjs [--only WORD] (MUSTER=path names the program)
 import { chromium } from 'playwright-core';
+import * as build from './cases/build.mjs';
 import * as camera from './cases/camera.mjs';
 import * as directors from './cases/directors.mjs';
 import * as demonstration from './cases/demonstration.mjs';
@@ -130,6 +131,14 @@ const kCases = [
     findings.nothingOverlaps,
     ['wide', 'landscape', 'portrait', 'phone'],
     { scenario: 'scenarios/paper/x03-long-house.json' },
+  ],
+  ['build: by mouse', build.byMouse, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],
+  ['build: numbers', build.numbers, ['wide'], { touch: false, scenario: 'scenarios/open.json', room: true }],
+  [
+    'build: by touch',
+    build.byTouch,
+    ['landscape', 'portrait', 'phone'],
+    { scenario: 'scenarios/open.json', room: true },
   ],
   ['people', people.appear, ['desktop'], { search: '?quality=full' }],
   ['people in light quality', people.appearLight, ['desktop'], { search: '?quality=light' }],

@@ -152,6 +152,8 @@ export interface StudioState {
   /** The readout shows its figures, not only words. */
   readonly figures: boolean;
   readonly dialog: DialogName;
+  /** Somebody builds the place. */
+  readonly build: boolean;
   readonly places: PlacesView;
   /** Files that wait to be opened or imported there. */
   readonly placeFiles: readonly File[];
@@ -219,6 +221,7 @@ export const kInitialState: StudioState = {
   tried: [],
   figures: false,
   dialog: 'none',
+  build: false,
   places: 'none',
   placeFiles: [],
   shelf: false,

@@ -8,6 +8,18 @@ export interface SceneBox {
   readonly max: Point2;
 }
 
+/** A way along which something moves, as offsets from where it is defined. */
+export interface ScenePath {
+  readonly waypoints: readonly { readonly t: number; readonly x: number; readonly y: number; readonly angle: number }[];
+  readonly loop: boolean;
+}
+
+/** As in scenario files. */
+export interface SceneShape {
+  readonly kind: string;
+  readonly spacing?: number;
+}
+
 /** A polygon, or a disc where it has a radius. */
 export interface SceneObstacle {
   readonly id: number;
@@ -18,6 +30,9 @@ export interface SceneObstacle {
   readonly radius?: number;
   readonly height: number;
   readonly moving: boolean;
+  readonly path?: ScenePath;
+  readonly range?: number;
+  readonly strength?: number;
 }
 
 export interface ScenePatch {
@@ -29,6 +44,9 @@ export interface ScenePatch {
   /** Travel speed relative to running. */
   readonly speed: number;
   readonly moving: boolean;
+  readonly path?: ScenePath;
+  /** Where it has another travel speed than its clip. */
+  readonly ownSpeed?: number;
 }
 
 export interface SceneClip {
@@ -44,19 +62,27 @@ export interface SceneGroup {
   readonly formation: string;
   /** Index of the accent: blue, ember, green, plum, ochre, slate. */
   readonly colour: number;
+  /** How the place has it; absent for parts of others. */
+  readonly start?: { readonly position: Point2; readonly angle: number; readonly formation: SceneShape };
 }
 
 export interface SceneItem {
+  readonly id: number;
   readonly position: Point2;
   readonly radius: number;
 }
 
 export interface SceneCheckpoint {
+  readonly id: number;
   readonly position: Point2;
   readonly radius: number;
   readonly formation: string;
-  /** Index of the group it concerns; -1 for any. */
+  readonly shape: SceneShape;
+  /** Id of the group it concerns; 0 for any. */
   readonly group: number;
+  readonly once: boolean;
+  readonly trigger: string;
+  readonly share: number;
 }
 
 export interface SceneParameter {
@@ -65,6 +91,8 @@ export interface SceneParameter {
 }
 
 export interface SceneFacts {
+  /** Rises with each world that begins; ids begin anew then, in the same order. */
+  readonly world: number;
   /** File name without .json; in folders FOLDER/NAME. */
   readonly name: string;
   readonly title: string;
@@ -94,6 +122,7 @@ export function isSameWorld(a: SceneFacts, b: SceneFacts): boolean {
 
 /** What a scene has where its JSON says nothing; the title is its name then. */
 const kAbsent: Omit<SceneFacts, 'box' | 'title'> = {
+  world: 0,
   name: '',
   description: '',
   credit: '',

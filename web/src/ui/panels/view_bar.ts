@@ -29,8 +29,20 @@ export class ViewBar {
       act: () => actions.toggleFollow(),
     });
     store.watch(['following'], ({ following }) => setPressed(follow, following));
-    store.watch(['groups'], ({ groups }) => (this.root.hidden = groups.length === 0));
-    this.root.append(fit, follow);
+
+    const build = toolButton({
+      icon: 'place',
+      label: 'Build',
+      iconOnly: true,
+      key: 'Shift+E',
+      pressed: false,
+      className: 'toggle',
+      tip: 'Builds the place: obstacles, patches, items, people',
+      act: () => store.set({ build: !store.state.build }),
+    });
+    store.watch(['build'], ({ build: on }) => setPressed(build, on));
+    store.watch(['replaying'], ({ replaying }) => (build.hidden = replaying));
+    this.root.append(fit, follow, build);
     new ToolbarFocus(this.root, store);
   }
 }

@@ -1,0 +1,139 @@
+// Things as they are drawn: from where a pointer came down to where it is.
+
+import type { Point2 } from '../../protocol/scene';
+import { distance, type GroundPoint } from '../plane';
+import { groupRadius, thing, type Thing } from './things';
+
+export const kBuildTools = [
+  'select',
+  'box',
+  'disc',
+  'polygon',
+  'wall',
+  'patch',
+  'route',
+  'item',
+  'checkpoint',
+  'people',
+] as const;
+export type BuildTool = (typeof kBuildTools)[number];
+
+/** What new things are like. */
+export interface DrawingOptions {
+  /** Of walls and other obstacles [m]. */
+  readonly height: number;
+  /** Of walls [m]. */
+  readonly width: number;
+  /** Of patches: index into the scene's clips. */
+  readonly motion: number;
+  /** Of movers [m/s]. */
+  readonly speed: number;
+  /** Of people and checkpoints. */
+  readonly formation: string;
+  readonly count: number;
+  /** Between people [m]. */
+  readonly spacing: number;
+}
+
+/** Shorter strokes are presses [m]. */
+const kPress = 0.3;
+/** Of what is pressed, not drawn [m]. */
+const kPressed = { box: 1, disc: 0.5, checkpoint: 2, item: 0.5 };
+/** Points of a route lie so far apart [m]. */
+const kRouteStep = 0.5;
+
+function rectangle(a: GroundPoint, b: GroundPoint): Point2[] {
+  const [x0, x1] = [Math.min(a.x, b.x), Math.max(a.x, b.x)];
+  const [y0, y1] = [Math.min(a.y, b.y), Math.max(a.y, b.y)];
+  return [
+    [x0, y0],
+    [x1, y0],
+    [x1, y1],
+    [x0, y1],
+  ];
+}
+
+function boxOf(a: GroundPoint, b: GroundPoint): Point2[] {
+  const flat = Math.abs(a.x - b.x) < 0.1 || Math.abs(a.y - b.y) < 0.1;
+  const half = kPressed.box;
+  return flat ? rectangle({ x: a.x - half, y: a.y - half }, { x: a.x + half, y: a.y + half }) : rectangle(a, b);
+}
+
+/** A wall of that width along the line; null for a press. */
+export function wallOf(a: GroundPoint, b: GroundPoint, width: number): Point2[] | null {
+  const length = distance(a, b);
+  if (length < kPress) return null;
+  const [nx, ny] = [((a.y - b.y) / length) * (width / 2), ((b.x - a.x) / length) * (width / 2)];
+  return [
+    [a.x - nx, a.y - ny],
+    [b.x - nx, b.y - ny],
+    [b.x + nx, b.y + ny],
+    [a.x + nx, a.y + ny],
+  ];
+}
+
+function round(a: GroundPoint, b: GroundPoint, pressed: number): { centre: Point2; radius: number } {
+  const radius = distance(a, b);
+  return { centre: [a.x, a.y], radius: radius < kPress ? pressed : radius };
+}
+
+/** The thing that a stroke from `a` to `b` makes by a tool; null where it makes none. */
+export function drawn(tool: BuildTool, a: GroundPoint, b: GroundPoint, options: DrawingOptions): Thing | null {
+  const { height, motion, count, spacing } = options;
+  const formation = { kind: options.formation, spacing };
+  switch (tool) {
+    case 'box':
+      return polygonThing(boxOf(a, b), height);
+    case 'disc':
+      return thing('obstacle', { ...round(a, b, kPressed.disc), height });
+    case 'wall': {
+      const polygon = wallOf(a, b, options.width);
+      return polygon && polygonThing(polygon, height);
+    }
+    case 'patch': {
+      const polygon = boxOf(a, b);
+      return thing('patch', { polygon, centre: centreOf(polygon), motion });
+    }
+    case 'item':
+      return thing('item', { centre: [b.x, b.y], radius: kPressed.item });
+    case 'checkpoint':
+      return thing('checkpoint', { ...round(a, b, kPressed.checkpoint), formation });
+    case 'people': {
+      const angle = distance(a, b) < kPress ? 0 : Math.atan2(b.y - a.y, b.x - a.x);
+      const radius = groupRadius(count, spacing);
+      return thing('group', { name: 'Group', centre: [a.x, a.y], angle, count, formation, radius });
+    }
+    case 'select':
+    case 'polygon':
+    case 'route':
+      return null;
+  }
+}
+
+function centreOf(polygon: readonly Point2[]): Point2 {
+  const sum = polygon.reduce(([x, y], p) => [x + p[0], y + p[1]] as const, [0, 0] as Point2);
+  return [sum[0] / polygon.length, sum[1] / polygon.length];
+}
+
+/** An obstacle with these corners; null for fewer than three. */
+export function polygonThing(polygon: readonly Point2[], height: number): Thing | null {
+  return polygon.length < 3 ? null : thing('obstacle', { polygon, centre: centreOf(polygon), height });
+}
+
+/** The thing moves along a drawn line and back, or round where the line ends near its beginning. `now` is the time of the
+ * world [s]: it starts at once. */
+export function routed(one: Thing, line: readonly GroundPoint[], speed: number): Thing {
+  const points = line.filter((p, k) => k === 0 || k === line.length - 1 || distance(p, line[k - 1]!) >= 0);
+  const kept: GroundPoint[] = [];
+  for (const p of points) if (kept.length === 0 || distance(p, kept[kept.length - 1]!) >= kRouteStep) kept.push(p);
+  if (kept.length < 2) return { ...one, path: null };
+  const first = kept[0]!;
+  const closes = distance(first, kept[kept.length - 1]!) < 3 * kRouteStep && kept.length > 6;
+  const way = closes ? [...kept.slice(0, -1), first] : [...kept, ...[...kept].reverse().slice(1)];
+  let t = 0;
+  const waypoints = way.map((p, k) => {
+    if (k > 0) t += distance(p, way[k - 1]!) / Math.max(0.05, speed);
+    return { t, x: p.x - first.x, y: p.y - first.y, angle: 0 };
+  });
+  return { ...one, path: { waypoints, loop: true } };
+}

@@ -1,0 +1,275 @@
+// What stands and lies in a place, as somebody who builds it takes hold of it: chosen, moved, turned, scaled, and told to
+// the server in the words of gesture files.
+
+import type { Point2, SceneFacts, ScenePath, SceneShape } from '../../protocol/scene';
+import { distance, insidePolygon, type GroundPoint } from '../plane';
+
+export type ThingKind = 'obstacle' | 'patch' | 'item' | 'checkpoint' | 'group';
+
+export const kThingKinds: readonly ThingKind[] = ['obstacle', 'patch', 'item', 'checkpoint', 'group'];
+
+/** One thing. It has a polygon, or a centre with a radius. */
+export interface Thing {
+  readonly kind: ThingKind;
+  /** 0 where it is not there yet. */
+  readonly id: number;
+  readonly name: string;
+  readonly polygon: readonly Point2[] | null;
+  readonly centre: Point2;
+  readonly radius: number;
+  /** Where a group faces; 0 for others [rad]. */
+  readonly angle: number;
+  /** Of an obstacle [m]. */
+  readonly height: number;
+  /** Of a patch: index into the scene's clips. */
+  readonly motion: number;
+  readonly path: ScenePath | null;
+  /** Of a group and a checkpoint. */
+  readonly formation: SceneShape;
+  readonly count: number;
+  /** Fields of its definition that building leaves alone. */
+  readonly rest: Readonly<Record<string, unknown>>;
+  /** Id of the group that a checkpoint concerns; 0 for any. */
+  readonly group: number;
+}
+
+/** An event of a gestures file. */
+export type PlaceEvent = Readonly<Record<string, unknown>>;
+
+const kBlank: Thing = {
+  kind: 'obstacle',
+  id: 0,
+  name: '',
+  polygon: null,
+  centre: [0, 0],
+  radius: 0,
+  angle: 0,
+  height: 3,
+  motion: 0,
+  path: null,
+  formation: { kind: 'square', spacing: 1 },
+  count: 0,
+  rest: {},
+  group: 0,
+};
+
+export function thing(kind: ThingKind, fields: Partial<Thing>): Thing {
+  return { ...kBlank, kind, ...fields };
+}
+
+/** The mean of the corners. */
+function middle(polygon: readonly Point2[]): Point2 {
+  const sum = polygon.reduce(([x, y], p) => [x + p[0], y + p[1]] as const, [0, 0] as Point2);
+  return [sum[0] / Math.max(1, polygon.length), sum[1] / Math.max(1, polygon.length)];
+}
+
+function present(fields: Readonly<Record<string, unknown>>): Record<string, unknown> {
+  return Object.fromEntries(Object.entries(fields).filter(([, value]) => value !== undefined));
+}
+
+/** The room that so many people take: about as a disc. */
+export function groupRadius(count: number, spacing: number): number {
+  return 0.6 * spacing * Math.sqrt(Math.max(1, count)) + 0.3;
+}
+
+function shapeOf(polygon: readonly Point2[] | undefined, centre: Point2 | undefined, radius: number | undefined) {
+  const corners = polygon && polygon.length > 0 ? polygon : null;
+  return {
+    polygon: corners,
+    centre: corners ? middle(corners) : (centre ?? [0, 0]),
+    radius: corners ? 0 : (radius ?? 0),
+  };
+}
+
+/** All that can be taken hold of, what lies on top last. */
+export function thingsOf(scene: SceneFacts): Thing[] {
+  const patches = scene.patches.map(({ id, name, polygon, motion, path, ownSpeed }) =>
+    thing('patch', {
+      id,
+      name,
+      ...shapeOf(polygon, undefined, undefined),
+      motion,
+      path: path ?? null,
+      rest: present({ speed: ownSpeed }),
+    }),
+  );
+  const obstacles = scene.obstacles.map(({ id, name, polygon, centre, radius, height, path, range, strength }) =>
+    thing('obstacle', {
+      id,
+      name,
+      ...shapeOf(polygon, centre, radius),
+      height,
+      path: path ?? null,
+      rest: present({ range, strength }),
+    }),
+  );
+  const checkpoints = scene.checkpoints.map(({ id, position, radius, shape, group, once, trigger, share }) =>
+    thing('checkpoint', {
+      id,
+      centre: position,
+      radius,
+      formation: shape,
+      group,
+      rest: present({ once, trigger, share }),
+    }),
+  );
+  const items = scene.items.map(({ id, position, radius }) => thing('item', { id, centre: position, radius }));
+  const groups = scene.groups.flatMap(({ id, name, count, start }) =>
+    start
+      ? [
+          thing('group', {
+            id,
+            name,
+            count,
+            centre: start.position,
+            angle: start.angle,
+            formation: start.formation,
+            radius: groupRadius(count, start.formation.spacing ?? 1),
+          }),
+        ]
+      : [],
+  );
+  return [...patches, ...obstacles, ...checkpoints, ...items, ...groups];
+}
+
+export function sameThing(a: Pick<Thing, 'kind' | 'id'>, b: Pick<Thing, 'kind' | 'id'>): boolean {
+  return a.kind === b.kind && a.id === b.id;
+}
+
+/** Maps every point of a thing; `turn` [rad] turns headings and routes, `scale` grows radii and routes. */
+function mapped(one: Thing, map: (p: Point2) => Point2, turn: number, scale: number): Thing {
+  const [c, s] = [Math.cos(turn) * scale, Math.sin(turn) * scale];
+  const grows = one.kind !== 'group';
+  return {
+    ...one,
+    polygon: one.polygon?.map(map) ?? null,
+    centre: map(one.centre),
+    radius: grows ? Math.max(0.05, one.radius * scale) : one.radius,
+    angle: one.angle + turn,
+    path: one.path && {
+      ...one.path,
+      waypoints: one.path.waypoints.map(({ t, x, y, angle }) => ({ t, x: c * x - s * y, y: s * x + c * y, angle })),
+    },
+  };
+}
+
+export function moved(one: Thing, dx: number, dy: number): Thing {
+  return mapped(one, ([x, y]) => [x + dx, y + dy], 0, 1);
+}
+
+export function turned(one: Thing, about: GroundPoint, angle: number): Thing {
+  const [c, s] = [Math.cos(angle), Math.sin(angle)];
+  const map = ([x, y]: Point2): Point2 => {
+    const [dx, dy] = [x - about.x, y - about.y];
+    return [about.x + c * dx - s * dy, about.y + s * dx + c * dy];
+  };
+  return mapped(one, map, angle, 1);
+}
+
+export function scaled(one: Thing, about: GroundPoint, factor: number): Thing {
+  const map = ([x, y]: Point2): Point2 => [about.x + factor * (x - about.x), about.y + factor * (y - about.y)];
+  return mapped(one, map, 0, factor);
+}
+
+function definition(one: Thing): Record<string, unknown> {
+  const { name, polygon, centre, radius, path, rest } = one;
+  const shape = polygon ? { polygon } : { centre, radius };
+  const way = path ? { path } : {};
+  switch (one.kind) {
+    case 'obstacle':
+      return { name, ...shape, height: one.height, ...way, ...rest };
+    case 'patch':
+      return { name, polygon, motion: one.motion, ...way, ...rest };
+    case 'item':
+      return { position: centre, radius };
+    case 'checkpoint':
+      return { position: centre, radius, formation: one.formation, ...rest };
+    case 'group':
+      return { name, count: one.count, formation: one.formation, position: centre, angle: one.angle };
+  }
+}
+
+function capital(kind: ThingKind): string {
+  return kind[0]!.toUpperCase() + kind.slice(1);
+}
+
+/** Puts the thing there. */
+export function addEvent(one: Thing): PlaceEvent {
+  const concerned = one.kind === 'checkpoint' && one.group > 0 ? { group: one.group } : {};
+  return { kind: one.kind, definition: definition(one), ...concerned };
+}
+
+/** Makes the thing of that id as it is here. A group is placed; its other fields have events of their own. */
+export function changeEvent(one: Thing): PlaceEvent {
+  if (one.kind === 'group')
+    return { kind: 'placeGroup', group: one.id, x: one.centre[0], y: one.centre[1], angle: one.angle };
+  const concerned = one.kind === 'checkpoint' && one.group > 0 ? { group: one.group } : {};
+  return { kind: `change${capital(one.kind)}`, id: one.id, definition: definition(one), ...concerned };
+}
+
+export function removeEvent(one: Thing): PlaceEvent {
+  return one.kind === 'group'
+    ? { kind: 'removeGroup', group: one.id }
+    : { kind: `remove${capital(one.kind)}`, id: one.id };
+}
+
+/** Its corners, or points on its circle. */
+export function outlineOf(one: Thing, corners = 24): GroundPoint[] {
+  if (one.polygon) return one.polygon.map(([x, y]) => ({ x, y }));
+  return Array.from({ length: corners }, (_, k) => {
+    const angle = (2 * Math.PI * k) / corners;
+    return { x: one.centre[0] + one.radius * Math.cos(angle), y: one.centre[1] + one.radius * Math.sin(angle) };
+  });
+}
+
+/** The thing on top at a point, where anything is nearer than `reach` [m]; null for none. */
+export function hit(things: readonly Thing[], p: GroundPoint, reach: number): Thing | null {
+  for (let k = things.length - 1; k >= 0; --k) {
+    const one = things[k]!;
+    const inside = one.polygon
+      ? insidePolygon(p, outlineOf(one))
+      : distance(p, { x: one.centre[0], y: one.centre[1] }) <= Math.max(one.radius, reach);
+    if (inside) return one;
+  }
+  const near = things.find((one) => outlineOf(one).some((corner) => distance(corner, p) <= reach));
+  return near ?? null;
+}
+
+/** Those whose middle lies in the polygon. */
+export function within(things: readonly Thing[], polygon: readonly GroundPoint[]): Thing[] {
+  return things.filter((one) => insidePolygon({ x: one.centre[0], y: one.centre[1] }, polygon));
+}
+
+export interface Extent {
+  readonly minX: number;
+  readonly minY: number;
+  readonly maxX: number;
+  readonly maxY: number;
+}
+
+/** The box round all of them; null for none. */
+export function extentOf(things: readonly Thing[]): Extent | null {
+  const points = things.flatMap((one) => outlineOf(one));
+  if (points.length === 0) return null;
+  const xs = points.map(({ x }) => x);
+  const ys = points.map(({ y }) => y);
+  return { minX: Math.min(...xs), minY: Math.min(...ys), maxX: Math.max(...xs), maxY: Math.max(...ys) };
+}
+
+/** The middle of the box round all of them; null for none. */
+export function middleOfAll(all: readonly Thing[]): GroundPoint | null {
+  const extent = extentOf(all);
+  return extent && { x: (extent.minX + extent.maxX) / 2, y: (extent.minY + extent.maxY) / 2 };
+}
+
+/** Who was chosen before is chosen after: by id in the same world, by the place in the list in one that began anew. */
+export function chosenAgain(
+  chosen: readonly Thing[],
+  before: readonly Thing[],
+  after: readonly Thing[],
+  sameWorld: boolean,
+): Thing[] {
+  if (sameWorld) return after.filter((one) => chosen.some((old) => sameThing(old, one)));
+  if (before.length !== after.length) return [];
+  return after.filter((one, k) => before[k]!.kind === one.kind && chosen.some((old) => sameThing(old, before[k]!)));
+}

@@ -1,0 +1,27 @@
+// What panel and keys ask of whoever builds.
+
+import type { BuildTool, DrawingOptions } from '../../model/place/drawing';
+import type { PlaceEvent, Thing, ThingKind } from '../../model/place/things';
+
+/** Formations that people and checkpoints may have. */
+export const kShapes: readonly string[] = ['square', 'line', 'column', 'wedge', 'circle', 'ring', 'crescent', 'cross'];
+
+export interface BuildActions {
+  options: DrawingOptions;
+  setTool(tool: BuildTool): void;
+  setSnaps(on: boolean): void;
+  toggleLayer(kind: ThingKind, what: 'hidden' | 'locked', on: boolean): void;
+  edit(label: string, change: (one: Thing) => Thing): void;
+  editGroup(label: string, event: (one: Thing) => PlaceEvent): void;
+  undo(redo?: boolean): void;
+  remove(): void;
+  copy(): void;
+  paste(): void;
+  duplicate(): void;
+  nudge(dx: number, dy: number): void;
+  togglePlay(): void;
+  turnChosen(angle: number): void;
+  chooseAll(): void;
+  finishPolygon(): void;
+  leave(): void;
+}

@@ -1,0 +1,305 @@
+// Building a place: what is chosen, what is being drawn, and the edits that follow from it.
+
+import type { StudioClient } from '../../link/studio_client';
+import type { StudioStore } from '../../model/studio_store';
+import type { GroundPoint, ScreenPoint } from '../../model/plane';
+import type { BuildTool, DrawingOptions } from '../../model/place/drawing';
+import * as things from '../../model/place/things';
+import type { PlaceEvent, Thing, ThingKind } from '../../model/place/things';
+import { OverlayKind, PlaybackAction, type EditHistory } from '../../protocol/messages';
+import { parseScene, type SceneFacts } from '../../protocol/scene';
+import type { StudioScene } from '../../scene/studio_scene';
+import { BuildPointer } from '../../tools/build_pointer';
+import { BuildKeys } from './build_keys';
+import type { BuildActions } from './build_actions';
+import { BuildLayer } from './build_layer';
+import { BuildPanel } from './build_panel';
+import { BuildStroking, type StrokeHost } from './build_strokes';
+import '../styles/build.css';
+
+export interface BuildParts {
+  readonly client: StudioClient;
+  readonly store: StudioStore;
+  readonly view: StudioScene;
+  readonly page: HTMLElement;
+}
+
+/** What is pasted or doubled stands beside the old one [m]. */
+const kBeside = 1;
+/** Events of one message. */
+const kMostEvents = 200;
+
+export class BuildDesk implements StrokeHost, BuildActions {
+  private readonly layer_: BuildLayer;
+  private readonly panel_: BuildPanel;
+  private scene_: SceneFacts | null = null;
+  private things_: readonly Thing[] = [];
+  private chosen_: readonly Thing[] = [];
+  preview: readonly Thing[] = [];
+  private readonly strokes_ = new BuildStroking(this);
+  private copied_: readonly Thing[] = [];
+  private open_ = false;
+  private gestures_ = Math.floor(Math.random() * 1e9);
+  private waits_ = 0;
+  tool: BuildTool = 'select';
+  snaps = true;
+  private readonly hidden_ = new Set<ThingKind>();
+  private readonly locked_ = new Set<ThingKind>();
+  /** The next thing that comes is chosen. */
+  private choosesNew_ = false;
+  options: DrawingOptions = {
+    height: 3,
+    width: 0.3,
+    motion: 3,
+    speed: 1.5,
+    formation: 'square',
+    count: 20,
+    spacing: 1,
+  };
+
+  constructor(private readonly parts_: BuildParts) {
+    const { view, client } = parts_;
+    this.layer_ = new BuildLayer({ toScreen: (point) => view.worldToScreen(point) });
+    this.panel_ = new BuildPanel(this);
+    parts_.page.before(this.layer_.root);
+    parts_.page.append(this.panel_.root);
+    new BuildPointer(
+      this.strokes_,
+      view.camera,
+      (at) => view.screenToWorld(at),
+      () => view.wake(),
+    ).listen(this.layer_.root);
+    new BuildKeys(this, () => this.open_);
+    client.on('editHistory', (history: EditHistory) => this.panel_.setHistory(history));
+    client.on('overlay', (overlay) => {
+      if (overlay.kind === OverlayKind.Reach) this.layer_.setReach(overlay);
+    });
+    client.on('welcome', () => this.askReach());
+    parts_.store.watch(['playing'], ({ playing }) => this.panel_.setPlaying(playing));
+    this.setTool('select');
+    this.layer_.root.style.display = 'none';
+    this.panel_.root.hidden = true;
+  }
+
+  setOpen(open: boolean): void {
+    if (open === this.open_) return;
+    this.open_ = open;
+    this.layer_.root.style.display = open ? '' : 'none';
+    this.panel_.root.hidden = !open;
+    this.strokes_.drop();
+    this.showLayers();
+    if (!open) return this.close();
+    this.parts_.client.send({ type: 'Playback', action: PlaybackAction.Pause });
+    this.askReach();
+    this.panel_.focus();
+    requestAnimationFrame(this.drawn);
+  }
+
+  private close(): void {
+    const { overlay, chosen } = this.parts_.store.state;
+    this.parts_.client.send({ type: 'SetOverlay', kind: overlay, character: Math.max(0, chosen) });
+    this.chosen_ = [];
+  }
+
+  private askReach(): void {
+    if (this.open_) this.parts_.client.send({ type: 'SetOverlay', kind: OverlayKind.Reach, character: 0 });
+  }
+
+  setScene(json: string): void {
+    const scene = parseScene(json);
+    const before = this.things_;
+    const same = this.scene_?.world === scene.world && this.scene_.name === scene.name;
+    this.scene_ = scene;
+    this.things_ = things.thingsOf(scene);
+    this.chosen_ = things.chosenAgain(this.chosen_, before, this.things_, same);
+    if (this.choosesNew_ && same) {
+      const fresh = this.things_.filter((one) => !before.some((old) => things.sameThing(old, one)));
+      if (fresh.length > 0) this.chosen_ = fresh;
+      this.choosesNew_ = fresh.length === 0;
+    }
+    if (!this.strokes_.busy) this.preview = [];
+    window.clearTimeout(this.waits_);
+    this.showChosen();
+    // Whoever wakes the view later shows it whole; what is hidden is left out once the studio has shown it.
+    if (this.hidden_.size > 0) queueMicrotask(() => this.showLayers());
+  }
+
+  private showLayers(): void {
+    if (!this.scene_) return;
+    const shown = (kind: ThingKind): boolean => !this.open_ || !this.hidden_.has(kind);
+    const { obstacles, patches, items, checkpoints } = this.scene_;
+    this.parts_.view.setScene({
+      ...this.scene_,
+      obstacles: shown('obstacle') ? obstacles : [],
+      patches: shown('patch') ? patches : [],
+      items: shown('item') ? items : [],
+      checkpoints: shown('checkpoint') ? checkpoints : [],
+    });
+  }
+
+  private readonly drawn = (): void => {
+    if (!this.open_) return;
+    requestAnimationFrame(this.drawn);
+    this.layer_.draw({
+      things: this.things_.filter(({ kind }) => !this.hidden_.has(kind)),
+      chosen: this.chosen_,
+      preview: this.preview,
+      line: this.strokes_.line.length > 0 ? this.strokes_.line : this.strokes_.corners,
+      closed: this.strokes_.closed,
+      handles: this.tool === 'select' && this.chosen_.length > 0,
+    });
+  };
+
+  // Edits.
+
+  private send(label: string, events: readonly PlaceEvent[]): void {
+    const gesture = events.length > kMostEvents ? ++this.gestures_ : 0;
+    for (let from = 0; from < events.length; from += kMostEvents)
+      this.parts_.client.send({
+        type: 'Edit',
+        label,
+        gesture,
+        events: JSON.stringify(events.slice(from, from + kMostEvents)),
+      });
+    // A refusal brings no scene: what was there is shown again.
+    window.clearTimeout(this.waits_);
+    this.waits_ = window.setTimeout(() => (this.preview = []), 1500);
+  }
+
+  add(label: string, made: readonly Thing[]): void {
+    if (made.length === 0) return;
+    this.preview = made;
+    this.choosesNew_ = true;
+    this.send(label, made.map(things.addEvent));
+  }
+
+  change(label: string, changed: readonly Thing[]): void {
+    if (changed.length === 0) return;
+    this.preview = changed;
+    this.send(label, changed.map(things.changeEvent));
+  }
+
+  /** Changes the chosen ones by numbers and words of the panel. */
+  edit(label: string, change: (one: Thing) => Thing): void {
+    this.change(label, this.chosen_.map(change));
+  }
+
+  /** A change of the chosen group that has an event of its own. */
+  editGroup(label: string, event: (one: Thing) => PlaceEvent): void {
+    this.send(label, this.chosen_.filter(({ kind }) => kind === 'group').map(event));
+  }
+
+  undo(redo = false): void {
+    this.parts_.client.send({ type: 'UndoEdit', redo });
+  }
+
+  remove(): void {
+    if (this.chosen_.length === 0) return;
+    this.send(
+      this.chosen_.length === 1 ? `Remove ${this.chosen_[0]!.kind}` : 'Remove',
+      this.chosen_.map(things.removeEvent),
+    );
+    this.chosen_ = [];
+    this.showChosen();
+  }
+
+  copy(): void {
+    this.copied_ = this.chosen_;
+  }
+
+  paste(): void {
+    this.add(
+      'Paste',
+      this.copied_.map((one) => things.moved({ ...one, id: 0 }, kBeside, -kBeside)),
+    );
+  }
+
+  duplicate(): void {
+    this.copied_ = this.chosen_;
+    this.paste();
+  }
+
+  nudge(dx: number, dy: number): void {
+    this.edit('Move', (one) => things.moved(one, dx, dy));
+  }
+
+  togglePlay(): void {
+    const { playing } = this.parts_.store.state;
+    this.parts_.client.send({ type: 'Playback', action: playing ? PlaybackAction.Pause : PlaybackAction.Play });
+  }
+
+  turnChosen(angle: number): void {
+    const about = things.middleOfAll(this.chosen_);
+    if (about) this.edit('Turn', (one) => things.turned(one, about, angle));
+  }
+
+  chooseAll(): void {
+    this.chosen = this.free;
+  }
+
+  setTool(tool: BuildTool): void {
+    this.strokes_.drop();
+    this.tool = tool;
+    this.panel_.setTool(tool, this.scene_);
+  }
+
+  setSnaps(on: boolean): void {
+    this.snaps = on;
+  }
+
+  toggleLayer(kind: ThingKind, what: 'hidden' | 'locked', on: boolean): void {
+    const set = what === 'hidden' ? this.hidden_ : this.locked_;
+    if (on) set.add(kind);
+    else set.delete(kind);
+    this.chosen_ = this.chosen_.filter((one) => !set.has(one.kind));
+    this.showLayers();
+    this.showChosen();
+  }
+
+  leave(): void {
+    if (this.strokes_.busy) return this.setTool(this.tool);
+    if (this.tool !== 'select') return this.setTool('select');
+    if (this.chosen_.length > 0) {
+      this.chosen_ = [];
+      return this.showChosen();
+    }
+    this.parts_.store.set({ build: false });
+  }
+
+  finishPolygon(): void {
+    this.strokes_.finishPolygon();
+  }
+
+  private showChosen(): void {
+    this.panel_.setChosen(this.chosen_, this.scene_);
+  }
+
+  get chosen(): readonly Thing[] {
+    return this.chosen_;
+  }
+
+  set chosen(chosen: readonly Thing[]) {
+    this.chosen_ = chosen;
+    this.showChosen();
+  }
+
+  get all(): readonly Thing[] {
+    return this.things_;
+  }
+
+  get free(): readonly Thing[] {
+    return this.things_.filter(({ kind }) => !this.locked_.has(kind) && !this.hidden_.has(kind));
+  }
+
+  say(text: string): void {
+    this.panel_.say(text);
+  }
+
+  toScreen(point: GroundPoint): ScreenPoint {
+    return this.parts_.view.worldToScreen(point);
+  }
+
+  metres(px: number): number {
+    return px / Math.max(1, this.parts_.view.pixelsPerMetre());
+  }
+}

@@ -1,0 +1,38 @@
+// Icons of the tools with which one builds, on a grid of 20.
+
+import type { BuildTool } from '../../model/place/drawing';
+
+const kShapes: Readonly<Record<BuildTool | 'redo' | 'undo' | 'remove' | 'copy', string>> = {
+  select: '<path d="M5 3.500v12l3.300-3 2 4.500 2-.9-2-4.400h4.200Z" stroke-linejoin="round"/>',
+  box: '<rect x="4" y="5.500" width="12" height="9" rx="1"/>',
+  disc: '<circle cx="10" cy="10" r="6"/>',
+  polygon: '<path d="m10 3.500 6.500 5-2.500 7.500H6L3.500 8.500Z" stroke-linejoin="round"/>',
+  wall: '<path d="M3 14.500 15.500 4l1.800 2.200L4.800 16.700Z" stroke-linejoin="round"/>',
+  patch: '<path d="M3.500 8c2-2 4-2 6.500 0s4.500 2 6.500 0 M3.500 13c2-2 4-2 6.500 0s4.500 2 6.500 0"/>',
+  route:
+    '<path d="M4 15.500c6 0 2-11 8-11" stroke-dasharray="2.500 2"/><path d="m11 2 3.500 2.500L11 7" stroke-linejoin="round"/>',
+  item: '<path d="m10 3 2 4.500 5 .5-3.700 3.300 1.100 4.900L10 13.700l-4.400 2.500 1.100-4.900L3 8l5-.5Z" stroke-linejoin="round"/>',
+  checkpoint: '<path d="M5.500 17V3.500h8l-2 3.200 2 3.300h-8" stroke-linejoin="round"/>',
+  people: '<circle cx="10" cy="6" r="2.500"/><path d="M5 16.500c0-4 2-6 5-6s5 2 5 6"/>',
+  undo: '<path d="M7 4 3.500 7.500 7 11 M3.800 7.500h7.700a4.500 4.500 0 0 1 0 9H8" stroke-linejoin="round"/>',
+  redo: '<path d="m13 4 3.500 3.500L13 11 M16.200 7.500H8.500a4.500 4.500 0 0 0 0 9H12" stroke-linejoin="round"/>',
+  remove: '<path d="M4 5.500h12 M8 5.500v-2h4v2 M5.500 5.500l.8 11h7.400l.8-11"/>',
+  copy: '<rect x="7" y="7" width="9" height="9" rx="1.500"/><path d="M13 4.500H5.500A1.500 1.500 0 0 0 4 6v7.500"/>',
+};
+
+export function buildIcon(name: keyof typeof kShapes): SVGElement {
+  const made = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+  const style = {
+    viewBox: '0 0 20 20',
+    width: '20',
+    height: '20',
+    fill: 'none',
+    stroke: 'currentColor',
+    'stroke-width': '1.6',
+    'stroke-linecap': 'round',
+    'aria-hidden': 'true',
+  };
+  for (const [key, value] of Object.entries(style)) made.setAttribute(key, value);
+  made.innerHTML = kShapes[name];
+  return made;
+}

@@ -1,0 +1,162 @@
+// What is drawn over the scene while somebody builds: outlines, handles, what is being drawn, gaps and ground that cannot be
+// reached.
+
+import type { OverlayView } from '../../model/frame_view';
+import type { GroundPoint, ScreenPoint } from '../../model/plane';
+import { extentOf, outlineOf, sameThing, type Extent, type Thing } from '../../model/place/things';
+
+const kSvg = 'http://www.w3.org/2000/svg';
+/** Half the length of the arrow that marks a gap [CSS px]. */
+const kGapArm = 14;
+/** Above the box round what is chosen [CSS px]. */
+const kTurnHandle = 34;
+
+export interface BuildPicture {
+  readonly things: readonly Thing[];
+  readonly chosen: readonly Thing[];
+  /** Things as a drag leaves them, or as they are being drawn. */
+  readonly preview: readonly Thing[];
+  /** A line, box or lasso that is being drawn. */
+  readonly line: readonly GroundPoint[];
+  readonly closed: boolean;
+  /** Guide lines, in pairs of points. */
+  readonly handles: boolean;
+}
+
+export interface Sight {
+  toScreen(point: GroundPoint): ScreenPoint;
+}
+
+function shape(name: string, attributes: Readonly<Record<string, string | number>>): SVGElement {
+  const made = document.createElementNS(kSvg, name);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, String(value));
+  return made;
+}
+
+/** Where the handles of what is chosen are on the screen. */
+export function handlesOf(extent: Extent, sight: Sight): { scale: ScreenPoint; turn: ScreenPoint } {
+  const corners = [
+    sight.toScreen({ x: extent.minX, y: extent.minY }),
+    sight.toScreen({ x: extent.maxX, y: extent.minY }),
+    sight.toScreen({ x: extent.maxX, y: extent.maxY }),
+    sight.toScreen({ x: extent.minX, y: extent.maxY }),
+  ];
+  const xs = corners.map(({ x }) => x);
+  const ys = corners.map(({ y }) => y);
+  const scale = { x: Math.max(...xs) + 10, y: Math.max(...ys) + 10 };
+  return { scale, turn: { x: (Math.min(...xs) + Math.max(...xs)) / 2, y: Math.min(...ys) - kTurnHandle } };
+}
+
+/** Runs of cells that cannot be reached, row by row, as boxes [m]. */
+export function unreachedRuns({ x, y, cell, width, values }: OverlayView, most = 3000): Extent[] {
+  const runs: Extent[] = [];
+  for (let from = 0; from < values.length && runs.length < most; ++from) {
+    if (values[from] !== 1) continue;
+    const row = Math.floor(from / width);
+    let to = from;
+    while (to + 1 < (row + 1) * width && values[to + 1] === 1) ++to;
+    const [left, right] = [x + (from - row * width - 0.5) * cell, x + (to - row * width + 0.5) * cell];
+    runs.push({ minX: left, maxX: right, minY: y + (row - 0.5) * cell, maxY: y + (row + 0.5) * cell });
+    from = to;
+  }
+  return runs;
+}
+
+export class BuildLayer {
+  readonly root = shape('svg', { class: 'build-layer', 'aria-hidden': 'true' }) as SVGSVGElement;
+  private runs_: readonly Extent[] = [];
+  private gaps_: readonly { readonly at: GroundPoint; readonly width: number }[] = [];
+
+  constructor(private readonly sight_: Sight) {}
+
+  /** What can be reached, as the server tells. */
+  setReach(overlay: OverlayView & { readonly gaps: ArrayLike<number> }): void {
+    this.runs_ = unreachedRuns(overlay);
+    const { gaps } = overlay;
+    this.gaps_ = Array.from({ length: Math.floor(gaps.length / 3) }, (_, k) => ({
+      at: { x: gaps[3 * k]!, y: gaps[3 * k + 1]! },
+      width: gaps[3 * k + 2]!,
+    }));
+  }
+
+  get gaps(): number {
+    return this.gaps_.length;
+  }
+
+  get unreached(): number {
+    return this.runs_.length;
+  }
+
+  draw(picture: BuildPicture): void {
+    const { things, chosen, preview, line, closed } = picture;
+    const parts: SVGElement[] = [];
+    parts.push(this.reach());
+    for (const one of things) {
+      const taken = chosen.some((other) => sameThing(other, one));
+      parts.push(this.outline(one, `build-thing build-${one.kind}${taken ? ' build-chosen' : ''}`));
+    }
+    for (const one of preview) parts.push(this.outline(one, 'build-preview'));
+    if (line.length > 1) parts.push(this.path(line, closed, 'build-line'));
+    for (const one of [...things, ...preview]) if (one.kind === 'group') parts.push(this.arrow(one));
+    for (const gap of this.gaps_) parts.push(...this.gap(gap));
+    const extent = picture.handles ? extentOf(preview.length > 0 ? preview : chosen) : null;
+    if (extent) parts.push(...this.handles(extent));
+    this.root.replaceChildren(...parts);
+  }
+
+  private points(points: readonly GroundPoint[]): string {
+    return points
+      .map((p) => this.sight_.toScreen(p))
+      .map(({ x, y }) => `${x.toFixed(1)},${y.toFixed(1)}`)
+      .join(' ');
+  }
+
+  private path(points: readonly GroundPoint[], closed: boolean, name: string): SVGElement {
+    return shape(closed ? 'polygon' : 'polyline', { points: this.points(points), class: name });
+  }
+
+  private outline(one: Thing, name: string): SVGElement {
+    const group = shape('g', { class: name });
+    group.append(this.path(outlineOf(one), true, 'build-casing'), this.path(outlineOf(one), true, 'build-outline'));
+    if (one.path) {
+      const [x, y] = one.centre;
+      const way = one.path.waypoints.map((w) => ({ x: x + w.x, y: y + w.y }));
+      group.append(this.path(way, false, 'build-way'));
+    }
+    return group;
+  }
+
+  /** Where a group faces. */
+  private arrow({ centre: [x, y], angle, radius }: Thing): SVGElement {
+    const tip = { x: x + 1.3 * radius * Math.cos(angle), y: y + 1.3 * radius * Math.sin(angle) };
+    return this.path([{ x, y }, tip], false, 'build-facing');
+  }
+
+  private gap({ at, width }: { readonly at: GroundPoint; readonly width: number }): SVGElement[] {
+    const { x, y } = this.sight_.toScreen(at);
+    const label = shape('text', { x: x + kGapArm + 4, y: y + 4, class: 'build-gap-label' });
+    label.textContent = `${width.toFixed(1)} m`;
+    return [shape('line', { x1: x - kGapArm, y1: y, x2: x + kGapArm, y2: y, class: 'build-gap' }), label];
+  }
+
+  private reach(): SVGElement {
+    const d = this.runs_
+      .map(({ minX, minY, maxX, maxY }) => [
+        { x: minX, y: minY },
+        { x: maxX, y: minY },
+        { x: maxX, y: maxY },
+        { x: minX, y: maxY },
+      ])
+      .map((corners) => `M${this.points(corners).replaceAll(' ', 'L')}Z`)
+      .join('');
+    return shape('path', { d, class: 'build-unreached' });
+  }
+
+  private handles(extent: Extent): SVGElement[] {
+    const { scale, turn } = handlesOf(extent, this.sight_);
+    return [
+      shape('rect', { x: scale.x - 8, y: scale.y - 8, width: 16, height: 16, rx: 4, class: 'build-handle' }),
+      shape('circle', { cx: turn.x, cy: turn.y, r: 9, class: 'build-handle' }),
+    ];
+  }
+}

@@ -1,0 +1,223 @@
+// Strokes over the scene while somebody builds: what they choose, drag and draw.
+
+import type { GroundPoint, ScreenPoint } from '../../model/plane';
+import { drawn, polygonThing, routed, type BuildTool, type DrawingOptions } from '../../model/place/drawing';
+import { rightAngled, snapped } from '../../model/place/snap';
+import * as things from '../../model/place/things';
+import type { Thing } from '../../model/place/things';
+import type { BuildStroke, BuildStrokes } from '../../tools/build_pointer';
+import { handlesOf } from './build_layer';
+
+/** What strokes work on. */
+export interface StrokeHost {
+  readonly tool: BuildTool;
+  readonly options: DrawingOptions;
+  readonly snaps: boolean;
+  /** All things, and those that can be taken. */
+  readonly all: readonly Thing[];
+  readonly free: readonly Thing[];
+  chosen: readonly Thing[];
+  preview: readonly Thing[];
+  add(label: string, made: readonly Thing[]): void;
+  change(label: string, changed: readonly Thing[]): void;
+  setTool(tool: BuildTool): void;
+  say(text: string): void;
+  undo(): void;
+  toScreen(point: GroundPoint): ScreenPoint;
+  metres(px: number): number;
+}
+
+/** What a stroke does to what is chosen. */
+type Drag =
+  | { readonly does: 'move' | 'scale' | 'turn'; readonly from: GroundPoint; readonly before: readonly Thing[] }
+  | { readonly does: 'draw' | 'box' | 'lasso' | 'route'; readonly from: GroundPoint };
+
+/** Handles are taken from so near [CSS px]. */
+const kReach = { touch: 26, mouse: 14 };
+
+const kWords = { move: 'Move', scale: 'Scale', turn: 'Turn' } as const;
+
+export class BuildStroking implements BuildStrokes {
+  /** A line, box or lasso that is being drawn. */
+  line: GroundPoint[] = [];
+  /** Of the polygon that is being drawn. */
+  corners: GroundPoint[] = [];
+  private drag_: Drag | null = null;
+
+  constructor(private readonly host_: StrokeHost) {}
+
+  get busy(): boolean {
+    return this.drag_ !== null || this.corners.length > 0;
+  }
+
+  /** The line that is shown is a loop. */
+  get closed(): boolean {
+    return this.drag_?.does === 'box' || this.drag_?.does === 'lasso';
+  }
+
+  /** Drops what is being drawn. */
+  drop(): void {
+    this.cancel();
+    this.corners = [];
+  }
+
+  finishPolygon(): void {
+    const corners = this.corners.map(({ x, y }) => [x, y] as const);
+    this.corners = [];
+    const made = polygonThing(corners, this.host_.options.height);
+    if (made) this.host_.add('Add polygon', [made]);
+  }
+
+  private middle(): GroundPoint | null {
+    return things.middleOfAll(this.host_.chosen);
+  }
+
+  private snap(stroke: BuildStroke): GroundPoint {
+    if (!this.host_.snaps || stroke.free) return stroke.ground;
+    const others = this.host_.all.filter((one) => !this.host_.chosen.some((chosen) => things.sameThing(chosen, one)));
+    return snapped(stroke.ground, others, this.host_.metres(12));
+  }
+
+  private handleAt({ screen, touch }: BuildStroke): 'scale' | 'turn' | null {
+    const extent = things.extentOf(this.host_.chosen);
+    if (!extent) return null;
+    const handles = handlesOf(extent, this.host_);
+    const near = (at: ScreenPoint): boolean =>
+      Math.hypot(at.x - screen.x, at.y - screen.y) <= (touch ? kReach.touch : kReach.mouse);
+    return near(handles.scale) ? 'scale' : near(handles.turn) ? 'turn' : null;
+  }
+
+  begin(stroke: BuildStroke): void {
+    const from = this.snap(stroke);
+    if (this.host_.tool === 'select') return this.beginSelect(stroke);
+    if (this.host_.tool === 'polygon') return;
+    if (this.host_.tool === 'route') {
+      const found = things.hit(this.host_.free, stroke.ground, this.host_.metres(12));
+      const mover = found && (found.kind === 'obstacle' || found.kind === 'patch') ? found : this.host_.chosen[0];
+      if (!mover) return this.host_.say('Begin on the obstacle that shall move.');
+      this.host_.chosen = [mover];
+      this.drag_ = { does: 'route', from: stroke.ground };
+      this.line = [stroke.ground];
+      return;
+    }
+    this.drag_ = { does: 'draw', from };
+  }
+
+  private beginSelect(stroke: BuildStroke): void {
+    const handle = this.handleAt(stroke);
+    if (handle) {
+      this.drag_ = { does: handle, from: stroke.ground, before: this.host_.chosen };
+      return;
+    }
+    const found = things.hit(this.host_.free, stroke.ground, this.host_.metres(stroke.touch ? 16 : 6));
+    if (!found) {
+      this.drag_ = { does: stroke.free ? 'lasso' : 'box', from: stroke.ground };
+      this.line = [stroke.ground];
+      return;
+    }
+    const taken = this.host_.chosen.some((one) => things.sameThing(one, found));
+    if (stroke.shift && taken) this.host_.chosen = this.host_.chosen.filter((one) => !things.sameThing(one, found));
+    else if (stroke.shift) this.host_.chosen = [...this.host_.chosen, found];
+    else if (!taken) this.host_.chosen = [found];
+    this.drag_ = { does: 'move', from: stroke.ground, before: this.host_.chosen };
+  }
+
+  move(stroke: BuildStroke): void {
+    const drag = this.drag_;
+    if (!drag) return;
+    const { ground } = stroke;
+    switch (drag.does) {
+      case 'move':
+      case 'scale':
+      case 'turn':
+        this.host_.preview = this.dragged(drag, stroke);
+        break;
+      case 'box':
+        this.line = [drag.from, { x: ground.x, y: drag.from.y }, ground, { x: drag.from.x, y: ground.y }];
+        break;
+      case 'lasso':
+      case 'route':
+        this.line.push(ground);
+        break;
+      case 'draw': {
+        const made = drawn(this.host_.tool, drag.from, this.endOf(drag.from, stroke), this.host_.options);
+        this.host_.preview = made ? [made] : [];
+      }
+    }
+  }
+
+  /** Where a drawn line ends: with Shift at a right or half right angle. */
+  private endOf(from: GroundPoint, stroke: BuildStroke): GroundPoint {
+    return stroke.shift ? rightAngled(from, stroke.ground) : this.snap(stroke);
+  }
+
+  private dragged(drag: Extract<Drag, { before: readonly Thing[] }>, stroke: BuildStroke): Thing[] {
+    const about = this.middle() ?? drag.from;
+    const { ground } = stroke;
+    if (drag.does === 'move') {
+      const snaps = this.host_.snaps && !stroke.free;
+      const step = (value: number): number => (snaps ? Math.round(value * 2) / 2 : value);
+      return drag.before.map((one) => things.moved(one, step(ground.x - drag.from.x), step(ground.y - drag.from.y)));
+    }
+    const [from, to] = [drag.from, ground].map((p) => ({ x: p.x - about.x, y: p.y - about.y }));
+    if (drag.does === 'scale') {
+      const factor = Math.max(0.1, Math.hypot(to!.x, to!.y) / Math.max(0.1, Math.hypot(from!.x, from!.y)));
+      return drag.before.map((one) => things.scaled(one, about, factor));
+    }
+    const angle = Math.atan2(to!.y, to!.x) - Math.atan2(from!.y, from!.x);
+    const step = Math.PI / 12;
+    const turn = this.host_.snaps && !stroke.free ? Math.round(angle / step) * step : angle;
+    return drag.before.map((one) => things.turned(one, about, turn));
+  }
+
+  end(stroke: BuildStroke, still: boolean): void {
+    const { drag_: drag, line, host_: host } = this;
+    this.drag_ = null;
+    this.line = [];
+    if (host.tool === 'polygon') return this.corner(stroke);
+    if (!drag) return;
+    if ('before' in drag) {
+      if (still) host.preview = [];
+      else host.change(kWords[drag.does], this.dragged(drag, stroke));
+    } else if (drag.does === 'route') this.endRoute(line);
+    else if (drag.does === 'draw') this.endDrawing(drag.from, stroke);
+    else host.chosen = still ? [] : things.within(host.free, line);
+  }
+
+  private endRoute(line: readonly GroundPoint[]): void {
+    const { host_: host } = this;
+    const [mover] = host.chosen;
+    if (mover) host.change(`Route of ${mover.kind}`, [routed(mover, line, host.options.speed)]);
+    host.setTool('select');
+  }
+
+  private endDrawing(from: GroundPoint, stroke: BuildStroke): void {
+    const { host_: host } = this;
+    const made = drawn(host.tool, from, this.endOf(from, stroke), host.options);
+    host.preview = [];
+    if (made) host.add(`Add ${host.tool}`, [made]);
+  }
+
+  private corner(stroke: BuildStroke): void {
+    const last = this.corners[this.corners.length - 1];
+    const p = last ? this.endOf(last, stroke) : this.snap(stroke);
+    const [first] = this.corners;
+    const closes = first && Math.hypot(first.x - p.x, first.y - p.y) < this.host_.metres(16);
+    if (closes && this.corners.length >= 3) return this.finishPolygon();
+    if (!last || Math.hypot(last.x - p.x, last.y - p.y) > 1e-6) this.corners = [...this.corners, p];
+  }
+
+  cancel(): void {
+    this.drag_ = null;
+    this.line = [];
+    this.host_.preview = [];
+  }
+
+  doubleTap(): void {
+    if (this.host_.tool === 'polygon' && this.corners.length >= 3) this.finishPolygon();
+  }
+
+  threeFingers(): void {
+    this.host_.undo();
+  }
+}

@@ -1,0 +1,126 @@
+// Numbers and words of what is chosen.
+
+import { extentOf, moved, scaled, turned, type Thing } from '../../model/place/things';
+import type { SceneFacts } from '../../protocol/scene';
+import { element } from '../widgets/dom';
+import { kShapes, type BuildActions } from './build_actions';
+import { numberField, selectField, textField } from './fields';
+
+const kDegree = Math.PI / 180;
+const kFar = { min: -1e5, max: 1e5, unit: 'm' };
+const kSize = { min: 0.05, max: 1e4, unit: 'm' };
+
+const kNames: Record<Thing['kind'], string> = {
+  obstacle: 'Obstacle',
+  patch: 'Patch',
+  item: 'Item',
+  checkpoint: 'Checkpoint',
+  group: 'People',
+};
+
+export class ChosenFields {
+  readonly root = element('div', { class: 'build-chosen-fields' });
+  private shown_ = '';
+
+  constructor(private readonly desk_: BuildActions) {}
+
+  show(chosen: readonly Thing[], scene: SceneFacts | null): void {
+    const key = JSON.stringify(chosen);
+    if (key === this.shown_) return;
+    this.shown_ = key;
+    const [one] = chosen;
+    if (!one) return this.root.replaceChildren();
+    const title = chosen.length === 1 ? kNames[one.kind] : `${chosen.length} things`;
+    const fields = chosen.length === 1 ? this.fieldsOf(one, scene) : [this.turn()];
+    this.root.replaceChildren(element('h3', {}, title), element('div', { class: 'build-fields' }, ...fields));
+  }
+
+  private fieldsOf(one: Thing, scene: SceneFacts | null): HTMLElement[] {
+    const { desk_: desk } = this;
+    const fields = [
+      numberField('X', one.centre[0], kFar, (x) => desk.edit('Move', (it) => moved(it, x - it.centre[0], 0))),
+      numberField('Y', one.centre[1], kFar, (y) => desk.edit('Move', (it) => moved(it, 0, y - it.centre[1]))),
+    ];
+    if (one.kind === 'obstacle' || one.kind === 'patch')
+      fields.unshift(textField('Name', one.name, (name) => desk.edit('Rename', (it) => ({ ...it, name }))));
+    if (one.polygon) fields.push(...this.size(one), this.turn());
+    if (one.radius > 0 && one.kind !== 'group')
+      fields.push(
+        numberField('Radius', one.radius, kSize, (radius) => desk.edit('Resize', (it) => ({ ...it, radius }))),
+      );
+    if (one.kind === 'obstacle')
+      fields.push(
+        numberField('Height', one.height, { min: 0.01, max: 1000, unit: 'm' }, (height) =>
+          desk.edit('Height', (it) => ({ ...it, height })),
+        ),
+      );
+    if (one.kind === 'patch') fields.push(this.motion(one, scene));
+    if (one.kind === 'checkpoint') fields.push(...this.checkpoint(one));
+    if (one.kind === 'group') fields.push(...this.group(one));
+    if (one.path) fields.push(this.stop());
+    return fields;
+  }
+
+  private size(one: Thing): HTMLElement[] {
+    const extent = extentOf([one]);
+    if (!extent) return [];
+    const width = extent.maxX - extent.minX;
+    const about = { x: (extent.minX + extent.maxX) / 2, y: (extent.minY + extent.maxY) / 2 };
+    return [
+      numberField('Across', width, kSize, (wide) =>
+        this.desk_.edit('Scale', (it) => scaled(it, about, wide / Math.max(0.01, width))),
+      ),
+    ];
+  }
+
+  private turn(): HTMLElement {
+    return numberField('Turn by', 0, { min: -360, max: 360, unit: '°' }, (degrees) =>
+      this.desk_.turnChosen(degrees * kDegree),
+    );
+  }
+
+  private motion(one: Thing, scene: SceneFacts | null): HTMLElement {
+    const clips = scene?.clips.map(({ name }) => name) ?? [];
+    return selectField('Motion', clips, clips[one.motion] ?? '', (name) =>
+      this.desk_.edit('Motion', (it) => ({ ...it, motion: clips.indexOf(name) })),
+    );
+  }
+
+  private checkpoint(one: Thing): HTMLElement[] {
+    return [
+      selectField('Formation', kShapes, one.formation.kind, (kind) =>
+        this.desk_.edit('Formation', (it) => ({ ...it, formation: { ...it.formation, kind } })),
+      ),
+    ];
+  }
+
+  private group(one: Thing): HTMLElement[] {
+    const { desk_: desk } = this;
+    const spacing = one.formation.spacing ?? 1;
+    const formation = (change: object): void =>
+      desk.editGroup('Formation', (it) => ({
+        kind: 'formation',
+        group: it.id,
+        formation: { ...it.formation, ...change },
+      }));
+    return [
+      textField('Name', one.name, (name) => {
+        if (name) desk.editGroup('Rename', (it) => ({ kind: 'nameGroup', group: it.id, name }));
+      }),
+      numberField('People', one.count, { min: 1, max: 20000, whole: true }, (count) =>
+        desk.editGroup('People', (it) => ({ kind: 'count', group: it.id, count })),
+      ),
+      numberField('Spacing', spacing, { min: 0.3, max: 20, unit: 'm' }, (value) => formation({ spacing: value })),
+      selectField('Formation', kShapes, one.formation.kind, (kind) => formation({ kind })),
+      numberField('Faces', one.angle / kDegree, { min: -3600, max: 3600, unit: '°' }, (degrees) =>
+        desk.edit('Turn', (it) => turned(it, { x: it.centre[0], y: it.centre[1] }, degrees * kDegree - it.angle)),
+      ),
+    ];
+  }
+
+  private stop(): HTMLElement {
+    const button = element('button', { type: 'button', class: 'soft' }, 'Stand still');
+    button.addEventListener('click', () => this.desk_.edit('Stand still', (it) => ({ ...it, path: null })));
+    return button;
+  }
+}

@@ -1,0 +1,37 @@
+// Building is loaded when somebody begins with it.
+
+import { problem } from '../protocol/problem';
+import type { BuildDesk, BuildParts } from './build/build_desk';
+
+export function openBuildLazily(parts: BuildParts): void {
+  const { store, client } = parts;
+  let desk: BuildDesk | null = null;
+  let scene = '';
+  let loading = false;
+  window.addEventListener('keydown', (event) => {
+    if (event.key !== 'E' || !event.shiftKey || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.target instanceof HTMLElement && event.target.closest('input, textarea, select, dialog')) return;
+    event.preventDefault();
+    event.stopImmediatePropagation();
+    store.set({ build: !store.state.build });
+  });
+  client.on('scene', ({ json }) => {
+    scene = json;
+    desk?.setScene(json);
+  });
+  const load = async (): Promise<void> => {
+    const module = await import('./build/build_desk');
+    desk = new module.BuildDesk(parts);
+    if (scene) desk.setScene(scene);
+    desk.setOpen(store.state.build);
+  };
+  store.watch(['build'], ({ build }) => {
+    document.documentElement.toggleAttribute('data-build', build);
+    if (desk) return desk.setOpen(build);
+    if (!build || loading) return;
+    loading = true;
+    load()
+      .catch(() => store.set({ build: false, notice: problem('page', 'The server does not answer: try again.') }))
+      .finally(() => (loading = false));
+  });
+}

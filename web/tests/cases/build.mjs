@@ -1,0 +1,220 @@
+// Building a place: drawn, moved, undone, chosen, told to others.
+import { expect } from '../support/expect.mjs';
+import { serious } from './look.mjs';
+
+/** Spots of the world on the screen, between the panels; they stay while the camera stays. */
+const screen = (studio, points) =>
+  studio.page.evaluate((list) => list.map((p) => globalThis.__muster.view.worldToScreen(p)), points);
+
+async function open(studio) {
+  await studio.page.evaluate(() => {
+    globalThis.__scenes = [];
+    globalThis.__muster.client.on('scene', ({ json }) => globalThis.__scenes.push(JSON.parse(json)));
+  });
+  await studio.page.getByRole('button', { name: 'Build', exact: true }).click();
+  await studio.page.locator('.build-panel').waitFor();
+  await studio.until('paused', () => !globalThis.__muster.state.playing);
+}
+
+/** The newest scene, once `test` holds of it. */
+async function scene(studio, what, test) {
+  let last = null;
+  await studio.eventually(async () => {
+    last = await studio.page.evaluate(() => globalThis.__scenes.at(-1) ?? null);
+    expect(last !== null && test(last), what);
+  });
+  return last;
+}
+
+const tool = (studio, name) => studio.page.locator('.build-panel').getByRole('button', { name, exact: true }).click();
+
+async function drag(studio, from, to, options = {}) {
+  const [a, b] = await screen(studio, [from, to]);
+  if (options.touch) {
+    await studio.fingers.down({ 1: a });
+    await studio.fingers.move({ 1: b }, { steps: 6, ms: 120 });
+    await studio.fingers.up();
+    return;
+  }
+  const { mouse } = studio.page;
+  await mouse.move(a.x, a.y);
+  await mouse.down();
+  await mouse.move((a.x + b.x) / 2, (a.y + b.y) / 2, { steps: 3 });
+  await mouse.move(b.x, b.y, { steps: 3 });
+  await mouse.up();
+}
+
+async function press(studio, at) {
+  const [p] = await screen(studio, [at]);
+  await studio.page.mouse.click(p.x, p.y);
+}
+
+const near = (a, b, reach = 0.6) => Math.hypot(a[0] - b[0], a[1] - b[1]) <= reach;
+
+/** Every tool by mouse, with undo and redo, several at once, and the keyboard. */
+export async function byMouse(studio) {
+  const { page } = studio;
+  await open(studio);
+  await tool(studio, 'Box');
+  await drag(studio, { x: 2, y: -3 }, { x: 4, y: -1 });
+  let now = await scene(studio, 'a box', (one) => one.obstacles.length === 1);
+  expect(near(now.obstacles[0].polygon[0], [2, -3]), `where it was drawn: ${JSON.stringify(now.obstacles[0].polygon)}`);
+  await page.keyboard.press('v');
+  await drag(studio, { x: 3, y: -2 }, { x: 3, y: 2 });
+  now = await scene(studio, 'moved', (one) => one.obstacles[0].polygon[0][1] > 0);
+  expect(
+    near(now.obstacles[0].polygon[0], [2, 1]),
+    `moved by four metres: ${JSON.stringify(now.obstacles[0].polygon)}`,
+  );
+  await page.getByRole('button', { name: 'Undo move' }).click();
+  await scene(studio, 'back', (one) => one.obstacles[0].polygon[0][1] < 0);
+  await page.keyboard.press('Control+Shift+Z');
+  await scene(studio, 'moved again', (one) => one.obstacles[0].polygon[0][1] > 0);
+  await tool(studio, 'Disc');
+  await drag(studio, { x: -3, y: 3 }, { x: -3, y: 4 });
+  await tool(studio, 'Item');
+  await press(studio, { x: -2, y: -3 });
+  await tool(studio, 'Checkpoint');
+  await drag(studio, { x: 5, y: 4 }, { x: 5, y: 5.5 });
+  await tool(studio, 'Patch');
+  await page.locator('.build-panel').getByLabel('Motion').selectOption('crawl');
+  await drag(studio, { x: -5, y: -1 }, { x: -3, y: 1 });
+  now = await scene(studio, 'all of them', (one) => one.patches.length === 1 && one.items.length === 1);
+  expect(now.obstacles.length === 2 && Math.abs(now.obstacles[1].radius - 1) < 0.3, 'a disc');
+  expect(now.clips[now.patches[0].motion].name === 'crawl', 'a patch on which people crawl');
+  expect(now.checkpoints.length === 1 && now.checkpoints[0].radius > 1, 'a checkpoint');
+  await studio.shot('build');
+  await tool(studio, 'Wall');
+  await page.locator('.build-panel').getByLabel('Width [m]').fill('0.5');
+  await page.locator('.build-panel').getByLabel('Width [m]').press('Enter');
+  await drag(studio, { x: -1, y: 5 }, { x: 3, y: 5 });
+  now = await scene(studio, 'a wall', (one) => one.obstacles.length === 3);
+  const ys = now.obstacles[2].polygon.map(([, y]) => y);
+  expect(Math.abs(Math.max(...ys) - Math.min(...ys) - 0.5) < 0.01, 'as wide as was typed');
+  await tool(studio, 'Polygon');
+  for (const corner of [
+    { x: 5, y: -4 },
+    { x: 7, y: -4 },
+    { x: 6, y: -2 },
+  ])
+    await press(studio, corner);
+  await page.keyboard.press('Enter');
+  await scene(studio, 'a polygon', (one) => one.obstacles.length === 4);
+  await tool(studio, 'Route');
+  await drag(studio, { x: 3, y: 2 }, { x: 6, y: 2 });
+  now = await scene(studio, 'a mover', (one) => one.obstacles.some(({ path }) => path?.loop));
+  await tool(studio, 'People');
+  await page.locator('.build-panel').getByLabel('People', { exact: true }).fill('9');
+  await page.locator('.build-panel').getByLabel('People', { exact: true }).press('Enter');
+  await drag(studio, { x: -4, y: -5 }, { x: -4, y: -3 });
+  now = await scene(studio, 'people', (one) => one.groups.length === 2);
+  expect(now.groups[1].count === 9 && Math.abs(now.groups[1].start.angle - Math.PI / 2) < 0.2, 'who face north');
+  await tool(studio, 'Select');
+  await page.keyboard.press('Control+a');
+  const before = now.obstacles.length + now.patches.length + now.items.length + now.checkpoints.length;
+  expect(before === 7, `seven things lie there: ${before}`);
+  await page.keyboard.press('Escape');
+  await drag(studio, { x: -1.5, y: 5.8 }, { x: 3.5, y: 4.2 });
+  await page.keyboard.press('Delete');
+  await scene(studio, 'without the wall', (one) => one.obstacles.length === 3);
+  await page.keyboard.press('Control+z');
+  await scene(studio, 'with the wall', (one) => one.obstacles.length === 4);
+  const saved = await page.evaluate(async () => (await fetch('/scenario')).json());
+  expect(saved.obstacles.length === 4 && saved.groups.length === 2, 'all of it is in the file');
+  await page.getByRole('button', { name: 'Build', exact: true }).click();
+  expect(!(await page.locator('.build-panel').isVisible()), 'the panel is gone');
+}
+
+/** Numbers, layers, gaps and ground that cannot be reached. */
+export async function numbers(studio) {
+  const { page } = studio;
+  await open(studio);
+  await tool(studio, 'Box');
+  await drag(studio, { x: 3, y: 3 }, { x: 5, y: 5 });
+  let now = await scene(studio, 'a box', (one) => one.obstacles.length === 1);
+  await tool(studio, 'Select');
+  await page.locator('.build-panel').getByLabel('Name', { exact: true }).fill('Kiosk');
+  await page.locator('.build-panel').getByLabel('Name', { exact: true }).press('Enter');
+  await scene(studio, 'its name', (one) => one.obstacles[0].name === 'Kiosk');
+  await page.locator('.build-panel').getByLabel('Height [m]').fill('4.5');
+  await page.locator('.build-panel').getByLabel('Height [m]').press('Enter');
+  await scene(studio, 'its height', (one) => one.obstacles[0].height === 4.5);
+  await page.locator('.build-panel').getByLabel('X [m]').fill('-4');
+  await page.locator('.build-panel').getByLabel('X [m]').press('Enter');
+  now = await scene(studio, 'its place', (one) => one.obstacles[0].polygon[0][0] < 0);
+  expect(near(now.obstacles[0].polygon[0], [-5, 3], 0.2), 'where it was typed');
+  await page.locator('.build-layers summary').click();
+  await page.locator('.build-panel').getByLabel('Lock obstacles').check();
+  const [at] = await screen(studio, [{ x: -4, y: 4 }]);
+  await page.mouse.click(at.x, at.y);
+  expect((await page.locator('.build-chosen-fields h3').count()) === 0, 'what is locked cannot be chosen');
+  await page.locator('.build-panel').getByLabel('Lock obstacles').uncheck();
+  await page.locator('.build-panel').getByLabel('Hide obstacles').check();
+  await studio.eventually(async () =>
+    expect((await page.locator('.build-layer .build-obstacle').count()) === 0, 'what is hidden is not drawn'),
+  );
+  await page.locator('.build-panel').getByLabel('Hide obstacles').uncheck();
+  await page.evaluate(() => {
+    const walls = [
+      [3, -6, 7, -5.7],
+      [3, -2.3, 7, -2],
+      [3, -5.7, 3.3, -2.3],
+      [6.7, -5.5, 7, -2.3],
+    ].map(([x0, y0, x1, y1]) => ({
+      kind: 'obstacle',
+      definition: {
+        polygon: [
+          [x0, y0],
+          [x1, y0],
+          [x1, y1],
+          [x0, y1],
+        ],
+      },
+    }));
+    globalThis.__muster.client.send({ type: 'Edit', label: 'Walls', gesture: 0, events: JSON.stringify(walls) });
+  });
+  await page.locator('.build-gap-label').first().waitFor();
+  const shown = await page.evaluate(() => ({
+    label: document.querySelector('.build-gap-label').textContent,
+    area: document.querySelector('.build-unreached').getAttribute('d').length,
+  }));
+  expect(shown.label === '0.2 m' && shown.area > 50, `a gap of 0.2 m, and ground behind it: ${JSON.stringify(shown)}`);
+  await studio.shot('build-gaps');
+  await serious(studio, 'building');
+}
+
+/** The same with fingers: three that tap take the last step back. */
+export async function byTouch(studio) {
+  const { page } = studio;
+  await open(studio);
+  await tool(studio, 'Box');
+  const spots = [
+    { x: 1, y: 2 },
+    { x: 3, y: 3.5 },
+  ];
+  await drag(studio, ...spots, { touch: true });
+  let now = await scene(studio, 'a box', (one) => one.obstacles.length === 1);
+  await studio.shot('build-touch');
+  await tool(studio, 'Select');
+  await drag(studio, { x: 2, y: 2.7 }, { x: -1, y: 2.7 }, { touch: true });
+  now = await scene(studio, 'moved', (one) => one.obstacles[0].polygon[0][0] < 0);
+  expect(
+    near(now.obstacles[0].polygon[0], [-2, 2]),
+    `moved by three metres: ${JSON.stringify(now.obstacles[0].polygon)}`,
+  );
+  const [a, b, c] = await screen(studio, [
+    { x: 0, y: 1 },
+    { x: 1.5, y: 1 },
+    { x: 3, y: 1 },
+  ]);
+  await studio.fingers.down({ 1: a, 2: b, 3: c });
+  await studio.fingers.up();
+  await scene(studio, 'three fingers take it back', (one) => one.obstacles[0].polygon[0][0] > 0);
+  const pose = await page.evaluate(() => ({ ...globalThis.__muster.view.camera.pose }));
+  await studio.fingers.down({ 1: a, 2: c });
+  await studio.fingers.move({ 1: { x: a.x - 40, y: a.y }, 2: { x: c.x + 40, y: c.y } });
+  await studio.fingers.up();
+  const after = await page.evaluate(() => ({ ...globalThis.__muster.view.camera.pose }));
+  expect(after.distance < 0.95 * pose.distance, 'two fingers zoom');
+  await serious(studio, 'building by touch');
+}
