@@ -22,6 +22,7 @@ const kTouch: readonly Gesture[] = [
   { with: 'Chip onto chip', does: 'joins two groups' },
   { with: 'One finger on empty ground', does: 'pans the camera' },
   { with: 'Two on empty ground', does: 'pinch and turn the camera' },
+  { with: 'While building: three that tap', does: 'take the last change back' },
 ];
 
 const kMouse: readonly Gesture[] = [
@@ -35,6 +36,7 @@ const kMouse: readonly Gesture[] = [
   { with: 'Shift + drag on empty ground', does: 'chooses the groups in a box; Shift + click adds one' },
   { with: 'Middle button, or Space + right button', does: 'turns the camera' },
   { with: 'Wheel', does: 'zooms at the pointer' },
+  { with: 'Shift + E', does: 'builds the place; then each tool has a letter' },
 ];
 
 const kGroups: readonly ShortcutGroup[] = ['Crowd', 'Orders', 'Formations', 'Time', 'Camera', 'Show'];

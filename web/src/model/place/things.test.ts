@@ -1,0 +1,182 @@
+import { describe, expect, it } from 'vitest';
+import { parseScene } from '../../protocol/scene';
+import {
+  addEvent,
+  changeEvent,
+  chosenAgain,
+  extentOf,
+  hit,
+  moved,
+  removeEvent,
+  scaled,
+  thing,
+  thingsOf,
+  turned,
+  within,
+} from './things';
+
+const kScene = parseScene(
+  JSON.stringify({
+    world: 3,
+    box: { min: [-20, -20], max: [20, 20] },
+    obstacles: [
+      {
+        id: 1,
+        name: 'Hut',
+        polygon: [
+          [0, 0],
+          [2, 0],
+          [2, 2],
+          [0, 2],
+        ],
+        height: 3,
+        moving: false,
+        range: 1.5,
+      },
+      {
+        id: 4,
+        name: 'Car',
+        centre: [5, 5],
+        radius: 1,
+        height: 2,
+        moving: true,
+        path: {
+          waypoints: [
+            { t: 0, x: 0, y: 0, angle: 0 },
+            { t: 2, x: 4, y: 0, angle: 0 },
+          ],
+          loop: true,
+        },
+      },
+    ],
+    patches: [
+      {
+        id: 2,
+        name: 'Net',
+        polygon: [
+          [-4, -1],
+          [-2, -1],
+          [-2, 1],
+          [-4, 1],
+        ],
+        motion: 3,
+        speed: 0.3,
+        moving: false,
+      },
+    ],
+    items: [{ id: 7, position: [1, 1], radius: 0.5 }],
+    checkpoints: [
+      {
+        id: 1,
+        position: [8, 0],
+        radius: 2,
+        formation: 'wedge',
+        shape: { kind: 'wedge', spacing: 1 },
+        group: 1,
+        once: false,
+        trigger: 'mesh',
+        share: 0.5,
+      },
+    ],
+    groups: [
+      {
+        id: 1,
+        name: 'One',
+        count: 9,
+        formation: 'square',
+        colour: 0,
+        start: { position: [-8, 0], angle: 1, formation: { kind: 'square', spacing: 1 } },
+      },
+      { id: 2, name: 'One 2', count: 4, formation: 'square', colour: 1 },
+    ],
+  }),
+);
+const all = thingsOf(kScene);
+const of = (kind: string, id: number) => all.find((one) => one.kind === kind && one.id === id)!;
+
+describe('things of a place', () => {
+  it('are all that can be taken hold of, but parts of groups', () => {
+    expect(all.map(({ kind, id }) => `${kind} ${id}`)).toEqual([
+      'patch 2',
+      'obstacle 1',
+      'obstacle 4',
+      'checkpoint 1',
+      'item 7',
+      'group 1',
+    ]);
+  });
+
+  it('keep what building does not change', () => {
+    expect(changeEvent(moved(of('obstacle', 1), 1, 0))).toEqual({
+      kind: 'changeObstacle',
+      id: 1,
+      definition: {
+        name: 'Hut',
+        polygon: [
+          [1, 0],
+          [3, 0],
+          [3, 2],
+          [1, 2],
+        ],
+        height: 3,
+        range: 1.5,
+      },
+    });
+    expect(changeEvent(of('checkpoint', 1))).toEqual({
+      kind: 'changeCheckpoint',
+      id: 1,
+      group: 1,
+      definition: {
+        position: [8, 0],
+        radius: 2,
+        formation: { kind: 'wedge', spacing: 1 },
+        once: false,
+        trigger: 'mesh',
+        share: 0.5,
+      },
+    });
+  });
+
+  it('are told to the server by kind', () => {
+    expect(changeEvent(of('group', 1))).toEqual({ kind: 'placeGroup', group: 1, x: -8, y: 0, angle: 1 });
+    expect(removeEvent(of('group', 1))).toEqual({ kind: 'removeGroup', group: 1 });
+    expect(removeEvent(of('item', 7))).toEqual({ kind: 'removeItem', id: 7 });
+    expect(addEvent(thing('item', { centre: [3, 4], radius: 0.5 }))).toEqual({
+      kind: 'item',
+      definition: { position: [3, 4], radius: 0.5 },
+    });
+  });
+
+  it('turn and grow about a point, with their ways', () => {
+    const car = turned(of('obstacle', 4), { x: 5, y: 5 }, Math.PI / 2);
+    expect(car.path!.waypoints[1]!.x).toBeCloseTo(0, 9);
+    expect(car.path!.waypoints[1]!.y).toBeCloseTo(4, 9);
+    const hut = scaled(of('obstacle', 1), { x: 0, y: 0 }, 2);
+    expect(extentOf([hut])).toEqual({ minX: 0, minY: 0, maxX: 4, maxY: 4 });
+    expect(scaled(of('item', 7), { x: 0, y: 0 }, 2).radius).toBe(1);
+    const people = scaled(of('group', 1), { x: 0, y: 0 }, 2);
+    expect([people.centre, people.radius]).toEqual([[-16, 0], of('group', 1).radius]);
+  });
+
+  it('are found from the top, and near their corners', () => {
+    expect(hit(all, { x: 1, y: 1 }, 0.1)?.kind).toBe('item');
+    expect(hit(all, { x: 1.8, y: 0.2 }, 0.1)?.id).toBe(1);
+    expect(hit(all, { x: 2.2, y: 2.2 }, 0.5)?.id).toBe(1);
+    expect(hit(all, { x: 15, y: 15 }, 0.5)).toBeNull();
+    const loop = [
+      { x: -1, y: -1 },
+      { x: 6, y: -1 },
+      { x: 6, y: 6 },
+      { x: -1, y: 6 },
+    ];
+    expect(within(all, loop).map(({ kind }) => kind)).toEqual(['obstacle', 'obstacle', 'item']);
+  });
+
+  it('stay chosen: by id, or by their place in the list in a world that began again', () => {
+    const chosen = [of('obstacle', 4)];
+    expect(chosenAgain(chosen, all, all.slice(1), true)).toEqual(chosen);
+    const renumbered = all.map((one, k) => ({ ...one, id: k + 10 }));
+    expect(chosenAgain(chosen, all, renumbered, false).map(({ id }) => id)).toEqual([12]);
+    expect(chosenAgain(chosen, all, renumbered.slice(1), false)).toEqual([]);
+  });
+});
