@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "character/clips/clip_files.h"
+#include "character/motion/body_overlap.h"
 #include "character/motion/clips_for.h"
 #include "character/motion/motion_report.h"
 #include "commands.h"
@@ -23,6 +24,7 @@ struct Measured {
     std::int32_t characters = 0;
     double seconds = 0.0;
     MotionFigures figures;
+    std::vector<MotionOverlap> overlaps;
 };
 
 Result<World> worldFor(WorldDef& def, const std::string& path, double& lastTouch) {
@@ -54,6 +56,7 @@ Result<Measured> measure(const std::string& path, const MeasureOptions& options)
     RunMetrics metrics(*world);
     CrowdMotion motion(*clips);
     MotionReport report;
+    BodyOverlapReport overlaps;
     Progress progress("measuring " + path);
     const double end = options.seconds > 0.0 ? options.seconds : lastTouch + kLongestAfterTouch;
     while (world->time() < end - 1e-9) {
@@ -61,17 +64,30 @@ Result<Measured> measure(const std::string& path, const MeasureOptions& options)
         metrics.observe(*world);
         motion.update(*world);
         report.observe(*world, motion);
+        overlaps.observe(*world, motion);
         progress.show(world->time() / end);
         const bool due = options.seconds <= 0.0 && world->time() > lastTouch + 1.0 &&
                          world->stepCount() % 30 == 0;
         if (due && metrics.settled(*world)) break;
     }
     return Measured{path, static_cast<std::int32_t>(world->characters().size()), world->time(),
-                    report.figures()};
+                    report.figures(), overlaps.motions()};
+}
+
+Json jsonOf(const MotionOverlap& o) {
+    return {{"motion", o.motion},
+            {"deepest_cm", 100.0 * o.deepest},
+            {"with", o.otherMotion},
+            {"time", o.time},
+            {"characters", std::to_string(o.first) + ", " + std::to_string(o.second)},
+            {"pair_steps", o.pairSteps},
+            {"deeper_than_10_cm", o.deepSteps}};
 }
 
 Json jsonOf(const Measured& m) {
     const MotionFigures& f = m.figures;
+    auto overlaps = Json::array();
+    for (const MotionOverlap& o : m.overlaps) overlaps.push(jsonOf(o));
     return {{"scenario", m.scenario},
             {"characters", m.characters},
             {"seconds", m.seconds},
@@ -91,7 +107,8 @@ Json jsonOf(const Measured& m) {
             {"rate_most", f.rateMost},
             {"switches", f.switches},
             {"single_steps_asked", f.singleSteps},
-            {"single_steps_played", f.actions}};
+            {"single_steps_played", f.actions},
+            {"overlaps", overlaps}};
 }
 
 void printTable(const std::vector<Measured>& all) {
@@ -105,6 +122,15 @@ void printTable(const std::vector<Measured>& all) {
             100.0 * f.slideMedian, 100.0 * f.slide95, 100.0 * f.slideMax, 100.0 * f.lowFast, f.knee999,
             f.kneeMax, 100.0 * f.penetration999, 100.0 * f.penetration, f.rateLeast, f.rateMost,
             static_cast<unsigned long long>(f.actions), static_cast<unsigned long long>(f.singleSteps));
+    }
+    std::printf("\nDeepest overlap of two bodies at torso and head, by motion:\n");
+    for (const Measured& m : all) {
+        std::printf("%s\n", m.scenario.c_str());
+        for (const MotionOverlap& o : m.overlaps)
+            std::printf("  %-8s %6.1f cm with %-8s at %6.2f s (%u, %u)  deeper than 10 cm: %llu of %llu\n",
+                        o.motion.c_str(), 100.0 * o.deepest, o.otherMotion.c_str(), o.time, o.first, o.second,
+                        static_cast<unsigned long long>(o.deepSteps),
+                        static_cast<unsigned long long>(o.pairSteps));
     }
 }
 

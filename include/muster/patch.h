@@ -22,11 +22,13 @@ struct ClipFacts {
     double duration = 0.0;        ///< Duration of one play [s], 0 or more.
     bool cyclic = true;           ///< False for single-step motions (jump, climb).
     double transitionTime = 0.0;  ///< Duration of the transition on entering and on leaving [s]; 0 for none.
+    double reachAhead = 0.0;  ///< From the character's position to the head of a body that leans or lies [m].
+    double reachBehind = 0.0;  ///< From there back to its hips [m]; both are 0 for upright bodies.
 
     /// Lets an archive read or write the facts.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(name, file, speed, length, duration, cyclic, transitionTime);
+        archive(name, file, speed, length, duration, cyclic, transitionTime, reachAhead, reachBehind);
     }
     /// Equal in all parts.
     friend bool operator==(const ClipFacts&, const ClipFacts&) = default;

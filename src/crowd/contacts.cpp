@@ -56,6 +56,20 @@ double Contacts::separatePairs(std::span<Vec2> positions) {
     return worst;
 }
 
+// Those who lie keep apart by their length.
+double Contacts::separateAxes(std::span<Vec2> positions) {
+    if (axes_ == nullptr) return 0.0;
+    return axes_->forOverlaps(
+        positions, [&](std::int32_t a, std::int32_t b, Vec2 away, double depth, double share) {
+            if (bodies_->isFixed(a)) share = 0.0;
+            if (bodies_->isFixed(b)) share = 1.0;
+            if (!bodies_->isFixed(a)) positions[a] = withinReach(a, positions[a] - away * (share * depth));
+            if (!bodies_->isFixed(b))
+                positions[b] = withinReach(b, positions[b] + away * ((1.0 - share) * depth));
+            corrected_ = true;
+        });
+}
+
 double Contacts::leaveObstacles(const Environment& environment, std::span<Vec2> positions) {
     double worst = 0.0;
     for (ObstacleCandidate& candidate : obstacleCandidates_) {
@@ -223,11 +237,13 @@ bool Contacts::outdatedByCorrections(std::span<const Vec2> positions) {
 
 ContactReport Contacts::resolve(const ContactDef& def, const Environment& environment,
                                 std::span<Vec2> positions, const NeighbourList* neighbours, ThreadPool* pool,
-                                const ContactBounds& bounds, const CrowdBodies* bodies) {
+                                const ContactBounds& bounds, const CrowdBodies* bodies,
+                                const BodyAxes* axes) {
     Parameters::Character usual;
     usual.radius = def.radius;
     alike_.reset(usual);
     bodies_ = bodies != nullptr ? bodies : &alike_;
+    axes_ = axes != nullptr && !axes->none() ? axes : nullptr;
     diameter_ = 2.0 * bodies_->largestRadius();
     bounds_ = bounds;
     pairs_ = neighbours;
@@ -236,10 +252,11 @@ ContactReport Contacts::resolve(const ContactDef& def, const Environment& enviro
     findObstacleCandidates(environment, positions, pool);
     const bool alike = bodies_->alike();
     for (std::int32_t iteration = 0; iteration < def.iterations; ++iteration) {
+        const double axesDepth = separateAxes(positions);
         const double pairs = alike ? separatePairs<true>(positions) : separatePairs<false>(positions);
         const double walls = leaveObstacles(environment, positions);
         const bool outdated = outdatedByCorrections(positions);
-        if (!outdated && std::max(pairs, walls) < kConverged * diameter_) break;
+        if (!outdated && std::max({axesDepth, pairs, walls}) < kConverged * diameter_) break;
         if (!outdated) continue;
         findPairs(positions);
         findObstacleCandidates(environment, positions, pool);

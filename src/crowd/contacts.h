@@ -9,6 +9,7 @@
 
 #include "base/neighbour_list.h"
 #include "base/parallel.h"
+#include "crowd/body_axes.h"
 #include "crowd/crowd_bodies.h"
 #include "environment/environment.h"
 #include "muster/characters.h"
@@ -39,10 +40,12 @@ public:
     /// mean diameter that was not before, except where an obstacle came over one of the two, or one is fixed.
     /// `neighbours`, if given, is used as long as it is valid, which saves a search; it must list pairs
     /// nearer than the largest diameter or farther. `bodies`, if given, are those of all characters: who is
-    /// fixed is not moved, not by obstacles either.
+    /// fixed is not moved, not by obstacles either. `axes`, if given, keep those who lie apart as well, as
+    /// far as the rest allows.
     ContactReport resolve(const ContactDef& def, const Environment& environment, std::span<Vec2> positions,
                           const NeighbourList* neighbours = nullptr, ThreadPool* pool = nullptr,
-                          const ContactBounds& bounds = {}, const CrowdBodies* bodies = nullptr);
+                          const ContactBounds& bounds = {}, const CrowdBodies* bodies = nullptr,
+                          const BodyAxes* axes = nullptr);
 
 private:
     // A character near an obstacle or the edge of the world.
@@ -54,6 +57,7 @@ private:
 
     template <bool kAlike>
     double separatePairs(std::span<Vec2> positions);
+    double separateAxes(std::span<Vec2> positions);
     double leaveObstacles(const Environment& environment, std::span<Vec2> positions);
     void leaveObstaclesFinally(const Environment& environment, std::span<Vec2> positions);
     void takeBack(const Environment& environment, std::span<Vec2> positions);
@@ -72,6 +76,7 @@ private:
     ContactBounds bounds_;
     CrowdBodies alike_;
     const CrowdBodies* bodies_ = nullptr;  // Given by the caller, or alike_.
+    const BodyAxes* axes_ = nullptr;       // Given by the caller; null where nobody lies.
     double diameter_ = 0.0;                // The largest [m].
 
     NeighbourList ownPairs_;

@@ -10,6 +10,7 @@ namespace {
 constexpr Rotation kLockedDeviation{0.93969262078590838405, 0.34202014332566873304};
 constexpr double kLockEnd = 0.6;        // Within this distance of its place the heading is not locked [m].
 constexpr double kHeadingRate = 8.0;    // Gain of the heading [1/s].
+constexpr double kLyingRate = 2.0;      // Gain of the heading of who leans or lies [1/s].
 constexpr double kTouchGap = 0.04;      // Two bodies with a smaller gap touch [m].
 constexpr double kBlockedSpeed = 0.15;  // A slower character that touches another is blocked [m/s].
 constexpr double kAheadCosine = 0.5;    // Twice the cosine below which two characters are side by side.
@@ -88,6 +89,7 @@ Vec2 preferredVelocity(const Parameters::Character& def, const Characters& now, 
 struct StepGains {
     double velocityShare;  // Share of the velocity error that is corrected.
     double headingShare;   // Share of the heading error that is corrected.
+    double lyingShare;     // The same for who leans or lies.
 };
 
 // `most` bounds the change of velocity [m/s].
@@ -168,18 +170,23 @@ void Steering::run(const CrowdBodies& bodies, const Characters& now, const Steer
     bodies.shorten(now.position, neighbours_);
     addSeparationSteering(bodies, now);
     yieldToBlocked(bodies, now, input.waits);
+    axes_.resolve(environment, now, input.place, input.placeVelocity);
+    axes_.keepDistance(bodies, now, preferred_);
     giveWay_.run(bodies, now, environment, neighbours_, topSpeed_, preferred_);
-    const StepGains gains{std::min(1.0, def.velocityGain * dt), std::min(1.0, kHeadingRate * dt)};
-    forChunks(pool, count, kSteeredPerTask, [&, gains](std::size_t i) {
+    const StepGains gains{std::min(1.0, def.velocityGain * dt), std::min(1.0, kHeadingRate * dt),
+                          std::min(1.0, kLyingRate * dt)};
+    const std::vector<ClipFacts>& clips = environment.def().clips;
+    forChunks(pool, count, kSteeredPerTask, [&, gains, patches](std::size_t i) {
+        const double turn = patches && clips[now.motion[i]].reachAhead > 0.0 ? gains.lyingShare
+                                                                             : gains.headingShare;
         const Vec2 next = bodies.isFixed(i) ? now.velocity[i]
                                             : nextVelocity(gains.velocityShare, bodies.acceleration(i) * dt,
                                                            now.velocity[i], preferred_[i], topSpeed_[i]);
         const double speed = length(next);
         const Vec2 towards = speed > kWalkingSpeed ? next / speed : input.facing[i];
         velocity[i] = next;
-        heading[i] = now.phase[i] == MotionPhase::Locked
-                         ? now.heading[i]
-                         : rotateTowards(now.heading[i], towards, gains.headingShare);
+        heading[i] = now.phase[i] == MotionPhase::Locked ? now.heading[i]
+                                                         : rotateTowards(now.heading[i], towards, turn);
     });
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/neighbour_list.h"
 #include "base/parallel.h"
+#include "crowd/body_axes.h"
 #include "crowd/characters.h"
 #include "crowd/crowd_bodies.h"
 #include "crowd/give_way.h"
@@ -35,6 +36,8 @@ public:
 
     /// Of each character at the last run, on its ground [m/s].
     std::span<const double> topSpeeds() const { return topSpeed_; }
+    /// Of those who lay, leant or were about to at the last run.
+    const BodyAxes& axes() const { return axes_; }
     /// Of each character at the last run, the velocity that it aimed at [m/s].
     std::span<const Vec2> preferred() const { return preferred_; }
     /// Close pairs of the last run, at its positions.
@@ -45,6 +48,7 @@ private:
     void yieldToBlocked(const CrowdBodies& bodies, const Characters& now, std::span<const PlaceWait> waits);
 
     GiveWay giveWay_;
+    BodyAxes axes_;
     NeighbourList neighbours_;
     std::vector<Vec2> preferred_;   // Preferred velocities [m/s].
     std::vector<double> topSpeed_;  // [m/s]

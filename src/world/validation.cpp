@@ -133,7 +133,9 @@ Status validateClip(const ClipFacts& clip) {
     return first({isText("name", clip.name), isText("file", clip.file),
                   inRange("speed", clip.speed, 0.01, 100.0), inRange("length", clip.length, 0.0, 1e4),
                   inRange("duration", clip.duration, 0.0, 1e4),
-                  inRange("transitionTime", clip.transitionTime, 0.0, 100.0)});
+                  inRange("transitionTime", clip.transitionTime, 0.0, 100.0),
+                  inRange("reachAhead", clip.reachAhead, 0.0, 2.0),
+                  inRange("reachBehind", clip.reachBehind, 0.0, 2.0)});
 }
 
 Status validateTotal(std::int64_t characters, const Parameters& parameters) {

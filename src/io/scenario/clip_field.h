@@ -29,6 +29,9 @@ void describeClip(Visitor& v, ClipFacts& clip, const std::string& folder, double
     v.flag("cyclic", clip.cyclic, "False for motions that happen once per patch, such as a jump.");
     v.number("transitionTime", clip.transitionTime, {0.0, 100.0, "s"},
              "Played on entering and leaving; 0 for none.");
+    v.number("reachAhead", clip.reachAhead, {0.0, 2.0, "m"},
+             "From the character's position to the head of a body that leans or lies; 0 for upright bodies.");
+    v.number("reachBehind", clip.reachBehind, {0.0, 2.0, "m"}, "From there back to its hips.");
 }
 
 /// Speed of running by the facts of the running clip [m/s]; that of Muster's own clip where they do not give

@@ -26,7 +26,7 @@ ContactReport ContactStage::correct(WorldState& state, SteeringStage& steering, 
     for (double& reach : reach_) reach *= kContactShare * dt;
     const ContactReport report = contacts_.resolve(contactDef(state.parameters), state.environment,
                                                    next.position, &steering.neighbours(), &pool,
-                                                   {characters.position, reach_}, &bodies);
+                                                   {characters.position, reach_}, &bodies, &steering.axes());
     // Speed that contacts took away is lost; what they pushed adds none.
     for (std::size_t i = 0; i < characters.size(); ++i) {
         characters.heading[i] = next.heading[i];

@@ -41,6 +41,7 @@ public:
     NextMotion& next() { return next_; }                   ///< By the last run; contacts correct it.
     std::span<const double> topSpeeds() const { return steering_.topSpeeds(); }  ///< Of the last run [m/s].
     const NeighbourList& neighbours() const { return steering_.neighbours(); }   ///< Of the last run.
+    const BodyAxes& axes() const { return steering_.axes(); }                    ///< Of the last run.
 
 private:
     void guide(WorldState& state, std::size_t index, PlanCosts& costs, const WayStage& ways,
