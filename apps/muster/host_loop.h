@@ -26,8 +26,7 @@ public:
         std::vector<HostEvent> events;
         auto last = Clock::now();
         while (!interrupted_) {
-            mailbox_.collect(clients_.empty() ? kLongestWait : std::min(kLongestWait, host_.untilNextStep()),
-                             events);
+            mailbox_.collect(longestWait(), events);
             const auto now = Clock::now();
             // The world stands still while no client is connected.
             if (!clients_.empty()) host_.elapse(std::chrono::duration<double>(now - last).count());

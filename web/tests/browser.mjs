@@ -21,6 +21,7 @@ import * as shapes from './cases/shapes.mjs';
 import * as session from './cases/session.mjs';
 import * as schemes from './cases/schemes.mjs';
 import * as study from './cases/study.mjs';
+import * as paths from './cases/path.mjs';
 import * as takes from './cases/takes.mjs';
 import * as touch from './cases/touch.mjs';
 import { startMadeCrowd } from './support/made_crowd.mjs';
@@ -175,6 +176,19 @@ const kCases = [
   ['takes: scrub and trim', takes.scrubAndTrim, ['landscape', 'phone'], { scenario: 'scenarios/open.json' }],
   ['takes: again and on top', takes.againAndOnTop, ['desktop'], { scenario: 'web/tests/scenarios/two-groups.json' }],
   ['takes: film camera', film.filmCamera, ['desktop', 'portrait', 'phone'], { scenario: 'scenarios/open.json' }],
+  [
+    'paths: by finger',
+    (studio) => paths.path(studio, false),
+    ['portrait', 'phone'],
+    { scenario: 'scenarios/open.json' },
+  ],
+  [
+    'paths: by mouse',
+    (studio) => paths.path(studio, true),
+    ['desktop'],
+    { touch: false, scenario: 'scenarios/open.json' },
+  ],
+  ['paths: one person', paths.single, ['landscape', 'phone'], { scenario: 'scenarios/open.json' }],
   ['takes: exports', takes.exports, ['desktop'], { scenario: 'scenarios/open.json' }],
   ['takes: cut off', takes.cutOff, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
   [

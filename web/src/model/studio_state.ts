@@ -154,6 +154,8 @@ export interface StudioState {
   readonly dialog: DialogName;
   /** Somebody builds the place. */
   readonly build: boolean;
+  /** Somebody changes paths of the open take. */
+  readonly paths: boolean;
   readonly places: PlacesView;
   /** Files that wait to be opened or imported there. */
   readonly placeFiles: readonly File[];
@@ -222,6 +224,7 @@ export const kInitialState: StudioState = {
   figures: false,
   dialog: 'none',
   build: false,
+  paths: false,
   places: 'none',
   placeFiles: [],
   shelf: false,

@@ -18,6 +18,7 @@ import { Scrubber } from './scrubber';
 import { ShelfLink, pictureAddress, save, takeAddress } from './shelf_link';
 import { scenarioBehind } from './studio_controller';
 import { TakeCopies, isCopyOnly, withCopies } from './take_copies';
+import { pathButton } from './lazy_path';
 import { openTake } from './takes';
 import { element } from './widgets/dom';
 import { LiveRegion } from './widgets/live_region';
@@ -73,6 +74,7 @@ export class TakeDesk implements TakeActions {
 
   constructor(private readonly parts_: TakeDeskParts) {
     const { client, store, view, canvas, page } = parts_;
+    this.line_.addTool(pathButton(store));
     this.film_ = new FilmCameraDesk(view.camera, () => this.showKeys());
     this.scrubber_ = new Scrubber((message) => client.send(message));
     const file = element('input', {

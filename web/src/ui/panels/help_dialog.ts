@@ -37,6 +37,7 @@ const kMouse: readonly Gesture[] = [
   { with: 'Middle button, or Space + right button', does: 'turns the camera' },
   { with: 'Wheel', does: 'zooms at the pointer' },
   { with: 'Shift + E', does: 'builds the place; then each tool has a letter' },
+  { with: 'Shift + P', does: 'moves paths of the open take, which is simulated again' },
 ];
 
 const kGroups: readonly ShortcutGroup[] = ['Crowd', 'Orders', 'Formations', 'Time', 'Camera', 'Show'];

@@ -83,6 +83,11 @@ export class TimeLine {
     );
   }
 
+  /** Another button, beside those that direct again. */
+  addTool(tool: HTMLElement): void {
+    this.loop_.before(tool);
+  }
+
   /** Null: no take is open. */
   setTake(take: OpenTake | null, title: string): void {
     this.take_ = take;

@@ -1,0 +1,60 @@
+// Changing paths of a take is loaded when somebody begins with it.
+
+import type { TakeState } from '../protocol/messages';
+import { problem } from '../protocol/problem';
+import type { StudioStore } from '../model/studio_store';
+import type { Members, PathDesk, PathParts } from './path/path_desk';
+import { setPressed } from './widgets/dom';
+import { toolButton } from './widgets/tool_button';
+
+/** The button of the time line. */
+export function pathButton(store: StudioStore): HTMLButtonElement {
+  const button = toolButton({
+    icon: 'arrow',
+    label: 'Path',
+    className: 'time-path',
+    pressed: false,
+    tip: 'Moves the path of a group or a person, and simulates again',
+    key: 'Shift+P',
+    act: () => store.set({ paths: !store.state.paths }),
+  });
+  store.watch(['paths'], ({ paths }) => setPressed(button, paths));
+  return button;
+}
+
+export function openPathsLazily(parts: PathParts): void {
+  const { store, client } = parts;
+  let desk: PathDesk | null = null;
+  let take: TakeState | null = null;
+  let loading = false;
+  const members: Members = { ids: new Uint32Array(), group: new Uint8Array() };
+  client.on('frame', ({ frame: { ids, group } }) => {
+    if (ids.length > 0) Object.assign(members, { ids, group });
+  });
+  window.addEventListener('keydown', (event) => {
+    if (event.key !== 'P' || !event.shiftKey || event.ctrlKey || event.metaKey || event.altKey || !take?.open) return;
+    if (event.target instanceof HTMLElement && event.target.closest('input, textarea, select, dialog')) return;
+    event.preventDefault();
+    event.stopImmediatePropagation();
+    store.set({ paths: !store.state.paths });
+  });
+  client.on('takeState', (state) => {
+    take = state;
+    desk?.setTake(state);
+  });
+  const load = async (): Promise<void> => {
+    const module = await import('./path/path_desk');
+    desk = new module.PathDesk(parts, members);
+    if (take) desk.setTake(take);
+    desk.setOpen(store.state.paths);
+  };
+  store.watch(['paths'], ({ paths }) => {
+    document.documentElement.toggleAttribute('data-paths', paths);
+    if (desk) return desk.setOpen(paths);
+    if (!paths || loading) return;
+    loading = true;
+    load()
+      .catch(() => store.set({ paths: false, notice: problem('page', 'The server does not answer: try again.') }))
+      .finally(() => (loading = false));
+  });
+}
