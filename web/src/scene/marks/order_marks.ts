@@ -8,6 +8,7 @@ import type { CameraController } from '../camera/camera_controller';
 import { accentColour, type Palette } from '../drawing/palette';
 import type { MarkExtent } from './mark_extent';
 import type { MarkColours, MarkPainter } from './mark_painter';
+import { drawPlaces, drawWords } from './stand_marks';
 import type { SchemePicture } from './scheme_marks';
 
 /** How one group would stand. */
@@ -17,6 +18,8 @@ export interface StandPreview {
   readonly outline: readonly GroundPoint[];
   /** Left and right end. */
   readonly front: readonly [GroundPoint, GroundPoint];
+  /** Per place: 0 where somebody can stand there; left out where that is not known. */
+  readonly unfit?: ArrayLike<number>;
 }
 
 /** What is being drawn; empty lists for nothing. */
@@ -24,6 +27,8 @@ export interface DrawnOrder {
   readonly moves: readonly StandPreview[];
   readonly rectangle: readonly GroundPoint[];
   readonly route: readonly GroundPoint[];
+  /** What is said of the places. */
+  readonly note?: { readonly text: string; readonly warns: boolean };
 }
 
 /** What would come of an order that is being drawn. */
@@ -81,7 +86,7 @@ const kPickedRing = 0.62;
 /** Labels stand so far above what they tell of [CSS px]. */
 const kLabelGap = 20;
 /** About half as wide as the widest label [CSS px]. */
-const kLabelHalf = 110;
+const kLabelHalf = 150;
 /** Labels keep below the panels at the upper edge [CSS px]. */
 const kPanels = 88;
 
@@ -125,9 +130,10 @@ export class OrderMarks {
     const add = ({ x, y }: GroundPoint): void => extent.add(scene.camera.worldToScreen(x, y));
     for (const move of drawn.moves) [...move.outline, ...move.front].forEach(add);
     for (const points of [drawn.rectangle, drawn.route, ...scene.forecasts.map(({ way }) => way)]) points.forEach(add);
-    if (scene.forecasts.length === 0) return;
+    if (scene.forecasts.length === 0 && !drawn.note) return;
     const { x, y } = this.labelSpot(scene);
-    for (const dx of [-kLabelHalf, kLabelHalf]) extent.add({ x: x + dx, y });
+    const half = scene.forecasts.length > 0 && drawn.note ? 2 * kLabelHalf : kLabelHalf;
+    for (const dx of [-half, half]) extent.add({ x: x + dx, y });
   }
 
   /** All that is drawn of a group's queue. */
@@ -264,7 +270,7 @@ export class OrderMarks {
     this.painter_.dashed(corners, colours.accent, 2.2, true, colours.casing);
   }
 
-  private drawPreview({ moves, rectangle, route }: DrawnOrder, scene: OrderScene): void {
+  private drawPreview({ moves, rectangle, route, note }: DrawnOrder, scene: OrderScene): void {
     const { painter_: painter } = this;
     const first = moves[0];
     const colours = this.coloursOf(first?.index ?? this.firstChosen(scene), scene);
@@ -281,21 +287,10 @@ export class OrderMarks {
       const outline = this.screen(move.outline, scene);
       painter.veil(outline, own.accent);
       painter.dashed(outline, own.accent, 1.8, true, own.casing);
-      for (const place of this.screen(move.places, scene)) {
-        painter.dot(place, 3.6, own.casing);
-        painter.dot(place, 2.5, own.accent);
-      }
+      drawPlaces(painter, this.screen(move.places, scene), move.unfit, own, scene.palette.alarm);
       this.drawFront(move.front, own, scene);
     }
-    const words = scene.forecasts.find(({ text }) => text !== '');
-    if (!words) return;
-    const lost = scene.forecasts.some(({ arrives }) => !arrives);
-    painter.label(
-      this.labelSpot(scene),
-      words.text,
-      scene.palette.panel,
-      lost ? scene.palette.alarm : scene.palette.ink,
-    );
+    drawWords(painter, this.labelSpot(scene), { ...scene, note });
   }
 
   private drawForecastWay({ index, way, arrives }: DrawnForecast, scene: OrderScene): void {
