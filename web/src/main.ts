@@ -19,6 +19,7 @@ import './ui/styles/takes.css';
 import { StudioClient } from './link/studio_client';
 import { fetchBodies } from './scene/crowd/bodies/gltf_body';
 import { openBuildLazily } from './ui/lazy_build';
+import { openSequenceLazily } from './ui/lazy_sequence';
 import { openPlacesLazily } from './ui/lazy_places';
 import { StudioApp } from './ui/studio_app';
 import { TakeDesk } from './ui/take_desk';
@@ -61,6 +62,7 @@ async function start(mode: string | undefined): Promise<object> {
   new TakeDesk(parts);
   openPlacesLazily({ ...parts, files: app.files });
   openBuildLazily(parts);
+  openSequenceLazily({ ...parts, queues: app.desk.queues });
   return {
     get frame() {
       return app.frame;

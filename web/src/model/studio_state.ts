@@ -104,6 +104,8 @@ export interface StudioState {
   readonly insertBefore: number;
   /** What is said of the formation that is shown before it is taken up; null where none is. */
   readonly stand: StandWords | null;
+  /** The formations along the active group's way are being edited. */
+  readonly sequencing: boolean;
   /** A formation that waits on the ground to be taken up; the dialog is the one that it comes from. */
   readonly trying: { readonly title: string; readonly dialog: DialogName } | null;
   /** A split, a merge or an order can be undone. */
@@ -193,6 +195,7 @@ export const kInitialState: StudioState = {
   insertBefore: 0,
   stand: null,
   trying: null,
+  sequencing: false,
   canUndo: false,
   layers: { mesh: true, places: true, paths: true },
   overlay: OverlayKind.None,

@@ -167,7 +167,8 @@ export class QueueDesk {
     return found && { group, orders: found.orders, held: found.held, patrols: found.patrols };
   }
 
-  private change(now: QueueState, wanted: QueueState): void {
+  /** Gives the commands that lead from one queue to another. */
+  change(now: QueueState, wanted: QueueState): void {
     const { events, copied } = queueChange(now, wanted);
     this.remember([now.group]);
     this.history_.copiesAsked(now.group, copied);

@@ -5,6 +5,7 @@ import { commandText, moveEvent, type CommandEvent } from '../model/commands';
 import { areaOf, centreOf, outlineFrom } from '../model/outline';
 import type { GroundPoint } from '../model/plane';
 import type { Design, NewGroup, ShapeActions } from '../model/shape_actions';
+import type { FormationWords } from '../model/sequence';
 import type { OwnShape } from '../model/shape_edit';
 import type { StandPose } from '../model/stand';
 import type { StudioFrame } from '../model/studio_frame';
@@ -13,7 +14,7 @@ import { problem } from '../protocol/problem';
 import type { Contact, ContactOwner } from '../tools/contact';
 import { OutlineDraw, PlacePress, type OutlineSink } from '../tools/outline_draw';
 import type { PlacesLink } from './place_asker';
-import { StandDesk, type FormationWords, type StandScene } from './stand_desk';
+import { StandDesk, type StandScene } from './stand_desk';
 
 /** Distance of neighbours in a drawn formation [m]: as the drawing has room, between these. */
 const kSpacing = { least: 0.7, most: 3 };

@@ -3,18 +3,16 @@
 
 import { standAfter, type Forecast } from '../model/forecast';
 import { distance } from '../model/plane';
+import type { FormationWords } from '../model/sequence';
 import { standOf, unfitWords, type Stand, type StandPose, type StandWords } from '../model/stand';
 import type { StudioFrame } from '../model/studio_frame';
 import type { StudioStore } from '../model/studio_store';
 import type { OrderPreview } from '../tools/order_tools';
 import { PlaceAsker, type PlacesLink } from './place_asker';
 
-/** A formation in the words of gesture files. */
-export type FormationWords = Readonly<Record<string, unknown>> & { readonly kind: string };
-
 /** What is shown on the scene. */
 export interface StandScene {
-  previewOrder(drawn: (Omit<OrderPreview, 'moves'> & { moves: readonly Stand[]; note: StandWords }) | null): void;
+  previewOrder(drawn: (Omit<OrderPreview, 'moves'> & { moves: readonly Stand[]; note?: StandWords }) | null): void;
 }
 
 export interface StandHost {
@@ -103,7 +101,10 @@ export class StandDesk {
       const failed = answer.problem !== '';
       const words = failed ? { text: `${sentence(answer.problem)}`, warns: true } : unfitWords([answer.unfit]);
       const moves = failed ? [] : [standOf(answer, index, pose)];
-      this.host_.orders.previewOrder({ moves, rectangle: [], route: [], note: words });
+      const { trying, dialog } = this.host_.store.state;
+      // The bar, or the dialog, says it already.
+      const note = trying || dialog !== 'none' ? {} : { note: words };
+      this.host_.orders.previewOrder({ moves, rectangle: [], route: [], ...note });
       this.host_.store.set({ stand: words });
       if (wanted.told) this.host_.say(words.text);
     });

@@ -8,7 +8,8 @@ import type { CameraController } from '../camera/camera_controller';
 import { accentColour, type Palette } from '../drawing/palette';
 import type { MarkExtent } from './mark_extent';
 import type { MarkColours, MarkPainter } from './mark_painter';
-import { drawPlaces, drawWords } from './stand_marks';
+import { drawStations, stationSpots } from './station_marks';
+import { drawPlaces, roomFor, wordsOf, type Words } from './stand_marks';
 import type { SchemePicture } from './scheme_marks';
 
 /** How one group would stand. */
@@ -85,10 +86,6 @@ const kReached = 0.4;
 const kPickedRing = 0.62;
 /** Labels stand so far above what they tell of [CSS px]. */
 const kLabelGap = 20;
-/** About half as wide as the widest label [CSS px]. */
-const kLabelHalf = 150;
-/** Labels keep below the panels at the upper edge [CSS px]. */
-const kPanels = 88;
 
 /** A stretch of a way, and the order at its end. */
 interface Leg {
@@ -120,7 +117,10 @@ export class OrderMarks {
 
   extend(extent: MarkExtent, scene: OrderScene): void {
     const add = ({ x, y }: GroundPoint): void => extent.add(scene.camera.worldToScreen(x, y));
-    for (const group of scene.queues ? scene.groups : []) this.pointsOf(group, scene).forEach(add);
+    for (const group of scene.queues ? scene.groups : []) {
+      this.pointsOf(group, scene).forEach(add);
+      for (const spot of stationSpots(legsOf(group, scene.groups, scene.ways), scene.camera)) extent.add(spot);
+    }
     const { drawn, cut } = scene;
     if (drawn) this.extendDrawn(extent, drawn, scene);
     for (const points of [cut?.line, cut?.leaving, cut?.onto]) points?.forEach(add);
@@ -130,10 +130,10 @@ export class OrderMarks {
     const add = ({ x, y }: GroundPoint): void => extent.add(scene.camera.worldToScreen(x, y));
     for (const move of drawn.moves) [...move.outline, ...move.front].forEach(add);
     for (const points of [drawn.rectangle, drawn.route, ...scene.forecasts.map(({ way }) => way)]) points.forEach(add);
-    if (scene.forecasts.length === 0 && !drawn.note) return;
-    const { x, y } = this.labelSpot(scene);
-    const half = scene.forecasts.length > 0 && drawn.note ? 2 * kLabelHalf : kLabelHalf;
-    for (const dx of [-half, half]) extent.add({ x: x + dx, y });
+    const words = wordsOf(scene);
+    if (!words) return;
+    const { x, y } = this.labelSpot(scene, words);
+    for (const dx of [-1, 1]) extent.add({ x: x + dx * words.half, y });
   }
 
   /** All that is drawn of a group's queue. */
@@ -180,6 +180,7 @@ export class OrderMarks {
     if (last) this.drawGhost(group, last, colours, scene);
     for (const { order } of legs) if (order.kind === kGuard) this.drawGuard(order, colours, scene);
     this.drawNumbers(group, legs, colours, scene);
+    drawStations(painter, legs, colours, scene);
     if (group.held && legs.length > 0) {
       painter.pauseBadge(scene.camera.worldToScreen(group.x, group.y), colours, scene.palette.onAccent);
     }
@@ -270,7 +271,7 @@ export class OrderMarks {
     this.painter_.dashed(corners, colours.accent, 2.2, true, colours.casing);
   }
 
-  private drawPreview({ moves, rectangle, route, note }: DrawnOrder, scene: OrderScene): void {
+  private drawPreview({ moves, rectangle, route }: DrawnOrder, scene: OrderScene): void {
     const { painter_: painter } = this;
     const first = moves[0];
     const colours = this.coloursOf(first?.index ?? this.firstChosen(scene), scene);
@@ -290,7 +291,8 @@ export class OrderMarks {
       drawPlaces(painter, this.screen(move.places, scene), move.unfit, own, scene.palette.alarm);
       this.drawFront(move.front, own, scene);
     }
-    drawWords(painter, this.labelSpot(scene), { ...scene, note });
+    const words = wordsOf(scene);
+    if (words) painter.label(this.labelSpot(scene, words), words.text, scene.palette.panel, words.ink);
   }
 
   private drawForecastWay({ index, way, arrives }: DrawnForecast, scene: OrderScene): void {
@@ -307,13 +309,14 @@ export class OrderMarks {
   }
 
   /** Above all that is drawn. */
-  private labelSpot(scene: OrderScene): ScreenPoint {
+  private labelSpot(scene: OrderScene, words: Words): ScreenPoint {
     const outlines = scene.drawn?.moves.flatMap(({ outline }) => outline) ?? [];
     const drawn = outlines.length > 0 ? outlines : (scene.drawn?.rectangle ?? []);
     const ends = scene.forecasts.flatMap(({ way }) => way.slice(-1));
     const points = this.screen(drawn.length > 0 ? drawn : ends, scene);
     const [left, right] = [Math.min(...points.map(({ x }) => x)), Math.max(...points.map(({ x }) => x))];
-    return { x: (left + right) / 2, y: Math.max(Math.min(...points.map(({ y }) => y)) - kLabelGap, kPanels) };
+    const above = { x: (left + right) / 2, y: Math.min(...points.map(({ y }) => y)) - kLabelGap };
+    return roomFor(above, words, scene.camera);
   }
 
   private firstChosen({ groups, selected }: OrderScene): number {

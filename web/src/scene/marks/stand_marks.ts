@@ -26,19 +26,47 @@ export function drawPlaces(
   });
 }
 
-/** What would come of an order, and what is said of its places, on one plate. */
-export function drawWords(
-  painter: MarkPainter,
-  at: ScreenPoint,
-  said: {
-    readonly palette: Palette;
-    readonly forecasts: readonly { readonly text: string; readonly arrives: boolean }[];
-    readonly note?: { readonly text: string; readonly warns: boolean } | undefined;
-  },
-): void {
-  const { palette, forecasts, note } = said;
-  const words = [forecasts.find(({ text }) => text !== '')?.text ?? '', note?.text ?? ''].filter((one) => one !== '');
-  if (words.length === 0) return;
+/** Words about what is drawn. */
+export interface Words {
+  readonly text: string;
+  readonly ink: string;
+  /** Half of their plate [CSS px]. */
+  readonly half: number;
+}
+
+/** What words are made of. */
+interface Said {
+  readonly palette: Palette;
+  readonly forecasts: readonly { readonly text: string; readonly arrives: boolean }[];
+  readonly drawn: { readonly note?: { readonly text: string; readonly warns: boolean } } | null;
+}
+
+/** What would come of an order, and what is said of its places; null where there is nothing to say. */
+export function wordsOf({ palette, forecasts, drawn }: Said): Words | null {
+  const note = drawn?.note;
+  const parts = [forecasts.find(({ text }) => text !== '')?.text ?? '', note?.text ?? ''].filter((one) => one !== '');
+  if (parts.length === 0) return null;
+  const text = parts.join(' \u00b7 ');
   const alarms = note?.warns === true || forecasts.some(({ arrives }) => !arrives);
-  painter.label(at, words.join(' \u00b7 '), palette.panel, alarms ? palette.alarm : palette.ink);
+  return { text, ink: alarms ? palette.alarm : palette.ink, half: kLetter * text.length + 12 };
+}
+
+/** What panels take of the edges, in wide windows and in narrow ones [CSS px]. */
+const kPanels = { wide: { left: 184, right: 164, top: 88 }, narrow: { left: 8, right: 8, top: 146 } };
+const kWide = 1000;
+/** Half the mean width of a letter of a label [CSS px]. */
+const kLetter = 3.9;
+
+/** The spot nearest to one above what is drawn where the words lie clear of the panels. */
+export function roomFor(
+  { x, y }: ScreenPoint,
+  { half }: Words,
+  { width, height }: { readonly width: number; readonly height: number },
+): ScreenPoint {
+  const edge = width >= kWide ? kPanels.wide : kPanels.narrow;
+  const [from, to] = [edge.left + half, width - edge.right - half];
+  return {
+    x: from > to ? (from + to) / 2 : Math.min(to, Math.max(from, x)),
+    y: Math.min(Math.max(y, edge.top), Math.max(edge.top, height / 2)),
+  };
 }
