@@ -62,7 +62,7 @@ async function start(mode: string | undefined): Promise<object> {
   new TakeDesk(parts);
   openPlacesLazily({ ...parts, files: app.files });
   openBuildLazily(parts);
-  openSequenceLazily({ ...parts, queues: app.desk.queues });
+  openSequenceLazily({ ...parts, queues: app.desk.queues, frame: () => app.frame });
   return {
     get frame() {
       return app.frame;

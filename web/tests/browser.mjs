@@ -143,6 +143,13 @@ const kCases = [
     ['landscape', 'phone'],
     { scenario: 'scenarios/block.json', room: true },
   ],
+  ['forms: sequence by mouse', forms.sequenceByMouse, ['wide'], { touch: false, scenario: 'scenarios/block.json' }],
+  [
+    'forms: sequence by touch',
+    forms.sequenceByTouch,
+    ['landscape', 'portrait', 'phone', 'narrow'],
+    { scenario: 'scenarios/block.json' },
+  ],
   ['added group', findings.addedGroup, ['desktop', 'phone'], { scenario: 'scenarios/open.json', room: true }],
   ['palm and restart', findings.palmAndRestart, ['landscape'], { scenario: 'scenarios/open.json' }],
   ['pinned marks', findings.marks, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],

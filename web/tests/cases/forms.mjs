@@ -232,3 +232,84 @@ export async function drawByHeldButton(studio) {
     await studio.wait(700);
   }
 }
+
+const rows = (studio) => studio.page.locator('.sequence-list li');
+
+/** Orders of the first group: where to, and what each takes up. */
+const queueOf = (studio) =>
+  studio.page.evaluate(() =>
+    globalThis.__muster.frame.groups[0].orders.map(({ x, y, event }) => {
+      const formation = event ? JSON.parse(event).events[0].formation : undefined;
+      return `${Math.round(x)},${Math.round(y)} ${formation?.kind ?? formation ?? '-'}`;
+    }),
+  );
+
+async function queueToBe(studio, what, wanted) {
+  await studio.eventually(async () => {
+    const found = (await queueOf(studio)).join(' | ');
+    expect(wanted.test(found), `${what}: ${found}`);
+  });
+}
+
+/** A list of formations along the way: added, chosen, moved, reordered, removed, taken back, and taken up. */
+async function sequence(studio, press) {
+  const { page } = studio;
+  const panel = page.locator('.sequence');
+  await pausedOrder(studio, -11, 9);
+  await press(page.locator('.queue-act[aria-label="Formations"]'));
+  await panel.waitFor();
+  await press(panel.locator('button', { hasText: 'Add' }));
+  await queueToBe(studio, 'a joint half way', /^-11,[45] - \| -11,9 line$/);
+  await press(panel.locator('button', { hasText: 'Add' }));
+  await queueToBe(studio, 'another one', /^-11,[45] - \| -11,[67] line \| -11,9 column$/);
+  await rows(studio).nth(1).locator('select').selectOption('wedge');
+  await queueToBe(studio, 'a wedge', /line \| -11,9 wedge$/);
+  await rows(studio).nth(0).locator('input').fill('2');
+  await page.keyboard.press('Enter');
+  await page.evaluate(() => document.activeElement.blur());
+  await queueToBe(studio, 'the first after 2 m', /^-11,2 - \| -11,[67] line \| -11,9 wedge$/);
+  await press(rows(studio).nth(1).locator('button[aria-label$="earlier"]'));
+  await queueToBe(studio, 'the other order', /^-11,2 - \| -11,[67] wedge \| -11,9 line$/);
+  await studio.pictures(3);
+  await studio.shot('forms-sequence');
+  await serious(studio, 'formations along the way');
+  const width = await panel.evaluate((node) => node.scrollWidth - node.clientWidth);
+  expect(width <= 0, `the panel is ${width} px too wide inside`);
+  const small = await panel.evaluate(
+    (node) =>
+      [...node.querySelectorAll('button, select, input')]
+        .map((one) => one.getBoundingClientRect())
+        .filter(({ width, height }) => width < 43.5 || height < 43.5).length,
+  );
+  expect(small === 0, `${small} controls are smaller than a finger`);
+  await press(rows(studio).nth(1).locator('button[aria-label^="Remove"]'));
+  await queueToBe(studio, 'one left', /^-11,2 - \| -11,9 wedge$/);
+  // At the end of the way: far beyond it counts as the end.
+  await press(panel.locator('button', { hasText: 'Add' }));
+  await rows(studio).nth(1).locator('input').fill('99');
+  await page.keyboard.press('Enter');
+  await page.evaluate(() => document.activeElement.blur());
+  await queueToBe(studio, 'one where it arrives', /^-11,2 - \| -11,9 wedge \| -11,9 ring$/);
+  await press(panel.locator('button[aria-label^="Close"]'));
+  expect(await panel.isHidden(), 'the panel is closed');
+  await studio.pictures(3);
+  await studio.shot('forms-sequence-on-the-way');
+  return panel;
+}
+
+export async function sequenceByMouse(studio) {
+  await sequence(studio, (locator) => locator.click());
+  const { page } = studio;
+  await page.keyboard.press('Control+z');
+  await queueToBe(studio, 'what was before the last edit', /^-11,2 - \| .* \| -11,9 [a-z]+( \| -11,9 [a-z]+)?$/);
+  await page.keyboard.press('Space');
+  // They take up one after another while they walk.
+  await studio.until('the wedge', () => globalThis.__muster.state.groups[0].formation === 'wedge', undefined, 30000);
+}
+
+export async function sequenceByTouch(studio) {
+  await sequence(studio, (locator) => locator.tap());
+  await studio.page.keyboard.press('Space');
+  await studio.until('the wedge', () => globalThis.__muster.state.groups[0].formation === 'wedge', undefined, 30000);
+  await studio.until('the ring', () => globalThis.__muster.state.groups[0].formation === 'ring', undefined, 40000);
+}

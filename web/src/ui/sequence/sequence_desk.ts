@@ -1,6 +1,6 @@
 // The formations that the active group takes up along its way: edits of its queue, and how it would stand at each.
 
-import type { OrderFrame, PlacesFrame } from '../../protocol/messages';
+import { PlaybackAction, type PlacesFrame } from '../../protocol/messages';
 import { problem } from '../../protocol/problem';
 import { savedShapes } from '../../model/saved_shapes';
 import {
@@ -28,12 +28,14 @@ import '../styles/sequence.css';
 
 export interface SequenceParts {
   readonly client: PlacesLink & {
-    on(event: 'frame', listener: (message: { readonly frame: StudioFrame }) => void): void;
+    on(event: 'frame', listener: () => void): void;
   };
   readonly store: StudioStore;
   readonly view: Pick<StudioScene, 'orders'>;
   readonly page: HTMLElement;
   readonly queues: QueueDesk;
+  /** The newest one. */
+  frame(): StudioFrame | null;
 }
 
 /** Formations of one group, at most. */
@@ -44,15 +46,24 @@ const kSavedPrefix = 'saved:';
 /** What the world does not answer is shown no longer than this [ms]. */
 const kPatience = 1500;
 
+/** An edit that no frame shows yet, and the queue that it was made of. */
+interface Edit {
+  readonly stations: readonly Station[];
+  readonly key: string;
+  readonly until: number;
+  /** It was edited again since it was sent. */
+  readonly more: boolean;
+}
+
 export class SequenceDesk {
   private readonly panel_: SequencePanel;
   private readonly asker_: PlaceAsker;
-  private frame_: StudioFrame | null = null;
   private asked_ = -Infinity;
+  /** How the group would stand is on the ground. */
+  private shows_ = false;
   private unfit_: readonly (PlacesFrame | undefined)[] = [];
-  /** Edits that no frame shows yet, and the queue that they were made of. */
-  private edited_: { readonly stations: readonly Station[]; readonly key: string; readonly until: number } | null =
-    null;
+  /** The last edit. */
+  private edited_: Edit | null = null;
 
   constructor(private readonly parts_: SequenceParts) {
     const { client, store, page } = parts_;
@@ -66,7 +77,7 @@ export class SequenceDesk {
       remove: (index) => this.edit(this.stations().filter((_, i) => i !== index)),
     });
     page.append(this.panel_.root);
-    client.on('frame', ({ frame }) => this.observe(frame));
+    client.on('frame', () => this.observe());
     store.watch(['sequencing', 'active'], ({ sequencing }) => (sequencing ? this.opened() : this.closed()));
   }
 
@@ -80,27 +91,31 @@ export class SequenceDesk {
     this.panel_.root.hidden = true;
     this.edited_ = null;
     this.asker_.drop();
-    if (this.frame_) this.parts_.view.orders.previewOrder(null);
+    if (this.shows_) this.parts_.view.orders.previewOrder(null);
+    this.shows_ = false;
   }
 
-  private observe(frame: StudioFrame): void {
-    this.frame_ = frame;
+  private observe(): void {
     const { sequencing, dialog } = this.parts_.store.state;
     if (!sequencing) return;
     if (this.legs().length === 0) return this.parts_.store.set({ sequencing: false });
+    this.settle();
     if (dialog === 'none') this.show();
   }
 
   private group(): StudioGroup | undefined {
     const { groups, active } = this.parts_.store.state;
-    return this.frame_?.groups.find(({ id }) => id === groups[active]?.id);
+    return this.parts_.frame()?.groups.find(({ id }) => id === groups[active]?.id);
   }
 
   private legs(): WayLeg[] {
     const group = this.group();
     if (!group) return [];
     const ways = new Map([...this.parts_.queues.forecaster.known].map(([id, { way }]) => [id, way]));
-    return legsOf(group, this.frame_?.groups ?? [], ways).map(({ points }, k) => ({ order: group.orders[k]!, points }));
+    return legsOf(group, this.parts_.frame()?.groups ?? [], ways).map(({ points }, k) => ({
+      order: group.orders[k]!,
+      points,
+    }));
   }
 
   private key(): string {
@@ -109,10 +124,7 @@ export class SequenceDesk {
 
   /** As edited, or as the queue has them. */
   private stations(): readonly Station[] {
-    const { edited_: edited } = this;
-    if (edited && edited.key === this.key() && performance.now() < edited.until) return edited.stations;
-    this.edited_ = null;
-    return stationsOf(this.legs());
+    return this.pending()?.stations ?? stationsOf(this.legs());
   }
 
   private way(legs = plainLegs(this.legs())) {
@@ -174,17 +186,41 @@ export class SequenceDesk {
     this.edit(stations);
   }
 
+  /** One edit is under way at a time: what comes meanwhile follows from the queue that it leads to. */
   private edit(stations: readonly Station[]): void {
-    const group = this.group();
-    const queue = group && this.parts_.queues.queue(group.id);
-    const legs = this.legs();
-    if (!queue || legs.length === 0) return;
     const wanted = arranged(stations, lengthOf(this.way()));
-    const orders: readonly OrderFrame[] = withStations(legs, wanted);
-    this.edited_ = { stations: wanted, key: this.key(), until: performance.now() + kPatience };
-    this.parts_.queues.change(queue, { ...queue, orders });
+    const waits = this.pending() !== null;
+    this.edited_ = waits
+      ? { ...this.edited_!, stations: wanted, more: true }
+      : { stations: wanted, key: this.key(), until: performance.now() + kPatience, more: false };
+    if (!waits) this.send(wanted);
     this.asked_ = -Infinity;
     this.show();
+  }
+
+  private send(stations: readonly Station[]): void {
+    const { client, queues, store } = this.parts_;
+    const group = this.group();
+    const queue = group && queues.queue(group.id);
+    const legs = this.legs();
+    if (!queue || legs.length === 0) return;
+    queues.change(queue, { ...queue, orders: withStations(legs, stations) });
+    // Who plans while the world waits sees what was planned.
+    if (!store.state.playing) client.send({ type: 'Playback', action: PlaybackAction.SingleStep });
+  }
+
+  /** The edit that no frame shows yet. */
+  private pending(): Edit | null {
+    const { edited_: edited } = this;
+    return edited && edited.key === this.key() && performance.now() < edited.until ? edited : null;
+  }
+
+  /** Goes on with what was edited meanwhile, once a frame shows the edit before. */
+  private settle(): void {
+    const { edited_: edited } = this;
+    if (!edited || this.pending()) return;
+    this.edited_ = null;
+    if (edited.more) this.edit(edited.stations);
   }
 
   // ---- What is shown ----
@@ -219,7 +255,7 @@ export class SequenceDesk {
       this.unfit_ = answers;
       const failed = answers.find((answer) => answer.problem !== '');
       if (failed) this.parts_.store.set({ notice: problem('formation', failed.problem) });
-      const index = this.frame_?.groups.findIndex(({ id }) => id === group.id) ?? -1;
+      const index = this.parts_.frame()?.groups.findIndex(({ id }) => id === group.id) ?? -1;
       this.draw(
         answers.flatMap((answer, i) => (answer.problem || index < 0 ? [] : [standOf(answer, index, poses[i]!)])),
       );
@@ -230,6 +266,7 @@ export class SequenceDesk {
     if (!this.parts_.store.state.sequencing) return;
     const words = unfitWords(moves.map(({ unfit }) => unfit));
     this.panel_.say(words.warns ? words : { text: '', warns: false });
+    this.shows_ = true;
     this.parts_.view.orders.previewOrder({ moves, rectangle: [], route: [] });
   }
 }
