@@ -44,7 +44,7 @@ const std::string kColumn = R"({"kind":"column","spacing":1.0})";
 
 }  // namespace
 
-TEST_CASE("A formation is told place by place, and nothing changes") {
+TEST_CASE("Every place of a formation is answered, and nothing changes") {
     Session session = houseSession();
     FakeClient client(session);
     client.poll();

@@ -8,7 +8,7 @@ import type { CameraController } from '../camera/camera_controller';
 import { accentColour, type Palette } from '../drawing/palette';
 import type { MarkExtent } from './mark_extent';
 import type { MarkColours, MarkPainter } from './mark_painter';
-import { drawStations, stationSpots } from './station_marks';
+import { changesShape, drawStations, stationSpots } from './station_marks';
 import { drawPlaces, roomFor, wordsOf, type Words } from './stand_marks';
 import type { SchemePicture } from './scheme_marks';
 
@@ -177,7 +177,8 @@ export class OrderMarks {
     const last = legs[legs.length - 1];
     if (group.patrols && legs.length > 1 && last) this.drawReturn(group.id, last, legs[0]!, colours, scene);
     for (const leg of legs) this.drawLeg(leg, colours, scene);
-    if (last) this.drawGhost(group, last, colours, scene);
+    // How it stands in a formation that it takes up on the way is not known here.
+    if (last && !changesShape(legs)) this.drawGhost(group, last, colours, scene);
     for (const { order } of legs) if (order.kind === kGuard) this.drawGuard(order, colours, scene);
     this.drawNumbers(group, legs, colours, scene);
     drawStations(painter, legs, colours, scene);

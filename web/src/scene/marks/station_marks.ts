@@ -24,6 +24,8 @@ interface Station {
 /** Above the way, clear of the numbers on it [CSS px]. */
 const kAbove = 33;
 const kDot = 1.7;
+/** Half of a number on the way [CSS px]. */
+const kBadge = 11;
 
 /** Dots of orders by their texts: queues change rarely, pictures often. */
 const known = new Map<string, readonly Dot[]>();
@@ -64,7 +66,7 @@ export function drawStations(
     painter.cased(
       [
         { x: at.x, y: at.y + kSize / 2 },
-        { x: at.x, y: at.y + kAbove },
+        { x: at.x, y: at.y + kAbove - kBadge },
       ],
       colours,
       1.8,
@@ -76,4 +78,11 @@ export function drawStations(
     for (const [x, y] of dots)
       painter.dot({ x: at.x + 0.8 * (x - kSize / 2), y: at.y + 0.8 * (y - kSize / 2) }, kDot, colours.accent);
   }
+}
+
+/** True where a group takes up another formation on its way than ranks as wide as they are drawn. */
+export function changesShape(legs: readonly Leg[]): boolean {
+  return legs
+    .slice(1)
+    .some(({ order: { event } }) => event !== undefined && (formationIn({ event })?.kind ?? 'square') !== 'square');
 }

@@ -194,6 +194,7 @@ export class SequenceDesk {
       ? { ...this.edited_!, stations: wanted, more: true }
       : { stations: wanted, key: this.key(), until: performance.now() + kPatience, more: false };
     if (!waits) this.send(wanted);
+    this.unfit_ = [];
     this.asked_ = -Infinity;
     this.show();
   }

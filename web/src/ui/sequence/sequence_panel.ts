@@ -114,7 +114,7 @@ export class SequencePanel {
     this.root = element(
       'section',
       { class: 'queue panel sequence', 'aria-label': 'Formations along the way', hidden: true },
-      element('header', {}, element('h2', {}, 'Formations along the way'), this.add_, close),
+      element('header', {}, element('h2', {}, 'Along the way'), this.add_, close),
       this.note_,
       this.list_,
     );
@@ -141,7 +141,7 @@ export class SequencePanel {
     const words =
       rows.length === 0
         ? `The way ahead is ${way} long. Add what the group takes up on it.`
-        : `Taken up after so many of the ${way} ahead.`;
+        : `Each is taken up after so many metres; the way ahead is ${way}.`;
     setText(this.note_, words);
     if (opens) this.add_.focus({ preventScroll: true });
   }
