@@ -14,7 +14,7 @@ export function lookOrTake(look: () => void): HTMLElement {
 
 /** How many of the places can be reached. */
 export function groundWords(store: StudioStore): HTMLElement {
-  const words = element('p', { class: 'secondary shape-note shape-ground' });
+  const words = element('p', { class: 'secondary shape-ground' });
   store.watch(['stand'], ({ stand }) => {
     setText(words, stand ? `${stand.text}.` : '');
     words.classList.toggle('warns', stand?.warns ?? false);
