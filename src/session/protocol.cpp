@@ -12,11 +12,11 @@ constexpr const char* kClientNames[] = {
     "SetParameter", "Playback", "SetSpeed", "LoadScenario", "Record", "SetOverlay", "Commands",
     "Attend", "FrameAck", "Ping", "Seek", "TakeAgain", "EditTake", "AskForecasts", "SetName",
     "GiveGroup", "SetScheme", "SetView", "Inputs", "EnterStudy", "AnswerForm", "AskPath", "BendPath",
-    "Edit", "UndoEdit", "DoInStudy"};
+    "Edit", "UndoEdit", "DoInStudy", "AskPlaces"};
 constexpr const char* kServerNames[] = {
     "Welcome", "Scene", "Motions", "GroupMesh", "Frame", "Overlay", "Notice", "Pong", "TakePath",
     "EditHistory", "Forecasts", "TakeState", "TakeReady", "TakeKept", "Directors", "Marks",
-    "StudyForm", "StudyState"};
+    "StudyForm", "StudyState", "Places"};
 
 template <class Any, class Message>
 Result<Any> decodeAs(std::span<const std::uint8_t> bytes) {
@@ -81,6 +81,7 @@ Result<ClientMessage> decodeClient(std::span<const std::uint8_t> bytes) {
         case 30: return decodeAs<Any, Edit>(bytes);
         case 31: return decodeAs<Any, UndoEdit>(bytes);
         case 32: return decodeAs<Any, DoInStudy>(bytes);
+        case 33: return decodeAs<Any, AskPlaces>(bytes);
         default: return unknown(bytes, std::size(kClientNames));
     }
 }
@@ -106,6 +107,7 @@ Result<ServerMessage> decodeServer(std::span<const std::uint8_t> bytes) {
         case 15: return decodeAs<Any, Marks>(bytes);
         case 16: return decodeAs<Any, StudyForm>(bytes);
         case 17: return decodeAs<Any, StudyState>(bytes);
+        case 18: return decodeAs<Any, Places>(bytes);
         default: return unknown(bytes, std::size(kServerNames));
     }
 }

@@ -443,11 +443,24 @@ struct DoInStudy {
     }
 };
 
+/// Where would everybody stand, and which of these places could they not reach? Nothing changes.
+struct AskPlaces {
+    static constexpr std::uint8_t kNumber = 33;  ///< First byte of the message.
+    std::uint32_t number = 0;  ///< comes back with the answer
+    std::vector<PlacesAsk> asks;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(number, asks);
+    }
+};
+
 /// Any message of the page; the index is its number.
 using ClientMessage = std::variant<
     Hello, Touches, AddControl, PinControl, RemoveControl, SetFormation, SetCount, SetParameter,
     Playback, SetSpeed, LoadScenario, Record, SetOverlay, Commands, Attend, FrameAck, Ping, Seek,
     TakeAgain, EditTake, AskForecasts, SetName, GiveGroup, SetScheme, SetView, Inputs, EnterStudy,
-    AnswerForm, AskPath, BendPath, Edit, UndoEdit, DoInStudy>;
+    AnswerForm, AskPath, BendPath, Edit, UndoEdit, DoInStudy, AskPlaces>;
 
 }  // namespace muster::protocol

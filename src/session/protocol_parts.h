@@ -8,8 +8,8 @@
 
 namespace muster::protocol {
 
-inline constexpr std::uint32_t kVersion = 9;                 ///< Raised by any change of a message.
-inline constexpr const char* kSubprotocol = "muster.v9";  ///< Of the WebSocket.
+inline constexpr std::uint32_t kVersion = 10;                 ///< Raised by any change of a message.
+inline constexpr const char* kSubprotocol = "muster.v10";  ///< Of the WebSocket.
 
 /// Marks the input as bad where an enumeration read from it has no such value.
 template <class Archive, class Enum>
@@ -196,6 +196,36 @@ struct ForecastFrame {
     template <class Archive>
     void visit(Archive& archive) {
         archive(group, order, arrives, seconds, x, y, way);
+    }
+};
+
+/// A formation that a group might take up, and where, or places on the ground.
+struct PlacesAsk {
+    std::uint32_t group = 0;
+    std::string event;  ///< one formation event in the words of gesture files; empty: the places are given
+    double x = 0.0;  ///< where the formation's centre would be [m]
+    double y = 0.0;
+    double facing = 0.0;  ///< [rad]
+    std::vector<double> places;  ///< x, y of places on the ground, where event is empty [m]
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(group, event, x, y, facing, places);
+    }
+};
+
+/// Where each would stand.
+struct PlacesFrame {
+    std::uint32_t group = 0;
+    std::vector<float> places;  ///< x, y on the ground [m]
+    std::vector<std::uint8_t> unfit;  ///< per place 0: it can be reached; 1: it lies in an obstacle or outside; 2: no way leads there
+    std::string problem;  ///< one sentence: why it is no formation; else empty
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(group, places, unfit, problem);
     }
 };
 

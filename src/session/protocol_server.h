@@ -337,9 +337,22 @@ struct StudyState {
     }
 };
 
+/// The answers, as far as the group is still there.
+struct Places {
+    static constexpr std::uint8_t kNumber = 18;  ///< First byte of the message.
+    std::uint32_t number = 0;
+    std::vector<PlacesFrame> answers;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(number, answers);
+    }
+};
+
 /// Any message of the server; the index is its number.
 using ServerMessage = std::variant<
     Welcome, Scene, Motions, GroupMesh, Frame, Overlay, Notice, Pong, TakePath, EditHistory, Forecasts,
-    TakeState, TakeReady, TakeKept, Directors, Marks, StudyForm, StudyState>;
+    TakeState, TakeReady, TakeKept, Directors, Marks, StudyForm, StudyState, Places>;
 
 }  // namespace muster::protocol

@@ -7,6 +7,7 @@
 #include "session/command_text.h"
 #include "session/forecasts.h"
 #include "session/notice_position.h"
+#include "session/places_answers.h"
 #include "session/raw_inputs.h"
 #include "session/session_state.h"
 #include "world/inspect.h"
@@ -261,12 +262,18 @@ public:
     Status operator()(const protocol::AskForecasts& message) {
         if (!session_.world) return noWorld();
         const SessionLimits& limits = session_.def.limits;
-        if (!client_.forecasts.take(session_.realTime, static_cast<double>(message.asks.size()))) {
-            return {StatusCode::LimitExceeded,
-                    "more than " + std::to_string(static_cast<int>(limits.forecastsPerSecond)) +
-                        " forecasts a second"};
-        }
+        if (Status status = takeForecasts(message.asks.size()); !status.ok()) return status;
         const auto answer = answerForecasts(*session_.world, message, limits);
+        if (!answer.ok()) return answer.status();
+        client_.outbox.push_back(protocol::encode(answer.value()));
+        return {};
+    }
+
+    Status operator()(const protocol::AskPlaces& message) {
+        if (!session_.world) return noWorld();
+        const SessionLimits& limits = session_.def.limits;
+        if (Status status = takeForecasts(message.asks.size()); !status.ok()) return status;
+        const auto answer = answerPlaces(*session_.world, message, limits);
         if (!answer.ok()) return answer.status();
         client_.outbox.push_back(protocol::encode(answer.value()));
         return {};
@@ -320,6 +327,13 @@ private:
         return {StatusCode::LimitExceeded,
                 "more than " + std::to_string(static_cast<int>(session_.def.limits.touchesPerSecond)) + " " +
                     what + " a second"};
+    }
+    /// Counts questions about orders and places.
+    Status takeForecasts(std::size_t count) {
+        if (client_.forecasts.take(session_.realTime, static_cast<double>(count))) return {};
+        return {StatusCode::LimitExceeded,
+                "more than " + std::to_string(static_cast<int>(session_.def.limits.forecastsPerSecond)) +
+                    " forecasts a second"};
     }
     Status announced(Status status, const std::string& did) const {
         if (status.ok()) session_.tellOthers(client_.number, did);

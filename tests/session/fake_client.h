@@ -93,6 +93,7 @@ private:
         if (const auto* m = std::get_if<protocol::Overlay>(&message)) overlays.push_back(*m);
         if (const auto* m = std::get_if<protocol::Notice>(&message)) notices.push_back(*m);
         if (const auto* m = std::get_if<protocol::Forecasts>(&message)) forecasts.push_back(*m);
+        if (const auto* m = std::get_if<protocol::Places>(&message)) places.push_back(*m);
         if (const auto* m = std::get_if<protocol::Marks>(&message)) marks.push_back(*m);
         if (const auto* m = std::get_if<protocol::Pong>(&message)) pongs.push_back(*m);
         if (const auto* m = std::get_if<protocol::Directors>(&message)) directors.push_back(*m);
@@ -123,6 +124,7 @@ public:
     std::vector<protocol::Overlay> overlays;
     std::vector<protocol::Notice> notices;
     std::vector<protocol::Forecasts> forecasts;
+    std::vector<protocol::Places> places;
     std::vector<protocol::Marks> marks;
     std::vector<protocol::Pong> pongs;
     std::vector<protocol::Directors> directors;

@@ -20,6 +20,7 @@ import { StudioClient } from './link/studio_client';
 import { fetchBodies } from './scene/crowd/bodies/gltf_body';
 import { openBuildLazily } from './ui/lazy_build';
 import { openPathsLazily } from './ui/lazy_path';
+import { openSequenceLazily } from './ui/lazy_sequence';
 import { openPlacesLazily } from './ui/lazy_places';
 import { StudioApp } from './ui/studio_app';
 import { TakeDesk } from './ui/take_desk';
@@ -63,6 +64,7 @@ async function start(mode: string | undefined): Promise<object> {
   openPlacesLazily({ ...parts, files: app.files });
   openBuildLazily(parts);
   openPathsLazily(parts);
+  openSequenceLazily({ ...parts, queues: app.desk.queues, frame: () => app.frame });
   return {
     get frame() {
       return app.frame;

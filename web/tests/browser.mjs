@@ -7,6 +7,7 @@ import * as demonstration from './cases/demonstration.mjs';
 import * as feedback from './cases/feedback.mjs';
 import * as film from './cases/film_camera.mjs';
 import * as findings from './cases/findings.mjs';
+import * as forms from './cases/forms.mjs';
 import * as look from './cases/look.mjs';
 import * as mouseAndKeys from './cases/mouse_and_keys.mjs';
 import * as objectives from './cases/objectives.mjs';
@@ -122,6 +123,34 @@ const kCases = [
   ['drawn formation', shapes.drawnFormation, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
   ['formation of one’s own', shapes.ownShape, ['desktop', 'portrait', 'phone'], { scenario: 'scenarios/open.json' }],
   ['written formation', shapes.writtenFormation, ['desktop'], { scenario: 'scenarios/open.json', room: true }],
+  ['forms: look by mouse', forms.lookByMouse, ['desktop'], { touch: false, scenario: 'scenarios/block.json' }],
+  ['forms: look by touch', forms.lookByTouch, ['landscape', 'portrait', 'phone'], { scenario: 'scenarios/block.json' }],
+  [
+    'forms: front over a house',
+    forms.frontOverGranary,
+    ['desktop'],
+    { touch: false, scenario: 'scenarios/block.json', room: true },
+  ],
+  [
+    'forms: try on the ground',
+    forms.tryOnTheGround,
+    ['desktop', 'portrait', 'phone', 'narrow'],
+    { scenario: 'scenarios/block.json' },
+  ],
+  ['forms: draw by a key', forms.drawByKey, ['desktop'], { touch: false, scenario: 'scenarios/block.json' }],
+  [
+    'forms: draw by a held button',
+    forms.drawByHeldButton,
+    ['landscape', 'phone'],
+    { scenario: 'scenarios/block.json', room: true },
+  ],
+  ['forms: sequence by mouse', forms.sequenceByMouse, ['wide'], { touch: false, scenario: 'scenarios/block.json' }],
+  [
+    'forms: sequence by touch',
+    forms.sequenceByTouch,
+    ['landscape', 'portrait', 'phone', 'narrow'],
+    { scenario: 'scenarios/block.json' },
+  ],
   ['added group', findings.addedGroup, ['desktop', 'phone'], { scenario: 'scenarios/open.json', room: true }],
   ['palm and restart', findings.palmAndRestart, ['landscape'], { scenario: 'scenarios/open.json' }],
   ['pinned marks', findings.marks, ['desktop'], { touch: false, scenario: 'scenarios/open.json' }],

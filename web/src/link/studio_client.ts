@@ -11,6 +11,7 @@ import type {
   Motions,
   Notice,
   Overlay,
+  Places,
   Pong,
   Scene,
   ServerMessage,
@@ -38,6 +39,7 @@ export interface StudioEvents {
   overlay: Overlay;
   notice: Notice;
   forecasts: Forecasts;
+  places: Places;
   marks: Marks;
   studyForm: StudyForm;
   studyState: StudyState;
@@ -58,6 +60,7 @@ const kEvents = {
   Overlay: 'overlay',
   Notice: 'notice',
   Forecasts: 'forecasts',
+  Places: 'places',
   Marks: 'marks',
   StudyForm: 'studyForm',
   StudyState: 'studyState',

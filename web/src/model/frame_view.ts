@@ -39,6 +39,8 @@ export interface OrderView {
   readonly halfY: number;
   /** x, y. */
   readonly route: Numbers;
+  /** The order as a gestures file, where it says more than these fields; else empty. */
+  readonly event?: string;
 }
 
 export interface GroupView {

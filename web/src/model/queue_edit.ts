@@ -26,7 +26,7 @@ function pairs(numbers: ArrayLike<number>): [number, number][] {
 }
 
 /** An order as an event of a gesture file, without its group and place. */
-function contentOf(order: OrderFrame): CommandEvent {
+export function orderContent(order: OrderFrame): CommandEvent {
   if (order.event) {
     const file = JSON.parse(order.event) as { events: CommandEvent[] };
     const rest: Record<string, unknown> = { ...file.events[0] };
@@ -50,7 +50,7 @@ function contentOf(order: OrderFrame): CommandEvent {
 
 /** Gives an order again, before that of an index. */
 export function insertEvent(group: number, order: OrderFrame, index: number): CommandEvent {
-  return { ...contentOf(order), group, mode: 'insert', index };
+  return { ...orderContent(order), group, mode: 'insert', index };
 }
 
 /** The longest list of ids that stand in the same order in both. */

@@ -2,6 +2,7 @@
 
 import type { GroundPoint } from './plane';
 import type { OwnShape } from './shape_edit';
+import type { DialogName } from './studio_state';
 
 /** A group to be put on the ground. */
 export interface NewGroup {
@@ -17,11 +18,21 @@ export interface NewGroup {
   readonly speed: number;
 }
 
+/** A formation that is not of the library, before it is taken up. */
+export interface Design {
+  readonly title: string;
+  /** Where it is made. */
+  readonly dialog: DialogName;
+  readonly shape: OwnShape;
+}
+
 export interface ShapeActions {
   /** Takes the tool that draws outlines, or puts it away. */
   toggleDraw(): void;
-  /** The active group writes words: places in any unit about their middle, y up, the least gap between two of them. */
-  takeWords(places: readonly GroundPoint[], gap: number, words: string): void;
+  /** The tool is in hand while a key or a button is held. A short press takes it, or puts it away, unless it was lost. */
+  holdDraw(held: boolean, lost?: boolean): void;
+  /** Words as a shape: places in any unit about their middle, y up, the least gap between two of them. */
+  words(places: readonly GroundPoint[], gap: number): OwnShape;
   /** The formation of the active group as it would stand undisturbed; null where there is none. */
   shape(): OwnShape | null;
   /** Opens the dialog with a picture, which shall become a formation. */
@@ -30,6 +41,12 @@ export interface ShapeActions {
   takePicture(): File | null;
   /** The active group takes up a shape, in its own axes. */
   takeShape(shape: OwnShape, title: string): void;
+  /** Shows where everybody would stand in a formation of the library, or in a shape; null takes that away. */
+  lookAt(formation: string | OwnShape | null): void;
+  /** Puts a shape on the ground to look at, before it is taken up. */
+  tryOut(design: Design): void;
+  /** What is tried out is taken up, goes back to its dialog, or is dropped. */
+  endTry(how: 'take' | 'change' | 'drop'): void;
   /** Takes a new group in hand; the next press on the ground puts it down. */
   holdGroup(group: NewGroup): void;
 }

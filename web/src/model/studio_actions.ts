@@ -24,6 +24,8 @@ export interface StudioActions {
   /** Ends a replay: the scenario comes back. */
   leaveReplay(): void;
   setFormation(name: string): void;
+  /** Shows where everybody would stand in a formation of the library; null takes that away. */
+  lookAtFormation(name: string | null): void;
   setActiveGroup(index: number): void;
   /** What plans make least: an index into kObjectives. */
   setObjective(index: number): void;
@@ -38,6 +40,8 @@ export interface StudioActions {
   showPlaces(view: PlacesView, files?: readonly File[]): void;
   /** The tool that draws an outline as the formation, or none. */
   toggleDraw(): void;
+  /** The tool is in hand while a key or a button is held; one that was lost has pressed nothing. */
+  holdDraw(held: boolean, lost?: boolean): void;
   toggleTheme(): void;
   showHelp(open: boolean): void;
   /** The list of control schemes. */

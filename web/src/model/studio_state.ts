@@ -9,6 +9,7 @@ import type { Walks } from './objective';
 import type { LinkState } from './link_state';
 import type { ConductFacts, OrderStyle } from './commands';
 import type { ClassCount } from './roles';
+import type { StandWords } from './stand';
 import type { DirectorInfo, Invitation } from './directors';
 
 export type InputKind = 'touch' | 'mouse';
@@ -101,6 +102,12 @@ export interface StudioState {
   readonly picked: number;
   /** The order before which the next one comes; 0 for none. */
   readonly insertBefore: number;
+  /** What is said of the formation that is shown before it is taken up; null where none is. */
+  readonly stand: StandWords | null;
+  /** The formations along the active group's way are being edited. */
+  readonly sequencing: boolean;
+  /** A formation that waits on the ground to be taken up; the dialog is the one that it comes from. */
+  readonly trying: { readonly title: string; readonly dialog: DialogName } | null;
   /** A split, a merge or an order can be undone. */
   readonly canUndo: boolean;
   readonly layers: Layers;
@@ -188,6 +195,9 @@ export const kInitialState: StudioState = {
   queue: [],
   picked: 0,
   insertBefore: 0,
+  stand: null,
+  trying: null,
+  sequencing: false,
   canUndo: false,
   layers: { mesh: true, places: true, paths: true },
   overlay: OverlayKind.None,

@@ -9,9 +9,11 @@ import {
 import {
   type AnswerFrame,
   type ForecastAsk,
+  type PlacesAsk,
   type RawInput,
   readAnswerFrame,
   readForecastAsk,
+  readPlacesAsk,
   readRawInput,
   readSpeedPiece,
   readTouchEvent,
@@ -19,6 +21,7 @@ import {
   type TouchEvent,
   writeAnswerFrame,
   writeForecastAsk,
+  writePlacesAsk,
   writeRawInput,
   writeSpeedPiece,
   writeTouchEvent,
@@ -737,4 +740,26 @@ export function readDoInStudy(r: ByteReader): DoInStudy {
 export function writeDoInStudy(w: ByteWriter, m: DoInStudy): void {
   w.u8(32);
   w.u8(m.act);
+}
+
+/** Where would everybody stand, and which of these places could they not reach? Nothing changes. */
+export interface AskPlaces {
+  type: 'AskPlaces';
+  /** comes back with the answer */
+  number: number;
+  asks: PlacesAsk[];
+}
+
+export function readAskPlaces(r: ByteReader): AskPlaces {
+  return {
+    type: 'AskPlaces',
+    number: r.u32(),
+    asks: r.list(readPlacesAsk),
+  };
+}
+
+export function writeAskPlaces(w: ByteWriter, m: AskPlaces): void {
+  w.u8(33);
+  w.u32(m.number);
+  w.list(m.asks, writePlacesAsk);
 }

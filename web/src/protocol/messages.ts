@@ -5,6 +5,7 @@ import {
   type AnswerForm,
   type AskForecasts,
   type AskPath,
+  type AskPlaces,
   type Attend,
   type BendPath,
   type Commands,
@@ -24,6 +25,7 @@ import {
   readAnswerForm,
   readAskForecasts,
   readAskPath,
+  readAskPlaces,
   readAttend,
   readBendPath,
   readCommands,
@@ -71,6 +73,7 @@ import {
   writeAnswerForm,
   writeAskForecasts,
   writeAskPath,
+  writeAskPlaces,
   writeAttend,
   writeBendPath,
   writeCommands,
@@ -111,6 +114,7 @@ import {
   type Motions,
   type Notice,
   type Overlay,
+  type Places,
   type Pong,
   readDirectors,
   readEditHistory,
@@ -121,6 +125,7 @@ import {
   readMotions,
   readNotice,
   readOverlay,
+  readPlaces,
   readPong,
   readScene,
   readStudyForm,
@@ -147,6 +152,7 @@ import {
   writeMotions,
   writeNotice,
   writeOverlay,
+  writePlaces,
   writePong,
   writeScene,
   writeStudyForm,
@@ -196,7 +202,8 @@ export type ClientMessage =
   | BendPath
   | Edit
   | UndoEdit
-  | DoInStudy;
+  | DoInStudy
+  | AskPlaces;
 
 const readClient: readonly ((r: ByteReader) => ClientMessage)[] = [
   readHello,
@@ -232,6 +239,7 @@ const readClient: readonly ((r: ByteReader) => ClientMessage)[] = [
   readEdit,
   readUndoEdit,
   readDoInStudy,
+  readAskPlaces,
 ];
 
 /** Reads a message; throws ProtocolError where it does not fit. */
@@ -345,6 +353,9 @@ export function encodeClient(message: ClientMessage): ArrayBuffer {
     case 'DoInStudy':
       writeDoInStudy(w, message);
       break;
+    case 'AskPlaces':
+      writeAskPlaces(w, message);
+      break;
   }
   return w.bytes();
 }
@@ -367,7 +378,8 @@ export type ServerMessage =
   | Directors
   | Marks
   | StudyForm
-  | StudyState;
+  | StudyState
+  | Places;
 
 const readServer: readonly ((r: ByteReader) => ServerMessage)[] = [
   readWelcome,
@@ -388,6 +400,7 @@ const readServer: readonly ((r: ByteReader) => ServerMessage)[] = [
   readMarks,
   readStudyForm,
   readStudyState,
+  readPlaces,
 ];
 
 /** Reads a message; throws ProtocolError where it does not fit. */
@@ -455,6 +468,9 @@ export function encodeServer(message: ServerMessage): ArrayBuffer {
       break;
     case 'StudyState':
       writeStudyState(w, message);
+      break;
+    case 'Places':
+      writePlaces(w, message);
       break;
   }
   return w.bytes();

@@ -300,6 +300,67 @@ export function writeForecastFrame(w: ByteWriter, m: ForecastFrame): void {
   w.f32s(m.way);
 }
 
+/** A formation that a group might take up, and where, or places on the ground. */
+export interface PlacesAsk {
+  group: number;
+  /** one formation event in the words of gesture files; empty: the places are given */
+  event: string;
+  /** where the formation's centre would be [m] */
+  x: number;
+  y: number;
+  /** [rad] */
+  facing: number;
+  /** x, y of places on the ground, where event is empty [m] */
+  places: Float64Array;
+}
+
+export function readPlacesAsk(r: ByteReader): PlacesAsk {
+  return {
+    group: r.u32(),
+    event: r.string(),
+    x: r.f64(),
+    y: r.f64(),
+    facing: r.f64(),
+    places: r.f64s(),
+  };
+}
+
+export function writePlacesAsk(w: ByteWriter, m: PlacesAsk): void {
+  w.u32(m.group);
+  w.string(m.event);
+  w.f64(m.x);
+  w.f64(m.y);
+  w.f64(m.facing);
+  w.f64s(m.places);
+}
+
+/** Where each would stand. */
+export interface PlacesFrame {
+  group: number;
+  /** x, y on the ground [m] */
+  places: Float32Array;
+  /** per place 0: it can be reached; 1: it lies in an obstacle or outside; 2: no way leads there */
+  unfit: Uint8Array;
+  /** one sentence: why it is no formation; else empty */
+  problem: string;
+}
+
+export function readPlacesFrame(r: ByteReader): PlacesFrame {
+  return {
+    group: r.u32(),
+    places: r.f32s(),
+    unfit: r.u8s(),
+    problem: r.string(),
+  };
+}
+
+export function writePlacesFrame(w: ByteWriter, m: PlacesFrame): void {
+  w.u32(m.group);
+  w.f32s(m.places);
+  w.u8s(m.unfit);
+  w.string(m.problem);
+}
+
 /** A group's mesh, places and controls [m]. */
 export interface GroupFrame {
   id: number;

@@ -15,6 +15,7 @@ import {
   type GroupFrame,
   type JointFrame,
   type MovingFrame,
+  type PlacesFrame,
   type QuestionFrame,
   readClipFrames,
   readCrowdFrame,
@@ -24,6 +25,7 @@ import {
   readGroupFrame,
   readJointFrame,
   readMovingFrame,
+  readPlacesFrame,
   readQuestionFrame,
   readScenarioInfo,
   readSchemeInfo,
@@ -41,6 +43,7 @@ import {
   writeGroupFrame,
   writeJointFrame,
   writeMovingFrame,
+  writePlacesFrame,
   writeQuestionFrame,
   writeScenarioInfo,
   writeSchemeInfo,
@@ -729,4 +732,25 @@ export function writeStudyState(w: ByteWriter, m: StudyState): void {
   w.u8(m.ended);
   w.f64(m.seconds);
   w.u32(m.collected);
+}
+
+/** The answers, as far as the group is still there. */
+export interface Places {
+  type: 'Places';
+  number: number;
+  answers: PlacesFrame[];
+}
+
+export function readPlaces(r: ByteReader): Places {
+  return {
+    type: 'Places',
+    number: r.u32(),
+    answers: r.list(readPlacesFrame),
+  };
+}
+
+export function writePlaces(w: ByteWriter, m: Places): void {
+  w.u8(18);
+  w.u32(m.number);
+  w.list(m.answers, writePlacesFrame);
 }

@@ -10,6 +10,8 @@ export interface Shortcut {
   /** `KeyboardEvent.key`, letters in lower case; empty for what is only explained here. */
   readonly match: readonly string[];
   readonly run?: (event: KeyboardEvent) => void;
+  /** The key came up again, or the page lost it. */
+  readonly release?: () => void;
   /** Only while the scene, not a button, has the focus. */
   readonly sceneOnly?: boolean;
   /** Again and again while the key is held. */
@@ -47,17 +49,30 @@ export function findShortcut(
 }
 
 export class ShortcutHandler {
+  /** Keys that are held, by `KeyboardEvent.code`. */
+  private readonly held_ = new Map<string, () => void>();
+
   constructor(
     target: EventTarget,
     private readonly shortcuts_: readonly Shortcut[],
   ) {
     target.addEventListener('keydown', (event) => this.handle(event as KeyboardEvent));
+    target.addEventListener('keyup', (event) => this.release((event as KeyboardEvent).code));
+    target.addEventListener('blur', () => [...this.held_.keys()].forEach((code) => this.release(code)));
   }
 
   private handle(event: KeyboardEvent): void {
     const shortcut = findShortcut(this.shortcuts_, event);
     if (!shortcut?.run || event.defaultPrevented) return;
     event.preventDefault();
-    if (!event.repeat || shortcut.repeats) shortcut.run(event);
+    if (event.repeat && !shortcut.repeats) return;
+    if (shortcut.release) this.held_.set(event.code, shortcut.release);
+    shortcut.run(event);
+  }
+
+  private release(code: string): void {
+    const release = this.held_.get(code);
+    this.held_.delete(code);
+    release?.();
   }
 }

@@ -11,6 +11,7 @@ import {
 } from '../model/commands';
 import { drawnAsk, formatSpan, secondsUntil, type Forecast } from '../model/forecast';
 import type { GroundPoint } from '../model/plane';
+import { formationIn } from '../model/sequence';
 import { queueChange, reordered, skipped, type QueueState } from '../model/queue_edit';
 import type { StudioFrame, StudioGroup } from '../model/studio_frame';
 import type { QueueItem, ToolName } from '../model/studio_state';
@@ -36,6 +37,8 @@ export interface QueueScene {
 }
 
 const kOrderWords = ['Move', 'Face', 'Follow', 'Guard'];
+/** Shapes that are no part of the library. */
+const kOwnWords: Readonly<Record<string, string>> = { outline: 'drawn', points: 'own shape' };
 
 export class QueueDesk {
   readonly forecaster: Forecaster;
@@ -167,7 +170,8 @@ export class QueueDesk {
     return found && { group, orders: found.orders, held: found.held, patrols: found.patrols };
   }
 
-  private change(now: QueueState, wanted: QueueState): void {
+  /** Gives the commands that lead from one queue to another. */
+  change(now: QueueState, wanted: QueueState): void {
     const { events, copied } = queueChange(now, wanted);
     this.remember([now.group]);
     this.history_.copiesAsked(now.group, copied);
@@ -240,14 +244,14 @@ export class QueueDesk {
     const group = this.activeGroup();
     const { known } = this.forecaster;
     const gone = group && this.frame_ ? this.frame_.time - this.forecaster.since(group.id) : 0;
-    const items = (group?.orders ?? []).map(({ id, kind }, k): QueueItem => {
+    const items = (group?.orders ?? []).map(({ id, kind, event }, k): QueueItem => {
       const seconds = secondsUntil(group!, k + 1, known);
       const arrives = known.get(id)?.arrives ?? true;
       const isKnown = seconds !== null && Number.isFinite(seconds) && !group!.held;
       return {
         id,
         kind,
-        word: kOrderWords[kind] ?? 'Order',
+        word: wordOf(kind, event),
         arrives,
         span: arrives && isKnown ? formatSpan(seconds - gone) : '',
       };
@@ -258,6 +262,13 @@ export class QueueDesk {
     if (!there(picked)) this.store_.set({ picked: 0 });
     if (!there(insertBefore)) this.store_.set({ insertBefore: 0 });
   }
+}
+
+/** What an order is, and the formation that it takes up. */
+function wordOf(kind: number, event: string): string {
+  const formation = formationIn({ event })?.kind;
+  const word = kOrderWords[kind] ?? 'Order';
+  return formation === undefined || formation === 'square' ? word : `${word}, ${kOwnWords[formation] ?? formation}`;
 }
 
 /** When groups would arrive: null where that is not known, infinite where it never is [s]. */

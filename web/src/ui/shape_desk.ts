@@ -1,16 +1,20 @@
 // Formations of a visitor's own, and new groups: an outline drawn with a finger, words, and a group put on the ground.
 
-import type { MessageSender } from '../link/studio_client';
+import type { Forecast } from '../model/forecast';
 import { commandText, moveEvent, type CommandEvent } from '../model/commands';
 import { areaOf, centreOf, outlineFrom } from '../model/outline';
 import type { GroundPoint } from '../model/plane';
-import type { NewGroup, ShapeActions } from '../model/shape_actions';
+import type { Design, NewGroup, ShapeActions } from '../model/shape_actions';
+import type { FormationWords } from '../model/sequence';
 import type { OwnShape } from '../model/shape_edit';
+import type { StandPose } from '../model/stand';
 import type { StudioFrame } from '../model/studio_frame';
 import type { StudioStore } from '../model/studio_store';
 import { problem } from '../protocol/problem';
 import type { Contact, ContactOwner } from '../tools/contact';
 import { OutlineDraw, PlacePress, type OutlineSink } from '../tools/outline_draw';
+import type { PlacesLink } from './place_asker';
+import { StandDesk, type StandScene } from './stand_desk';
 
 /** Distance of neighbours in a drawn formation [m]: as the drawing has room, between these. */
 const kSpacing = { least: 0.7, most: 3 };
@@ -22,14 +26,32 @@ const kHere = 4;
 const kWordGap = 0.9;
 const kStyle = { manner: 'march', turn: 'keep', mode: 'replace' } as const;
 
+/** A key or a button that is held no longer is pressed [ms]. */
+const kPressMs = 400;
+
+/** What a stroke makes of a group. */
+interface DrawnFormation {
+  readonly formation: FormationWords & { readonly spacing: number };
+  readonly centre: GroundPoint;
+  /** It changes its shape where it is; else it goes to the centre. */
+  readonly here: boolean;
+  /** Where it would stand. */
+  readonly at: StandPose;
+}
+
 export interface ShapeDeskHost {
-  readonly client: MessageSender;
+  readonly client: PlacesLink;
   readonly store: StudioStore;
   /** The shape of a group; undefined where its mesh has not come yet. */
   shapeOf(group: number): OwnShape | undefined;
-  /** Direction of view on the ground, from +y [rad]. */
-  viewTurn(): number;
-  previewControl(groupIndex: number, points: readonly GroundPoint[] | null, closed: boolean): void;
+  /** Forecasts of orders that wait, by their ids. */
+  known(): ReadonlyMap<number, Forecast>;
+  readonly view: {
+    /** `turn`: direction of view on the ground, from +y [rad]. */
+    readonly camera: { readonly pose: { readonly turn: number } };
+    readonly orders: StandScene;
+    previewControl(groupIndex: number, points: readonly GroundPoint[] | null, closed: boolean): void;
+  };
   say(text: string): void;
 }
 
@@ -37,11 +59,22 @@ export class ShapeDesk implements ShapeActions, OutlineSink {
   private frame_: StudioFrame | null = null;
   private held_: NewGroup | null = null;
   private picture_: File | null = null;
+  private readonly stands_: StandDesk;
+  private tried_: Design | null = null;
+  /** When a key or a button that holds the drawing tool went down [ms], and whether something was drawn since. */
+  private drawHeld_: { readonly since: number; used: boolean; readonly was: boolean } | null = null;
 
-  constructor(private readonly host_: ShapeDeskHost) {}
+  constructor(private readonly host_: ShapeDeskHost) {
+    const { client, store, view } = host_;
+    const [known, say] = [() => host_.known(), (text: string): void => host_.say(text)];
+    this.stands_ = new StandDesk({ client, store, orders: view.orders, known, say });
+    // What is shown is about the active group, and gone with a replay or another world.
+    store.watch(['active', 'replaying', 'scenario'], () => this.endTry('drop'));
+  }
 
   observe(frame: StudioFrame): void {
     this.frame_ = frame;
+    this.stands_.observe(frame);
   }
 
   /** Who owns a contact, by the tool in hand; null where it is no concern of shapes. */
@@ -62,16 +95,31 @@ export class ShapeDesk implements ShapeActions, OutlineSink {
     this.host_.say(tool === 'draw' ? 'Steer' : 'Draw an outline on the ground');
   }
 
-  takeWords(places: readonly GroundPoint[], gap: number, words: string): void {
-    const { group, facing } = this.active();
-    if (!group) return;
+  holdDraw(held: boolean, lost = false): void {
+    const { tool } = this.host_.store.state;
+    if (held) {
+      this.drawHeld_ = { since: performance.now(), used: false, was: tool === 'draw' };
+      if (tool !== 'draw') this.toggleDraw();
+      return;
+    }
+    const hold = this.drawHeld_;
+    this.drawHeld_ = null;
+    if (!hold) return;
+    if (lost && hold.was) return;
+    // A short press leaves the tool in hand, or puts away what was in hand before.
+    const isPress = !lost && !hold.used && performance.now() - hold.since < kPressMs;
+    if (tool === 'draw' && (!isPress || hold.was)) this.toggleDraw();
+  }
+
+  words(places: readonly GroundPoint[], gap: number): OwnShape {
     const scale = kWordGap / Math.max(gap, 1e-9);
     // Words are read from where the visitor looks: their right is the picture's right.
-    const turn = this.host_.viewTurn() - facing;
+    const turn = this.host_.view.camera.pose.turn - this.active().facing;
     const [c, s] = [Math.cos(turn), Math.sin(turn)];
-    const points = places.map(({ x, y }) => [round(scale * (c * x - s * y)), round(scale * (s * x + c * y))]);
-    this.send([{ kind: 'formation', group: group.id, formation: { kind: 'points', spacing: kWordGap, points } }]);
-    this.host_.say(`${group.name}: ${words}`);
+    return {
+      spacing: kWordGap,
+      places: places.map(({ x, y }) => ({ x: scale * (c * x - s * y), y: scale * (s * x + c * y) })),
+    };
   }
 
   shape(): OwnShape | null {
@@ -92,13 +140,39 @@ export class ShapeDesk implements ShapeActions, OutlineSink {
     return picture;
   }
 
-  takeShape({ spacing, places }: OwnShape, title: string): void {
+  takeShape(shape: OwnShape, title: string): void {
     const { group } = this.active();
     if (!group) return;
-    const points = places.map(({ x, y }) => [round(x), round(y)]);
-    const formation = { kind: 'points', spacing: round(spacing), points };
-    this.send([{ kind: 'formation', group: group.id, formation }]);
+    this.endTry('drop');
+    this.send([{ kind: 'formation', group: group.id, formation: formationOf(shape) }]);
     this.host_.say(`${group.name}: ${title}`);
+  }
+
+  lookAt(formation: string | OwnShape | null): void {
+    const { group } = this.active();
+    if (this.tried_) return;
+    if (formation === null || !group) return this.stands_.hide();
+    const spacing = this.host_.shapeOf(group.id)?.spacing ?? 1;
+    const words = typeof formation === 'string' ? { kind: formation, spacing } : formationOf(formation);
+    this.stands_.show(words);
+  }
+
+  tryOut(design: Design): void {
+    this.tried_ = null;
+    this.lookAt(design.shape);
+    this.tried_ = design;
+    this.host_.store.set({ dialog: 'none', trying: { title: design.title, dialog: design.dialog } });
+  }
+
+  endTry(how: 'take' | 'change' | 'drop'): void {
+    const { tried_: tried } = this;
+    this.tried_ = null;
+    this.stands_.hide();
+    if (!tried) return;
+    if (how === 'take') this.takeShape(tried.shape, tried.title);
+    // The dialog goes on with it while it is still said to be tried out.
+    if (how === 'change') this.host_.store.set({ dialog: tried.dialog });
+    this.host_.store.set({ trying: null });
   }
 
   holdGroup(group: NewGroup): void {
@@ -108,17 +182,34 @@ export class ShapeDesk implements ShapeActions, OutlineSink {
   }
 
   previewOutline(points: readonly GroundPoint[] | null): void {
-    this.host_.previewControl(Math.max(0, this.host_.store.state.active), points, true);
+    this.host_.view.previewControl(Math.max(0, this.host_.store.state.active), points, true);
+    const drawn = points && this.drawn(points);
+    if (!drawn || 'why' in drawn) return this.stands_.hide();
+    this.stands_.show(drawn.formation, drawn.at, false);
   }
 
   outlineDrawn(stroke: readonly GroundPoint[]): void {
-    const { group, at, facing, count } = this.active();
-    if (!group) return;
-    const outline = outlineFrom(stroke);
-    if ('why' in outline) {
-      this.host_.store.set({ notice: problem('outline', outline.why) });
+    const { group, facing } = this.active();
+    const drawn = this.drawn(stroke);
+    if (!group || !drawn) return;
+    if ('why' in drawn) {
+      this.host_.store.set({ notice: problem('outline', drawn.why) });
       return;
     }
+    const { formation, here, centre } = drawn;
+    const move = moveEvent(group.id, { target: centre, facing, width: 0, route: [], formation }, kStyle);
+    this.send(here ? [{ kind: 'formation', group: group.id, formation }] : [move]);
+    if (this.drawHeld_) this.drawHeld_.used = true;
+    else this.host_.store.set({ tool: 'steer' });
+    this.host_.say(`${group.name}: drawn outline`);
+  }
+
+  /** What a stroke makes of the active group; null where there is none. */
+  private drawn(stroke: readonly GroundPoint[]): DrawnFormation | { readonly why: string } | null {
+    const { group, at, facing, count } = this.active();
+    if (!group) return null;
+    const outline = outlineFrom(stroke);
+    if ('why' in outline) return outline;
     const centre = centreOf(outline.corners);
     const room = Math.sqrt(areaOf(outline.corners) / (Math.max(1, count) * kLattice));
     const [c, s] = [Math.cos(-facing), Math.sin(-facing)];
@@ -129,10 +220,7 @@ export class ShapeDesk implements ShapeActions, OutlineSink {
     const spacing = round(Math.min(kSpacing.most, Math.max(kSpacing.least, room)));
     const formation = { kind: 'outline', spacing, outline: corners };
     const here = Math.hypot(centre.x - at.x, centre.y - at.y) < kHere;
-    const move = moveEvent(group.id, { target: centre, facing, width: 0, route: [], formation }, kStyle);
-    this.send(here ? [{ kind: 'formation', group: group.id, formation }] : [move]);
-    this.host_.store.set({ tool: 'steer' });
-    this.host_.say(`${group.name}: drawn outline`);
+    return { formation, centre, here, at: { ...(here ? at : centre), facing } };
   }
 
   private active() {
@@ -153,7 +241,7 @@ export class ShapeDesk implements ShapeActions, OutlineSink {
       [1, 1],
       [-1, 1],
     ].map(([u, v]) => ({ x: (at?.x ?? 0) + half * u!, y: (at?.y ?? 0) + half * v! }));
-    this.host_.previewControl(this.host_.store.state.groups.length, at ? corners : null, true);
+    this.host_.view.previewControl(this.host_.store.state.groups.length, at ? corners : null, true);
   }
 
   private putDown(at: GroundPoint): void {
@@ -176,6 +264,10 @@ export class ShapeDesk implements ShapeActions, OutlineSink {
   private send(events: readonly CommandEvent[]): void {
     this.host_.client.send({ type: 'Commands', events: commandText(events) });
   }
+}
+
+function formationOf({ spacing, places }: OwnShape): FormationWords {
+  return { kind: 'points', spacing: round(spacing), points: places.map(({ x, y }) => [round(x), round(y)]) };
 }
 
 function round(value: number): number {

@@ -28,6 +28,7 @@ import { TouchEditor } from '../tools/touch_editor';
 import { TouchSender } from '../tools/touch_sender';
 import type { StudioScene } from '../scene/studio_scene';
 import { OrderChooser } from '../tools/order_chooser';
+import { judged } from './judged_orders';
 import { OrderDesk } from './order_desk';
 import { DirectorsDesk } from './directors_desk';
 import { AttentionSender } from './attention_sender';
@@ -100,12 +101,11 @@ export class StudioApp {
     const say = (text: string): void => this.shell_.live.say(text);
     const people = new OwnPeople(view_, this.store, undefined, new OwnPeopleCopy());
     void people.restore();
-    const padding = (): Padding => this.shell_.padding();
     this.camera = new CameraDesk({
       view: view_,
       store: this.store,
       canvas: canvas_,
-      padding,
+      padding: (): Padding => this.shell_.padding(),
       say,
       moved: () => this.controller_.tried('camera'),
     });
@@ -113,8 +113,8 @@ export class StudioApp {
       client: client_,
       store: this.store,
       shapeOf: (group) => this.desk.shapes.of(group),
-      viewTurn: () => view_.camera.pose.turn,
-      previewControl: (group, points, closed) => view_.previewControl(group, points, closed),
+      known: () => this.desk.queues.forecaster.known,
+      view: view_,
       say,
     });
     this.controller_ = new StudioController(client_, this.store, this.camera, say, people, this.shapes);
@@ -127,19 +127,17 @@ export class StudioApp {
     );
     this.touches_ = new TouchSender(client_, (time) => this.latency.touched(time));
     this.controls_ = new VirtualControls(client_, this.touches_, () => client_.clientId, this.drafts_);
-    const editor = new TouchEditor(this.touches_, view_, this.drafts_);
     const camera = new CameraGesture(this.camera.hand);
-    const orbit = new OrbitGesture(this.camera.hand);
-    this.desk = new OrderDesk(client_, this.store, view_, say);
+    this.desk = new OrderDesk(client_, this.store, judged(view_, client_), say);
     this.schemes_ = new SchemeDesk(client_, this.store, view_, say, (time) => this.latency.touched(time));
     const toGround = (at: ScreenPoint): GroundPoint | null => view_.screenToWorld(at);
     this.orders_ = new OrderChooser({ desk: this.desk, camera, tool: () => this.store.state.tool, toGround });
     this.chooser_ = new ToolChooser({
       scene: view_,
       hitTest: this.hitTest_,
-      editor,
+      editor: new TouchEditor(this.touches_, view_, this.drafts_),
       camera,
-      orbit,
+      orbit: new OrbitGesture(this.camera.hand),
       controls: this.controls_,
       orders: this.orders_,
       shapes: (contact) => this.shapes.owner(contact),

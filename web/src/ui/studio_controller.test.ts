@@ -38,7 +38,7 @@ beforeEach(() => {
       open: () => Promise.resolve(),
       reset: () => undefined,
     },
-    { toggleDraw: nothing },
+    { toggleDraw: nothing, holdDraw: nothing, lookAt: nothing },
   );
 });
 

@@ -52,7 +52,7 @@ export class StudioController implements StudioActions {
     private readonly camera_: ControllerCamera,
     private readonly say_: (text: string) => void,
     private readonly people_: Pick<OwnPeople, 'open' | 'reset'>,
-    private readonly shapes_: Pick<ShapeActions, 'toggleDraw'>,
+    private readonly shapes_: Pick<ShapeActions, 'toggleDraw' | 'holdDraw' | 'lookAt'>,
   ) {}
 
   togglePlay(): void {
@@ -146,6 +146,10 @@ export class StudioController implements StudioActions {
     if (!this.store_.state.playing) this.say_(`${group.name}: ${name} with the next step`);
   }
 
+  lookAtFormation(name: string | null): void {
+    this.shapes_.lookAt(name);
+  }
+
   setActiveGroup(index: number): void {
     const group = this.store_.state.groups[index];
     if (!group) return;
@@ -181,6 +185,10 @@ export class StudioController implements StudioActions {
 
   showPlaces(places: PlacesView, placeFiles: readonly File[] = []): void {
     this.store_.set({ places, placeFiles });
+  }
+
+  holdDraw(held: boolean, lost = false): void {
+    this.shapes_.holdDraw(held, lost);
   }
 
   toggleDraw(): void {

@@ -99,7 +99,15 @@ function formationKeys(actions: StudioActions): Shortcut[] {
       run: () => actions.setFormation(name),
     };
   });
-  return [all, ...keys];
+  const draw: Shortcut = {
+    keys: '9',
+    does: 'held: a stroke is the outline of the formation; pressed: the next stroke is',
+    group: 'Formations',
+    match: ['9'],
+    run: () => actions.holdDraw(true),
+    release: () => actions.holdDraw(false),
+  };
+  return [all, ...keys, draw];
 }
 
 function timeKeys(actions: StudioActions): Shortcut[] {

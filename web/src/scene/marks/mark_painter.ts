@@ -115,14 +115,15 @@ export class MarkPainter {
     pen.fillText(text, at.x, at.y + 0.5);
   }
 
-  /** Where a way ends that leads no farther. */
-  cross(at: ScreenPoint, colours: MarkColours): void {
+  /** Where a way ends that leads no farther, or a place that nobody can get to. */
+  cross(at: ScreenPoint, colours: MarkColours, half = 6): void {
     const stroke = (dx: number): ScreenPoint[] => [
-      { x: at.x - dx, y: at.y - 6 },
-      { x: at.x + dx, y: at.y + 6 },
+      { x: at.x - dx, y: at.y - half },
+      { x: at.x + dx, y: at.y + half },
     ];
-    for (const dx of [6, -6]) this.cased(stroke(dx), colours, 0, 7);
-    for (const dx of [6, -6]) this.cased(stroke(dx), { ...colours, casing: colours.accent }, 3.4, 3.4);
+    const width = 0.56 * half;
+    for (const dx of [half, -half]) this.cased(stroke(dx), colours, 0, 2 * width);
+    for (const dx of [half, -half]) this.cased(stroke(dx), { ...colours, casing: colours.accent }, width, width);
   }
 
   /** Two bars on a disc: who waits. */

@@ -8,6 +8,8 @@ import type { CameraController } from '../camera/camera_controller';
 import { accentColour, type Palette } from '../drawing/palette';
 import type { MarkExtent } from './mark_extent';
 import type { MarkColours, MarkPainter } from './mark_painter';
+import { changesShape, drawStations, stationSpots } from './station_marks';
+import { drawPlaces, roomFor, wordsOf, type Words } from './stand_marks';
 import type { SchemePicture } from './scheme_marks';
 
 /** How one group would stand. */
@@ -17,6 +19,8 @@ export interface StandPreview {
   readonly outline: readonly GroundPoint[];
   /** Left and right end. */
   readonly front: readonly [GroundPoint, GroundPoint];
+  /** Per place: 0 where somebody can stand there; left out where that is not known. */
+  readonly unfit?: ArrayLike<number>;
 }
 
 /** What is being drawn; empty lists for nothing. */
@@ -24,6 +28,8 @@ export interface DrawnOrder {
   readonly moves: readonly StandPreview[];
   readonly rectangle: readonly GroundPoint[];
   readonly route: readonly GroundPoint[];
+  /** What is said of the places. */
+  readonly note?: { readonly text: string; readonly warns: boolean };
 }
 
 /** What would come of an order that is being drawn. */
@@ -80,10 +86,6 @@ const kReached = 0.4;
 const kPickedRing = 0.62;
 /** Labels stand so far above what they tell of [CSS px]. */
 const kLabelGap = 20;
-/** About half as wide as the widest label [CSS px]. */
-const kLabelHalf = 110;
-/** Labels keep below the panels at the upper edge [CSS px]. */
-const kPanels = 88;
 
 /** A stretch of a way, and the order at its end. */
 interface Leg {
@@ -115,7 +117,10 @@ export class OrderMarks {
 
   extend(extent: MarkExtent, scene: OrderScene): void {
     const add = ({ x, y }: GroundPoint): void => extent.add(scene.camera.worldToScreen(x, y));
-    for (const group of scene.queues ? scene.groups : []) this.pointsOf(group, scene).forEach(add);
+    for (const group of scene.queues ? scene.groups : []) {
+      this.pointsOf(group, scene).forEach(add);
+      for (const spot of stationSpots(legsOf(group, scene.groups, scene.ways), scene.camera)) extent.add(spot);
+    }
     const { drawn, cut } = scene;
     if (drawn) this.extendDrawn(extent, drawn, scene);
     for (const points of [cut?.line, cut?.leaving, cut?.onto]) points?.forEach(add);
@@ -125,9 +130,10 @@ export class OrderMarks {
     const add = ({ x, y }: GroundPoint): void => extent.add(scene.camera.worldToScreen(x, y));
     for (const move of drawn.moves) [...move.outline, ...move.front].forEach(add);
     for (const points of [drawn.rectangle, drawn.route, ...scene.forecasts.map(({ way }) => way)]) points.forEach(add);
-    if (scene.forecasts.length === 0) return;
-    const { x, y } = this.labelSpot(scene);
-    for (const dx of [-kLabelHalf, kLabelHalf]) extent.add({ x: x + dx, y });
+    const words = wordsOf(scene);
+    if (!words) return;
+    const { x, y } = this.labelSpot(scene, words);
+    for (const dx of [-1, 1]) extent.add({ x: x + dx * words.half, y });
   }
 
   /** All that is drawn of a group's queue. */
@@ -171,9 +177,11 @@ export class OrderMarks {
     const last = legs[legs.length - 1];
     if (group.patrols && legs.length > 1 && last) this.drawReturn(group.id, last, legs[0]!, colours, scene);
     for (const leg of legs) this.drawLeg(leg, colours, scene);
-    if (last) this.drawGhost(group, last, colours, scene);
+    // How it stands in a formation that it takes up on the way is not known here.
+    if (last && !changesShape(legs)) this.drawGhost(group, last, colours, scene);
     for (const { order } of legs) if (order.kind === kGuard) this.drawGuard(order, colours, scene);
     this.drawNumbers(group, legs, colours, scene);
+    drawStations(painter, legs, colours, scene);
     if (group.held && legs.length > 0) {
       painter.pauseBadge(scene.camera.worldToScreen(group.x, group.y), colours, scene.palette.onAccent);
     }
@@ -281,21 +289,11 @@ export class OrderMarks {
       const outline = this.screen(move.outline, scene);
       painter.veil(outline, own.accent);
       painter.dashed(outline, own.accent, 1.8, true, own.casing);
-      for (const place of this.screen(move.places, scene)) {
-        painter.dot(place, 3.6, own.casing);
-        painter.dot(place, 2.5, own.accent);
-      }
+      drawPlaces(painter, this.screen(move.places, scene), move.unfit, own, scene.palette.alarm);
       this.drawFront(move.front, own, scene);
     }
-    const words = scene.forecasts.find(({ text }) => text !== '');
-    if (!words) return;
-    const lost = scene.forecasts.some(({ arrives }) => !arrives);
-    painter.label(
-      this.labelSpot(scene),
-      words.text,
-      scene.palette.panel,
-      lost ? scene.palette.alarm : scene.palette.ink,
-    );
+    const words = wordsOf(scene);
+    if (words) painter.label(this.labelSpot(scene, words), words.text, scene.palette.panel, words.ink);
   }
 
   private drawForecastWay({ index, way, arrives }: DrawnForecast, scene: OrderScene): void {
@@ -312,13 +310,14 @@ export class OrderMarks {
   }
 
   /** Above all that is drawn. */
-  private labelSpot(scene: OrderScene): ScreenPoint {
+  private labelSpot(scene: OrderScene, words: Words): ScreenPoint {
     const outlines = scene.drawn?.moves.flatMap(({ outline }) => outline) ?? [];
     const drawn = outlines.length > 0 ? outlines : (scene.drawn?.rectangle ?? []);
     const ends = scene.forecasts.flatMap(({ way }) => way.slice(-1));
     const points = this.screen(drawn.length > 0 ? drawn : ends, scene);
     const [left, right] = [Math.min(...points.map(({ x }) => x)), Math.max(...points.map(({ x }) => x))];
-    return { x: (left + right) / 2, y: Math.max(Math.min(...points.map(({ y }) => y)) - kLabelGap, kPanels) };
+    const above = { x: (left + right) / 2, y: Math.min(...points.map(({ y }) => y)) - kLabelGap };
+    return roomFor(above, words, scene.camera);
   }
 
   private firstChosen({ groups, selected }: OrderScene): number {

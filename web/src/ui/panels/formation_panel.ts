@@ -5,6 +5,8 @@ import { formationIcon } from '../widgets/formation_icons';
 import { accentVariable, groupMark } from '../widgets/group_marks';
 import type { StudioActions } from '../../model/studio_actions';
 import type { StudioState } from '../../model/studio_state';
+import { holdWithFinger } from '../widgets/held_button';
+import { lookFirst } from '../widgets/look_first';
 import { ToolbarFocus } from '../widgets/toolbar_focus';
 import type { StudioStore } from '../../model/studio_store';
 
@@ -32,7 +34,7 @@ export const kFormations: readonly FormationChoice[] = [
 
 const kTips = {
   text: 'Words as a formation',
-  draw: 'Draw an outline on the ground as a formation',
+  draw: 'Draw an outline on the ground as a formation; hold it and draw with another finger',
   shape: 'Mirror, turn, loosen, save; a picture as a formation',
 } as const;
 /** What the server calls shapes that are no part of the library. */
@@ -69,17 +71,29 @@ export class FormationPanel {
         class: 'formation',
         'aria-pressed': 'false',
         'aria-haspopup': choice.opens && choice.opens !== 'draw' ? 'dialog' : undefined,
-        'aria-keyshortcuts': key,
-        'data-key': key,
+        'aria-keyshortcuts': key ?? (choice.opens === 'draw' ? '9' : undefined),
+        'data-key': key ?? (choice.opens === 'draw' ? '9' : undefined),
         'data-tip': choice.opens ? kTips[choice.opens] : choice.label,
         'data-opens': choice.opens,
       },
       formationIcon(choice.name),
       element('span', { class: 'label' }, choice.label),
     );
+    this.watch(button, choice);
     button.addEventListener('click', () => this.chosen(choice));
     this.buttons_.set(choice.name, button);
     return button;
+  }
+
+  /** Shapes of the library are shown on the ground first; Draw is in hand while a finger holds it. */
+  private watch(button: HTMLButtonElement, choice: FormationChoice): void {
+    if (choice.opens === 'draw') holdWithFinger(button, (held, lost) => this.actions_.holdDraw(held, lost));
+    if (choice.opens) return;
+    lookFirst(button, {
+      look: () => this.actions_.lookAtFormation(choice.name),
+      leave: () => this.actions_.lookAtFormation(null),
+      take: () => this.chosen(choice),
+    });
   }
 
   private chosen({ name, opens }: FormationChoice): void {

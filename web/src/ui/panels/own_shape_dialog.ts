@@ -9,6 +9,7 @@ import type { StudioStore } from '../../model/studio_store';
 import { element, setText } from '../widgets/dom';
 import { icon } from '../widgets/icons';
 import { dialogOf, drawPlaces, field } from './dialog_parts';
+import { groundWords, leave, lookOrTake } from './try_parts';
 
 /** Size of the preview, and of those of saved formations [CSS px]. */
 const kPreview = { width: 340, height: 200 };
@@ -48,16 +49,16 @@ export class OwnShapeDialog {
     private readonly shapes_: ShapeActions,
     close: () => void,
   ) {
-    this.parts_ = dialogOf('Change the formation', close);
-    const done = element('button', { type: 'submit', class: 'solid' }, 'Take up');
+    this.parts_ = dialogOf('Change the formation', () => leave(store_, shapes_, close));
     const save = element('button', { type: 'button', class: 'soft shape-save' }, 'Save');
     this.parts_.form.append(
       this.picture_,
       this.tools(),
       this.note_,
+      groundWords(store_),
       element('div', { class: 'shape-naming' }, field('Name', this.name_), save),
       this.saved_,
-      done,
+      lookOrTake(() => this.tryOut()),
       this.file_,
     );
     save.addEventListener('click', () => this.save());
@@ -85,10 +86,12 @@ export class OwnShapeDialog {
 
   open(): void {
     const group = this.group();
-    this.title_ = '';
-    this.name_.value = '';
     this.root.showModal();
     this.listSaved();
+    // Back from the ground it goes on with what was tried out there.
+    if (this.store_.state.trying && this.shape_) return this.show(this.shape_, '');
+    this.title_ = '';
+    this.name_.value = '';
     const picture = this.shapes_.takePicture();
     if (picture) void this.read(picture);
     this.show(this.shapes_.shape(), group ? `${group.name}: ${group.count} people.` : 'There is no group.');
@@ -122,6 +125,13 @@ export class OwnShapeDialog {
     const metres = shape ? `Neighbours stand ${shape.spacing.toFixed(2)} m apart.` : '';
     setText(this.note_, [note, metres].filter((one) => one !== '').join(' '));
     drawPlaces(this.picture_, shape ? seenFromBehind(shape) : [], shape?.spacing ?? 1, kPreview);
+    this.shapes_.lookAt(shape);
+  }
+
+  private tryOut(): void {
+    if (!this.shape_) return;
+    this.shapes_.tryOut({ title: this.title_ || 'Changed formation', dialog: 'shape', shape: this.shape_ });
+    this.root.close();
   }
 
   /** What is dark in a picture becomes the formation; its upper edge is the front. */

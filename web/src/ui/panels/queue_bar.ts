@@ -71,12 +71,19 @@ export class QueueBar {
       actions_.setStyle({ mode: store_.state.style.mode === 'append' ? 'replace' : 'append' }),
     );
     const skip = { icon: 'step', label: 'Skip', key: 'Y', tip: 'Goes on to the next order' } as const;
+    const sequence = {
+      icon: 'places',
+      label: 'Formations',
+      tip: 'Formations that are taken up along the way',
+    } as const;
+    const formations = act(sequence, () => store_.set({ sequencing: true }));
     this.acts_ = element('div', { class: 'queue-acts' }, this.title_, this.insert_, this.earlier_, this.later_, drop);
     const row = element(
       'div',
       { class: 'queue-row' },
       this.chips_,
       this.add_,
+      formations,
       act(skip, () => actions_.skipOrder()),
     );
     const bar = element('div', { class: 'queue-bar', role: 'toolbar', 'aria-label': 'Queue' }, this.acts_, row);

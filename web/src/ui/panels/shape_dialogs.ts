@@ -7,6 +7,8 @@ import type { StudioActions } from '../../model/studio_actions';
 import type { StudioStore } from '../../model/studio_store';
 import { element, setText } from '../widgets/dom';
 import { dialogOf, drawPlaces, field } from './dialog_parts';
+import { groundWords, leave, lookOrTake } from './try_parts';
+import { TryBar } from './try_bar';
 import { kFormations } from './formation_panel';
 import { OwnShapeDialog } from './own_shape_dialog';
 
@@ -52,17 +54,23 @@ class TextDialog {
 
   constructor(
     private readonly store_: StudioStore,
-    shapes: ShapeActions,
+    private readonly shapes_: ShapeActions,
     close: () => void,
   ) {
-    this.parts_ = dialogOf('Write words', close);
-    const done = element('button', { type: 'submit', class: 'solid' }, 'Take up');
-    this.parts_.form.append(field('Words', this.words_), this.picture_, this.note_, done);
+    const shapes = shapes_;
+    this.parts_ = dialogOf('Write words', () => leave(this.store_, shapes, close));
+    this.parts_.form.append(
+      field('Words', this.words_),
+      this.picture_,
+      this.note_,
+      groundWords(store_),
+      lookOrTake(() => this.tryOut()),
+    );
     this.words_.addEventListener('input', () => this.spread());
     this.parts_.form.addEventListener('submit', (event) => {
       event.preventDefault();
       if (this.places_.length === 0) return;
-      shapes.takeWords(this.places_, this.gap_, this.words_.value.trim());
+      shapes.takeShape(shapes.words(this.places_, this.gap_), this.words_.value.trim());
       this.root.close();
     });
   }
@@ -92,6 +100,14 @@ class TextDialog {
         : `${groups[active]?.name ?? 'The group'}: ${count} people.`,
     );
     drawPlaces(this.picture_, places, this.gap_);
+    this.shapes_.lookAt(this.places_.length > 0 ? this.shapes_.words(this.places_, gap) : null);
+  }
+
+  private tryOut(): void {
+    if (this.places_.length === 0) return this.words_.focus();
+    const shape = this.shapes_.words(this.places_, this.gap_);
+    this.shapes_.tryOut({ title: this.words_.value.trim(), dialog: 'text', shape });
+    this.root.close();
   }
 }
 
@@ -187,6 +203,7 @@ export function watchShapeDialogs(
     group: new GroupDialog(store, shapes, close),
   };
   for (const dialog of Object.values(dialogs)) page.append(dialog.root);
+  page.append(new TryBar(store, shapes).root);
   store.watch(['dialog'], ({ dialog }) => {
     if (dialog !== 'none' && !dialogs[dialog].root.open) dialogs[dialog].open();
   });

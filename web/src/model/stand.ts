@@ -1,0 +1,59 @@
+// How a group would stand: every place on the real ground, and which of them nobody can get to.
+
+import type { PlacesFrame } from '../protocol/messages';
+import { frontLine, outlineOf, placed } from './group_shapes';
+import { pointsOf, type GroundPoint } from './plane';
+
+/** What keeps somebody from a place, as a PlacesFrame says it. */
+export const kPlaceBars = { none: 0, obstacle: 1, cutOff: 2 } as const;
+
+/** A place and heading of a formation. */
+export interface StandPose extends GroundPoint {
+  /** [rad] */
+  readonly facing: number;
+}
+
+/** One group's places, to be drawn. */
+export interface Stand {
+  /** Index into the frame's groups. */
+  readonly index: number;
+  readonly places: readonly GroundPoint[];
+  readonly outline: readonly GroundPoint[];
+  readonly front: readonly [GroundPoint, GroundPoint];
+  /** Per place: 0 where somebody can stand there. */
+  readonly unfit: ArrayLike<number>;
+}
+
+/** Words about places, and whether they warn. */
+export interface StandWords {
+  readonly text: string;
+  readonly warns: boolean;
+}
+
+export function standOf({ places, unfit }: PlacesFrame, index: number, { x, y, facing }: StandPose): Stand {
+  const points = pointsOf(places);
+  const own = placed(
+    points.map((point) => ({ x: point.x - x, y: point.y - y })),
+    { x: 0, y: 0 },
+    -facing,
+  );
+  const [left, right] = placed(frontLine(own), { x, y }, facing);
+  return { index, places: points, outline: outlineOf(points), front: [left!, right!], unfit };
+}
+
+/** How many places cannot be reached. */
+export function unfitCount(unfit: ArrayLike<number>): number {
+  let count = 0;
+  for (let i = 0; i < unfit.length; ++i) if (unfit[i] !== kPlaceBars.none) count += 1;
+  return count;
+}
+
+/** "7 of 60 places cannot be reached"; in all groups together. */
+export function unfitWords(unfits: readonly ArrayLike<number>[]): StandWords {
+  const all = unfits.reduce((sum, unfit) => sum + unfit.length, 0);
+  const bad = unfits.reduce((sum, unfit) => sum + unfitCount(unfit), 0);
+  if (all === 0) return { text: '', warns: false };
+  if (bad === 0)
+    return { text: all === 1 ? 'The place can be reached' : `All ${all} places can be reached`, warns: false };
+  return { text: `${bad} of ${all} places cannot be reached`, warns: true };
+}
