@@ -118,6 +118,7 @@ const kCases = [
     { hint: true, scenario: 'scenarios/market.json' },
   ],
   ['hint ticks', findings.hintTicks, ['desktop', 'phone'], { hint: true, scenario: 'scenarios/block.json' }],
+  ['area after line', findings.areaAfterLine, ['desktop', 'phone'], { scenario: 'scenarios/block.json' }],
   ['drawn formation', shapes.drawnFormation, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
   ['formation of one’s own', shapes.ownShape, ['desktop', 'portrait', 'phone'], { scenario: 'scenarios/open.json' }],
   ['written formation', shapes.writtenFormation, ['desktop'], { scenario: 'scenarios/open.json', room: true }],
