@@ -7,6 +7,7 @@ import * as demonstration from './cases/demonstration.mjs';
 import * as feedback from './cases/feedback.mjs';
 import * as film from './cases/film_camera.mjs';
 import * as findings from './cases/findings.mjs';
+import * as limits from './cases/limits.mjs';
 import * as look from './cases/look.mjs';
 import * as mouseAndKeys from './cases/mouse_and_keys.mjs';
 import * as objectives from './cases/objectives.mjs';
@@ -111,6 +112,13 @@ const kCases = [
   ['camera: by keys', camera.cameraByKeys, ['desktop'], { touch: false, scenario: 'scenarios/block.json' }],
   ['camera: wheel', camera.wheelEndsOnPeople, ['desktop'], { touch: false, scenario: 'scenarios/block.json' }],
   ['first load', findings.firstLoad, ['desktop'], {}],
+  ['limits: first picture', limits.firstPicture, ['wide'], { scenario: 'scenarios/market.json' }],
+  [
+    'limits: editing a thousand',
+    limits.editingThousand,
+    ['wide'],
+    { touch: false, scenario: 'web/tests/scenarios/thousand.json' },
+  ],
   [
     'market square',
     findings.marketSquare,
