@@ -8,6 +8,7 @@ import * as feedback from './cases/feedback.mjs';
 import * as film from './cases/film_camera.mjs';
 import * as findings from './cases/findings.mjs';
 import * as forms from './cases/forms.mjs';
+import * as limits from './cases/limits.mjs';
 import * as look from './cases/look.mjs';
 import * as mouseAndKeys from './cases/mouse_and_keys.mjs';
 import * as objectives from './cases/objectives.mjs';
@@ -113,6 +114,13 @@ const kCases = [
   ['camera: by keys', camera.cameraByKeys, ['desktop'], { touch: false, scenario: 'scenarios/block.json' }],
   ['camera: wheel', camera.wheelEndsOnPeople, ['desktop'], { touch: false, scenario: 'scenarios/block.json' }],
   ['first load', findings.firstLoad, ['desktop'], {}],
+  ['limits: first picture', limits.firstPicture, ['wide'], { scenario: 'scenarios/market.json' }],
+  [
+    'limits: editing a thousand',
+    limits.editingThousand,
+    ['wide'],
+    { touch: false, scenario: 'web/tests/scenarios/thousand.json' },
+  ],
   [
     'market square',
     findings.marketSquare,
@@ -120,6 +128,7 @@ const kCases = [
     { hint: true, scenario: 'scenarios/market.json' },
   ],
   ['hint ticks', findings.hintTicks, ['desktop', 'phone'], { hint: true, scenario: 'scenarios/block.json' }],
+  ['area after line', findings.areaAfterLine, ['desktop', 'phone'], { scenario: 'scenarios/block.json' }],
   ['drawn formation', shapes.drawnFormation, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
   ['formation of one’s own', shapes.ownShape, ['desktop', 'portrait', 'phone'], { scenario: 'scenarios/open.json' }],
   ['written formation', shapes.writtenFormation, ['desktop'], { scenario: 'scenarios/open.json', room: true }],

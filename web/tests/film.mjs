@@ -1,8 +1,8 @@
 // Film strips of the paper's experiments from the real page: node tests/film.mjs [--only WORD] [--out FOLDER]
 // Six moments each, side by side, into docs/pictures. Takes minutes where there is no GPU.
-import { writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
+import { writeStrip } from './support/film_strip.mjs';
 import { startStudio } from './support/server.mjs';
 import { kSizes, StudioPage } from './support/studio_page.mjs';
 
@@ -102,35 +102,12 @@ async function shoot(studio, { scenario, moments, turn }) {
   return pictures;
 }
 
-/** In a page: the pictures side by side, as a PNG. */
-async function joined([pictures, tile]) {
-  const canvas = document.createElement('canvas');
-  canvas.width = pictures.length * (tile.width + tile.gap) - tile.gap;
-  canvas.height = tile.height;
-  const pen = canvas.getContext('2d');
-  pen.imageSmoothingQuality = 'high';
-  for (const [i, { data, text }] of pictures.entries()) {
-    const picture = await createImageBitmap(await (await fetch(`data:image/png;base64,${data}`)).blob());
-    const x = i * (tile.width + tile.gap);
-    pen.drawImage(picture, x, 0, tile.width, tile.height);
-    pen.font = '600 13px Inter, sans-serif';
-    pen.fillStyle = 'rgb(255 255 255 / 88%)';
-    pen.beginPath();
-    pen.roundRect(x + 8, tile.height - 30, pen.measureText(text).width + 16, 22, 11);
-    pen.fill();
-    pen.fillStyle = '#171B20';
-    pen.fillText(text, x + 16, tile.height - 14);
-  }
-  return canvas.toDataURL('image/png').split(',')[1];
-}
-
 async function film(browser, one, folder) {
   const server = await startStudio({ scenario: `scenarios/${one.scenario}.json`, port: 18700 });
   try {
     const studio = await StudioPage.open(browser, `${server.url}?quality=full`, { size: 'film', touch: false });
     const pictures = await shoot(studio, one);
-    const blank = await studio.context.newPage();
-    writeFileSync(`${folder}/${one.name}.png`, Buffer.from(await blank.evaluate(joined, [pictures, kTile]), 'base64'));
+    await writeStrip(studio.context, `${folder}/${one.name}.png`, pictures, kTile);
     await studio.close();
   } finally {
     await server.stop();

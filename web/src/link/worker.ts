@@ -35,7 +35,7 @@ class LinkWorker {
       onBytes: (bytes) => this.receive(bytes),
       onState: (state) => {
         if (state.phase !== 'open') this.forget();
-        if (state.phase === 'open') this.send({ type: 'Hello', name: 'Studio' });
+        if (state.phase === 'open') this.send({ type: 'Hello', name: '' });
         post({ kind: 'link', state });
       },
       ping: () => this.send({ type: 'Ping', time: epochMs() / 1000 }),

@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import type { GroupMesh } from '../protocol/messages';
+import { TouchPhase, type GroupMesh } from '../protocol/messages';
 import type { CameraControls } from '../scene/camera/camera_controls';
 import { CameraGesture, OrbitGesture } from './camera_gesture';
 import { OrderDrag } from './order_tools';
@@ -49,7 +49,38 @@ beforeEach(() => {
   chooser.observe(frame);
 });
 
+/** A finger comes down, and its owner. */
+function press(x: number, y: number, pointer: number, time: number): void {
+  const contact = contactAt(x, y, { pointer, time });
+  chooser.choose(contact).begin(contact);
+}
+
 describe('ToolChooser', () => {
+  it('makes new fingers of those that come down together where an earlier control is left', () => {
+    const left = controlFrame(7, 0, [{ x: 3, y: 3 }]);
+    const frame = frameWith(2, [left]);
+    frame.groups[0]!.vertices = new Float32Array([0, 0, 4, 0, 4, 4, 0, 4]);
+    chooser.observe(frame);
+    press(3, 3, 1, 10);
+    expect(client.types()).toEqual(['RemoveControl', 'AddControl']);
+    press(1, 3, 2, 10.05);
+    press(3, 1, 3, 10.1);
+    const [lifted, ...fresh] = client.touches();
+    expect(lifted!.phase).toBe(TouchPhase.Up);
+    expect(fresh.map(({ phase, x, y, time }) => [phase, x, y, time])).toEqual([
+      [TouchPhase.Down, 3, 3, 10],
+      [TouchPhase.Down, 1, 3, 10.05],
+      [TouchPhase.Down, 3, 1, 10.1],
+    ]);
+  });
+  it('lets a finger that comes alone, or much later, drag what is left', () => {
+    const frame = frameWith(2, [controlFrame(7, 0, [{ x: 3, y: 3 }])]);
+    frame.groups[0]!.vertices = new Float32Array([0, 0, 4, 0, 4, 4, 0, 4]);
+    chooser.observe(frame);
+    press(1, 1, 1, 10);
+    press(3, 3, 2, 10.5);
+    expect(client.types()).toEqual(['Touches', 'RemoveControl', 'AddControl']);
+  });
   it('lets fingers and pens edit on the formation and move the camera beside it', () => {
     for (const kind of ['touch', 'pen'] as const) {
       const owner = chooser.choose(contactAt(2, 3, { kind }));

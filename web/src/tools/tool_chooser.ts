@@ -5,6 +5,7 @@ import type { StudioFrame } from '../model/studio_frame';
 import type { CameraGesture, OrbitGesture } from './camera_gesture';
 import type { Contact, ContactOwner } from './contact';
 import { ControlDrag, Lasso, RubberBand, type ControlPreview, type DrawTarget } from './drawn_controls';
+import { FingersTogether } from './fingers_together';
 import {
   fingertipFrom,
   metresFrom,
@@ -41,6 +42,7 @@ const kRight = 2;
 
 export class ToolChooser {
   private frame_: StudioFrame | null = null;
+  private readonly together_ = new FingersTogether();
   /** Space is held: the left button pans. */
   panning = false;
 
@@ -61,7 +63,7 @@ export class ToolChooser {
     const shaped = this.tools_.shapes(contact);
     if (shaped) return shaped;
     const ordered = orders.choose(contact, this.formation(ground)?.index ?? -1);
-    return ordered ?? this.drawing(contact, ground) ?? this.editing(ground) ?? camera;
+    return ordered ?? this.drawing(contact, ground) ?? this.editing(contact, ground) ?? camera;
   }
 
   /** The control whose handle, bar or inside lies here, if it may be grabbed. */
@@ -98,12 +100,14 @@ export class ToolChooser {
     return near ? new RubberBand(near, controls, scene) : this.tools_.orders.box();
   }
 
-  private editing(ground: GroundPoint): ContactOwner | null {
+  private editing(contact: Contact, ground: GroundPoint): ContactOwner | null {
     const { controls, scene, editor } = this.tools_;
     const grab = this.grab(ground);
-    if (grab) return new ControlDrag(grab, controls, scene);
-    const hit = this.formation(ground);
-    return hit ? editor.ownerFor(hit) : null;
+    const hit = grab && contact.kind !== 'touch' ? null : this.formation(ground);
+    const drag = (): ContactOwner => new ControlDrag(grab!, controls, scene);
+    if (!hit) return grab ? drag() : null;
+    const fresh = editor.ownerFor(hit);
+    return contact.kind === 'touch' ? this.together_.ownerFor(contact, hit, grab, drag, fresh) : fresh;
   }
 
   private lassoed(corners: readonly GroundPoint[]): DrawTarget | null {

@@ -1,5 +1,6 @@
 // Replaces Muster's characters by a visitor's own, from a chosen file.
 
+import { sentenceOf } from '../model/file_trouble';
 import { NoticeLevel, type Notice } from '../protocol/messages';
 import { problem } from '../protocol/problem';
 import type { OwnCharacter } from '../scene/crowd/own_character/own_character';
@@ -73,8 +74,8 @@ export class OwnPeople {
       return true;
     } catch (error) {
       if (mine !== this.requests_) return false;
-      const reason = error instanceof Error ? error.message : String(error);
-      this.store_.set({ notice: problem('character', `${reason.replace(/\.$/, '')}.`) });
+      const text = sentenceOf(error, 'The character cannot be used: its skeleton or its meshes are damaged.');
+      this.store_.set({ notice: problem('character', text) });
       return false;
     }
   }

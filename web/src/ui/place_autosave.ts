@@ -33,12 +33,17 @@ export class PlaceAutosave {
   private timer_ = 0;
   private edited_ = false;
   private own_ = false;
+  /** A pointer is down: the picture of a copy would hold its drag up. */
+  private held_ = false;
   /** Of the place that is edited. */
   private name_ = '';
   private readonly storage_: () => Storage;
 
   constructor(private readonly parts_: AutosaveParts) {
     this.storage_ = parts_.storage ?? (() => window.localStorage);
+    const holds = (held: boolean): void => void (this.held_ = held);
+    window.addEventListener('pointerdown', () => holds(true), true);
+    for (const end of ['pointerup', 'pointercancel']) window.addEventListener(end, () => holds(false), true);
     window.addEventListener('pagehide', () => this.waiting && this.own_ && this.write(kBehindKey, this.name_));
   }
 
@@ -57,7 +62,7 @@ export class PlaceAutosave {
   changed(): void {
     if (!this.edited_) return;
     this.cancel();
-    this.timer_ = window.setTimeout(() => void this.keep(), kAutosaveAfter);
+    this.timer_ = window.setTimeout(() => (this.held_ ? this.changed() : void this.keep()), kAutosaveAfter);
   }
 
   /** Before another place is opened: keeps at once what waits. */

@@ -1,6 +1,7 @@
 // Places in the page: the dialog, the browser's shelf, import, autosave, and models that are shown as scenery.
 
 import type { StudioClient } from '../link/studio_client';
+import { sentenceOf } from '../model/file_trouble';
 import { fileNameOf, freeName, type KeptPlace } from '../model/place_files/kept_place';
 import { movedTo, type Imported, type ImportSettings, type ImportSource } from '../model/place_files/imports';
 import { leftOutText, type LeftOut } from '../model/place_files/left_out';
@@ -107,7 +108,7 @@ export class PlaceDesk implements PlaceActions {
     try {
       await work();
     } catch (error) {
-      const text = error instanceof Error ? error.message : String(error);
+      const text = sentenceOf(error, 'The file cannot be used: parts of it are damaged.');
       if (this.dialog_.root.open) this.dialog_.say(text);
       else this.parts_.store.set({ notice: problem('place', text) });
     }
@@ -147,7 +148,7 @@ export class PlaceDesk implements PlaceActions {
       try {
         await this.open(text, name);
       } catch (error) {
-        throw new Error(String(error instanceof Error ? error.message : error).replace(`“${name}”`, `“${file.name}”`));
+        throw new Error(sentenceOf(error, `“${name}” cannot be used.`).replace(`“${name}”`, `“${file.name}”`));
       }
     });
   }

@@ -1,5 +1,7 @@
 // The present place over HTTP (docs/protocol.md). Every call throws a sentence for the visitor where it fails.
 
+import { plainReason } from '../model/file_trouble';
+
 async function ask(what: string, path: string, init: RequestInit = {}): Promise<string> {
   let answer: Response;
   try {
@@ -9,7 +11,7 @@ async function ask(what: string, path: string, init: RequestInit = {}): Promise<
   }
   const text = await answer.text();
   if (answer.ok) return text;
-  const reason = text.trim().replace(/\.$/, '');
+  const reason = plainReason(text);
   throw new Error(`${what}: ${reason || answer.statusText || answer.status}.`);
 }
 

@@ -1,8 +1,13 @@
 // A small picture of the scene as it is drawn now.
 
+import type { StudioFrame } from '../model/studio_frame';
 import type { StudioScene } from '../scene/studio_scene';
+import { cropAround } from './picture_crop';
 
-type PictureView = Pick<StudioScene, 'stats' | 'wake'>;
+type PictureView = Pick<StudioScene, 'stats' | 'wake' | 'worldToScreen'>;
+
+/** So many of the crowd tell where it is. */
+const kSamples = 400;
 
 /** Calls `take` right after the next picture, while the canvas holds it. */
 export function afterNextPicture(view: PictureView, take: () => void): void {
@@ -15,25 +20,42 @@ export function afterNextPicture(view: PictureView, take: () => void): void {
   view.wake();
 }
 
-/** The scene's next picture as PNG, cut to the middle of that width and height; null where the browser cannot. */
+/** The scene's next picture as PNG of that width and height, cut to the crowd; null where the browser cannot. */
 export function takePicture(
   view: PictureView,
   canvas: HTMLCanvasElement,
   width: number,
   height: number,
+  crowd: Pick<StudioFrame, 'x' | 'y'> | null = null,
 ): Promise<Blob | null> {
   return new Promise((done) => {
     afterNextPicture(view, () => {
       const small = document.createElement('canvas');
       small.width = width;
       small.height = height;
-      const scale = Math.max(width / canvas.width, height / canvas.height);
-      const [w, h] = [canvas.width * scale, canvas.height * scale];
       const context = small.getContext('2d');
       if (!context) return done(null);
       context.imageSmoothingQuality = 'high';
-      context.drawImage(canvas, (width - w) / 2, (height - h) / 2, w, h);
+      const part = cropAround(spotsOf(view, canvas, crowd), canvas.width, canvas.height, width / height);
+      context.drawImage(canvas, part.x, part.y, part.width, part.height, 0, 0, width, height);
       small.toBlob(done, 'image/png');
     });
   });
+}
+
+/** Where the crowd stands on the canvas [its px]. */
+function spotsOf(
+  view: PictureView,
+  canvas: HTMLCanvasElement,
+  crowd: Pick<StudioFrame, 'x' | 'y'> | null,
+): { x: number; y: number }[] {
+  if (!crowd) return [];
+  const ratio = canvas.width / Math.max(1, canvas.clientWidth);
+  const every = Math.max(1, Math.ceil(crowd.x.length / kSamples));
+  const spots = [];
+  for (let i = 0; i < crowd.x.length; i += every) {
+    const at = view.worldToScreen({ x: crowd.x[i] ?? 0, y: crowd.y[i] ?? 0 });
+    spots.push({ x: at.x * ratio, y: at.y * ratio });
+  }
+  return spots;
 }

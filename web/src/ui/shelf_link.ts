@@ -1,5 +1,6 @@
 // The shelf of takes over HTTP (docs/protocol.md). Every call throws a sentence for the visitor where it fails.
 
+import { plainReason } from '../model/file_trouble';
 import type { ShelvedTake, TakeAbout } from '../model/take_facts';
 
 /** How far an export is. */
@@ -30,7 +31,7 @@ async function ask(what: string, path: string, init: RequestInit = {}): Promise<
     throw new Error(`${what}: the server does not answer.`);
   }
   if (answer.ok) return answer;
-  const reason = (await answer.text()).trim().replace(/\.$/, '');
+  const reason = plainReason(await answer.text());
   throw new Error(`${what}: ${reason || answer.statusText}.`);
 }
 

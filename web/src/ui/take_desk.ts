@@ -3,6 +3,7 @@
 import { PlaybackAction, type SpeedPiece, type TakeKept, type TakeState } from '../protocol/messages';
 import { problem } from '../protocol/problem';
 import type { StudioClient } from '../link/studio_client';
+import type { StudioFrame } from '../model/studio_frame';
 import type { StudioStore } from '../model/studio_store';
 import type { TakeActions } from '../model/take_actions';
 import { kTakeEnd, takeTitle, type OpenTake, type ShelvedTake, type TakeAbout } from '../model/take_facts';
@@ -52,6 +53,7 @@ export class TakeDesk implements TakeActions {
   private readonly shelf_ = new ShelfLink();
   private readonly copies_ = new TakeCopies();
   private readonly live_ = new LiveRegion();
+  private crowd_: Pick<StudioFrame, 'x' | 'y'> | null = null;
   private readonly cameraMenu_ = new FilmCameraMenu({
     keepView: () => this.film_.keep(this.step_),
     removeView: (step) => this.film_.remove(step),
@@ -109,7 +111,7 @@ export class TakeDesk implements TakeActions {
     client.on('takeState', (state) => this.changed(state));
     client.on('takeReady', ({ steps }) => this.line_.track.setReady(steps));
     client.on('takeKept', (kept) => void this.kept(kept));
-    client.on('frame', ({ frame }) => this.observe(frame.step));
+    client.on('frame', ({ frame }) => this.observe((this.crowd_ = frame).step));
     client.on('welcome', () => void this.offerCutOff());
     store.watch(['shelf'], ({ shelf }) => {
       this.shelfPanel_.setOpen(shelf);
@@ -354,7 +356,7 @@ export class TakeDesk implements TakeActions {
   private picture(): Promise<Blob | null> {
     const { view, canvas } = this.parts_;
     const late = new Promise<null>((done) => window.setTimeout(() => done(null), kPictureWait));
-    return Promise.race([takePicture(view, canvas, kPicture.width, kPicture.height), late]);
+    return Promise.race([takePicture(view, canvas, kPicture.width, kPicture.height, this.crowd_), late]);
   }
 
   private async pictureWhileRecording(): Promise<void> {

@@ -1,5 +1,6 @@
 // Several directors on one world: names, colours, who holds what, groups of their own, and the invitation.
 import { expect } from '../support/expect.mjs';
+import { layout } from './look.mjs';
 import { kSizes, StudioPage } from '../support/studio_page.mjs';
 
 const kCorner = { x: 0.3, y: 0.3 };
@@ -39,6 +40,7 @@ export async function twoDirectors(studio) {
   const other = await second(studio);
   try {
     await studio.page.locator('.directors-button').waitFor();
+    await layout(studio);
     await openPanel(other);
     await other.page.locator('input.director-name').fill('Ben');
     await other.page.locator('input.director-name').press('Enter');

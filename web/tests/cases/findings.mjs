@@ -82,6 +82,26 @@ async function middle(studio, count) {
   return Object.fromEntries(list.map((at, i) => [i + 1, at]));
 }
 
+/** An area where an earlier point and line still lie under the hand: three fingers are three fingers. */
+export async function areaAfterLine(studio) {
+  for (const [count, kind] of [
+    [1, 0],
+    [2, 1],
+    [3, 2],
+  ]) {
+    const spots = await middle(studio, count);
+    const ids = (await studio.frame()).groups[0].controls.map(({ id }) => id);
+    await studio.fingers.down(spots);
+    const moved = Object.fromEntries(Object.entries(spots).map(([id, at]) => [id, { x: at.x + 30, y: at.y + 24 }]));
+    await studio.fingers.move(moved, { steps: 10, ms: 600 });
+    const made = (await studio.frame()).groups[0].controls.filter(({ id }) => !ids.includes(id));
+    const told = made.map((one) => `${one.kind} of ${one.points.length}`).join(', ');
+    expect(made.length === 1 && made[0].kind === kind && made[0].points.length === count, `${count} fingers: ${told}`);
+    await studio.fingers.up();
+    await studio.wait(250);
+  }
+}
+
 /** "+": a group with name, number and formation, put down by a tap. */
 export async function addedGroup(studio) {
   const { page } = studio;
@@ -188,12 +208,22 @@ export async function smallRings(studio) {
 export async function nothingOverlaps(studio) {
   const { page } = studio;
   await page.evaluate(() => globalThis.__muster.client.send({ type: 'Ping', time: 0 }));
-  for (const key of ['v', 'd']) {
+  for (const key of ['', 'v', 'd']) {
     await page.locator('#scene').focus();
-    await page.keyboard.press(key);
+    if (key) await page.keyboard.press(key);
     await studio.wait(500);
     const found = await page.evaluate(() => {
-      const names = ['.scale', '.legend', '.hint', '.view-bar', '.playback', '.readout', '.formations', '.groups'];
+      const names = [
+        '.scale',
+        '.legend',
+        '.hint',
+        '.view-bar',
+        '.playback',
+        '.readout',
+        '.formations',
+        '.groups',
+        '.orders',
+      ];
       const boxes = names.flatMap((name) => {
         const node = document.querySelector(`#ui ${name}`);
         if (!node || node.hidden || node.getClientRects().length === 0) return [];
@@ -215,8 +245,8 @@ export async function nothingOverlaps(studio) {
     });
     expect(found.over.length === 0, `nothing lies over another: ${found.over.join(', ')}`);
     expect(!found.cut, 'the title is whole');
-    await studio.shot(`overlay-${key}`);
-    await page.keyboard.press(key);
+    await studio.shot(`overlay-${key || 'none'}`);
+    if (key) await page.keyboard.press(key);
   }
 }
 

@@ -36,6 +36,18 @@ describe('surroundings', () => {
       { x: 0, y: 8 },
     ]);
   });
+  it('draws them in more where there is less room', () => {
+    expect(surroundings(scene, crowd, 2)).toContainEqual({ x: 4, y: 0 });
+  });
+  it('holds checkpoints', () => {
+    const goal = parseScene(
+      JSON.stringify({
+        box: { min: [-60, -60], max: [60, 60] },
+        checkpoints: [{ position: [5, 1], radius: 2, formation: 'ring' }],
+      }),
+    );
+    expect(surroundings(goal, crowd)).toEqual([{ x: 5, y: 1 }]);
+  });
   it('has nothing to add where nobody is', () => {
     expect(surroundings(scene, [])).toEqual([]);
   });

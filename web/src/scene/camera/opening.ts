@@ -1,4 +1,4 @@
-// What the opening view shows apart from the crowd: the obstacles and patches near it.
+// What the opening view shows apart from the crowd: what stands near it, and where it is to go.
 
 import type { Point2, SceneFacts } from '../../protocol/scene';
 import type { GroupView } from '../../model/frame_view';
@@ -8,12 +8,16 @@ import type { GroundPoint } from '../../model/plane';
 /** Things within this of the crowd are shown [m]. */
 const kNear = 20;
 /** They widen the view by no more than this to a side, so that people stay large [m]. */
-const kWiden = 6;
+export const kWiden = 6;
 /** So far from the crowd its goals are shown [m]. */
 const kGoal = 12;
 
 /** Points to fit into the view: corners of what is near, drawn in where they would widen it too far. */
-export function surroundings(scene: SceneFacts | null, crowd: readonly GroundPoint[]): GroundPoint[] {
+export function surroundings(
+  scene: SceneFacts | null,
+  crowd: readonly GroundPoint[],
+  widen: number = kWiden,
+): GroundPoint[] {
   if (!scene || crowd.length === 0) return [];
   const xs = crowd.map((point) => point.x);
   const ys = crowd.map((point) => point.y);
@@ -24,9 +28,10 @@ export function surroundings(scene: SceneFacts | null, crowd: readonly GroundPoi
     if (one.polygon) corners.push(...one.polygon);
     else if ('centre' in one && one.centre) corners.push(one.centre);
   }
+  corners.push(...scene.checkpoints.map(({ position }) => position));
   return corners
     .filter(([x, y]) => Math.hypot(x - clamp(x, x0, x1), y - clamp(y, y0, y1)) <= kNear)
-    .map(([x, y]) => ({ x: clamp(x, x0 - kWiden, x1 + kWiden), y: clamp(y, y0 - kWiden, y1 + kWiden) }));
+    .map(([x, y]) => ({ x: clamp(x, x0 - widen, x1 + widen), y: clamp(y, y0 - widen, y1 + widen) }));
 }
 
 /** Where its orders lead the crowd, drawn in where they are far. */

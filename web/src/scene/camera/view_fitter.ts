@@ -6,12 +6,15 @@ import type { GroundPoint } from '../../model/plane';
 import { crowdOutline, kSpanLeast } from './bounds_builder';
 import type { CameraController } from './camera_controller';
 import type { Padding } from './camera_controls';
-import { goals, surroundings } from './opening';
+import { goals, kWiden, surroundings } from './opening';
 
 /** Duration of a camera move to another view [ms]. */
 const kGlide = 260;
-/** A window narrower than this between its panels has no room for what stands about [CSS px]. */
+/** A window narrower than this between its panels shows less of what stands about [CSS px]. */
 const kNarrow = 420;
+/** There it is drawn in, by one of these after the other [m], until people are large enough [CSS px per metre]. */
+const kWidenNarrow = [kWiden, 4, 2] as const;
+const kReadable = 14;
 
 export class ViewFitter {
   /** What panels cover. */
@@ -38,7 +41,11 @@ export class ViewFitter {
     this.opened_ = true;
     if (this.camera_.placed) return;
     const wanted = [...points, ...goals(groups, points)];
-    this.camera_.fit(this.narrow() ? wanted : [...wanted, ...surroundings(this.scene_, points)], this.padding);
+    for (const widen of this.narrow() ? kWidenNarrow : [kWiden]) {
+      this.camera_.fit([...wanted, ...surroundings(this.scene_, points, widen)], this.padding);
+      if (!this.narrow() || this.camera_.pixelsPerMetre() >= kReadable) return;
+    }
+    this.camera_.fit(wanted, this.padding);
   }
 
   fit(positions: Numbers, groups: readonly GroupView[], atOnce: boolean): void {

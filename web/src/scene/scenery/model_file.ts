@@ -2,6 +2,7 @@
 
 import { Color, InstancedMesh, LoadingManager, Matrix4, Mesh, type Object3D, Vector3 } from 'three';
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
+import { gltfTrouble } from '../../model/file_trouble';
 import type { ModelMesh } from '../../model/place_files/mesh';
 import { FileProblem } from '../../model/place_files/place';
 
@@ -77,8 +78,7 @@ export async function readModel(main: File, files: readonly File[]): Promise<Mod
   } catch (error) {
     const [lost] = missing;
     if (lost) throw new FileProblem(`“${main.name}” needs “${lost}”: choose both together.`);
-    const reason = (error instanceof Error ? error.message : String(error)).replace(/^THREE\.GLTFLoader: /, '');
-    throw new FileProblem(`“${main.name}” cannot be read: ${reason.replace(/\.$/, '')}.`);
+    throw new FileProblem(`“${main.name}” cannot be read: ${gltfTrouble(error)}.`);
   } finally {
     for (const address of addresses.values()) URL.revokeObjectURL(address);
   }

@@ -62,15 +62,35 @@ export function unreachedRuns({ x, y, cell, width, values }: OverlayView, most =
   return runs;
 }
 
+function sameItems(a: readonly unknown[], b: readonly unknown[]): boolean {
+  return a.length === b.length && a.every((one, i) => one === b[i]);
+}
+
+/** Spots whose places on the screen tell whether the camera has moved [m]. */
+const kWatched: readonly GroundPoint[] = [
+  { x: 0, y: 0 },
+  { x: 10, y: 0 },
+  { x: 0, y: 10 },
+];
+
 export class BuildLayer {
+  /** What lies there; it changes with the place and the camera alone. */
+  private readonly still_ = shape('g', {});
+  /** What is being drawn, moved or chosen. */
+  private readonly moving_ = shape('g', {});
   readonly root = shape('svg', { class: 'build-layer', 'aria-hidden': 'true' }) as SVGSVGElement;
+  private shown_: BuildPicture | null = null;
+  private sightKey_ = '';
   private runs_: readonly Extent[] = [];
   private gaps_: readonly { readonly at: GroundPoint; readonly width: number }[] = [];
 
-  constructor(private readonly sight_: Sight) {}
+  constructor(private readonly sight_: Sight) {
+    this.root.append(this.still_, this.moving_);
+  }
 
   /** What can be reached, as the server tells. */
   setReach(overlay: OverlayView & { readonly gaps: ArrayLike<number> }): void {
+    this.shown_ = null;
     this.runs_ = unreachedRuns(overlay);
     const { gaps } = overlay;
     this.gaps_ = Array.from({ length: Math.floor(gaps.length / 3) }, (_, k) => ({
@@ -87,21 +107,43 @@ export class BuildLayer {
     return this.runs_.length;
   }
 
+  /** Call before every picture: only what has changed is made anew. */
   draw(picture: BuildPicture): void {
-    const { things, chosen, preview, line, closed } = picture;
-    const parts: SVGElement[] = [];
-    parts.push(this.reach());
+    const before = this.shown_;
+    const sightKey = kWatched.map((spot) => Object.values(this.sight_.toScreen(spot)).join(' ')).join(' ');
+    const seen = before !== null && sightKey === this.sightKey_;
+    const still = seen && sameItems(before.things, picture.things) && sameItems(before.chosen, picture.chosen);
+    const moving =
+      still &&
+      sameItems(before.preview, picture.preview) &&
+      sameItems(before.line, picture.line) &&
+      before.closed === picture.closed &&
+      before.handles === picture.handles;
+    if (moving) return;
+    this.sightKey_ = sightKey;
+    this.shown_ = { ...picture, line: [...picture.line] };
+    if (!still) this.drawStill(picture);
+    this.drawMoving(picture);
+  }
+
+  private drawStill({ things, chosen }: BuildPicture): void {
+    const parts = [this.reach()];
     for (const one of things) {
       const taken = chosen.some((other) => sameThing(other, one));
       parts.push(this.outline(one, `build-thing build-${one.kind}${taken ? ' build-chosen' : ''}`));
     }
-    for (const one of preview) parts.push(this.outline(one, 'build-preview'));
-    if (line.length > 1) parts.push(this.path(line, closed, 'build-line'));
-    for (const one of [...things, ...preview]) if (one.kind === 'group') parts.push(this.arrow(one));
+    for (const one of things) if (one.kind === 'group') parts.push(this.arrow(one));
     for (const gap of this.gaps_) parts.push(...this.gap(gap));
-    const extent = picture.handles ? extentOf(preview.length > 0 ? preview : chosen) : null;
+    this.still_.replaceChildren(...parts);
+  }
+
+  private drawMoving({ chosen, preview, line, closed, handles }: BuildPicture): void {
+    const parts = preview.map((one) => this.outline(one, 'build-preview'));
+    if (line.length > 1) parts.push(this.path(line, closed, 'build-line'));
+    for (const one of preview) if (one.kind === 'group') parts.push(this.arrow(one));
+    const extent = handles ? extentOf(preview.length > 0 ? preview : chosen) : null;
     if (extent) parts.push(...this.handles(extent));
-    this.root.replaceChildren(...parts);
+    this.moving_.replaceChildren(...parts);
   }
 
   private points(points: readonly GroundPoint[]): string {

@@ -1,5 +1,6 @@
 // A file that is to become a place or part of one: how it will look, and what can be set before anything changes.
 
+import { sentenceOf } from '../../model/file_trouble';
 import {
   importedFrom,
   usualSettings,
@@ -175,7 +176,7 @@ export class PlaceImport {
       this.tell(this.imported_.notes.join(' '));
       this.draw(this.imported_, settings);
     } catch (error) {
-      this.tell(error instanceof Error ? error.message : String(error));
+      this.tell(sentenceOf(error, 'The file cannot be used: parts of it are damaged.'));
       this.picture_.replaceChildren();
     }
   }

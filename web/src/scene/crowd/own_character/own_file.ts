@@ -2,6 +2,7 @@
 
 import { LoadingManager } from 'three';
 import { GLTFLoader, type GLTF } from 'three/examples/jsm/loaders/GLTFLoader.js';
+import { gltfTrouble } from '../../../model/file_trouble';
 
 /** What a character cannot do without, said to the visitor. */
 export class CharacterError extends Error {
@@ -19,8 +20,7 @@ export async function openFiles(files: readonly File[]): Promise<{ name: string;
     const bytes = await main.arrayBuffer();
     return { name: main.name, gltf: await new GLTFLoader(manager).parseAsync(bytes, '') };
   } catch (error) {
-    const reason = error instanceof Error ? error.message : String(error);
-    throw new CharacterError(`${main.name} could not be read: ${reason}`);
+    throw new CharacterError(`${main.name} cannot be read: ${gltfTrouble(error)}`);
   } finally {
     for (const address of addresses.values()) URL.revokeObjectURL(address);
   }
