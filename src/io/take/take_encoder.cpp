@@ -3,6 +3,7 @@
 #include "io/take/take_about.h"
 #include "io/take/take_encoder.h"
 #include "io/take/take_format.h"
+#include "io/take/take_frames.h"
 #include "muster/scenario.h"
 #include "muster/take.h"
 #include "world/commands/command_archive.h"
@@ -74,6 +75,12 @@ std::vector<std::uint8_t> TakeEncoder::about(const TakeAbout& about) {
     const std::vector<std::uint8_t> payload(text.begin(), text.end());
     std::vector<std::uint8_t> bytes;
     putRecord(bytes, RecordKind::About, payload);
+    return bytes;
+}
+
+std::vector<std::uint8_t> TakeEncoder::frames(std::span<const TakeFrame> frames) {
+    std::vector<std::uint8_t> bytes;
+    if (!frames.empty()) putRecord(bytes, RecordKind::Frames, packFrames(frames));
     return bytes;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "muster/take.h"
@@ -21,6 +22,8 @@ public:
     static std::vector<std::uint8_t> events(const World& world);
     /// Encodes what is said about the take.
     static std::vector<std::uint8_t> about(const TakeAbout& about);
+    /// Encodes stored frames; nothing for none.
+    static std::vector<std::uint8_t> frames(std::span<const TakeFrame> frames);
     /// Encodes a hash mark.
     static std::vector<std::uint8_t> mark(const HashMark& mark);
     /// Encodes the end record, with the last mark.
