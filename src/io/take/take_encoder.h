@@ -26,6 +26,8 @@ public:
     static std::vector<std::uint8_t> frames(std::span<const TakeFrame> frames);
     /// Encodes a hash mark.
     static std::vector<std::uint8_t> mark(const HashMark& mark);
+    /// Encodes a finished take as a file, with that said about it.
+    static std::vector<std::uint8_t> whole(const Take& take, const TakeAbout& about);
     /// Encodes the end record, with the last mark.
     static std::vector<std::uint8_t> end(const HashMark& mark);
 };

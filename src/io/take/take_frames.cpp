@@ -177,7 +177,7 @@ Status unpackFrames(std::span<const std::uint8_t> bytes, std::vector<TakeFrame>&
     return {};
 }
 
-std::uint32_t frameSpacing(std::size_t characters) {
+std::uint32_t storedFrameSpacing(std::size_t characters) {
     for (const std::uint32_t spacing : kSpacings)
         if (characters <= kCharactersPerStep * spacing) return spacing;
     return kSpacings[std::size(kSpacings) - 1];
@@ -186,7 +186,7 @@ std::uint32_t frameSpacing(std::size_t characters) {
 bool FrameRecorder::observe(const World& world) {
     const CharactersView characters = world.characters();
     const std::uint32_t step = world.stepCount();
-    if (frames_.empty() || step % frameSpacing(characters.id.size()) == 0) {
+    if (frames_.empty() || step % storedFrameSpacing(characters.id.size()) == 0) {
         TakeFrame frame;
         frame.step = step;
         frame.ids.assign(characters.id.begin(), characters.id.end());

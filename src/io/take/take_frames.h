@@ -19,7 +19,7 @@ std::vector<std::uint8_t> packFrames(std::span<const TakeFrame> frames);
 Status unpackFrames(std::span<const std::uint8_t> bytes, std::vector<TakeFrame>& frames);
 
 /// Steps from one stored frame to the next for a crowd of that size: a divisor of kTakeMarkSpacing.
-std::uint32_t frameSpacing(std::size_t characters);
+std::uint32_t storedFrameSpacing(std::size_t characters);
 
 /// Gathers frames while a world is recorded.
 class FrameRecorder {
@@ -28,6 +28,7 @@ public:
     bool observe(const World& world);
     /// The frames since the last call; empty for none.
     std::vector<TakeFrame> take();
+    std::span<const TakeFrame> waiting() const { return frames_; }  ///< What take() would give.
 
 private:
     std::vector<TakeFrame> frames_;

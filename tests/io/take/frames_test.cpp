@@ -113,12 +113,12 @@ TEST_CASE("bytes that are no frames are refused, and nothing is added") {
 }
 
 TEST_CASE("larger crowds are stored less often, and always with each mark") {
-    CHECK(frameSpacing(1) == 3);
-    CHECK(frameSpacing(510) == 3);
-    CHECK(frameSpacing(511) == 4);
-    CHECK(frameSpacing(1000000) == 30);
+    CHECK(storedFrameSpacing(1) == 3);
+    CHECK(storedFrameSpacing(510) == 3);
+    CHECK(storedFrameSpacing(511) == 4);
+    CHECK(storedFrameSpacing(1000000) == 30);
     for (std::size_t count = 1; count < 20000; count += 97)
-        CHECK(kTakeMarkSpacing % frameSpacing(count) == 0);
+        CHECK(kTakeMarkSpacing % storedFrameSpacing(count) == 0);
 }
 
 TEST_CASE("a take whose simulation differs shows the stored frames") {
