@@ -125,10 +125,10 @@ TEST_CASE("without frames one sentence says why it cannot be shown") {
     FakeClient client(session);
     run(session, 3.0, {&client});
     CHECK(!client.takes.back().stored);
-    const auto told = std::find_if(client.notices.begin(), client.notices.end(), [](const auto& notice) {
+    const auto known = std::find_if(client.notices.begin(), client.notices.end(), [](const auto& notice) {
         return notice.text.find("another version of Muster and holds no stored frames") != std::string::npos;
     });
-    CHECK(told != client.notices.end());
+    CHECK(known != client.notices.end());
 }
 
 TEST_CASE("what is recorded holds frames from the moment of recording on, and replays to its hashes") {
