@@ -173,6 +173,12 @@ const kCases = [
     { scenario: 'scenarios/paper/x03-long-house.json' },
   ],
   ['build: by mouse', build.byMouse, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],
+  [
+    'build: corners',
+    build.cornersAndGuides,
+    ['desktop', 'portrait', 'phone'],
+    { scenario: 'scenarios/open.json', room: true },
+  ],
   ['build: numbers', build.numbers, ['wide'], { touch: false, scenario: 'scenarios/open.json', room: true }],
   [
     'build: by touch',

@@ -147,6 +147,8 @@ export class BuildDesk implements StrokeHost, BuildActions {
       line: this.strokes_.line.length > 0 ? this.strokes_.line : this.strokes_.corners,
       closed: this.strokes_.closed,
       handles: this.tool === 'select' && this.chosen_.length > 0,
+      corner: this.strokes_.tapped,
+      guides: this.strokes_.guides,
     });
   };
 
@@ -194,7 +196,7 @@ export class BuildDesk implements StrokeHost, BuildActions {
   }
 
   remove(): void {
-    if (this.chosen_.length === 0) return;
+    if (this.chosen_.length === 0 || this.strokes_.removeCorner()) return;
     this.send(
       this.chosen_.length === 1 ? `Remove ${this.chosen_[0]!.kind}` : 'Remove',
       this.chosen_.map(things.removeEvent),

@@ -2,6 +2,8 @@
 
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
 import { drawn, polygonThing, routed, type BuildTool, type DrawingOptions } from '../../model/place/drawing';
+import { crossesItself, gripAt, hasCorners, withCorner, withoutCorner, type Grip } from '../../model/place/corners';
+import { aligned, type Guide } from '../../model/place/guides';
 import { rightAngled, snapped } from '../../model/place/snap';
 import * as things from '../../model/place/things';
 import type { Thing } from '../../model/place/things';
@@ -29,19 +31,25 @@ export interface StrokeHost {
 
 /** What a stroke does to what is chosen. */
 type Drag =
+  | { readonly does: 'corner'; readonly from: GroundPoint; readonly before: readonly Thing[]; readonly grip: Grip }
   | { readonly does: 'move' | 'scale' | 'turn'; readonly from: GroundPoint; readonly before: readonly Thing[] }
   | { readonly does: 'draw' | 'box' | 'lasso' | 'route'; readonly from: GroundPoint };
 
 /** Handles are taken from so near [CSS px]. */
 const kReach = { touch: 26, mouse: 14 };
 
-const kWords = { move: 'Move', scale: 'Scale', turn: 'Turn' } as const;
+const kWords = { move: 'Move', scale: 'Scale', turn: 'Turn', corner: 'Move corner' } as const;
+const kCrosses = 'An outline must not cross itself.';
 
 export class BuildStroking implements BuildStrokes {
   /** A line, box or lasso that is being drawn. */
   line: GroundPoint[] = [];
   /** Of the polygon that is being drawn. */
   corners: GroundPoint[] = [];
+  /** Of what is chosen: the corner that was tapped; -1 for none. */
+  tapped = -1;
+  /** What is moved lines up along these. */
+  guides: readonly Guide[] = [];
   private drag_: Drag | null = null;
 
   constructor(private readonly host_: StrokeHost) {}
@@ -103,7 +111,31 @@ export class BuildStroking implements BuildStrokes {
     this.drag_ = { does: 'draw', from };
   }
 
+  private gripOf({ screen, touch }: BuildStroke): Grip | null {
+    const [one] = this.host_.chosen;
+    if (!one || !hasCorners(this.host_.chosen)) return null;
+    return gripAt(one, screen, (point) => this.host_.toScreen(point), touch ? 22 : 10);
+  }
+
+  /** Takes away the corner that was tapped; false where there is none. */
+  removeCorner(): boolean {
+    const [one] = this.host_.chosen;
+    if (this.tapped < 0 || !one) return false;
+    const less = withoutCorner(one, this.tapped);
+    this.tapped = -1;
+    if (!less) this.host_.say('An outline has three corners at least.');
+    else if (crossesItself(less)) this.host_.say(kCrosses);
+    else this.host_.change('Remove corner', [less]);
+    return true;
+  }
+
   private beginSelect(stroke: BuildStroke): void {
+    const grip = stroke.shift ? null : this.gripOf(stroke);
+    this.tapped = grip && !grip.isNew ? grip.index : -1;
+    if (grip) {
+      this.drag_ = { does: 'corner', from: stroke.ground, before: this.host_.chosen, grip };
+      return;
+    }
     const handle = this.handleAt(stroke);
     if (handle) {
       this.drag_ = { does: handle, from: stroke.ground, before: this.host_.chosen };
@@ -130,6 +162,7 @@ export class BuildStroking implements BuildStrokes {
       case 'move':
       case 'scale':
       case 'turn':
+      case 'corner':
         this.host_.preview = this.dragged(drag, stroke);
         break;
       case 'box':
@@ -154,11 +187,9 @@ export class BuildStroking implements BuildStrokes {
   private dragged(drag: Extract<Drag, { before: readonly Thing[] }>, stroke: BuildStroke): Thing[] {
     const about = this.middle() ?? drag.from;
     const { ground } = stroke;
-    if (drag.does === 'move') {
-      const snaps = this.host_.snaps && !stroke.free;
-      const step = (value: number): number => (snaps ? Math.round(value * 2) / 2 : value);
-      return drag.before.map((one) => things.moved(one, step(ground.x - drag.from.x), step(ground.y - drag.from.y)));
-    }
+    if (drag.does === 'corner') return drag.before.map((one) => withCorner(one, drag.grip, this.snap(stroke)));
+    if (drag.does === 'move')
+      return this.carried(drag.before, ground.x - drag.from.x, ground.y - drag.from.y, stroke.free);
     const [from, to] = [drag.from, ground].map((p) => ({ x: p.x - about.x, y: p.y - about.y }));
     if (drag.does === 'scale') {
       const factor = Math.max(0.1, Math.hypot(to!.x, to!.y) / Math.max(0.1, Math.hypot(from!.x, from!.y)));
@@ -170,18 +201,40 @@ export class BuildStroking implements BuildStrokes {
     return drag.before.map((one) => things.turned(one, about, turn));
   }
 
+  /** Moved by so much: to lines of others, else by steps of the grid. */
+  private carried(before: readonly Thing[], dx: number, dy: number, free: boolean): Thing[] {
+    this.guides = [];
+    if (free || !this.host_.snaps) return before.map((one) => things.moved(one, dx, dy));
+    const others = this.host_.all.filter((one) => !before.some((taken) => things.sameThing(taken, one)));
+    const lined = aligned(before, others, dx, dy, this.host_.metres(8));
+    this.guides = lined.guides;
+    const step = (wished: number, line: number): number => (line === wished ? Math.round(wished * 2) / 2 : line);
+    return before.map((one) => things.moved(one, step(dx, lined.dx), step(dy, lined.dy)));
+  }
+
   end(stroke: BuildStroke, still: boolean): void {
     const { drag_: drag, line, host_: host } = this;
     this.drag_ = null;
     this.line = [];
+    this.guides = [];
     if (host.tool === 'polygon') return this.corner(stroke);
     if (!drag) return;
     if ('before' in drag) {
       if (still) host.preview = [];
-      else host.change(kWords[drag.does], this.dragged(drag, stroke));
+      else this.endDrag(drag, this.dragged(drag, stroke));
+      this.guides = [];
     } else if (drag.does === 'route') this.endRoute(line);
     else if (drag.does === 'draw') this.endDrawing(drag.from, stroke);
     else host.chosen = still ? [] : things.within(host.free, line);
+  }
+
+  private endDrag(drag: Extract<Drag, { before: readonly Thing[] }>, changed: readonly Thing[]): void {
+    if (drag.does === 'corner' && changed.some(crossesItself)) {
+      this.host_.preview = [];
+      return this.host_.say(kCrosses);
+    }
+    const adds = drag.does === 'corner' && drag.grip.isNew;
+    this.host_.change(adds ? 'Add corner' : kWords[drag.does], changed);
   }
 
   private endRoute(line: readonly GroundPoint[]): void {
@@ -208,12 +261,14 @@ export class BuildStroking implements BuildStrokes {
   }
 
   cancel(): void {
+    this.guides = [];
     this.drag_ = null;
     this.line = [];
     this.host_.preview = [];
   }
 
   doubleTap(): void {
+    if (this.host_.tool === 'select') this.removeCorner();
     if (this.host_.tool === 'polygon' && this.corners.length >= 3) this.finishPolygon();
   }
 
