@@ -20,6 +20,12 @@ export interface StrokeHost {
   preview: readonly Thing[];
   add(label: string, made: readonly Thing[]): void;
   change(label: string, changed: readonly Thing[]): void;
+  /** A drag begins. The world follows it, and all of it is one step of the history. */
+  dragBegins(): void;
+  drag(label: string, changed: readonly Thing[]): void;
+  dragEnds(label: string, changed: readonly Thing[]): void;
+  /** The drag is given up: all is as it was before. */
+  dragCancelled(label: string, before: readonly Thing[]): void;
   setTool(tool: BuildTool): void;
   say(text: string): void;
   undo(): void;
@@ -27,10 +33,16 @@ export interface StrokeHost {
   metres(px: number): number;
 }
 
-/** What a stroke does to what is chosen. */
-type Drag =
-  | { readonly does: 'move' | 'scale' | 'turn'; readonly from: GroundPoint; readonly before: readonly Thing[] }
-  | { readonly does: 'draw' | 'box' | 'lasso' | 'route'; readonly from: GroundPoint };
+/** Moves, scales or turns things about the middle that they had. */
+interface Handling {
+  readonly does: 'move' | 'scale' | 'turn';
+  readonly from: GroundPoint;
+  readonly before: readonly Thing[];
+  readonly about: GroundPoint;
+}
+
+/** What a stroke does. */
+type Drag = Handling | { readonly does: 'draw' | 'box' | 'lasso' | 'route'; readonly from: GroundPoint };
 
 /** Handles are taken from so near [CSS px]. */
 const kReach = { touch: 26, mouse: 14 };
@@ -48,6 +60,11 @@ export class BuildStroking implements BuildStrokes {
 
   get busy(): boolean {
     return this.drag_ !== null || this.corners.length > 0;
+  }
+
+  /** Things are being moved, scaled or turned. */
+  get dragging(): boolean {
+    return this.drag_ !== null && 'before' in this.drag_;
   }
 
   /** The line that is shown is a loop. */
@@ -68,8 +85,10 @@ export class BuildStroking implements BuildStrokes {
     if (made) this.host_.add('Add polygon', [made]);
   }
 
-  private middle(): GroundPoint | null {
-    return things.middleOfAll(this.host_.chosen);
+  private handle(does: Handling['does'], from: GroundPoint): void {
+    const before = this.host_.chosen;
+    this.drag_ = { does, from, before, about: things.middleOfAll(before) ?? from };
+    this.host_.dragBegins();
   }
 
   private snap(stroke: BuildStroke): GroundPoint {
@@ -105,10 +124,7 @@ export class BuildStroking implements BuildStrokes {
 
   private beginSelect(stroke: BuildStroke): void {
     const handle = this.handleAt(stroke);
-    if (handle) {
-      this.drag_ = { does: handle, from: stroke.ground, before: this.host_.chosen };
-      return;
-    }
+    if (handle) return this.handle(handle, stroke.ground);
     const found = things.hit(this.host_.free, stroke.ground, this.host_.metres(stroke.touch ? 16 : 6));
     if (!found) {
       this.drag_ = { does: stroke.free ? 'lasso' : 'box', from: stroke.ground };
@@ -119,10 +135,10 @@ export class BuildStroking implements BuildStrokes {
     if (stroke.shift && taken) this.host_.chosen = this.host_.chosen.filter((one) => !things.sameThing(one, found));
     else if (stroke.shift) this.host_.chosen = [...this.host_.chosen, found];
     else if (!taken) this.host_.chosen = [found];
-    this.drag_ = { does: 'move', from: stroke.ground, before: this.host_.chosen };
+    this.handle('move', stroke.ground);
   }
 
-  move(stroke: BuildStroke): void {
+  move(stroke: BuildStroke, still: boolean): void {
     const drag = this.drag_;
     if (!drag) return;
     const { ground } = stroke;
@@ -130,7 +146,7 @@ export class BuildStroking implements BuildStrokes {
       case 'move':
       case 'scale':
       case 'turn':
-        this.host_.preview = this.dragged(drag, stroke);
+        if (!still) this.host_.drag(kWords[drag.does], this.dragged(drag, stroke));
         break;
       case 'box':
         this.line = [drag.from, { x: ground.x, y: drag.from.y }, ground, { x: drag.from.x, y: ground.y }];
@@ -151,8 +167,8 @@ export class BuildStroking implements BuildStrokes {
     return stroke.shift ? rightAngled(from, stroke.ground) : this.snap(stroke);
   }
 
-  private dragged(drag: Extract<Drag, { before: readonly Thing[] }>, stroke: BuildStroke): Thing[] {
-    const about = this.middle() ?? drag.from;
+  private dragged(drag: Handling, stroke: BuildStroke): Thing[] {
+    const { about } = drag;
     const { ground } = stroke;
     if (drag.does === 'move') {
       const snaps = this.host_.snaps && !stroke.free;
@@ -177,8 +193,7 @@ export class BuildStroking implements BuildStrokes {
     if (host.tool === 'polygon') return this.corner(stroke);
     if (!drag) return;
     if ('before' in drag) {
-      if (still) host.preview = [];
-      else host.change(kWords[drag.does], this.dragged(drag, stroke));
+      if (!still) host.dragEnds(kWords[drag.does], this.dragged(drag, stroke));
     } else if (drag.does === 'route') this.endRoute(line);
     else if (drag.does === 'draw') this.endDrawing(drag.from, stroke);
     else host.chosen = still ? [] : things.within(host.free, line);
@@ -208,9 +223,11 @@ export class BuildStroking implements BuildStrokes {
   }
 
   cancel(): void {
+    const drag = this.drag_;
     this.drag_ = null;
     this.line = [];
     this.host_.preview = [];
+    if (drag && 'before' in drag) this.host_.dragCancelled(kWords[drag.does], drag.before);
   }
 
   doubleTap(): void {
