@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "session/place_join.h"
+
 namespace muster {
 namespace {
 
@@ -13,13 +15,6 @@ constexpr std::size_t kMostLabel = 80;     // [bytes]
 /// True where two edits are about the same thing and have to follow each other.
 bool collide(const Thing& a, const Thing& b) {
     return a.id != 0 && a == b;
-}
-
-/// What is done to a thing, if both do the same to it, so that the later one replaces the earlier one.
-bool replaces(const PlaceChange& later, const PlaceChange& earlier) {
-    return later.thing.id != 0 && later.thing == earlier.thing &&
-           later.redo.index() == earlier.redo.index() && later.undo.index() == earlier.undo.index() &&
-           !adds(later.redo) && !adds(later.undo);
 }
 
 /// The steps that take this one back.
@@ -38,23 +33,6 @@ void push(std::deque<PlaceStep>& steps, PlaceStep step) {
 void nameThing(PlaceChange& change, std::uint32_t id) {
     rename(change.undo, {change.thing.kind, 0}, id);
     change.thing.id = id;
-}
-
-/// Makes a thing as it was changed right after it was made. False where the later change does something else.
-bool addsChanged(PlaceChange& earlier, const PlaceChange& later) {
-    if (!(later.thing == earlier.thing) || later.thing.id == 0) return false;
-    if (auto* add = std::get_if<AddObstacle>(&earlier.redo))
-        if (const auto* change = std::get_if<ChangeObstacle>(&later.redo))
-            return add->obstacle = change->obstacle, true;
-    if (auto* add = std::get_if<AddPatch>(&earlier.redo))
-        if (const auto* change = std::get_if<ChangePatch>(&later.redo))
-            return add->patch = change->patch, true;
-    if (auto* add = std::get_if<AddItem>(&earlier.redo))
-        if (const auto* change = std::get_if<ChangeItem>(&later.redo)) return add->item = change->item, true;
-    if (auto* add = std::get_if<AddCheckpoint>(&earlier.redo))
-        if (const auto* change = std::get_if<ChangeCheckpoint>(&later.redo))
-            return add->checkpoint = change->checkpoint, add->group = change->group, true;
-    return false;
 }
 
 }  // namespace
@@ -92,9 +70,6 @@ Status PlaceEditor::want(std::uint32_t client, std::string label, std::uint32_t 
     if (label.size() > kMostLabel)
         return invalidArgument("found a label of " + std::to_string(label.size()) +
                                " bytes, expected at most " + std::to_string(kMostLabel));
-    if (waiting_.size() >= kMostWaiting)
-        return {StatusCode::LimitExceeded,
-                "more than " + std::to_string(kMostWaiting) + " edits wait for the next step"};
     Waiting waiting{client, Given::Way::Do, {std::move(label), gesture, {}}, false};
     for (std::size_t k = 0; k < bodies.size(); ++k) {
         const std::string where = "edit: $[" + std::to_string(k) + "]: ";
@@ -106,7 +81,22 @@ Status PlaceEditor::want(std::uint32_t client, std::string label, std::uint32_t 
                 return invalidArgument(where + "found a thing that was named before, expected each once");
         waiting.step.changes.push_back({*thing, std::move(bodies[k]), {}});
     }
-    waiting_.push_back(std::move(waiting));
+    return wait(std::move(waiting));
+}
+
+// A drag that is faster than the world leaves out what it has passed in the meantime.
+Status PlaceEditor::wait(Waiting wanted) {
+    const auto last = std::find_if(waiting_.rbegin(), waiting_.rend(),
+                                   [&](const Waiting& one) { return one.client == wanted.client; });
+    if (last != waiting_.rend() && last->way == Given::Way::Do && wanted.step.gesture != 0 &&
+        last->step.gesture == wanted.step.gesture && overtakes(wanted.step.changes, last->step.changes)) {
+        last->step = std::move(wanted.step);
+        return {};
+    }
+    if (waiting_.size() >= kMostWaiting)
+        return {StatusCode::LimitExceeded,
+                "more than " + std::to_string(kMostWaiting) + " edits wait for the next step"};
+    waiting_.push_back(std::move(wanted));
     return {};
 }
 
@@ -212,18 +202,8 @@ void PlaceEditor::keep(Given& given) {
     const bool joins = given.step.gesture != 0 && !history.done.empty() &&
                        history.done.back().gesture == given.step.gesture;
     if (!joins) return push(history.done, std::move(given.step));
-    std::vector<PlaceChange>& before = history.done.back().changes;
-    for (PlaceChange& change : given.step.changes) {
-        if (std::any_of(before.begin(), before.end(),
-                        [&](PlaceChange& earlier) { return addsChanged(earlier, change); }))
-            continue;
-        const auto same = std::find_if(before.begin(), before.end(),
-                                       [&](const PlaceChange& earlier) { return replaces(change, earlier); });
-        if (same == before.end())
-            before.push_back(std::move(change));
-        else
-            same->redo = std::move(change.redo);
-    }
+    join(history.done.back(), std::move(given.step.changes));
+    if (history.done.back().changes.empty()) history.done.pop_back();
 }
 
 void PlaceEditor::renameEverywhere(Thing from, std::uint32_t to) {

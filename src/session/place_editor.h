@@ -35,13 +35,16 @@ public:
     void forgetAll() { histories_.clear(); }
 
     const Place& place() const { return place_; }
-    /// An edit for the next step. Fails where it holds what is no edit, or names a thing twice.
+    /// An edit for the next step. It takes the place of one that still waits where that is of the same
+    /// gesture and does the same to the same things. Fails where it holds what is no edit, or names a thing
+    /// twice.
     Status want(std::uint32_t client, std::string label, std::uint32_t gesture,
                 std::vector<CommandBody> bodies);
     /// Takes back the director's last step, or does it again, in the next step. Fails where there is none.
     Status wantUndo(std::uint32_t client, bool redo);
     /// True where an edit waits.
     bool waits() const { return !waiting_.empty(); }
+    std::size_t waiting() const { return waiting_.size(); }
     /// The edits that can be carried out together now, those that name a thing again wait on. The caller
     /// gives their `redo` commands to the world and adds the numbers; or drops the edit.
     std::vector<Given> due(const World& world);
@@ -63,6 +66,7 @@ private:
         std::deque<PlaceStep> done, undone;
     };
 
+    Status wait(Waiting wanted);
     void complete(PlaceStep& step, const World& world) const;
     bool fetch(Waiting& waiting);
     void keep(Given& given);

@@ -65,10 +65,11 @@ Status Session::Impl::edit(SessionClient& client, const protocol::Edit& message)
         if (Status valid = validateCommand(command); !valid.ok()) return valid;
         if (Status mine = directors.admit(client.number, body); !mine.ok()) return mine;
     }
+    const std::size_t waiting = editor.waiting();
     if (Status s = editor.want(client.number, message.label, message.gesture, std::move(bodies).value());
         !s.ok())
         return s;
-    if (!playing) singleSteps = std::min(singleSteps + 1, kMostEditSteps);
+    if (!playing && editor.waiting() > waiting) singleSteps = std::min(singleSteps + 1, kMostEditSteps);
     return {};
 }
 

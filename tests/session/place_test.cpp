@@ -115,6 +115,62 @@ TEST_CASE("edits of one gesture are taken back together") {
     CHECK(desk.obstacle(0).centre.x == 5.0);
 }
 
+TEST_CASE("two drags in a row are two steps, however fast they follow each other") {
+    Desk desk;
+    desk.edit(kBox);
+    const std::string id = std::to_string(desk.world().obstacleIds()[0].value);
+    // Nothing is carried out between them.
+    for (const auto& [x, gesture] : {std::pair{1, 7u}, {2, 7u}, {3, 8u}, {4, 8u}})
+        desk.client.send(protocol::Edit{"Move", gesture,
+                                        R"([{"kind":"changeObstacle","id":)" + id +
+                                            R"(,"definition":{"centre":[)" + std::to_string(x) +
+                                            R"(,0],"radius":1}}])"});
+    desk.settle();
+    CHECK(desk.obstacle(0).centre.x == 4.0);
+    CHECK(desk.client.history.undo == 3);
+    desk.undo();
+    CHECK(desk.obstacle(0).centre.x == 2.0);
+    desk.undo();
+    CHECK(desk.obstacle(0).name == "Box");
+    for (int k = 0; k < 2; ++k) desk.undo(true);
+    CHECK(desk.obstacle(0).centre.x == 4.0);
+    CHECK(desk.client.noticed("rejected").empty());
+}
+
+TEST_CASE("an edit of a drag takes the place of one that still waits") {
+    Desk desk;
+    desk.client.send(protocol::Playback{protocol::PlaybackAction::Pause});
+    desk.settle();
+    const std::uint32_t before = desk.world().stepCount();
+    for (int k = 1; k <= 300; ++k)
+        desk.client.send(protocol::Edit{
+            "Move", 7,
+            R"([{"kind":"placeGroup","group":1,"x":)" + std::to_string(0.01 * k) + R"(,"y":1,"angle":0}])"});
+    desk.settle();
+    CHECK(desk.world().stepCount() == before + 1);
+    CHECK(desk.world().group(0).pose.position.x == doctest::Approx(3.0));
+    CHECK(desk.client.history.undo == 1);
+    CHECK(desk.client.notices.empty());
+}
+
+TEST_CASE("a drag that leads back leaves nothing to take back") {
+    Desk desk;
+    const Vec2 at = desk.world().group(0).pose.position;
+    const auto drag = [&](double x) {
+        desk.edit(R"({"kind":"placeGroup","group":1,"x":)" + std::to_string(x) + R"(,"y":)" +
+                      std::to_string(at.y) + R"(,"angle":0})",
+                  "Move", 7);
+    };
+    drag(at.x + 1.0);
+    CHECK(desk.client.history.undo == 1);
+    drag(at.x);
+    CHECK(desk.client.history.undo == 0);
+    drag(at.x + 2.0);
+    CHECK(desk.client.history.undo == 1);
+    desk.undo();
+    CHECK(desk.world().group(0).pose.position == at);
+}
+
 TEST_CASE("what was added and moved in one gesture comes back where it was moved to") {
     Desk desk;
     desk.edit(R"({"kind":"item","definition":{"position":[1,1]}})", "Draw", 9);

@@ -15,7 +15,8 @@ export interface BuildStroke {
 
 export interface BuildStrokes {
   begin(stroke: BuildStroke): void;
-  move(stroke: BuildStroke): void;
+  /** `still`: it has not moved so far. */
+  move(stroke: BuildStroke, still: boolean): void;
   /** `still`: it has not moved, so it was a tap. */
   end(stroke: BuildStroke, still: boolean): void;
   cancel(): void;
@@ -120,7 +121,7 @@ export class BuildPointer {
     one.at = at;
     if (this.camera_ || this.down_.size > 1) return this.moves_();
     const stroke = this.strokeOf(event);
-    if (stroke && event.pointerId === this.drawing_) this.strokes_.move(stroke);
+    if (stroke && event.pointerId === this.drawing_) this.strokes_.move(stroke, !this.moved_);
   }
 
   private pinch(pointer: number, at: ScreenPoint): void {

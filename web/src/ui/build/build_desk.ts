@@ -10,8 +10,9 @@ import { OverlayKind, PlaybackAction, type EditHistory } from '../../protocol/me
 import { parseScene, type SceneFacts } from '../../protocol/scene';
 import type { StudioScene } from '../../scene/studio_scene';
 import { BuildPointer } from '../../tools/build_pointer';
-import { BuildKeys } from './build_keys';
 import type { BuildActions } from './build_actions';
+import { BuildEdits, changeOf } from './build_edits';
+import { BuildKeys } from './build_keys';
 import { BuildLayer } from './build_layer';
 import { BuildPanel } from './build_panel';
 import { BuildStroking, type StrokeHost } from './build_strokes';
@@ -26,20 +27,22 @@ export interface BuildParts {
 
 /** What is pasted or doubled stands beside the old one [m]. */
 const kBeside = 1;
-/** Events of one message. */
-const kMostEvents = 200;
+/** Of an edit that was refused [ms]. */
+const kPreviewStays = 1500;
 
 export class BuildDesk implements StrokeHost, BuildActions {
   private readonly layer_: BuildLayer;
   private readonly panel_: BuildPanel;
   private scene_: SceneFacts | null = null;
+  /** As the server shows them, and with what it has been told since. */
+  private served_: readonly Thing[] = [];
   private things_: readonly Thing[] = [];
   private chosen_: readonly Thing[] = [];
   preview: readonly Thing[] = [];
   private readonly strokes_ = new BuildStroking(this);
   private copied_: readonly Thing[] = [];
   private open_ = false;
-  private gestures_ = Math.floor(Math.random() * 1e9);
+  private readonly edits_: BuildEdits;
   private waits_ = 0;
   tool: BuildTool = 'select';
   snaps = true;
@@ -61,6 +64,7 @@ export class BuildDesk implements StrokeHost, BuildActions {
     const { view, client } = parts_;
     this.layer_ = new BuildLayer({ toScreen: (point) => view.worldToScreen(point) });
     this.panel_ = new BuildPanel(this);
+    this.edits_ = new BuildEdits(client, () => this.refresh());
     parts_.page.before(this.layer_.root);
     parts_.page.append(this.panel_.root);
     new BuildPointer(
@@ -75,6 +79,7 @@ export class BuildDesk implements StrokeHost, BuildActions {
       if (overlay.kind === OverlayKind.Reach) this.layer_.setReach(overlay);
     });
     client.on('welcome', () => this.askReach());
+    client.on('notice', ({ code }) => this.refused(code));
     parts_.store.watch(['playing'], ({ playing }) => this.panel_.setPlaying(playing));
     this.setTool('select');
     this.layer_.root.style.display = 'none';
@@ -107,18 +112,21 @@ export class BuildDesk implements StrokeHost, BuildActions {
 
   setScene(json: string): void {
     const scene = parseScene(json);
-    const before = this.things_;
+    const before = this.served_;
     const same = this.scene_?.world === scene.world && this.scene_.name === scene.name;
     this.scene_ = scene;
-    this.things_ = things.thingsOf(scene);
+    this.served_ = things.thingsOf(scene);
+    if (!same) this.edits_.forget();
+    this.things_ = this.edits_.over(this.served_);
     this.chosen_ = things.chosenAgain(this.chosen_, before, this.things_, same);
     if (this.choosesNew_ && same) {
-      const fresh = this.things_.filter((one) => !before.some((old) => things.sameThing(old, one)));
+      const fresh = this.served_.filter((one) => !before.some((old) => things.sameThing(old, one)));
       if (fresh.length > 0) this.chosen_ = fresh;
       this.choosesNew_ = fresh.length === 0;
     }
     if (!this.strokes_.busy) this.preview = [];
     window.clearTimeout(this.waits_);
+    this.edits_.answered();
     this.showChosen();
     // Whoever wakes the view later shows it whole; what is hidden is left out once the studio has shown it.
     if (this.hidden_.size > 0) queueMicrotask(() => this.showLayers());
@@ -154,31 +162,53 @@ export class BuildDesk implements StrokeHost, BuildActions {
 
   // Edits.
 
-  private send(label: string, events: readonly PlaceEvent[]): void {
-    const gesture = events.length > kMostEvents ? ++this.gestures_ : 0;
-    for (let from = 0; from < events.length; from += kMostEvents)
-      this.parts_.client.send({
-        type: 'Edit',
-        label,
-        gesture,
-        events: JSON.stringify(events.slice(from, from + kMostEvents)),
-      });
-    // A refusal brings no scene: what was there is shown again.
-    window.clearTimeout(this.waits_);
-    this.waits_ = window.setTimeout(() => (this.preview = []), 1500);
+  /** What is on the way to the server, or no longer, changes what is shown. */
+  private refresh(): void {
+    this.things_ = this.edits_.over(this.served_);
+    this.chosen_ = things.chosenAgain(this.chosen_, this.served_, this.things_, true);
+    // Later: whoever leaves a field by Tab goes on to the next one.
+    window.setTimeout(() => this.showChosen());
+  }
+
+  private refused(code: string): void {
+    if (code !== 'rejected' && code !== 'Edit') return;
+    this.edits_.answered();
+    if (this.strokes_.busy) return;
+    this.edits_.forget();
+    this.refresh();
   }
 
   add(label: string, made: readonly Thing[]): void {
     if (made.length === 0) return;
     this.preview = made;
     this.choosesNew_ = true;
-    this.send(label, made.map(things.addEvent));
+    this.edits_.send({ label, events: made.map(things.addEvent), changed: [] });
+    // A refusal brings no new thing.
+    window.clearTimeout(this.waits_);
+    this.waits_ = window.setTimeout(() => (this.preview = []), kPreviewStays);
   }
 
   change(label: string, changed: readonly Thing[]): void {
-    if (changed.length === 0) return;
+    this.edits_.send(changeOf(label, changed));
+  }
+
+  dragBegins(): void {
+    this.edits_.begin();
+  }
+
+  drag(label: string, changed: readonly Thing[]): void {
     this.preview = changed;
-    this.send(label, changed.map(things.changeEvent));
+    this.edits_.drag(changeOf(label, changed));
+  }
+
+  dragEnds(label: string, changed: readonly Thing[]): void {
+    this.preview = [];
+    this.edits_.end(changeOf(label, changed));
+  }
+
+  dragCancelled(label: string, before: readonly Thing[]): void {
+    this.preview = [];
+    this.edits_.cancel(changeOf(label, before));
   }
 
   /** Changes the chosen ones by numbers and words of the panel. */
@@ -188,19 +218,22 @@ export class BuildDesk implements StrokeHost, BuildActions {
 
   /** A change of the chosen group that has an event of its own. */
   editGroup(label: string, event: (one: Thing) => PlaceEvent): void {
-    this.send(label, this.chosen_.filter(({ kind }) => kind === 'group').map(event));
+    const events = this.chosen_.filter(({ kind }) => kind === 'group').map(event);
+    this.edits_.send({ label, events, changed: [] });
   }
 
   undo(redo = false): void {
+    if (this.strokes_.dragging) return this.strokes_.drop();
+    this.edits_.forget();
+    this.refresh();
     this.parts_.client.send({ type: 'UndoEdit', redo });
   }
 
   remove(): void {
     if (this.chosen_.length === 0 || this.strokes_.removeCorner()) return;
-    this.send(
-      this.chosen_.length === 1 ? `Remove ${this.chosen_[0]!.kind}` : 'Remove',
-      this.chosen_.map(things.removeEvent),
-    );
+    this.strokes_.drop();
+    const label = this.chosen_.length === 1 ? `Remove ${this.chosen_[0]!.kind}` : 'Remove';
+    this.edits_.send({ label, events: this.chosen_.map(things.removeEvent), changed: [] });
     this.chosen_ = [];
     this.showChosen();
   }

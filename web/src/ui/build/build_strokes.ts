@@ -22,6 +22,12 @@ export interface StrokeHost {
   preview: readonly Thing[];
   add(label: string, made: readonly Thing[]): void;
   change(label: string, changed: readonly Thing[]): void;
+  /** A drag begins. The world follows it, and all of it is one step of the history. */
+  dragBegins(): void;
+  drag(label: string, changed: readonly Thing[]): void;
+  dragEnds(label: string, changed: readonly Thing[]): void;
+  /** The drag is given up: all is as it was before. */
+  dragCancelled(label: string, before: readonly Thing[]): void;
   setTool(tool: BuildTool): void;
   say(text: string): void;
   undo(): void;
@@ -29,11 +35,17 @@ export interface StrokeHost {
   metres(px: number): number;
 }
 
-/** What a stroke does to what is chosen. */
-type Drag =
-  | { readonly does: 'corner'; readonly from: GroundPoint; readonly before: readonly Thing[]; readonly grip: Grip }
-  | { readonly does: 'move' | 'scale' | 'turn'; readonly from: GroundPoint; readonly before: readonly Thing[] }
-  | { readonly does: 'draw' | 'box' | 'lasso' | 'route'; readonly from: GroundPoint };
+/** Moves, scales or turns things about the middle that they had, or pulls at a corner. */
+interface Handling {
+  readonly does: 'move' | 'scale' | 'turn' | 'corner';
+  readonly from: GroundPoint;
+  readonly before: readonly Thing[];
+  readonly about: GroundPoint;
+  readonly grip: Grip;
+}
+
+/** What a stroke does. */
+type Drag = Handling | { readonly does: 'draw' | 'box' | 'lasso' | 'route'; readonly from: GroundPoint };
 
 /** Handles are taken from so near [CSS px]. */
 const kReach = { touch: 26, mouse: 14 };
@@ -58,6 +70,11 @@ export class BuildStroking implements BuildStrokes {
     return this.drag_ !== null || this.corners.length > 0;
   }
 
+  /** Things are being moved, scaled or turned. */
+  get dragging(): boolean {
+    return this.drag_ !== null && 'before' in this.drag_;
+  }
+
   /** The line that is shown is a loop. */
   get closed(): boolean {
     return this.drag_?.does === 'box' || this.drag_?.does === 'lasso';
@@ -76,8 +93,10 @@ export class BuildStroking implements BuildStrokes {
     if (made) this.host_.add('Add polygon', [made]);
   }
 
-  private middle(): GroundPoint | null {
-    return things.middleOfAll(this.host_.chosen);
+  private handle(does: Handling['does'], from: GroundPoint, grip: Grip = { index: 0, isNew: false }): void {
+    const before = this.host_.chosen;
+    this.drag_ = { does, from, before, about: things.middleOfAll(before) ?? from, grip };
+    this.host_.dragBegins();
   }
 
   private snap(stroke: BuildStroke): GroundPoint {
@@ -132,15 +151,9 @@ export class BuildStroking implements BuildStrokes {
   private beginSelect(stroke: BuildStroke): void {
     const grip = stroke.shift ? null : this.gripOf(stroke);
     this.tapped = grip && !grip.isNew ? grip.index : -1;
-    if (grip) {
-      this.drag_ = { does: 'corner', from: stroke.ground, before: this.host_.chosen, grip };
-      return;
-    }
+    if (grip) return this.handle('corner', stroke.ground, grip);
     const handle = this.handleAt(stroke);
-    if (handle) {
-      this.drag_ = { does: handle, from: stroke.ground, before: this.host_.chosen };
-      return;
-    }
+    if (handle) return this.handle(handle, stroke.ground);
     const found = things.hit(this.host_.free, stroke.ground, this.host_.metres(stroke.touch ? 16 : 6));
     if (!found) {
       this.drag_ = { does: stroke.free ? 'lasso' : 'box', from: stroke.ground };
@@ -151,10 +164,10 @@ export class BuildStroking implements BuildStrokes {
     if (stroke.shift && taken) this.host_.chosen = this.host_.chosen.filter((one) => !things.sameThing(one, found));
     else if (stroke.shift) this.host_.chosen = [...this.host_.chosen, found];
     else if (!taken) this.host_.chosen = [found];
-    this.drag_ = { does: 'move', from: stroke.ground, before: this.host_.chosen };
+    this.handle('move', stroke.ground);
   }
 
-  move(stroke: BuildStroke): void {
+  move(stroke: BuildStroke, still: boolean): void {
     const drag = this.drag_;
     if (!drag) return;
     const { ground } = stroke;
@@ -163,7 +176,7 @@ export class BuildStroking implements BuildStrokes {
       case 'scale':
       case 'turn':
       case 'corner':
-        this.host_.preview = this.dragged(drag, stroke);
+        if (!still) this.handled(drag, this.dragged(drag, stroke));
         break;
       case 'box':
         this.line = [drag.from, { x: ground.x, y: drag.from.y }, ground, { x: drag.from.x, y: ground.y }];
@@ -184,8 +197,8 @@ export class BuildStroking implements BuildStrokes {
     return stroke.shift ? rightAngled(from, stroke.ground) : this.snap(stroke);
   }
 
-  private dragged(drag: Extract<Drag, { before: readonly Thing[] }>, stroke: BuildStroke): Thing[] {
-    const about = this.middle() ?? drag.from;
+  private dragged(drag: Handling, stroke: BuildStroke): Thing[] {
+    const { about } = drag;
     const { ground } = stroke;
     if (drag.does === 'corner') return drag.before.map((one) => withCorner(one, drag.grip, this.snap(stroke)));
     if (drag.does === 'move')
@@ -220,21 +233,30 @@ export class BuildStroking implements BuildStrokes {
     if (host.tool === 'polygon') return this.corner(stroke);
     if (!drag) return;
     if ('before' in drag) {
-      if (still) host.preview = [];
-      else this.endDrag(drag, this.dragged(drag, stroke));
+      if (!still) this.endHandling(drag, this.dragged(drag, stroke));
       this.guides = [];
     } else if (drag.does === 'route') this.endRoute(line);
     else if (drag.does === 'draw') this.endDrawing(drag.from, stroke);
     else host.chosen = still ? [] : things.within(host.free, line);
   }
 
-  private endDrag(drag: Extract<Drag, { before: readonly Thing[] }>, changed: readonly Thing[]): void {
+  /** An outline that crosses itself is shown, but not told to the server. */
+  private handled(drag: Handling, changed: readonly Thing[]): void {
+    if (drag.does === 'corner' && changed.some(crossesItself)) this.host_.preview = changed;
+    else this.host_.drag(this.labelOf(drag), changed);
+  }
+
+  private endHandling(drag: Handling, changed: readonly Thing[]): void {
     if (drag.does === 'corner' && changed.some(crossesItself)) {
       this.host_.preview = [];
+      this.host_.dragCancelled(this.labelOf(drag), drag.before);
       return this.host_.say(kCrosses);
     }
-    const adds = drag.does === 'corner' && drag.grip.isNew;
-    this.host_.change(adds ? 'Add corner' : kWords[drag.does], changed);
+    this.host_.dragEnds(this.labelOf(drag), changed);
+  }
+
+  private labelOf(drag: Handling): string {
+    return drag.does === 'corner' && drag.grip.isNew ? 'Add corner' : kWords[drag.does];
   }
 
   private endRoute(line: readonly GroundPoint[]): void {
@@ -261,10 +283,12 @@ export class BuildStroking implements BuildStrokes {
   }
 
   cancel(): void {
+    const drag = this.drag_;
     this.guides = [];
     this.drag_ = null;
     this.line = [];
     this.host_.preview = [];
+    if (drag && 'before' in drag) this.host_.dragCancelled(this.labelOf(drag), drag.before);
   }
 
   doubleTap(): void {

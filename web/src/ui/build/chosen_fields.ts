@@ -32,7 +32,21 @@ export class ChosenFields {
     if (!one) return this.root.replaceChildren();
     const title = chosen.length === 1 ? kNames[one.kind] : `${chosen.length} things`;
     const fields = chosen.length === 1 ? this.fieldsOf(one, scene) : [this.turn()];
+    const held = this.focused();
     this.root.replaceChildren(element('h3', {}, title), element('div', { class: 'build-fields' }, ...fields));
+    if (held)
+      this.controls()
+        .find((control) => control.labels?.[0]?.textContent === held)
+        ?.focus();
+  }
+
+  private controls(): HTMLInputElement[] {
+    return [...this.root.querySelectorAll<HTMLInputElement>('input, select')];
+  }
+
+  /** The label of the field that has the focus. */
+  private focused(): string {
+    return this.controls().find((control) => control === document.activeElement)?.labels?.[0]?.textContent ?? '';
   }
 
   private fieldsOf(one: Thing, scene: SceneFacts | null): HTMLElement[] {

@@ -1,0 +1,93 @@
+// What building tells the server: edits of things, at once or while a drag goes on, and what is on the way to it.
+
+import type { StudioClient } from '../../link/studio_client';
+import { PendingChanges } from '../../model/place/pending';
+import * as things from '../../model/place/things';
+import type { PlaceEvent, Thing } from '../../model/place/things';
+import { LiveEdits } from './live_edits';
+
+/** One edit: its name for people, its events, and things that are shown as it leaves them. */
+export interface PlaceEdit {
+  readonly label: string;
+  readonly events: readonly PlaceEvent[];
+  readonly changed: readonly Thing[];
+}
+
+/** Events of one message. */
+const kMostEvents = 200;
+/** After a refusal what was there is shown again [ms]. */
+const kPatience = 1550;
+
+/** The edit that leaves the things like this. */
+export function changeOf(label: string, changed: readonly Thing[]): PlaceEdit {
+  return { label, events: changed.map(things.changeEvent), changed };
+}
+
+export class BuildEdits {
+  private readonly pending_ = new PendingChanges();
+  private readonly live_ = new LiveEdits<PlaceEdit>({
+    now: () => performance.now(),
+    send: (edit, gesture) => this.tell(edit, gesture),
+  });
+  private gestures_ = Math.floor(Math.random() * 1e9);
+  private waits_ = 0;
+
+  /** `shows` is called where what over() gives has changed. */
+  constructor(
+    private readonly client_: StudioClient,
+    private readonly shows_: () => void,
+  ) {}
+
+  /** What the server shows, with what it has been told since. */
+  over(shown: readonly Thing[]): Thing[] {
+    return this.pending_.over(shown, performance.now());
+  }
+
+  send(edit: PlaceEdit): void {
+    if (edit.events.length > 0) this.tell(edit, edit.events.length > kMostEvents ? ++this.gestures_ : 0);
+  }
+
+  /** A drag begins: all its edits are taken back together. */
+  begin(): void {
+    this.live_.begin(++this.gestures_);
+  }
+
+  /** How the drag leaves things at present. The world follows where that is one message. */
+  drag(edit: PlaceEdit): void {
+    if (edit.events.length > 0 && edit.events.length <= kMostEvents) this.live_.drag(edit);
+  }
+
+  end(edit: PlaceEdit): void {
+    if (edit.events.length > 0) this.live_.end(edit);
+  }
+
+  /** The drag is given up; `before` is how things were. */
+  cancel(before: PlaceEdit): void {
+    this.live_.cancel(before);
+  }
+
+  /** The server has shown or refused something. */
+  answered(): void {
+    this.live_.answered();
+  }
+
+  /** What the server shows counts from now on. */
+  forget(): void {
+    this.pending_.clear();
+  }
+
+  private tell({ label, events, changed }: PlaceEdit, gesture: number): void {
+    for (let from = 0; from < events.length; from += kMostEvents)
+      this.client_.send({
+        type: 'Edit',
+        label,
+        gesture,
+        events: JSON.stringify(events.slice(from, from + kMostEvents)),
+      });
+    window.clearTimeout(this.waits_);
+    this.waits_ = window.setTimeout(this.shows_, kPatience);
+    if (changed.length === 0) return;
+    this.pending_.put(changed, performance.now());
+    this.shows_();
+  }
+}
