@@ -57,7 +57,9 @@ describe('a visitor’s character', () => {
     await expect(readCharacter([fileOf(legless)])).rejects.toThrow(
       'visitor.glb cannot be used: there is no joint for the left knee, the left foot',
     );
-    await expect(readCharacter([fileOf(new Uint8Array(40))])).rejects.toThrow('visitor.glb cannot be read: it is no whole glTF file');
+    await expect(readCharacter([fileOf(new Uint8Array(40))])).rejects.toThrow(
+      'visitor.glb cannot be read: it is no whole glTF file',
+    );
     await expect(readCharacter([fileOf(new Uint8Array(4), 'cat.png')])).rejects.toThrow('cat.png is no character');
   });
 
