@@ -41,11 +41,12 @@ struct ExportDef {
 using ExportProgress = std::function<bool(double)>;
 
 /// Replays `take`, its characters moved by the clips of `library`, and writes `path` in the format of that
-/// name. Positions and poses between steps are interpolated. `progress` may be empty; where it returns false
-/// the export fails with Unsupported. A failed export leaves no file. Fails as exportFormat() does; with
-/// InvalidArgument where the part does not lie in the take; with Corrupt where the replay gives other hashes;
-/// with LimitExceeded where the format cannot hold so much; with Unsupported where this build cannot write
-/// the format; with IoError.
+/// name. Positions and poses between steps are interpolated. Where the replay gives other hashes, as takes of
+/// another version may, characters move as the stored frames of the take say, and progress begins again.
+/// `progress` may be empty; where it returns false the export fails with Unsupported. A failed export leaves
+/// no file. Fails as exportFormat() does; with InvalidArgument where the part does not lie in the take; with
+/// Corrupt where the replay gives other hashes and the take has no stored frames; with LimitExceeded where
+/// the format cannot hold so much; with Unsupported where this build cannot write the format; with IoError.
 Status exportTake(const Take& take, const ClipLibrary& library, std::string_view format,
                   const std::string& path, const ExportDef& def = {}, const ExportProgress& progress = {});
 

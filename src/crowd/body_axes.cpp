@@ -6,20 +6,20 @@
 namespace muster {
 namespace {
 
-constexpr double kAside = 0.28;     // Axes side by side are at least so far apart [m].
-constexpr double kEnd = 0.06;       // Axes end this much before hips and head [m].
-constexpr double kGap = 0.03;       // Between those who follow each other, beyond the least distance [m].
-constexpr double kLane = 0.32;      // Who is farther aside is not ahead [m].
-constexpr double kClosing = 0.25;   // A gap is closed in this time [s].
-constexpr double kSameWay = 0.5;    // Cosine of the largest angle between two who go the same way.
-constexpr double kLookAhead = 0.6;  // Who is so near a patch is about to lie [m].
-constexpr double kSettled = 0.35;   // Who is so near its place has settled [m].
-constexpr double kReach = 1.5;      // Who is farther apart does not matter to each other [m].
-constexpr double kAbreast = 0.3;    // Nobody is behind where two are nearer than this along their way [m].
-constexpr double kLieDown = 1.6;    // Whole lengths are reached after 1 / this of a transition.
-constexpr double kInFile = 0.95;    // Cosine of the largest angle between two whose axes count as parallel.
-constexpr double kStands = 0.15;    // Whoever is slower does not get on [m/s].
-constexpr double kPass = 0.14;      // At which those behind pass somebody who stands [m/s].
+constexpr double kAside = 0.28;      // Axes side by side are at least so far apart [m].
+constexpr double kEnd = 0.06;        // Axes end this much before hips and head [m].
+constexpr double kGap = 0.03;        // Between those who follow each other, beyond the least distance [m].
+constexpr double kFileWidth = 0.32;  // Who is farther aside is not ahead [m].
+constexpr double kClosing = 0.25;    // A gap is closed in this time [s].
+constexpr double kSameWay = 0.5;     // Cosine of the largest angle between two who go the same way.
+constexpr double kLookAhead = 0.6;   // Who is so near a patch is about to lie [m].
+constexpr double kSettled = 0.35;    // Who is so near its place has settled [m].
+constexpr double kPairReach = 1.5;   // Who is farther apart does not matter to each other [m].
+constexpr double kAbreast = 0.3;     // Nobody is behind where two are nearer than this along their way [m].
+constexpr double kLieDown = 1.6;     // Whole lengths are reached after 1 / this of a transition.
+constexpr double kInFile = 0.95;     // Cosine of the largest angle between two whose axes count as parallel.
+constexpr double kStands = 0.15;     // Whoever is slower does not get on [m/s].
+constexpr double kPass = 0.14;       // At which those behind pass somebody who stands [m/s].
 
 BodyReach reachOf(const ClipFacts& clip, double share) {
     return {clip.reachAhead * share, clip.reachBehind * share};
@@ -94,12 +94,13 @@ void BodyAxes::resolve(const Environment& environment, const Characters& now, st
             member.lying = reachOf(clips[ahead.motion], 1.0);
         }
         if (isUpright(member.lying)) continue;
+        member.locked = now.phase[i] == MotionPhase::Locked;
         member.settled = now.place[i] >= 0 && length(placeVelocity[i]) < kStands &&
                          distance(now.position[i], place[i]) < kSettled;
         members_.push_back(member);
         positions_.push_back(now.position[i]);
     }
-    if (!members_.empty()) pairs_.build(positions_, kReach);
+    if (!members_.empty()) pairs_.build(positions_, kPairReach);
 }
 
 void BodyAxes::keepDistance(const CrowdBodies& bodies, const Characters& now,
@@ -114,7 +115,7 @@ void BodyAxes::keepDistance(const CrowdBodies& bodies, const Characters& now,
         if (bodies.isFixed(r) || (rear->settled && front->settled)) continue;
         const File file = fileOf(now.position[r], now.position[f], along, rear->lying.ahead,
                                  front->reach.behind);
-        if (std::fabs(file.aside) > kLane) continue;
+        if (std::fabs(file.aside) > kFileWidth) continue;
         const double least = std::sqrt(std::max(0.0, kAside * kAside - file.aside * file.aside)) + kGap;
         const double ahead = std::max(0.0, dot(now.velocity[f], along));
         const double most = std::max(0.0, ahead + (file.gap - least) / kClosing);
@@ -127,9 +128,22 @@ void BodyAxes::keepDistance(const CrowdBodies& bodies, const Characters& now,
     }
 }
 
+// Who is within a single-step motion is not pushed back, because it would begin the motion again.
 BodyAxes::Overlap BodyAxes::overlapOf(NeighbourPair pair, std::span<const Vec2> positions) const {
     const Member &a = members_[pair.low], &b = members_[pair.high];
     if (isUpright(a.reach) || isUpright(b.reach) || (a.settled && b.settled)) return {};
+    Overlap overlap = axesOverlap(a, b, positions);
+    const bool holdsA = a.locked && dot(overlap.away, a.heading) > 0.0;
+    const bool holdsB = b.locked && dot(overlap.away, b.heading) < 0.0;
+    if (holdsA && holdsB) return {};
+    if (holdsA) overlap.share = 0.0;
+    if (holdsB) overlap.share = 1.0;
+    return overlap;
+}
+
+// `a` and `b` both lie.
+BodyAxes::Overlap BodyAxes::axesOverlap(const Member& a, const Member& b,
+                                        std::span<const Vec2> positions) const {
     const Vec2 p = positions[a.character], q = positions[b.character];
     const double cosine = dot(a.heading, b.heading);
     const Vec2 along = cosine > kSameWay ? normalized(a.heading + b.heading, a.heading) : Vec2{};

@@ -54,6 +54,7 @@ private:
         BodyReach lying;  // As it will lie.
         Vec2 heading;
         bool settled = false;  // True at its place, which stands.
+        bool locked = false;   // True in a single-step motion, out of which nobody is pushed back.
     };
     // How two axes overlap.
     struct Overlap {
@@ -63,6 +64,7 @@ private:
     };
 
     Overlap overlapOf(NeighbourPair pair, std::span<const Vec2> positions) const;
+    Overlap axesOverlap(const Member& a, const Member& b, std::span<const Vec2> positions) const;
 
     std::vector<Member> members_;
     std::vector<Vec2> positions_;  // Of members [m].

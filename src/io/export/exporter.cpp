@@ -159,7 +159,7 @@ Result<std::vector<double>> framesOf(const Take& take, ExportDef& def) {
 }  // namespace
 
 Status exportTake(const Take& take, const ClipLibrary& library, const ExportDef& def, Exporter& exporter,
-                  const ExportProgress& progress) {
+                  const ExportProgress& progress, ReplayFrom from) {
     ExportDef part = def;
     auto times = framesOf(take, part);
     if (!times.ok()) return times.status();
@@ -171,7 +171,6 @@ Status exportTake(const Take& take, const ClipLibrary& library, const ExportDef&
     bool more = resampler.observe(*start);
     bool cancelled = false;
     if (more) {
-        const bool stored = !take.frames.empty() && !simulatesAlike(take, part.threads);
         const auto report = replayTake(
             take, part.threads,
             [&](const World& world) {
@@ -179,7 +178,7 @@ Status exportTake(const Take& take, const ClipLibrary& library, const ExportDef&
                 cancelled = progress && !progress(resampler.share());
                 return more && !cancelled;
             },
-            stored ? ReplayFrom::Frames : ReplayFrom::Simulation);
+            from);
         if (!report.ok()) return report.status();
     }
     if (!resampler.status().ok()) return resampler.status();

@@ -64,9 +64,10 @@ public:
 
 /// Replays `take` with the clips of `library` and passes its frames to `exporter`. Positions and poses
 /// between steps are interpolated. `progress` is called with the completed share; it may be empty. Fails with
-/// InvalidArgument where the part does not lie in the take, with Corrupt where the replay gives other hashes,
-/// with Unsupported where `progress` returns false, and with the exporter's failures.
+/// InvalidArgument where the part does not lie in the take, with Corrupt where a simulation gives other
+/// hashes, with Unsupported where `progress` returns false or the take has no stored frames and `from` asks
+/// for them, and with the exporter's failures.
 Status exportTake(const Take& take, const ClipLibrary& library, const ExportDef& def, Exporter& exporter,
-                  const ExportProgress& progress = {});
+                  const ExportProgress& progress = {}, ReplayFrom from = ReplayFrom::Simulation);
 
 }  // namespace muster

@@ -53,8 +53,14 @@ Result<std::unique_ptr<Exporter>> makeExporter(std::string_view format, const st
 
 Status exportTake(const Take& take, const ClipLibrary& library, std::string_view format,
                   const std::string& path, const ExportDef& def, const ExportProgress& progress) {
-    const auto exporter = makeExporter(format, path);
-    return exporter.ok() ? exportTake(take, library, def, **exporter, progress) : exporter.status();
+    const auto exportFrom = [&](ReplayFrom from) {
+        const auto exporter = makeExporter(format, path);
+        return exporter.ok() ? exportTake(take, library, def, **exporter, progress, from) : exporter.status();
+    };
+    Status status = exportFrom(ReplayFrom::Simulation);
+    // The take is of another version.
+    if (status.code() == StatusCode::Corrupt && !take.frames.empty()) status = exportFrom(ReplayFrom::Frames);
+    return status;
 }
 
 }  // namespace muster
