@@ -174,6 +174,18 @@ const kCases = [
   ['build: by mouse', build.byMouse, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],
   ['build: numbers', build.numbers, ['wide'], { touch: false, scenario: 'scenarios/open.json', room: true }],
   [
+    'build: drags in a row',
+    build.dragsInARow,
+    ['desktop'],
+    { touch: false, scenario: 'scenarios/open.json', room: true },
+  ],
+  [
+    'build: drags in a row by touch',
+    build.dragsInARowByTouch,
+    ['portrait'],
+    { scenario: 'scenarios/open.json', room: true },
+  ],
+  [
     'build: by touch',
     build.byTouch,
     ['landscape', 'portrait', 'phone'],

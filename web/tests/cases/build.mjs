@@ -218,3 +218,127 @@ export async function byTouch(studio) {
   expect(after.distance < 0.95 * pose.distance, 'two fingers zoom');
   await serious(studio, 'building by touch');
 }
+
+/** Numbers of the edits that the page has sent, with the time of each [ms]. */
+async function watchEdits(studio) {
+  await studio.page.evaluate(() => {
+    const { client } = globalThis.__muster;
+    const send = client.send.bind(client);
+    globalThis.__edits = [];
+    client.send = (message) => {
+      if (message.type === 'Edit') globalThis.__edits.push({ gesture: message.gesture, at: performance.now() });
+      return send(message);
+    };
+  });
+  return () => studio.page.evaluate(() => globalThis.__edits);
+}
+
+/** The middle of a handle. It is drawn anew whenever the scene comes. */
+async function handleAt(studio, shape) {
+  const at = await studio.page.waitForFunction((name) => {
+    const handle = document.querySelector(`.build-layer ${name}.build-handle`);
+    const { x, y, width, height } = handle?.getBoundingClientRect() ?? {};
+    return handle && { x: x + width / 2, y: y + height / 2 };
+  }, shape);
+  return at.jsonValue();
+}
+
+/** A box that is dragged, and what the first drag of it did is there for the next one at once. */
+export async function dragsInARow(studio) {
+  const { page } = studio;
+  await open(studio);
+  await tool(studio, 'Box');
+  await drag(studio, { x: 1, y: 1 }, { x: 3, y: 3 });
+  await scene(studio, 'a box', (one) => one.obstacles.length === 1);
+  await page.keyboard.press('v');
+  const edits = await watchEdits(studio);
+  const [a, b] = await screen(studio, [
+    { x: 2, y: 2 },
+    { x: -2, y: 2 },
+  ]);
+  await page.mouse.move(a.x, a.y);
+  await page.mouse.down();
+  for (let k = 1; k <= 24; ++k) {
+    await page.mouse.move(a.x + ((b.x - a.x) * k) / 24, a.y + ((b.y - a.y) * k) / 24);
+    await studio.wait(30);
+  }
+  await scene(studio, 'the world has followed', (one) => one.obstacles[0].polygon[0][0] < -1);
+  const during = await edits();
+  expect(during.length >= 3, `edits while it was dragged: ${during.length}`);
+  expect(new Set(during.map(({ gesture }) => gesture)).size === 1 && during[0].gesture !== 0, 'of one number');
+  const apart = during.slice(1).map(({ at }, k) => at - during[k].at);
+  // The page notes the time before, so some milliseconds are lost where it is busy.
+  expect(Math.min(...apart) >= 80, `at most ten a second: ${apart.map(Math.round).join()}`);
+  await page.mouse.up();
+  // At once: by the handle at its lower right corner, from where the drag has left it.
+  const grip = await handleAt(studio, 'rect');
+  await page.mouse.move(grip.x, grip.y);
+  await page.mouse.down();
+  await page.mouse.move(grip.x + 24, grip.y + 24, { steps: 3 });
+  await page.mouse.up();
+  let now = await scene(studio, 'scaled', ({ obstacles: [box] }) => box.polygon[1][0] - box.polygon[0][0] > 2.2);
+  const middle = (box) => (box.polygon[0][0] + box.polygon[2][0]) / 2;
+  expect(Math.abs(middle(now.obstacles[0]) + 2) < 0.1, `where it was dragged to: ${middle(now.obstacles[0])}`);
+  expect(new Set((await edits()).map(({ gesture }) => gesture)).size === 2, 'two drags have two numbers');
+  await page.getByRole('button', { name: 'Undo scale' }).click();
+  now = await scene(
+    studio,
+    'as large as before',
+    ({ obstacles: [box] }) => box.polygon[1][0] - box.polygon[0][0] < 2.1,
+  );
+  expect(Math.abs(middle(now.obstacles[0]) + 2) < 0.1, 'and where it was');
+  await page.getByRole('button', { name: 'Undo move' }).click();
+  await scene(studio, 'where it was drawn', ({ obstacles: [box] }) => box.polygon[0][0] === 1);
+  await page.getByRole('button', { name: 'Undo add box' }).waitFor();
+  await givenUp(studio);
+}
+
+/** A drag that is given up by Escape goes back, and is no step of the history. */
+async function givenUp(studio) {
+  const { page } = studio;
+  const [a, b] = await screen(studio, [
+    { x: 2, y: 2 },
+    { x: 2, y: -2 },
+  ]);
+  await page.mouse.move(a.x, a.y);
+  await page.mouse.down();
+  await page.mouse.move(b.x, b.y, { steps: 5 });
+  await scene(studio, 'it follows', ({ obstacles: [box] }) => box.polygon[0][1] < 0);
+  await page.keyboard.press('Escape');
+  await scene(studio, 'it is back', ({ obstacles: [box] }) => box.polygon[0][1] === 1);
+  await page.mouse.up();
+  await page.getByRole('button', { name: 'Undo add box' }).waitFor();
+}
+
+/** The same with a finger: people are dragged, and turned at once. */
+export async function dragsInARowByTouch(studio) {
+  const { page, fingers } = studio;
+  await open(studio);
+  const edits = await watchEdits(studio);
+  const [{ position: at, angle = 0 }] = await page.evaluate(
+    async () => (await (await fetch('/scenario')).json()).groups,
+  );
+  const [a, b] = await screen(studio, [
+    { x: at[0], y: at[1] },
+    { x: at[0] + 3, y: at[1] },
+  ]);
+  await fingers.down({ 1: a });
+  await fingers.move({ 1: b }, { steps: 20, ms: 700 });
+  expect((await edits()).length >= 3, 'the world is told while the finger is down');
+  await fingers.up();
+  const from = await handleAt(studio, 'circle');
+  const [middle] = await screen(studio, [{ x: at[0] + 3, y: at[1] }]);
+  await fingers.down({ 1: from });
+  await fingers.move({ 1: { x: middle.x - (middle.y - from.y), y: middle.y } }, { steps: 6, ms: 150 });
+  await fingers.up();
+  const now = await scene(
+    studio,
+    'turned to the left',
+    ({ groups: [one] }) => Math.abs(one.start.angle - angle - Math.PI / 2) < 0.3,
+  );
+  expect(near(now.groups[0].start.position, [at[0] + 3, at[1]], 0.6), `and moved: ${now.groups[0].start.position}`);
+  await page.getByRole('button', { name: 'Undo turn' }).click();
+  await scene(studio, 'not turned', ({ groups: [one] }) => one.start.angle === angle);
+  await page.getByRole('button', { name: 'Undo move' }).click();
+  await scene(studio, 'not moved', ({ groups: [one] }) => near(one.start.position, at, 1e-9));
+}
