@@ -173,18 +173,9 @@ const kCases = [
   ],
   ['build: by mouse', build.byMouse, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],
   ['build: numbers', build.numbers, ['wide'], { touch: false, scenario: 'scenarios/open.json', room: true }],
-  [
-    'build: drags in a row',
-    build.dragsInARow,
-    ['desktop'],
-    { touch: false, scenario: 'scenarios/open.json', room: true },
-  ],
-  [
-    'build: drags in a row by touch',
-    build.dragsInARowByTouch,
-    ['portrait'],
-    { scenario: 'scenarios/open.json', room: true },
-  ],
+  ['build: bodies', build.bodies, [...kTablets, 'phone'], { scenario: 'scenarios/open.json', room: true }],
+  ['build: drags', build.dragsInARow, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],
+  ['build: drags by touch', build.dragsByTouch, ['portrait'], { scenario: 'scenarios/open.json', room: true }],
   [
     'build: by touch',
     build.byTouch,

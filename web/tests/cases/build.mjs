@@ -219,6 +219,50 @@ export async function byTouch(studio) {
   await serious(studio, 'building by touch');
 }
 
+/** What a group of people is: typed, dragged by a slider, and where its class stands. */
+export async function bodies(studio) {
+  const { page } = studio;
+  await open(studio);
+  const [{ position: at }] = await page.evaluate(async () => (await (await fetch('/scenario')).json()).groups);
+  const edits = await watchEdits(studio);
+  await press(studio, { x: at[0], y: at[1] });
+  const panel = page.locator('.build-panel');
+  await panel.getByLabel('Body radius [m]').fill('0.35');
+  await panel.getByLabel('Body radius [m]').press('Tab');
+  await scene(studio, 'wider people', ({ groups: [one] }) => one.start.body.radius === 0.35);
+  expect((await edits()).length === 1, 'one edit for a typed number');
+  const slider = panel.getByLabel('Top speed, slider');
+  await slider.scrollIntoViewIfNeeded();
+  const box = await slider.boundingBox();
+  expect(box.height >= 44, `a slider for fingers: ${box.height}`);
+  const y = box.y + box.height / 2;
+  await page.mouse.move(box.x + box.width * 0.35, y);
+  await page.mouse.down();
+  for (let k = 0; k < 16; ++k) {
+    await page.mouse.move(box.x + box.width * (0.35 + 0.03 * k), y);
+    await studio.wait(30);
+  }
+  await scene(studio, 'the world follows', ({ groups: [one] }) => one.start.body.maxSpeed > 3);
+  await page.mouse.up();
+  const sent = (await edits()).slice(1);
+  expect(sent.length >= 3 && new Set(sent.map(({ gesture }) => gesture)).size === 1, `one drag: ${sent.length}`);
+  await panel.getByLabel('Class', { exact: true }).selectOption('2');
+  await scene(studio, 'a class', ({ groups: [one] }) => one.start.body.class === 2);
+  await panel.getByLabel('Class 2 stands').selectOption('Rim');
+  await scene(studio, 'a role', ({ groups: [one] }) => one.start.roles[0]?.area === 'rim');
+  await panel.getByLabel('Class 2 stands').scrollIntoViewIfNeeded();
+  await studio.shot('build-bodies');
+  await serious(studio, 'bodies of people');
+  const [saved] = await page.evaluate(async () => (await (await fetch('/scenario')).json()).groups);
+  expect(saved.bodies[0].radius === 0.35 && saved.bodies[0].class === 2, 'all of it is in the file');
+  for (const name of ['Undo role', 'Undo class', 'Undo top speed', 'Undo body radius'])
+    await page.getByRole('button', { name }).click();
+  await scene(studio, 'as before', ({ groups: [one] }) => {
+    const { radius, maxSpeed, class: of } = one.start.body;
+    return radius === 0.25 && maxSpeed === 2 && of === 0 && one.start.roles.length === 0;
+  });
+}
+
 /** Numbers of the edits that the page has sent, with the time of each [ms]. */
 async function watchEdits(studio) {
   await studio.page.evaluate(() => {
@@ -311,7 +355,7 @@ async function givenUp(studio) {
 }
 
 /** The same with a finger: people are dragged, and turned at once. */
-export async function dragsInARowByTouch(studio) {
+export async function dragsByTouch(studio) {
   const { page, fingers } = studio;
   await open(studio);
   const edits = await watchEdits(studio);
