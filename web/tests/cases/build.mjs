@@ -246,7 +246,7 @@ export async function bodies(studio) {
   await page.mouse.up();
   const sent = (await edits()).slice(1);
   expect(sent.length >= 3 && new Set(sent.map(({ gesture }) => gesture)).size === 1, `one drag: ${sent.length}`);
-  await panel.getByLabel('Class', { exact: true }).selectOption('2');
+  await panel.getByRole('combobox', { name: 'Class', exact: true }).selectOption('2');
   await scene(studio, 'a class', ({ groups: [one] }) => one.start.body.class === 2);
   await panel.getByLabel('Class 2 stands').selectOption('Rim');
   await scene(studio, 'a role', ({ groups: [one] }) => one.start.roles[0]?.area === 'rim');
