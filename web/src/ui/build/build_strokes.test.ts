@@ -95,3 +95,17 @@ it('turns about the middle that things had, however they follow', () => {
   expect(dragged!.centre[0]).toBeCloseTo(1, 9);
   expect(dragged!.centre[1]).toBeCloseTo(1, 9);
 });
+
+it('turns by the shorter way', () => {
+  const group = thing('group', { id: 1, centre: [1, 1], radius: 1, count: 9 });
+  host.chosen = [group];
+  strokes.begin(at(1, 5.4));
+  strokes.end(at(-3.4, 1.1), false);
+  expect(said[1]![1][0]!.angle).toBeGreaterThan(1.4);
+  expect(said[1]![1][0]!.angle).toBeLessThan(Math.PI / 2);
+  said = [];
+  strokes.begin(at(1, 5.4));
+  strokes.end(at(-3.4, 0.9), false);
+  expect(said[1]![1][0]!.angle).toBeGreaterThan(Math.PI / 2);
+  expect(said[1]![1][0]!.angle).toBeLessThan(1.8);
+});
