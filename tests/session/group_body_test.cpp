@@ -27,7 +27,7 @@ struct Desk {
     }
     std::span<const Body> bodies() const { return session.world()->characters().body; }
     bool all(auto test) const { return std::ranges::all_of(bodies(), test); }
-    /// What the page is told of the first group.
+    /// The first group in the newest scene, as the place has it.
     Json start() {
         run(session, 0.1, {&client});
         auto scene = parseJson(client.scenes.back().json, "scene");
