@@ -40,7 +40,7 @@ it('tells a stroke from a tap', () => {
   fire('pointermove', 1, 140, 100);
   fire('pointermove', 1, 102, 100);
   fire('pointerup', 1, 140, 100);
-  expect(strokes.move.mock.calls.map(([, still]) => still)).toEqual([true, false, false]);
+  expect(strokes.move.mock.calls.map((call: readonly unknown[]) => call[1])).toEqual([true, false, false]);
   expect(strokes.begin).toHaveBeenCalledWith(expect.objectContaining({ ground: { x: 10, y: 10 } }));
   expect(strokes.end.mock.calls[0]![1]).toBe(false);
   fire('pointerdown', 2, 50, 50);
