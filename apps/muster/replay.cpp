@@ -71,7 +71,8 @@ int replay(const ReplayOptions& options) {
                         report->unmarked);
     }
     if (!differs) return kExitOk;
-    std::fprintf(stderr, "muster: %s: %s\n", options.take.c_str(), report.status().message().c_str());
+    std::fprintf(stderr, "muster: %s: %s%s\n", options.take.c_str(), report.status().message().c_str(),
+                 take->frames.empty() ? "" : "; its stored frames can still be shown and exported");
     return kExitNotReproduced;
 }
 

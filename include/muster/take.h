@@ -34,6 +34,15 @@ struct TakeEvent {
     friend bool operator==(const TakeEvent&, const TakeEvent&) = default;
 };
 
+/// Where everybody was after that many steps, to 1 mm: what a take shows where its simulation gives other
+/// bits.
+struct TakeFrame {
+    std::uint32_t step = 0;          ///< Number of steps done.
+    std::vector<std::uint32_t> ids;  ///< Who, in ascending order.
+    std::vector<Vec2> positions;     ///< Where [m], in the same order.
+    friend bool operator==(const TakeFrame&, const TakeFrame&) = default;
+};
+
 /// A part of a take that plays faster or slower than it was recorded.
 struct SpeedPiece {
     double from = 0.0;   ///< Time in the take [s].
@@ -74,6 +83,7 @@ struct Take {
     std::vector<Command> commands;  ///< Commands in the order of submission.
     std::vector<HashMark> marks;    ///< Hash marks in ascending order of steps.
     std::vector<TakeEvent> events;  ///< Events in ascending order of steps; takes of before have none.
+    std::vector<TakeFrame> frames;  ///< In ascending order of steps; takes of before have none.
     TakeAbout about;                ///< As said last; takes of before say nothing.
     bool finished = false;          ///< True where the take has an end record.
     std::size_t tornBytes = 0;      ///< Bytes of an unfinished last record that were left out.
@@ -84,16 +94,22 @@ struct Take {
     std::uint32_t steps() const;
 };
 
+class FrameRecorder;
+
 /// Appends records to a file; each is handed to the system before the call returns, so that a killed
 /// process loses at most the record it was writing.
 class TakeWriter {
 public:
+    TakeWriter(TakeWriter&&) noexcept;             ///< Moves.
+    TakeWriter& operator=(TakeWriter&&) noexcept;  ///< Moves.
+    ~TakeWriter();
+
     /// Makes the file. Fails with IoError, also where it exists and `overwrite` is false.
     static Result<TakeWriter> create(const std::string& path, const WorldDef& def, bool overwrite = true);
 
     /// Appends a command. Call in the order of submission, before the step that applies it.
     Status command(const Command& command);
-    /// Call after every step: appends the events of orders, and a mark whenever one is due.
+    /// Call after every step: appends the events of orders, and frames and a mark whenever they are due.
     Status observe(const World& world);
     /// Appends the end record and closes the file, synchronised with the disk.
     Status finish(const World& world);
@@ -102,11 +118,12 @@ private:
     struct CloseFile {
         void operator()(std::FILE* file) const;
     };
-    explicit TakeWriter(std::FILE* file, std::string path) : file_(file), path_(std::move(path)) {}
+    TakeWriter(std::FILE* file, std::string path);
     Status append(const std::vector<std::uint8_t>& bytes);
 
     std::unique_ptr<std::FILE, CloseFile> file_;
     std::string path_;
+    std::unique_ptr<FrameRecorder> frames_;
 };
 
 /// Reads a take. A torn last record is left out and reported in `tornBytes`. Fails with Corrupt, naming the
@@ -124,10 +141,22 @@ struct ReplayReport {
     std::uint64_t hash = 0;      ///< Hash of the final state.
 };
 
+/// Where a replay takes positions from.
+enum class ReplayFrom : std::uint8_t {
+    Simulation,  ///< The world simulates everything again.
+    Frames,      ///< Characters are put where the stored frames say; nothing is compared.
+};
+
+/// Whether this Muster simulates the take as it was recorded, up to its first mark. A take that was recorded
+/// by a version with other results differs there.
+bool simulatesAlike(const Take& take, std::int32_t threads = 1);
+
 /// Simulates the take again and compares every mark and event; then, where the take is unfinished, goes on to
-/// its last command. Fails with Corrupt naming the step of the first mark that differs. `observe` is called
-/// after every step; it returns false to stop early.
+/// its last command. Fails with Corrupt naming the step of the first mark that differs. With
+/// ReplayFrom::Frames nothing is compared, and it fails with Unsupported where the take has no stored frames.
+/// `observe` is called after every step; it returns false to stop early.
 Result<ReplayReport> replayTake(const Take& take, std::int32_t threads = 1,
-                                const std::function<bool(const World&)>& observe = {});
+                                const std::function<bool(const World&)>& observe = {},
+                                ReplayFrom from = ReplayFrom::Simulation);
 
 }  // namespace muster

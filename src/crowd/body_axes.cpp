@@ -118,12 +118,12 @@ void BodyAxes::keepDistance(const CrowdBodies& bodies, const Characters& now,
         const double least = std::sqrt(std::max(0.0, kAside * kAside - file.aside * file.aside)) + kGap;
         const double ahead = std::max(0.0, dot(now.velocity[f], along));
         const double most = std::max(0.0, ahead + (file.gap - least) / kClosing);
-        const double excess = dot(preferred[r], along) - most;
-        if (excess <= 0.0) continue;
-        preferred[r] -= along * excess;
+        const double tooFast = dot(preferred[r], along) - most;
+        if (tooFast <= 0.0) continue;
+        preferred[r] -= along * tooFast;
         if (ahead < kStands)
             preferred[r] += perpendicular(along) *
-                            (std::min(excess, kPass) * (file.aside > 0.0 ? -1.0 : 1.0));
+                            (std::min(tooFast, kPass) * (file.aside > 0.0 ? -1.0 : 1.0));
     }
 }
 

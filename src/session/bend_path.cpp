@@ -157,6 +157,7 @@ void putMarks(Take& take, std::uint32_t steps) {
     std::erase_if(take.commands, [&](const Command& command) { return command.step >= steps; });
     take.marks.clear();
     take.events.clear();
+    take.frames.clear();
     std::size_t commands = 0;
     for (std::uint32_t step = kTakeMarkSpacing;; step += kTakeMarkSpacing) {
         const std::uint32_t at = std::min(step, steps);

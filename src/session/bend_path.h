@@ -21,7 +21,8 @@ struct PathBend {
 };
 
 /// The take with that path, to be simulated again: its marks are places for hashes that are not known yet,
-/// and no event is left.
+/// and neither
+/// events nor frames are left.
 ///
 /// Of a group the fingers that move it go elsewhere around that moment, and the order that it carries out
 /// leads through the new point, or ends there where it had arrived. A character is led along the new path

@@ -218,13 +218,14 @@ struct TakeState {
     std::uint32_t from = 0;
     std::uint32_t to = 0;  ///< not beyond steps
     bool loop = false;
+    bool stored = false;  ///< this Muster simulates it otherwise: it plays from its stored frames and cannot be changed
     std::vector<SpeedPiece> speeds;
     std::vector<TakeMark> marks;
 
     /// Lets an archive read or write the fields.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(open, name, title, steps, stepTime, from, to, loop, speeds, marks);
+        archive(open, name, title, steps, stepTime, from, to, loop, stored, speeds, marks);
     }
 };
 

@@ -6,25 +6,6 @@
 #include "world/inspect.h"
 
 namespace muster {
-namespace {
-
-/// The bytes of a take file.
-std::vector<std::uint8_t> encode(const Take& take, const TakeAbout& about) {
-    std::vector<std::uint8_t> bytes = TakeEncoder::begin(take.def);
-    const auto append = [&](const std::vector<std::uint8_t>& record) {
-        bytes.insert(bytes.end(), record.begin(), record.end());
-    };
-    std::size_t next = 0;
-    for (const HashMark& mark : take.marks) {
-        for (; next < mark.commands; ++next) append(TakeEncoder::command(take.commands[next]));
-        if (&mark != &take.marks.back()) append(TakeEncoder::mark(mark));
-    }
-    append(TakeEncoder::about(about));
-    append(TakeEncoder::end(take.marks.back()));
-    return bytes;
-}
-
-}  // namespace
 
 Status Session::Impl::askPath(SessionClient& client, const protocol::AskPath& message) {
     if (!player) return {StatusCode::Unsupported, "no take is open, so there is no path to show"};
@@ -55,6 +36,9 @@ void Session::Impl::sendPath(SessionClient& client) {
 
 Status Session::Impl::changePath(const protocol::BendPath& message) {
     if (!player) return {StatusCode::Unsupported, "no take is open, so no path can be changed"};
+    if (player->stored())
+        return {StatusCode::Unsupported,
+                "the take is shown from its stored frames, so no path can be changed"};
     if (player->preparing())
         return {StatusCode::Unsupported,
                 "the take is still being read; its paths can be changed in a moment"};
@@ -71,7 +55,7 @@ Status Session::Impl::changePath(const protocol::BendPath& message) {
     auto take = std::make_shared<Take>(std::move(changed).value());
     take->about = about;
     if (Status s = begin(name, take->def, TakePlayer::marking(take)); !s.ok()) return s;
-    takenBytes = encode(*take, about);
+    takenBytes = TakeEncoder::whole(*take, about);
     playing = false;
     player->want(now);
     touchState();
@@ -80,7 +64,7 @@ Status Session::Impl::changePath(const protocol::BendPath& message) {
 
 // The changed take has been simulated to its end.
 void Session::Impl::keepChanged() {
-    takenBytes = encode(player->take(), player->about());
+    takenBytes = TakeEncoder::whole(player->take(), player->about());
     std::string file;
     if (def.openSink) {
         auto sink = def.openSink(name);

@@ -103,6 +103,7 @@ struct Session::Impl {
     void seek();
     void replayEnded();
     void replayFailed(const Status& status);
+    void showStoredFrames();
     Status takeAgain(bool keep, SessionClient& client);
     void renumberClients(const Take& take);
     void liftRecorded(const Take& take, std::uint32_t step);

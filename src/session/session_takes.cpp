@@ -16,6 +16,10 @@ constexpr int kStepsPerSeek = 90;       // Steps between two reads of the client
 constexpr double kReadySpacing = 0.25;  // Least time between two TakeReady messages [s].
 constexpr double kMoment = 2.0;         // So short a recording says nothing by itself [s].
 
+constexpr const char* kFromFrames =
+    "this take was recorded by another version of Muster; it is shown from its stored frames and cannot be "
+    "changed";
+
 }  // namespace
 
 // ---- Opening and keeping ----
@@ -31,7 +35,9 @@ Status Session::openTake(std::span<const std::uint8_t> bytes, const std::string&
     if (!read.ok()) return read.status();
     if (read->steps() == 0) return invalidArgument(sourceName + ": holds no step to replay");
     const auto take = std::make_shared<Take>(std::move(read).value());
-    auto player = std::make_unique<TakePlayer>(take, fileName);
+    const bool stored = !take->frames.empty() && !simulatesAlike(*take, impl_->def.threads);
+    auto player = stored ? TakePlayer::storedFrames(take, fileName)
+                         : std::make_unique<TakePlayer>(take, fileName);
     if (Status s = impl_->begin(take->def.name, take->def, std::move(player)); !s.ok()) return s;
     impl_->takenBytes.assign(bytes.begin(), bytes.end() - static_cast<std::ptrdiff_t>(take->tornBytes));
     if (impl_->player->first() > 0) impl_->player->want(impl_->player->first());
@@ -93,6 +99,7 @@ void Session::Impl::setRecording(bool on, SessionClient* client) {
 void Session::Impl::beginFile(SessionClient* client) {
     recorded = true;
     recordedCommands = log.commands();
+    log.storeFrames(true);
     touchState();
     if (!def.openSink) return;
     auto sink = def.openSink(name);
@@ -119,6 +126,7 @@ void Session::Impl::stopRecording(bool dropEmpty) {
         if (!status.ok()) noticeAll(protocol::NoticeLevel::Warning, "record", status.message());
         if (!status.ok()) kept.name.clear();
     }
+    log.storeFrames(false);
     if (empty) return;
     for (auto& [id, to] : clients)
         if (to.greeted) to.outbox.push_back(protocol::encode(kept));
@@ -147,12 +155,29 @@ void Session::Impl::stepReplay() {
         replayEnded();
 }
 
+// What differs only later is shown from the stored frames, too.
 void Session::Impl::replayFailed(const Status& status) {
+    if (!player->take().frames.empty()) return showStoredFrames();
     player->stay();
     playing = false;
     touchState();
     noticeAll(protocol::NoticeLevel::Error, "replay",
-              "The replay differs from the take: " + status.message());
+              "The replay differs from the take: " + status.message() +
+                  ". It was recorded by another version of Muster and holds no stored frames");
+}
+
+void Session::Impl::showStoredFrames() {
+    const bool played = playing;
+    const std::uint32_t step = player->seeking() ? player->wanted() : world->stepCount();
+    const TakeAbout about = player->about();
+    const bool loops = player->loops();
+    auto shown = TakePlayer::storedFrames(player->shared(), player->fileName());
+    shown->edit(about, loops);
+    const std::vector<std::uint8_t> bytes = takenBytes;
+    if (!begin(name, worldDef, std::move(shown)).ok()) return;
+    takenBytes = bytes;
+    playing = played;
+    player->want(step);
 }
 
 void Session::Impl::replayEnded() {
@@ -161,7 +186,10 @@ void Session::Impl::replayEnded() {
     touchState();
     const bool whole = player->last() == player->steps();
     std::string words = "The take ends here.";
-    if (whole && !player->take().marks.empty()) words = "The take ends here; every hash matched.";
+    if (player->stored())
+        words = "The take ends here; it was shown from its stored frames.";
+    else if (whole && !player->take().marks.empty())
+        words = "The take ends here; every hash matched.";
     if (const std::uint32_t steps = player->unmarked(); steps > 0 && whole)
         words += " It was never finished: its last " + std::to_string(steps) + " steps bear no hash.";
     noticeAll(protocol::NoticeLevel::Info, "replay-end", words);
@@ -228,6 +256,7 @@ void Session::Impl::sendTake(SessionClient& client) {
 // The world goes on live from the present moment. A new take holds what the open one held up to here.
 Status Session::Impl::takeAgain(bool keep, SessionClient& client) {
     if (!player) return {StatusCode::Unsupported, "no take is open; open one to direct it again"};
+    if (player->stored()) return {StatusCode::Unsupported, kFromFrames};
     while (player->seeking()) seek();
     const std::unique_ptr<TakePlayer> taken = std::move(player);
     const Take& take = taken->take();

@@ -19,6 +19,8 @@ void TakeLog::begin(const WorldDef& def, std::size_t limit) {
     limit_ = limit;
     full_ = false;
     commands_ = 0;
+    storesFrames_ = false;
+    frames_ = {};
 }
 
 // Commands and events stand before the first mark at or after their step. A mark whose hash covers a dropped
@@ -47,10 +49,22 @@ void TakeLog::resume(const Take& take, std::uint32_t step, std::size_t commands,
     }
     raiseUntil(step);
     submitUntil(commands);
+    const auto later = std::find_if(take.frames.begin(), take.frames.end(),
+                                    [&](const TakeFrame& frame) { return frame.step > step; });
+    append(TakeEncoder::frames({take.frames.begin(), later}));
+}
+
+void TakeLog::storeFrames(bool on) {
+    flushFrames();
+    storesFrames_ = on;
+}
+
+void TakeLog::flushFrames() {
+    append(TakeEncoder::frames(frames_.take()));
 }
 
 void TakeLog::append(const std::vector<std::uint8_t>& record) {
-    if (full_) return;
+    if (full_ || record.empty()) return;
     if (bytes_.size() + record.size() + kEndBytes > limit_) {
         full_ = true;
         return;
@@ -73,6 +87,7 @@ void TakeLog::command(const Command& command) {
 
 void TakeLog::observe(const World& world) {
     if (const auto events = TakeEncoder::events(world); !events.empty()) append(events);
+    if (storesFrames_ && frames_.observe(world)) flushFrames();
     if (world.stepCount() % kTakeMarkSpacing != 0 || full_) return;
     append(TakeEncoder::mark({world.stepCount(), world.hash()}));
 }
@@ -80,6 +95,8 @@ void TakeLog::observe(const World& world) {
 std::vector<std::uint8_t> TakeLog::bytes(const World& world) const {
     std::vector<std::uint8_t> all = bytes_;
     if (full_) return all;
+    const auto frames = TakeEncoder::frames(frames_.waiting());
+    all.insert(all.end(), frames.begin(), frames.end());
     const auto end = TakeEncoder::end({world.stepCount(), world.hash()});
     all.insert(all.end(), end.begin(), end.end());
     return all;
@@ -100,6 +117,7 @@ Status TakeLog::discard() {
 }
 
 Status TakeLog::detach(const World& world, const TakeAbout& about) {
+    flushFrames();
     if (!sink_) return {};
     Status status = sink_->append(TakeEncoder::about(about));
     if (status.ok() && !full_) status = sink_->append(TakeEncoder::end({world.stepCount(), world.hash()}));

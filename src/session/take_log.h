@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "io/take/take_frames.h"
 #include "muster/session.h"
 #include "muster/take.h"
 
@@ -19,6 +20,8 @@ public:
     void resume(const Take& take, std::uint32_t step, std::size_t commands, bool drop, std::size_t limit);
     /// Must be called for each command, after it is submitted.
     void command(const Command& command);
+    /// Frames are stored from now on, or no longer.
+    void storeFrames(bool on);
     /// Must be called after every step.
     void observe(const World& world);
     /// The take up to now, with an end record.
@@ -42,11 +45,14 @@ public:
 
 private:
     void append(const std::vector<std::uint8_t>& record);
+    void flushFrames();
 
     std::vector<std::uint8_t> bytes_;
     std::size_t limit_ = 0;
     bool full_ = false;
     std::size_t commands_ = 0;
+    bool storesFrames_ = false;
+    FrameRecorder frames_;
     std::unique_ptr<TakeSink> sink_;
     Status failure_;
 };

@@ -33,6 +33,19 @@ std::unique_ptr<TakePlayer> TakePlayer::marking(std::shared_ptr<Take> take) {
     return player;
 }
 
+std::unique_ptr<TakePlayer> TakePlayer::storedFrames(std::shared_ptr<Take> take, std::string fileName) {
+    auto player = std::make_unique<TakePlayer>(std::move(take), std::move(fileName));
+    player->stored_ = true;
+    player->replayer_ = Replayer::stored(*player->take_);
+    return player;
+}
+
+// One that has read nothing yet.
+Replayer TakePlayer::replayer() {
+    if (stored_) return Replayer::stored(*take_);
+    return marking_ ? Replayer::marking(*take_) : Replayer(*take_);
+}
+
 void TakePlayer::kept(std::string fileName) {
     marking_ = false;
     fileName_ = std::move(fileName);
@@ -84,10 +97,15 @@ void TakePlayer::beginScout(const MotionFrames& motion) {
         scouted_ = true;
         return;
     }
-    scout_ = std::make_unique<Scout>(Scout{std::move(world).value(),
-                                           marking_ ? Replayer::marking(*take_) : Replayer(*take_),
+    scout_ = std::make_unique<Scout>(Scout{std::move(world).value(), replayer(),
                                            CrowdMotion(motion.library(), {motion.tracksAll(take_->def)})});
     scout_->motion.update(scout_->world);
+}
+
+void TakePlayer::storeFrames(const World& world) {
+    const bool last = world.stepCount() >= steps();
+    if (!frames_.observe(world) && !last) return;
+    for (TakeFrame& frame : frames_.take()) take_->frames.push_back(std::move(frame));
 }
 
 void TakePlayer::prepare(const MotionFrames& motion) {
@@ -96,7 +114,8 @@ void TakePlayer::prepare(const MotionFrames& motion) {
     if (!scout_) return;
     Scout& scout = *scout_;
     // Where the shown world is ahead, the scout goes on from its last snapshot.
-    if (const auto* best = moments_.before(steps()); best && best->first > scout.world.stepCount()) {
+    const auto* best = marking_ ? nullptr : moments_.before(steps());
+    if (best && best->first > scout.world.stepCount()) {
         if (!scout.world.rewind(best->second.world).ok()) scouted_ = true;
         scout.motion.goBack(*best->second.motion);
         scout.replayer.goTo(best->second.cursor);
@@ -107,6 +126,7 @@ void TakePlayer::prepare(const MotionFrames& motion) {
         paths_.observe(scout.world);
         scout.motion.update(scout.world);
         if (status.ok()) status = scout.replayer.compare(scout.world);
+        if (marking_) storeFrames(scout.world);
         const std::uint32_t step = scout.world.stepCount();
         if (moments_.missing(step))
             moments_.keep(step, {scout.world.snapshot(), scout.motion.state(), scout.replayer.cursor()});
@@ -127,6 +147,7 @@ protocol::TakeState TakePlayer::state() const {
     state.from = first();
     state.to = last();
     state.loop = loop_;
+    state.stored = stored_;
     for (const SpeedPiece& piece : about_.speeds)
         state.speeds.push_back({piece.from, piece.to, piece.speed, piece.ease});
     state.marks = marks_;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "io/take/replayer.h"
+#include "io/take/take_frames.h"
 #include "muster/take.h"
 #include "session/motion_frames.h"
 #include "session/protocol.h"
@@ -26,7 +27,12 @@ public:
     /// Plays a take whose marks have no hashes yet, and puts them there while it is read.
     static std::unique_ptr<TakePlayer> marking(std::shared_ptr<Take> take);
 
+    /// Plays a take that this Muster simulates otherwise: from its stored frames.
+    static std::unique_ptr<TakePlayer> storedFrames(std::shared_ptr<Take> take, std::string fileName);
+
     const Take& take() const { return *take_; }                        ///< What is played.
+    std::shared_ptr<Take> shared() const { return take_; }             ///< The same.
+    bool stored() const { return stored_; }                            ///< True where it plays stored frames.
     const std::string& fileName() const { return fileName_; }          ///< Its name on the shelf.
     const TakeAbout& about() const { return about_; }                  ///< Title, part and speeds.
     std::uint32_t steps() const { return replayer_.steps(); }          ///< Steps of the whole take.
@@ -81,9 +87,12 @@ private:
         CrowdMotion motion;
     };
     void beginScout(const MotionFrames& motion);
+    Replayer replayer();
+    void storeFrames(const World& world);
 
     std::shared_ptr<Take> take_;
     bool marking_ = false;
+    bool stored_ = false;
     std::string fileName_;
     TakeAbout about_;
     bool loop_ = false;
@@ -93,6 +102,7 @@ private:
     TakePaths paths_;
     std::unique_ptr<Scout> scout_;
     bool scouted_ = false;
+    FrameRecorder frames_;  // Of a take whose marks are made.
     std::vector<protocol::TakeMark> marks_;
 };
 

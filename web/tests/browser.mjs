@@ -1,6 +1,7 @@
 // The studio in a real browser: node tests/browser.mjs [--only WORD] (MUSTER=path names the program)
 import { chromium } from 'playwright-core';
 import * as build from './cases/build.mjs';
+import * as buildCorners from './cases/build_corners.mjs';
 import * as camera from './cases/camera.mjs';
 import * as directors from './cases/directors.mjs';
 import * as demonstration from './cases/demonstration.mjs';
@@ -23,6 +24,7 @@ import * as shapes from './cases/shapes.mjs';
 import * as session from './cases/session.mjs';
 import * as schemes from './cases/schemes.mjs';
 import * as study from './cases/study.mjs';
+import * as oldTakes from './cases/old_take.mjs';
 import * as paths from './cases/path.mjs';
 import * as takes from './cases/takes.mjs';
 import * as touch from './cases/touch.mjs';
@@ -172,6 +174,12 @@ const kCases = [
     { scenario: 'scenarios/paper/x03-long-house.json' },
   ],
   ['build: by mouse', build.byMouse, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],
+  [
+    'build: corners',
+    buildCorners.cornersAndGuides,
+    ['desktop', 'portrait', 'phone'],
+    { scenario: 'scenarios/open.json', room: true },
+  ],
   ['build: numbers', build.numbers, ['wide'], { touch: false, scenario: 'scenarios/open.json', room: true }],
   ['build: bodies', build.bodies, [...kTablets, 'phone'], { scenario: 'scenarios/open.json', room: true }],
   ['build: drags', build.dragsInARow, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],
@@ -230,6 +238,7 @@ const kCases = [
     { touch: false, scenario: 'scenarios/open.json' },
   ],
   ['paths: one person', paths.single, ['landscape', 'phone'], { scenario: 'scenarios/open.json' }],
+  ['takes: of another version', oldTakes.oldTake, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
   ['takes: exports', takes.exports, ['desktop'], { scenario: 'scenarios/open.json' }],
   ['takes: cut off', takes.cutOff, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
   [

@@ -171,11 +171,15 @@ Status exportTake(const Take& take, const ClipLibrary& library, const ExportDef&
     bool more = resampler.observe(*start);
     bool cancelled = false;
     if (more) {
-        const auto report = replayTake(take, part.threads, [&](const World& world) {
-            more = resampler.observe(world);
-            cancelled = progress && !progress(resampler.share());
-            return more && !cancelled;
-        });
+        const bool stored = !take.frames.empty() && !simulatesAlike(take, part.threads);
+        const auto report = replayTake(
+            take, part.threads,
+            [&](const World& world) {
+                more = resampler.observe(world);
+                cancelled = progress && !progress(resampler.share());
+                return more && !cancelled;
+            },
+            stored ? ReplayFrom::Frames : ReplayFrom::Simulation);
         if (!report.ok()) return report.status();
     }
     if (!resampler.status().ok()) return resampler.status();

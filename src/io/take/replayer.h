@@ -22,6 +22,13 @@ public:
         return replayer;
     }
 
+    /// Puts characters where the take's stored frames say, and compares nothing. It must outlive this.
+    static Replayer stored(const Take& take) {
+        Replayer replayer(take);
+        replayer.stored_ = true;
+        return replayer;
+    }
+
     /// True where the take has no further step.
     bool atEnd(const World& world) const { return world.stepCount() >= steps_; }
     std::uint32_t steps() const { return steps_; }        ///< Number of steps of the take.
@@ -55,10 +62,12 @@ public:
 private:
     Status submitUntil(World& world, std::size_t end);
     Status compareEvents(const World& world);
+    Status putCharacters(World& world);
 
     const Take* take_;
     Take* marked_ = nullptr;  // The same take, where its marks are to be made.
     std::uint32_t steps_;     // Stored, because counting the steps takes long.
+    bool stored_ = false;     // True where characters are put where frames say.
     std::size_t nextCommand_ = 0;
     std::size_t nextMark_ = 0;
     std::size_t nextEvent_ = 0;

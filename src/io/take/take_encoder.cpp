@@ -3,6 +3,7 @@
 #include "io/take/take_about.h"
 #include "io/take/take_encoder.h"
 #include "io/take/take_format.h"
+#include "io/take/take_frames.h"
 #include "muster/scenario.h"
 #include "muster/take.h"
 #include "world/commands/command_archive.h"
@@ -77,12 +78,36 @@ std::vector<std::uint8_t> TakeEncoder::about(const TakeAbout& about) {
     return bytes;
 }
 
+std::vector<std::uint8_t> TakeEncoder::frames(std::span<const TakeFrame> frames) {
+    std::vector<std::uint8_t> bytes;
+    if (!frames.empty()) putRecord(bytes, RecordKind::Frames, packFrames(frames));
+    return bytes;
+}
+
 std::vector<std::uint8_t> TakeEncoder::mark(const HashMark& mark) {
     return markRecord(RecordKind::Mark, mark);
 }
 
 std::vector<std::uint8_t> TakeEncoder::end(const HashMark& mark) {
     return markRecord(RecordKind::End, mark);
+}
+
+std::vector<std::uint8_t> TakeEncoder::whole(const Take& take, const TakeAbout& said) {
+    std::vector<std::uint8_t> bytes = begin(take.def);
+    const auto append = [&](const std::vector<std::uint8_t>& record) {
+        bytes.insert(bytes.end(), record.begin(), record.end());
+    };
+    std::size_t next = 0, raised = 0;
+    for (const HashMark& one : take.marks) {
+        for (; raised < take.events.size() && take.events[raised].step <= one.step; ++raised)
+            append(event(take.events[raised]));
+        for (; next < one.commands; ++next) append(command(take.commands[next]));
+        if (&one != &take.marks.back()) append(mark(one));
+    }
+    append(frames(take.frames));
+    append(about(said));
+    if (!take.marks.empty()) append(end(take.marks.back()));
+    return bytes;
 }
 
 }  // namespace muster

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "muster/take.h"
@@ -21,8 +22,12 @@ public:
     static std::vector<std::uint8_t> events(const World& world);
     /// Encodes what is said about the take.
     static std::vector<std::uint8_t> about(const TakeAbout& about);
+    /// Encodes stored frames; nothing for none.
+    static std::vector<std::uint8_t> frames(std::span<const TakeFrame> frames);
     /// Encodes a hash mark.
     static std::vector<std::uint8_t> mark(const HashMark& mark);
+    /// Encodes a finished take as a file, with that said about it.
+    static std::vector<std::uint8_t> whole(const Take& take, const TakeAbout& about);
     /// Encodes the end record, with the last mark.
     static std::vector<std::uint8_t> end(const HashMark& mark);
 };

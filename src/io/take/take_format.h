@@ -8,7 +8,7 @@
 namespace muster {
 
 inline constexpr std::array<std::uint8_t, 8> kTakeMagic{'M', 'U', 'S', 'T', 'A', 'K', 'E', '\n'};
-inline constexpr std::uint32_t kTakeVersion = 3;        ///< As written.
+inline constexpr std::uint32_t kTakeVersion = 4;        ///< As written.
 inline constexpr std::uint32_t kOldestTakeVersion = 1;  ///< That is read.
 inline constexpr std::size_t kTakeHeaderBytes = 12;     ///< Size of magic and version.
 inline constexpr std::size_t kRecordHeadBytes = 9;      ///< Size of length, kind and checksum of both.
@@ -23,6 +23,7 @@ enum class RecordKind : std::uint8_t {
     End = 4,       ///< Like Mark; only about records follow.
     Event = 5,     ///< u32 step, u8 kind, u32 subject, u32 value, f64 x, f64 y.
     About = 6,     ///< JSON text; the last one counts.
+    Frames = 7,    ///< As packFrames() writes them.
 };
 
 }  // namespace muster

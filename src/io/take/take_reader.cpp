@@ -3,6 +3,7 @@
 #include "base/text_file.h"
 #include "io/take/take_about.h"
 #include "io/take/take_format.h"
+#include "io/take/take_frames.h"
 #include "muster/scenario.h"
 #include "muster/take.h"
 #include "world/commands/command_archive.h"
@@ -90,6 +91,8 @@ private:
                 return event(payload);
             case RecordKind::About:
                 return about(payload);
+            case RecordKind::Frames:
+                return frames(payload);
             case RecordKind::Mark:
             case RecordKind::End:
                 take_.finished = kind == RecordKind::End;
@@ -128,6 +131,11 @@ private:
             return corrupt("found an earlier event");
         take_.events.push_back(raised);
         return {};
+    }
+
+    Status frames(std::span<const std::uint8_t> payload) {
+        const Status read = unpackFrames(payload, take_.frames);
+        return read.ok() ? read : corrupt(read.message());
     }
 
     Status about(std::span<const std::uint8_t> payload) {

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "io/take/take_encoder.h"
+#include "io/take/take_frames.h"
 #include "muster/take.h"
 
 namespace muster {
@@ -11,6 +12,12 @@ namespace muster {
 void TakeWriter::CloseFile::operator()(std::FILE* file) const {
     std::fclose(file);
 }
+
+TakeWriter::TakeWriter(std::FILE* file, std::string path)
+    : file_(file), path_(std::move(path)), frames_(std::make_unique<FrameRecorder>()) {}
+TakeWriter::TakeWriter(TakeWriter&&) noexcept = default;
+TakeWriter& TakeWriter::operator=(TakeWriter&&) noexcept = default;
+TakeWriter::~TakeWriter() = default;
 
 Result<TakeWriter> TakeWriter::create(const std::string& path, const WorldDef& def, bool overwrite) {
     std::FILE* file = std::fopen(path.c_str(), overwrite ? "wb" : "wbx");
@@ -36,11 +43,14 @@ Status TakeWriter::command(const Command& command) {
 Status TakeWriter::observe(const World& world) {
     if (const auto events = TakeEncoder::events(world); !events.empty())
         if (Status s = append(events); !s.ok()) return s;
+    if (frames_->observe(world))
+        if (Status s = append(TakeEncoder::frames(frames_->take())); !s.ok()) return s;
     if (world.stepCount() % kTakeMarkSpacing != 0) return {};
     return append(TakeEncoder::mark({world.stepCount(), world.hash()}));
 }
 
 Status TakeWriter::finish(const World& world) {
+    if (Status s = append(TakeEncoder::frames(frames_->take())); !s.ok()) return s;
     if (Status s = append(TakeEncoder::end({world.stepCount(), world.hash()})); !s.ok()) return s;
     const bool synced = fsync(fileno(file_.get())) == 0 || errno == EINVAL || errno == ENOTSUP;
     const bool closed = std::fclose(file_.release()) == 0;

@@ -26,5 +26,6 @@ it('takes name and root from the reason of a server', () => {
   expect(plainReason('q.json: $.groups[0].count: found -5, expected 1 to 20000')).toBe(
     'groups[0].count: found -5, expected 1 to 20000',
   );
+  expect(plainReason('take: found no take, expected one to begin with MUSTAKE')).toBe('it is no take');
   expect(plainReason('too many directors')).toBe('too many directors');
 });

@@ -19,9 +19,10 @@ export function sentenceOf(error: unknown, otherwise: string): string {
 
 /** A server's reason without the name of the file, which is told before it, and the `$` before the part of the file. */
 export function plainReason(reason: string): string {
+  if (reason.includes('found no take')) return 'it is no take';
   return reason
     .trim()
     .replace(/\.$/, '')
     .replace(/^[^:$]*: \$\.?/, '')
-    .replace(/^: /, '');
+    .replace(/^(: |take: )/, '');
 }

@@ -21,6 +21,7 @@ const take: OpenTake = {
   from: 60,
   to: 540,
   loop: false,
+  stored: false,
   speeds: [],
   marks: [],
 };

@@ -470,6 +470,8 @@ export interface TakeState {
   /** not beyond steps */
   to: number;
   loop: boolean;
+  /** this Muster simulates it otherwise: it plays from its stored frames and cannot be changed */
+  stored: boolean;
   speeds: SpeedPiece[];
   marks: TakeMark[];
 }
@@ -485,6 +487,7 @@ export function readTakeState(r: ByteReader): TakeState {
     from: r.u32(),
     to: r.u32(),
     loop: r.bool(),
+    stored: r.bool(),
     speeds: r.list(readSpeedPiece),
     marks: r.list(readTakeMark),
   };
@@ -500,6 +503,7 @@ export function writeTakeState(w: ByteWriter, m: TakeState): void {
   w.u32(m.from);
   w.u32(m.to);
   w.bool(m.loop);
+  w.bool(m.stored);
   w.list(m.speeds, writeSpeedPiece);
   w.list(m.marks, writeTakeMark);
 }

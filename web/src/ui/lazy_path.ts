@@ -32,7 +32,8 @@ export function openPathsLazily(parts: PathParts): void {
     if (ids.length > 0) Object.assign(members, { ids, group });
   });
   window.addEventListener('keydown', (event) => {
-    if (event.key !== 'P' || !event.shiftKey || event.ctrlKey || event.metaKey || event.altKey || !take?.open) return;
+    if (event.key !== 'P' || !event.shiftKey || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (!take?.open || take.stored) return;
     if (event.target instanceof HTMLElement && event.target.closest('input, textarea, select, dialog')) return;
     event.preventDefault();
     event.stopImmediatePropagation();

@@ -3,10 +3,10 @@ import { expect } from '../support/expect.mjs';
 import { serious } from './look.mjs';
 
 /** Spots of the world on the screen, between the panels; they stay while the camera stays. */
-const screen = (studio, points) =>
+export const screen = (studio, points) =>
   studio.page.evaluate((list) => list.map((p) => globalThis.__muster.view.worldToScreen(p)), points);
 
-async function open(studio) {
+export async function open(studio) {
   await studio.page.evaluate(() => {
     globalThis.__scenes = [];
     globalThis.__muster.client.on('scene', ({ json }) => globalThis.__scenes.push(JSON.parse(json)));
@@ -17,7 +17,7 @@ async function open(studio) {
 }
 
 /** The newest scene, once `test` holds of it. */
-async function scene(studio, what, test) {
+export async function scene(studio, what, test) {
   let last = null;
   await studio.eventually(async () => {
     last = await studio.page.evaluate(() => globalThis.__scenes.at(-1) ?? null);
@@ -26,9 +26,10 @@ async function scene(studio, what, test) {
   return last;
 }
 
-const tool = (studio, name) => studio.page.locator('.build-panel').getByRole('button', { name, exact: true }).click();
+export const tool = (studio, name) =>
+  studio.page.locator('.build-panel').getByRole('button', { name, exact: true }).click();
 
-async function drag(studio, from, to, options = {}) {
+export async function drag(studio, from, to, options = {}) {
   const [a, b] = await screen(studio, [from, to]);
   if (options.touch) {
     await studio.fingers.down({ 1: a });
@@ -49,7 +50,7 @@ async function press(studio, at) {
   await studio.page.mouse.click(p.x, p.y);
 }
 
-const near = (a, b, reach = 0.6) => Math.hypot(a[0] - b[0], a[1] - b[1]) <= reach;
+export const near = (a, b, reach = 0.6) => Math.hypot(a[0] - b[0], a[1] - b[1]) <= reach;
 
 /** Every tool by mouse, with undo and redo, several at once, and the keyboard. */
 export async function byMouse(studio) {

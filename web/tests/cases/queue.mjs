@@ -160,6 +160,11 @@ export async function editQueueByTouch(studio) {
   await act(studio, 'Insert').tap();
   await studio.pictures(2);
   await studio.shot('queue-insert');
+  // On a phone the queue covers what the opening view shows there.
+  if (studio.size === 'phone') {
+    await page.evaluate(() => globalThis.__muster.view.lookAt({ x: -10, y: -3 }));
+    await studio.cameraAtRest();
+  }
   const [spot] = await studio.screen([{ x: -10, y: -9 }]);
   await studio.fingers.down({ 1: spot });
   await studio.fingers.up([1]);

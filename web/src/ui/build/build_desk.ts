@@ -155,6 +155,8 @@ export class BuildDesk implements StrokeHost, BuildActions {
       line: this.strokes_.line.length > 0 ? this.strokes_.line : this.strokes_.corners,
       closed: this.strokes_.closed,
       handles: this.tool === 'select' && this.chosen_.length > 0,
+      corner: this.strokes_.tapped,
+      guides: this.strokes_.guides,
     });
   };
 
@@ -238,7 +240,7 @@ export class BuildDesk implements StrokeHost, BuildActions {
   }
 
   remove(): void {
-    if (this.chosen_.length === 0) return;
+    if (this.chosen_.length === 0 || this.strokes_.removeCorner()) return;
     this.strokes_.drop();
     const label = this.chosen_.length === 1 ? `Remove ${this.chosen_[0]!.kind}` : 'Remove';
     this.edits_.send({ label, events: this.chosen_.map(things.removeEvent), changed: [] });

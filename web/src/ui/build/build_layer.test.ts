@@ -16,7 +16,16 @@ const box = (x: number) =>
 
 const house = box(0);
 const moved = box(5);
-const kPicture: BuildPicture = { things: [house], chosen: [], preview: [], line: [], closed: false, handles: false };
+const kPicture: BuildPicture = {
+  things: [house],
+  chosen: [],
+  preview: [],
+  line: [],
+  closed: false,
+  handles: false,
+  corner: -1,
+  guides: [],
+};
 
 let shift = 0;
 let layer: BuildLayer;

@@ -3,6 +3,8 @@
 
 import type { OverlayView } from '../../model/frame_view';
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
+import type { Guide } from '../../model/place/guides';
+import { hasCorners, middlesOf } from '../../model/place/corners';
 import { extentOf, outlineOf, sameThing, type Extent, type Thing } from '../../model/place/things';
 
 const kSvg = 'http://www.w3.org/2000/svg';
@@ -19,8 +21,12 @@ export interface BuildPicture {
   /** A line, box or lasso that is being drawn. */
   readonly line: readonly GroundPoint[];
   readonly closed: boolean;
-  /** Guide lines, in pairs of points. */
+  /** Those of what is chosen. */
   readonly handles: boolean;
+  /** The corner that was tapped; -1 for none. */
+  readonly corner: number;
+  /** What is moved lines up with others along these. */
+  readonly guides: readonly Guide[];
 }
 
 export interface Sight {
@@ -118,7 +124,9 @@ export class BuildLayer {
       sameItems(before.preview, picture.preview) &&
       sameItems(before.line, picture.line) &&
       before.closed === picture.closed &&
-      before.handles === picture.handles;
+      before.handles === picture.handles &&
+      before.corner === picture.corner &&
+      before.guides === picture.guides;
     if (moving) return;
     this.sightKey_ = sightKey;
     this.shown_ = { ...picture, line: [...picture.line] };
@@ -137,12 +145,13 @@ export class BuildLayer {
     this.still_.replaceChildren(...parts);
   }
 
-  private drawMoving({ chosen, preview, line, closed, handles }: BuildPicture): void {
+  private drawMoving({ chosen, preview, line, closed, handles, corner, guides }: BuildPicture): void {
     const parts = preview.map((one) => this.outline(one, 'build-preview'));
     if (line.length > 1) parts.push(this.path(line, closed, 'build-line'));
     for (const one of preview) if (one.kind === 'group') parts.push(this.arrow(one));
+    for (const { from, to } of guides) parts.push(this.path([from, to], false, 'build-guide'));
     const extent = handles ? extentOf(preview.length > 0 ? preview : chosen) : null;
-    if (extent) parts.push(...this.handles(extent));
+    if (extent) parts.push(...this.handles(extent), ...this.corners(preview.length > 0 ? preview : chosen, corner));
     this.moving_.replaceChildren(...parts);
   }
 
@@ -192,6 +201,19 @@ export class BuildLayer {
       .map((corners) => `M${this.points(corners).replaceAll(' ', 'L')}Z`)
       .join('');
     return shape('path', { d, class: 'build-unreached' });
+  }
+
+  private corners(chosen: readonly Thing[], tapped: number): SVGElement[] {
+    const [one] = chosen;
+    if (!one || !hasCorners(chosen)) return [];
+    const dot = (point: GroundPoint, r: number, name: string): SVGElement => {
+      const { x, y } = this.sight_.toScreen(point);
+      return shape('circle', { cx: x, cy: y, r, class: name });
+    };
+    return [
+      ...middlesOf(one).map((point) => dot(point, 3.5, 'build-middle')),
+      ...outlineOf(one).map((point, k) => dot(point, 6, `build-corner${k === tapped ? ' build-tapped' : ''}`)),
+    ];
   }
 
   private handles(extent: Extent): SVGElement[] {

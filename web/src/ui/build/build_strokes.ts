@@ -2,6 +2,8 @@
 
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
 import { drawn, polygonThing, routed, type BuildTool, type DrawingOptions } from '../../model/place/drawing';
+import { crossesItself, gripAt, hasCorners, withCorner, withoutCorner, type Grip } from '../../model/place/corners';
+import { aligned, type Guide } from '../../model/place/guides';
 import { rightAngled, snapped } from '../../model/place/snap';
 import * as things from '../../model/place/things';
 import type { Thing } from '../../model/place/things';
@@ -33,12 +35,13 @@ export interface StrokeHost {
   metres(px: number): number;
 }
 
-/** Moves, scales or turns things about the middle that they had. */
+/** Moves, scales or turns things about the middle that they had, or pulls at a corner. */
 interface Handling {
-  readonly does: 'move' | 'scale' | 'turn';
+  readonly does: 'move' | 'scale' | 'turn' | 'corner';
   readonly from: GroundPoint;
   readonly before: readonly Thing[];
   readonly about: GroundPoint;
+  readonly grip: Grip;
 }
 
 /** What a stroke does. */
@@ -47,13 +50,18 @@ type Drag = Handling | { readonly does: 'draw' | 'box' | 'lasso' | 'route'; read
 /** Handles are taken from so near [CSS px]. */
 const kReach = { touch: 26, mouse: 14 };
 
-const kWords = { move: 'Move', scale: 'Scale', turn: 'Turn' } as const;
+const kWords = { move: 'Move', scale: 'Scale', turn: 'Turn', corner: 'Move corner' } as const;
+const kCrosses = 'An outline must not cross itself.';
 
 export class BuildStroking implements BuildStrokes {
   /** A line, box or lasso that is being drawn. */
   line: GroundPoint[] = [];
   /** Of the polygon that is being drawn. */
   corners: GroundPoint[] = [];
+  /** Of what is chosen: the corner that was tapped; -1 for none. */
+  tapped = -1;
+  /** What is moved lines up along these. */
+  guides: readonly Guide[] = [];
   private drag_: Drag | null = null;
 
   constructor(private readonly host_: StrokeHost) {}
@@ -85,9 +93,9 @@ export class BuildStroking implements BuildStrokes {
     if (made) this.host_.add('Add polygon', [made]);
   }
 
-  private handle(does: Handling['does'], from: GroundPoint): void {
+  private handle(does: Handling['does'], from: GroundPoint, grip: Grip = { index: 0, isNew: false }): void {
     const before = this.host_.chosen;
-    this.drag_ = { does, from, before, about: things.middleOfAll(before) ?? from };
+    this.drag_ = { does, from, before, about: things.middleOfAll(before) ?? from, grip };
     this.host_.dragBegins();
   }
 
@@ -122,7 +130,28 @@ export class BuildStroking implements BuildStrokes {
     this.drag_ = { does: 'draw', from };
   }
 
+  private gripOf({ screen, touch }: BuildStroke): Grip | null {
+    const [one] = this.host_.chosen;
+    if (!one || !hasCorners(this.host_.chosen)) return null;
+    return gripAt(one, screen, (point) => this.host_.toScreen(point), touch ? 22 : 10);
+  }
+
+  /** Takes away the corner that was tapped; false where there is none. */
+  removeCorner(): boolean {
+    const [one] = this.host_.chosen;
+    if (this.tapped < 0 || !one) return false;
+    const less = withoutCorner(one, this.tapped);
+    this.tapped = -1;
+    if (!less) this.host_.say('An outline has three corners at least.');
+    else if (crossesItself(less)) this.host_.say(kCrosses);
+    else this.host_.change('Remove corner', [less]);
+    return true;
+  }
+
   private beginSelect(stroke: BuildStroke): void {
+    const grip = stroke.shift ? null : this.gripOf(stroke);
+    this.tapped = grip && !grip.isNew ? grip.index : -1;
+    if (grip) return this.handle('corner', stroke.ground, grip);
     const handle = this.handleAt(stroke);
     if (handle) return this.handle(handle, stroke.ground);
     const found = things.hit(this.host_.free, stroke.ground, this.host_.metres(stroke.touch ? 16 : 6));
@@ -146,7 +175,8 @@ export class BuildStroking implements BuildStrokes {
       case 'move':
       case 'scale':
       case 'turn':
-        if (!still) this.host_.drag(kWords[drag.does], this.dragged(drag, stroke));
+      case 'corner':
+        if (!still) this.handled(drag, this.dragged(drag, stroke));
         break;
       case 'box':
         this.line = [drag.from, { x: ground.x, y: drag.from.y }, ground, { x: drag.from.x, y: ground.y }];
@@ -170,11 +200,9 @@ export class BuildStroking implements BuildStrokes {
   private dragged(drag: Handling, stroke: BuildStroke): Thing[] {
     const { about } = drag;
     const { ground } = stroke;
-    if (drag.does === 'move') {
-      const snaps = this.host_.snaps && !stroke.free;
-      const step = (value: number): number => (snaps ? Math.round(value * 2) / 2 : value);
-      return drag.before.map((one) => things.moved(one, step(ground.x - drag.from.x), step(ground.y - drag.from.y)));
-    }
+    if (drag.does === 'corner') return drag.before.map((one) => withCorner(one, drag.grip, this.snap(stroke)));
+    if (drag.does === 'move')
+      return this.carried(drag.before, ground.x - drag.from.x, ground.y - drag.from.y, stroke.free);
     const [from, to] = [drag.from, ground].map((p) => ({ x: p.x - about.x, y: p.y - about.y }));
     if (drag.does === 'scale') {
       const factor = Math.max(0.1, Math.hypot(to!.x, to!.y) / Math.max(0.1, Math.hypot(from!.x, from!.y)));
@@ -187,17 +215,49 @@ export class BuildStroking implements BuildStrokes {
     return drag.before.map((one) => things.turned(one, about, turn));
   }
 
+  /** Moved by so much: to lines of others, else by steps of the grid. */
+  private carried(before: readonly Thing[], dx: number, dy: number, free: boolean): Thing[] {
+    this.guides = [];
+    if (free || !this.host_.snaps) return before.map((one) => things.moved(one, dx, dy));
+    const others = this.host_.all.filter((one) => !before.some((taken) => things.sameThing(taken, one)));
+    const lined = aligned(before, others, dx, dy, this.host_.metres(8));
+    this.guides = lined.guides;
+    const step = (wished: number, line: number): number => (line === wished ? Math.round(wished * 2) / 2 : line);
+    return before.map((one) => things.moved(one, step(dx, lined.dx), step(dy, lined.dy)));
+  }
+
   end(stroke: BuildStroke, still: boolean): void {
     const { drag_: drag, line, host_: host } = this;
     this.drag_ = null;
     this.line = [];
+    this.guides = [];
     if (host.tool === 'polygon') return this.corner(stroke);
     if (!drag) return;
     if ('before' in drag) {
-      if (!still) host.dragEnds(kWords[drag.does], this.dragged(drag, stroke));
+      if (!still) this.endHandling(drag, this.dragged(drag, stroke));
+      this.guides = [];
     } else if (drag.does === 'route') this.endRoute(line);
     else if (drag.does === 'draw') this.endDrawing(drag.from, stroke);
     else host.chosen = still ? [] : things.within(host.free, line);
+  }
+
+  /** An outline that crosses itself is shown, but not told to the server. */
+  private handled(drag: Handling, changed: readonly Thing[]): void {
+    if (drag.does === 'corner' && changed.some(crossesItself)) this.host_.preview = changed;
+    else this.host_.drag(this.labelOf(drag), changed);
+  }
+
+  private endHandling(drag: Handling, changed: readonly Thing[]): void {
+    if (drag.does === 'corner' && changed.some(crossesItself)) {
+      this.host_.preview = [];
+      this.host_.dragCancelled(this.labelOf(drag), drag.before);
+      return this.host_.say(kCrosses);
+    }
+    this.host_.dragEnds(this.labelOf(drag), changed);
+  }
+
+  private labelOf(drag: Handling): string {
+    return drag.does === 'corner' && drag.grip.isNew ? 'Add corner' : kWords[drag.does];
   }
 
   private endRoute(line: readonly GroundPoint[]): void {
@@ -225,13 +285,15 @@ export class BuildStroking implements BuildStrokes {
 
   cancel(): void {
     const drag = this.drag_;
+    this.guides = [];
     this.drag_ = null;
     this.line = [];
     this.host_.preview = [];
-    if (drag && 'before' in drag) this.host_.dragCancelled(kWords[drag.does], drag.before);
+    if (drag && 'before' in drag) this.host_.dragCancelled(this.labelOf(drag), drag.before);
   }
 
   doubleTap(): void {
+    if (this.host_.tool === 'select') this.removeCorner();
     if (this.host_.tool === 'polygon' && this.corners.length >= 3) this.finishPolygon();
   }
 

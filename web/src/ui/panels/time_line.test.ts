@@ -15,6 +15,7 @@ const take: OpenTake = {
   from: 60,
   to: 540,
   loop: false,
+  stored: false,
   speeds: [],
   marks: [{ kind: TakeMarkKind.Touch, step: 70, length: 30, label: 'touch' }],
 };
@@ -96,4 +97,11 @@ it('offers to direct again, on top, and over and over', () => {
 it('gives each touch the lowest free row', () => {
   const touch = (step: number, length: number) => ({ kind: TakeMarkKind.Touch, step, length, label: '' });
   expect(rowsOf([touch(0, 100), touch(10, 20), touch(40, 10), touch(60, 5), touch(61, 90)])).toEqual([0, 1, 1, 1, 2]);
+});
+
+it('offers no change of a take that plays from its stored frames, and says why', () => {
+  expect(at('.time-stored').hidden).toBe(true);
+  line.setTake({ ...take, stored: true }, 'Rain');
+  expect(at('.time-stored').hidden).toBe(false);
+  expect(line.root.hasAttribute('data-stored')).toBe(true);
 });

@@ -21,6 +21,11 @@ export class TimeLine {
     role: 'group',
     'aria-label': 'Slow and fast',
   });
+  private readonly stored_ = element(
+    'p',
+    { class: 'time-stored', role: 'note', hidden: true },
+    'Recorded by another version of Muster: it plays from its stored frames and cannot be changed.',
+  );
   readonly root: HTMLElement;
   private take_: OpenTake | null = null;
 
@@ -80,6 +85,7 @@ export class TimeLine {
         close,
       ),
       element('div', { class: 'time-track-holder' }, this.track.root),
+      this.stored_,
     );
   }
 
@@ -95,6 +101,8 @@ export class TimeLine {
     if (!take) return;
     setText(this.title_, title);
     setPressed(this.loop_, take.loop);
+    this.stored_.hidden = !take.stored;
+    this.root.toggleAttribute('data-stored', take.stored);
     this.track.setTake(take);
     this.showClock();
     if (!this.pieces_.hidden) this.fillPieces();
