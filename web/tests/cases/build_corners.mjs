@@ -65,5 +65,5 @@ export async function cornersAndGuides(studio) {
   if (touch) await studio.fingers.up();
   else await page.mouse.up();
   await scene(studio, 'lined up', (one) => one.obstacles[1].polygon.some(([x]) => Math.abs(x + 2) < 1e-6));
-  expect((await guides()) === 0, 'the line goes with the drag');
+  await studio.eventually(async () => expect((await guides()) === 0, 'the line goes with the drag'));
 }
