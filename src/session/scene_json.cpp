@@ -4,8 +4,10 @@
 #include "base/json.h"
 #include "environment/environment.h"
 #include "io/scenario/describe_shapes.h"
+#include "io/scenario/describe_units.h"
 #include "muster/formation.h"
 #include "muster/parameter_table.h"
+#include "session/group_body.h"
 #include "world/inspect.h"
 
 namespace muster {
@@ -88,6 +90,24 @@ Json clips(const Environment& environment) {
     return list;
 }
 
+/// What all in a group have in common.
+Json body(const GroupBody& common) {
+    Json item = Json::object();
+    if (common.radius >= 0.0) item["radius"] = common.radius;
+    if (common.maxSpeed >= 0.0) item["maxSpeed"] = common.maxSpeed;
+    if (common.unitClass >= 0) item["class"] = common.unitClass;
+    return item;
+}
+
+/// As in scenario files.
+Json roles(const std::vector<RoleDef>& roles) {
+    Json item;
+    FieldWriter writer(item);
+    std::vector<RoleDef> copy = roles;
+    describeRoles(writer, copy, Need::Required);
+    return item["roles"];
+}
+
 Json groups(const World& world, const Place& place) {
     Json list = Json::array();
     for (std::size_t g = 0; g < world.groupCount(); ++g) {
@@ -100,7 +120,9 @@ Json groups(const World& world, const Place& place) {
         if (const PlaceGroupDef* start = place.group(view.id))
             item["start"] = Json{{"position", point(start->def.position)},
                                  {"angle", start->def.angle},
-                                 {"formation", shape(start->def.formation)}};
+                                 {"formation", shape(start->def.formation)},
+                                 {"body", body(groupBody(world, g))},
+                                 {"roles", roles(inspect::groupDef(world, g).roles)}};
         list.push(std::move(item));
     }
     return list;

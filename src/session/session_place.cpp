@@ -3,6 +3,7 @@
 
 #include "muster/scenario.h"
 #include "session/command_text.h"
+#include "session/group_body.h"
 #include "session/session_state.h"
 
 namespace muster {
@@ -58,7 +59,8 @@ Status Session::Impl::edit(SessionClient& client, const protocol::Edit& message)
     if (!world) return {StatusCode::NotFound, "there is no world yet"};
     if (player)
         return {StatusCode::Unsupported, "a take is being replayed; load a scenario to edit its place"};
-    auto bodies = parseEditText(message.events, def.limits);
+    auto bodies = changesGroupBody(message.events) ? parseGroupBodies(message.events, def.limits, *world)
+                                                   : parseEditText(message.events, def.limits);
     if (!bodies.ok()) return bodies.status();
     for (CommandBody& body : *bodies) {
         const Command command{world->stepCount(), client.number, 0, body};

@@ -1,6 +1,7 @@
 // The studio in a real browser: node tests/browser.mjs [--only WORD] (MUSTER=path names the program)
 import { chromium } from 'playwright-core';
 import * as build from './cases/build.mjs';
+import * as buildCorners from './cases/build_corners.mjs';
 import * as camera from './cases/camera.mjs';
 import * as directors from './cases/directors.mjs';
 import * as demonstration from './cases/demonstration.mjs';
@@ -175,11 +176,14 @@ const kCases = [
   ['build: by mouse', build.byMouse, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],
   [
     'build: corners',
-    build.cornersAndGuides,
+    buildCorners.cornersAndGuides,
     ['desktop', 'portrait', 'phone'],
     { scenario: 'scenarios/open.json', room: true },
   ],
   ['build: numbers', build.numbers, ['wide'], { touch: false, scenario: 'scenarios/open.json', room: true }],
+  ['build: bodies', build.bodies, [...kTablets, 'phone'], { scenario: 'scenarios/open.json', room: true }],
+  ['build: drags', build.dragsInARow, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],
+  ['build: drags by touch', build.dragsByTouch, ['portrait'], { scenario: 'scenarios/open.json', room: true }],
   [
     'build: by touch',
     build.byTouch,

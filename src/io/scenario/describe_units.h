@@ -137,10 +137,7 @@ struct BodyRun {
 };
 
 template <class Visitor>
-void describeBodyRun(Visitor& v, BodyRun& run) {
-    Body& body = run.body;
-    if (takesPart<Visitor>(run.count != 1))
-        v.whole("count", run.count, {1.0, kMaxCharacters}, "So many have this body.");
+void describeBody(Visitor& v, Body& body) {
     v.number("radius", body.radius, {0.0, 1.5, "m"}, "0: the parameter's; else 0.05 or more.");
     v.number("maxSpeed", body.maxSpeed, {0.0, 50.0, "m/s"}, "0: the parameter's; else 0.01 or more.");
     v.number("acceleration", body.acceleration, {0.0, 1000.0, "m/s^2"},
@@ -148,6 +145,13 @@ void describeBodyRun(Visitor& v, BodyRun& run) {
     v.number("mass", body.mass, {0.01, 1000.0}, "Who is heavy gives way less.");
     v.number("supply", body.supply, {1e-3, 1000.0}, "Units that it supplies to places.");
     v.whole("class", body.unitClass, {0.0, 255.0}, "For roles; 0 for none.");
+}
+
+template <class Visitor>
+void describeBodyRun(Visitor& v, BodyRun& run) {
+    if (takesPart<Visitor>(run.count != 1))
+        v.whole("count", run.count, {1.0, kMaxCharacters}, "So many have this body.");
+    describeBody(v, run.body);
 }
 
 /// A list of bodies. Equal ones are written once, with their number.

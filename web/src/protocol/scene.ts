@@ -55,6 +55,21 @@ export interface SceneClip {
   readonly cyclic: boolean;
 }
 
+/** What all in a group have in common; what they differ in is absent. */
+export interface SceneGroupBody {
+  readonly radius?: number;
+  /** In the open [m/s]. */
+  readonly maxSpeed?: number;
+  /** 0 for none. */
+  readonly class?: number;
+}
+
+/** Where a class stands in a formation, as in scenario files. */
+export interface SceneRole {
+  readonly area: string;
+  readonly class: number;
+}
+
 export interface SceneGroup {
   readonly id: number;
   readonly name: string;
@@ -63,7 +78,13 @@ export interface SceneGroup {
   /** Index of the accent: blue, ember, green, plum, ochre, slate. */
   readonly colour: number;
   /** How the place has it; absent for parts of others. */
-  readonly start?: { readonly position: Point2; readonly angle: number; readonly formation: SceneShape };
+  readonly start?: {
+    readonly position: Point2;
+    readonly angle: number;
+    readonly formation: SceneShape;
+    readonly body?: SceneGroupBody;
+    readonly roles?: readonly SceneRole[];
+  };
 }
 
 export interface SceneItem {

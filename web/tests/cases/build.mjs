@@ -3,10 +3,10 @@ import { expect } from '../support/expect.mjs';
 import { serious } from './look.mjs';
 
 /** Spots of the world on the screen, between the panels; they stay while the camera stays. */
-const screen = (studio, points) =>
+export const screen = (studio, points) =>
   studio.page.evaluate((list) => list.map((p) => globalThis.__muster.view.worldToScreen(p)), points);
 
-async function open(studio) {
+export async function open(studio) {
   await studio.page.evaluate(() => {
     globalThis.__scenes = [];
     globalThis.__muster.client.on('scene', ({ json }) => globalThis.__scenes.push(JSON.parse(json)));
@@ -17,7 +17,7 @@ async function open(studio) {
 }
 
 /** The newest scene, once `test` holds of it. */
-async function scene(studio, what, test) {
+export async function scene(studio, what, test) {
   let last = null;
   await studio.eventually(async () => {
     last = await studio.page.evaluate(() => globalThis.__scenes.at(-1) ?? null);
@@ -26,9 +26,10 @@ async function scene(studio, what, test) {
   return last;
 }
 
-const tool = (studio, name) => studio.page.locator('.build-panel').getByRole('button', { name, exact: true }).click();
+export const tool = (studio, name) =>
+  studio.page.locator('.build-panel').getByRole('button', { name, exact: true }).click();
 
-async function drag(studio, from, to, options = {}) {
+export async function drag(studio, from, to, options = {}) {
   const [a, b] = await screen(studio, [from, to]);
   if (options.touch) {
     await studio.fingers.down({ 1: a });
@@ -49,7 +50,7 @@ async function press(studio, at) {
   await studio.page.mouse.click(p.x, p.y);
 }
 
-const near = (a, b, reach = 0.6) => Math.hypot(a[0] - b[0], a[1] - b[1]) <= reach;
+export const near = (a, b, reach = 0.6) => Math.hypot(a[0] - b[0], a[1] - b[1]) <= reach;
 
 /** Every tool by mouse, with undo and redo, several at once, and the keyboard. */
 export async function byMouse(studio) {
@@ -61,11 +62,7 @@ export async function byMouse(studio) {
   expect(near(now.obstacles[0].polygon[0], [2, -3]), `where it was drawn: ${JSON.stringify(now.obstacles[0].polygon)}`);
   await page.keyboard.press('v');
   await drag(studio, { x: 3, y: -2 }, { x: 3, y: 2 });
-  now = await scene(studio, 'moved', (one) => one.obstacles[0].polygon[0][1] > 0);
-  expect(
-    near(now.obstacles[0].polygon[0], [2, 1]),
-    `moved by four metres: ${JSON.stringify(now.obstacles[0].polygon)}`,
-  );
+  now = await scene(studio, 'moved by four metres', (one) => near(one.obstacles[0].polygon[0], [2, 1]));
   await page.getByRole('button', { name: 'Undo move' }).click();
   await scene(studio, 'back', (one) => one.obstacles[0].polygon[0][1] < 0);
   await page.keyboard.press('Control+Shift+Z');
@@ -193,15 +190,11 @@ export async function byTouch(studio) {
     { x: 3, y: 3.5 },
   ];
   await drag(studio, ...spots, { touch: true });
-  let now = await scene(studio, 'a box', (one) => one.obstacles.length === 1);
+  await scene(studio, 'a box', (one) => one.obstacles.length === 1);
   await studio.shot('build-touch');
   await tool(studio, 'Select');
   await drag(studio, { x: 2, y: 2.7 }, { x: -1, y: 2.7 }, { touch: true });
-  now = await scene(studio, 'moved', (one) => near(one.obstacles[0].polygon[0], [-2, 2]));
-  expect(
-    near(now.obstacles[0].polygon[0], [-2, 2]),
-    `moved by three metres: ${JSON.stringify(now.obstacles[0].polygon)}`,
-  );
+  await scene(studio, 'moved by three metres', (one) => near(one.obstacles[0].polygon[0], [-2, 2]));
   const [a, b, c] = await screen(studio, [
     { x: 0, y: 1 },
     { x: 1.5, y: 1 },
@@ -219,68 +212,170 @@ export async function byTouch(studio) {
   await serious(studio, 'building by touch');
 }
 
-/** Corners one by one, and lines of others, by finger or mouse. */
-export async function cornersAndGuides(studio) {
-  const touch = studio.size !== 'desktop';
-  const pull = (from, to) => drag(studio, from, to, { touch });
+/** What a group of people is: typed, dragged by a slider, and where its class stands. */
+export async function bodies(studio) {
+  const { page } = studio;
+  await open(studio);
+  const [{ position: at }] = await page.evaluate(async () => (await (await fetch('/scenario')).json()).groups);
+  const edits = await watchEdits(studio);
+  await press(studio, { x: at[0], y: at[1] });
+  const panel = page.locator('.build-panel');
+  await panel.getByLabel('Body radius [m]').fill('0.35');
+  await panel.getByLabel('Body radius [m]').press('Tab');
+  await scene(studio, 'wider people', ({ groups: [one] }) => one.start.body.radius === 0.35);
+  expect((await edits()).length === 1, 'one edit for a typed number');
+  const slider = panel.getByLabel('Top speed, slider');
+  await slider.scrollIntoViewIfNeeded();
+  const box = await slider.boundingBox();
+  expect(box.height >= 44, `a slider for fingers: ${box.height}`);
+  const y = box.y + box.height / 2;
+  await page.mouse.move(box.x + box.width * 0.35, y);
+  await page.mouse.down();
+  for (let k = 0; k < 16; ++k) {
+    await page.mouse.move(box.x + box.width * (0.35 + 0.03 * k), y);
+    await studio.wait(30);
+  }
+  await scene(studio, 'the world follows', ({ groups: [one] }) => one.start.body.maxSpeed > 3);
+  await page.mouse.up();
+  const sent = (await edits()).slice(1);
+  expect(sent.length >= 3 && new Set(sent.map(({ gesture }) => gesture)).size === 1, `one drag: ${sent.length}`);
+  await panel.getByRole('combobox', { name: 'Class', exact: true }).selectOption('2');
+  await scene(studio, 'a class', ({ groups: [one] }) => one.start.body.class === 2);
+  await panel.getByLabel('Class 2 stands').selectOption('Rim');
+  await scene(studio, 'a role', ({ groups: [one] }) => one.start.roles[0]?.area === 'rim');
+  await panel.getByLabel('Class 2 stands').scrollIntoViewIfNeeded();
+  await studio.shot('build-bodies');
+  await serious(studio, 'bodies of people');
+  const [saved] = await page.evaluate(async () => (await (await fetch('/scenario')).json()).groups);
+  expect(saved.bodies[0].radius === 0.35 && saved.bodies[0].class === 2, 'all of it is in the file');
+  for (const name of ['Undo role', 'Undo class', 'Undo top speed', 'Undo body radius'])
+    await page.getByRole('button', { name }).click();
+  await scene(studio, 'as before', ({ groups: [one] }) => {
+    const { radius, maxSpeed, class: of } = one.start.body;
+    return radius === 0.25 && maxSpeed === 2 && of === 0 && one.start.roles.length === 0;
+  });
+}
+
+/** Numbers of the edits that the page has sent, with the time of each [ms]. */
+async function watchEdits(studio) {
+  await studio.page.evaluate(() => {
+    const { client } = globalThis.__muster;
+    const send = client.send.bind(client);
+    globalThis.__edits = [];
+    client.send = (message) => {
+      if (message.type === 'Edit') globalThis.__edits.push({ gesture: message.gesture, at: performance.now() });
+      return send(message);
+    };
+  });
+  return () => studio.page.evaluate(() => globalThis.__edits);
+}
+
+/** The middle of a handle. It is drawn anew whenever the scene comes. */
+async function handleAt(studio, shape) {
+  const at = await studio.page.waitForFunction((name) => {
+    const handle = document.querySelector(`.build-layer ${name}.build-handle`);
+    const { x, y, width, height } = handle?.getBoundingClientRect() ?? {};
+    return handle && { x: x + width / 2, y: y + height / 2 };
+  }, shape);
+  return at.jsonValue();
+}
+
+/** A box that is dragged, and what the first drag of it did is there for the next one at once. */
+export async function dragsInARow(studio) {
   const { page } = studio;
   await open(studio);
   await tool(studio, 'Box');
-  await pull({ x: -2, y: 2 }, { x: 1, y: 4 });
+  await drag(studio, { x: 1, y: 1 }, { x: 3, y: 3 });
   await scene(studio, 'a box', (one) => one.obstacles.length === 1);
-  await tool(studio, 'Select');
-  const corners = () => page.locator('.build-corner').count();
-  await studio.eventually(async () => expect((await corners()) === 4, `its corners are dots: ${await corners()}`));
-  await pull({ x: 1, y: 4 }, { x: 2, y: 5 });
-  let now = await scene(studio, 'a corner moved', (one) => one.obstacles[0].polygon.some((p) => near(p, [2, 5])));
-  expect(now.obstacles[0].polygon.length === 4, 'it is still one of four');
-  await pull({ x: -0.5, y: 2 }, { x: -0.5, y: 0 });
-  // The world follows the drag: only its end counts.
-  await scene(studio, 'a fifth corner', ({ obstacles: [one] }) => {
-    return one.polygon.length === 5 && one.polygon.some((p) => near(p, [-0.5, 0]));
-  });
-  await studio.shot('build-corners');
-  // A corner that is drawn across the outline springs back.
-  await pull({ x: -2, y: 2 }, { x: 4, y: 4 });
-  await studio.eventually(async () => {
-    const said = await page.locator('.build-panel').textContent();
-    expect(/must not cross itself/.test(said), said);
-  });
-  const [spot] = await screen(studio, [{ x: -0.5, y: 0 }]);
-  if (touch) {
-    await studio.fingers.down({ 1: spot });
-    await studio.fingers.up();
-  } else await page.mouse.click(spot.x, spot.y);
-  await studio.eventually(async () => expect((await page.locator('.build-tapped').count()) === 1, 'it is tapped'));
-  await page.keyboard.press('Delete');
-  now = await scene(studio, 'four again', (one) => one.obstacles[0].polygon.length === 4);
-  expect(now.obstacles.length === 1, 'the thing itself stays');
-
-  // A second box that is moved lines up with the first.
-  await page.keyboard.press('Escape');
-  await tool(studio, 'Box');
-  await pull({ x: -2.5, y: -3 }, { x: -0.5, y: -1.5 });
-  await scene(studio, 'two', (one) => one.obstacles.length === 2);
-  await tool(studio, 'Select');
+  await page.keyboard.press('v');
+  const edits = await watchEdits(studio);
   const [a, b] = await screen(studio, [
-    { x: -1.5, y: -2.2 },
-    { x: -1.05, y: -2.2 },
+    { x: 2, y: 2 },
+    { x: -2, y: 2 },
   ]);
-  const guides = () => page.locator('.build-guide').count();
-  if (touch) {
-    await studio.fingers.down({ 1: a });
-    await studio.fingers.move({ 1: { x: a.x + 40, y: a.y } }, { steps: 3, ms: 60 });
-    await studio.fingers.move({ 1: b }, { steps: 3, ms: 60 });
-  } else {
-    await page.mouse.move(a.x, a.y);
-    await page.mouse.down();
-    await page.mouse.move(a.x + 40, a.y, { steps: 3 });
-    await page.mouse.move(b.x, b.y, { steps: 3 });
+  await page.mouse.move(a.x, a.y);
+  await page.mouse.down();
+  for (let k = 1; k <= 24; ++k) {
+    await page.mouse.move(a.x + ((b.x - a.x) * k) / 24, a.y + ((b.y - a.y) * k) / 24);
+    await studio.wait(30);
   }
-  await studio.eventually(async () => expect((await guides()) > 0, 'a line shows what it lines up with'));
-  await studio.shot('build-guides');
-  if (touch) await studio.fingers.up();
-  else await page.mouse.up();
-  await scene(studio, 'lined up', (one) => one.obstacles[1].polygon.some(([x]) => Math.abs(x + 2) < 1e-6));
-  expect((await guides()) === 0, 'the line goes with the drag');
+  await scene(studio, 'the world has followed', (one) => one.obstacles[0].polygon[0][0] < -1);
+  const during = await edits();
+  expect(during.length >= 3, `edits while it was dragged: ${during.length}`);
+  expect(new Set(during.map(({ gesture }) => gesture)).size === 1 && during[0].gesture !== 0, 'of one number');
+  const apart = during.slice(1).map(({ at }, k) => at - during[k].at);
+  // The page notes the time before, so some milliseconds are lost where it is busy.
+  expect(Math.min(...apart) >= 80, `at most ten a second: ${apart.map(Math.round).join()}`);
+  await page.mouse.up();
+  // At once: by the handle at its lower right corner, from where the drag has left it.
+  const grip = await handleAt(studio, 'rect');
+  await page.mouse.move(grip.x, grip.y);
+  await page.mouse.down();
+  await page.mouse.move(grip.x + 24, grip.y + 24, { steps: 3 });
+  await page.mouse.up();
+  let now = await scene(studio, 'scaled', ({ obstacles: [box] }) => box.polygon[1][0] - box.polygon[0][0] > 2.2);
+  const middle = (box) => (box.polygon[0][0] + box.polygon[2][0]) / 2;
+  expect(Math.abs(middle(now.obstacles[0]) + 2) < 0.1, `where it was dragged to: ${middle(now.obstacles[0])}`);
+  expect(new Set((await edits()).map(({ gesture }) => gesture)).size === 2, 'two drags have two numbers');
+  await page.getByRole('button', { name: 'Undo scale' }).click();
+  now = await scene(
+    studio,
+    'as large as before',
+    ({ obstacles: [box] }) => box.polygon[1][0] - box.polygon[0][0] < 2.1,
+  );
+  expect(Math.abs(middle(now.obstacles[0]) + 2) < 0.1, 'and where it was');
+  await page.getByRole('button', { name: 'Undo move' }).click();
+  await scene(studio, 'where it was drawn', ({ obstacles: [box] }) => box.polygon[0][0] === 1);
+  await page.getByRole('button', { name: 'Undo add box' }).waitFor();
+  await givenUp(studio);
+}
+
+/** A drag that is given up by Escape goes back, and is no step of the history. */
+async function givenUp(studio) {
+  const { page } = studio;
+  const [a, b] = await screen(studio, [
+    { x: 2, y: 2 },
+    { x: 2, y: -2 },
+  ]);
+  await page.mouse.move(a.x, a.y);
+  await page.mouse.down();
+  await page.mouse.move(b.x, b.y, { steps: 5 });
+  await scene(studio, 'it follows', ({ obstacles: [box] }) => box.polygon[0][1] < 0);
+  await page.keyboard.press('Escape');
+  await scene(studio, 'it is back', ({ obstacles: [box] }) => box.polygon[0][1] === 1);
+  await page.mouse.up();
+  await page.getByRole('button', { name: 'Undo add box' }).waitFor();
+}
+
+/** The same with a finger: people are dragged, and turned at once. */
+export async function dragsByTouch(studio) {
+  const { page, fingers } = studio;
+  await open(studio);
+  const edits = await watchEdits(studio);
+  const [{ position: at, angle = 0 }] = await page.evaluate(
+    async () => (await (await fetch('/scenario')).json()).groups,
+  );
+  const [a, b] = await screen(studio, [
+    { x: at[0], y: at[1] },
+    { x: at[0] + 3, y: at[1] },
+  ]);
+  await fingers.down({ 1: a });
+  await fingers.move({ 1: b }, { steps: 20, ms: 700 });
+  expect((await edits()).length >= 3, 'the world is told while the finger is down');
+  await fingers.up();
+  const from = await handleAt(studio, 'circle');
+  const [middle] = await screen(studio, [{ x: at[0] + 3, y: at[1] }]);
+  await fingers.down({ 1: from });
+  await fingers.move({ 1: { x: middle.x - (middle.y - from.y), y: middle.y } }, { steps: 6, ms: 150 });
+  await fingers.up();
+  const now = await scene(
+    studio,
+    'turned to the left',
+    ({ groups: [one] }) => Math.abs(one.start.angle - angle - Math.PI / 2) < 0.3,
+  );
+  expect(near(now.groups[0].start.position, [at[0] + 3, at[1]], 0.6), `and moved: ${now.groups[0].start.position}`);
+  await page.getByRole('button', { name: 'Undo turn' }).click();
+  await scene(studio, 'not turned', ({ groups: [one] }) => one.start.angle === angle);
+  await page.getByRole('button', { name: 'Undo move' }).click();
+  await scene(studio, 'not moved', ({ groups: [one] }) => near(one.start.position, at, 1e-9));
 }

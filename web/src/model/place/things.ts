@@ -1,8 +1,9 @@
 // What stands and lies in a place, as somebody who builds it takes hold of it: chosen, moved, turned, scaled, and told to
 // the server in the words of gesture files.
 
-import type { Point2, SceneFacts, ScenePath, SceneShape } from '../../protocol/scene';
+import type { Point2, SceneFacts, SceneGroupBody, ScenePath, SceneRole, SceneShape } from '../../protocol/scene';
 import { distance, insidePolygon, type GroundPoint } from '../plane';
+import { likeGroup } from './group_body';
 
 export type ThingKind = 'obstacle' | 'patch' | 'item' | 'checkpoint' | 'group';
 
@@ -27,6 +28,9 @@ export interface Thing {
   /** Of a group and a checkpoint. */
   readonly formation: SceneShape;
   readonly count: number;
+  /** Of a group: what all have in common. */
+  readonly body: SceneGroupBody | null;
+  readonly roles: readonly SceneRole[];
   /** Fields of its definition that building leaves alone. */
   readonly rest: Readonly<Record<string, unknown>>;
   /** Id of the group that a checkpoint concerns; 0 for any. */
@@ -49,6 +53,8 @@ const kBlank: Thing = {
   path: null,
   formation: { kind: 'square', spacing: 1 },
   count: 0,
+  body: null,
+  roles: [],
   rest: {},
   group: 0,
 };
@@ -114,7 +120,14 @@ export function thingsOf(scene: SceneFacts): Thing[] {
     }),
   );
   const items = scene.items.map(({ id, position, radius }) => thing('item', { id, centre: position, radius }));
-  const groups = scene.groups.flatMap(({ id, name, count, start }) =>
+  const groups = groupsOf(scene);
+  return [...patches, ...obstacles, ...checkpoints, ...items, ...groups];
+}
+
+function groupsOf(scene: SceneFacts): Thing[] {
+  const speed = scene.parameters.find(({ name }) => name === 'character.maxSpeed')?.value;
+  const usual: SceneGroupBody = { radius: scene.radius, maxSpeed: speed ?? 2, class: 0 };
+  return scene.groups.flatMap(({ id, name, count, start }) =>
     start
       ? [
           thing('group', {
@@ -124,12 +137,14 @@ export function thingsOf(scene: SceneFacts): Thing[] {
             centre: start.position,
             angle: start.angle,
             formation: start.formation,
+            body: start.body ?? null,
+            roles: start.roles ?? [],
+            rest: likeGroup(start.body ?? {}, start.roles ?? [], usual),
             radius: groupRadius(count, start.formation.spacing ?? 1),
           }),
         ]
       : [],
   );
-  return [...patches, ...obstacles, ...checkpoints, ...items, ...groups];
 }
 
 export function sameThing(a: Pick<Thing, 'kind' | 'id'>, b: Pick<Thing, 'kind' | 'id'>): boolean {
@@ -185,7 +200,7 @@ function definition(one: Thing): Record<string, unknown> {
     case 'checkpoint':
       return { position: centre, radius, formation: one.formation, ...rest };
     case 'group':
-      return { name, count: one.count, formation: one.formation, position: centre, angle: one.angle };
+      return { name, count: one.count, formation: one.formation, position: centre, angle: one.angle, ...rest };
   }
 }
 

@@ -13,6 +13,9 @@ export interface BuildActions {
   toggleLayer(kind: ThingKind, what: 'hidden' | 'locked', on: boolean): void;
   edit(label: string, change: (one: Thing) => Thing): void;
   editGroup(label: string, event: (one: Thing) => PlaceEvent): void;
+  /** The same while a slider is dragged: begins, goes on, ends. All of it is one step of the history. */
+  dragBegins(): void;
+  dragGroup(label: string, event: (one: Thing) => PlaceEvent, ends: boolean): void;
   undo(redo?: boolean): void;
   remove(): void;
   copy(): void;

@@ -11,7 +11,7 @@ import { parseScene, type SceneFacts } from '../../protocol/scene';
 import type { StudioScene } from '../../scene/studio_scene';
 import { BuildPointer } from '../../tools/build_pointer';
 import type { BuildActions } from './build_actions';
-import { BuildEdits, changeOf } from './build_edits';
+import { BuildEdits, changeOf, type PlaceEdit } from './build_edits';
 import { BuildKeys } from './build_keys';
 import { BuildLayer } from './build_layer';
 import { BuildPanel } from './build_panel';
@@ -218,8 +218,18 @@ export class BuildDesk implements StrokeHost, BuildActions {
 
   /** A change of the chosen group that has an event of its own. */
   editGroup(label: string, event: (one: Thing) => PlaceEvent): void {
+    this.edits_.send(this.groupEdit(label, event));
+  }
+
+  dragGroup(label: string, event: (one: Thing) => PlaceEvent, ends: boolean): void {
+    const edit = this.groupEdit(label, event);
+    if (ends) this.edits_.end(edit);
+    else this.edits_.drag(edit);
+  }
+
+  private groupEdit(label: string, event: (one: Thing) => PlaceEvent): PlaceEdit {
     const events = this.chosen_.filter(({ kind }) => kind === 'group').map(event);
-    this.edits_.send({ label, events, changed: [] });
+    return { label, events, changed: [] };
   }
 
   undo(redo = false): void {

@@ -208,7 +208,8 @@ export class BuildStroking implements BuildStrokes {
       const factor = Math.max(0.1, Math.hypot(to!.x, to!.y) / Math.max(0.1, Math.hypot(from!.x, from!.y)));
       return drag.before.map((one) => things.scaled(one, about, factor));
     }
-    const angle = Math.atan2(to!.y, to!.x) - Math.atan2(from!.y, from!.x);
+    // The shorter way round.
+    const angle = Math.atan2(from!.x * to!.y - from!.y * to!.x, from!.x * to!.x + from!.y * to!.y);
     const step = Math.PI / 12;
     const turn = this.host_.snaps && !stroke.free ? Math.round(angle / step) * step : angle;
     return drag.before.map((one) => things.turned(one, about, turn));

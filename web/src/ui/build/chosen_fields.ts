@@ -5,6 +5,7 @@ import type { SceneFacts } from '../../protocol/scene';
 import { element } from '../widgets/dom';
 import { kShapes, type BuildActions } from './build_actions';
 import { numberField, selectField, textField } from './fields';
+import { groupBodyFields } from './group_body_fields';
 
 const kDegree = Math.PI / 180;
 const kFar = { min: -1e5, max: 1e5, unit: 'm' };
@@ -18,13 +19,28 @@ const kNames: Record<Thing['kind'], string> = {
   group: 'People',
 };
 
+function nameOf(control: HTMLInputElement): string {
+  return control.getAttribute('aria-label') ?? control.labels?.[0]?.firstElementChild?.textContent ?? '';
+}
+
 export class ChosenFields {
   readonly root = element('div', { class: 'build-chosen-fields' });
   private shown_ = '';
+  /** A slider is being dragged: what is shown waits. */
+  private held_ = false;
+  private latest_: readonly [readonly Thing[], SceneFacts | null] = [[], null];
 
   constructor(private readonly desk_: BuildActions) {}
 
+  private hold(held: boolean): void {
+    this.held_ = held;
+    if (!held) this.show(...this.latest_);
+  }
+
   show(chosen: readonly Thing[], scene: SceneFacts | null): void {
+    this.latest_ = [chosen, scene];
+    if (this.held_ && chosen.length > 0) return;
+    this.held_ = false;
     const key = JSON.stringify(chosen);
     if (key === this.shown_) return;
     this.shown_ = key;
@@ -32,11 +48,11 @@ export class ChosenFields {
     if (!one) return this.root.replaceChildren();
     const title = chosen.length === 1 ? kNames[one.kind] : `${chosen.length} things`;
     const fields = chosen.length === 1 ? this.fieldsOf(one, scene) : [this.turn()];
-    const held = this.focused();
+    const focused = this.focused();
     this.root.replaceChildren(element('h3', {}, title), element('div', { class: 'build-fields' }, ...fields));
-    if (held)
+    if (focused)
       this.controls()
-        .find((control) => control.labels?.[0]?.textContent === held)
+        .find((control) => nameOf(control) === focused)
         ?.focus();
   }
 
@@ -46,7 +62,8 @@ export class ChosenFields {
 
   /** The label of the field that has the focus. */
   private focused(): string {
-    return this.controls().find((control) => control === document.activeElement)?.labels?.[0]?.textContent ?? '';
+    const found = this.controls().find((control) => control === document.activeElement);
+    return found ? nameOf(found) : '';
   }
 
   private fieldsOf(one: Thing, scene: SceneFacts | null): HTMLElement[] {
@@ -129,6 +146,7 @@ export class ChosenFields {
       numberField('Faces', one.angle / kDegree, { min: -3600, max: 3600, unit: '°' }, (degrees) =>
         desk.edit('Turn', (it) => turned(it, { x: it.centre[0], y: it.centre[1] }, degrees * kDegree - it.angle)),
       ),
+      ...groupBodyFields(one, desk, (held) => this.hold(held)),
     ];
   }
 

@@ -21,7 +21,7 @@ export function numberField(
   { min, max, unit, whole }: NumberRange,
   changed: (value: number) => void,
 ): HTMLElement {
-  const text = (number: number): string => String(Math.round(number * 1000) / 1000);
+  const text = (number: number): string => (Number.isFinite(number) ? String(Math.round(number * 1000) / 1000) : '');
   const input = element('input', {
     type: 'number',
     min,
@@ -60,4 +60,64 @@ export function selectField(
   );
   input.addEventListener('change', () => changed(input.value));
   return labelled(label, input);
+}
+
+/** What a slider does: it is being dragged, and let go. */
+export interface Dragging {
+  begins(): void;
+  drags(value: number): void;
+  ends(value: number): void;
+}
+
+export interface SliderRange extends NumberRange {
+  /** The part that the slider covers; more can be typed. */
+  readonly from: number;
+  readonly to: number;
+  readonly step: number;
+}
+
+function listen(slider: HTMLInputElement, dragging: Dragging, show: () => void): void {
+  let held = false;
+  slider.addEventListener('input', () => {
+    if (!held) dragging.begins();
+    held = true;
+    show();
+    dragging.drags(slider.valueAsNumber);
+  });
+  const end = (): void => {
+    if (!held) return;
+    held = false;
+    dragging.ends(slider.valueAsNumber);
+  };
+  slider.addEventListener('change', end);
+  slider.addEventListener('blur', end);
+}
+
+/** A slider beside a field. `value`: null where several have different ones. */
+export function sliderField(
+  label: string,
+  value: number | null,
+  range: SliderRange,
+  dragging: Dragging,
+  changed: (value: number) => void,
+): HTMLElement {
+  const { from, to, step, unit = '' } = range;
+  const field = numberField(label, value ?? NaN, range, changed);
+  const typed = field.querySelector('input')!;
+  if (value === null) typed.placeholder = 'Mixed';
+  const name = `${label}, slider`;
+  const slider = element('input', {
+    type: 'range',
+    min: from,
+    max: to,
+    step,
+    value: value ?? from,
+    'aria-label': name,
+  });
+  slider.setAttribute('aria-valuetext', value === null ? 'Mixed' : `${typed.value} ${unit}`);
+  listen(slider, dragging, () => {
+    typed.value = slider.value;
+    slider.setAttribute('aria-valuetext', `${slider.value} ${unit}`);
+  });
+  return element('div', { class: 'build-slider' }, field, slider);
 }

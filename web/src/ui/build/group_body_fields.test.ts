@@ -1,0 +1,96 @@
+// @vitest-environment jsdom
+import { beforeEach, expect, it, vi } from 'vitest';
+import { thing, type PlaceEvent, type Thing } from '../../model/place/things';
+import type { BuildActions } from './build_actions';
+import { ChosenFields } from './chosen_fields';
+
+const group: Thing = thing('group', {
+  id: 4,
+  name: 'Guests',
+  count: 9,
+  body: { radius: 0.25, maxSpeed: 2, class: 0 },
+});
+let sent: [string, PlaceEvent][] = [];
+let shown: Thing = group;
+let fields: ChosenFields;
+
+function control(label: string): HTMLInputElement {
+  const found = [...fields.root.querySelectorAll<HTMLInputElement>('input, select')].find(
+    (one) => (one.getAttribute('aria-label') ?? one.labels?.[0]?.firstElementChild?.textContent) === label,
+  );
+  if (!found) throw new Error(`no field ${label}`);
+  return found;
+}
+
+function give(label: string, value: string, ...events: string[]): void {
+  const input = control(label);
+  input.value = value;
+  for (const event of events) input.dispatchEvent(new Event(event));
+}
+
+function show(one: Thing): void {
+  shown = one;
+  fields.show([one], null);
+}
+
+beforeEach(() => {
+  sent = [];
+  const desk = {
+    editGroup: (label: string, event: (one: Thing) => PlaceEvent) => sent.push([label, event(shown)]),
+    dragBegins: vi.fn(() => sent.push(['begins', {}])),
+    dragGroup: (label: string, event: (one: Thing) => PlaceEvent, ends: boolean) =>
+      sent.push([`${ends ? 'ends' : 'drags'} ${label}`, event(shown)]),
+  };
+  fields = new ChosenFields(desk as unknown as BuildActions);
+  document.body.replaceChildren(fields.root);
+  show(group);
+});
+
+it('sends a typed radius and refuses one that nobody has', () => {
+  give('Body radius [m]', '0.4', 'change');
+  give('Body radius [m]', '9', 'change');
+  expect(sent).toEqual([['Body radius', { kind: 'groupBody', group: 4, body: { radius: 0.4 } }]]);
+});
+
+it('keeps the slider while it is dragged, and shows the newest after', () => {
+  const slider = control('Top speed, slider');
+  give('Top speed, slider', '3', 'input');
+  show({ ...group, body: { ...group.body, maxSpeed: 3 } });
+  expect(control('Top speed, slider')).toBe(slider);
+  give('Top speed, slider', '4', 'input', 'change');
+  expect(sent.map(([label, event]) => [label, event['body']])).toEqual([
+    ['begins', undefined],
+    ['drags Top speed', { maxSpeed: 3 }],
+    ['drags Top speed', { maxSpeed: 4 }],
+    ['ends Top speed', { maxSpeed: 4 }],
+  ]);
+  show({ ...group, body: { ...group.body, maxSpeed: 4 } });
+  expect(control('Top speed, slider')).not.toBe(slider);
+  expect(control('Top speed [m/s]').value).toBe('4');
+  expect(control('Top speed, slider').getAttribute('aria-valuetext')).toBe('4 m/s');
+});
+
+it('gives a class, and a class its part of the formation', () => {
+  give('Class', '2', 'change');
+  show({ ...group, body: { ...group.body, class: 2 } });
+  give('Class 2 stands', 'Rear', 'change');
+  expect(sent.map(([, event]) => event)).toEqual([
+    { kind: 'groupBody', group: 4, body: { class: 2 } },
+    { kind: 'roles', group: 4, roles: [{ area: 'rear', class: 2 }] },
+  ]);
+});
+
+it('says where people differ', () => {
+  show({ ...group, body: { radius: 0.25 }, roles: [{ area: 'front', class: 1 }] });
+  expect(control('Class').value).toBe('Mixed');
+  expect(control('Top speed [m/s]').value).toBe('');
+  expect(control('Top speed [m/s]').placeholder).toBe('Mixed');
+  expect(control('Top speed, slider').getAttribute('aria-valuetext')).toBe('Mixed');
+  expect(control('Class 1 stands').value).toBe('Front');
+});
+
+it('leaves the focus in the field whose number comes back', () => {
+  control('People').focus();
+  show({ ...group, count: 10 });
+  expect(document.activeElement).toBe(control('People'));
+});

@@ -1,0 +1,58 @@
+// Body, class and role of a chosen group.
+
+import { areaOf, classesOf, kAnywhere, kAreas, withArea } from '../../model/place/group_body';
+import type { PlaceEvent, Thing } from '../../model/place/things';
+import type { BuildActions } from './build_actions';
+import { selectField, sliderField, type SliderRange } from './fields';
+
+const kRadius: SliderRange = { min: 0.05, max: 1.5, from: 0.1, to: 1, step: 0.01, unit: 'm' };
+const kSpeed: SliderRange = { min: 0.01, max: 50, from: 0.1, to: 6, step: 0.1, unit: 'm/s' };
+const kNone = 'None';
+const kMixed = 'Mixed';
+const kClasses: readonly string[] = [kNone, '1', '2', '3', '4', '5', '6'];
+
+type Hold = (held: boolean) => void;
+
+function bodySlider(
+  [one, key, label, range]: readonly [Thing, 'radius' | 'maxSpeed', string, SliderRange],
+  desk: BuildActions,
+  hold: Hold,
+): HTMLElement {
+  const event =
+    (value: number) =>
+    ({ id }: Thing): PlaceEvent => ({ kind: 'groupBody', group: id, body: { [key]: value } });
+  const dragging = {
+    begins: () => {
+      hold(true);
+      desk.dragBegins();
+    },
+    drags: (value: number) => desk.dragGroup(label, event(value), false),
+    ends: (value: number) => {
+      desk.dragGroup(label, event(value), true);
+      hold(false);
+    },
+  };
+  const value = one.body?.[key] ?? null;
+  return sliderField(label, value, range, dragging, (typed) => desk.editGroup(label, event(typed)));
+}
+
+/** `hold`: a slider is being dragged, so that the fields have to stay. */
+export function groupBodyFields(one: Thing, desk: BuildActions, hold: Hold): HTMLElement[] {
+  const { body, roles } = one;
+  if (!body) return [];
+  const unitClass = body.class === undefined ? kMixed : body.class === 0 ? kNone : String(body.class);
+  return [
+    bodySlider([one, 'radius', 'Body radius', kRadius], desk, hold),
+    bodySlider([one, 'maxSpeed', 'Top speed', kSpeed], desk, hold),
+    selectField('Class', kClasses, unitClass, (word) => {
+      const chosen = word === kNone ? 0 : Number(word);
+      if (word !== kMixed)
+        desk.editGroup('Class', ({ id }) => ({ kind: 'groupBody', group: id, body: { class: chosen } }));
+    }),
+    ...classesOf(body, roles).map((of) =>
+      selectField(`Class ${of} stands`, [kAnywhere, ...Object.values(kAreas)], areaOf(roles, of), (label) =>
+        desk.editGroup('Role', (it) => ({ kind: 'roles', group: it.id, roles: withArea(it.roles, of, label) })),
+      ),
+    ),
+  ];
+}
