@@ -149,7 +149,7 @@ int serve(Host& host, const ServeOptions& options, const Prepare& prepare) {
     Mailbox<HostEvent> mailbox(kMailboxBytes);
     std::atomic<bool> interrupted = false;
     def->events = eventsTo(mailbox, interrupted);
-    auto prepared = prepare(mailbox, def->events);
+    [[maybe_unused]] auto prepared = prepare(mailbox, def->events);
     const std::string token = def->token;
     auto server = StudioServer::listen(std::move(def).value());
     if (!server.ok()) return serveFailed(server.status());

@@ -94,7 +94,8 @@ void BodyAxes::resolve(const Environment& environment, const Characters& now, st
             member.lying = reachOf(clips[ahead.motion], 1.0);
         }
         if (isUpright(member.lying)) continue;
-        member.locked = now.phase[i] == MotionPhase::Locked;
+        if (now.phase[i] == MotionPhase::Locked)
+            member.onward = now.direction[i] != Vec2{} ? now.direction[i] : now.heading[i];
         member.settled = now.place[i] >= 0 && length(placeVelocity[i]) < kStands &&
                          distance(now.position[i], place[i]) < kSettled;
         members_.push_back(member);
@@ -128,17 +129,18 @@ void BodyAxes::keepDistance(const CrowdBodies& bodies, const Characters& now,
     }
 }
 
-// Who is within a single-step motion is not pushed back, because it would begin the motion again.
-BodyAxes::Overlap BodyAxes::overlapOf(NeighbourPair pair, std::span<const Vec2> positions) const {
+// Who is within a single-step motion is pushed aside, but not back, because it would begin the motion again;
+// the other one makes room instead.
+BodyAxes::Correction BodyAxes::correctionOf(NeighbourPair pair, std::span<const Vec2> positions) const {
     const Member &a = members_[pair.low], &b = members_[pair.high];
     if (isUpright(a.reach) || isUpright(b.reach) || (a.settled && b.settled)) return {};
-    Overlap overlap = axesOverlap(a, b, positions);
-    const bool holdsA = a.locked && dot(overlap.away, a.heading) > 0.0;
-    const bool holdsB = b.locked && dot(overlap.away, b.heading) < 0.0;
-    if (holdsA && holdsB) return {};
-    if (holdsA) overlap.share = 0.0;
-    if (holdsB) overlap.share = 1.0;
-    return overlap;
+    const Overlap overlap = axesOverlap(a, b, positions);
+    const double backA = std::max(0.0, dot(overlap.away, a.onward));
+    const double backB = std::max(0.0, -dot(overlap.away, b.onward));
+    const double shareA = overlap.share, shareB = 1.0 - shareA;
+    const double leftA = shareA * backA * backA, leftB = shareB * backB * backB;
+    return {overlap.depth, (overlap.away - a.onward * backA) * (-overlap.depth * (shareA + leftB)),
+            (overlap.away + b.onward * backB) * (overlap.depth * (shareB + leftA))};
 }
 
 // `a` and `b` both lie.

@@ -30,18 +30,17 @@ public:
 
     /// Slows in `preferred` [m/s] who would come too near somebody ahead that goes the same way.
     void keepDistance(const CrowdBodies& bodies, const Characters& now, std::span<Vec2> preferred) const;
-    /// Calls `correct(a, b, away, depth, share)` for each pair of axes that are too near at `positions`: `a`
-    /// takes `share` of a correction of `depth` [m] against `away`, `b` the rest along it. Returns the
-    /// largest depth.
+    /// Calls `correct(a, moveA, b, moveB)` for each pair of axes that are too near at `positions`, with what
+    /// moves each of both away from the other [m]. Returns the largest depth [m].
     template <class Correct>
     double forOverlaps(std::span<const Vec2> positions, const Correct& correct) const {
         double worst = 0.0;
         for (const NeighbourPair pair : pairs_.pairs()) {
-            const Overlap overlap = overlapOf(pair, positions);
-            if (overlap.depth <= 0.0) continue;
-            worst = overlap.depth > worst ? overlap.depth : worst;
-            correct(members_[pair.low].character, members_[pair.high].character, overlap.away, overlap.depth,
-                    overlap.share);
+            const Correction correction = correctionOf(pair, positions);
+            if (correction.depth <= 0.0) continue;
+            worst = correction.depth > worst ? correction.depth : worst;
+            correct(members_[pair.low].character, correction.moveLow, members_[pair.high].character,
+                    correction.moveHigh);
         }
         return worst;
     }
@@ -54,7 +53,7 @@ private:
         BodyReach lying;  // As it will lie.
         Vec2 heading;
         bool settled = false;  // True at its place, which stands.
-        bool locked = false;   // True in a single-step motion, out of which nobody is pushed back.
+        Vec2 onward;           // In a single-step motion its way, on which nobody is pushed back; else zero.
     };
     // How two axes overlap.
     struct Overlap {
@@ -63,7 +62,13 @@ private:
         double share = 0.5;  // Of the lower one.
     };
 
-    Overlap overlapOf(NeighbourPair pair, std::span<const Vec2> positions) const;
+    // What corrects an overlap.
+    struct Correction {
+        double depth = 0.0;      // Of the overlap [m].
+        Vec2 moveLow, moveHigh;  // Of the lower and the higher one [m].
+    };
+
+    Correction correctionOf(NeighbourPair pair, std::span<const Vec2> positions) const;
     Overlap axesOverlap(const Member& a, const Member& b, std::span<const Vec2> positions) const;
 
     std::vector<Member> members_;

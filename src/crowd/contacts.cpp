@@ -59,15 +59,12 @@ double Contacts::separatePairs(std::span<Vec2> positions) {
 // Those who lie keep apart by their length.
 double Contacts::separateAxes(std::span<Vec2> positions) {
     if (axes_ == nullptr) return 0.0;
-    return axes_->forOverlaps(
-        positions, [&](std::int32_t a, std::int32_t b, Vec2 away, double depth, double share) {
-            if (bodies_->isFixed(a)) share = 0.0;
-            if (bodies_->isFixed(b)) share = 1.0;
-            if (!bodies_->isFixed(a)) positions[a] = withinReach(a, positions[a] - away * (share * depth));
-            if (!bodies_->isFixed(b))
-                positions[b] = withinReach(b, positions[b] + away * ((1.0 - share) * depth));
-            corrected_ = true;
-        });
+    return axes_->forOverlaps(positions, [&](std::int32_t a, Vec2 moveA, std::int32_t b, Vec2 moveB) {
+        const bool fixedA = bodies_->isFixed(a), fixedB = bodies_->isFixed(b);
+        if (!fixedA) positions[a] = withinReach(a, positions[a] + moveA - (fixedB ? moveB : Vec2{}));
+        if (!fixedB) positions[b] = withinReach(b, positions[b] + moveB - (fixedA ? moveA : Vec2{}));
+        corrected_ = true;
+    });
 }
 
 double Contacts::leaveObstacles(const Environment& environment, std::span<Vec2> positions) {

@@ -51,6 +51,9 @@ struct PointerEvent {
     friend bool operator==(const PointerEvent&, const PointerEvent&) = default;
 };
 
+/// The key Escape, as KeyEvent::key.
+inline constexpr std::uint8_t kEscapeKey = 27;
+
 /// A key goes down.
 struct KeyEvent {
     /// The character on it: '0' to '9', 'A' to 'Z', 27 for Escape, 127 for Delete.

@@ -12,7 +12,6 @@ namespace {
 constexpr double kNear = 3.0;            // A line may begin so near the mesh [m].
 constexpr double kShortestLine = 0.5;    // [m]
 constexpr std::size_t kAreaCorners = 6;  // Of an area, spread evenly over its loop.
-constexpr std::uint8_t kEscape = 27;
 constexpr std::uint8_t kDelete = 127;
 
 }  // namespace
@@ -121,7 +120,7 @@ void MouseMesh::letGo(double time, std::vector<CommandBody>& commands) {
 }
 
 void MouseMesh::key(const KeyEvent& event, const World& world, std::vector<CommandBody>& commands) {
-    if (event.key == kEscape) letGo(event.time, commands);
+    if (event.key == kEscapeKey) letGo(event.time, commands);
     if (event.key != 'P' && event.key != kDelete) return;
     // The newest control of the formation that was edited last.
     const std::int32_t index = groupIndex(world, group_);

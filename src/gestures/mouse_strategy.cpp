@@ -9,8 +9,6 @@
 namespace muster {
 namespace {
 
-constexpr std::uint8_t kEscape = 27;
-
 // Forgets those who are no longer in the world.
 void keepLiving(const World& world, std::vector<std::uint32_t>& ids) {
     const std::span<const std::uint32_t> living = world.characters().id;
@@ -131,7 +129,7 @@ void MouseStrategy::key(const KeyEvent& event, const World& world, std::vector<C
     if (event.key == 'A' && event.modifiers.control)
         choose({world.characters().id.begin(), world.characters().id.end()}, {});
     if (event.key == 'S' && !event.modifiers.control) sender_.stop(world, marks_.selected, commands);
-    if (event.key == kEscape) {
+    if (event.key == kEscapeKey) {
         marks_.selected.clear();
         marks_.goals.clear();
     }
