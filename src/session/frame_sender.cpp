@@ -3,6 +3,7 @@
 namespace muster {
 
 void FrameSender::restart() {
+    sentIds_ = 0;
     sentMeshes_.clear();
 }
 
@@ -17,9 +18,6 @@ void FrameSender::sendScene(const WorldPicture& picture, std::vector<MessageByte
     if (sentScene_ != picture.sceneRevision) {
         messages.push_back(picture.scene);
         sentScene_ = picture.sceneRevision;
-        // The page forgets all characters and meshes when it gets a new scene.
-        sentIds_ = 0;
-        sentMeshes_.clear();
     }
     if (sentMotions_ != picture.motion.revision()) {
         messages.push_back(picture.motion.motions());

@@ -26,7 +26,7 @@ struct WorldPicture {
 /// Sends frames to one client: one at a time, until it is acknowledged, and before it all that it refers to.
 class FrameSender {
 public:
-    /// A new world began: its meshes are not known.
+    /// A new world began, or the world is at another moment: its characters and meshes are not known.
     void restart();
     /// True until the last frame is acknowledged.
     bool waits() const { return awaitsAck_; }

@@ -199,7 +199,10 @@ void Session::Impl::replayEnded() {
 void Session::Impl::seek() {
     if (player->jump(*world, motion)) {
         frames.restart();
-        for (auto& [id, client] : clients) client.events.clear();
+        for (auto& [id, client] : clients) {
+            client.events.clear();
+            client.frames.restart();
+        }
     }
     for (int i = 0; i < kStepsPerSeek && !player->reached(*world); ++i) {
         const Status same = player->step(*world, [this] { stepped(); });

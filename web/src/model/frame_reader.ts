@@ -2,7 +2,7 @@
 
 import type { GroupMesh } from '../protocol/messages';
 import type { StudioFrame } from './studio_frame';
-import type { SceneFacts } from '../protocol/scene';
+import { isSameWorld, type SceneFacts } from '../protocol/scene';
 import { walksOf } from './objective';
 import { kStances } from './commands';
 import { countClasses, type ClassCount } from './roles';
@@ -63,9 +63,11 @@ export class FrameReader {
   private classes_: readonly (readonly ClassCount[])[] = [];
 
   setScene(scene: SceneFacts): void {
+    const before = this.scene_;
     this.scene_ = scene;
-    this.formations_.clear();
     for (const group of scene.groups) this.formations_.set(group.id, group.formation);
+    // Frames of the same world go on with the counts that they told.
+    if (before && before.world === scene.world && isSameWorld(before, scene)) return;
     this.counts_ = scene.groups.map((group) => group.count);
   }
 

@@ -159,10 +159,16 @@ const kAbsent: Omit<SceneFacts, 'box' | 'title'> = {
   parameters: [],
 };
 
+/** The text that was read last, because several read each scene. */
+let last: { readonly json: string; readonly facts: SceneFacts } | null = null;
+
 /** Reads the JSON of a Scene message; absent lists are empty. Throws where it is no JSON object with a box. */
 export function parseScene(json: string): SceneFacts {
+  if (last?.json === json) return last.facts;
   const raw: unknown = JSON.parse(json);
   if (typeof raw !== 'object' || raw === null || !('box' in raw)) throw new Error('The scene has no box.');
-  const facts = { ...kAbsent, ...(raw as Partial<SceneFacts> & { box: SceneBox }) };
-  return { ...facts, title: facts.title ?? facts.name };
+  const found = { ...kAbsent, ...(raw as Partial<SceneFacts> & { box: SceneBox }) };
+  const facts = { ...found, title: found.title ?? found.name };
+  last = { json, facts };
+  return facts;
 }

@@ -305,9 +305,10 @@ export class StudioApp {
       this.view_.orders.setGroups(scene.groups);
       if (before && sceneKey(before) === sceneKey(scene)) return;
       this.scene_ = scene;
-      if (!before || !isSameWorld(before, scene)) this.forgetWorld();
+      const opens = !before || !isSameWorld(before, scene);
+      if (opens) this.forgetWorld();
       this.view_.setScene(scene);
-      this.view_.setPadding(this.shell_.padding());
+      if (opens) this.view_.setPadding(this.shell_.padding());
     } catch (error) {
       this.store.set({ notice: problem('scene', `The scene could not be shown: ${String(error)}`) });
     }

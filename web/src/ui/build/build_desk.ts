@@ -29,6 +29,8 @@ export interface BuildParts {
 const kBeside = 1;
 /** Of an edit that was refused [ms]. */
 const kPreviewStays = 1500;
+/** Numbers follow what is dragged so often [ms]. */
+const kNumbersFollow = 150;
 
 export class BuildDesk implements StrokeHost, BuildActions {
   private readonly layer_: BuildLayer;
@@ -44,6 +46,7 @@ export class BuildDesk implements StrokeHost, BuildActions {
   private open_ = false;
   private readonly edits_: BuildEdits;
   private waits_ = 0;
+  private showsSoon_ = 0;
   tool: BuildTool = 'select';
   snaps = true;
   private readonly hidden_ = new Set<ThingKind>();
@@ -315,7 +318,18 @@ export class BuildDesk implements StrokeHost, BuildActions {
     this.strokes_.finishPolygon();
   }
 
+  /** While something is dragged the numbers follow a few times a second. */
   private showChosen(): void {
+    if (this.strokes_.dragging) {
+      this.showsSoon_ ||= window.setTimeout(() => this.showNow(), kNumbersFollow);
+      return;
+    }
+    this.showNow();
+  }
+
+  private showNow(): void {
+    window.clearTimeout(this.showsSoon_);
+    this.showsSoon_ = 0;
     this.panel_.setChosen(this.chosen_, this.scene_);
   }
 
