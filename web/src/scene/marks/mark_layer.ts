@@ -25,8 +25,8 @@ export interface MarkScene extends OrderScene {
 const kCheckpointGap = 30;
 /** None is shown so near its handle [CSS px]. */
 const kHandleRoom = 18;
-/** A director's name stands so far above the finger [CSS px]. */
-const kNameAbove = 46;
+/** A director's name stands so far below the finger, because the kind of its control is named above [CSS px]. */
+const kNameBelow = 46;
 /** Half of the longest name [CSS px]. */
 const kNameRoom = 170;
 /** Handles that the world has not answered yet are pale. */
@@ -93,7 +93,7 @@ export class MarkLayer {
     for (const ring of marks.rings.values()) add(ring.at.x, ring.at.y);
     for (const ring of marks.others.values()) {
       const at = scene.camera.worldToScreen(ring.at.x, ring.at.y);
-      for (const dx of [-kNameRoom, kNameRoom]) extent.add({ x: at.x + dx, y: at.y - kNameAbove });
+      for (const dx of [-kNameRoom, kNameRoom]) extent.add({ x: at.x + dx, y: at.y + kNameBelow });
       extent.add(at);
     }
     for (const { points, handles } of scene.drafts) for (const point of [...points, ...handles]) add(point.x, point.y);
@@ -235,7 +235,7 @@ export class MarkLayer {
       const at = this.drawRing(ring, director ? { ...colours, accent: director.colour } : colours, marks, scene);
       if (!director || named.has(client)) continue;
       named.add(client);
-      this.painter_.label({ x: at.x, y: at.y - kNameAbove }, director.name, director.colour, '#ffffff');
+      this.painter_.label({ x: at.x, y: at.y + kNameBelow }, director.name, director.colour, '#ffffff');
     }
   }
 

@@ -80,7 +80,8 @@ describe('tags', () => {
     expect(tags[0]).toMatchObject({ text: 'Net', detail: 'crawl 0.21×' });
     const corner = view(0).camera.worldToScreen(1, 2, 1.1);
     expect(tags[0]?.at.y).toBeLessThan(corner.y);
-    expect(patchWords('', 'run', 1.5)).toEqual({ text: 'run', detail: 'run 1.5×' });
+    expect(patchWords('', 'run', 1.5)).toEqual({ text: 'run', detail: '1.5×' });
+    expect(patchWords('run', 'run', 1.5)).toEqual({ text: 'run', detail: '1.5×' });
   });
 
   it('follow patches that move', () => {

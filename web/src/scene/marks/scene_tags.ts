@@ -33,10 +33,10 @@ export interface TagScene {
   readonly chosenGroup: number;
 }
 
-/** `Net` and `crawl 0.21×`. */
+/** `Net` and `crawl 0.21×`; `crawl` and `0.21×` without a name of its own. */
 export function patchWords(name: string, clip: string, speed: number): { text: string; detail: string } {
   const figure = speed >= 1 ? speed.toFixed(1) : speed.toFixed(2);
-  return { text: name || clip, detail: `${clip} ${figure}×` };
+  return name && name !== clip ? { text: name, detail: `${clip} ${figure}×` } : { text: clip, detail: `${figure}×` };
 }
 
 export function patchTags(scene: SceneFacts, view: TagScene): Tag[] {

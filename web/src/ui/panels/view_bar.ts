@@ -31,7 +31,7 @@ export class ViewBar {
     store.watch(['following'], ({ following }) => setPressed(follow, following));
 
     const build = toolButton({
-      icon: 'place',
+      icon: 'build',
       label: 'Build',
       iconOnly: true,
       key: 'Shift+E',
