@@ -57,7 +57,8 @@ private:
     }
 
     void replaceAll(const std::vector<std::size_t>& back, bool stops) {
-        for (const std::size_t k : back) give(k, k == back.front() ? QueueMode::Replace : QueueMode::Append, 0);
+        for (const std::size_t k : back)
+            give(k, k == back.front() ? QueueMode::Replace : QueueMode::Append, 0);
         if (!back.empty())
             held_ = patrols_ = false;
         else if (stops)
@@ -197,7 +198,8 @@ void apply(QueueState& queue, const CommandBody& body, std::uint32_t id) {
         return;
     }
     if (edit->edit == QueueEdit::Cancel)
-        std::erase_if(orders, [&](const QueuedOrder& one) { return edit->order == 0 || one.id == edit->order; });
+        std::erase_if(orders,
+                      [&](const QueuedOrder& one) { return edit->order == 0 || one.id == edit->order; });
     if (edit->edit == QueueEdit::Hold || edit->edit == QueueEdit::Resume)
         queue.held = edit->edit == QueueEdit::Hold;
     if (edit->edit == QueueEdit::Patrol || edit->edit == QueueEdit::EndPatrol)

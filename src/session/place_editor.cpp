@@ -102,8 +102,9 @@ Status PlaceEditor::want(std::uint32_t client, std::string label, std::uint32_t 
 Status PlaceEditor::wait(Waiting wanted) {
     const auto last = std::find_if(waiting_.rbegin(), waiting_.rend(),
                                    [&](const Waiting& one) { return one.client == wanted.client; });
-    if (last != waiting_.rend() && wanted.way == Given::Way::Do && last->way == Given::Way::Do && wanted.step.gesture != 0 &&
-        last->step.gesture == wanted.step.gesture && overtakes(wanted.step.changes, last->step.changes)) {
+    if (last != waiting_.rend() && wanted.way == Given::Way::Do && last->way == Given::Way::Do &&
+        wanted.step.gesture != 0 && last->step.gesture == wanted.step.gesture &&
+        overtakes(wanted.step.changes, last->step.changes)) {
         last->step = std::move(wanted.step);
         return {};
     }
@@ -143,9 +144,9 @@ PlaceEditor::Foreseen PlaceEditor::foresee(std::uint32_t client) const {
     for (const Coming& one : coming) {
         if (one.way == Given::Way::Do) {
             undone.clear();
-            const bool joins = !done.empty() && (joinsAct(*done.back(), *one.step) ||
-                                                 (one.step->gesture != 0 &&
-                                                  done.back()->gesture == one.step->gesture));
+            const bool joins = !done.empty() &&
+                               (joinsAct(*done.back(), *one.step) ||
+                                (one.step->gesture != 0 && done.back()->gesture == one.step->gesture));
             if (!joins) done.push_back(one.step);
             continue;
         }
@@ -206,8 +207,7 @@ static std::vector<Thing> thingsOf(const PlaceStep& step) {
             things.push_back({ThingKind::Group, queue->group.value});
         if (const auto* division = std::get_if<DivisionDeed>(&deed)) {
             things.push_back({ThingKind::Group, division->whole.id.value});
-            for (const PartState& part : division->parts)
-                things.push_back({ThingKind::Group, part.id.value});
+            for (const PartState& part : division->parts) things.push_back({ThingKind::Group, part.id.value});
         }
     }
     return things;
@@ -223,9 +223,8 @@ bool PlaceEditor::keepsWaiting(const Waiting& waiting, const std::vector<Thing>&
         });
     };
     if (met(touched)) return true;
-    return waiting.step.directs && std::any_of(acts_.begin(), acts_.end(), [&](const Given& act) {
-               return met(thingsOf(act.step));
-           });
+    return waiting.step.directs &&
+           std::any_of(acts_.begin(), acts_.end(), [&](const Given& act) { return met(thingsOf(act.step)); });
 }
 
 /// Makes the commands of a step that has been fetched. False where nothing of it is left to do.
@@ -287,8 +286,7 @@ void PlaceEditor::carriedOut(std::vector<Given> given, const World& world) {
     for (Given& one : given) {
         std::vector<PlaceChange> accepted;
         for (std::size_t k = 0; k < one.step.changes.size() && k < one.sequences.size(); ++k)
-            if (!isRefused(one, one.sequences[k], world))
-                accepted.push_back(std::move(one.step.changes[k]));
+            if (!isRefused(one, one.sequences[k], world)) accepted.push_back(std::move(one.step.changes[k]));
         one.step.changes = std::move(accepted);
         for (PlaceChange& change : one.step.changes) {
             if (adds(change.redo)) {
@@ -301,7 +299,8 @@ void PlaceEditor::carriedOut(std::vector<Given> given, const World& world) {
             if (!one.step.directs) place_.apply(change.redo, world);
         }
         finishDeeds(one, added, world);
-        if (one.way != Given::Way::Follow && (!one.step.changes.empty() || !one.step.deeds.empty())) keep(one);
+        if (one.way != Given::Way::Follow && (!one.step.changes.empty() || !one.step.deeds.empty()))
+            keep(one);
         ++revision_;
     }
     for (Waiting& waiting : waiting_) waiting.behindAct = false;

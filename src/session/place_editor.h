@@ -1,5 +1,5 @@
-// What directors do, kept with what takes it back: edits of the place, which are carried out step by step, and acts
-// that direct groups.
+// What directors do, kept with what takes it back: edits of the place, which are carried out step by step,
+// and acts that direct groups.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +25,8 @@ public:
         std::vector<std::uint32_t> sequences;  ///< Of the commands, one for each change.
         /// Follow: it belongs to the step before, which needed to know ids first.
         enum class Way : std::uint8_t { Do, Undo, Redo, Follow } way = Way::Do;
-        std::uint32_t arrival = 0;                 ///< Rises with everything that directors ask for.
-        DeedCommands deeds;                        ///< The commands of its deeds, which come after the changes.
+        std::uint32_t arrival = 0;  ///< Rises with everything that directors ask for.
+        DeedCommands deeds;         ///< The commands of its deeds, which come after the changes.
         std::vector<std::uint32_t> deedSequences;  ///< Of these commands.
     };
 
@@ -72,8 +72,8 @@ private:
     struct Waiting {
         std::uint32_t client = 0;
         Given::Way way = Given::Way::Do;
-        PlaceStep step;        // For Do: its changes have no `undo` yet.
-        bool fetched = false;  // It is out of the history.
+        PlaceStep step;          // For Do: its changes have no `undo` yet.
+        bool fetched = false;    // It is out of the history.
         bool behindAct = false;  // Acts of the director in the step that is made come first.
         std::uint32_t arrival = 0;
         DeedCommands commands;  // For Follow.
@@ -117,8 +117,8 @@ private:
     Place place_;
     std::map<std::uint32_t, History> histories_;  // By client number.
     std::deque<Waiting> waiting_;
-    std::vector<std::uint32_t> highest_;  // Ids before the step, by ThingKind.
-    std::vector<Given> acts_;             // Of the step that is about to be made.
+    std::vector<std::uint32_t> highest_;     // Ids before the step, by ThingKind.
+    std::vector<Given> acts_;                // Of the step that is about to be made.
     std::map<GroupId, QueueState> planned_;  // Queues as these acts leave them.
     std::uint32_t lastArrival_ = 0;
     std::uint32_t lastUnnamed_ = kUnnamedOrders;

@@ -52,7 +52,8 @@ void PlaceEditor::acted(std::uint32_t client, const std::vector<CommandBody>& bo
 void PlaceEditor::addDeed(Given& act, const CommandBody& body, std::uint32_t sequence, const World& world) {
     if (const GroupId group = queueChangedBy(body)) addQueueDeed(act, group, body, sequence, world);
     if (std::holds_alternative<GiveOrder>(body) || std::holds_alternative<EditQueue>(body)) return;
-    const bool divides = std::holds_alternative<SplitGroup>(body) || std::holds_alternative<MergeGroups>(body);
+    const bool divides = std::holds_alternative<SplitGroup>(body) ||
+                         std::holds_alternative<MergeGroups>(body);
     const bool members = std::holds_alternative<AddCharacters>(body) ||
                          std::holds_alternative<RemoveCharacters>(body) ||
                          std::holds_alternative<TransferCharacters>(body);
@@ -140,7 +141,8 @@ void PlaceEditor::finishDeeds(Given& one, std::vector<Event>& added, const World
     if (refused && (!one.deedSequences.empty() || one.step.changes.empty())) one.step.deeds.clear();
     for (Deed& deed : one.step.deeds) {
         if (auto* member = std::get_if<MemberDeed>(&deed)) {
-            if (member->redo.empty() || !std::holds_alternative<AddCharacters>(member->redo.front())) continue;
+            if (member->redo.empty() || !std::holds_alternative<AddCharacters>(member->redo.front()))
+                continue;
             member->undo = {RemoveCharacters{takeJoined(*member, added)}};
         }
         auto* division = std::get_if<DivisionDeed>(&deed);

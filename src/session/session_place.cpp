@@ -137,7 +137,8 @@ void Session::Impl::sendHistory(SessionClient& client) {
     const bool first = client.sentHistory == 0;
     client.sentHistory = editor.revision();
     const protocol::EditHistory history = editor.state(client.number);
-    if (first && !history.edited && history.undo == 0 && history.redo == 0) return;  // A client takes for granted that there is nothing.
+    if (first && !history.edited && history.undo == 0 && history.redo == 0)
+        return;  // A client takes for granted that there is nothing.
     client.outbox.push_back(protocol::encode(history));
 }
 
