@@ -333,6 +333,12 @@ void PlaceEditor::renameEverywhere(Thing from, std::uint32_t to) {
     });
 }
 
+bool PlaceEditor::undoWaits(std::uint32_t client) const {
+    return std::any_of(waiting_.begin(), waiting_.end(), [&](const Waiting& one) {
+        return one.client == client && (one.way == Given::Way::Undo || one.way == Given::Way::Redo);
+    });
+}
+
 protocol::EditHistory PlaceEditor::state(std::uint32_t client) const {
     protocol::EditHistory state;
     state.edited = place_.edited();

@@ -55,6 +55,8 @@ public:
                const World& world);
     /// True where the step that is made may change a history.
     bool acts() const { return !acts_.empty(); }
+    /// True where what the director takes back, or does again, waits for the next step.
+    bool undoWaits(std::uint32_t client) const;
     /// True where an edit waits.
     bool waits() const { return !waiting_.empty(); }
     std::size_t waiting() const { return waiting_.size(); }

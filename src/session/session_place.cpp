@@ -134,6 +134,8 @@ void Session::Impl::editsCarriedOut() {
 
 void Session::Impl::sendHistory(SessionClient& client) {
     if (client.sentHistory == editor.revision()) return;
+    // What comes of it is known soon: the step may pass over what nothing is left of.
+    if (playing && editor.undoWaits(client.number)) return;
     const bool first = client.sentHistory == 0;
     client.sentHistory = editor.revision();
     const protocol::EditHistory history = editor.state(client.number);
