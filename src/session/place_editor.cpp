@@ -119,7 +119,7 @@ Status PlaceEditor::wait(Waiting wanted) {
     return {};
 }
 
-// The history as it will be: what is known to come is told at once, also while the world is paused.
+// The history as it will be: what is known to come counts at once, also while the world is paused.
 PlaceEditor::Foreseen PlaceEditor::foresee(std::uint32_t client) const {
     struct Coming {
         std::uint32_t arrival;

@@ -88,7 +88,7 @@ const kCases = [
   ],
   ['orders: conduct', orders.conduct, [...kTablets, 'phone'], { room: true }],
   ['undo: by mouse', undo.undoByMouse, ['desktop'], { touch: false, room: true }],
-  ['undo: by touch', undo.undoByTouch, ['landscape', 'portrait', 'phone'], { room: true }],
+  ['undo: by touch', undo.undoByTouch, ['landscape', 'portrait', 'phone', 'narrow'], { room: true }],
   [
     'undo: of two directors',
     undo.undoOfTwo,

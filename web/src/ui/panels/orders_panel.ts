@@ -106,12 +106,12 @@ export class OrdersPanel {
     this.hold_ = button({ ...hold, act: () => actions_.toggleHold() }, true);
     const patrol = { icon: 'patrol', label: 'Patrol', key: 'B', tip: 'Its orders again and again' } as const;
     this.patrol_ = button({ ...patrol, act: () => actions_.togglePatrol() }, true);
+    const more = { icon: 'dials', label: 'Conduct', key: '', tip: 'How orders are carried out' } as const;
+    const opener = button({ ...more, act: () => undefined });
     const undo = { icon: 'undo', label: 'Undo', key: 'Z', tip: '' } as const;
     this.undo_ = button({ ...undo, act: () => actions_.undo() });
     const redo = { icon: 'redo', label: 'Redo', key: 'Shift+Z', tip: '' } as const;
     this.redo_ = button({ ...redo, act: () => actions_.undo(true) });
-    const more = { icon: 'dials', label: 'Conduct', key: '', tip: 'How orders are carried out' } as const;
-    const opener = button({ ...more, act: () => undefined });
     this.addDetails();
     this.root.append(this.details_);
     new Popup(opener, this.details_);
