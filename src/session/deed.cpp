@@ -171,6 +171,36 @@ bool sameBody(const CommandBody& a, const CommandBody& b) {
     return encodeCommand({0, 0, 0, a}) == encodeCommand({0, 0, 0, b});
 }
 
+std::size_t bytesOf(const CommandBody& body) {
+    return encodeCommand({0, 0, 0, body}).size();
+}
+
+std::size_t bytesOf(const Deed& deed) {
+    const auto ofQueue = [](const QueueState& queue) {
+        std::size_t bytes = 0;
+        for (const QueuedOrder& order : queue.orders) bytes += bytesOf(GiveOrder{{}, {}, 0, order.order});
+        return bytes;
+    };
+    const auto ofPart = [&](const PartState& part) {
+        return ofQueue(part.queue) + part.members.size() * sizeof(std::uint32_t) +
+               bytesOf(AddGroup{part.def});
+    };
+    std::size_t bytes = sizeof(Deed);
+    if (const auto* queue = std::get_if<QueueDeed>(&deed)) {
+        bytes += ofQueue(queue->before) + ofQueue(queue->after);
+        if (queue->formation) bytes += bytesOf(SetFormation{{}, *queue->formation});
+    }
+    if (const auto* member = std::get_if<MemberDeed>(&deed)) {
+        for (const CommandBody& body : member->redo) bytes += bytesOf(body);
+        for (const CommandBody& body : member->undo) bytes += bytesOf(body);
+    }
+    if (const auto* division = std::get_if<DivisionDeed>(&deed)) {
+        bytes += bytesOf(division->asked) + ofPart(division->whole);
+        for (const PartState& part : division->parts) bytes += ofPart(part);
+    }
+    return bytes;
+}
+
 QueueState queueOf(const GroupView& group) {
     return {{group.orders.begin(), group.orders.end()}, group.held, group.patrols};
 }

@@ -70,6 +70,9 @@ using Deed = std::variant<QueueDeed, MemberDeed, DivisionDeed>;
 std::optional<std::size_t> indexOfGroup(const World& world, GroupId id);
 /// True where both are equal in all parts.
 bool sameBody(const CommandBody& a, const CommandBody& b);
+/// About how many bytes they take.
+std::size_t bytesOf(const CommandBody& body);
+std::size_t bytesOf(const Deed& deed);
 QueueState queueOf(const GroupView& group);
 /// Changes the queue as the world will; an order that is given has that id.
 void apply(QueueState& queue, const CommandBody& body, std::uint32_t id);

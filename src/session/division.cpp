@@ -13,6 +13,8 @@ PartState stateOf(const World& world, std::size_t g) {
     PartState part{view.id, inspect::groupDef(world, g), {}, queueOf(view)};
     part.def.formation = inspect::ownFormation(world, g);
     part.def.starts.clear();
+    part.def.bodies.clear();
+    part.def.orders.clear();
     for (const std::int32_t member : view.members)
         part.members.push_back(world.characters().id[static_cast<std::size_t>(member)]);
     return part;
@@ -103,10 +105,12 @@ DivisionDeed divisionOf(const CommandBody& asked, const World& world) {
     for (const GroupId id : groups) {
         const auto g = indexOfGroup(world, id);
         if (!g) continue;
-        if (id == groups.front())
+        if (id == groups.front()) {
             deed.whole = stateOf(world, *g);
-        else
+            deed.whole.members.clear();  // Whoever is in no part belongs to it.
+        } else {
             deed.parts.push_back(stateOf(world, *g));
+        }
     }
     return deed;
 }

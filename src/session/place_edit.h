@@ -39,6 +39,7 @@ struct PlaceStep {
     bool directs = false;              ///< It directs groups, and leaves the place as it is.
     std::uint32_t step = 0;            ///< Of the world, when it was last done.
     std::vector<Deed> deeds;           ///< What else was done, where it directs.
+    std::size_t bytes = 0;             ///< About how large it is in a history.
 };
 
 /// What a command is about; nothing where it is no edit of a place.

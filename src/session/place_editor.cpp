@@ -9,9 +9,10 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kMostSteps = 1000;   // Of a history.
-constexpr std::size_t kMostWaiting = 256;  // Edits.
-constexpr std::size_t kMostLabel = 80;     // [bytes]
+constexpr std::size_t kMostSteps = 1000;       // Of a history.
+constexpr std::size_t kMostBytes = 64u << 20;  // Of a history.
+constexpr std::size_t kMostWaiting = 256;      // Edits.
+constexpr std::size_t kMostLabel = 80;         // [bytes]
 
 /// True where two edits are about the same thing and have to follow each other.
 bool collide(const Thing& a, const Thing& b) {
@@ -27,9 +28,22 @@ PlaceStep reversed(PlaceStep step) {
     return step;
 }
 
+std::size_t bytesOf(const PlaceStep& step) {
+    std::size_t bytes = 0;
+    for (const PlaceChange& change : step.changes) bytes += bytesOf(change.redo) + bytesOf(change.undo);
+    for (const Deed& deed : step.deeds) bytes += bytesOf(deed);
+    return bytes;
+}
+
 void push(std::deque<PlaceStep>& steps, PlaceStep step) {
+    step.bytes = bytesOf(step);
     steps.push_back(std::move(step));
-    if (steps.size() > kMostSteps) steps.pop_front();
+    std::size_t bytes = 0;
+    for (const PlaceStep& one : steps) bytes += one.bytes;
+    while (steps.size() > kMostSteps || (bytes > kMostBytes && steps.size() > 1)) {
+        bytes -= steps.front().bytes;
+        steps.pop_front();
+    }
 }
 
 /// The thing has been made and has that id, by which it is taken away.
@@ -39,6 +53,12 @@ void nameThing(PlaceChange& change, std::uint32_t id) {
 }
 
 }  // namespace
+
+void PlaceEditor::forget(std::uint32_t client) {
+    histories_.erase(client);
+    std::erase_if(acts_, [&](const Given& act) { return act.client == client; });
+    std::erase_if(waiting_, [&](const Waiting& one) { return one.client == client; });
+}
 
 void PlaceEditor::begin(const WorldDef& def) {
     place_.begin(def);

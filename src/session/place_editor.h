@@ -35,7 +35,7 @@ public:
     /// The same place begins again in a world whose things have the ids 1, 2, 3... in the order of `before`.
     void beginAgain(const PlaceDefinition& before);
     /// A director has left.
-    void forget(std::uint32_t client) { histories_.erase(client); }
+    void forget(std::uint32_t client);
     /// Their numbers have changed: histories end, the place stays.
     void forgetAll() { histories_.clear(); }
 

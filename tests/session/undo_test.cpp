@@ -461,6 +461,40 @@ TEST_CASE("orders for several groups in one message are one step") {
     CHECK(desk.group(1).orders.size() == 1);
 }
 
+TEST_CASE("pose and pin are taken back") {
+    Desk desk;
+    desk.move(20, 0);
+    desk.act(R"({"kind":"pose","group":1,"x":-12,"y":-12,"angle":1.5})");
+    CHECK(desk.targets().empty());
+    desk.undo();
+    CHECK(desk.targets() == Xs{20});
+    CHECK(desk.group().pose.position.x > -5.0);
+    desk.undo(true);
+    CHECK(desk.targets().empty());
+    CHECK(distance(desk.group().pose.position, Vec2{-12, -12}) < 1e-9);
+    desk.client.touchAt(protocol::TouchPhase::Down, {-12, -12}, 1.0);
+    desk.settle();
+    REQUIRE(desk.group().controls.size() == 1);
+    desk.client.send(protocol::PinControl{1, desk.group().controls[0].id.value, true});
+    desk.settle();
+    CHECK(desk.history().undoLabel == "Pin");
+    CHECK(desk.group().controls[0].pinned);
+    desk.undo();
+    CHECK_FALSE(desk.group().controls[0].pinned);
+    CHECK(desk.trouble().empty());
+}
+
+TEST_CASE("a history keeps a thousand steps") {
+    Desk desk;
+    for (int k = 0; k < 1003; ++k)
+        desk.client.send(protocol::Commands{R"([{"kind":"formation","group":1,"formation":")" +
+                                            std::string(k % 2 == 0 ? "ring" : "square") + R"("}])"});
+    desk.settle();
+    CHECK(desk.history().undo == 1000);
+    desk.undo();
+    CHECK(desk.group().formation == FormationKind::Square);
+}
+
 TEST_CASE("random acts of two directors with undo between them replay to the same hash") {
     Desk desk;
     FakeClient other(desk.session, true, "other");
