@@ -52,7 +52,7 @@ async function stands(studio) {
 }
 
 /** The mouse orders, keys and buttons take back and do again. */
-export async function undoByMouse(studio) {
+async function undoByMouse(studio) {
   const { page } = studio;
   expect((await disabled(studio, 'Undo')) && (await disabled(studio, 'Redo')), 'there is nothing to undo at first');
   await tile(studio, 'Undo').click({ force: true });
@@ -94,7 +94,7 @@ export async function undoByMouse(studio) {
 }
 
 /** Three fingers that tap take back, on the ground and with a tool in hand; elsewhere they do what they did. */
-export async function undoByTouch(studio) {
+async function undoByTouch(studio) {
   const start = middleOf(await studio.frame());
   const [ground] = await studio.screen([shifted(start, -6, 8)]);
   await tile(studio, 'Order').tap();
@@ -119,7 +119,7 @@ export async function undoByTouch(studio) {
 }
 
 /** Two directors: each takes back only what they did. */
-export async function undoOfTwo(studio) {
+async function undoOfTwo(studio) {
   const other = await StudioPage.open(studio.context.browser(), studio.page.url(), { size: studio.size });
   try {
     const [a, b] = (await studio.frame()).groups;
@@ -141,7 +141,7 @@ export async function undoOfTwo(studio) {
 }
 
 /** What was done before building is taken back while building, and what was built after it. */
-export async function oneHistory(studio) {
+async function oneHistory(studio) {
   const { page } = studio;
   const group = (await studio.frame()).groups[0].id;
   await send(studio, { kind: 'formation', group, formation: 'ring' });
@@ -159,3 +159,10 @@ export async function oneHistory(studio) {
   await page.keyboard.press('.');
   await shapeToBe(studio, 'square');
 }
+
+export const kUndoCases = [
+  ['undo: by mouse', undoByMouse, ['desktop'], { touch: false, room: true }],
+  ['undo: by touch', undoByTouch, ['landscape', 'portrait', 'phone', 'narrow'], { room: true }],
+  ['undo: of two directors', undoOfTwo, ['desktop'], { touch: false, scenario: 'web/tests/scenarios/two-groups.json' }],
+  ['undo: one history with building', oneHistory, ['desktop'], { touch: false, room: true }],
+];
