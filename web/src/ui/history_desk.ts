@@ -31,9 +31,9 @@ export class HistoryDesk {
       this.store_.set({ history: { undo: 0, undoLabel: '', redo: 0, redoLabel: '' } });
     });
     new ThreeFingerTap(canvas, () => {
-      const { tool, scheme } = this.store_.state;
-      // With these, and with other control schemes, fingers do something else.
-      if (tool !== 'draw' && tool !== 'place' && scheme === '') this.undo();
+      const { tool, scheme, replaying } = this.store_.state;
+      // With these, with other control schemes, and in takes, fingers do something else.
+      if (tool !== 'draw' && tool !== 'place' && scheme === '' && !replaying) this.undo();
     });
   }
 
