@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/maths.h"
 #include "environment/environment.h"
 #include "muster/parameter_table.h"
 #include "world/inspect.h"
@@ -35,12 +36,6 @@ struct IdVisitor {
 template <class Visit>
 void visitIds(CommandBody& body, Visit visit) {
     std::visit(IdVisitor<Visit>{visit}, body);
-}
-
-std::optional<std::size_t> groupIndex(const World& world, GroupId id) {
-    for (std::size_t g = 0; g < world.groupCount(); ++g)
-        if (world.group(g).id == id) return g;
-    return std::nullopt;
 }
 
 template <class AnyId>
@@ -125,9 +120,23 @@ struct Inverse {
         });
     }
     Answer operator()(const SetFormation& c) const {
-        return onGroup(c.group, [&](std::size_t, const GroupDef& def) {
-            return SetFormation{c.group, def.formation};
+        return onGroup(c.group, [&](std::size_t g, const GroupDef&) {
+            return SetFormation{c.group, inspect::ownFormation(world, g)};
         });
+    }
+    Answer operator()(const SetPose& c) const {
+        return onGroup(c.group, [&](std::size_t g, const GroupDef&) {
+            const Pose pose = world.group(g).pose;
+            return SetPose{c.group, pose.position, arcTangent2(pose.rotation.s, pose.rotation.c)};
+        });
+    }
+    Answer operator()(const PinControl& c) const {
+        const auto g = indexOfGroup(world, c.group);
+        if (!g) return {};
+        const auto controls = world.group(*g).controls;
+        const auto at = std::find_if(controls.begin(), controls.end(),
+                                     [&](const Control& control) { return control.id == c.control; });
+        return at == controls.end() ? Answer() : PinControl{c.group, c.control, at->pinned};
     }
     Answer operator()(const SetConduct& c) const {
         return onGroup(c.group, [&](std::size_t, const GroupDef& def) {
@@ -166,7 +175,7 @@ struct Inverse {
 private:
     template <class Make>
     Answer onGroup(GroupId id, Make make) const {
-        const auto g = groupIndex(world, id);
+        const auto g = indexOfGroup(world, id);
         return g ? Answer(make(*g, inspect::groupDef(world, *g))) : Answer();
     }
 };

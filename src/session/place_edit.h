@@ -9,6 +9,7 @@
 
 #include "muster/command.h"
 #include "muster/world.h"
+#include "session/deed.h"
 #include "session/place.h"
 
 namespace muster {
@@ -35,12 +36,18 @@ struct PlaceStep {
     std::string label;                 ///< For people: "Move wall".
     std::uint32_t gesture = 0;         ///< Steps with the same number are one; 0: alone.
     std::vector<PlaceChange> changes;  ///< In the order in which they were made.
+    bool directs = false;              ///< It directs groups, and leaves the place as it is.
+    std::uint32_t step = 0;            ///< Of the world, when it was last done.
+    std::vector<Deed> deeds;           ///< What else was done, where it directs.
+    std::size_t bytes = 0;             ///< About how large it is in a history.
 };
 
 /// What a command is about; nothing where it is no edit of a place.
 std::optional<Thing> thingOf(const CommandBody& body);
 /// True where it makes a new thing.
 bool adds(const CommandBody& body);
+/// True where the later change does the same to the same thing, so that it stands for both.
+bool doesTheSame(const PlaceChange& later, const PlaceChange& earlier);
 /// What takes the edit back in the world as it is before the edit; for what is to be added a removal of id 0.
 /// Nothing where the world lacks what it is about.
 std::optional<CommandBody> inverseOf(const CommandBody& body, const World& world, const Place& place);

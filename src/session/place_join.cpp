@@ -6,18 +6,6 @@
 namespace muster {
 namespace {
 
-/// True where both do the same to the same thing, so that the later one stands for both.
-bool doesTheSame(const PlaceChange& later, const PlaceChange& earlier) {
-    if (!(later.thing == earlier.thing) || later.redo.index() != earlier.redo.index() || adds(later.redo))
-        return false;
-    if (later.thing.id != 0) return true;
-    if (const auto* set = std::get_if<SetBodies>(&later.redo))
-        return set->ids == std::get<SetBodies>(earlier.redo).ids;
-    if (const auto* set = std::get_if<SetParameter>(&later.redo))
-        return set->name == std::get<SetParameter>(earlier.redo).name;
-    return false;
-}
-
 /// The same, and what takes them back is of one kind too.
 bool replaces(const PlaceChange& later, const PlaceChange& earlier) {
     return doesTheSame(later, earlier) && later.undo.index() == earlier.undo.index() && !adds(later.undo);
@@ -69,6 +57,17 @@ bool leadsBack(const PlaceChange& change) {
 }
 
 }  // namespace
+
+bool doesTheSame(const PlaceChange& later, const PlaceChange& earlier) {
+    if (!(later.thing == earlier.thing) || later.redo.index() != earlier.redo.index() || adds(later.redo))
+        return false;
+    if (later.thing.id != 0) return true;
+    if (const auto* set = std::get_if<SetBodies>(&later.redo))
+        return set->ids == std::get<SetBodies>(earlier.redo).ids;
+    if (const auto* set = std::get_if<SetParameter>(&later.redo))
+        return set->name == std::get<SetParameter>(earlier.redo).name;
+    return false;
+}
 
 bool overtakes(const std::vector<PlaceChange>& later, const std::vector<PlaceChange>& waiting) {
     return std::equal(later.begin(), later.end(), waiting.begin(), waiting.end(), doesTheSame);

@@ -234,7 +234,7 @@ void Session::Impl::driveSchemes() {
     for (auto& [id, client] : clients) {
         std::vector<CommandBody> bodies = client.scheme.take(*world);
         if (bodies.empty()) continue;
-        const Status status = submit(client, bodies);
+        const Status status = act(client, std::move(bodies));
         if (!status.ok()) notice(client, protocol::NoticeLevel::Error, "Inputs", status.message());
     }
 }

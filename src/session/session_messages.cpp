@@ -360,9 +360,9 @@ private:
     Status submit(CommandBody body) {
         std::vector<CommandBody> bodies;
         bodies.push_back(std::move(body));
-        return session_.submit(client_, bodies);
+        return session_.act(client_, std::move(bodies));
     }
-    Status submit(std::vector<CommandBody> bodies) { return session_.submit(client_, bodies); }
+    Status submit(std::vector<CommandBody> bodies) { return session_.act(client_, std::move(bodies)); }
 
     Session::Impl& session_;
     SessionClient& client_;

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "muster/scenario.h"
+#include "session/act_label.h"
 #include "session/command_text.h"
 #include "session/group_body.h"
 #include "session/session_state.h"
@@ -79,8 +80,10 @@ Status Session::Impl::undoEdit(SessionClient& client, bool redo) {
     if (!world) return {StatusCode::NotFound, "there is no world yet"};
     if (player)
         return {StatusCode::Unsupported, "a take is being replayed; load a scenario to edit its place"};
+    // Orders of a paused world wait for its next step, and so does what takes them back.
+    const bool steps = !editor.nextDirects(client.number, redo);
     if (Status s = editor.wantUndo(client.number, redo); !s.ok()) return s;
-    if (!playing) singleSteps = std::min(singleSteps + 1, kMostEditSteps);
+    if (!playing && steps) singleSteps = std::min(singleSteps + 1, kMostEditSteps);
     return {};
 }
 
@@ -95,31 +98,49 @@ void Session::Impl::submitEdits() {
         SessionClient& client = found->second;
         std::vector<CommandBody> bodies;
         for (const PlaceChange& change : given.step.changes) bodies.push_back(change.redo);
+        const std::size_t changes = bodies.size();
+        bodies.insert(bodies.end(), given.deeds.bodies.begin(), given.deeds.bodies.end());
         const std::uint32_t before = client.sequence;
         if (const Status status = submit(client, bodies, false); !status.ok()) {
             notice(client, protocol::NoticeLevel::Error, "Edit", status.message());
             return true;
         }
-        for (std::uint32_t s = before + 1; s <= client.sequence; ++s) given.sequences.push_back(s);
+        for (std::uint32_t s = before + 1; s <= client.sequence; ++s)
+            (s - before <= changes ? given.sequences : given.deedSequences).push_back(s);
         return false;
     });
 }
 
+// Commands that direct groups are given at once, and remembered so that they can be taken back.
+Status Session::Impl::act(SessionClient& client, std::vector<CommandBody> bodies) {
+    const std::uint32_t before = client.sequence;
+    const bool takesBack = std::any_of(bodies.begin(), bodies.end(), canTakeBack);
+    const std::vector<CommandBody> kept = takesBack ? bodies : std::vector<CommandBody>();
+    Status status = submit(client, bodies);
+    if (status.ok() && takesBack) editor.acted(client.number, kept, before + 1, *world);
+    return status;
+}
+
 void Session::Impl::editsCarriedOut() {
-    if (!givenEdits.empty()) {
+    if (!givenEdits.empty() || editor.acts()) {
+        const bool edits = std::any_of(givenEdits.begin(), givenEdits.end(),
+                                       [](const PlaceEditor::Given& given) { return !given.step.directs; });
         editor.carriedOut(std::move(givenEdits), *world);
         givenEdits.clear();
-        refreshScene();
+        if (edits) refreshScene();
     }
     if (!playing && editor.waits()) singleSteps = std::max(singleSteps, 1);
 }
 
 void Session::Impl::sendHistory(SessionClient& client) {
     if (client.sentHistory == editor.revision()) return;
+    // What comes of it is known soon: the step may pass over what nothing is left of.
+    if (playing && editor.undoWaits(client.number)) return;
     const bool first = client.sentHistory == 0;
     client.sentHistory = editor.revision();
     const protocol::EditHistory history = editor.state(client.number);
-    if (first && !history.edited) return;  // A client takes for granted that there is nothing.
+    if (first && !history.edited && history.undo == 0 && history.redo == 0)
+        return;  // A client takes for granted that there is nothing.
     client.outbox.push_back(protocol::encode(history));
 }
 

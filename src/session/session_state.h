@@ -134,6 +134,7 @@ struct Session::Impl {
     // The place (session_place.cpp).
     Status edit(SessionClient& client, const protocol::Edit& message);
     Status undoEdit(SessionClient& client, bool redo);
+    Status act(SessionClient& client, std::vector<CommandBody> bodies);
     void submitEdits();
     void editsCarriedOut();
     void sendHistory(SessionClient& client);

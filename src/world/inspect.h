@@ -14,6 +14,7 @@ class PlaceTracker;
 class Plan;
 class World;
 struct Characters;
+struct FormationDef;
 struct GroupDef;
 struct UnitCost;
 
@@ -29,6 +30,8 @@ const DensityField& density(const World& world);
 const UnitCost* unitCost(const World& world);
 /// Name, count and formation of a group.
 const GroupDef& groupDef(const World& world, std::size_t group);
+/// The formation that a group has, or takes up again after the order that it carries out.
+const FormationDef& ownFormation(const World& world, std::size_t group);
 /// Rest shape, Vu and Vf of a group.
 const FormationMesh& mesh(const World& world, std::size_t group);
 /// Travelling places of a group.

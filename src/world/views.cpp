@@ -201,6 +201,10 @@ const UnitCost* unitCost(const World& world) {
 const GroupDef& groupDef(const World& world, std::size_t group) {
     return WorldAccess::of(world).state.groups[group].def;
 }
+const FormationDef& ownFormation(const World& world, std::size_t group) {
+    const Group& of = WorldAccess::of(world).state.groups[group];
+    return of.orders.own ? *of.orders.own : of.def.formation;
+}
 const FormationMesh& mesh(const World& world, std::size_t group) {
     return WorldAccess::of(world).state.groups[group].mesh;
 }

@@ -60,9 +60,10 @@ async function start(mode: string | undefined): Promise<object> {
   }
   const app = new StudioApp(client, view, canvas, ui);
   const parts = { client, store: app.store, view, canvas, page: ui };
+  app.desk.history.listen(client, canvas);
   new TakeDesk(parts);
   openPlacesLazily({ ...parts, files: app.files });
-  openBuildLazily(parts);
+  openBuildLazily({ ...parts, history: app.desk.history });
   openPathsLazily(parts);
   openSequenceLazily({ ...parts, queues: app.desk.queues, frame: () => app.frame });
   return {

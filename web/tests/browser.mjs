@@ -28,6 +28,7 @@ import * as oldTakes from './cases/old_take.mjs';
 import * as paths from './cases/path.mjs';
 import * as takes from './cases/takes.mjs';
 import * as touch from './cases/touch.mjs';
+import * as undo from './cases/undo.mjs';
 import { startMadeCrowd } from './support/made_crowd.mjs';
 import { kPort, startStudio } from './support/server.mjs';
 import { StudioPage } from './support/studio_page.mjs';
@@ -86,6 +87,7 @@ const kCases = [
     { scenario: 'scenarios/block.json', room: true },
   ],
   ['orders: conduct', orders.conduct, [...kTablets, 'phone'], { room: true }],
+  ...undo.kUndoCases,
   ['paused', feedback.paused, ['desktop'], { room: true }],
   ['refused', feedback.refused, ['desktop', 'phone'], {}],
   ['objectives', objectives.objectives, ['desktop'], { scenario: 'scenarios/block.json' }],

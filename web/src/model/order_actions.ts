@@ -27,5 +27,6 @@ export interface OrderActions {
   setConduct(conduct: Partial<ConductFacts>): void;
   /** Joins a group to another one, by their ids. */
   merge(into: number, dragged: number): void;
-  undo(): void;
+  /** Takes back what was done last, or does it again. */
+  undo(redo?: boolean): void;
 }

@@ -77,6 +77,14 @@ export interface CostFigures {
   readonly straight: number;
 }
 
+/** What this director can take back and do again: how many steps, and what the next is called. */
+export interface HistoryFacts {
+  readonly undo: number;
+  readonly undoLabel: string;
+  readonly redo: number;
+  readonly redoLabel: string;
+}
+
 export interface StudioState {
   readonly layout: Layout;
   readonly theme: Theme;
@@ -108,8 +116,7 @@ export interface StudioState {
   readonly sequencing: boolean;
   /** A formation that waits on the ground to be taken up; the dialog is the one that it comes from. */
   readonly trying: { readonly title: string; readonly dialog: DialogName } | null;
-  /** A split, a merge or an order can be undone. */
-  readonly canUndo: boolean;
+  readonly history: HistoryFacts;
   readonly layers: Layers;
   readonly overlay: OverlayKind;
   /** Character whose cost is shown; -1 for none. */
@@ -198,7 +205,7 @@ export const kInitialState: StudioState = {
   stand: null,
   trying: null,
   sequencing: false,
-  canUndo: false,
+  history: { undo: 0, undoLabel: '', redo: 0, redoLabel: '' },
   layers: { mesh: true, places: true, paths: true },
   overlay: OverlayKind.None,
   chosen: -1,

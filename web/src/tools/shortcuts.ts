@@ -16,8 +16,8 @@ export interface Shortcut {
   readonly sceneOnly?: boolean;
   /** Again and again while the key is held. */
   readonly repeats?: boolean;
-  /** With Ctrl (or Cmd) as well. */
-  readonly ctrl?: boolean;
+  /** With Ctrl (or Cmd) as well, or only so. */
+  readonly ctrl?: true | 'only';
   /** Only with Alt, by `KeyboardEvent.code`: Alt changes the letter on some keyboards. */
   readonly alt?: readonly string[];
   /** Another line of the help tells of it. */
@@ -44,7 +44,8 @@ export function findShortcut(
   const ctrl = event.ctrlKey || event.metaKey;
   if (event.altKey) return ctrl ? null : (shortcuts.find((one) => one.run && one.alt?.includes(event.code)) ?? null);
   const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-  const found = shortcuts.find((shortcut) => shortcut.run && (!ctrl || shortcut.ctrl) && shortcut.match.includes(key));
+  const fits = (shortcut: Shortcut): boolean => (ctrl ? !!shortcut.ctrl : shortcut.ctrl !== 'only');
+  const found = shortcuts.find((shortcut) => shortcut.run && fits(shortcut) && shortcut.match.includes(key));
   return !found || (found.sceneOnly && isControl(event.target)) ? null : found;
 }
 

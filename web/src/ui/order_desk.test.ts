@@ -103,7 +103,7 @@ describe('OrderDesk', () => {
     expect(store.state.tool).toBe('steer');
   });
 
-  it('chooses the part that a split of ours has made, and undoes it by a merge', () => {
+  it('chooses the part that a split of ours has made', () => {
     desk.split({ group: 4, index: 0, from: { x: 0, y: -3 }, to: { x: 0, y: 3 }, left: 1, right: 2 });
     const parts = [...store.state.groups, { id: 12, name: 'North 2', colour: 5, count: 1, formation: 'points' }];
     store.set({ groups: parts });
@@ -119,20 +119,19 @@ describe('OrderDesk', () => {
         [added],
       ),
     );
-    expect([store.state.active, store.state.selected, store.state.canUndo]).toEqual([2, [12], true]);
-    desk.undo();
-    expect(events()[1]).toEqual({ kind: 'merge', groups: [4, 12], shape: 'asHeld' });
-    expect(store.state.canUndo).toBe(false);
+    expect([store.state.active, store.state.selected]).toEqual([2, [12]]);
   });
 
-  it('undoes a merge by the ids that the dragged group had', () => {
-    desk.merge(4, 9);
-    desk.observe(frame([[4, 0]], [0, 0, 0, 0, 0, 0]));
-    store.set({ groups: store.state.groups.slice(0, 1) });
+  it('asks the server to take back, and not where there is nothing', () => {
     desk.undo();
-    expect(events()).toEqual([
-      { kind: 'merge', groups: [4, 9], shape: 'smaller' },
-      { kind: 'split', group: 4, by: 'ids', ids: [4, 5, 6], shape: 'asHeld' },
+    expect(sent).toEqual([]);
+    expect(store.state.notice?.text).toBe('There is nothing to undo');
+    store.set({ history: { undo: 1, undoLabel: 'Move', redo: 1, redoLabel: 'Split' } });
+    desk.undo();
+    desk.undo(true);
+    expect(sent).toEqual([
+      { type: 'UndoEdit', redo: false },
+      { type: 'UndoEdit', redo: true },
     ]);
   });
 

@@ -1,4 +1,4 @@
-// Gives orders: keeps who is chosen, turns what was drawn into commands, and remembers splits and merges to undo.
+// Gives orders: keeps who is chosen, and turns what was drawn into commands.
 
 import type { MessageSender } from '../link/studio_client';
 import {
@@ -22,12 +22,13 @@ import { convexHull, insidePolygon, pointsOf, type GroundPoint, type ScreenPoint
 import type { StudioFrame } from '../model/studio_frame';
 import type { ToolName, UnitInfo } from '../model/studio_state';
 import type { StudioStore } from '../model/studio_store';
-import { UnitHistory } from '../model/unit_history';
+import { UnitNews } from '../model/unit_news';
 import type { GroupMesh } from '../protocol/messages';
 import type { BoxSink } from '../tools/box_select';
 import type { Contact } from '../tools/contact';
 import type { CutPreview, CutSink } from '../tools/cut_tool';
 import type { OrderPreview, OrderSink } from '../tools/order_tools';
+import { HistoryDesk } from './history_desk';
 import { QueueDesk, type QueueScene } from './queue_desk';
 
 /** What the desk shows on the scene. */
@@ -55,10 +56,9 @@ const kNear = 1.5;
 export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
   readonly shapes = new GroupShapes();
   readonly queues: QueueDesk;
-  private readonly history_ = new UnitHistory((was, now) => this.queues.copied(was, now));
+  readonly history: HistoryDesk;
+  private readonly news_ = new UnitNews((was, now) => this.queues.copied(was, now));
   private frame_: StudioFrame | null = null;
-  private ids_: Uint32Array = new Uint32Array(0);
-  private group_: Uint8Array = new Uint8Array(0);
 
   constructor(
     private readonly client_: MessageSender,
@@ -66,7 +66,8 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
     private readonly scene_: DeskScene,
     private readonly say_: (text: string) => void,
   ) {
-    this.queues = new QueueDesk(client_, store_, scene_.orders, this.history_, say_);
+    this.queues = new QueueDesk(client_, store_, scene_.orders, this.news_, say_);
+    this.history = new HistoryDesk(client_, store_);
   }
 
   setMesh(mesh: GroupMesh): void {
@@ -75,26 +76,24 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
 
   forgetWorld(): void {
     this.shapes.clear();
-    this.history_.clear();
+    this.news_.clear();
     this.queues.forgetWorld();
-    this.store_.set({ canUndo: false, selected: [] });
+    this.store_.set({ selected: [] });
   }
 
   /** Takes a frame; the state has its groups already. */
   observe(frame: StudioFrame): void {
     this.frame_ = frame;
-    if (frame.ids.length > 0 || frame.x.length === 0) [this.ids_, this.group_] = [frame.ids, frame.group];
-    const made = this.history_.observe(frame.events);
+    const made = this.news_.observe(frame.events);
     this.queues.observe(frame);
     this.chooseParts(made);
-    const { canUndo, groups, active, selected } = this.store_.state;
-    if (canUndo !== this.history_.canUndo) this.store_.set({ canUndo: this.history_.canUndo });
+    const { groups, active, selected } = this.store_.state;
     if (selected.length === 0 && groups[active]) this.store_.set({ selected: [groups[active].id] });
   }
 
   /** The server refused commands. */
   refused(): void {
-    this.history_.refused();
+    this.news_.refused();
   }
 
   // ---- Who is chosen ----
@@ -204,14 +203,13 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
   }
 
   split(cut: Cut): void {
-    this.history_.splitAsked(cut.group);
+    this.news_.splitAsked(cut.group);
     this.send([splitByLineEvent(cut.group, cut.from, cut.to)]);
     this.say_(`${this.nameOf(cut.group)} divided: ${cut.left} leave, ${cut.right} stay`);
   }
 
   merge(into: number, dragged: number): void {
     if (into === dragged) return;
-    this.history_.mergeAsked(into, dragged, this.membersOf(dragged));
     this.send([mergeEvent([into, dragged], 'smaller')]);
     const { groups } = this.store_.state;
     const index = groups.findIndex(({ id }) => id === into);
@@ -286,21 +284,12 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
     this.send(chosen.map((unit) => conductEvent(unit.id, { ...unit.conduct, ...conduct })));
   }
 
-  undo(): void {
-    const { groups } = this.store_.state;
-    const events = this.history_.undo({
-      groups: groups.map(({ id }) => id),
-      members: (group) => this.membersOf(group),
-      queue: (group) => this.queues.queue(group),
-    });
-    this.say_(events.length > 0 ? 'Undone' : 'There is nothing to undo');
-    this.send(events);
-    this.store_.set({ canUndo: this.history_.canUndo });
+  undo(redo = false): void {
+    this.history.undo(redo);
   }
 
   /** Orders, at most one for each group. */
   private give(events: readonly GroupEvent[]): void {
-    this.queues.remember(events.map(({ group }) => group));
     this.send(events);
     this.once();
     this.queues.given();
@@ -338,11 +327,6 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
 
   private nameOf(group: number): string {
     return this.store_.state.groups.find(({ id }): boolean => id === group)?.name ?? 'the group';
-  }
-
-  private membersOf(group: number): number[] {
-    const index = (this.frame_?.groups ?? []).findIndex(({ id }) => id === group);
-    return [...this.ids_].filter((_, i) => this.group_[i] === index);
   }
 
   /** Half the depth of both, one behind the other [m]. */

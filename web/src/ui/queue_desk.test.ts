@@ -3,21 +3,21 @@ import type { CommandEvent } from '../model/commands';
 import type { StudioFrame } from '../model/studio_frame';
 import { StudioStore } from '../model/studio_store';
 import { kIdle, madeOrder } from '../model/test_frames';
-import { UnitHistory } from '../model/unit_history';
+import { UnitNews } from '../model/unit_news';
 import { EventKind, type ClientMessage, type EventFrame } from '../protocol/messages';
 import { arrivalText, QueueDesk } from './queue_desk';
 
 let sent: ClientMessage[];
 let shown: unknown[];
 let store: StudioStore;
-let history: UnitHistory;
+let news: UnitNews;
 let desk: QueueDesk;
 
 /** Group 4 with these orders. */
 function see(ids: readonly number[], events: EventFrame[] = [], more: object = {}): void {
   const orders = ids.map((id) => madeOrder(id, { x: id, y: 0 }));
   const frame = { groups: [{ id: 4, ...kIdle, orders, ...more }], sceneRevision: 1, time: 0, events };
-  history.observe(events);
+  news.observe(events);
   desk.observe(frame as unknown as StudioFrame);
 }
 
@@ -32,21 +32,17 @@ function done(id: number): EventFrame {
 const events = (): CommandEvent[] =>
   sent.flatMap((one) => (one.type === 'Commands' ? (JSON.parse(one.events) as CommandEvent[]) : []));
 
-function undo(): CommandEvent[] {
-  return history.undo({ groups: [4], members: () => [], queue: (group) => desk.queue(group) });
-}
-
 beforeEach(() => {
   sent = [];
   shown = [];
   store = new StudioStore();
-  history = new UnitHistory((was, now) => desk.copied(was, now));
+  news = new UnitNews((was, now) => desk.copied(was, now));
   const scene = {
     previewForecasts: (forecasts: readonly unknown[]) => void (shown = [...forecasts]),
     setWays: () => undefined,
     setPicked: () => undefined,
   };
-  desk = new QueueDesk({ send: (one) => sent.push(one) }, store, scene, history, () => undefined);
+  desk = new QueueDesk({ send: (one) => sent.push(one) }, store, scene, news, () => undefined);
   store.set({ groups: [{ id: 4, name: 'North', colour: 0, count: 3, formation: 'square' }], selected: [4] });
   see([7, 8, 9]);
 });
@@ -66,7 +62,7 @@ describe('QueueDesk', () => {
     expect(store.state.insertBefore).toBe(0);
   });
 
-  it('moves an order, keeps it chosen under its new id, and undoes that', () => {
+  it('moves an order and keeps it chosen under its new id', () => {
     desk.pick(9);
     desk.moveTo(9, 0);
     expect(events()).toMatchObject([
@@ -75,11 +71,9 @@ describe('QueueDesk', () => {
     ]);
     see([10, 7, 8], [given(10)]);
     expect(store.state.picked).toBe(10);
-    // What was moved goes by its new id in the queue of before, too.
-    expect(undo()).toMatchObject([{ edit: 'cancel', order: 10 }, { index: 2 }]);
   });
 
-  it('cancels and skips, and an undo brings back what has not been done since', () => {
+  it('cancels and skips', () => {
     desk.cancel(8);
     see([7, 9]);
     desk.skip();
@@ -87,11 +81,6 @@ describe('QueueDesk', () => {
       { edit: 'cancel', order: 8 },
       { edit: 'cancel', order: 7 },
     ]);
-    see([9]);
-    see([], [done(9)]);
-    expect(undo()).toMatchObject([{ mode: 'insert', index: 0, x: 7 }]);
-    see([11], [given(11)]);
-    expect(undo()).toMatchObject([{ mode: 'insert', index: 1, x: 8 }]);
   });
 
   it('says when a drawn order would arrive, after those that come before', () => {

@@ -16,7 +16,7 @@ import { queueChange, reordered, skipped, type QueueState } from '../model/queue
 import type { StudioFrame, StudioGroup } from '../model/studio_frame';
 import type { QueueItem, ToolName } from '../model/studio_state';
 import type { StudioStore } from '../model/studio_store';
-import type { UnitHistory } from '../model/unit_history';
+import type { UnitNews } from '../model/unit_news';
 import type { Forecasts } from '../protocol/messages';
 import { Forecaster } from './forecaster';
 
@@ -53,7 +53,7 @@ export class QueueDesk {
     private readonly client_: MessageSender,
     private readonly store_: StudioStore,
     private readonly scene_: QueueScene,
-    private readonly history_: UnitHistory,
+    private readonly news_: UnitNews,
     private readonly say_: (text: string) => void,
   ) {
     this.forecaster = new Forecaster(
@@ -134,7 +134,6 @@ export class QueueDesk {
     const queue = this.activeQueue();
     const index = queue?.orders.findIndex(({ id }) => id === order) ?? -1;
     if (!queue || index < 0) return;
-    this.remember([queue.group]);
     this.send([queueEvent(queue.group, 'cancel', order)]);
     if (this.store_.state.picked === order) this.store_.set({ picked: 0 });
     this.say_(`Order ${index + 1} cancelled`);
@@ -156,13 +155,7 @@ export class QueueDesk {
 
   /** The same edit for several groups. */
   edit(groups: readonly number[], edit: QueueEditWord): void {
-    this.remember(groups);
     this.send(groups.map((id) => queueEvent(id, edit)));
-  }
-
-  /** Queues are about to change, and that can be undone. */
-  remember(groups: readonly number[]): void {
-    this.history_.queuesAsked(groups.flatMap((id) => this.queue(id) ?? []));
   }
 
   queue(group: number): QueueState | undefined {
@@ -173,8 +166,7 @@ export class QueueDesk {
   /** Gives the commands that lead from one queue to another. */
   change(now: QueueState, wanted: QueueState): void {
     const { events, copied } = queueChange(now, wanted);
-    this.remember([now.group]);
-    this.history_.copiesAsked(now.group, copied);
+    this.news_.copiesAsked(now.group, copied);
     this.send(events);
   }
 

@@ -55,6 +55,20 @@ it('only camera, steps and carrying repeat while a key is held', () => {
 });
 
 it('no key means two things', () => {
-  const keys = shortcuts.flatMap((shortcut) => (shortcut.run ? shortcut.match : []));
+  const keys = shortcuts.flatMap((one) =>
+    one.run ? one.match.map((key) => (one.ctrl === 'only' ? `Ctrl+${key}` : key)) : [],
+  );
   expect(new Set(keys).size).toBe(keys.length);
+});
+
+it('takes back and does again, with Ctrl and without', () => {
+  const keyed = (key: string, ctrlKey: boolean, shiftKey = false): string | undefined => {
+    calls.length = 0;
+    const event = { key, code: '', shiftKey, ctrlKey, metaKey: false, altKey: false, target: null };
+    findShortcut(shortcuts, event)?.run!(event as unknown as KeyboardEvent);
+    return calls[0];
+  };
+  expect([keyed('z', false), keyed('z', true)]).toEqual(['undo false', 'undo false']);
+  expect([keyed('Z', false, true), keyed('Z', true, true), keyed('y', true)]).toEqual(Array(3).fill('undo true'));
+  expect(keyed('y', false)).toBe('skipOrder');
 });

@@ -71,11 +71,19 @@ function orderKeys(orders: OrderActions): Shortcut[] {
     key('A', 'all groups', () => orders.chooseAll()),
     {
       keys: 'Z Ctrl+Z',
-      does: 'undoes an order, a split or a merge',
+      does: 'takes back what you did last',
       group: 'Orders',
       match: ['z'],
       ctrl: true,
-      run: () => orders.undo(),
+      run: ({ shiftKey }) => orders.undo(shiftKey),
+    },
+    {
+      keys: 'Shift+Z Ctrl+Y',
+      does: 'does it again',
+      group: 'Orders',
+      match: ['y'],
+      ctrl: 'only',
+      run: () => orders.undo(true),
     },
   ];
 }

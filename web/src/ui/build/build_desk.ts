@@ -6,10 +6,11 @@ import type { GroundPoint, ScreenPoint } from '../../model/plane';
 import type { BuildTool, DrawingOptions } from '../../model/place/drawing';
 import * as things from '../../model/place/things';
 import type { PlaceEvent, Thing, ThingKind } from '../../model/place/things';
-import { OverlayKind, PlaybackAction, type EditHistory } from '../../protocol/messages';
+import { OverlayKind, PlaybackAction } from '../../protocol/messages';
 import { parseScene, type SceneFacts } from '../../protocol/scene';
 import type { StudioScene } from '../../scene/studio_scene';
 import { BuildPointer } from '../../tools/build_pointer';
+import type { HistoryDesk } from '../history_desk';
 import type { BuildActions } from './build_actions';
 import { BuildEdits, changeOf, type PlaceEdit } from './build_edits';
 import { BuildKeys } from './build_keys';
@@ -19,6 +20,7 @@ import { BuildStroking, type StrokeHost } from './build_strokes';
 import '../styles/build.css';
 
 export interface BuildParts {
+  readonly history: Pick<HistoryDesk, 'ask'>;
   readonly client: StudioClient;
   readonly store: StudioStore;
   readonly view: StudioScene;
@@ -77,12 +79,12 @@ export class BuildDesk implements StrokeHost, BuildActions {
       () => view.wake(),
     ).listen(this.layer_.root);
     new BuildKeys(this, () => this.open_);
-    client.on('editHistory', (history: EditHistory) => this.panel_.setHistory(history));
     client.on('overlay', (overlay) => {
       if (overlay.kind === OverlayKind.Reach) this.layer_.setReach(overlay);
     });
     client.on('welcome', () => this.askReach());
     client.on('notice', ({ code }) => this.refused(code));
+    parts_.store.watch(['history'], ({ history }) => this.panel_.setHistory(history));
     parts_.store.watch(['playing'], ({ playing }) => this.panel_.setPlaying(playing));
     this.setTool('select');
     this.layer_.root.style.display = 'none';
@@ -239,7 +241,7 @@ export class BuildDesk implements StrokeHost, BuildActions {
     if (this.strokes_.dragging) return this.strokes_.drop();
     this.edits_.forget();
     this.refresh();
-    this.parts_.client.send({ type: 'UndoEdit', redo });
+    this.parts_.history.ask(redo);
   }
 
   remove(): void {

@@ -2,7 +2,7 @@
 
 import { kBuildTools, type BuildTool, type DrawingOptions } from '../../model/place/drawing';
 import { kThingKinds, type Thing, type ThingKind } from '../../model/place/things';
-import type { EditHistory } from '../../protocol/messages';
+import type { HistoryFacts } from '../../model/studio_state';
 import type { SceneFacts } from '../../protocol/scene';
 import { element, setPressed, setText } from '../widgets/dom';
 import { icon } from '../widgets/icons';
@@ -212,7 +212,7 @@ export class BuildPanel {
     this.fields_.show(chosen, scene);
   }
 
-  setHistory({ undo, undoLabel, redo, redoLabel }: Omit<EditHistory, 'type' | 'edited'>): void {
+  setHistory({ undo, undoLabel, redo, redoLabel }: HistoryFacts): void {
     const show = (button: HTMLButtonElement, word: string, count: number, label: string): void => {
       button.disabled = count === 0;
       const text = count > 0 ? `${word} ${label.charAt(0).toLowerCase()}${label.slice(1)}` : word;

@@ -24,7 +24,7 @@ const kTouch: readonly Gesture[] = [
   { with: 'Chip onto chip', does: 'joins two groups' },
   { with: 'One finger on empty ground', does: 'pans the camera' },
   { with: 'Two on empty ground', does: 'pinch and turn the camera' },
-  { with: 'While building: three that tap', does: 'take the last change back' },
+  { with: 'Three that tap', does: 'take back what you did last' },
 ];
 
 const kMouse: readonly Gesture[] = [

@@ -9,6 +9,7 @@ import type { StudioStore } from '../../model/studio_store';
 /** What stands under the sentence: the code, and where it happened. */
 export function noticeDetail({ code, hasPlace, x, y }: Notice): string {
   const metres = (value: number): string => value.toFixed(1).replace('-', '\u2212');
+  if (code === 'undo') return ''; // The sentence says it all.
   return hasPlace ? `${code} \u00b7 at ${metres(x)}, ${metres(y)} m` : code;
 }
 
@@ -65,6 +66,7 @@ export class NoticeBanner {
     this.root.replaceChild(icon(level.icon, 24), this.root.firstElementChild!);
     setText(this.text_, notice.text);
     setText(this.detail_, noticeDetail(notice));
+    this.detail_.hidden = noticeDetail(notice) === '';
     this.show_.hidden = !notice.hasPlace;
     if (!isError) this.timer_ = window.setTimeout(() => this.actions_.dismissNotice(), kNoticeMs);
   }

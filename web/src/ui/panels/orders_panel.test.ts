@@ -48,8 +48,15 @@ it('says what the button of a group that waits does', () => {
 
 it('undoes only where there is something to undo', () => {
   expect(tile('Undo').getAttribute('aria-disabled')).toBe('true');
-  store.set({ canUndo: true });
+  store.set({ history: { undo: 2, undoLabel: 'Change shape', redo: 0, redoLabel: '' } });
   expect(tile('Undo').getAttribute('aria-disabled')).toBe('false');
+  expect(tile('Undo').dataset['tip']).toBe('Takes back: Change shape');
+  expect(tile('Redo').getAttribute('aria-disabled')).toBe('true');
+  store.set({ history: { undo: 0, undoLabel: '', redo: 1, redoLabel: 'Move' } });
+  expect(tile('Redo').dataset['tip']).toBe('Does again: Move');
+  tile('Undo').click();
+  tile('Redo').click();
+  expect(calls).toEqual(['undo', 'undo true']);
 });
 
 it('has the dials of the active group, and sets them', () => {

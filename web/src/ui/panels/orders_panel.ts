@@ -87,6 +87,7 @@ export class OrdersPanel {
   private readonly hold_: HTMLButtonElement;
   private readonly patrol_: HTMLButtonElement;
   private readonly undo_: HTMLButtonElement;
+  private readonly redo_: HTMLButtonElement;
   private legendKey_ = '';
 
   constructor(
@@ -105,15 +106,17 @@ export class OrdersPanel {
     this.hold_ = button({ ...hold, act: () => actions_.toggleHold() }, true);
     const patrol = { icon: 'patrol', label: 'Patrol', key: 'B', tip: 'Its orders again and again' } as const;
     this.patrol_ = button({ ...patrol, act: () => actions_.togglePatrol() }, true);
-    const undo = { icon: 'undo', label: 'Undo', key: 'Z', tip: 'Takes the last order, split or merge back' } as const;
-    this.undo_ = button({ ...undo, act: () => actions_.undo() });
     const more = { icon: 'dials', label: 'Conduct', key: '', tip: 'How orders are carried out' } as const;
     const opener = button({ ...more, act: () => undefined });
+    const undo = { icon: 'undo', label: 'Undo', key: 'Z', tip: '' } as const;
+    this.undo_ = button({ ...undo, act: () => actions_.undo() });
+    const redo = { icon: 'redo', label: 'Redo', key: 'Shift+Z', tip: '' } as const;
+    this.redo_ = button({ ...redo, act: () => actions_.undo(true) });
     this.addDetails();
     this.root.append(this.details_);
     new Popup(opener, this.details_);
     new ToolbarFocus(this.bar_, store_);
-    store_.watch(['groups', 'active', 'units', 'canUndo', 'loaded'], (state) => this.show(state));
+    store_.watch(['groups', 'active', 'units', 'history', 'loaded'], (state) => this.show(state));
   }
 
   private addTools(): void {
@@ -191,8 +194,17 @@ export class OrdersPanel {
     setPressed(this.patrol_, unit.patrols);
     setText(this.hold_.lastElementChild!, unit.held ? 'Go on' : 'Hold');
     setAttribute(this.hold_, 'aria-label', unit.held ? 'Go on' : 'Hold');
-    setAttribute(this.undo_, 'aria-disabled', String(!state.canUndo));
+    this.showHistory(state.history);
     this.showLegend(unit);
+  }
+
+  private showHistory({ undo, undoLabel, redo, redoLabel }: StudioState['history']): void {
+    const show = (button: HTMLElement, count: number, tip: string): void => {
+      setAttribute(button, 'aria-disabled', String(count === 0));
+      setAttribute(button, 'data-tip', tip);
+    };
+    show(this.undo_, undo, undo > 0 ? `Takes back: ${undoLabel}` : 'Takes back what you did last');
+    show(this.redo_, redo, redo > 0 ? `Does again: ${redoLabel}` : 'Does again what you took back');
   }
 
   private showLegend({ classes }: Omit<UnitInfo, 'id'>): void {

@@ -45,6 +45,7 @@ const kShapes = {
   patrol:
     '<path d="M3.500 8.500A6.700 6.700 0 0 1 15.600 6 M16.500 11.500A6.700 6.700 0 0 1 4.400 14 M15.900 2.600V6.200h-3.600 M4.100 17.400v-3.600h3.600" stroke-linejoin="round"/>',
   undo: '<path d="M7 4 3.500 7.500 7 11 M3.800 7.500h7.700a4.500 4.500 0 0 1 0 9H8" stroke-linejoin="round"/>',
+  redo: '<path d="m13 4 3.500 3.500L13 11 M16.200 7.500H8.500a4.500 4.500 0 0 0 0 9H12" stroke-linejoin="round"/>',
   follow:
     '<circle cx="14.500" cy="5.500" r="2.400"/><circle cx="4.800" cy="14.500" r="2.400" fill="currentColor"/><path d="M6.800 12.600 11 8.600" stroke-dasharray="2 2.600"/>',
   guard:

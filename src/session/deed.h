@@ -1,0 +1,97 @@
+// What directors do to groups beside edits of the place, and what takes that back.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "muster/command.h"
+#include "muster/world.h"
+
+namespace muster {
+
+/// Ids of orders that no step has given yet are above this.
+inline constexpr std::uint32_t kUnnamedOrders = 0x80000000u;
+
+/// Commands, and the orders that they give.
+struct DeedCommands {
+    /// An order that a command gives, under the id by which it is known until a step has named it.
+    struct Order {
+        std::size_t body = 0;
+        std::uint32_t id = 0;
+    };
+    std::vector<CommandBody> bodies;
+    std::vector<Order> orders;  ///< In the order of the commands.
+};
+
+/// A group's queue at one moment.
+struct QueueState {
+    std::vector<QueuedOrder> orders;
+    bool held = false;
+    bool patrols = false;
+};
+
+/// The queue of a group becomes another one.
+struct QueueDeed {
+    GroupId group;
+    QueueState before, after;
+    /// The formation that the group had before an order gave it another one.
+    std::optional<FormationDef> formation;
+    bool undone = false;  ///< It leads to what was before.
+};
+
+/// Characters come, leave or change groups.
+struct MemberDeed {
+    std::vector<CommandBody> redo, undo;
+};
+
+/// What is to be known of a group that is divided or joined, to bring it back.
+struct PartState {
+    GroupId id;
+    GroupDef def;  ///< Name, formation, conduct, roles and demands.
+    std::vector<std::uint32_t> members;
+    QueueState queue;
+};
+
+/// A group is divided, or groups are joined.
+struct DivisionDeed {
+    CommandBody asked;             ///< SplitGroup or MergeGroups as it was given.
+    PartState whole;               ///< The group that stays, before.
+    std::vector<PartState> parts;  ///< The groups that come, or end.
+    bool undone = false;           ///< It leads to what was before.
+
+    bool splits() const { return std::holds_alternative<SplitGroup>(asked) != undone; }
+};
+
+using Deed = std::variant<QueueDeed, MemberDeed, DivisionDeed>;
+
+std::optional<std::size_t> indexOfGroup(const World& world, GroupId id);
+/// True where both are equal in all parts.
+bool sameBody(const CommandBody& a, const CommandBody& b);
+/// About how many bytes they take.
+std::size_t bytesOf(const CommandBody& body);
+std::size_t bytesOf(const Deed& deed);
+QueueState queueOf(const GroupView& group);
+/// Changes the queue as the world will; an order that is given has that id.
+void apply(QueueState& queue, const CommandBody& body, std::uint32_t id);
+/// The group of the queue that a command changes; none for other commands.
+GroupId queueChangedBy(const CommandBody& body);
+/// Commands after which the group has these orders and no others.
+void giveAll(const PartState& wanted, const GroupView& now, DeedCommands& commands);
+
+/// The deed that takes this one back.
+Deed reversed(Deed deed);
+/// Adds the commands that do the deed in the world as it is, and notes what is to be known to take it back.
+/// Adds none where nothing is left to do.
+void commandsOf(Deed& deed, const World& world, DeedCommands& commands);
+/// Wherever the deed names that order, its id is `to`.
+void renameOrder(Deed& deed, std::uint32_t from, std::uint32_t to);
+/// Wherever the deed names that group, its id is `to`.
+void renameGroup(Deed& deed, GroupId from, GroupId to);
+
+/// What an order, and nothing else, did to a group's queue in one message.
+Deed memberDeed(const CommandBody& body, const World& world);
+
+}  // namespace muster

@@ -1,0 +1,160 @@
+#include "session/division.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "world/inspect.h"
+
+namespace muster {
+namespace {
+
+PartState stateOf(const World& world, std::size_t g) {
+    const GroupView view = world.group(g);
+    PartState part{view.id, inspect::groupDef(world, g), {}, queueOf(view)};
+    part.def.formation = inspect::ownFormation(world, g);
+    part.def.starts.clear();
+    part.def.bodies.clear();
+    part.def.orders.clear();
+    for (const std::int32_t member : view.members)
+        part.members.push_back(world.characters().id[static_cast<std::size_t>(member)]);
+    return part;
+}
+
+/// Adds a command where the group is not as it asks for.
+void addChange(const CommandBody& wanted, const CommandBody& now, DeedCommands& commands) {
+    if (!sameBody(wanted, now)) commands.bodies.push_back(wanted);
+}
+
+/// Formation, roles and demands of a group as they were.
+void shapeAgain(const PartState& part, const GroupDef& now, DeedCommands& commands) {
+    const GroupDef& def = part.def;
+    addChange(SetFormation{part.id, def.formation}, SetFormation{part.id, now.formation}, commands);
+    addChange(SetRoles{part.id, def.roles}, SetRoles{part.id, now.roles}, commands);
+    addChange(SetDemands{part.id, def.demands}, SetDemands{part.id, now.demands}, commands);
+}
+
+std::vector<GroupId> idsOf(const std::vector<PartState>& parts) {
+    std::vector<GroupId> ids;
+    for (const PartState& part : parts) ids.push_back(part.id);
+    return ids;
+}
+
+/// Notes the groups as they are now; those that are gone are left out.
+void look(DivisionDeed& deed, const World& world) {
+    std::vector<PartState> parts;
+    for (const GroupId id : idsOf(deed.parts))
+        if (const auto g = indexOfGroup(world, id)) parts.push_back(stateOf(world, *g));
+    deed.parts = std::move(parts);
+}
+
+/// Those orders of the whole that still wait are as they were before it was divided.
+void wholeOrders(const DivisionDeed& deed, const World& world, DeedCommands& commands) {
+    const GroupView now = world.group(*indexOfGroup(world, deed.whole.id));
+    PartState wanted{deed.whole.id, {}, {}, queueOf(now)};
+    for (QueuedOrder& order : wanted.queue.orders)
+        for (const QueuedOrder& was : deed.whole.queue.orders)
+            if (order.id == was.id) order.order = was.order;
+    giveAll(wanted, now, commands);
+}
+
+void unite(DivisionDeed& deed, const World& world, DeedCommands& commands) {
+    look(deed, world);
+    if (deed.parts.empty()) return;
+    const auto* asked = std::get_if<MergeGroups>(&deed.asked);
+    MergeGroups merge{{deed.whole.id}, asked == nullptr ? PartShape::AsHeld : asked->shape};
+    for (const PartState& part : deed.parts) merge.groups.push_back(part.id);
+    commands.bodies.push_back(std::move(merge));
+    if (asked == nullptr) {
+        commands.bodies.push_back(SetFormation{deed.whole.id, deed.whole.def.formation});
+        if (!deed.whole.def.roles.empty())
+            commands.bodies.push_back(SetRoles{deed.whole.id, deed.whole.def.roles});
+        wholeOrders(deed, world, commands);
+    } else {
+        deed.whole = stateOf(world, *indexOfGroup(world, deed.whole.id));
+    }
+}
+
+void divide(DivisionDeed& deed, const World& world, DeedCommands& commands) {
+    const std::size_t g = *indexOfGroup(world, deed.whole.id);
+    const auto* asked = std::get_if<SplitGroup>(&deed.asked);
+    const PartState now = stateOf(world, g);
+    std::size_t left = now.members.size();
+    std::vector<PartState> parts;
+    for (PartState& part : deed.parts) {
+        SplitGroup split{deed.whole.id, SplitBy::Ids, {}, {}, {}, false, PartShape::AsHeld};
+        if (asked != nullptr) split.shape = asked->shape;
+        for (const std::uint32_t id : part.members)
+            if (std::find(now.members.begin(), now.members.end(), id) != now.members.end())
+                split.ids.push_back(id);
+        if (split.ids.empty() || split.ids.size() >= left) continue;
+        left -= split.ids.size();
+        commands.bodies.push_back(std::move(split));
+        parts.push_back(std::move(part));
+    }
+    deed.parts = std::move(parts);
+    deed.whole.queue = now.queue;
+}
+
+}  // namespace
+
+DivisionDeed divisionOf(const CommandBody& asked, const World& world) {
+    DivisionDeed deed{asked, {}, {}, false};
+    std::vector<GroupId> groups;
+    if (const auto* split = std::get_if<SplitGroup>(&asked)) groups = {split->group};
+    if (const auto* merge = std::get_if<MergeGroups>(&asked)) groups = merge->groups;
+    for (const GroupId id : groups) {
+        const auto g = indexOfGroup(world, id);
+        if (!g) continue;
+        if (id == groups.front()) {
+            deed.whole = stateOf(world, *g);
+            deed.whole.members.clear();  // Whoever is in no part belongs to it.
+        } else {
+            deed.parts.push_back(stateOf(world, *g));
+        }
+    }
+    return deed;
+}
+
+void divisionCommands(DivisionDeed& deed, const World& world, DeedCommands& commands) {
+    if (!indexOfGroup(world, deed.whole.id)) return;
+    if (deed.splits())
+        divide(deed, world, commands);
+    else
+        unite(deed, world, commands);
+}
+
+std::vector<GroupId> takeNewParts(const DivisionDeed& deed, std::vector<Event>& added) {
+    std::vector<GroupId> parts;
+    const auto* first = std::get_if<SplitGroup>(&deed.asked);
+    const bool again = deed.undone || !deed.parts.empty();
+    std::size_t most = deed.parts.size();
+    if (!again) most = first->by == SplitBy::Shares ? first->shares.size() - 1 : 1;
+    for (Event& event : added) {
+        if (parts.size() == most) break;
+        if (event.kind != EventKind::GroupAdded || event.value != deed.whole.id.value) continue;
+        parts.push_back(GroupId{event.subject});
+        event.value = 0;  // It is of one deed only.
+    }
+    return parts;
+}
+
+void partsComeBack(const DivisionDeed& deed, const World& world, DeedCommands& commands) {
+    // A split that is done again gives the same orders and formations as the first time.
+    const bool joined = std::holds_alternative<MergeGroups>(deed.asked);
+    for (const PartState& part : deed.parts) {
+        const auto g = indexOfGroup(world, part.id);
+        if (!g) continue;
+        const GroupDef& now = inspect::groupDef(world, *g);
+        addChange(NameGroup{part.id, part.def.name}, NameGroup{part.id, now.name}, commands);
+        if (!joined) continue;
+        addChange(SetConduct{part.id, part.def.conduct}, SetConduct{part.id, now.conduct}, commands);
+        shapeAgain(part, now, commands);
+        giveAll(part, world.group(*g), commands);
+    }
+    const auto whole = indexOfGroup(world, deed.whole.id);
+    if (!joined || !whole) return;
+    shapeAgain(deed.whole, inspect::groupDef(world, *whole), commands);
+    wholeOrders(deed, world, commands);
+}
+
+}  // namespace muster

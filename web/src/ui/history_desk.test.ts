@@ -1,0 +1,55 @@
+import { beforeEach, expect, it, vi } from 'vitest';
+import { StudioStore } from '../model/studio_store';
+import type { ClientMessage } from '../protocol/messages';
+import { HistoryDesk } from './history_desk';
+
+let sent: ClientMessage[];
+let store: StudioStore;
+let desk: HistoryDesk;
+const told = (): string | undefined => store.state.notice?.text;
+
+function server(undo: number, undoLabel: string, redo = 0, redoLabel = ''): void {
+  desk.took({ undo, undoLabel, redo, redoLabel });
+}
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  sent = [];
+  store = new StudioStore();
+  desk = new HistoryDesk({ send: (one) => sent.push(one) }, store);
+});
+
+it('tells what was taken back and done again, for a moment', () => {
+  server(2, 'Change shape');
+  desk.undo();
+  server(1, 'Move', 1, 'Change shape');
+  expect(told()).toBe('Undone: Change shape');
+  desk.undo(true);
+  server(2, 'Change shape');
+  expect(told()).toBe('Done again: Change shape');
+  vi.advanceTimersByTime(5000);
+  expect(store.state.notice).toBeNull();
+  expect(sent.length).toBe(2);
+});
+
+it('says nothing of what others, or we ourselves, do meanwhile', () => {
+  server(1, 'Move');
+  expect(store.state.notice).toBeNull();
+  desk.undo();
+  server(2, 'Cohesion');
+  expect(store.state.notice).toBeNull();
+  server(1, 'Move', 1, 'Cohesion');
+  expect(told()).toBe('Undone: Cohesion');
+});
+
+it('says where nothing was left of it, and where there is nothing', () => {
+  server(1, 'Move');
+  desk.undo();
+  server(0, '');
+  expect(told()).toBe('Nothing of it was left');
+  desk.undo();
+  expect(told()).toBe('There is nothing to undo');
+  desk.undo(true);
+  expect(told()).toBe('There is nothing to redo');
+  expect(sent.length).toBe(1);
+});
