@@ -418,7 +418,7 @@ struct Edit {
     }
 };
 
-/// Takes back the sender's last change of the place, or makes it again, by commands at the present step.
+/// Takes back the last thing that the sender did to the place or the crowd, or does it again, by commands at the present step.
 struct UndoEdit {
     static constexpr std::uint8_t kNumber = 31;  ///< First byte of the message.
     bool redo = false;

@@ -706,7 +706,7 @@ export function writeEdit(w: ByteWriter, m: Edit): void {
   w.string(m.events);
 }
 
-/** Takes back the sender's last change of the place, or makes it again, by commands at the present step. */
+/** Takes back the last thing that the sender did to the place or the crowd, or does it again, by commands at the present step. */
 export interface UndoEdit {
   type: 'UndoEdit';
   redo: boolean;
