@@ -25,7 +25,7 @@ bool directs(const CommandBody& body) {
 bool editsPlace(const CommandBody& body) {
     return isOneOf<AddObstacle, ChangeObstacle, RemoveObstacle, AddPatch, ChangePatch, RemovePatch, AddItem,
                    ChangeItem, RemoveItem, AddCheckpoint, ChangeCheckpoint, RemoveCheckpoint, AddGroup,
-                   RemoveGroup, PlaceGroup, NameGroup, SetCount, SetFormation, SetBodies, SetConduct,
+                   RemoveGroup, PlaceGroup, NameGroup, ColourGroup, SetCount, SetFormation, SetBodies, SetConduct,
                    SetRoles, SetDemands, SetParameter>(body);
 }
 
