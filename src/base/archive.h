@@ -34,7 +34,8 @@ public:
     static constexpr bool kReading = false;  ///< Types may branch on this.
 
     Writer() = default;
-    /// `forHash`: the bytes are to be hashed, not to be read. As in a Hasher, what optionalSince() lacks is left out.
+    /// `forHash`: the bytes are to be hashed, not to be read. As in a Hasher, what optionalSince() lacks is
+    /// left out.
     explicit Writer(bool forHash) : forHash_(forHash) {}
 
     /// Writes each value in turn.
@@ -148,7 +149,8 @@ public:
     void since(std::uint32_t /*version*/, T&... values) {
         (add(values), ...);
     }
-    /// Adds a value that the format has since a version. None adds nothing, so that hashes stay those of before.
+    /// Adds a value that the format has since a version. None adds nothing, so that hashes stay those of
+    /// before.
     template <class T>
     void optionalSince(std::uint32_t /*version*/, std::optional<T>& value) {
         if (value) add(value);

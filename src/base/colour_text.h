@@ -23,7 +23,9 @@ inline std::optional<std::uint32_t> parseColour(std::string_view text) {
     for (const char c : text.substr(1)) {
         const bool number = c >= '0' && c <= '9', small = c >= 'a' && c <= 'f', large = c >= 'A' && c <= 'F';
         if (!number && !small && !large) return std::nullopt;
-        colour = colour << 4 | static_cast<std::uint32_t>(number ? c - '0' : small ? c - 'a' + 10 : c - 'A' + 10);
+        colour = colour << 4 | static_cast<std::uint32_t>(number  ? c - '0'
+                                                          : small ? c - 'a' + 10
+                                                                  : c - 'A' + 10);
     }
     return colour;
 }

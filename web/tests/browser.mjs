@@ -9,6 +9,7 @@ import * as feedback from './cases/feedback.mjs';
 import * as film from './cases/film_camera.mjs';
 import * as findings from './cases/findings.mjs';
 import * as forms from './cases/forms.mjs';
+import * as groupColour from './cases/group_colour.mjs';
 import * as limits from './cases/limits.mjs';
 import * as look from './cases/look.mjs';
 import * as mouseAndKeys from './cases/mouse_and_keys.mjs';
@@ -178,6 +179,18 @@ const kCases = [
     'build: corners',
     buildCorners.cornersAndGuides,
     ['desktop', 'portrait', 'phone'],
+    { scenario: 'scenarios/open.json', room: true },
+  ],
+  [
+    'group colour: by mouse',
+    groupColour.byMouse,
+    ['desktop'],
+    { touch: false, scenario: 'scenarios/open.json', room: true },
+  ],
+  [
+    'group colour: by touch',
+    groupColour.byTouch,
+    ['landscape', 'portrait', 'phone', 'narrow'],
     { scenario: 'scenarios/open.json', room: true },
   ],
   ['build: numbers', build.numbers, ['wide'], { touch: false, scenario: 'scenarios/open.json', room: true }],

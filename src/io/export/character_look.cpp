@@ -13,21 +13,21 @@ struct PaletteColour {
 };
 
 constexpr std::array<PaletteColour, kAccents> kShirt{{{"shirt blue", 0x1D5FD1},
-                                                    {"shirt ember", 0xCB4A0E},
-                                                    {"shirt green", 0x016553},
-                                                    {"shirt plum", 0x87598B},
-                                                    {"shirt ochre", 0x624A02},
-                                                    {"shirt slate", 0x313C4B}}};
+                                                      {"shirt ember", 0xCB4A0E},
+                                                      {"shirt green", 0x016553},
+                                                      {"shirt plum", 0x87598B},
+                                                      {"shirt ochre", 0x624A02},
+                                                      {"shirt slate", 0x313C4B}}};
 constexpr std::array<PaletteColour, kSkinTones> kSkin{{{"skin 1", 0xF1C9A5},
-                                                     {"skin 2", 0xE0A97F},
-                                                     {"skin 3", 0xB97A50},
-                                                     {"skin 4", 0x8A5636},
-                                                     {"skin 5", 0x5B3A28}}};
+                                                       {"skin 2", 0xE0A97F},
+                                                       {"skin 3", 0xB97A50},
+                                                       {"skin 4", 0x8A5636},
+                                                       {"skin 5", 0x5B3A28}}};
 constexpr std::array<PaletteColour, kSkinTones> kHair{{{"hair 1", 0x15120F},
-                                                     {"hair 2", 0x3A2618},
-                                                     {"hair 3", 0x6B4A2B},
-                                                     {"hair 4", 0x8F867C},
-                                                     {"hair 5", 0x241A16}}};
+                                                       {"hair 2", 0x3A2618},
+                                                       {"hair 3", 0x6B4A2B},
+                                                       {"hair 4", 0x8F867C},
+                                                       {"hair 5", 0x241A16}}};
 
 NamedColour named(const PaletteColour& colour) {
     return {colour.name, colour.colour};

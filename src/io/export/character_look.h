@@ -16,9 +16,9 @@ inline constexpr std::uint32_t kSkinTones = 5;  ///< Number of skin colours and 
 /// Indices of a character's colours.
 struct CharacterLook {
     BodyKind body = BodyKind::Broad;
-    std::uint32_t skin = 0;    ///< Below kSkinTones.
-    std::uint32_t hair = 0;    ///< Below kSkinTones.
-    std::uint32_t accent = 0;  ///< Below kAccents.
+    std::uint32_t skin = 0;               ///< Below kSkinTones.
+    std::uint32_t hair = 0;               ///< Below kSkinTones.
+    std::uint32_t accent = 0;             ///< Below kAccents.
     std::optional<std::uint32_t> chosen;  ///< Shirt, 0xRRGGBB, where the group has a colour of its own.
 
     friend auto operator<=>(const CharacterLook&, const CharacterLook&) = default;

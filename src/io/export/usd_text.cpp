@@ -26,8 +26,8 @@ std::string material(const std::string& name, std::uint32_t colour, double alpha
                      const std::string& scope = "/World/Materials") {
     const std::string n = usdName(name);
     return "        def Material \"" + n + "\"\n        {\n" +
-           "            token outputs:surface.connect = <" + scope + "/" + n +
-           "/Surface.outputs:surface>\n" + "            def Shader \"Surface\"\n            {\n" +
+           "            token outputs:surface.connect = <" + scope + "/" + n + "/Surface.outputs:surface>\n" +
+           "            def Shader \"Surface\"\n            {\n" +
            "                uniform token info:id = \"UsdPreviewSurface\"\n" +
            "                color3f inputs:diffuseColor = " + usdPoint(linearColour(colour)) + "\n" +
            "                float inputs:metallic = 0\n" +

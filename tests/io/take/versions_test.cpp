@@ -73,6 +73,7 @@ std::vector<std::uint8_t> takeOf(std::uint32_t version) {
     add.real(3.0).real(-2.0).real(0.5).word(0).real(0.25);
     // Bodies, roles, demands, conduct, orders and patrols.
     if (version >= 2) add.word(0).word(0).word(0).byte(0).real(0.0).real(1.0).byte(0).word(0).byte(0);
+    if (version >= 5) add.byte(1).word(0x05536D);  // A colour.
     file.record(2, set.bytes);
     file.record(2, add.bytes);
     return file.bytes;
@@ -114,6 +115,15 @@ TEST_CASE("a take of version 1 replays as the same take of version 2 does") {
     REQUIRE(second.ok());
     CHECK(first->steps == 3);
     CHECK(first->hash == second->hash);
+}
+
+TEST_CASE("groups of version 5 have a colour, those of version 4 none") {
+    for (const std::uint32_t version : {4u, 5u}) {
+        const auto take = parseTake(takeOf(version), "T");
+        REQUIRE_MESSAGE(take.ok(), take.status().message());
+        const auto& colour = std::get<AddGroup>(take->commands[1].body).group.colour;
+        CHECK(colour == (version == 4 ? std::nullopt : std::optional<std::uint32_t>(0x05536D)));
+    }
 }
 
 TEST_CASE("versions are not mixed up") {
