@@ -246,27 +246,27 @@ TEST_CASE("restart begins with the edited place, and undo goes on") {
 
 TEST_CASE("a colour is one step of undo, shown in the scene and kept by the place") {
     Desk desk;
-    const auto told = [&] {
+    const auto shown = [&] {
         const std::string& scene = desk.client.scenes.back().json;
         const std::size_t at = scene.find("chosenColour");
         return at == std::string::npos ? "" : scene.substr(at + 15, 7);
     };
     desk.edit(R"({"kind":"colourGroup","group":1,"colour":"#D60EA8"})", "Colour");
     CHECK(desk.world().group(0).colour == 0xD60EA8u);
-    CHECK(told() == "#d60ea8");
+    CHECK(shown() == "#d60ea8");
     CHECK(desk.client.history.undo == 1);
     desk.edit(R"({"kind":"colourGroup","group":1,"colour":"#05536d"})", "Colour");
-    CHECK(told() == "#05536d");
+    CHECK(shown() == "#05536d");
     CHECK(desk.saved().groups[0].colour == 0x05536Du);
     desk.restart();
     CHECK(desk.world().group(0).colour == 0x05536Du);
     desk.undo();
-    CHECK(told() == "#d60ea8");
+    CHECK(shown() == "#d60ea8");
     desk.undo();
-    CHECK(told().empty());
+    CHECK(shown().empty());
     CHECK_FALSE(desk.saved().groups[0].colour);
     desk.undo(true);
-    CHECK(told() == "#d60ea8");
+    CHECK(shown() == "#d60ea8");
     desk.edit(R"({"kind":"removeGroup","group":1})");
     desk.undo();
     CHECK(desk.world().group(0).colour == 0xD60EA8u);

@@ -93,12 +93,12 @@ export async function byMouse(studio) {
 async function farAway(studio) {
   const { page } = studio;
   const pose = await page.evaluate(() => ({ ...globalThis.__muster.view.camera.pose }));
-  await page.evaluate(() => globalThis.__muster.view.camera.zoomAt?.(700, 400, 0.35));
+  await page.evaluate(() => globalThis.__muster.view.camera.zoomAt({ x: 700, y: 400 }, 0.3));
   await studio.eventually(async () => {
     const now = await magenta(studio);
     expect(now > 20, `and from far away: ${now} pixels`);
   });
-  await page.evaluate((old) => Object.assign(globalThis.__muster.view.camera, { pose: old }), pose);
+  await page.evaluate((old) => globalThis.__muster.view.camera.setPose(old), pose);
 }
 
 const chosenNow = (studio) => studio.page.evaluate(() => globalThis.__scenes.at(-1).groups[0].chosenColour ?? '');

@@ -134,7 +134,7 @@ export function accentColour(palette: Palette, colour: number): string {
   return (palette === kDark ? swatchOf(chosen)?.dark : null) ?? chosen;
 }
 
-const kInks = ['#FFFFFF', '#0E1114'] as const;
+const kInks = ['#FFFFFF', '#000000'] as const;
 
 /** For words on a group's colour: the palette's ink, the other where an own colour hides it. */
 export function inkOn({ onAccent }: Palette, accent: string): string {
