@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "muster/id.h"
@@ -95,6 +96,17 @@ struct NameGroup {
     template <class Archive>
     void visit(Archive& archive) {
         archive(group, name);
+    }
+};
+/// Gives a group another colour.
+struct ColourGroup {
+    GroupId group;                        ///< Which.
+    std::optional<std::uint32_t> colour;  ///< 0xRRGGBB; none for the palette's, by the group's id.
+
+    /// Lets an archive read or write the command.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(group, colour);
     }
 };
 

@@ -32,12 +32,14 @@ struct GroupDef {
     Conduct conduct;              ///< How it behaves.
     std::vector<Order> orders;    ///< What it is to do at first, one after the other.
     bool patrols = false;         ///< True: orders that are done come last again.
+    std::optional<std::uint32_t> colour;  ///< Colour for display, 0xRRGGBB; none for the palette's.
 
     /// Lets an archive read or write the definition.
     template <class Archive>
     void visit(Archive& archive) {
         archive(name, count, formation, position, angle, starts, jitter);
         archive.since(2, bodies, roles, demands, conduct, orders, patrols);
+        archive.optionalSince(5, colour);
     }
 };
 

@@ -26,12 +26,17 @@ template <class T>
 concept ArchiveScalar = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
 /// Version of the commands and definitions that takes hold. Fields that came later are archived by since().
-inline constexpr std::uint32_t kArchiveVersion = 2;
+inline constexpr std::uint32_t kArchiveVersion = 5;
 
 /// Appends values to a byte vector.
 class Writer {
 public:
     static constexpr bool kReading = false;  ///< Types may branch on this.
+
+    Writer() = default;
+    /// `forHash`: the bytes are to be hashed, not to be read. As in a Hasher, what optionalSince() lacks is
+    /// left out.
+    explicit Writer(bool forHash) : forHash_(forHash) {}
 
     /// Writes each value in turn.
     template <class... T>
@@ -42,6 +47,11 @@ public:
     template <class... T>
     void since(std::uint32_t /*version*/, T&... values) {
         (write(values), ...);
+    }
+    /// Writes a value that the format has since a version, and that may be none.
+    template <class T>
+    void optionalSince(std::uint32_t /*version*/, std::optional<T>& value) {
+        if (value || !forHash_) write(value);
     }
     /// The bytes so far.
     const std::vector<std::uint8_t>& bytes() const { return bytes_; }
@@ -63,6 +73,7 @@ private:
     }
 
     std::vector<std::uint8_t> bytes_;
+    bool forHash_ = false;
 };
 
 /// Reads values from bytes. After an overrun or an impossible length ok() is false, and all values read are
@@ -84,6 +95,11 @@ public:
     template <class... T>
     void since(std::uint32_t version, T&... values) {
         if (version_ >= version) (read(values), ...);
+    }
+    /// Reads a value that the format has since a version, and that may be none.
+    template <class T>
+    void optionalSince(std::uint32_t version, std::optional<T>& value) {
+        if (version_ >= version) read(value);
     }
     /// False after any error.
     bool ok() const { return ok_; }
@@ -132,6 +148,12 @@ public:
     template <class... T>
     void since(std::uint32_t /*version*/, T&... values) {
         (add(values), ...);
+    }
+    /// Adds a value that the format has since a version. None adds nothing, so that hashes stay those of
+    /// before.
+    template <class T>
+    void optionalSince(std::uint32_t /*version*/, std::optional<T>& value) {
+        if (value) add(value);
     }
     /// The hash so far.
     std::uint64_t value() const { return hash_.value(); }

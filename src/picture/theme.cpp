@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "picture/swatches.h"
+
 namespace muster {
 namespace {
 
@@ -66,6 +68,9 @@ Colour Theme::shade(double share) const {
 }
 
 Colour Pen::accent(std::size_t group, double opacity) const {
+    const bool there = group < world.groupCount();
+    if (const auto chosen = there ? world.group(group).colour : std::nullopt)
+        return faded(Colour::of(def.dark ? darkSwatch(*chosen) : *chosen), opacity);
     return faded(theme.accents[group % theme.accents.size()], opacity);
 }
 

@@ -157,6 +157,8 @@ void Place::apply(const CommandBody& edit, const World& world) {
     }
     if (const auto* name = std::get_if<NameGroup>(&edit))
         of(name->group, [&](GroupDef& def) { def.name = name->name; });
+    if (const auto* colour = std::get_if<ColourGroup>(&edit))
+        of(colour->group, [&](GroupDef& def) { def.colour = colour->colour; });
     if (const auto* set = std::get_if<SetCount>(&edit))
         of(set->group, [&](GroupDef& def) { resizeLists(def, set->count); });
     if (const auto* set = std::get_if<SetFormation>(&edit)) {

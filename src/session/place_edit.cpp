@@ -114,6 +114,11 @@ struct Inverse {
             return NameGroup{c.group, def.name};
         });
     }
+    Answer operator()(const ColourGroup& c) const {
+        return onGroup(c.group, [&](std::size_t, const GroupDef& def) {
+            return ColourGroup{c.group, def.colour};
+        });
+    }
     Answer operator()(const SetCount& c) const {
         return onGroup(c.group, [&](std::size_t, const GroupDef& def) {
             return SetCount{c.group, def.count};

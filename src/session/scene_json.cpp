@@ -1,5 +1,6 @@
 #include "session/scene_json.h"
 
+#include "base/colour_text.h"
 #include "base/hash.h"
 #include "base/json.h"
 #include "environment/environment.h"
@@ -14,6 +15,7 @@ namespace muster {
 namespace {
 
 constexpr int kColours = 6;  // Number of accent colours that the page has.
+constexpr std::uint32_t kNoColour = 0xFFFFFFFF;
 
 Json point(Vec2 p) {
     return Json::array({p.x, p.y});
@@ -117,6 +119,7 @@ Json groups(const World& world, const Place& place) {
                   {"count", view.count},
                   {"formation", formationName(view.formation)},
                   {"colour", (view.id.value + kColours - 1) % kColours}};
+        if (view.colour) item["chosenColour"] = colourText(*view.colour);
         if (const PlaceGroupDef* start = place.group(view.id))
             item["start"] = Json{{"position", point(start->def.position)},
                                  {"angle", start->def.angle},
@@ -201,6 +204,7 @@ std::uint64_t sceneSignature(const World& world) {
         const GroupView view = world.group(g);
         hash.add(view.id.value);
         for (const char c : view.name) hash.add(static_cast<std::uint8_t>(c));
+        hash.add(view.colour.value_or(kNoColour));
     }
     for (std::size_t i = 0; i < world.items().size(); ++i) {
         hash.add(world.itemIds()[i].value);

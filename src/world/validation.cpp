@@ -125,6 +125,11 @@ Status validateName(const std::string& name) {
     return isText("name", name);
 }
 
+Status validateColour(const std::optional<std::uint32_t>& colour) {
+    if (!colour || *colour <= 0xFFFFFFu) return {};
+    return invalidArgument("colour is above 0xFFFFFF");
+}
+
 Status validateItem(const ItemDef& item) {
     return first({isPlace("position", item.position), inRange("radius", item.radius, 0.01, 1e4)});
 }
@@ -218,7 +223,7 @@ Status validateGroup(const GroupDef& group) {
     }
     if (Status s = first({validateBodies(group.bodies, static_cast<std::size_t>(group.count), true),
                           validateRoles(group.roles), validateDemands(group.demands),
-                          validateConduct(group.conduct),
+                          validateConduct(group.conduct), validateColour(group.colour),
                           each("orders", group.orders, kMaxOrders, validateOrder)});
         !s.ok()) {
         return s;

@@ -45,6 +45,8 @@ Status validateBodies(const std::vector<Body>& bodies, std::size_t count, bool o
 Status validateRoles(const std::vector<RoleDef>& roles);
 /// InvalidArgument where a name is too long or no text.
 Status validateName(const std::string& name);
+/// InvalidArgument where a colour is above 0xFFFFFF.
+Status validateColour(const std::optional<std::uint32_t>& colour);
 /// InvalidArgument where a demand is out of its range.
 Status validateDemands(const std::vector<double>& demands);
 /// InvalidArgument naming the first bad thing of a whole definition ("groups[1]: ...").

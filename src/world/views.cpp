@@ -85,6 +85,7 @@ GroupView World::group(std::size_t index) const {
     GroupView view;
     view.id = group.id;
     view.name = group.def.name;
+    view.colour = group.def.colour;
     view.count = group.def.count;
     view.formation = group.def.formation.kind;
     view.formationVersion = group.formationVersion;

@@ -158,6 +158,23 @@ TEST_CASE("characters: a disc at each position, pointing along the heading") {
     for (const Shape& shape : shapes) CHECK(shape.bounds().max.x < -3);
 }
 
+TEST_CASE("a chosen colour is drawn; a swatch has another on dark ground") {
+    const auto drawn = [](std::uint32_t chosen, bool dark, std::uint32_t expected) {
+        WorldDef def = sceneDef();
+        def.groups[0].colour = chosen;
+        PictureDef picture;
+        picture.dark = dark;
+        const auto shapes = layerOf(sceneWorld(def), "characters", picture);
+        return std::any_of(shapes.begin(), shapes.end(), [&](const Shape& shape) {
+            return Colour{shape.fill.red, shape.fill.green, shape.fill.blue, 1.0} == Colour::of(expected);
+        });
+    };
+    CHECK(drawn(0x05536D, false, 0x05536D));
+    CHECK(drawn(0x05536D, true, 0x17D7FF));
+    CHECK_FALSE(drawn(0x05536D, true, 0x05536D));
+    CHECK(drawn(0x123456, true, 0x123456));
+}
+
 TEST_CASE("places: a ring each, crossed out where the place is unfit") {
     WorldDef def = sceneDef();
     def.box = {{-2, -2}, {2, 2}};  // Too small for all.

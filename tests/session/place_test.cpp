@@ -244,6 +244,36 @@ TEST_CASE("restart begins with the edited place, and undo goes on") {
     CHECK(desk.client.noticed("rejected").empty());
 }
 
+TEST_CASE("a colour is one step of undo, shown in the scene and kept by the place") {
+    Desk desk;
+    const auto shown = [&] {
+        const std::string& scene = desk.client.scenes.back().json;
+        const std::size_t at = scene.find("chosenColour");
+        return at == std::string::npos ? "" : scene.substr(at + 15, 7);
+    };
+    desk.edit(R"({"kind":"colourGroup","group":1,"colour":"#D60EA8"})", "Colour");
+    CHECK(desk.world().group(0).colour == 0xD60EA8u);
+    CHECK(shown() == "#d60ea8");
+    CHECK(desk.client.history.undo == 1);
+    desk.edit(R"({"kind":"colourGroup","group":1,"colour":"#05536d"})", "Colour");
+    CHECK(shown() == "#05536d");
+    CHECK(desk.saved().groups[0].colour == 0x05536Du);
+    desk.restart();
+    CHECK(desk.world().group(0).colour == 0x05536Du);
+    desk.undo();
+    CHECK(shown() == "#d60ea8");
+    desk.undo();
+    CHECK(shown().empty());
+    CHECK_FALSE(desk.saved().groups[0].colour);
+    desk.undo(true);
+    CHECK(shown() == "#d60ea8");
+    desk.edit(R"({"kind":"removeGroup","group":1})");
+    desk.undo();
+    CHECK(desk.world().group(0).colour == 0xD60EA8u);
+    desk.edit(R"({"kind":"colourGroup","group":1,"colour":"red"})");
+    CHECK(desk.client.history.undo == 1);
+}
+
 TEST_CASE("the saved place plays to the hash of the studio") {
     Desk desk;
     desk.edit(kBox);
@@ -254,6 +284,7 @@ TEST_CASE("the saved place plays to the hash of the studio") {
     desk.edit(R"({"kind":"group","definition":{"name":"Second","count":9,"position":[-8,-8]}})");
     desk.edit(
         R"({"kind":"placeGroup","group":1,"x":-8,"y":4,"angle":0.5},{"kind":"nameGroup","group":1,"name":"First"})");
+    desk.edit(R"({"kind":"colourGroup","group":1,"colour":"#05536d"})");
     desk.edit(R"({"kind":"count","group":1,"count":12})");
     desk.edit(R"({"kind":"parameter","name":"character.speed","value":2.5})");
     const WorldDef saved = desk.saved();

@@ -90,7 +90,8 @@ std::vector<Command> everyCommand() {
         ChangeCheckpoint{CheckpointId{5}, checkpoint, GroupId{}},
         RemoveCheckpoint{CheckpointId{5}},
         PlaceGroup{GroupId{1}, {1, 2}, 0.3},
-        NameGroup{GroupId{1}, "Guests"}};
+        NameGroup{GroupId{1}, "Guests"},
+        ColourGroup{GroupId{1}, 0x1D5FD1}};
     std::vector<Command> commands;
     for (const CommandBody& body : bodies) {
         const auto n = static_cast<std::uint32_t>(commands.size());
@@ -106,6 +107,21 @@ std::vector<std::uint8_t> bytesOf(const Command& command) {
 }
 
 }  // namespace
+
+TEST_CASE("the bytes that are hashed of a group without a colour are those of version 4") {
+    Command command{5, 1, 0, AddGroup{}};
+    Writer hashed(true);
+    encodeCommand(hashed, command);
+    Reader reader(hashed.bytes(), 4);
+    const auto read = decodeCommand(reader);
+    REQUIRE_MESSAGE(read.ok(), read.status().message());
+    CHECK(reader.remaining() == 0);
+    CHECK(bytesOf(command).size() == hashed.bytes().size() + 1);
+    std::get<AddGroup>(command.body).group.colour = 0;
+    Writer coloured(true);
+    encodeCommand(coloured, command);
+    CHECK(coloured.bytes() == bytesOf(command));
+}
 
 TEST_CASE("every kind of command is valid and survives its bytes") {
     const auto commands = everyCommand();

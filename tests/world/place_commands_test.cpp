@@ -140,6 +140,49 @@ TEST_CASE("names are kept, and too long ones refused") {
     CHECK_FALSE(give(floor.world, floor.sequence, NameGroup{GroupId{1}, std::string(5000, 'x')}).ok());
 }
 
+TEST_CASE("a colour is taken and given back, and bad ones are refused") {
+    Floor floor;
+    CHECK(floor.carryOut(ColourGroup{GroupId{1}, 0xD60EA8}).empty());
+    CHECK(floor.world.group(0).colour == 0xD60EA8u);
+    CHECK(floor.world.groupDef(0).colour == 0xD60EA8u);
+    CHECK(floor.carryOut(ColourGroup{GroupId{1}, std::nullopt}).empty());
+    CHECK_FALSE(floor.world.group(0).colour);
+    CHECK(floor.carryOut(ColourGroup{GroupId{3}, 0}) == "no group has the id 3");
+    CHECK_FALSE(give(floor.world, floor.sequence, ColourGroup{GroupId{1}, 0x1000000}).ok());
+    WorldDef def = openFloor();
+    def.groups[0].colour = 0x1000000;
+    CHECK_FALSE(World::create(def).ok());
+}
+
+TEST_CASE("a chosen colour is in the hash and moves nobody; without one the hash is that of before") {
+    Floor plain, coloured;
+    plain.run(1);
+    CHECK(coloured.carryOut(ColourGroup{GroupId{1}, 0x05536D}).empty());
+    CHECK(plain.world.hash() != coloured.world.hash());
+    plain.run(60);
+    coloured.run(60);
+    CHECK(copyOf(plain.world.characters().position) == copyOf(coloured.world.characters().position));
+    // The last command's step is state: both worlds get one.
+    CHECK(plain.carryOut(NameGroup{GroupId{1}, "Group"}).empty());
+    CHECK(coloured.carryOut(ColourGroup{GroupId{1}, std::nullopt}).empty());
+    CHECK(plain.world.hash() == coloured.world.hash());
+}
+
+TEST_CASE("colours are saved with the world, and a part that is split off has none") {
+    Floor floor(busyFloor(3));
+    CHECK(floor.carryOut(ColourGroup{GroupId{2}, 0x00A1FF}).empty());
+    auto restored = World::restore(floor.world.snapshot());
+    REQUIRE(restored.ok());
+    CHECK_FALSE(restored->group(0).colour);
+    CHECK(restored->group(1).colour == 0x00A1FFu);
+    CHECK(restored->hash() == floor.world.hash());
+    SplitGroup halves{GroupId{2}, SplitBy::Shares, {}, {}, {1.0, 1.0}, false, PartShape::AsHeld};
+    CHECK(floor.carryOut(halves).empty());
+    REQUIRE(floor.world.groupCount() == 3);
+    CHECK(floor.world.group(1).colour == 0x00A1FFu);
+    CHECK_FALSE(floor.world.group(2).colour);
+}
+
 TEST_CASE("a world with edited items and checkpoints is saved and goes on to the same hash") {
     Floor floor(busyFloor(3));
     CHECK(floor.carryOut(AddItem{{{3, 3}, 0.5}}).empty());

@@ -9,6 +9,7 @@ import * as feedback from './cases/feedback.mjs';
 import * as film from './cases/film_camera.mjs';
 import * as findings from './cases/findings.mjs';
 import * as forms from './cases/forms.mjs';
+import * as groupColour from './cases/group_colour.mjs';
 import * as limits from './cases/limits.mjs';
 import * as look from './cases/look.mjs';
 import * as mouseAndKeys from './cases/mouse_and_keys.mjs';
@@ -34,6 +35,8 @@ import { kPort, startStudio } from './support/server.mjs';
 import { StudioPage } from './support/studio_page.mjs';
 
 const kFlags = ['--no-sandbox', '--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'];
+/** The open place, with room to build. */
+const kOpen = { scenario: 'scenarios/open.json', room: true };
 const kTablets = ['desktop', 'landscape', 'portrait'];
 
 /** Name, test, sizes, and options of the page. `room`: zoomed out, to have room to drag; `shared`: one page serves all such
@@ -176,22 +179,14 @@ const kCases = [
     { scenario: 'scenarios/paper/x03-long-house.json' },
   ],
   ['build: by mouse', build.byMouse, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],
-  [
-    'build: corners',
-    buildCorners.cornersAndGuides,
-    ['desktop', 'portrait', 'phone'],
-    { scenario: 'scenarios/open.json', room: true },
-  ],
+  ['build: corners', buildCorners.cornersAndGuides, ['desktop', 'portrait', 'phone'], kOpen],
+  ['group colour: by mouse', groupColour.byMouse, ['desktop'], { ...kOpen, touch: false }],
+  ['group colour: by touch', groupColour.byTouch, ['landscape', 'portrait', 'phone', 'narrow'], kOpen],
   ['build: numbers', build.numbers, ['wide'], { touch: false, scenario: 'scenarios/open.json', room: true }],
   ['build: bodies', build.bodies, [...kTablets, 'phone'], { scenario: 'scenarios/open.json', room: true }],
   ['build: drags', build.dragsInARow, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],
   ['build: drags by touch', build.dragsByTouch, ['portrait'], { scenario: 'scenarios/open.json', room: true }],
-  [
-    'build: by touch',
-    build.byTouch,
-    ['landscape', 'portrait', 'phone'],
-    { scenario: 'scenarios/open.json', room: true },
-  ],
+  ['build: by touch', build.byTouch, ['landscape', 'portrait', 'phone'], kOpen],
   ['people', people.appear, ['desktop'], { search: '?quality=full' }],
   ['people in light quality', people.appearLight, ['desktop'], { search: '?quality=light' }],
   ['people on patches', people.motions, ['desktop'], { scenario: 'scenarios/course.json' }],

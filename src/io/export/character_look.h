@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 
 #include "character/bodies/body.h"
 #include "muster/world.h"
@@ -14,9 +16,10 @@ inline constexpr std::uint32_t kSkinTones = 5;  ///< Number of skin colours and 
 /// Indices of a character's colours.
 struct CharacterLook {
     BodyKind body = BodyKind::Broad;
-    std::uint32_t skin = 0;    ///< Below kSkinTones.
-    std::uint32_t hair = 0;    ///< Below kSkinTones.
-    std::uint32_t accent = 0;  ///< Below kAccents.
+    std::uint32_t skin = 0;               ///< Below kSkinTones.
+    std::uint32_t hair = 0;               ///< Below kSkinTones.
+    std::uint32_t accent = 0;             ///< Below kAccents.
+    std::optional<std::uint32_t> chosen;  ///< Shirt, 0xRRGGBB, where the group has a colour of its own.
 
     friend auto operator<=>(const CharacterLook&, const CharacterLook&) = default;
 };
@@ -26,7 +29,7 @@ CharacterLook characterLook(std::uint32_t id, std::uint32_t group, const World& 
 
 /// A colour as 0xRRGGBB, and its name.
 struct NamedColour {
-    const char* name;
+    std::string name;
     std::uint32_t colour;
 };
 /// The colour of a part of that character's body.

@@ -215,11 +215,14 @@ private:
                    "            rel skel:skeleton = " + root + "/Skeleton>\n";
         for (std::size_t r = 0; r < kBodyRegionCount; ++r) {
             const auto region = static_cast<BodyRegion>(r);
+            const bool own = region == BodyRegion::Shirt && look.chosen;
             text += std::string("            over \"") + bodyRegionName(region) + "\"\n            {\n" +
-                    "                rel material:binding = </World/Materials/" +
+                    "                rel material:binding = " + (own ? root : "</World/Materials") + "/" +
                     usdName(regionColour(region, look).name) + ">\n            }\n";
         }
-        return text + "        }\n";
+        text += "        }\n";
+        if (look.chosen) text += usdShirt(regionColour(BodyRegion::Shirt, look), root.substr(1));
+        return text;
     }
 
     static std::string visibilityOf(const Person& person) {

@@ -22,11 +22,12 @@ std::string usdList(const T& values, const Write& write) {
     return text + "]";
 }
 
-std::string material(const std::string& name, std::uint32_t colour, double alpha, double roughness) {
+std::string material(const std::string& name, std::uint32_t colour, double alpha, double roughness,
+                     const std::string& scope = "/World/Materials") {
     const std::string n = usdName(name);
     return "        def Material \"" + n + "\"\n        {\n" +
-           "            token outputs:surface.connect = </World/Materials/" + n +
-           "/Surface.outputs:surface>\n" + "            def Shader \"Surface\"\n            {\n" +
+           "            token outputs:surface.connect = <" + scope + "/" + n + "/Surface.outputs:surface>\n" +
+           "            def Shader \"Surface\"\n            {\n" +
            "                uniform token info:id = \"UsdPreviewSurface\"\n" +
            "                color3f inputs:diffuseColor = " + usdPoint(linearColour(colour)) + "\n" +
            "                float inputs:metallic = 0\n" +
@@ -138,7 +139,7 @@ std::string usdMaterials() {
                          static_cast<double>(look.roughness));
     }
     for (std::uint32_t k = 0; k < std::max(kAccents, kSkinTones); ++k) {
-        const CharacterLook look{BodyKind::Broad, k % kSkinTones, k % kSkinTones, k % kAccents};
+        const CharacterLook look{BodyKind::Broad, k % kSkinTones, k % kSkinTones, k % kAccents, {}};
         for (std::size_t r = 0; r < kBodyRegionCount; ++r) {
             const auto region = static_cast<BodyRegion>(r);
             const bool toned = region == BodyRegion::Skin || region == BodyRegion::Hair;
@@ -148,6 +149,10 @@ std::string usdMaterials() {
         }
     }
     return text + "    }\n";
+}
+
+std::string usdShirt(const NamedColour& colour, const std::string& scope) {
+    return material(colour.name, colour.colour, 1.0, 0.85, scope);
 }
 
 std::string usdJoints() {

@@ -23,6 +23,8 @@ void usdFixed(double value, int width, int decimals, std::string& text);
 
 /// All materials in one scope.
 std::string usdMaterials();
+/// The material of a shirt whose colour was chosen, in the prim of that path.
+std::string usdShirt(const NamedColour& colour, const std::string& scope);
 /// The bodies and the skeleton that characters refer to, in one abstract scope.
 std::string usdBodies();
 /// An object with its meshes. Its path becomes samples, `frames` of them from `from` [s].

@@ -199,6 +199,10 @@ struct BodyFields {
         id("group", c.group);
         v.text("name", c.name, "Shown on its chip.", Need::Required);
     }
+    void operator()(ColourGroup& c) {
+        id("group", c.group);
+        v.colour("colour", c.colour, "Of its shirts and marks; left out: the palette's, by its id.");
+    }
     void ids(std::vector<std::uint32_t>& list) {
         v.numbers("ids", list, kId, kMaxCharacters, "Ids of characters.", Need::Required);
     }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/colour_text.h"
 #include "io/scenario/fields.h"
 
 namespace muster {
@@ -111,6 +112,14 @@ void FieldReader::flag(std::string_view key, bool& value, const char*) {
     if (found == nullptr) return;
     if (!found->isBoolean()) return fail(key, describeJson(*found), "true or false");
     value = found->boolean();
+}
+
+void FieldReader::colour(std::string_view key, std::optional<std::uint32_t>& value, const char*) {
+    const Json* found = find(key);
+    if (found == nullptr) return;
+    const auto read = found->isText() ? parseColour(found->text()) : std::nullopt;
+    if (!read) return fail(key, describeJson(*found), "a colour as \"#rrggbb\"");
+    value = read;
 }
 
 bool FieldReader::readPoint(const Json& value, const std::string& path, Vec2& point) {

@@ -68,6 +68,10 @@ void FieldSchema::flag(std::string_view key, bool value, const char* about) {
     set(key, {{"type", "boolean"}, {"default", value}}, about, Need::Optional);
 }
 
+void FieldSchema::colour(std::string_view key, const std::optional<std::uint32_t>&, const char* about) {
+    set(key, {{"type", "string"}, {"pattern", "^#[0-9a-fA-F]{6}$"}}, about, Need::Optional);
+}
+
 void FieldSchema::point(std::string_view key, Vec2 value, const char* about, Need need) {
     Json schema = pointSchema();
     if (need == Need::Optional) schema["default"] = Json::array({value.x, value.y});

@@ -1,5 +1,7 @@
 #include "io/scenario/fields.h"
 
+#include "base/colour_text.h"
+
 namespace muster {
 
 void FieldWriter::text(std::string_view key, const std::string& value, const char*, Need need,
@@ -19,6 +21,10 @@ void FieldWriter::optionalNumber(std::string_view key, double value, const Numbe
 
 void FieldWriter::flag(std::string_view key, bool value, const char*) {
     set(key, value);
+}
+
+void FieldWriter::colour(std::string_view key, const std::optional<std::uint32_t>& value, const char*) {
+    if (value) set(key, colourText(*value));
 }
 
 void FieldWriter::point(std::string_view key, Vec2 value, const char*, Need) {

@@ -82,6 +82,8 @@ public:
         value = found->isWhole() ? found->whole<Whole>() : static_cast<Whole>(wide);
     }
     void flag(std::string_view key, bool& value, const char* about);
+    /// A colour as "#rrggbb"; it stays as it is where it is left out.
+    void colour(std::string_view key, std::optional<std::uint32_t>& value, const char* about);
     void point(std::string_view key, Vec2& value, const char* about, Need need = Need::Optional);
     void points(std::string_view key, std::vector<Vec2>& value, std::size_t least, std::size_t most,
                 const char* about, Need need = Need::Optional);
@@ -180,6 +182,7 @@ public:
         set(key, value);
     }
     void flag(std::string_view key, bool value, const char* about);
+    void colour(std::string_view key, const std::optional<std::uint32_t>& value, const char* about);
     void point(std::string_view key, Vec2 value, const char* about, Need need = Need::Optional);
     void points(std::string_view key, const std::vector<Vec2>& value, std::size_t least, std::size_t most,
                 const char* about, Need need = Need::Optional);
@@ -255,6 +258,7 @@ public:
         number(key, static_cast<double>(value), bounds, about, need);
     }
     void flag(std::string_view key, bool value, const char* about);
+    void colour(std::string_view key, const std::optional<std::uint32_t>& value, const char* about);
     void point(std::string_view key, Vec2 value, const char* about, Need need = Need::Optional);
     void points(std::string_view key, const std::vector<Vec2>& value, std::size_t least, std::size_t most,
                 const char* about, Need need = Need::Optional);

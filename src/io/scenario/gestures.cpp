@@ -55,7 +55,8 @@ constexpr const char* kKinds[] = {"down",
                                   "changeCheckpoint",
                                   "removeCheckpoint",
                                   "placeGroup",
-                                  "nameGroup"};
+                                  "nameGroup",
+                                  "colourGroup"};
 static_assert(std::size(kKinds) == std::variant_size_v<CommandBody>);
 
 /// An event of the file: a command with its time.

@@ -178,6 +178,7 @@ public:
     Status operator()(const RemoveCheckpoint& remove) { return removeCheckpoint(state_, remove); }
     Status operator()(const PlaceGroup& place) { return placeGroup(editableGroups(), place); }
     Status operator()(const NameGroup& name) { return nameGroup(state_, name); }
+    Status operator()(const ColourGroup& colour) { return colourGroup(state_, colour); }
 
 private:
     // Background work reads the plans.

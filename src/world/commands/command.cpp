@@ -34,7 +34,7 @@ constexpr auto kNames = std::to_array<const char*>({"TouchDown",        "TouchMo
                                                     "ChangeItem",       "RemoveItem",
                                                     "AddCheckpoint",    "ChangeCheckpoint",
                                                     "RemoveCheckpoint", "PlaceGroup",
-                                                    "NameGroup"});
+                                                    "NameGroup",        "ColourGroup"});
 static_assert(kNames.size() == std::variant_size_v<CommandBody>);
 
 /// Makes the alternative with that index; false where there is none.
@@ -164,6 +164,7 @@ struct Validator {
                                          : invalidArgument("angle is not in [-1e6, 1e6] rad");
     }
     Status operator()(const NameGroup& c) const { return validateName(c.name); }
+    Status operator()(const ColourGroup& c) const { return validateColour(c.colour); }
 
 private:
     static Status places(const char* what, const std::vector<Vec2>& points) {

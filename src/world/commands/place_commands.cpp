@@ -122,4 +122,11 @@ Status nameGroup(WorldState& state, const NameGroup& name) {
     return {};
 }
 
+Status colourGroup(WorldState& state, const ColourGroup& colour) {
+    Group* group = state.findGroup(colour.group);
+    if (group == nullptr) return noGroup(colour.group);
+    group->def.colour = colour.colour;
+    return {};
+}
+
 }  // namespace muster

@@ -16,5 +16,6 @@ Status changeCheckpoint(WorldState& state, const ChangeCheckpoint& change);
 Status removeCheckpoint(WorldState& state, const RemoveCheckpoint& remove);
 Status placeGroup(WorldState& state, const PlaceGroup& place);
 Status nameGroup(WorldState& state, const NameGroup& name);
+Status colourGroup(WorldState& state, const ColourGroup& colour);
 
 }  // namespace muster

@@ -102,6 +102,7 @@ Group partOf(const WorldState& state, const Group& whole, std::size_t number) {
     Group part;
     part.def = whole.def;
     part.def.name = whole.def.name + " " + std::to_string(number + 1);
+    part.def.colour.reset();
     part.def.starts.clear();
     part.def.orders.clear();
     part.plan = makePlan(state.parameters);

@@ -172,6 +172,7 @@ Status checkGroup(const Group& group, const Grid& grid) {
         return wrong("a group of another count");
     if (def.name.size() > kMaxText || !isPlace(def.position) || !arePlaces(def.starts))
         return wrong("a bad group");
+    if (Status s = validateColour(def.colour); !s.ok()) return s;
     if (Status s = validateFormation(def.formation); !s.ok()) return s;
     const Formation& formation = group.mesh.formation();
     if (formation.places.size() != count || group.places.positions().size() != count)

@@ -122,6 +122,28 @@ TEST_CASE("all brackets close, every line of samples exists, and no name occurs 
     CHECK(names.size() == 2 + 5 + 4 + 1);
 }
 
+TEST_CASE("who has a chosen colour wears it, in a material of their own") {
+    WorldDef def = furnishedWorld();
+    def.groups[0].colour = 0xFF8000;
+    const auto world = World::create(def);
+    REQUIRE(world.ok());
+    const CharacterLook look = characterLook(2, 0, *world);
+    CHECK(regionColour(BodyRegion::Shirt, look).colour == 0xFF8000u);
+    CHECK(regionColour(BodyRegion::Shirt, look).name == "shirt ff8000");
+    const std::string path = (exportFolder() / "coloured.usda").string();
+    const auto exporter = makeUsdExporter(path);
+    REQUIRE(exporter->begin({"Coloured", 30.0, 1.0, 1, &*world}).ok());
+    const PretendFrame frame = pretendPeople(2, 3, 1.0);
+    REQUIRE(exporter->frame({0, 1.0, frame.characters, &*world}).ok());
+    REQUIRE(exporter->finish().ok());
+    const std::string text = *readTextFile(path, 1u << 30);
+    const std::string person = prim(text, "def SkelRoot \"character_0002\"");
+    const std::string shirt = prim(person, "def Material \"shirt_ff8000\"");
+    CHECK(person.find("material:binding = </World/character_0002/shirt_ff8000>") != std::string::npos);
+    CHECK(shirt.find("</World/character_0002/shirt_ff8000/Surface.outputs:surface>") != std::string::npos);
+    CHECK(shirt.find("diffuseColor = " + usdPoint(linearColour(0xFF8000))) != std::string::npos);
+}
+
 TEST_CASE("rotations continue without jumps") {
     const std::string root = prim(pretended(), "def SkelRoot \"character_0002\"");
     for (std::size_t k = 1; k < kFrames; ++k)

@@ -136,6 +136,8 @@ TEST_CASE("every kind of command survives the file") {
         RemoveCheckpoint{CheckpointId{5}},
         PlaceGroup{GroupId{1}, {1, 2}, 0.3},
         NameGroup{GroupId{1}, "Gäste"},
+        ColourGroup{GroupId{1}, 0x0A5FD1},
+        ColourGroup{GroupId{2}, std::nullopt},
         GiveOrder{GroupId{2}, QueueMode::Append, 0, guard},
         GiveOrder{GroupId{2}, QueueMode::Replace, 0, Order::face(-1.5)},
         GiveOrder{GroupId{2}, QueueMode::Replace, 0, Order::follow(GroupId{1}, {-2, 0.5})},

@@ -67,6 +67,7 @@ WorldDef richDef() {
     group.position = {10, 10};
     group.angle = 1e-9;
     group.jitter = 0.05;
+    group.colour = 0x00A1FF;
     GroupDef other;
     other.formation.kind = FormationKind::Outline;
     other.formation.outline.outline = {{0, 0}, {5, 0}, {5, 5}, {0, 5}};
@@ -103,6 +104,18 @@ TEST_CASE("a definition survives writing and reading bit for bit") {
     REQUIRE_MESSAGE(back.ok(), back.status().message());
     CHECK(bytesOf(*back) == bytesOf(def));
     CHECK(writeScenario(*back) == text);
+}
+
+TEST_CASE("colours are read in either case, written in small letters, and left out where none was chosen") {
+    const auto def = parseScenario(minimal(R"("groups":[{"colour":"#00A1Ff"},{}])"), "F.json", "");
+    REQUIRE_MESSAGE(def.ok(), def.status().message());
+    CHECK(def->groups[0].colour == 0x00A1FFu);
+    CHECK_FALSE(def->groups[1].colour);
+    const std::string text = writeScenario(*def);
+    CHECK(text.find(R"("colour": "#00a1ff")") != std::string::npos);
+    CHECK(text.find("colour") == text.rfind("colour"));
+    CHECK(failureOf(minimal(R"("groups":[{"colour":"red"}])")) ==
+          R"(F.json: $.groups[0].colour: found "red", expected a colour as "#rrggbb")");
 }
 
 TEST_CASE("random doubles survive bit for bit") {
@@ -238,6 +251,8 @@ TEST_CASE("every failure names file, path, what was found and what was expected"
     says(R"("patches":[{"motion":"run"}])", "$.patches[0]:");
     says(R"("groups":[{"count":0}])", "$.groups[0].count:");
     says(R"("groups":[{"count":2.5}])", "$.groups[0].count:");
+    for (const char* bad : {R"("red")", R"("#12345")", R"("#12345g")", R"("1234567")", "3", "null"})
+        says(R"("groups":[{"colour":)" + std::string(bad) + "}]", "$.groups[0].colour:");
     says(R"("groups":[{"count":200001}])", "$.groups[0].count:");
     says(R"("groups":[{"formation":"blob"}])", "$.groups[0].formation.kind:");
     says(R"("groups":[{"formation":{"kind":"line","spacing":0}}])", "$.groups[0].formation.spacing:");

@@ -73,6 +73,7 @@ std::vector<std::uint8_t> takeOf(std::uint32_t version) {
     add.real(3.0).real(-2.0).real(0.5).word(0).real(0.25);
     // Bodies, roles, demands, conduct, orders and patrols.
     if (version >= 2) add.word(0).word(0).word(0).byte(0).real(0.0).real(1.0).byte(0).word(0).byte(0);
+    if (version >= 5) add.byte(1).word(0x05536D);  // A colour.
     file.record(2, set.bytes);
     file.record(2, add.bytes);
     return file.bytes;
@@ -116,6 +117,15 @@ TEST_CASE("a take of version 1 replays as the same take of version 2 does") {
     CHECK(first->hash == second->hash);
 }
 
+TEST_CASE("groups of version 5 have a colour, those of version 4 none") {
+    for (const std::uint32_t version : {4u, 5u}) {
+        const auto take = parseTake(takeOf(version), "T");
+        REQUIRE_MESSAGE(take.ok(), take.status().message());
+        const auto& colour = std::get<AddGroup>(take->commands[1].body).group.colour;
+        CHECK(colour == (version == 4 ? std::nullopt : std::optional<std::uint32_t>(0x05536D)));
+    }
+}
+
 TEST_CASE("versions are not mixed up") {
     // The bytes of one version under the number of the other.
     auto older = takeOf(2);
@@ -124,16 +134,16 @@ TEST_CASE("versions are not mixed up") {
     auto newer = takeOf(1);
     newer[8] = 2;
     CHECK(parseTake(newer, "T").status().code() == StatusCode::Corrupt);
-    for (const unsigned version : {0u, 5u}) {
+    for (const unsigned version : {0u, 6u}) {
         auto other = takeOf(1);
         other[8] = static_cast<std::uint8_t>(version);
         const auto take = parseTake(other, "T");
         CHECK(take.status().code() == StatusCode::Unsupported);
-        CHECK(take.status().message().find("expected version 1 to 4") != std::string::npos);
+        CHECK(take.status().message().find("expected version 1 to 5") != std::string::npos);
     }
 }
 
-TEST_CASE("writers write version 4") {
+TEST_CASE("writers write version 5") {
     WorldDef def;
     def.groups.resize(1);
     const std::string path = (std::filesystem::temp_directory_path() / "muster_take_version_test.take")
@@ -145,5 +155,5 @@ TEST_CASE("writers write version 4") {
     CHECK(std::fread(head, 1, sizeof head, file) == sizeof head);
     std::fclose(file);
     std::filesystem::remove(path);
-    CHECK(head[8] == 4);
+    CHECK(head[8] == 5);
 }

@@ -73,7 +73,7 @@ describe('FrameReader', () => {
     const gone = reader.change(frame([0, 0, 0], [4]), { ...state, selected: [9] });
     expect([gone.active, gone.selected]).toEqual([0, [4]]);
   });
-  it('gives parts of a group its name and a number, and colours by id', () => {
+  it('gives parts of a group its name and a number, and colours as chosen or by id', () => {
     const reader = new FrameReader();
     reader.setScene(
       parseScene(
@@ -81,13 +81,18 @@ describe('FrameReader', () => {
           box: { min: [0, 0], max: [1, 1] },
           groups: [
             { id: 4, name: 'North' },
-            { id: 11, name: 'North' },
+            { id: 11, name: 'North', colour: 4, chosenColour: '#05536d' },
           ],
         }),
       ),
     );
     const groups = reader.groups(frame([0, 1, 2], [4, 11, 14]), []);
-    expect(groups.map(({ name, colour }) => `${name} ${colour}`)).toEqual(['North 3', 'North 2 4', 'Group 14 1']);
+    const chosen = 5 * 0x1000000 + 0x05536d;
+    expect(groups.map(({ name, colour }) => `${name} ${colour}`)).toEqual([
+      'North 3',
+      `North 2 ${chosen}`,
+      'Group 14 1',
+    ]);
   });
   it('tells conduct and classes of each group, and the list itself while nothing changes', () => {
     const reader = new FrameReader();

@@ -3,6 +3,7 @@
 import type { GroupMesh } from '../protocol/messages';
 import type { StudioFrame } from './studio_frame';
 import { isSameWorld, type SceneFacts } from '../protocol/scene';
+import { colourNumber } from './accent';
 import { walksOf } from './objective';
 import { kStances } from './commands';
 import { countClasses, type ClassCount } from './roles';
@@ -87,7 +88,7 @@ export class FrameReader {
       groups.push({
         id,
         name: nameOf(known?.name, id, groups),
-        colour: known?.colour ?? (id + kColours - 1) % kColours,
+        colour: colourNumber(known?.colour ?? (id + kColours - 1) % kColours, known?.chosenColour),
         count: this.counts_[index] ?? 0,
         formation: this.formations_.get(id) ?? '',
       });

@@ -77,6 +77,8 @@ export interface SceneGroup {
   readonly formation: string;
   /** Index of the accent: blue, ember, green, plum, ochre, slate. */
   readonly colour: number;
+  /** `#rrggbb`, where somebody has chosen it. */
+  readonly chosenColour?: string;
   /** How the place has it; absent for parts of others. */
   readonly start?: {
     readonly position: Point2;

@@ -1,5 +1,6 @@
 // What the view shows of groups and their orders: colours by id, who is chosen, and what is being drawn.
 
+import { colourNumber } from '../model/accent';
 import { GroupShapes } from '../model/group_shapes';
 import type { GroupView, ShapeMeshView } from '../model/frame_view';
 import type { GroundPoint } from '../model/plane';
@@ -45,7 +46,7 @@ export class OrderPicture {
 
   /** Colours of the groups by id; groups come and go. */
   setGroups(groups: readonly SceneGroup[]): void {
-    this.byId_ = new Map(groups.map(({ id, colour }) => [id, colour]));
+    this.byId_ = new Map(groups.map(({ id, colour, chosenColour }) => [id, colourNumber(colour, chosenColour)]));
     this.changed_();
   }
 

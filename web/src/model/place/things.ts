@@ -2,6 +2,7 @@
 // the server in the words of gesture files.
 
 import type { Point2, SceneFacts, SceneGroupBody, ScenePath, SceneRole, SceneShape } from '../../protocol/scene';
+import { colourNumber } from '../accent';
 import { distance, insidePolygon, type GroundPoint } from '../plane';
 import { likeGroup } from './group_body';
 
@@ -31,6 +32,8 @@ export interface Thing {
   /** Of a group: what all have in common. */
   readonly body: SceneGroupBody | null;
   readonly roles: readonly SceneRole[];
+  /** Of a group: its colour number. */
+  readonly colour: number;
   /** Fields of its definition that building leaves alone. */
   readonly rest: Readonly<Record<string, unknown>>;
   /** Id of the group that a checkpoint concerns; 0 for any. */
@@ -55,6 +58,7 @@ const kBlank: Thing = {
   count: 0,
   body: null,
   roles: [],
+  colour: 0,
   rest: {},
   group: 0,
 };
@@ -127,7 +131,7 @@ export function thingsOf(scene: SceneFacts): Thing[] {
 function groupsOf(scene: SceneFacts): Thing[] {
   const speed = scene.parameters.find(({ name }) => name === 'character.maxSpeed')?.value;
   const usual: SceneGroupBody = { radius: scene.radius, maxSpeed: speed ?? 2, class: 0 };
-  return scene.groups.flatMap(({ id, name, count, start }) =>
+  return scene.groups.flatMap(({ id, name, count, colour, chosenColour, start }) =>
     start
       ? [
           thing('group', {
@@ -139,7 +143,8 @@ function groupsOf(scene: SceneFacts): Thing[] {
             formation: start.formation,
             body: start.body ?? null,
             roles: start.roles ?? [],
-            rest: likeGroup(start.body ?? {}, start.roles ?? [], usual),
+            colour: colourNumber(colour, chosenColour),
+            rest: { ...likeGroup(start.body ?? {}, start.roles ?? [], usual), ...present({ colour: chosenColour }) },
             radius: groupRadius(count, start.formation.spacing ?? 1),
           }),
         ]

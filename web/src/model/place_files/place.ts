@@ -30,6 +30,8 @@ export interface PatchDefinition {
 
 export interface GroupDefinition {
   readonly name?: string;
+  /** `#rrggbb`; left out: the accent's. */
+  readonly colour?: string;
   readonly count: number;
   readonly formation?: string | { readonly kind: string; readonly spacing?: number };
   readonly position?: Pair;

@@ -1,5 +1,6 @@
 // A place seen from above, as paths of an SVG whose y grows downwards.
 
+import { colourNumber } from '../accent';
 import { kGroupRoom } from './group_room';
 import { boundsOf, type GroupDefinition, type ObstacleDefinition, type Pair, type PlaceDefinition } from './place';
 
@@ -10,6 +11,8 @@ export interface PlaceDrawing {
   readonly patches: string;
   /** One for each group, in the order of the accents. */
   readonly groups: readonly string[];
+  /** The colour number of each. */
+  readonly colours: readonly number[];
 }
 
 /** A number that takes few letters. */
@@ -90,6 +93,7 @@ export function drawingOf(place: PlaceDefinition): PlaceDrawing {
     obstacles: mapPath(place) + (place.obstacles ?? []).map(obstaclePath).join(''),
     patches: (place.patches ?? []).map(({ polygon }) => polygonPath(polygon)).join(''),
     groups: (place.groups ?? []).map(groupPath),
+    colours: (place.groups ?? []).map(({ colour }, i) => colourNumber(i, colour)),
   };
 }
 

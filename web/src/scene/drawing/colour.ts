@@ -30,6 +30,18 @@ export function srgbToLinear(v: number): number {
   return v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4;
 }
 
+/** Relative luminance (WCAG 2). */
+export function luminance(hex: string): number {
+  const [r, g, b] = hexToRgb(hex);
+  return 0.2126 * srgbToLinear(r) + 0.7152 * srgbToLinear(g) + 0.0722 * srgbToLinear(b);
+}
+
+/** Contrast of two colours (WCAG 2), 1 to 21. */
+export function contrast(a: string, b: string): number {
+  const [one, other] = [luminance(a), luminance(b)];
+  return (Math.max(one, other) + 0.05) / (Math.min(one, other) + 0.05);
+}
+
 export function linearToSrgb(v: number): number {
   return v <= 0.0031308 ? v * 12.92 : 1.055 * v ** (1 / 2.4) - 0.055;
 }
@@ -59,6 +71,19 @@ export function oklabToRgb(lab: Oklab): Rgb {
     clip(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
     clip(-0.0041960863 * l - 0.7034186147 * m + 1.707614701 * s),
   ];
+}
+
+/** The colour made darker or lighter in OKLab, until its luminance lies between the two. */
+export function betweenLuminances(hex: string, least: number, most: number): string {
+  const [lightness, a, b] = rgbToOklab(hexToRgb(hex));
+  const now = luminance(hex);
+  if (now >= least && now <= most) return hex;
+  const step = now > most ? -0.01 : 0.01;
+  for (let k = 1; k <= 100; ++k) {
+    const made = rgbToHex(oklabToRgb([lightness + step * k, a, b]));
+    if (now > most ? luminance(made) <= most : luminance(made) >= least) return made;
+  }
+  return hex;
 }
 
 /** The colour at `t` (0 to 1, clamped) along evenly spaced stops, mixed in OKLab. */

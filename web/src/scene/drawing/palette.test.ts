@@ -1,18 +1,8 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { accentOf } from '../../model/accent';
-import { hexToRgb, srgbToLinear } from './colour';
+import { contrast } from './colour';
 import { accentColour, paletteOf } from './palette';
-
-function luminance(hex: string): number {
-  const [r, g, b] = hexToRgb(hex);
-  return 0.2126 * srgbToLinear(r) + 0.7152 * srgbToLinear(g) + 0.0722 * srgbToLinear(b);
-}
-
-function contrast(a: string, b: string): number {
-  const [high, low] = [luminance(a), luminance(b)].sort((x, y) => y - x) as [number, number];
-  return (high + 0.05) / (low + 0.05);
-}
 
 describe('palette', () => {
   it('accents stand out from the ground, and their words from them', () => {

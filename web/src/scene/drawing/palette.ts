@@ -1,7 +1,9 @@
 // The colours of the scene in both themes (the tests hold the contrasts).
 
-import { accentOf, type Accent } from '../../model/accent';
+import { accentOf, chosenOf, type Accent } from '../../model/accent';
+import { swatchOf } from '../../model/swatches';
 import type { Theme } from '../../model/view_settings';
+import { contrast } from './colour';
 
 export interface Palette {
   readonly ground: string;
@@ -125,7 +127,23 @@ export function paletteOf(theme: Theme): Palette {
   return theme === 'dark' ? kDark : kLight;
 }
 
-/** The colour of a group's accent in this palette. */
+/** A group's colour in this palette: the chosen one, else its accent's. */
 export function accentColour(palette: Palette, colour: number): string {
-  return palette.accents[accentOf(colour)];
+  const chosen = chosenOf(colour);
+  if (!chosen) return palette.accents[accentOf(colour)];
+  return (palette === kDark ? swatchOf(chosen)?.dark : null) ?? chosen;
+}
+
+const kInks = ['#FFFFFF', '#000000'] as const;
+
+/** For words on a group's colour: the palette's ink, the other where an own colour hides it. */
+export function inkOn({ onAccent }: Palette, accent: string): string {
+  if (contrast(accent, onAccent) >= 4.5) return onAccent;
+  return contrast(accent, kInks[0]) > contrast(accent, kInks[1]) ? kInks[0] : kInks[1];
+}
+
+/** What marks of a group's colour are cased in, so that they stand out from it. */
+export function casingOf({ casing }: Palette, accent: string): string {
+  if (contrast(accent, casing) >= 2) return casing;
+  return casing === kInks[0] ? kInks[1] : kInks[0];
 }

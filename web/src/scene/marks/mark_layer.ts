@@ -8,7 +8,7 @@ import type { OverlayView } from '../../model/frame_view';
 import { MarkExtent, type MarkBounds } from './mark_extent';
 import { MarkPainter, type MarkColours } from './mark_painter';
 import { OrderMarks, type OrderScene } from './order_marks';
-import { accentColour } from '../drawing/palette';
+import { accentColour, casingOf } from '../drawing/palette';
 import { drawScheme, extendByScheme } from './scheme_marks';
 
 export interface MarkScene extends OrderScene {
@@ -120,7 +120,8 @@ export class MarkLayer {
 
   private coloursOf(group: number, scene: MarkScene): MarkColours {
     const accent = group < 0 ? scene.palette.ink2 : accentColour(scene.palette, scene.colours[group] ?? group);
-    return { accent: scene.greyed ? scene.palette.obstacleEdge : accent, casing: scene.palette.casing };
+    if (scene.greyed) return { accent: scene.palette.obstacleEdge, casing: scene.palette.casing };
+    return { accent, casing: casingOf(scene.palette, accent) };
   }
 
   private screen(points: readonly GroundPoint[], scene: MarkScene): ScreenPoint[] {
@@ -258,7 +259,7 @@ export class MarkLayer {
 
   private drawChosenPath(path: ArrayLike<number>, scene: MarkScene): void {
     const accent = accentColour(scene.palette, scene.colours[scene.chosenGroup] ?? 0);
-    const colours = { accent, casing: scene.palette.casing };
+    const colours = { accent, casing: casingOf(scene.palette, accent) };
     const points: GroundPoint[] = [];
     for (let i = 0; i + 1 < path.length; i += 2) points.push({ x: path[i] ?? 0, y: path[i + 1] ?? 0 });
     this.painter_.alpha = 1;

@@ -5,7 +5,7 @@ import type { GroupView, OrderView } from '../../model/frame_view';
 import { frontLine, outlineOf, placed, widened, type GroupShapes } from '../../model/group_shapes';
 import { distance, pointsOf, type GroundPoint, type ScreenPoint } from '../../model/plane';
 import type { CameraController } from '../camera/camera_controller';
-import { accentColour, type Palette } from '../drawing/palette';
+import { accentColour, casingOf, inkOn, type Palette } from '../drawing/palette';
 import type { MarkExtent } from './mark_extent';
 import type { MarkColours, MarkPainter } from './mark_painter';
 import { changesShape, drawStations, stationSpots } from './station_marks';
@@ -162,7 +162,8 @@ export class OrderMarks {
 
   private coloursOf(index: number, { palette, colours, greyed }: OrderScene): MarkColours {
     const accent = index < 0 ? palette.ink2 : accentColour(palette, colours[index] ?? index);
-    return { accent: greyed ? palette.obstacleEdge : accent, casing: palette.casing };
+    if (greyed) return { accent: palette.obstacleEdge, casing: palette.casing };
+    return { accent, casing: casingOf(palette, accent) };
   }
 
   private screen(points: readonly GroundPoint[], { camera }: OrderScene): ScreenPoint[] {
@@ -183,7 +184,7 @@ export class OrderMarks {
     this.drawNumbers(group, legs, colours, scene);
     drawStations(painter, legs, colours, scene);
     if (group.held && legs.length > 0) {
-      painter.pauseBadge(scene.camera.worldToScreen(group.x, group.y), colours, scene.palette.onAccent);
+      painter.pauseBadge(scene.camera.worldToScreen(group.x, group.y), colours, inkOn(scene.palette, colours.accent));
     }
   }
 
@@ -198,7 +199,7 @@ export class OrderMarks {
       first = k + 1;
       const at = scene.camera.worldToScreen(end.x, end.y);
       if (legs[k]!.order.id === scene.picked) this.painter_.ring(at, colours, kPickedRing);
-      if (legs.length > 1 || group.patrols) this.painter_.badge(at, text, colours, scene.palette.onAccent);
+      if (legs.length > 1 || group.patrols) this.painter_.badge(at, text, colours, inkOn(scene.palette, colours.accent));
       else if (distance(end, group) >= kReached) this.painter_.checkpoint(at, colours, true);
     });
   }

@@ -8,7 +8,7 @@ import type { MarkState } from './mark_state';
 import type { ContourLabel } from '../ground/field_raster';
 import type { MovingView, OverlayView } from '../../model/frame_view';
 import { centroid } from '../drawing/geometry_builder';
-import { accentColour, type Palette } from '../drawing/palette';
+import { accentColour, inkOn, type Palette } from '../drawing/palette';
 import { heightOfLook, lookOfMotion } from '../patches/patch_geometry';
 import { kMotionIcons, type Tag } from './tag_layer';
 import type { ScreenPoint } from '../../model/plane';
@@ -117,13 +117,14 @@ export function chipTags(marks: MarkState, view: TagScene): Tag[] {
     });
     const top = Math.min(...at.map((point) => point.y));
     const middle = at.reduce((sum, point) => sum + point.x, 0) / Math.max(1, at.length);
+    const fill = accentColour(view.palette, view.colours[shown.group] ?? 0);
     tags.push({
       key: `chip:${shown.group}:${shown.control.id}`,
       kind: 'chip',
       text: kKindNames[shown.control.kind as ControlKind],
       at: { x: middle, y: Math.max(16, top - 50) },
-      fill: accentColour(view.palette, view.colours[shown.group] ?? 0),
-      ink: view.palette.onAccent,
+      fill,
+      ink: inkOn(view.palette, fill),
       opacity: Math.min(1, (kChipTime - age) / kChipFade),
     });
   }
@@ -143,7 +144,7 @@ export function overlayTags(view: TagScene): Tag[] {
   const path = overlay.path;
   if (path.length < 4) return tags;
   const fill = accentColour(view.palette, view.colours[view.chosenGroup] ?? 0);
-  const ink = view.palette.onAccent;
+  const ink = inkOn(view.palette, fill);
   const from = camera.worldToScreen(path[0] ?? 0, path[1] ?? 0, 1.8);
   const to = camera.worldToScreen(path[path.length - 2] ?? 0, path[path.length - 1] ?? 0);
   tags.push({

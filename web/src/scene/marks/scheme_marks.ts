@@ -2,7 +2,7 @@
 
 import { convexHull, type GroundPoint, type ScreenPoint } from '../../model/plane';
 import type { CameraController } from '../camera/camera_controller';
-import { accentColour, type Palette } from '../drawing/palette';
+import { accentColour, casingOf, type Palette } from '../drawing/palette';
 import type { MarkExtent } from './mark_extent';
 import type { MarkPainter } from './mark_painter';
 
@@ -76,7 +76,8 @@ function ring(centre: GroundPoint, radius: number, camera: CameraController): Sc
 
 export function drawScheme(painter: MarkPainter, picture: SchemePicture, scene: SchemeScene): void {
   const { camera, palette } = scene;
-  const colours = { accent: accentColour(palette, scene.colours[0] ?? 0), casing: palette.casing };
+  const accent = accentColour(palette, scene.colours[0] ?? 0);
+  const colours = { accent, casing: casingOf(palette, accent) };
   const screen = (points: readonly GroundPoint[]): ScreenPoint[] =>
     points.map(({ x, y }) => camera.worldToScreen(x, y));
   painter.alpha = 1;

@@ -37,7 +37,9 @@ export class BuildKeys {
     const { target } = event;
     if (!this.open_() || event.altKey) return;
     if (target instanceof HTMLElement && target.closest('input, textarea, select, dialog')) return;
-    const done = event.ctrlKey || event.metaKey ? this.command(event) : this.key(event);
+    const command = event.ctrlKey || event.metaKey;
+    if (!command && target instanceof HTMLElement && target.closest('[role="radiogroup"]')) return;
+    const done = command ? this.command(event) : this.key(event);
     if (!done) return;
     event.preventDefault();
     event.stopImmediatePropagation();

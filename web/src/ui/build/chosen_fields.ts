@@ -5,6 +5,7 @@ import type { SceneFacts } from '../../protocol/scene';
 import { element } from '../widgets/dom';
 import { kShapes, type BuildActions } from './build_actions';
 import { numberField, selectField, textField } from './fields';
+import { groupColourField } from './group_colour_field';
 import { groupBodyFields } from './group_body_fields';
 
 const kDegree = Math.PI / 180;
@@ -57,7 +58,7 @@ export class ChosenFields {
   }
 
   private controls(): HTMLInputElement[] {
-    return [...this.root.querySelectorAll<HTMLInputElement>('input, select')];
+    return [...this.root.querySelectorAll<HTMLInputElement>('input, select, [role="radio"]')];
   }
 
   /** The label of the field that has the focus. */
@@ -146,6 +147,7 @@ export class ChosenFields {
       numberField('Faces', one.angle / kDegree, { min: -3600, max: 3600, unit: '°' }, (degrees) =>
         desk.edit('Turn', (it) => turned(it, { x: it.centre[0], y: it.centre[1] }, degrees * kDegree - it.angle)),
       ),
+      groupColourField(one, desk),
       ...groupBodyFields(one, desk, (held) => this.hold(held)),
     ];
   }

@@ -1,10 +1,9 @@
 // A place as a small drawing, in the colours of the theme.
 
+import { accentVariable } from '../widgets/group_marks';
 import type { PlaceDrawing } from '../../model/place_files/place_drawing';
 
 const kSvg = 'http://www.w3.org/2000/svg';
-/** Accents, in the order in which groups get them. */
-const kAccents = ['blue', 'ember', 'green', 'plum', 'ochre', 'slate'];
 
 function path(shape: string, className: string): SVGPathElement {
   const made = document.createElementNS(kSvg, 'path');
@@ -28,6 +27,10 @@ export function placePicture(drawing: PlaceDrawing, present: PlaceDrawing | null
   svg.append(ground);
   if (present) svg.append(path(present.patches + present.obstacles, 'drawn-present'));
   svg.append(path(drawing.patches, 'drawn-patches'), path(drawing.obstacles, 'drawn-obstacles'));
-  drawing.groups.forEach((shape, i) => svg.append(path(shape, `drawn-group drawn-${kAccents[i % kAccents.length]}`)));
+  drawing.groups.forEach((shape, i) => {
+    const group = path(shape, 'drawn-group');
+    group.style.color = accentVariable(drawing.colours[i] ?? i);
+    svg.append(group);
+  });
   return svg;
 }
