@@ -84,6 +84,7 @@ export async function byMouse(studio) {
   await scene(studio, 'one step back', (one) => chosenIn(one) === '#d60ea8');
   await page.keyboard.press('Control+Shift+Z');
   await scene(studio, 'and on', (one) => chosenIn(one) === '#05536d');
+  await inTheDark(studio);
   await ownColour(studio, row);
   await savedAndPlayed(studio, row);
   await serious(studio, 'colour of a group');
@@ -103,6 +104,20 @@ async function farAway(studio) {
 
 const chosenNow = (studio) => studio.page.evaluate(() => globalThis.__scenes.at(-1).groups[0].chosenColour ?? '');
 
+/** A swatch has another shade on dark ground. */
+async function inTheDark(studio) {
+  const { page } = studio;
+  await page.emulateMedia({ colorScheme: 'dark' });
+  const mark = page.locator('.groups .chip svg').first();
+  await studio.eventually(async () => {
+    const colour = await mark.evaluate((one) => getComputedStyle(one).color);
+    expect(colour === 'rgb(23, 215, 255)', `teal in the dark: ${colour}`);
+  });
+  await serious(studio, 'colour of a group in the dark');
+  await studio.shot('group-colour-dark');
+  await page.emulateMedia({ colorScheme: 'light' });
+}
+
 /** Any other colour; one that is hard to see says so. */
 async function ownColour(studio, row) {
   const { page } = studio;
@@ -111,6 +126,12 @@ async function ownColour(studio, row) {
   await page.getByText('hard to see on light ground').waitFor();
   expect((await row.getByRole('radio', { checked: true }).count()) === 0, 'no swatch is marked');
   await studio.shot('group-colour-own');
+  await page.getByRole('button', { name: 'Build', exact: true }).click();
+  await page.locator('.groups .chip').first().waitFor();
+  await studio.shot('group-colour-own-directing');
+  await serious(studio, 'directing in an own colour');
+  await page.getByRole('button', { name: 'Build', exact: true }).click();
+  await page.locator('.build-panel').waitFor();
   await page.getByRole('button', { name: 'Undo colour' }).click();
   await scene(studio, 'one step for an own colour', (one) => chosenIn(one) === '#05536d');
 }
