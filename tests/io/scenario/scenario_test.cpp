@@ -115,7 +115,7 @@ TEST_CASE("colours are read in either case, written in small letters, and left o
     CHECK(text.find(R"("colour": "#00a1ff")") != std::string::npos);
     CHECK(text.find("colour") == text.rfind("colour"));
     CHECK(failureOf(minimal(R"("groups":[{"colour":"red"}])")) ==
-          R"(F.json: $.groups[0].colour: found "red", expected a colour as "#rrggbb")");
+          R"(F.json: $.groups[0].colour: found the text "red", expected a colour as "#rrggbb")");
 }
 
 TEST_CASE("random doubles survive bit for bit") {

@@ -3,7 +3,8 @@ import { mkdtempSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { expect } from '../support/expect.mjs';
-import { runProgram } from '../support/server.mjs';
+import { kPort, runProgram, startStudio } from '../support/server.mjs';
+import { StudioPage } from '../support/studio_page.mjs';
 import { open, scene, screen } from './build.mjs';
 import { serious } from './look.mjs';
 
@@ -84,6 +85,7 @@ export async function byMouse(studio) {
   await scene(studio, 'one step back', (one) => chosenIn(one) === '#d60ea8');
   await page.keyboard.press('Control+Shift+Z');
   await scene(studio, 'and on', (one) => chosenIn(one) === '#05536d');
+  await inTheDark(studio);
   await ownColour(studio, row);
   await savedAndPlayed(studio, row);
   await serious(studio, 'colour of a group');
@@ -103,6 +105,20 @@ async function farAway(studio) {
 
 const chosenNow = (studio) => studio.page.evaluate(() => globalThis.__scenes.at(-1).groups[0].chosenColour ?? '');
 
+/** A swatch has another shade on dark ground. */
+async function inTheDark(studio) {
+  const { page } = studio;
+  await page.emulateMedia({ colorScheme: 'dark' });
+  const mark = page.locator('.groups .chip svg').first();
+  await studio.eventually(async () => {
+    const colour = await mark.evaluate((one) => getComputedStyle(one).color);
+    expect(colour === 'rgb(23, 215, 255)', `teal in the dark: ${colour}`);
+  });
+  await serious(studio, 'colour of a group in the dark');
+  await studio.shot('group-colour-dark');
+  await page.emulateMedia({ colorScheme: 'light' });
+}
+
 /** Any other colour; one that is hard to see says so. */
 async function ownColour(studio, row) {
   const { page } = studio;
@@ -111,6 +127,12 @@ async function ownColour(studio, row) {
   await page.getByText('hard to see on light ground').waitFor();
   expect((await row.getByRole('radio', { checked: true }).count()) === 0, 'no swatch is marked');
   await studio.shot('group-colour-own');
+  await page.getByRole('button', { name: 'Build', exact: true }).click();
+  await page.locator('.groups .chip').first().waitFor();
+  await studio.shot('group-colour-own-directing');
+  await serious(studio, 'directing in an own colour');
+  await page.getByRole('button', { name: 'Build', exact: true }).click();
+  await page.locator('.build-panel').waitFor();
   await page.getByRole('button', { name: 'Undo colour' }).click();
   await scene(studio, 'one step for an own colour', (one) => chosenIn(one) === '#05536d');
 }
@@ -131,9 +153,24 @@ async function savedAndPlayed(studio) {
     return JSON.parse(stdout).hash;
   });
   expect(hashes[0] === hashes[1] && hashes[0] !== hashes[2], `the colour is state: ${hashes.join(', ')}`);
-  await page.evaluate(() => globalThis.__muster.client.send({ type: 'Playback', action: 'Restart', value: 0 }));
-  await scene(studio, 'the restarted place has it', (one) => chosenIn(one) === '#05536d');
+  await opensWithIt(page, join(folder, '0.json'));
   console.log(`measured: a place with a chosen colour plays to ${hashes[0]}`);
+}
+
+/** Another studio that begins with the saved file. */
+async function opensWithIt(page, scenario) {
+  const own = await startStudio({ scenario, port: kPort + 300 });
+  const studio = await StudioPage.open(page.context().browser(), own.url, { touch: false });
+  try {
+    await studio.eventually(async () => expect((await drawn(studio))[0] === 0x05536d, 'people have it at once'));
+    const mark = studio.page.locator('.groups .chip svg').first();
+    const colour = await mark.evaluate((one) => getComputedStyle(one).color);
+    expect(colour === 'rgb(5, 83, 109)', `and the chip: ${colour}`);
+    expect(studio.errors.length === 0, studio.errors.join());
+  } finally {
+    await studio.close();
+    await own.stop();
+  }
 }
 
 export async function byTouch(studio) {

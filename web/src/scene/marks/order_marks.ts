@@ -199,7 +199,8 @@ export class OrderMarks {
       first = k + 1;
       const at = scene.camera.worldToScreen(end.x, end.y);
       if (legs[k]!.order.id === scene.picked) this.painter_.ring(at, colours, kPickedRing);
-      if (legs.length > 1 || group.patrols) this.painter_.badge(at, text, colours, inkOn(scene.palette, colours.accent));
+      if (legs.length > 1 || group.patrols)
+        this.painter_.badge(at, text, colours, inkOn(scene.palette, colours.accent));
       else if (distance(end, group) >= kReached) this.painter_.checkpoint(at, colours, true);
     });
   }

@@ -15,7 +15,7 @@ export class CrowdArrows {
     private readonly store_: StudioStore,
     private readonly actions_: StudioActions,
   ) {
-    store_.watch(['arrows'], ({ arrows }) => this.show(arrows));
+    store_.watch(['arrows', 'groups'], ({ arrows }) => this.show(arrows));
   }
 
   private show(arrows: readonly CrowdArrow[]): void {
@@ -33,15 +33,23 @@ export class CrowdArrows {
     let button = this.buttons_.get(arrow.id);
     if (!button) {
       button = this.make(arrow.id);
-      button.prepend(groupMark(group.colour));
-      button.style.setProperty('--accent', accentVariable(group.colour));
       this.buttons_.set(arrow.id, button);
       this.root.append(button);
     }
+    this.paint(button, group.colour);
     setAttribute(button, 'aria-label', `${group.name} is off screen: show it`);
     setAttribute(button, 'data-tip', `${group.name} is there`);
     button.style.transform = `translate(${arrow.x - 24}px, ${arrow.y - 24}px)`;
     button.style.setProperty('--direction', `${arrow.angle}rad`);
+  }
+
+  /** The colour of a group may change. */
+  private paint(button: HTMLButtonElement, colour: number): void {
+    if (button.dataset['colour'] === String(colour)) return;
+    button.dataset['colour'] = String(colour);
+    button.querySelector('.mark')?.remove();
+    button.prepend(groupMark(colour));
+    button.style.setProperty('--accent', accentVariable(colour));
   }
 
   private make(id: number): HTMLButtonElement {
