@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <string>
 
 namespace muster::testing {
@@ -58,6 +59,10 @@ inline std::string breaks(const Json& schema, const Json& value, const std::stri
         } else if (key == "maxItems") {
             if (value.is_array() && value.size() > rule.get<std::size_t>())
                 return path + " has too many items";
+        } else if (key == "pattern") {
+            if (value.is_string() &&
+                !std::regex_search(value.get<std::string>(), std::regex(rule.get<std::string>())))
+                return path + " does not match " + rule.get<std::string>();
         } else if (key == "enum") {
             if (std::find(rule.begin(), rule.end(), value) == rule.end())
                 return path + " is none of " + rule.dump();
