@@ -79,7 +79,7 @@ export const SUBPROTOCOL = 'muster.v${schema.version}';
 /** Interfaces with what reads and writes them. */
 function tsEntries(entries, messages) {
   const text = entries.map((entry) => tsEntry(entry, messages)).join('').trimEnd();
-  return `${banner}import { ByteReader, ByteWriter } from './bytes';\n${tsImports(entries, messages)}\n${text}\n`;
+  return `${banner}import { ByteReader, ByteWriter } from './bytes';\n${tsImports(entries)}\n${text}\n`;
 }
 
 /** Lines that import names from a module. */
@@ -88,16 +88,31 @@ function importLines(names, module) {
   return sorted.length > 0 ? `import {\n${sorted.map((name) => `  ${name},\n`).join('')}} from './${module}';\n` : '';
 }
 
-/** Enumerations and parts that the fields of entries refer to. */
-function tsImports(entries, messages) {
+/** The structs that fields refer to, with those that these refer to. */
+function structsOf(fields) {
+  const names = fields.filter((field) => field.kind === 'struct').map((field) => field.item);
+  const found = structs.filter(({ name }) => names.includes(name));
+  return found.flatMap((entry) => [entry, ...structsOf(entry.fields)]);
+}
+
+/** Parts of a frame have a module of their own. */
+const frameParts = new Set(structsOf(server.find(({ name }) => name === 'Frame').fields).map(({ name }) => name));
+const modules = ['frame_parts', 'parts'];
+const entriesOf = (module) => structs.filter(({ name }) => frameParts.has(name) === (module === 'frame_parts'));
+
+/** Enumerations and parts that the fields of entries refer to, but those of the same module. */
+function tsImports(entries) {
   const fields = entries.flatMap((entry) => entry.fields);
   const enums = new Set(fields.filter((field) => field.kind === 'enum').map((field) => `type ${field.item}`));
-  const parts = new Set(
-    fields
-      .filter((field) => field.kind === 'struct')
-      .flatMap((field) => [`type ${field.item}`, `read${field.item}`, `write${field.item}`]),
-  );
-  return importLines(enums, 'enums') + (messages ? importLines(parts, 'parts') : '');
+  const parts = new Set(fields.filter((field) => field.kind === 'struct').map((field) => field.item));
+  const lines = modules.map((module) => {
+    const names = entriesOf(module).filter((entry) => parts.has(entry.name) && !entries.includes(entry));
+    return importLines(
+      names.flatMap(({ name }) => [`type ${name}`, `read${name}`, `write${name}`]),
+      module,
+    );
+  });
+  return importLines(enums, 'enums') + lines.join('');
 }
 
 /** What encodes and decodes messages, and all of the other modules. */
@@ -106,7 +121,7 @@ function tsMessages() {
   return `${banner}import { ByteReader, ByteWriter } from './bytes';
 ${importLines(names(client), 'client_messages')}${importLines(names(server), 'server_messages')}
 export * from './enums';
-export * from './parts';
+${modules.map((module) => `export * from './${module}';`).join('\n')}
 export * from './client_messages';
 export * from './server_messages';
 
@@ -118,7 +133,8 @@ ${tsSide('Server', server)}`;
 export function typescriptFiles() {
   return {
     'web/src/protocol/enums.ts': tsEnums(),
-    'web/src/protocol/parts.ts': tsEntries(structs, false),
+    'web/src/protocol/frame_parts.ts': tsEntries(entriesOf('frame_parts'), false),
+    'web/src/protocol/parts.ts': tsEntries(entriesOf('parts'), false),
     'web/src/protocol/client_messages.ts': tsEntries(client, true),
     'web/src/protocol/server_messages.ts': tsEntries(server, true),
     'web/src/protocol/messages.ts': tsMessages(),

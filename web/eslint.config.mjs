@@ -8,7 +8,7 @@ import tseslint from 'typescript-eslint';
 const source = fileURLToPath(new URL('src', import.meta.url));
 
 /** What protocol/generate.mjs writes. */
-const kGenerated = ['enums', 'parts', 'client_messages', 'server_messages', 'messages'].map(
+const kGenerated = ['enums', 'frame_parts', 'parts', 'client_messages', 'server_messages', 'messages'].map(
   (name) => `src/protocol/${name}.ts`,
 );
 

@@ -165,6 +165,7 @@ import {
 } from './server_messages';
 
 export * from './enums';
+export * from './frame_parts';
 export * from './parts';
 export * from './client_messages';
 export * from './server_messages';
