@@ -19,6 +19,8 @@ bool isInRange(Vec2 p) {
     return isFinite(p) && std::fabs(p.x) <= kFarthest && std::fabs(p.y) <= kFarthest;
 }
 
+constexpr double kLargestCell = 100.0;  // [m], as in scenarios.
+
 Status checkWorld(const EnvironmentDef& def) {
     if (!isInRange(def.box.min) || !isInRange(def.box.max) || !(def.box.width() > 0.0) ||
         !(def.box.height() > 0.0)) {
@@ -26,6 +28,7 @@ Status checkWorld(const EnvironmentDef& def) {
     }
     if (!std::isfinite(def.cell) || def.cell <= 0.0)
         return invalidArgument("the ground cell must be positive");
+    if (def.cell > kLargestCell) return invalidArgument("the ground cell must be at most 100 m");
     const double cells = std::ceil(def.box.width() / def.cell) * std::ceil(def.box.height() / def.cell);
     if (!(cells <= kMostCells))
         return invalidArgument("the world would have more than 16 million ground cells");

@@ -48,6 +48,7 @@ std::vector<Shape> layerOf(const World& world, std::string_view name, PictureDef
     const Box box = inspect::environment(world).def().box;
     Recorder ground(box), all(box);
     PictureDef bare;
+    bare.dark = def.dark;
     bare.layers = 1u << 20;  // No layer has this bit.
     drawWorld(ground, world, bare);
     def.layers = *parseLayers(name);
