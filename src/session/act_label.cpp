@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "session/deed.h"
+#include "session/crowd_change.h"
 #include "world/inspect.h"
 
 namespace muster {

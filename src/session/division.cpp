@@ -21,12 +21,12 @@ PartState stateOf(const World& world, std::size_t g) {
 }
 
 /// Adds a command where the group is not as it asks for.
-void addChange(const CommandBody& wanted, const CommandBody& now, DeedCommands& commands) {
+void addChange(const CommandBody& wanted, const CommandBody& now, CrowdCommands& commands) {
     if (!sameBody(wanted, now)) commands.bodies.push_back(wanted);
 }
 
 /// Formation, roles and demands of a group as they were.
-void shapeAgain(const PartState& part, const GroupDef& now, DeedCommands& commands) {
+void shapeAgain(const PartState& part, const GroupDef& now, CrowdCommands& commands) {
     const GroupDef& def = part.def;
     addChange(SetFormation{part.id, def.formation}, SetFormation{part.id, now.formation}, commands);
     addChange(SetRoles{part.id, def.roles}, SetRoles{part.id, now.roles}, commands);
@@ -40,48 +40,48 @@ std::vector<GroupId> idsOf(const std::vector<PartState>& parts) {
 }
 
 /// Notes the groups as they are now; those that are gone are left out.
-void look(DivisionDeed& deed, const World& world) {
+void look(DivisionChange& crowdChange, const World& world) {
     std::vector<PartState> parts;
-    for (const GroupId id : idsOf(deed.parts))
+    for (const GroupId id : idsOf(crowdChange.parts))
         if (const auto g = indexOfGroup(world, id)) parts.push_back(stateOf(world, *g));
-    deed.parts = std::move(parts);
+    crowdChange.parts = std::move(parts);
 }
 
 /// Those orders of the whole that still wait are as they were before it was divided.
-void wholeOrders(const DivisionDeed& deed, const World& world, DeedCommands& commands) {
-    const GroupView now = world.group(*indexOfGroup(world, deed.whole.id));
-    PartState wanted{deed.whole.id, {}, {}, queueOf(now)};
+void wholeOrders(const DivisionChange& crowdChange, const World& world, CrowdCommands& commands) {
+    const GroupView now = world.group(*indexOfGroup(world, crowdChange.whole.id));
+    PartState wanted{crowdChange.whole.id, {}, {}, queueOf(now)};
     for (QueuedOrder& order : wanted.queue.orders)
-        for (const QueuedOrder& was : deed.whole.queue.orders)
+        for (const QueuedOrder& was : crowdChange.whole.queue.orders)
             if (order.id == was.id) order.order = was.order;
     giveAll(wanted, now, commands);
 }
 
-void unite(DivisionDeed& deed, const World& world, DeedCommands& commands) {
-    look(deed, world);
-    if (deed.parts.empty()) return;
-    const auto* asked = std::get_if<MergeGroups>(&deed.asked);
-    MergeGroups merge{{deed.whole.id}, asked == nullptr ? PartShape::AsHeld : asked->shape};
-    for (const PartState& part : deed.parts) merge.groups.push_back(part.id);
+void unite(DivisionChange& crowdChange, const World& world, CrowdCommands& commands) {
+    look(crowdChange, world);
+    if (crowdChange.parts.empty()) return;
+    const auto* asked = std::get_if<MergeGroups>(&crowdChange.asked);
+    MergeGroups merge{{crowdChange.whole.id}, asked == nullptr ? PartShape::AsHeld : asked->shape};
+    for (const PartState& part : crowdChange.parts) merge.groups.push_back(part.id);
     commands.bodies.push_back(std::move(merge));
     if (asked == nullptr) {
-        commands.bodies.push_back(SetFormation{deed.whole.id, deed.whole.def.formation});
-        if (!deed.whole.def.roles.empty())
-            commands.bodies.push_back(SetRoles{deed.whole.id, deed.whole.def.roles});
-        wholeOrders(deed, world, commands);
+        commands.bodies.push_back(SetFormation{crowdChange.whole.id, crowdChange.whole.def.formation});
+        if (!crowdChange.whole.def.roles.empty())
+            commands.bodies.push_back(SetRoles{crowdChange.whole.id, crowdChange.whole.def.roles});
+        wholeOrders(crowdChange, world, commands);
     } else {
-        deed.whole = stateOf(world, *indexOfGroup(world, deed.whole.id));
+        crowdChange.whole = stateOf(world, *indexOfGroup(world, crowdChange.whole.id));
     }
 }
 
-void divide(DivisionDeed& deed, const World& world, DeedCommands& commands) {
-    const std::size_t g = *indexOfGroup(world, deed.whole.id);
-    const auto* asked = std::get_if<SplitGroup>(&deed.asked);
+void divide(DivisionChange& crowdChange, const World& world, CrowdCommands& commands) {
+    const std::size_t g = *indexOfGroup(world, crowdChange.whole.id);
+    const auto* asked = std::get_if<SplitGroup>(&crowdChange.asked);
     const PartState now = stateOf(world, g);
     std::size_t left = now.members.size();
     std::vector<PartState> parts;
-    for (PartState& part : deed.parts) {
-        SplitGroup split{deed.whole.id, SplitBy::Ids, {}, {}, {}, false, PartShape::AsHeld};
+    for (PartState& part : crowdChange.parts) {
+        SplitGroup split{crowdChange.whole.id, SplitBy::Ids, {}, {}, {}, false, PartShape::AsHeld};
         if (asked != nullptr) split.shape = asked->shape;
         for (const std::uint32_t id : part.members)
             if (std::find(now.members.begin(), now.members.end(), id) != now.members.end())
@@ -91,14 +91,14 @@ void divide(DivisionDeed& deed, const World& world, DeedCommands& commands) {
         commands.bodies.push_back(std::move(split));
         parts.push_back(std::move(part));
     }
-    deed.parts = std::move(parts);
-    deed.whole.queue = now.queue;
+    crowdChange.parts = std::move(parts);
+    crowdChange.whole.queue = now.queue;
 }
 
 }  // namespace
 
-DivisionDeed divisionOf(const CommandBody& asked, const World& world) {
-    DivisionDeed deed{asked, {}, {}, false};
+DivisionChange divisionOf(const CommandBody& asked, const World& world) {
+    DivisionChange crowdChange{asked, {}, {}, false};
     std::vector<GroupId> groups;
     if (const auto* split = std::get_if<SplitGroup>(&asked)) groups = {split->group};
     if (const auto* merge = std::get_if<MergeGroups>(&asked)) groups = merge->groups;
@@ -106,42 +106,42 @@ DivisionDeed divisionOf(const CommandBody& asked, const World& world) {
         const auto g = indexOfGroup(world, id);
         if (!g) continue;
         if (id == groups.front()) {
-            deed.whole = stateOf(world, *g);
-            deed.whole.members.clear();  // Whoever is in no part belongs to it.
+            crowdChange.whole = stateOf(world, *g);
+            crowdChange.whole.members.clear();  // Whoever is in no part belongs to it.
         } else {
-            deed.parts.push_back(stateOf(world, *g));
+            crowdChange.parts.push_back(stateOf(world, *g));
         }
     }
-    return deed;
+    return crowdChange;
 }
 
-void divisionCommands(DivisionDeed& deed, const World& world, DeedCommands& commands) {
-    if (!indexOfGroup(world, deed.whole.id)) return;
-    if (deed.splits())
-        divide(deed, world, commands);
+void divisionCommands(DivisionChange& crowdChange, const World& world, CrowdCommands& commands) {
+    if (!indexOfGroup(world, crowdChange.whole.id)) return;
+    if (crowdChange.splits())
+        divide(crowdChange, world, commands);
     else
-        unite(deed, world, commands);
+        unite(crowdChange, world, commands);
 }
 
-std::vector<GroupId> takeNewParts(const DivisionDeed& deed, std::vector<Event>& added) {
+std::vector<GroupId> takeNewParts(const DivisionChange& crowdChange, std::vector<Event>& added) {
     std::vector<GroupId> parts;
-    const auto* first = std::get_if<SplitGroup>(&deed.asked);
-    const bool again = deed.undone || !deed.parts.empty();
-    std::size_t most = deed.parts.size();
+    const auto* first = std::get_if<SplitGroup>(&crowdChange.asked);
+    const bool again = crowdChange.undone || !crowdChange.parts.empty();
+    std::size_t most = crowdChange.parts.size();
     if (!again) most = first->by == SplitBy::Shares ? first->shares.size() - 1 : 1;
     for (Event& event : added) {
         if (parts.size() == most) break;
-        if (event.kind != EventKind::GroupAdded || event.value != deed.whole.id.value) continue;
+        if (event.kind != EventKind::GroupAdded || event.value != crowdChange.whole.id.value) continue;
         parts.push_back(GroupId{event.subject});
-        event.value = 0;  // It is of one deed only.
+        event.value = 0;  // It is of one change of the crowd only.
     }
     return parts;
 }
 
-void partsComeBack(const DivisionDeed& deed, const World& world, DeedCommands& commands) {
+void partsComeBack(const DivisionChange& crowdChange, const World& world, CrowdCommands& commands) {
     // A split that is done again gives the same orders and formations as the first time.
-    const bool joined = std::holds_alternative<MergeGroups>(deed.asked);
-    for (const PartState& part : deed.parts) {
+    const bool joined = std::holds_alternative<MergeGroups>(crowdChange.asked);
+    for (const PartState& part : crowdChange.parts) {
         const auto g = indexOfGroup(world, part.id);
         if (!g) continue;
         const GroupDef& now = inspect::groupDef(world, *g);
@@ -151,10 +151,10 @@ void partsComeBack(const DivisionDeed& deed, const World& world, DeedCommands& c
         shapeAgain(part, now, commands);
         giveAll(part, world.group(*g), commands);
     }
-    const auto whole = indexOfGroup(world, deed.whole.id);
+    const auto whole = indexOfGroup(world, crowdChange.whole.id);
     if (!joined || !whole) return;
-    shapeAgain(deed.whole, inspect::groupDef(world, *whole), commands);
-    wholeOrders(deed, world, commands);
+    shapeAgain(crowdChange.whole, inspect::groupDef(world, *whole), commands);
+    wholeOrders(crowdChange, world, commands);
 }
 
 }  // namespace muster

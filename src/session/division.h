@@ -4,17 +4,17 @@
 #include <span>
 
 #include "muster/event.h"
-#include "session/deed.h"
+#include "session/crowd_change.h"
 
 namespace muster {
 
-/// The deed of a command that is about to divide or join groups.
-DivisionDeed divisionOf(const CommandBody& asked, const World& world);
+/// The change of the crowd of a command that is about to divide or join groups.
+DivisionChange divisionOf(const CommandBody& asked, const World& world);
 /// Adds the commands that divide or join. Adds none where too few of the groups are left.
-void divisionCommands(DivisionDeed& deed, const World& world, DeedCommands& commands);
-/// The groups that came when the step divided one for this deed. Takes their events out.
-std::vector<GroupId> takeNewParts(const DivisionDeed& deed, std::vector<Event>& added);
+void divisionCommands(DivisionChange& crowdChange, const World& world, CrowdCommands& commands);
+/// The groups that came when the step divided one for this change of the crowd. Takes their events out.
+std::vector<GroupId> takeNewParts(const DivisionChange& crowdChange, std::vector<Event>& added);
 /// Adds what makes new groups what they were before they were joined.
-void partsComeBack(const DivisionDeed& deed, const World& world, DeedCommands& commands);
+void partsComeBack(const DivisionChange& crowdChange, const World& world, CrowdCommands& commands);
 
 }  // namespace muster

@@ -9,7 +9,7 @@
 
 #include "muster/command.h"
 #include "muster/world.h"
-#include "session/deed.h"
+#include "session/crowd_change.h"
 #include "session/place.h"
 
 namespace muster {
@@ -33,13 +33,13 @@ struct PlaceChange {
 
 /// What one step of a director's history does.
 struct PlaceStep {
-    std::string label;                 ///< For people: "Move wall".
-    std::uint32_t gesture = 0;         ///< Steps with the same number are one; 0: alone.
-    std::vector<PlaceChange> changes;  ///< In the order in which they were made.
-    bool directs = false;              ///< It directs groups, and leaves the place as it is.
-    std::uint32_t step = 0;            ///< Of the world, when it was last done.
-    std::vector<Deed> deeds;           ///< What else was done, where it directs.
-    std::size_t bytes = 0;             ///< About how large it is in a history.
+    std::string label;                      ///< For people: "Move wall".
+    std::uint32_t gesture = 0;              ///< Steps with the same number are one; 0: alone.
+    std::vector<PlaceChange> changes;       ///< In the order in which they were made.
+    bool directs = false;                   ///< It directs groups, and leaves the place as it is.
+    std::uint32_t step = 0;                 ///< Of the world, when it was last done.
+    std::vector<CrowdChange> crowdChanges;  ///< What else was done, where it directs.
+    std::size_t bytes = 0;                  ///< About how large it is in a history.
 };
 
 /// What a command is about; nothing where it is no edit of a place.

@@ -23,15 +23,15 @@ bool collide(const Thing& a, const Thing& b) {
 PlaceStep reversed(PlaceStep step) {
     std::reverse(step.changes.begin(), step.changes.end());
     for (PlaceChange& change : step.changes) std::swap(change.redo, change.undo);
-    std::reverse(step.deeds.begin(), step.deeds.end());
-    for (Deed& deed : step.deeds) deed = reversed(std::move(deed));
+    std::reverse(step.crowdChanges.begin(), step.crowdChanges.end());
+    for (CrowdChange& crowdChange : step.crowdChanges) crowdChange = reversed(std::move(crowdChange));
     return step;
 }
 
 std::size_t bytesOf(const PlaceStep& step) {
     std::size_t bytes = 0;
     for (const PlaceChange& change : step.changes) bytes += bytesOf(change.redo) + bytesOf(change.undo);
-    for (const Deed& deed : step.deeds) bytes += bytesOf(deed);
+    for (const CrowdChange& crowdChange : step.crowdChanges) bytes += bytesOf(crowdChange);
     return bytes;
 }
 
@@ -222,10 +222,10 @@ bool PlaceEditor::fetch(Waiting& waiting) {
 static std::vector<Thing> thingsOf(const PlaceStep& step) {
     std::vector<Thing> things;
     for (const PlaceChange& change : step.changes) things.push_back(change.thing);
-    for (const Deed& deed : step.deeds) {
-        if (const auto* queue = std::get_if<QueueDeed>(&deed))
+    for (const CrowdChange& crowdChange : step.crowdChanges) {
+        if (const auto* queue = std::get_if<QueueChange>(&crowdChange))
             things.push_back({ThingKind::Group, queue->group.value});
-        if (const auto* division = std::get_if<DivisionDeed>(&deed)) {
+        if (const auto* division = std::get_if<DivisionChange>(&crowdChange)) {
             things.push_back({ThingKind::Group, division->whole.id.value});
             for (const PartState& part : division->parts) things.push_back({ThingKind::Group, part.id.value});
         }
@@ -253,10 +253,11 @@ bool PlaceEditor::ready(Waiting& waiting, Given& given, const World& world) {
     given.client = waiting.client;
     given.way = waiting.way;
     given.arrival = waiting.arrival;
-    given.deeds = std::move(waiting.commands);
-    for (Deed& deed : waiting.step.deeds) commandsOf(deed, world, given.deeds);
+    given.crowdChanges = std::move(waiting.commands);
+    for (CrowdChange& crowdChange : waiting.step.crowdChanges)
+        commandsOf(crowdChange, world, given.crowdChanges);
     given.step = std::move(waiting.step);
-    return !given.step.changes.empty() || !given.deeds.bodies.empty();
+    return !given.step.changes.empty() || !given.crowdChanges.bodies.empty();
 }
 
 std::vector<PlaceEditor::Given> PlaceEditor::due(const World& world) {
@@ -318,8 +319,8 @@ void PlaceEditor::carriedOut(std::vector<Given> given, const World& world) {
             }
             if (!one.step.directs) place_.apply(change.redo, world);
         }
-        finishDeeds(one, added, world);
-        if (one.way != Given::Way::Follow && (!one.step.changes.empty() || !one.step.deeds.empty()))
+        finishCrowdChanges(one, added, world);
+        if (one.way != Given::Way::Follow && (!one.step.changes.empty() || !one.step.crowdChanges.empty()))
             keep(one);
         ++revision_;
     }
@@ -349,7 +350,8 @@ void PlaceEditor::renameEverywhere(Thing from, std::uint32_t to) {
             if (change.thing == from) change.thing.id = to;
         }
         if (from.kind != ThingKind::Group) return;
-        for (Deed& deed : step.deeds) renameGroup(deed, GroupId{from.id}, GroupId{to});
+        for (CrowdChange& crowdChange : step.crowdChanges)
+            renameGroup(crowdChange, GroupId{from.id}, GroupId{to});
     });
 }
 

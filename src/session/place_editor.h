@@ -26,8 +26,8 @@ public:
         /// Follow: it belongs to the step before, which needed to know ids first.
         enum class Way : std::uint8_t { Do, Undo, Redo, Follow } way = Way::Do;
         std::uint32_t arrival = 0;  ///< Rises with everything that directors ask for.
-        DeedCommands deeds;         ///< The commands of its deeds, which come after the changes.
-        std::vector<std::uint32_t> deedSequences;  ///< Of these commands.
+        CrowdCommands crowdChanges;  ///< Those of its changes of the crowd; they come after the changes.
+        std::vector<std::uint32_t> changeSequences;  ///< Of these commands.
     };
 
     /// Another world began: all histories end.
@@ -78,7 +78,7 @@ private:
         bool fetched = false;    // It is out of the history.
         bool behindAct = false;  // Acts of the director in the step that is made come first.
         std::uint32_t arrival = 0;
-        DeedCommands commands;  // For Follow.
+        CrowdCommands commands;  // For Follow.
     };
     /// The steps of a history, once all that waits is carried out.
     struct Foreseen {
@@ -106,13 +106,13 @@ private:
     }
 
     // Acts (place_editor_acts.cpp).
-    void addDeed(Given& act, const CommandBody& body, std::uint32_t sequence, const World& world);
-    void addQueueDeed(Given& act, GroupId group, const CommandBody& body, std::uint32_t sequence,
-                      const World& world);
+    void addCrowdChange(Given& act, const CommandBody& body, std::uint32_t sequence, const World& world);
+    void addQueueChange(Given& act, GroupId group, const CommandBody& body, std::uint32_t sequence,
+                        const World& world);
     PlaceChange actChange(const Given& act, const CommandBody& body, const World& world) const;
     void nameOrders(std::vector<Given>& given, const World& world);
-    void finishDeeds(Given& one, std::vector<Event>& added, const World& world);
-    void follow(const Given& one, const DivisionDeed& deed, const World& world);
+    void finishCrowdChanges(Given& one, std::vector<Event>& added, const World& world);
+    void follow(const Given& one, const DivisionChange& crowdChange, const World& world);
     bool isRefused(const Given& one, std::uint32_t sequence, const World& world) const;
     bool joinsAct(const PlaceStep& last, const PlaceStep& next) const;
 

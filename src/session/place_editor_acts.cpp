@@ -13,17 +13,17 @@ namespace {
 /// A slider whose messages are no farther apart than this is one step [steps].
 constexpr std::uint32_t kGesture = 30;
 
-/// Ids of the characters that came with the step for this deed. Takes their events out.
-std::vector<std::uint32_t> takeJoined(const MemberDeed& deed, std::vector<Event>& added) {
+/// Ids of the characters that came with the step for this change of the crowd. Takes their events out.
+std::vector<std::uint32_t> takeJoined(const MemberChange& crowdChange, std::vector<Event>& added) {
     std::vector<std::uint32_t> ids;
-    for (const CommandBody& body : deed.redo) {
+    for (const CommandBody& body : crowdChange.redo) {
         const auto* add = std::get_if<AddCharacters>(&body);
         std::size_t left = add == nullptr ? 0 : add->positions.size();
         for (Event& event : added) {
             if (left == 0) break;
             if (event.kind != EventKind::Joined || event.value != add->group.value) continue;
             ids.push_back(event.subject);
-            event.value = 0;  // It is of one deed only.
+            event.value = 0;  // It is of one change of the crowd only.
             --left;
         }
     }
@@ -38,8 +38,8 @@ void PlaceEditor::acted(std::uint32_t client, const std::vector<CommandBody>& bo
     act.client = client;
     for (std::size_t k = 0; k < bodies.size(); ++k)
         if (canTakeBack(bodies[k]))
-            addDeed(act, bodies[k], firstSequence + static_cast<std::uint32_t>(k), world);
-    if (act.step.changes.empty() && act.step.deeds.empty()) return;
+            addCrowdChange(act, bodies[k], firstSequence + static_cast<std::uint32_t>(k), world);
+    if (act.step.changes.empty() && act.step.crowdChanges.empty()) return;
     if (acts_.empty()) highest_ = highestIds(world);
     act.step.label = actLabel(bodies, world);
     act.step.directs = true;
@@ -49,8 +49,9 @@ void PlaceEditor::acted(std::uint32_t client, const std::vector<CommandBody>& bo
     ++revision_;
 }
 
-void PlaceEditor::addDeed(Given& act, const CommandBody& body, std::uint32_t sequence, const World& world) {
-    if (const GroupId group = queueChangedBy(body)) addQueueDeed(act, group, body, sequence, world);
+void PlaceEditor::addCrowdChange(Given& act, const CommandBody& body, std::uint32_t sequence,
+                                 const World& world) {
+    if (const GroupId group = queueChangedBy(body)) addQueueChange(act, group, body, sequence, world);
     if (std::holds_alternative<GiveOrder>(body) || std::holds_alternative<EditQueue>(body)) return;
     const bool divides = std::holds_alternative<SplitGroup>(body) ||
                          std::holds_alternative<MergeGroups>(body);
@@ -62,35 +63,39 @@ void PlaceEditor::addDeed(Given& act, const CommandBody& body, std::uint32_t seq
         act.sequences.push_back(sequence);
         return;
     }
-    act.step.deeds.push_back(divides ? Deed(divisionOf(body, world)) : memberDeed(body, world));
-    act.deeds.bodies.push_back(body);
-    act.deedSequences.push_back(sequence);
+    act.step.crowdChanges.push_back(divides ? CrowdChange(divisionOf(body, world))
+                                            : memberChange(body, world));
+    act.crowdChanges.bodies.push_back(body);
+    act.changeSequences.push_back(sequence);
 }
 
 // The queue is known before the step is made, as it does what the command asks for.
-void PlaceEditor::addQueueDeed(Given& act, GroupId group, const CommandBody& body, std::uint32_t sequence,
-                               const World& world) {
+void PlaceEditor::addQueueChange(Given& act, GroupId group, const CommandBody& body, std::uint32_t sequence,
+                                 const World& world) {
     const auto g = indexOfGroup(world, group);
     if (!g) return;
     QueueState& planned = planned_.try_emplace(group, queueOf(world.group(*g))).first->second;
-    std::vector<Deed>& deeds = act.step.deeds;
-    const auto same = std::find_if(deeds.begin(), deeds.end(), [&](const Deed& deed) {
-        const auto* queue = std::get_if<QueueDeed>(&deed);
-        return queue != nullptr && queue->group == group;
-    });
-    const auto at = static_cast<std::size_t>(same - deeds.begin());
-    if (same == deeds.end()) {
+    std::vector<CrowdChange>& crowdChanges = act.step.crowdChanges;
+    const auto same = std::find_if(crowdChanges.begin(), crowdChanges.end(),
+                                   [&](const CrowdChange& crowdChange) {
+                                       const auto* queue = std::get_if<QueueChange>(&crowdChange);
+                                       return queue != nullptr && queue->group == group;
+                                   });
+    const auto at = static_cast<std::size_t>(same - crowdChanges.begin());
+    if (same == crowdChanges.end()) {
         const auto own = inverseOf(SetFormation{group, {}}, world, place_);
-        deeds.push_back(QueueDeed{group, planned, {}, std::get<SetFormation>(*own).formation, false});
+        crowdChanges.push_back(
+            QueueChange{group, planned, {}, std::get<SetFormation>(*own).formation, false});
     }
     const std::uint32_t id = ++lastUnnamed_;
-    if (std::holds_alternative<GiveOrder>(body)) act.deeds.orders.push_back({act.deeds.bodies.size(), id});
+    if (std::holds_alternative<GiveOrder>(body))
+        act.crowdChanges.orders.push_back({act.crowdChanges.bodies.size(), id});
     if (!std::holds_alternative<SetPose>(body)) {
-        act.deeds.bodies.push_back(body);
-        act.deedSequences.push_back(sequence);
+        act.crowdChanges.bodies.push_back(body);
+        act.changeSequences.push_back(sequence);
     }
     apply(planned, body, id);
-    std::get<QueueDeed>(deeds[at]).after = planned;
+    std::get<QueueChange>(crowdChanges[at]).after = planned;
 }
 
 // What takes a change back is what the world has, or what an earlier act of the same step has asked for.
@@ -117,15 +122,16 @@ void PlaceEditor::nameOrders(std::vector<Given>& given, const World& world) {
     std::vector<Event> events(world.events().begin(), world.events().end());
     std::erase_if(events, [](const Event& event) { return event.kind != EventKind::OrderGiven; });
     for (Given& one : given) {
-        for (const DeedCommands::Order& order : one.deeds.orders) {
-            if (order.body >= one.deedSequences.size()) continue;
-            const auto& give = std::get<GiveOrder>(one.deeds.bodies[order.body]);
+        for (const CrowdCommands::Order& order : one.crowdChanges.orders) {
+            if (order.body >= one.changeSequences.size()) continue;
+            const auto& give = std::get<GiveOrder>(one.crowdChanges.bodies[order.body]);
             const auto event = std::find_if(events.begin(), events.end(), [&](const Event& of) {
                 return of.subject == give.group.value && of.position == give.order.target;
             });
-            if (event == events.end() || isRefused(one, one.deedSequences[order.body], world)) continue;
+            if (event == events.end() || isRefused(one, one.changeSequences[order.body], world)) continue;
             const auto name = [&](PlaceStep& step) {
-                for (Deed& deed : step.deeds) renameOrder(deed, order.id, event->value);
+                for (CrowdChange& crowdChange : step.crowdChanges)
+                    renameOrder(crowdChange, order.id, event->value);
             };
             eachStep(name);
             for (Given& other : given) name(other.step);
@@ -134,18 +140,18 @@ void PlaceEditor::nameOrders(std::vector<Given>& given, const World& world) {
     }
 }
 
-// Deeds of which the world has refused every command are left out.
-void PlaceEditor::finishDeeds(Given& one, std::vector<Event>& added, const World& world) {
-    const bool refused = std::all_of(one.deedSequences.begin(), one.deedSequences.end(),
+// Changes of the crowd of which the world has refused every command are left out.
+void PlaceEditor::finishCrowdChanges(Given& one, std::vector<Event>& added, const World& world) {
+    const bool refused = std::all_of(one.changeSequences.begin(), one.changeSequences.end(),
                                      [&](std::uint32_t sequence) { return isRefused(one, sequence, world); });
-    if (refused && (!one.deedSequences.empty() || one.step.changes.empty())) one.step.deeds.clear();
-    for (Deed& deed : one.step.deeds) {
-        if (auto* member = std::get_if<MemberDeed>(&deed)) {
+    if (refused && (!one.changeSequences.empty() || one.step.changes.empty())) one.step.crowdChanges.clear();
+    for (CrowdChange& crowdChange : one.step.crowdChanges) {
+        if (auto* member = std::get_if<MemberChange>(&crowdChange)) {
             if (member->redo.empty() || !std::holds_alternative<AddCharacters>(member->redo.front()))
                 continue;
             member->undo = {RemoveCharacters{takeJoined(*member, added)}};
         }
-        auto* division = std::get_if<DivisionDeed>(&deed);
+        auto* division = std::get_if<DivisionChange>(&crowdChange);
         if (division == nullptr || !division->splits()) continue;
         const std::vector<GroupId> parts = takeNewParts(*division, added);
         const bool again = !division->parts.empty();
@@ -156,15 +162,15 @@ void PlaceEditor::finishDeeds(Given& one, std::vector<Event>& added, const World
             }
             const GroupId old = division->parts[k].id;
             renameEverywhere({ThingKind::Group, old.value}, parts[k].value);
-            renameGroup(deed, old, parts[k]);
+            renameGroup(crowdChange, old, parts[k]);
         }
         if (again) follow(one, *division, world);
     }
 }
 
-void PlaceEditor::follow(const Given& one, const DivisionDeed& deed, const World& world) {
+void PlaceEditor::follow(const Given& one, const DivisionChange& crowdChange, const World& world) {
     Waiting waiting;
-    partsComeBack(deed, world, waiting.commands);
+    partsComeBack(crowdChange, world, waiting.commands);
     if (waiting.commands.bodies.empty()) return;
     waiting.client = one.client;
     waiting.way = Given::Way::Follow;
@@ -175,8 +181,8 @@ void PlaceEditor::follow(const Given& one, const DivisionDeed& deed, const World
 }
 
 bool PlaceEditor::joinsAct(const PlaceStep& last, const PlaceStep& next) const {
-    if (!last.directs || !next.directs || last.label != next.label || !last.deeds.empty() ||
-        !next.deeds.empty() || next.step - last.step > kGesture)
+    if (!last.directs || !next.directs || last.label != next.label || !last.crowdChanges.empty() ||
+        !next.crowdChanges.empty() || next.step - last.step > kGesture)
         return false;
     const auto slides = [](const PlaceChange& change) { return isContinuous(change.redo); };
     if (!std::all_of(next.changes.begin(), next.changes.end(), slides)) return false;

@@ -99,14 +99,14 @@ void Session::Impl::submitEdits() {
         std::vector<CommandBody> bodies;
         for (const PlaceChange& change : given.step.changes) bodies.push_back(change.redo);
         const std::size_t changes = bodies.size();
-        bodies.insert(bodies.end(), given.deeds.bodies.begin(), given.deeds.bodies.end());
+        bodies.insert(bodies.end(), given.crowdChanges.bodies.begin(), given.crowdChanges.bodies.end());
         const std::uint32_t before = client.sequence;
         if (const Status status = submit(client, bodies, false); !status.ok()) {
             notice(client, protocol::NoticeLevel::Error, "Edit", status.message());
             return true;
         }
         for (std::uint32_t s = before + 1; s <= client.sequence; ++s)
-            (s - before <= changes ? given.sequences : given.deedSequences).push_back(s);
+            (s - before <= changes ? given.sequences : given.changeSequences).push_back(s);
         return false;
     });
 }

@@ -1,4 +1,4 @@
-#include "session/deed.h"
+#include "session/crowd_change.h"
 
 #include <algorithm>
 #include <map>
@@ -20,22 +20,24 @@ bool shapes(const Order& order) {
     return order.formation || order.width > 0.0 || order.kind == OrderKind::Guard;
 }
 
-/// One change of a queue, from a deed to commands.
+/// One change of a queue, from a change of the crowd to commands.
 class QueueCommands {
 public:
-    QueueCommands(const QueueDeed& deed, const GroupView& now, DeedCommands& commands)
-        : deed_(deed), now_(now), commands_(commands), held_(now.held), patrols_(now.patrols) {}
+    QueueCommands(const QueueChange& crowdChange, const GroupView& now, CrowdCommands& commands)
+        : crowdChange_(crowdChange), now_(now), commands_(commands), held_(now.held), patrols_(now.patrols) {}
 
     void add() {
         std::vector<std::uint32_t> lost;
         for (const QueuedOrder& order : now_.orders) {
-            const bool goes = names(deed_.before.orders, order.id) && !names(deed_.after.orders, order.id);
+            const bool goes = names(crowdChange_.before.orders, order.id) &&
+                              !names(crowdChange_.after.orders, order.id);
             (goes ? lost : kept_).push_back(order.id);
         }
         std::vector<std::size_t> back;
-        for (std::size_t k = 0; k < deed_.after.orders.size(); ++k) {
-            const std::uint32_t id = deed_.after.orders[k].id;
-            if (!names(deed_.before.orders, id) && std::find(kept_.begin(), kept_.end(), id) == kept_.end())
+        for (std::size_t k = 0; k < crowdChange_.after.orders.size(); ++k) {
+            const std::uint32_t id = crowdChange_.after.orders[k].id;
+            if (!names(crowdChange_.before.orders, id) &&
+                std::find(kept_.begin(), kept_.end(), id) == kept_.end())
                 back.push_back(k);
         }
         if (isOfOthers(lost)) return;
@@ -43,17 +45,18 @@ public:
             replaceAll(back, !lost.empty());
         else
             change(lost, back);
-        mark(deed_.before.held, deed_.after.held, held_, now_.held, QueueEdit::Hold, QueueEdit::Resume);
-        mark(deed_.before.patrols, deed_.after.patrols, patrols_, now_.patrols, QueueEdit::Patrol,
-             QueueEdit::EndPatrol);
+        mark(crowdChange_.before.held, crowdChange_.after.held, held_, now_.held, QueueEdit::Hold,
+             QueueEdit::Resume);
+        mark(crowdChange_.before.patrols, crowdChange_.after.patrols, patrols_, now_.patrols,
+             QueueEdit::Patrol, QueueEdit::EndPatrol);
     }
 
 private:
     /// True where others have given the group all its orders since.
     bool isOfOthers(const std::vector<std::uint32_t>& lost) const {
-        if (!lost.empty() || kept_.empty() || deed_.before.orders.empty()) return false;
+        if (!lost.empty() || kept_.empty() || crowdChange_.before.orders.empty()) return false;
         return std::none_of(kept_.begin(), kept_.end(),
-                            [&](std::uint32_t id) { return names(deed_.before.orders, id); });
+                            [&](std::uint32_t id) { return names(crowdChange_.before.orders, id); });
     }
 
     void replaceAll(const std::vector<std::size_t>& back, bool stops) {
@@ -62,71 +65,73 @@ private:
         if (!back.empty())
             held_ = patrols_ = false;
         else if (stops)
-            commands_.bodies.push_back(EditQueue{deed_.group, QueueEdit::Cancel, 0});
+            commands_.bodies.push_back(EditQueue{crowdChange_.group, QueueEdit::Cancel, 0});
     }
 
     void change(const std::vector<std::uint32_t>& lost, const std::vector<std::size_t>& back) {
         for (const std::uint32_t id : lost)
-            commands_.bodies.push_back(EditQueue{deed_.group, QueueEdit::Cancel, id});
+            commands_.bodies.push_back(EditQueue{crowdChange_.group, QueueEdit::Cancel, id});
         // From the last one on, so that each finds those that stand behind it.
         for (auto k = back.rbegin(); k != back.rend(); ++k) {
             auto before = kept_.end();
-            for (std::size_t next = *k + 1; next < deed_.after.orders.size() && before == kept_.end(); ++next)
-                before = std::find(kept_.begin(), kept_.end(), deed_.after.orders[next].id);
+            for (std::size_t next = *k + 1; next < crowdChange_.after.orders.size() && before == kept_.end();
+                 ++next)
+                before = std::find(kept_.begin(), kept_.end(), crowdChange_.after.orders[next].id);
             give(*k, QueueMode::Insert, static_cast<std::uint32_t>(before - kept_.begin()));
-            kept_.insert(before, deed_.after.orders[*k].id);
+            kept_.insert(before, crowdChange_.after.orders[*k].id);
         }
     }
 
     void give(std::size_t k, QueueMode mode, std::uint32_t index) {
-        const QueuedOrder& order = deed_.after.orders[k];
+        const QueuedOrder& order = crowdChange_.after.orders[k];
         commands_.orders.push_back({commands_.bodies.size(), order.id});
-        commands_.bodies.push_back(GiveOrder{deed_.group, mode, index, order.order});
+        commands_.bodies.push_back(GiveOrder{crowdChange_.group, mode, index, order.order});
     }
 
     /// `is`: after the commands so far; `was`: before them.
     void mark(bool before, bool after, bool is, bool was, QueueEdit on, QueueEdit off) {
         const bool wanted = before == after ? was : after;
-        if (wanted != is) commands_.bodies.push_back(EditQueue{deed_.group, wanted ? on : off, 0});
+        if (wanted != is) commands_.bodies.push_back(EditQueue{crowdChange_.group, wanted ? on : off, 0});
     }
 
-    const QueueDeed& deed_;
+    const QueueChange& crowdChange_;
     const GroupView& now_;
-    DeedCommands& commands_;
+    CrowdCommands& commands_;
     std::vector<std::uint32_t> kept_;  // The queue as the commands so far leave it.
     bool held_, patrols_;
 };
 
-/// Adds the commands of one kind of deed.
+/// Adds the commands of one kind of change of the crowd.
 struct Doing {
     const World& world;
-    DeedCommands& commands;
+    CrowdCommands& commands;
 
-    void operator()(QueueDeed& deed) const {
-        const auto g = indexOfGroup(world, deed.group);
+    void operator()(QueueChange& crowdChange) const {
+        const auto g = indexOfGroup(world, crowdChange.group);
         if (!g) return;
         const GroupView now = world.group(*g);
-        const std::vector<QueuedOrder>& gone = deed.before.orders;
-        const bool shaped = deed.undone && deed.formation &&
+        const std::vector<QueuedOrder>& gone = crowdChange.before.orders;
+        const bool shaped = crowdChange.undone && crowdChange.formation &&
                             std::any_of(gone.begin(), gone.end(), [&](const QueuedOrder& order) {
-                                return shapes(order.order) && !names(deed.after.orders, order.id);
+                                return shapes(order.order) && !names(crowdChange.after.orders, order.id);
                             });
-        const SetFormation shape{deed.group, deed.formation.value_or(FormationDef{})};
-        if (shaped && !sameBody(shape, SetFormation{deed.group, inspect::groupDef(world, *g).formation}))
+        const SetFormation shape{crowdChange.group, crowdChange.formation.value_or(FormationDef{})};
+        if (shaped &&
+            !sameBody(shape, SetFormation{crowdChange.group, inspect::groupDef(world, *g).formation}))
             commands.bodies.push_back(shape);
-        QueueCommands(deed, now, commands).add();
+        QueueCommands(crowdChange, now, commands).add();
     }
-    void operator()(MemberDeed& deed) const {
-        for (const CommandBody& body : deed.redo) {
+    void operator()(MemberChange& crowdChange) const {
+        for (const CommandBody& body : crowdChange.redo) {
             const auto* remove = std::get_if<RemoveCharacters>(&body);
             commands.bodies.push_back(body);
             if (remove == nullptr) continue;
             // They come back where they stood last.
-            Deed again = memberDeed(body, world);
-            deed.undo = std::move(std::get<MemberDeed>(again).undo);
+            CrowdChange again = memberChange(body, world);
+            crowdChange.undo = std::move(std::get<MemberChange>(again).undo);
         }
     }
-    void operator()(DivisionDeed& deed) const { divisionCommands(deed, world, commands); }
+    void operator()(DivisionChange& crowdChange) const { divisionCommands(crowdChange, world, commands); }
 };
 
 std::vector<CommandBody> comeBack(const std::vector<std::uint32_t>& ids, const World& world) {
@@ -175,7 +180,7 @@ std::size_t bytesOf(const CommandBody& body) {
     return encodeCommand({0, 0, 0, body}).size();
 }
 
-std::size_t bytesOf(const Deed& deed) {
+std::size_t bytesOf(const CrowdChange& crowdChange) {
     const auto ofQueue = [](const QueueState& queue) {
         std::size_t bytes = 0;
         for (const QueuedOrder& order : queue.orders) bytes += bytesOf(GiveOrder{{}, {}, 0, order.order});
@@ -185,16 +190,16 @@ std::size_t bytesOf(const Deed& deed) {
         return ofQueue(part.queue) + part.members.size() * sizeof(std::uint32_t) +
                bytesOf(AddGroup{part.def});
     };
-    std::size_t bytes = sizeof(Deed);
-    if (const auto* queue = std::get_if<QueueDeed>(&deed)) {
+    std::size_t bytes = sizeof(CrowdChange);
+    if (const auto* queue = std::get_if<QueueChange>(&crowdChange)) {
         bytes += ofQueue(queue->before) + ofQueue(queue->after);
         if (queue->formation) bytes += bytesOf(SetFormation{{}, *queue->formation});
     }
-    if (const auto* member = std::get_if<MemberDeed>(&deed)) {
+    if (const auto* member = std::get_if<MemberChange>(&crowdChange)) {
         for (const CommandBody& body : member->redo) bytes += bytesOf(body);
         for (const CommandBody& body : member->undo) bytes += bytesOf(body);
     }
-    if (const auto* division = std::get_if<DivisionDeed>(&deed)) {
+    if (const auto* division = std::get_if<DivisionChange>(&crowdChange)) {
         bytes += bytesOf(division->asked) + ofPart(division->whole);
         for (const PartState& part : division->parts) bytes += ofPart(part);
     }
@@ -236,7 +241,7 @@ void apply(QueueState& queue, const CommandBody& body, std::uint32_t id) {
         queue.patrols = edit->edit == QueueEdit::Patrol;
 }
 
-void giveAll(const PartState& wanted, const GroupView& now, DeedCommands& commands) {
+void giveAll(const PartState& wanted, const GroupView& now, CrowdCommands& commands) {
     const std::vector<QueuedOrder>& orders = wanted.queue.orders;
     const auto same = [](const QueuedOrder& a, const QueuedOrder& b) {
         return sameBody(GiveOrder{{}, {}, 0, a.order}, GiveOrder{{}, {}, 0, b.order});
@@ -258,56 +263,58 @@ void giveAll(const PartState& wanted, const GroupView& now, DeedCommands& comman
     mark(patrols, wanted.queue.patrols, QueueEdit::Patrol, QueueEdit::EndPatrol);
 }
 
-Deed memberDeed(const CommandBody& body, const World& world) {
-    MemberDeed deed{{body}, {}};
-    if (const auto* remove = std::get_if<RemoveCharacters>(&body)) deed.undo = comeBack(remove->ids, world);
-    if (const auto* transfer = std::get_if<TransferCharacters>(&body)) deed.undo = goBack(*transfer, world);
-    if (std::holds_alternative<AddCharacters>(body)) deed.undo = {RemoveCharacters{}};
-    return deed;
+CrowdChange memberChange(const CommandBody& body, const World& world) {
+    MemberChange crowdChange{{body}, {}};
+    if (const auto* remove = std::get_if<RemoveCharacters>(&body))
+        crowdChange.undo = comeBack(remove->ids, world);
+    if (const auto* transfer = std::get_if<TransferCharacters>(&body))
+        crowdChange.undo = goBack(*transfer, world);
+    if (std::holds_alternative<AddCharacters>(body)) crowdChange.undo = {RemoveCharacters{}};
+    return crowdChange;
 }
 
-Deed reversed(Deed deed) {
-    if (auto* queue = std::get_if<QueueDeed>(&deed)) {
+CrowdChange reversed(CrowdChange crowdChange) {
+    if (auto* queue = std::get_if<QueueChange>(&crowdChange)) {
         std::swap(queue->before, queue->after);
         queue->undone = !queue->undone;
     }
-    if (auto* member = std::get_if<MemberDeed>(&deed)) std::swap(member->redo, member->undo);
-    if (auto* division = std::get_if<DivisionDeed>(&deed)) division->undone = !division->undone;
-    return deed;
+    if (auto* member = std::get_if<MemberChange>(&crowdChange)) std::swap(member->redo, member->undo);
+    if (auto* division = std::get_if<DivisionChange>(&crowdChange)) division->undone = !division->undone;
+    return crowdChange;
 }
 
-void commandsOf(Deed& deed, const World& world, DeedCommands& commands) {
-    std::visit(Doing{world, commands}, deed);
+void commandsOf(CrowdChange& crowdChange, const World& world, CrowdCommands& commands) {
+    std::visit(Doing{world, commands}, crowdChange);
 }
 
-void renameOrder(Deed& deed, std::uint32_t from, std::uint32_t to) {
+void renameOrder(CrowdChange& crowdChange, std::uint32_t from, std::uint32_t to) {
     const auto in = [&](QueueState& queue) {
         for (QueuedOrder& order : queue.orders)
             if (order.id == from) order.id = to;
     };
-    if (auto* queue = std::get_if<QueueDeed>(&deed)) in(queue->before), in(queue->after);
-    if (auto* division = std::get_if<DivisionDeed>(&deed)) {
+    if (auto* queue = std::get_if<QueueChange>(&crowdChange)) in(queue->before), in(queue->after);
+    if (auto* division = std::get_if<DivisionChange>(&crowdChange)) {
         in(division->whole.queue);
         for (PartState& part : division->parts) in(part.queue);
     }
 }
 
-void renameGroup(Deed& deed, GroupId from, GroupId to) {
+void renameGroup(CrowdChange& crowdChange, GroupId from, GroupId to) {
     const auto inBody = [&](CommandBody& body) { rename(body, {ThingKind::Group, from.value}, to.value); };
     const auto inId = [&](GroupId& id) { id = id == from ? to : id; };
     const auto inQueue = [&](QueueState& queue) {
         for (QueuedOrder& order : queue.orders) inId(order.order.group);
     };
-    if (auto* queue = std::get_if<QueueDeed>(&deed)) {
+    if (auto* queue = std::get_if<QueueChange>(&crowdChange)) {
         inId(queue->group);
         inQueue(queue->before);
         inQueue(queue->after);
     }
-    if (auto* member = std::get_if<MemberDeed>(&deed)) {
+    if (auto* member = std::get_if<MemberChange>(&crowdChange)) {
         for (CommandBody& body : member->redo) inBody(body);
         for (CommandBody& body : member->undo) inBody(body);
     }
-    if (auto* division = std::get_if<DivisionDeed>(&deed)) {
+    if (auto* division = std::get_if<DivisionChange>(&crowdChange)) {
         inBody(division->asked);
         if (auto* merge = std::get_if<MergeGroups>(&division->asked))
             for (GroupId& id : merge->groups) inId(id);

@@ -16,7 +16,7 @@ namespace muster {
 inline constexpr std::uint32_t kUnnamedOrders = 0x80000000u;
 
 /// Commands, and the orders that they give.
-struct DeedCommands {
+struct CrowdCommands {
     /// An order that a command gives, under the id by which it is known until a step has named it.
     struct Order {
         std::size_t body = 0;
@@ -34,7 +34,7 @@ struct QueueState {
 };
 
 /// The queue of a group becomes another one.
-struct QueueDeed {
+struct QueueChange {
     GroupId group;
     QueueState before, after;
     /// The formation that the group had before an order gave it another one.
@@ -43,7 +43,7 @@ struct QueueDeed {
 };
 
 /// Characters come, leave or change groups.
-struct MemberDeed {
+struct MemberChange {
     std::vector<CommandBody> redo, undo;
 };
 
@@ -56,7 +56,7 @@ struct PartState {
 };
 
 /// A group is divided, or groups are joined.
-struct DivisionDeed {
+struct DivisionChange {
     CommandBody asked;             ///< SplitGroup or MergeGroups as it was given.
     PartState whole;               ///< The group that stays, before.
     std::vector<PartState> parts;  ///< The groups that come, or end.
@@ -65,33 +65,33 @@ struct DivisionDeed {
     bool splits() const { return std::holds_alternative<SplitGroup>(asked) != undone; }
 };
 
-using Deed = std::variant<QueueDeed, MemberDeed, DivisionDeed>;
+using CrowdChange = std::variant<QueueChange, MemberChange, DivisionChange>;
 
 std::optional<std::size_t> indexOfGroup(const World& world, GroupId id);
 /// True where both are equal in all parts.
 bool sameBody(const CommandBody& a, const CommandBody& b);
 /// About how many bytes they take.
 std::size_t bytesOf(const CommandBody& body);
-std::size_t bytesOf(const Deed& deed);
+std::size_t bytesOf(const CrowdChange& crowdChange);
 QueueState queueOf(const GroupView& group);
 /// Changes the queue as the world will; an order that is given has that id.
 void apply(QueueState& queue, const CommandBody& body, std::uint32_t id);
 /// The group of the queue that a command changes; none for other commands.
 GroupId queueChangedBy(const CommandBody& body);
 /// Commands after which the group has these orders and no others.
-void giveAll(const PartState& wanted, const GroupView& now, DeedCommands& commands);
+void giveAll(const PartState& wanted, const GroupView& now, CrowdCommands& commands);
 
-/// The deed that takes this one back.
-Deed reversed(Deed deed);
-/// Adds the commands that do the deed in the world as it is, and notes what is to be known to take it back.
-/// Adds none where nothing is left to do.
-void commandsOf(Deed& deed, const World& world, DeedCommands& commands);
-/// Wherever the deed names that order, its id is `to`.
-void renameOrder(Deed& deed, std::uint32_t from, std::uint32_t to);
-/// Wherever the deed names that group, its id is `to`.
-void renameGroup(Deed& deed, GroupId from, GroupId to);
+/// The change of the crowd that takes this one back.
+CrowdChange reversed(CrowdChange crowdChange);
+/// Adds the commands that do the change of the crowd in the world as it is, and notes what is to be known to
+/// take it back. Adds none where nothing is left to do.
+void commandsOf(CrowdChange& crowdChange, const World& world, CrowdCommands& commands);
+/// Wherever the change of the crowd names that order, its id is `to`.
+void renameOrder(CrowdChange& crowdChange, std::uint32_t from, std::uint32_t to);
+/// Wherever the change of the crowd names that group, its id is `to`.
+void renameGroup(CrowdChange& crowdChange, GroupId from, GroupId to);
 
 /// What an order, and nothing else, did to a group's queue in one message.
-Deed memberDeed(const CommandBody& body, const World& world);
+CrowdChange memberChange(const CommandBody& body, const World& world);
 
 }  // namespace muster
