@@ -25,7 +25,7 @@ public:
         std::vector<std::uint32_t> sequences;  ///< Of the commands, one for each change.
         /// Follow: it belongs to the step before, which needed to know ids first.
         enum class Way : std::uint8_t { Do, Undo, Redo, Follow } way = Way::Do;
-        std::uint32_t arrival = 0;  ///< Rises with everything that directors ask for.
+        std::uint32_t arrival = 0;   ///< Rises with everything that directors ask for.
         CrowdCommands crowdChanges;  ///< Those of its changes of the crowd; they come after the changes.
         std::vector<std::uint32_t> changeSequences;  ///< Of these commands.
     };
