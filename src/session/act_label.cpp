@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "session/crowd_change.h"
+#include "session/command_kinds.h"
 #include "world/inspect.h"
 
 namespace muster {
@@ -41,7 +41,7 @@ const char* editLabel(QueueEdit edit) {
 }
 
 const char* conductLabel(const SetConduct& set, const World& world) {
-    const auto g = indexOfGroup(world, set.group);
+    const auto g = inspect::indexOfGroup(world, set.group);
     if (!g) return "Conduct";
     const Conduct& was = inspect::groupDef(world, *g).conduct;
     if (set.conduct.cohesion != was.cohesion) return "Cohesion";
@@ -81,10 +81,8 @@ struct Label {
 }  // namespace
 
 bool canTakeBack(const CommandBody& body) {
-    return !(std::holds_alternative<TouchDown>(body) || std::holds_alternative<TouchMove>(body) ||
-             std::holds_alternative<TouchUp>(body) || std::holds_alternative<TouchCancel>(body) ||
-             std::holds_alternative<AddControl>(body) || std::holds_alternative<RemoveControl>(body) ||
-             std::holds_alternative<ReleaseClient>(body));
+    return !isOneOf<TouchDown, TouchMove, TouchUp, TouchCancel, AddControl, RemoveControl, ReleaseClient>(
+        body);
 }
 
 std::string actLabel(std::span<const CommandBody> bodies, const World& world) {
@@ -100,8 +98,7 @@ std::string actLabel(std::span<const CommandBody> bodies, const World& world) {
 }
 
 bool isContinuous(const CommandBody& body) {
-    return std::holds_alternative<SetConduct>(body) || std::holds_alternative<SetParameter>(body) ||
-           std::holds_alternative<SetCount>(body) || std::holds_alternative<SetDemands>(body);
+    return isOneOf<SetConduct, SetParameter, SetCount, SetDemands>(body);
 }
 
 }  // namespace muster

@@ -5,16 +5,12 @@
 #include <variant>
 
 #include "muster/scenario.h"
+#include "session/command_kinds.h"
 
 namespace muster {
 namespace {
 
 constexpr const char* kSource = "commands";
-
-template <class... Allowed>
-bool isOneOf(const CommandBody& body) {
-    return (std::holds_alternative<Allowed>(body) || ...);
-}
 
 bool directs(const CommandBody& body) {
     return isOneOf<GiveOrder, EditQueue, SetConduct, AddCharacters, RemoveCharacters, TransferCharacters,

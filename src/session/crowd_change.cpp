@@ -107,7 +107,7 @@ struct Doing {
     CrowdCommands& commands;
 
     void operator()(QueueChange& crowdChange) const {
-        const auto g = indexOfGroup(world, crowdChange.group);
+        const auto g = inspect::indexOfGroup(world, crowdChange.group);
         if (!g) return;
         const GroupView now = world.group(*g);
         const std::vector<QueuedOrder>& gone = crowdChange.before.orders;
@@ -165,12 +165,6 @@ std::vector<CommandBody> goBack(const TransferCharacters& transfer, const World&
 }
 
 }  // namespace
-
-std::optional<std::size_t> indexOfGroup(const World& world, GroupId id) {
-    for (std::size_t g = 0; g < world.groupCount(); ++g)
-        if (world.group(g).id == id) return g;
-    return std::nullopt;
-}
 
 bool sameBody(const CommandBody& a, const CommandBody& b) {
     return encodeCommand({0, 0, 0, a}) == encodeCommand({0, 0, 0, b});

@@ -50,7 +50,7 @@ struct MemberChange {
 /// What is to be known of a group that is divided or joined, to bring it back.
 struct PartState {
     GroupId id;
-    GroupDef def;  ///< Name, formation, conduct, roles and demands.
+    GroupDef def;  ///< Name, colour, formation, conduct, roles and demands.
     std::vector<std::uint32_t> members;
     QueueState queue;
 };
@@ -67,7 +67,6 @@ struct DivisionChange {
 
 using CrowdChange = std::variant<QueueChange, MemberChange, DivisionChange>;
 
-std::optional<std::size_t> indexOfGroup(const World& world, GroupId id);
 /// True where both are equal in all parts.
 bool sameBody(const CommandBody& a, const CommandBody& b);
 /// About how many bytes they take.
@@ -91,7 +90,7 @@ void renameOrder(CrowdChange& crowdChange, std::uint32_t from, std::uint32_t to)
 /// Wherever the change of the crowd names that group, its id is `to`.
 void renameGroup(CrowdChange& crowdChange, GroupId from, GroupId to);
 
-/// What an order, and nothing else, did to a group's queue in one message.
+/// What adds, removes or transfers characters, with what takes it back in the world as it is.
 CrowdChange memberChange(const CommandBody& body, const World& world);
 
 }  // namespace muster

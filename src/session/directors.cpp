@@ -1,4 +1,5 @@
 #include "session/directors.h"
+#include "world/inspect.h"
 
 #include <algorithm>
 #include <variant>
@@ -38,9 +39,7 @@ struct ChangedGroups {
 };
 
 bool isThere(const World& world, std::uint32_t group) {
-    for (std::size_t g = 0; g < world.groupCount(); ++g)
-        if (world.group(g).id.value == group) return true;
-    return false;
+    return inspect::indexOfGroup(world, GroupId{group}).has_value();
 }
 
 }  // namespace

@@ -43,13 +43,13 @@ std::vector<GroupId> idsOf(const std::vector<PartState>& parts) {
 void look(DivisionChange& crowdChange, const World& world) {
     std::vector<PartState> parts;
     for (const GroupId id : idsOf(crowdChange.parts))
-        if (const auto g = indexOfGroup(world, id)) parts.push_back(stateOf(world, *g));
+        if (const auto g = inspect::indexOfGroup(world, id)) parts.push_back(stateOf(world, *g));
     crowdChange.parts = std::move(parts);
 }
 
 /// Those orders of the whole that still wait are as they were before it was divided.
 void wholeOrders(const DivisionChange& crowdChange, const World& world, CrowdCommands& commands) {
-    const GroupView now = world.group(*indexOfGroup(world, crowdChange.whole.id));
+    const GroupView now = world.group(*inspect::indexOfGroup(world, crowdChange.whole.id));
     PartState wanted{crowdChange.whole.id, {}, {}, queueOf(now)};
     for (QueuedOrder& order : wanted.queue.orders)
         for (const QueuedOrder& was : crowdChange.whole.queue.orders)
@@ -70,12 +70,12 @@ void unite(DivisionChange& crowdChange, const World& world, CrowdCommands& comma
             commands.bodies.push_back(SetRoles{crowdChange.whole.id, crowdChange.whole.def.roles});
         wholeOrders(crowdChange, world, commands);
     } else {
-        crowdChange.whole = stateOf(world, *indexOfGroup(world, crowdChange.whole.id));
+        crowdChange.whole = stateOf(world, *inspect::indexOfGroup(world, crowdChange.whole.id));
     }
 }
 
 void divide(DivisionChange& crowdChange, const World& world, CrowdCommands& commands) {
-    const std::size_t g = *indexOfGroup(world, crowdChange.whole.id);
+    const std::size_t g = *inspect::indexOfGroup(world, crowdChange.whole.id);
     const auto* asked = std::get_if<SplitGroup>(&crowdChange.asked);
     const PartState now = stateOf(world, g);
     std::size_t left = now.members.size();
@@ -103,7 +103,7 @@ DivisionChange divisionOf(const CommandBody& asked, const World& world) {
     if (const auto* split = std::get_if<SplitGroup>(&asked)) groups = {split->group};
     if (const auto* merge = std::get_if<MergeGroups>(&asked)) groups = merge->groups;
     for (const GroupId id : groups) {
-        const auto g = indexOfGroup(world, id);
+        const auto g = inspect::indexOfGroup(world, id);
         if (!g) continue;
         if (id == groups.front()) {
             crowdChange.whole = stateOf(world, *g);
@@ -116,7 +116,7 @@ DivisionChange divisionOf(const CommandBody& asked, const World& world) {
 }
 
 void divisionCommands(DivisionChange& crowdChange, const World& world, CrowdCommands& commands) {
-    if (!indexOfGroup(world, crowdChange.whole.id)) return;
+    if (!inspect::indexOfGroup(world, crowdChange.whole.id)) return;
     if (crowdChange.splits())
         divide(crowdChange, world, commands);
     else
@@ -142,16 +142,17 @@ void partsComeBack(const DivisionChange& crowdChange, const World& world, CrowdC
     // A split that is done again gives the same orders and formations as the first time.
     const bool joined = std::holds_alternative<MergeGroups>(crowdChange.asked);
     for (const PartState& part : crowdChange.parts) {
-        const auto g = indexOfGroup(world, part.id);
+        const auto g = inspect::indexOfGroup(world, part.id);
         if (!g) continue;
         const GroupDef& now = inspect::groupDef(world, *g);
         addChange(NameGroup{part.id, part.def.name}, NameGroup{part.id, now.name}, commands);
         if (!joined) continue;
+        addChange(ColourGroup{part.id, part.def.colour}, ColourGroup{part.id, now.colour}, commands);
         addChange(SetConduct{part.id, part.def.conduct}, SetConduct{part.id, now.conduct}, commands);
         shapeAgain(part, now, commands);
         giveAll(part, world.group(*g), commands);
     }
-    const auto whole = indexOfGroup(world, crowdChange.whole.id);
+    const auto whole = inspect::indexOfGroup(world, crowdChange.whole.id);
     if (!joined || !whole) return;
     shapeAgain(crowdChange.whole, inspect::groupDef(world, *whole), commands);
     wholeOrders(crowdChange, world, commands);

@@ -1,4 +1,5 @@
 #include "session/event_notices.h"
+#include "world/inspect.h"
 
 #include <algorithm>
 #include <string>
@@ -66,9 +67,8 @@ void appendNotices(const World& world, std::vector<EventNotice>& notices) {
             if (g < stuck.size() && stuck[g]++ == 0) where[g] = event.position;
             continue;
         }
-        for (std::size_t g = 0; g < world.groupCount(); ++g)
-            if (world.group(g).id.value == event.subject)
-                say(event.kind, world.group(g), event.value, event.position);
+        if (const auto g = inspect::indexOfGroup(world, GroupId{event.subject}))
+            say(event.kind, world.group(*g), event.value, event.position);
     }
     for (std::size_t g = 0; g < stuck.size(); ++g)
         if (stuck[g] > 0) say(EventKind::Stuck, world.group(g), stuck[g], where[g]);

@@ -5,6 +5,7 @@
 
 #include "base/json.h"
 #include "io/scenario/describe_units.h"
+#include "world/inspect.h"
 
 namespace muster {
 namespace {
@@ -22,13 +23,12 @@ SetBodies readEvent(const Json& event, const std::string& path, const World& wor
     const Json* body = reader.find("body", Need::Required);
     reader.finish();
     if (reader.failed()) return set;
-    std::size_t g = 0;
-    while (g < world.groupCount() && world.group(g).id.value != id) ++g;
-    if (g == world.groupCount() || world.group(g).members.empty()) {
+    const auto g = inspect::indexOfGroup(world, GroupId{id});
+    if (!g || world.group(*g).members.empty()) {
         reader.fail("group", std::to_string(id), "a group with people in it");
         return set;
     }
-    for (const std::int32_t member : world.group(g).members) {
+    for (const std::int32_t member : world.group(*g).members) {
         const auto i = static_cast<std::size_t>(member);
         set.ids.push_back(world.characters().id[i]);
         FieldReader fields(*body, path + ".body", failure);

@@ -136,7 +136,7 @@ struct Inverse {
         });
     }
     Answer operator()(const PinControl& c) const {
-        const auto g = indexOfGroup(world, c.group);
+        const auto g = inspect::indexOfGroup(world, c.group);
         if (!g) return {};
         const auto controls = world.group(*g).controls;
         const auto at = std::find_if(controls.begin(), controls.end(),
@@ -180,7 +180,7 @@ struct Inverse {
 private:
     template <class Make>
     Answer onGroup(GroupId id, Make make) const {
-        const auto g = indexOfGroup(world, id);
+        const auto g = inspect::indexOfGroup(world, id);
         return g ? Answer(make(*g, inspect::groupDef(world, *g))) : Answer();
     }
 };

@@ -28,6 +28,21 @@ PlaceStep reversed(PlaceStep step) {
     return step;
 }
 
+/// Things that a step is about.
+std::vector<Thing> thingsOf(const PlaceStep& step) {
+    std::vector<Thing> things;
+    for (const PlaceChange& change : step.changes) things.push_back(change.thing);
+    for (const CrowdChange& crowdChange : step.crowdChanges) {
+        if (const auto* queue = std::get_if<QueueChange>(&crowdChange))
+            things.push_back({ThingKind::Group, queue->group.value});
+        if (const auto* division = std::get_if<DivisionChange>(&crowdChange)) {
+            things.push_back({ThingKind::Group, division->whole.id.value});
+            for (const PartState& part : division->parts) things.push_back({ThingKind::Group, part.id.value});
+        }
+    }
+    return things;
+}
+
 std::size_t bytesOf(const PlaceStep& step) {
     std::size_t bytes = 0;
     for (const PlaceChange& change : step.changes) bytes += bytesOf(change.redo) + bytesOf(change.undo);
@@ -216,21 +231,6 @@ bool PlaceEditor::fetch(Waiting& waiting) {
     from.pop_back();
     waiting.fetched = true;
     return true;
-}
-
-// Things that a step is about.
-static std::vector<Thing> thingsOf(const PlaceStep& step) {
-    std::vector<Thing> things;
-    for (const PlaceChange& change : step.changes) things.push_back(change.thing);
-    for (const CrowdChange& crowdChange : step.crowdChanges) {
-        if (const auto* queue = std::get_if<QueueChange>(&crowdChange))
-            things.push_back({ThingKind::Group, queue->group.value});
-        if (const auto* division = std::get_if<DivisionChange>(&crowdChange)) {
-            things.push_back({ThingKind::Group, division->whole.id.value});
-            for (const PartState& part : division->parts) things.push_back({ThingKind::Group, part.id.value});
-        }
-    }
-    return things;
 }
 
 /// True where the step has to wait for another one about the same things.

@@ -3,9 +3,11 @@
 #include <utility>
 
 #include "session/act_label.h"
+#include "session/command_kinds.h"
 #include "session/division.h"
 #include "session/place_editor.h"
 #include "session/place_join.h"
+#include "world/inspect.h"
 
 namespace muster {
 namespace {
@@ -52,12 +54,9 @@ void PlaceEditor::acted(std::uint32_t client, const std::vector<CommandBody>& bo
 void PlaceEditor::addCrowdChange(Given& act, const CommandBody& body, std::uint32_t sequence,
                                  const World& world) {
     if (const GroupId group = queueChangedBy(body)) addQueueChange(act, group, body, sequence, world);
-    if (std::holds_alternative<GiveOrder>(body) || std::holds_alternative<EditQueue>(body)) return;
-    const bool divides = std::holds_alternative<SplitGroup>(body) ||
-                         std::holds_alternative<MergeGroups>(body);
-    const bool members = std::holds_alternative<AddCharacters>(body) ||
-                         std::holds_alternative<RemoveCharacters>(body) ||
-                         std::holds_alternative<TransferCharacters>(body);
+    if (isOneOf<GiveOrder, EditQueue>(body)) return;
+    const bool divides = isOneOf<SplitGroup, MergeGroups>(body);
+    const bool members = isOneOf<AddCharacters, RemoveCharacters, TransferCharacters>(body);
     if (!divides && !members) {
         act.step.changes.push_back(actChange(act, body, world));
         act.sequences.push_back(sequence);
@@ -72,7 +71,7 @@ void PlaceEditor::addCrowdChange(Given& act, const CommandBody& body, std::uint3
 // The queue is known before the step is made, as it does what the command asks for.
 void PlaceEditor::addQueueChange(Given& act, GroupId group, const CommandBody& body, std::uint32_t sequence,
                                  const World& world) {
-    const auto g = indexOfGroup(world, group);
+    const auto g = inspect::indexOfGroup(world, group);
     if (!g) return;
     QueueState& planned = planned_.try_emplace(group, queueOf(world.group(*g))).first->second;
     std::vector<CrowdChange>& crowdChanges = act.step.crowdChanges;

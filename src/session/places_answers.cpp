@@ -10,6 +10,7 @@
 #include "base/maths.h"
 #include "muster/views.h"
 #include "session/command_text.h"
+#include "world/inspect.h"
 #include "world/stand_forecast.h"
 #include "world/validation.h"
 
@@ -19,9 +20,7 @@ namespace {
 constexpr double kMostFacing = 1e4;  // Of a question [rad].
 
 bool isGroup(const World& world, std::uint32_t id) {
-    for (std::size_t g = 0; g < world.groupCount(); ++g)
-        if (world.group(g).id.value == id) return true;
-    return false;
+    return inspect::indexOfGroup(world, GroupId{id}).has_value();
 }
 
 bool isPlace(double value) {

@@ -346,10 +346,8 @@ private:
 
     const GroupDef* groupDef(std::uint32_t id) const {
         if (!session_.world) return nullptr;
-        for (std::size_t g = 0; g < session_.world->groupCount(); ++g) {
-            if (session_.world->group(g).id.value == id) return &inspect::groupDef(*session_.world, g);
-        }
-        return nullptr;
+        const auto g = inspect::indexOfGroup(*session_.world, GroupId{id});
+        return g ? &inspect::groupDef(*session_.world, *g) : nullptr;
     }
 
     double stamp(TouchClock& clock, double pageTime) const {

@@ -4,6 +4,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+
+#include "muster/id.h"
 
 namespace muster {
 
@@ -28,6 +31,8 @@ const Characters& characters(const World& world);
 const DensityField& density(const World& world);
 /// Unit cost of the last step, made now where the step needed none; null before the first step.
 const UnitCost* unitCost(const World& world);
+/// Index of the group of that id; none where there is none.
+std::optional<std::size_t> indexOfGroup(const World& world, GroupId id);
 /// Name, count and formation of a group.
 const GroupDef& groupDef(const World& world, std::size_t group);
 /// The formation that a group has, or takes up again after the order that it carries out.

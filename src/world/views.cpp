@@ -199,6 +199,11 @@ const UnitCost* unitCost(const World& world) {
     WorldEngine& engine = WorldAccess::of(world);
     return engine.state.stepCount == 0 ? nullptr : &engine.cost.unitCost();
 }
+std::optional<std::size_t> indexOfGroup(const World& world, GroupId id) {
+    for (std::size_t g = 0; g < world.groupCount(); ++g)
+        if (world.group(g).id == id) return g;
+    return std::nullopt;
+}
 const GroupDef& groupDef(const World& world, std::size_t group) {
     return WorldAccess::of(world).state.groups[group].def;
 }

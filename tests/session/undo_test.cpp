@@ -19,6 +19,7 @@ WorldDef twoGroups() {
     def.groups[0].name = "Blue";
     GroupDef other = def.groups[0];
     other.name = "Orange";
+    other.colour = 0x440E93u;
     other.count = 9;
     other.formation.kind = FormationKind::Wedge;
     other.position = {10, 8};
@@ -296,6 +297,7 @@ TEST_CASE("the undo of a merge brings the group back with all that it was") {
     CHECK(desk.group(0).orders[0].order.target == Vec2{20, 0});
     const GroupView back = desk.group(1);
     CHECK(back.name == "Orange");
+    CHECK(back.colour == 0x440E93u);
     CHECK(back.count == 9);
     CHECK(back.formation == FormationKind::Wedge);
     CHECK(back.conduct.cohesion == 0.25);
