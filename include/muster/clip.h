@@ -7,11 +7,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "muster/appearance.h"
 #include "muster/quat.h"
 #include "muster/status.h"
 #include "muster/vec3.h"
@@ -133,6 +135,8 @@ struct Clip {
     double entryPhase = 0.0;
     double exitPhase = 0.0;  ///< Of a transition: share of the cycle of the left motion at which it begins.
     ClipObstacle obstacle;   ///< The obstacle that a single-step clip passes over.
+    /// The manner of walking that a gait belongs to; none for the plain one.
+    std::optional<MotionSet> set;
 
     double duration() const;  ///< Duration of one play [s].
     double length() const;    ///< Distance from start to end of one play [m].

@@ -245,7 +245,7 @@ using CommandBody = std::variant<
     AddPatch, ChangePatch, RemovePatch, SetParameter, GiveOrder, EditQueue, SetConduct, AddCharacters,
     RemoveCharacters, TransferCharacters, SplitGroup, MergeGroups, SetBodies, SetRoles, SetDemands, SetDriver,
     WriteMotion, AddItem, ChangeItem, RemoveItem, AddCheckpoint, ChangeCheckpoint, RemoveCheckpoint,
-    PlaceGroup, NameGroup, ColourGroup>;
+    PlaceGroup, NameGroup, ColourGroup, SetAppearance>;
 
 /// A change of a world, with its step and sender. Commands apply in the order of (step, client, sequence).
 struct Command {

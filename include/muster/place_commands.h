@@ -109,5 +109,17 @@ struct ColourGroup {
         archive(group, colour);
     }
 };
+/// Gives the people of a group another appearance.
+struct SetAppearance {
+    GroupId group;                     ///< Which.
+    std::optional<BodyBuild> build;    ///< Of its drawn bodies; none for both, by the character's id.
+    std::optional<MotionSet> motions;  ///< How it walks and jogs; none for the plain manner.
+
+    /// Lets an archive read or write the command.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(group, build, motions);
+    }
+};
 
 }  // namespace muster

@@ -75,6 +75,8 @@ struct GroupView {
     GroupId id;                                 ///< Unique id; it is not reused after the group is removed.
     std::string_view name;                      ///< Name for display.
     std::optional<std::uint32_t> colour;        ///< Chosen colour, 0xRRGGBB; none for the palette's.
+    std::optional<BodyBuild> build;             ///< Build of its drawn bodies; none for both.
+    std::optional<MotionSet> motions;           ///< How it walks and jogs; none for the plain manner.
     std::int32_t count = 0;                     ///< Number of characters and of places.
     FormationKind formation{};                  ///< Current shape; World::groupDef has the whole definition.
     std::uint32_t formationVersion = 0;         ///< Increases whenever the mesh is replaced.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "muster/appearance.h"
 #include "muster/formation.h"
 #include "muster/map_import.h"
 #include "muster/obstacle.h"
@@ -33,6 +34,8 @@ struct GroupDef {
     std::vector<Order> orders;    ///< What it is to do at first, one after the other.
     bool patrols = false;         ///< True: orders that are done come last again.
     std::optional<std::uint32_t> colour;  ///< Colour for display, 0xRRGGBB; none for the palette's.
+    std::optional<BodyBuild> build;    ///< Build of its drawn bodies; none for both, by the character's id.
+    std::optional<MotionSet> motions;  ///< How it walks and jogs; none for the plain manner.
 
     /// Lets an archive read or write the definition.
     template <class Archive>
@@ -40,6 +43,8 @@ struct GroupDef {
         archive(name, count, formation, position, angle, starts, jitter);
         archive.since(2, bodies, roles, demands, conduct, orders, patrols);
         archive.optionalSince(5, colour);
+        archive.optionalSince(6, build);
+        archive.optionalSince(6, motions);
     }
 };
 

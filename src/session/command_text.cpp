@@ -21,8 +21,8 @@ bool directs(const CommandBody& body) {
 bool editsPlace(const CommandBody& body) {
     return isOneOf<AddObstacle, ChangeObstacle, RemoveObstacle, AddPatch, ChangePatch, RemovePatch, AddItem,
                    ChangeItem, RemoveItem, AddCheckpoint, ChangeCheckpoint, RemoveCheckpoint, AddGroup,
-                   RemoveGroup, PlaceGroup, NameGroup, ColourGroup, SetCount, SetFormation, SetBodies,
-                   SetConduct, SetRoles, SetDemands, SetParameter>(body);
+                   RemoveGroup, PlaceGroup, NameGroup, ColourGroup, SetAppearance, SetCount, SetFormation,
+                   SetBodies, SetConduct, SetRoles, SetDemands, SetParameter>(body);
 }
 
 Status beyondLimit(const char* what, std::size_t found, std::size_t most) {

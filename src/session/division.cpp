@@ -148,6 +148,8 @@ void partsComeBack(const DivisionChange& crowdChange, const World& world, CrowdC
         addChange(NameGroup{part.id, part.def.name}, NameGroup{part.id, now.name}, commands);
         if (!joined) continue;
         addChange(ColourGroup{part.id, part.def.colour}, ColourGroup{part.id, now.colour}, commands);
+        addChange(SetAppearance{part.id, part.def.build, part.def.motions},
+                  SetAppearance{part.id, now.build, now.motions}, commands);
         addChange(SetConduct{part.id, part.def.conduct}, SetConduct{part.id, now.conduct}, commands);
         shapeAgain(part, now, commands);
         giveAll(part, world.group(*g), commands);

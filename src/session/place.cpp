@@ -159,6 +159,12 @@ void Place::apply(const CommandBody& edit, const World& world) {
         of(name->group, [&](GroupDef& def) { def.name = name->name; });
     if (const auto* colour = std::get_if<ColourGroup>(&edit))
         of(colour->group, [&](GroupDef& def) { def.colour = colour->colour; });
+    if (const auto* look = std::get_if<SetAppearance>(&edit)) {
+        of(look->group, [&](GroupDef& def) {
+            def.build = look->build;
+            def.motions = look->motions;
+        });
+    }
     if (const auto* set = std::get_if<SetCount>(&edit))
         of(set->group, [&](GroupDef& def) { resizeLists(def, set->count); });
     if (const auto* set = std::get_if<SetFormation>(&edit)) {

@@ -119,6 +119,11 @@ struct Inverse {
             return ColourGroup{c.group, def.colour};
         });
     }
+    Answer operator()(const SetAppearance& c) const {
+        return onGroup(c.group, [&](std::size_t, const GroupDef& def) {
+            return SetAppearance{c.group, def.build, def.motions};
+        });
+    }
     Answer operator()(const SetCount& c) const {
         return onGroup(c.group, [&](std::size_t, const GroupDef& def) {
             return SetCount{c.group, def.count};

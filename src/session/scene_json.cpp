@@ -16,6 +16,7 @@ namespace {
 
 constexpr int kColours = 6;  // Number of accent colours that the page has.
 constexpr std::uint32_t kNoColour = 0xFFFFFFFF;
+constexpr std::uint8_t kUnchosen = 0xFF;
 
 Json point(Vec2 p) {
     return Json::array({p.x, p.y});
@@ -120,6 +121,8 @@ Json groups(const World& world, const Place& place) {
                   {"formation", formationName(view.formation)},
                   {"colour", (view.id.value + kColours - 1) % kColours}};
         if (view.colour) item["chosenColour"] = colourText(*view.colour);
+        if (view.build) item["build"] = kBuildWords[static_cast<std::size_t>(*view.build)];
+        if (view.motions) item["motions"] = kMotionSetWords[static_cast<std::size_t>(*view.motions)];
         if (const PlaceGroupDef* start = place.group(view.id))
             item["start"] = Json{{"position", point(start->def.position)},
                                  {"angle", start->def.angle},
@@ -205,6 +208,8 @@ std::uint64_t sceneSignature(const World& world) {
         hash.add(view.id.value);
         for (const char c : view.name) hash.add(static_cast<std::uint8_t>(c));
         hash.add(view.colour.value_or(kNoColour));
+        hash.add(view.build ? static_cast<std::uint8_t>(*view.build) : kUnchosen);
+        hash.add(view.motions ? static_cast<std::uint8_t>(*view.motions) : kUnchosen);
     }
     for (std::size_t i = 0; i < world.items().size(); ++i) {
         hash.add(world.itemIds()[i].value);

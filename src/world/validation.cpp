@@ -130,6 +130,11 @@ Status validateColour(const std::optional<std::uint32_t>& colour) {
     return invalidArgument("colour is above 0xFFFFFF");
 }
 
+Status validateAppearance(const std::optional<BodyBuild>& build, const std::optional<MotionSet>& motions) {
+    if (build && *build > kLastBodyBuild) return invalidArgument("build is not known");
+    return motions && *motions > kLastMotionSet ? invalidArgument("motions are not known") : Status();
+}
+
 Status validateItem(const ItemDef& item) {
     return first({isPlace("position", item.position), inRange("radius", item.radius, 0.01, 1e4)});
 }
@@ -224,6 +229,7 @@ Status validateGroup(const GroupDef& group) {
     if (Status s = first({validateBodies(group.bodies, static_cast<std::size_t>(group.count), true),
                           validateRoles(group.roles), validateDemands(group.demands),
                           validateConduct(group.conduct), validateColour(group.colour),
+                          validateAppearance(group.build, group.motions),
                           each("orders", group.orders, kMaxOrders, validateOrder)});
         !s.ok()) {
         return s;

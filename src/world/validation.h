@@ -47,6 +47,8 @@ Status validateRoles(const std::vector<RoleDef>& roles);
 Status validateName(const std::string& name);
 /// InvalidArgument where a colour is above 0xFFFFFF.
 Status validateColour(const std::optional<std::uint32_t>& colour);
+/// InvalidArgument where a build or a motion set is not known.
+Status validateAppearance(const std::optional<BodyBuild>& build, const std::optional<MotionSet>& motions);
 /// InvalidArgument where a demand is out of its range.
 Status validateDemands(const std::vector<double>& demands);
 /// InvalidArgument naming the first bad thing of a whole definition ("groups[1]: ...").

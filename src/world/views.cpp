@@ -86,6 +86,8 @@ GroupView World::group(std::size_t index) const {
     view.id = group.id;
     view.name = group.def.name;
     view.colour = group.def.colour;
+    view.build = group.def.build;
+    view.motions = group.def.motions;
     view.count = group.def.count;
     view.formation = group.def.formation.kind;
     view.formationVersion = group.formationVersion;

@@ -274,6 +274,32 @@ TEST_CASE("a colour is one step of undo, shown in the scene and kept by the plac
     CHECK(desk.client.history.undo == 1);
 }
 
+TEST_CASE("an appearance is one step of undo, shown in the scene and kept by the place") {
+    Desk desk;
+    const auto shows = [&](const char* text) {
+        return desk.client.scenes.back().json.find(text) != std::string::npos;
+    };
+    desk.edit(R"({"kind":"appearance","group":1,"build":"narrow","motions":"march"})", "Motion set");
+    CHECK(desk.world().group(0).motions == MotionSet::March);
+    CHECK(shows(R"("build":"narrow")"));
+    CHECK(shows(R"("motions":"march")"));
+    CHECK(desk.client.history.undo == 1);
+    desk.edit(R"({"kind":"appearance","group":1,"motions":"weary"})", "Motion set");
+    CHECK_FALSE(shows(R"("build")"));
+    CHECK(desk.saved().groups[0].motions == MotionSet::Weary);
+    CHECK_FALSE(desk.saved().groups[0].build);
+    desk.restart();
+    CHECK(desk.world().group(0).motions == MotionSet::Weary);
+    desk.undo();
+    CHECK(desk.world().group(0).build == BodyBuild::Narrow);
+    desk.undo();
+    CHECK_FALSE(shows(R"("motions")"));
+    desk.undo(true);
+    CHECK(shows(R"("motions":"march")"));
+    desk.edit(R"({"kind":"appearance","group":1,"motions":"hop"})");
+    CHECK(desk.client.history.undo == 1);
+}
+
 TEST_CASE("the saved place plays to the hash of the studio") {
     Desk desk;
     desk.edit(kBox);
@@ -285,6 +311,7 @@ TEST_CASE("the saved place plays to the hash of the studio") {
     desk.edit(
         R"({"kind":"placeGroup","group":1,"x":-8,"y":4,"angle":0.5},{"kind":"nameGroup","group":1,"name":"First"})");
     desk.edit(R"({"kind":"colourGroup","group":1,"colour":"#05536d"})");
+    desk.edit(R"({"kind":"appearance","group":1,"build":"broad"})");
     desk.edit(R"({"kind":"count","group":1,"count":12})");
     desk.edit(R"({"kind":"parameter","name":"character.speed","value":2.5})");
     const WorldDef saved = desk.saved();

@@ -91,7 +91,8 @@ std::vector<Command> everyCommand() {
         RemoveCheckpoint{CheckpointId{5}},
         PlaceGroup{GroupId{1}, {1, 2}, 0.3},
         NameGroup{GroupId{1}, "Guests"},
-        ColourGroup{GroupId{1}, 0x1D5FD1}};
+        ColourGroup{GroupId{1}, 0x1D5FD1},
+        SetAppearance{GroupId{1}, BodyBuild::Narrow, MotionSet::March}};
     std::vector<Command> commands;
     for (const CommandBody& body : bodies) {
         const auto n = static_cast<std::uint32_t>(commands.size());
@@ -116,8 +117,11 @@ TEST_CASE("the bytes that are hashed of a group without a colour are those of ve
     const auto read = decodeCommand(reader);
     REQUIRE_MESSAGE(read.ok(), read.status().message());
     CHECK(reader.remaining() == 0);
-    CHECK(bytesOf(command).size() == hashed.bytes().size() + 1);
-    std::get<AddGroup>(command.body).group.colour = 0;
+    CHECK(bytesOf(command).size() == hashed.bytes().size() + 3);
+    GroupDef& group = std::get<AddGroup>(command.body).group;
+    group.colour = 0;
+    group.build = BodyBuild::Broad;
+    group.motions = MotionSet::March;
     Writer coloured(true);
     encodeCommand(coloured, command);
     CHECK(coloured.bytes() == bytesOf(command));

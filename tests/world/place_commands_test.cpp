@@ -154,6 +154,30 @@ TEST_CASE("a colour is taken and given back, and bad ones are refused") {
     CHECK_FALSE(World::create(def).ok());
 }
 
+TEST_CASE("an appearance is taken and given back, moves nobody, and unknown ones are refused") {
+    Floor plain, marching;
+    CHECK(marching.carryOut(SetAppearance{GroupId{1}, BodyBuild::Narrow, MotionSet::March}).empty());
+    CHECK(marching.world.group(0).build == BodyBuild::Narrow);
+    CHECK(marching.world.groupDef(0).motions == MotionSet::March);
+    plain.run(1);
+    CHECK(plain.world.hash() != marching.world.hash());
+    plain.run(60);
+    marching.run(60);
+    CHECK(copyOf(plain.world.characters().position) == copyOf(marching.world.characters().position));
+    auto restored = World::restore(marching.world.snapshot());
+    REQUIRE(restored.ok());
+    CHECK(restored->group(0).motions == MotionSet::March);
+    CHECK(marching.carryOut(SetAppearance{GroupId{1}, std::nullopt, std::nullopt}).empty());
+    CHECK(plain.carryOut(NameGroup{GroupId{1}, "Group"}).empty());
+    CHECK(plain.world.hash() == marching.world.hash());
+    CHECK(plain.carryOut(SetAppearance{GroupId{3}, {}, {}}) == "no group has the id 3");
+    CHECK_FALSE(give(plain.world, plain.sequence, SetAppearance{GroupId{1}, BodyBuild{2}, {}}).ok());
+    CHECK_FALSE(give(plain.world, plain.sequence, SetAppearance{GroupId{1}, {}, MotionSet{2}}).ok());
+    WorldDef def = openFloor();
+    def.groups[0].motions = MotionSet{9};
+    CHECK_FALSE(World::create(def).ok());
+}
+
 TEST_CASE("a chosen colour is in the hash and moves nobody; without one the hash is that of before") {
     Floor plain, coloured;
     plain.run(1);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/appearance_words.h"
 #include "base/json.h"
 #include "base/text_file.h"
 #include "character/clips/motion_facts.h"
@@ -45,6 +46,7 @@ Json clipJson(const Clip& clip, double run) {
                  {"entry_phase", clip.entryPhase},
                  {"exit_phase", clip.exitPhase}};
     json["obstacle"] = {{"height_m", clip.obstacle.height}, {"thickness_m", clip.obstacle.thickness}};
+    if (clip.set) json["set"] = kMotionSetWords[static_cast<std::size_t>(*clip.set)];
     json["contacts"] = Json::array();
     for (const Contact& contact : clip.contacts) json["contacts"].push(contactJson(contact));
     return json;
@@ -88,6 +90,15 @@ public:
         static const Json kNone = Json::object();
         const Json* found = find(key);
         return found != nullptr ? *found : kNone;
+    }
+    /// The motion set of that name; none where it is left out.
+    std::optional<MotionSet> motionSet(const char* key) {
+        if (find(key) == nullptr) return std::nullopt;
+        const std::string word = text(key);
+        for (std::size_t k = 0; k < kMotionSetCount; ++k)
+            if (word == kMotionSetWords[k]) return static_cast<MotionSet>(k);
+        fail(key, "\"march\" or \"weary\"");
+        return std::nullopt;
     }
     void fail(const std::string& key, const std::string& expected) {
         if (status_.ok())
@@ -142,6 +153,7 @@ Result<Clip> clipOf(const Json& json, std::size_t i, const std::string& folder) 
     const double height = obstacle.number("height_m", 0.0, 100.0),
                  thickness = obstacle.number("thickness_m", 0.0, 100.0);
     fields.fail(obstacle.status());
+    const std::optional<MotionSet> set = fields.motionSet("set");
     std::vector<Contact> contacts;
     for (const Json& contact : fields.list("contacts", 10000).elements())
         contacts.push_back(contactOf(contact, fields, contacts.size()));
@@ -154,6 +166,7 @@ Result<Clip> clipOf(const Json& json, std::size_t i, const std::string& folder) 
     clip->exitPhase = exit;
     clip->obstacle = {static_cast<float>(height), static_cast<float>(thickness)};
     clip->contacts = std::move(contacts);
+    clip->set = set;
     if (Status s = validate(*clip); !s.ok()) return s;
     return clip;
 }

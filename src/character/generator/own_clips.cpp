@@ -6,6 +6,7 @@
 #include "character/generator/idle.h"
 #include "character/generator/jump.h"
 #include "character/generator/low_transitions.h"
+#include "character/generator/manners.h"
 #include "character/generator/swim.h"
 #include "character/generator/transitions.h"
 
@@ -39,6 +40,7 @@ ClipLibrary makeAll() {
     addSwimTransitions(library.clips);
     addJumps(library.clips);
     library.clips.push_back(climbClip());
+    addMotionSets(library.clips);
     return library;
 }
 

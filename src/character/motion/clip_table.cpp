@@ -90,7 +90,7 @@ ClipTable::ClipTable(const ClipLibrary& library) : library_(&library) {
         const bool onFeet = clip.motion != "crawl" && clip.motion != "swim" && clip.motion != "climb";
         entry.onFloor = clip.motion != "swim";
         entry.strides = onFeet && entry.feetTouch && !entry.handsTouch && !entry.standing;
-        const bool goes = entry.use == ClipUse::Locomotion && entry.cyclic && !entry.standing;
+        const bool goes = entry.use == ClipUse::Locomotion && entry.cyclic && !entry.standing && !clip.set;
         if (goes && (slowest_ == 0.0f || entry.speed < slowest_)) slowest_ = entry.speed;
         entries_.push_back(std::move(entry));
     }

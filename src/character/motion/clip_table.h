@@ -75,7 +75,7 @@ public:
     std::int32_t find(std::string_view name) const { return library_->indexOf(name); }
     const ClipLibrary& library() const { return *library_; }  ///< The clips.
     std::int32_t idle() const { return idle_; }               ///< The clip of standing; -1 for none.
-    float slowest() const { return slowest_; }                ///< Speed of the slowest cyclic gait [m/s].
+    float slowest() const { return slowest_; }                ///< Speed of the slowest plain gait [m/s].
 
     /// Speed of the travel at a time within one play [m/s].
     float speedAt(std::size_t clip, float time) const;

@@ -17,7 +17,9 @@ Result<Clip> clipOf(const ClipFacts& fact, const std::string& folder, const Clip
     options.name = fact.name;
     options.motion = own != nullptr ? own->motion : fact.name;
     options.cyclic = fact.cyclic;
-    return retarget(*file, options);
+    auto clip = retarget(*file, options);
+    if (clip.ok() && own != nullptr) clip->set = own->set;
+    return clip;
 }
 
 }  // namespace

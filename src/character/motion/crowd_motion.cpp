@@ -40,7 +40,8 @@ struct CrowdMotion::Impl {
     std::vector<std::uint32_t> nearIds;  ///< Their ids.
     std::vector<PosedBody> bodies;       ///< One per entry of `near`.
     std::vector<PosedBody> spare;
-    std::vector<PlacesView> places;  ///< By group.
+    std::vector<PlacesView> places;                    ///< By group.
+    std::vector<std::optional<MotionSet>> motionSets;  ///< By group.
 };
 
 void CrowdMotion::Impl::findNear(const Characters& characters) {
@@ -102,14 +103,17 @@ void CrowdMotion::restart() {
 
 void CrowdMotion::update(const World& world) {
     impl_->places.clear();
+    impl_->motionSets.clear();
     for (std::size_t g = 0; g < world.groupCount(); ++g) {
         const PlaceTracker& places = inspect::places(world, g);
         impl_->places.push_back({places.positions(), places.velocities()});
+        impl_->motionSets.push_back(inspect::groupDef(world, g).motions);
     }
     CrowdView crowd;
     crowd.characters = &inspect::characters(world);
     crowd.environment = &inspect::environment(world);
     crowd.places = impl_->places;
+    crowd.motionSets = impl_->motionSets;
     crowd.stepTime = world.parameters().stepTime;
     crowd.maxSpeed = world.parameters().character.maxSpeed;
     crowd.directReach = world.parameters().character.directReach;

@@ -1,6 +1,9 @@
 // The data of a crowd that motion reads.
 #pragma once
 
+#include <optional>
+#include <span>
+
 #include "crowd/characters.h"
 #include "environment/environment.h"
 #include "muster/motion.h"
@@ -21,7 +24,9 @@ struct PlacesView {
 struct CrowdView {
     const Characters* characters = nullptr;  ///< In ascending order of ids.
     const Environment* environment = nullptr;
-    std::span<const PlacesView> places;                  ///< By group; may be fewer than groups.
+    std::span<const PlacesView> places;  ///< By group; may be fewer than groups.
+    /// How each group walks; it may have fewer entries than there are groups.
+    std::span<const std::optional<MotionSet>> motionSets;
     double stepTime = Parameters{}.stepTime;             ///< Duration of a step [s] > 0.
     double maxSpeed = Parameters::Character{}.maxSpeed;  ///< On open ground [m/s].
     /// A character steers directly to a place nearer than this [m].

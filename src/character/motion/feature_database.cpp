@@ -102,6 +102,8 @@ void FeatureDatabase::addClip(const ClipEntry& entry) {
     range.locomotion = entry.use == ClipUse::Locomotion;
     range.standing = entry.standing;
     range.ends = !entry.cyclic;
+    range.set = entry.clip->set;
+    if (range.set && range.gait()) hasGaits_[static_cast<std::size_t>(*range.set)] = true;
     for (std::int32_t r = 0; r < range.rows; ++r) {
         const double time = static_cast<double>(r) / static_cast<double>(kRate);
         rows_.push_back(featuresAt(*entry.clip, time));
@@ -111,25 +113,42 @@ void FeatureDatabase::addClip(const ClipEntry& entry) {
     ranges_.push_back(range);
 }
 
+bool FeatureDatabase::suits(const Range& range, std::optional<MotionSet> set) const {
+    if (range.set || !set) return range.set == set;
+    return !range.gait() || !hasGaits_[static_cast<std::size_t>(*set)];
+}
+
+// Means and deviations are those of the plain clips, so that plain walking is the same with and without the
+// other sets.
 void FeatureDatabase::normalise() {
-    if (rows_.empty()) return;
-    const double count = static_cast<double>(rows_.size());
+    std::vector<const Features*> plain;
+    for (const Range& range : ranges_)
+        for (std::int32_t r = 0; !range.set && r < range.rows; ++r)
+            plain.push_back(&rows_[range.firstRow + r]);
+    if (plain.empty())
+        for (const Features& row : rows_) plain.push_back(&row);
+    if (plain.empty()) return;
+    measure(plain);
+    for (Features& row : rows_)
+        for (std::size_t f = 0; f < kFeatureCount; ++f) row[f] = (row[f] - mean_[f]) * scale_[f];
+}
+
+void FeatureDatabase::measure(const std::vector<const Features*>& rows) {
+    const double count = static_cast<double>(rows.size());
     for (std::size_t f = 0; f < kFeatureCount; ++f) {
         double sum = 0.0;
-        for (const Features& row : rows_) sum += static_cast<double>(row[f]);
+        for (const Features* row : rows) sum += static_cast<double>((*row)[f]);
         mean_[f] = static_cast<float>(sum / count);
     }
     for (const Group& group : kGroups) {
         double sum = 0.0;
-        for (const Features& row : rows_)
+        for (const Features* row : rows)
             for (std::size_t f = group.first; f < group.first + group.count; ++f)
-                sum += static_cast<double>((row[f] - mean_[f]) * (row[f] - mean_[f]));
+                sum += static_cast<double>(((*row)[f] - mean_[f]) * ((*row)[f] - mean_[f]));
         const double spread = std::sqrt(sum / (count * static_cast<double>(group.count)));
         for (std::size_t f = group.first; f < group.first + group.count; ++f)
             scale_[f] = group.weight / static_cast<float>(std::max(spread, 1e-3));
     }
-    for (Features& row : rows_)
-        for (std::size_t f = 0; f < kFeatureCount; ++f) row[f] = (row[f] - mean_[f]) * scale_[f];
 }
 
 void FeatureDatabase::fillBlocks() {
@@ -201,10 +220,11 @@ void FeatureDatabase::searchBlocks(const Features& query, const Range& range, Ma
     }
 }
 
-Match FeatureDatabase::search(const Features& query, ClipFilter filter, float below) const {
+Match FeatureDatabase::search(const Features& query, ClipFilter filter, std::optional<MotionSet> set,
+                              float below) const {
     Match best{-1, below};
     for (const Range& range : ranges_) {
-        if (range.blocks == 0) continue;
+        if (range.blocks == 0 || !suits(range, set)) continue;
         if (filter != ClipFilter::Any && range.standing != (filter == ClipFilter::Standing)) continue;
         searchBlocks(query, range, best);
     }

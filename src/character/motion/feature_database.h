@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "character/motion/clip_table.h"
@@ -51,8 +52,12 @@ public:
     Features query(const Trajectory& trajectory, std::int32_t row) const;
     /// Squared distance of a row from a query.
     float cost(const Features& query, std::int32_t row) const;
-    /// The nearest row of locomotion whose cost is less than `below`, if any.
-    Match search(const Features& query, ClipFilter filter, float below) const;
+    /// The nearest row of locomotion whose cost is less than `below`, if any, for people who walk in that
+    /// manner.
+    Match search(const Features& query, ClipFilter filter, std::optional<MotionSet> set, float below) const;
+    /// True for clips that people play who walk in that manner: its own ones, and plain ones, but for gaits
+    /// where it has its own.
+    bool suits(std::size_t clip, std::optional<MotionSet> set) const { return suits(ranges_[clip], set); }
     /// The row of one clip with the nearest pose, regardless of the trajectory; -1 for a clip without frames.
     std::int32_t nearestPose(std::size_t clip, std::int32_t row) const;
 
@@ -62,22 +67,29 @@ private:
     using Block = std::array<std::array<float, kRowsPerBlock>, kFeatureCount>;
     /// The rows of one clip.
     struct Range {
-        std::int32_t firstRow = 0;    ///< Index of the first row.
-        std::int32_t rows = 0;        ///< Number of rows.
-        std::int32_t firstBlock = 0;  ///< Index of the first block.
-        std::int32_t blocks = 0;      ///< Number of blocks that a search considers.
-        bool locomotion = false;      ///< True for a locomotion clip.
-        bool standing = false;        ///< True for a clip that does not travel.
-        bool ends = false;            ///< True for a clip that is not cyclic.
+        std::int32_t firstRow = 0;     ///< Index of the first row.
+        std::int32_t rows = 0;         ///< Number of rows.
+        std::int32_t firstBlock = 0;   ///< Index of the first block.
+        std::int32_t blocks = 0;       ///< Number of blocks that a search considers.
+        bool locomotion = false;       ///< True for a locomotion clip.
+        bool standing = false;         ///< True for a clip that does not travel.
+        bool ends = false;             ///< True for a clip that is not cyclic.
+        std::optional<MotionSet> set;  ///< As Clip::set.
+
+        /// True for a cycle that travels.
+        bool gait() const { return locomotion && !standing && !ends; }
     };
 
     void addClip(const ClipEntry& entry);
+    bool suits(const Range& range, std::optional<MotionSet> set) const;
     void normalise();
+    void measure(const std::vector<const Features*>& rows);
     void fillBlocks();
     void searchBlocks(const Features& query, const Range& range, Match& best) const;
 
-    std::vector<Range> ranges_;   ///< Rows of each clip.
-    std::vector<Features> rows_;  ///< Normalised, weighted features by row.
+    std::vector<Range> ranges_;                     ///< Rows of each clip.
+    std::array<bool, kMotionSetCount> hasGaits_{};  ///< By motion set.
+    std::vector<Features> rows_;                    ///< Normalised, weighted features by row.
     std::vector<Block> blocks_;
     std::vector<std::uint16_t> clipOfRow_;
     std::vector<float> timeOfRow_;

@@ -103,6 +103,7 @@ private:
     void playCycle(Mover& mover, const Step& step, std::int32_t clip) const;
     void playLocomotion(Mover& mover, const Step& step) const;
     WalkTarget walkTarget(const Step& step) const;
+    static std::optional<MotionSet> motionSet(const Step& step);
     float continuationCost(const Mover& mover, Trajectory trajectory, std::int32_t row) const;
     void searchLocomotion(Mover& mover, const Step& step, bool must) const;
     void advance(Mover& mover, double dt) const;

@@ -79,6 +79,12 @@ WalkTarget Player::walkTarget(const Step& step) const {
     return target;
 }
 
+std::optional<MotionSet> Player::motionSet(const Step& step) {
+    const std::uint32_t group = step.crowd->characters->group[step.i];
+    const auto sets = step.crowd->motionSets;
+    return group < sets.size() ? sets[group] : std::nullopt;
+}
+
 void Player::playLocomotion(Mover& mover, const Step& step) const {
     const ClipEntry& now = table_[mover.clip];
     const bool over = !now.cyclic && mover.time >= now.duration - 1.0e-4f;
@@ -129,11 +135,13 @@ void Player::searchLocomotion(Mover& mover, const Step& step, bool must) const {
     if (now.standing)
         for (std::size_t f = kTrajectoryCount; f < kFeatureCount; ++f)
             sought[f] += 0.35f * unevenness(mover.id, f);
-    const bool unfit = filter != ClipFilter::Any && now.standing != (filter == ClipFilter::Standing);
+    const std::optional<MotionSet> set = motionSet(step);
+    const bool unfit = !features_.suits(mover.clip, set) ||
+                       (filter != ClipFilter::Any && now.standing != (filter == ClipFilter::Standing));
     const float cost = must || unfit ? kInfinite : continuationCost(mover, trajectory, row);
     if (cost <= kClearlyBetter) return;
-    Match match = features_.search(sought, filter, cost - kClearlyBetter);
-    if (match.row < 0 && must) match = features_.search(sought, ClipFilter::Any, kInfinite);
+    Match match = features_.search(sought, filter, set, cost - kClearlyBetter);
+    if (match.row < 0 && must) match = features_.search(sought, ClipFilter::Any, set, kInfinite);
     if (match.row < 0) return;
     const std::size_t clip = features_.clipOf(match.row);
     const float time = features_.timeOf(match.row);

@@ -47,9 +47,14 @@ CharacterLook characterLook(std::uint32_t id, std::uint32_t group, const World& 
     h = (h ^ (h >> 16)) * 0x85ebca6bu;
     h = (h ^ (h >> 13)) * 0xc2b2ae35u;
     h ^= h >> 16;
-    if (group < world.groupCount()) look.chosen = world.group(group).colour;
-    const std::uint32_t number = group < world.groupCount() ? world.group(group).id.value : group + 1;
+    std::uint32_t number = group + 1;
     look.body = static_cast<BodyKind>((h >> 25) % kBodyKindCount);
+    if (group < world.groupCount()) {
+        const GroupView view = world.group(group);
+        number = view.id.value;
+        look.chosen = view.colour;
+        if (view.build) look.body = *view.build == BodyBuild::Broad ? BodyKind::Broad : BodyKind::Narrow;
+    }
     look.skin = h % kSkinTones;
     look.hair = (h >> 8) % kSkinTones;
     look.accent = (number + kAccents - 1) % kAccents;

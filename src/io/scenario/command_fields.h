@@ -203,6 +203,10 @@ struct BodyFields {
         id("group", c.group);
         v.colour("colour", c.colour, "Of its shirts and marks; left out: the palette's, by its id.");
     }
+    void operator()(SetAppearance& c) {
+        id("group", c.group);
+        describeAppearance(v, c);
+    }
     void ids(std::vector<std::uint32_t>& list) {
         v.numbers("ids", list, kId, kMaxCharacters, "Ids of characters.", Need::Required);
     }

@@ -46,6 +46,7 @@ void describeGroup(Visitor& v, GroupDef& group) {
     v.text("name", group.name, "Shown on its chip.", Need::Optional, GroupDef{}.name);
     v.colour("colour", group.colour,
              "Of its shirts and marks; left out: the palette's, by its place in the list.");
+    describeAppearance(v, group);
     v.whole("count", group.count, {1.0, kMaxCharacters}, "Characters.");
     v.objectOrKind("formation", "Kind and spacing, or the kind alone.",
                    [&](auto& inner) { describeFormation(inner, group.formation); });

@@ -3,9 +3,11 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/appearance_words.h"
 #include "io/scenario/describe_shapes.h"
 #include "muster/world_def.h"
 
@@ -39,6 +41,27 @@ void describeWord(Visitor& v, const char* key, Value& value, const std::array<co
         for (std::size_t i = 0; i < N; ++i)
             if (names[i] == word) value = static_cast<Value>(i);
     }
+}
+
+/// The same for a value that may be none, which is left out.
+template <class Visitor, class Value, std::size_t N>
+void describeWord(Visitor& v, const char* key, std::optional<Value>& value,
+                  const std::array<const char*, N>& words, const char* about) {
+    if constexpr (Visitor::kReading && !Visitor::kSchema) {
+        if (!v.has(key)) return;
+    }
+    if (!Visitor::kReading && !Visitor::kSchema && !value) return;
+    Value word = value.value_or(Value{});
+    describeWord(v, key, word, words, about);
+    if constexpr (Visitor::kReading) value = word;
+}
+
+/// The appearance of a group's people, of anything that has `build` and `motions`.
+template <class Visitor, class Appearance>
+void describeAppearance(Visitor& v, Appearance& of) {
+    describeWord(v, "build", of.build, kBuildWords,
+                 "Build of the drawn bodies; left out: both, by their ids.");
+    describeWord(v, "motions", of.motions, kMotionSetWords, "How they walk and jog; left out: plainly.");
 }
 
 /// True where a field takes part: in files it is read wherever it stands, and written where it says

@@ -56,7 +56,8 @@ constexpr const char* kKinds[] = {"down",
                                   "removeCheckpoint",
                                   "placeGroup",
                                   "nameGroup",
-                                  "colourGroup"};
+                                  "colourGroup",
+                                  "appearance"};
 static_assert(std::size(kKinds) == std::variant_size_v<CommandBody>);
 
 /// An event of the file: a command with its time.

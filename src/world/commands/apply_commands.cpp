@@ -179,6 +179,7 @@ public:
     Status operator()(const PlaceGroup& place) { return placeGroup(editableGroups(), place); }
     Status operator()(const NameGroup& name) { return nameGroup(state_, name); }
     Status operator()(const ColourGroup& colour) { return colourGroup(state_, colour); }
+    Status operator()(const SetAppearance& appearance) { return setAppearance(state_, appearance); }
 
 private:
     // Background work reads the plans.

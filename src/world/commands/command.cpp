@@ -34,7 +34,8 @@ constexpr auto kNames = std::to_array<const char*>({"TouchDown",        "TouchMo
                                                     "ChangeItem",       "RemoveItem",
                                                     "AddCheckpoint",    "ChangeCheckpoint",
                                                     "RemoveCheckpoint", "PlaceGroup",
-                                                    "NameGroup",        "ColourGroup"});
+                                                    "NameGroup",        "ColourGroup",
+                                                    "SetAppearance"});
 static_assert(kNames.size() == std::variant_size_v<CommandBody>);
 
 /// Makes the alternative with that index; false where there is none.
@@ -165,6 +166,7 @@ struct Validator {
     }
     Status operator()(const NameGroup& c) const { return validateName(c.name); }
     Status operator()(const ColourGroup& c) const { return validateColour(c.colour); }
+    Status operator()(const SetAppearance& c) const { return validateAppearance(c.build, c.motions); }
 
 private:
     static Status places(const char* what, const std::vector<Vec2>& points) {

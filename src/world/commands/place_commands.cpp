@@ -129,4 +129,12 @@ Status colourGroup(WorldState& state, const ColourGroup& colour) {
     return {};
 }
 
+Status setAppearance(WorldState& state, const SetAppearance& appearance) {
+    Group* group = state.findGroup(appearance.group);
+    if (group == nullptr) return noGroup(appearance.group);
+    group->def.build = appearance.build;
+    group->def.motions = appearance.motions;
+    return {};
+}
+
 }  // namespace muster

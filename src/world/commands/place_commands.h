@@ -17,5 +17,6 @@ Status removeCheckpoint(WorldState& state, const RemoveCheckpoint& remove);
 Status placeGroup(WorldState& state, const PlaceGroup& place);
 Status nameGroup(WorldState& state, const NameGroup& name);
 Status colourGroup(WorldState& state, const ColourGroup& colour);
+Status setAppearance(WorldState& state, const SetAppearance& appearance);
 
 }  // namespace muster

@@ -173,6 +173,7 @@ Status checkGroup(const Group& group, const Grid& grid) {
     if (def.name.size() > kMaxText || !isPlace(def.position) || !arePlaces(def.starts))
         return wrong("a bad group");
     if (Status s = validateColour(def.colour); !s.ok()) return s;
+    if (Status s = validateAppearance(def.build, def.motions); !s.ok()) return s;
     if (Status s = validateFormation(def.formation); !s.ok()) return s;
     const Formation& formation = group.mesh.formation();
     if (formation.places.size() != count || group.places.positions().size() != count)

@@ -10,7 +10,7 @@
 namespace muster {
 
 /// Version of the state's format. It grows with every change of what archives hold.
-inline constexpr std::uint32_t kSnapshotVersion = 12;
+inline constexpr std::uint32_t kSnapshotVersion = 13;
 
 /// Bytes before the state.
 inline constexpr std::size_t kSnapshotHeadBytes = 28;

@@ -8,11 +8,43 @@ using namespace muster;
 using namespace muster::test;
 
 TEST_CASE("every clip is there, by its name, and valid") {
-    const char* names[] = {"idle",       "walk",      "jog",        "run",        "sprint",      "duck",
-                           "crawl",      "swim",      "walk-left",  "walk-right", "jog-left",    "jog-right",
-                           "run-left",   "run-right", "turn-left",  "turn-right", "start",       "start-walk",
-                           "stop",       "stop-walk", "duck-enter", "duck-exit",  "crawl-enter", "crawl-exit",
-                           "swim-enter", "swim-exit", "jump",       "jump-over",  "climb"};
+    const char* names[] = {"idle",
+                           "walk",
+                           "jog",
+                           "run",
+                           "sprint",
+                           "duck",
+                           "crawl",
+                           "swim",
+                           "walk-left",
+                           "walk-right",
+                           "jog-left",
+                           "jog-right",
+                           "run-left",
+                           "run-right",
+                           "turn-left",
+                           "turn-right",
+                           "start",
+                           "start-walk",
+                           "stop",
+                           "stop-walk",
+                           "duck-enter",
+                           "duck-exit",
+                           "crawl-enter",
+                           "crawl-exit",
+                           "swim-enter",
+                           "swim-exit",
+                           "jump",
+                           "jump-over",
+                           "climb",
+                           "march-walk",
+                           "march-walk-left",
+                           "march-walk-right",
+                           "march-jog",
+                           "weary-walk",
+                           "weary-walk-left",
+                           "weary-walk-right",
+                           "weary-jog"};
     for (const char* name : names) clipNamed(name);
     CHECK(ownClips().clips.size() == std::size(names));
     std::set<std::string> seen;
@@ -35,7 +67,7 @@ TEST_CASE("motions and cycles are as named") {
                                        "duck",     "crawl",     "swim",     "walk-left", "walk-right",
                                        "jog-left", "jog-right", "run-left", "run-right"};
     for (const Clip& clip : ownClips().clips) {
-        CHECK_MESSAGE(clip.cyclic == (cyclic.count(clip.name) == 1), clip.name);
+        CHECK_MESSAGE(clip.cyclic == (cyclic.count(clip.name) == 1 || clip.set), clip.name);
         const std::string head = clip.name.substr(0, clip.name.find('-'));
         const bool special = head == "duck" || head == "crawl" || head == "swim" || head == "jump" ||
                              head == "climb";
@@ -65,6 +97,30 @@ TEST_CASE("speeds and lengths are the nominal ones") {
     CHECK(clipNamed("climb").obstacle.height == 1.3f);
     CHECK(clipNamed("climb").obstacle.thickness == 0.4f);
     CHECK(clipNamed("jump-over").obstacle.height == 0.5f);
+}
+
+TEST_CASE("manners differ from plain walking as their words say") {
+    // Mean lean of the trunk, from hips to head, and highest knee over a cycle.
+    const auto posture = [](const char* name) {
+        const Clip& clip = clipNamed(name);
+        double lean = 0.0, knee = 0.0;
+        for (std::size_t f = 0; f < clip.poses.size(); ++f) {
+            JointTransforms joints;
+            jointTransforms(clip.poses[f], {}, joints);
+            const Vec3 trunk = joints[index(JointRole::Head)].translation - joints[0].translation;
+            lean += static_cast<double>(trunk.x / trunk.z) / static_cast<double>(clip.poses.size());
+            knee = std::max(knee, static_cast<double>(joints[index(JointRole::LeftLeg)].translation.z));
+        }
+        return std::pair(lean, knee);
+    };
+    const auto [plain, plainKnee] = posture("walk");
+    const auto [march, marchKnee] = posture("march-walk");
+    const auto [weary, wearyKnee] = posture("weary-walk");
+    CHECK(march < plain);
+    CHECK(march > -0.05);
+    CHECK(weary > plain + 0.15);
+    CHECK(marchKnee > plainKnee + 0.03);
+    CHECK(wearyKnee < marchKnee);
 }
 
 TEST_CASE("bends go round circles, turns turn by a quarter") {

@@ -23,6 +23,18 @@ Trajectory straight(float speed) {
     return trajectory;
 }
 
+/// True for clips that people play who walk in that manner, by their names: "march-walk"...
+bool ofManner(const Clip& clip, std::optional<MotionSet> set) {
+    const bool gait = clip.name.find("walk") != std::string::npos ||
+                      clip.name.find("jog") != std::string::npos || clip.name.find("run") == 0 ||
+                      clip.name == "sprint";
+    const bool ends = clip.name.find("st") == 0;  // "start-walk", "stop-walk"
+    const bool march = clip.name.find("march-") == 0, weary = clip.name.find("weary-") == 0;
+    if (set == MotionSet::March) return march || (!weary && (!gait || ends));
+    if (set == MotionSet::Weary) return weary || (!march && (!gait || ends));
+    return !march && !weary;
+}
+
 bool sought(const ClipTable& table, const FeatureDatabase& base, std::int32_t row, ClipFilter filter) {
     const ClipEntry& entry = table[base.clipOf(row)];
     if (entry.use != ClipUse::Locomotion) return false;
@@ -32,10 +44,10 @@ bool sought(const ClipTable& table, const FeatureDatabase& base, std::int32_t ro
 
 /// The nearest row, looked for one by one.
 Match slowSearch(const ClipTable& table, const FeatureDatabase& base, std::int32_t rows,
-                 const Features& query, ClipFilter filter) {
+                 const Features& query, ClipFilter filter, std::optional<MotionSet> set) {
     Match best;
     for (std::int32_t row = 0; row < rows; ++row) {
-        if (!sought(table, base, row, filter)) continue;
+        if (!sought(table, base, row, filter) || !ofManner(*table[base.clipOf(row)].clip, set)) continue;
         const float cost = base.cost(query, row);
         if (best.row < 0 || cost < best.cost) best = {row, cost};
     }
@@ -46,7 +58,7 @@ std::int32_t rowCount(const ClipTable& table, const FeatureDatabase& base) {
     return base.rowOf(table.size() - 1, 1.0e6f) + 1;
 }
 
-void compareSearches(const ClipLibrary& library) {
+void compareSearches(const ClipLibrary& library, std::optional<MotionSet> set) {
     const ClipTable table(library);
     const FeatureDatabase base(table);
     const std::int32_t rows = rowCount(table, base);
@@ -56,13 +68,13 @@ void compareSearches(const ClipLibrary& library) {
         for (float& number : trajectory) number += static_cast<float>(*rc::gen::inRange(-30, 31)) * 0.01f;
         const Features query = base.query(trajectory, row);
         for (const ClipFilter filter : {ClipFilter::Any, ClipFilter::Going, ClipFilter::Standing}) {
-            const Match slow = slowSearch(table, base, rows, query, filter);
-            const Match fast = base.search(query, filter, 1.0e9f);
+            const Match slow = slowSearch(table, base, rows, query, filter, set);
+            const Match fast = base.search(query, filter, set, 1.0e9f);
             RC_ASSERT(fast.row >= 0);
             // Ends of clips are cut a row sooner or later here and there: never a nearer one is missed.
             RC_ASSERT(fast.cost <= slow.cost * 1.0001f + 1.0e-4f);
             RC_ASSERT(std::fabs(base.cost(query, fast.row) - fast.cost) <= 1.0e-3f * (1.0f + fast.cost));
-            RC_ASSERT(base.search(query, filter, 0.5f * fast.cost).row == -1);
+            RC_ASSERT(base.search(query, filter, set, 0.5f * fast.cost).row == -1);
         }
     }));
 }
@@ -70,8 +82,10 @@ void compareSearches(const ClipLibrary& library) {
 }  // namespace
 
 TEST_CASE("the blockwise search finds what looking at every row finds") {
-    compareSearches(swingingClips());
-    if (ownClips().find("idle") != nullptr) compareSearches(ownClips());
+    compareSearches(swingingClips(), {});
+    for (const std::optional<MotionSet> set :
+         {std::optional<MotionSet>(), std::optional(MotionSet::March), std::optional(MotionSet::Weary)})
+        compareSearches(ownClips(), set);
 }
 
 TEST_CASE("a frame is nearest to what it leads to itself") {
@@ -84,7 +98,7 @@ TEST_CASE("a frame is nearest to what it leads to itself") {
             const std::int32_t row = base.rowOf(clip, time);
             const Features query = base.query(straight(table[clip].speed), row);
             CHECK(base.cost(query, row) < 1e-3f);
-            const Match match = base.search(query, ClipFilter::Any, 1e9f);
+            const Match match = base.search(query, ClipFilter::Any, {}, 1e9f);
             CHECK(base.clipOf(match.row) == clip);
             CHECK(std::fabs(base.timeOf(match.row) - time) < 0.05f);
         }
@@ -97,7 +111,8 @@ TEST_CASE("faster trajectories lead to faster clips, none to standing") {
     const FeatureDatabase base(table);
     const auto found = [&](const char* clip, float speed) {
         const std::int32_t from = base.rowOf(static_cast<std::size_t>(table.find(clip)), 0.2f);
-        return table[base.clipOf(base.search(base.query(straight(speed), from), ClipFilter::Any, 1e9f).row)]
+        return table[base.clipOf(
+                         base.search(base.query(straight(speed), from), ClipFilter::Any, {}, 1e9f).row)]
             .speed;
     };
     CHECK(found("idle", 0.0f) == 0.0f);

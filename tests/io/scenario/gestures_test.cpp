@@ -138,6 +138,8 @@ TEST_CASE("every kind of command survives the file") {
         NameGroup{GroupId{1}, "Gäste"},
         ColourGroup{GroupId{1}, 0x0A5FD1},
         ColourGroup{GroupId{2}, std::nullopt},
+        SetAppearance{GroupId{1}, BodyBuild::Narrow, std::nullopt},
+        SetAppearance{GroupId{2}, std::nullopt, MotionSet::Weary},
         GiveOrder{GroupId{2}, QueueMode::Append, 0, guard},
         GiveOrder{GroupId{2}, QueueMode::Replace, 0, Order::face(-1.5)},
         GiveOrder{GroupId{2}, QueueMode::Replace, 0, Order::follow(GroupId{1}, {-2, 0.5})},

@@ -68,6 +68,8 @@ WorldDef richDef() {
     group.angle = 1e-9;
     group.jitter = 0.05;
     group.colour = 0x00A1FF;
+    group.build = BodyBuild::Narrow;
+    group.motions = MotionSet::March;
     GroupDef other;
     other.formation.kind = FormationKind::Outline;
     other.formation.outline.outline = {{0, 0}, {5, 0}, {5, 5}, {0, 5}};
@@ -104,6 +106,22 @@ TEST_CASE("a definition survives writing and reading bit for bit") {
     REQUIRE_MESSAGE(back.ok(), back.status().message());
     CHECK(bytesOf(*back) == bytesOf(def));
     CHECK(writeScenario(*back) == text);
+}
+
+TEST_CASE("appearances are words, and left out where they are as usual") {
+    const auto def = parseScenario(
+        minimal(R"("groups":[{"build":"broad","motions":"weary"},{"motions":"march"},{}])"), "F.json", "");
+    REQUIRE_MESSAGE(def.ok(), def.status().message());
+    CHECK(def->groups[0].build == BodyBuild::Broad);
+    CHECK(def->groups[0].motions == MotionSet::Weary);
+    CHECK_FALSE(def->groups[1].build);
+    CHECK(def->groups[1].motions == MotionSet::March);
+    CHECK_FALSE(def->groups[2].motions);
+    const std::string text = writeScenario(*def);
+    CHECK(text.find("\"build\": \"broad\"") == text.rfind("\"build\""));
+    CHECK(text.find("\"motions\": \"weary\"") != std::string::npos);
+    CHECK(failureOf(minimal(R"("groups":[{"motions":"hop"}])")) ==
+          R"(F.json: $.groups[0].motions: found the text "hop", expected one of "march", "weary")");
 }
 
 TEST_CASE("colours are read in either case, written in small letters, and left out where none was chosen") {

@@ -73,7 +73,8 @@ std::vector<std::uint8_t> takeOf(std::uint32_t version) {
     add.real(3.0).real(-2.0).real(0.5).word(0).real(0.25);
     // Bodies, roles, demands, conduct, orders and patrols.
     if (version >= 2) add.word(0).word(0).word(0).byte(0).real(0.0).real(1.0).byte(0).word(0).byte(0);
-    if (version >= 5) add.byte(1).word(0x05536D);  // A colour.
+    if (version >= 5) add.byte(1).word(0x05536D);   // A colour.
+    if (version >= 6) add.byte(0).byte(1).byte(1);  // No build, a motion set.
     file.record(2, set.bytes);
     file.record(2, add.bytes);
     return file.bytes;
@@ -126,6 +127,16 @@ TEST_CASE("groups of version 5 have a colour, those of version 4 none") {
     }
 }
 
+TEST_CASE("groups of version 6 have an appearance, those of version 5 none") {
+    for (const std::uint32_t version : {5u, 6u}) {
+        const auto take = parseTake(takeOf(version), "T");
+        REQUIRE_MESSAGE(take.ok(), take.status().message());
+        const GroupDef& group = std::get<AddGroup>(take->commands[1].body).group;
+        CHECK_FALSE(group.build);
+        CHECK(group.motions == (version == 5 ? std::nullopt : std::optional(MotionSet::Weary)));
+    }
+}
+
 TEST_CASE("versions are not mixed up") {
     // The bytes of one version under the number of the other.
     auto older = takeOf(2);
@@ -134,16 +145,16 @@ TEST_CASE("versions are not mixed up") {
     auto newer = takeOf(1);
     newer[8] = 2;
     CHECK(parseTake(newer, "T").status().code() == StatusCode::Corrupt);
-    for (const unsigned version : {0u, 6u}) {
+    for (const unsigned version : {0u, 7u}) {
         auto other = takeOf(1);
         other[8] = static_cast<std::uint8_t>(version);
         const auto take = parseTake(other, "T");
         CHECK(take.status().code() == StatusCode::Unsupported);
-        CHECK(take.status().message().find("expected version 1 to 5") != std::string::npos);
+        CHECK(take.status().message().find("expected version 1 to 6") != std::string::npos);
     }
 }
 
-TEST_CASE("writers write version 5") {
+TEST_CASE("writers write version 6") {
     WorldDef def;
     def.groups.resize(1);
     const std::string path = (std::filesystem::temp_directory_path() / "muster_take_version_test.take")
@@ -155,5 +166,5 @@ TEST_CASE("writers write version 5") {
     CHECK(std::fread(head, 1, sizeof head, file) == sizeof head);
     std::fclose(file);
     std::filesystem::remove(path);
-    CHECK(head[8] == 5);
+    CHECK(head[8] == 6);
 }

@@ -70,6 +70,9 @@ export interface SceneRole {
   readonly class: number;
 }
 
+export type BodyBuild = 'broad' | 'narrow';
+export type MotionSet = 'march' | 'weary';
+
 export interface SceneGroup {
   readonly id: number;
   readonly name: string;
@@ -79,6 +82,10 @@ export interface SceneGroup {
   readonly colour: number;
   /** `#rrggbb`, where somebody has chosen it. */
   readonly chosenColour?: string;
+  /** Of the drawn bodies; absent for both. */
+  readonly build?: BodyBuild;
+  /** How they walk; absent for the plain manner. */
+  readonly motions?: MotionSet;
   /** How the place has it; absent for parts of others. */
   readonly start?: {
     readonly position: Point2;

@@ -4,7 +4,7 @@ import { colourNumber } from '../model/accent';
 import { GroupShapes } from '../model/group_shapes';
 import type { GroupView, ShapeMeshView } from '../model/frame_view';
 import type { GroundPoint } from '../model/plane';
-import type { SceneGroup } from '../protocol/scene';
+import type { BodyBuild, SceneGroup } from '../protocol/scene';
 import type { DrawnCut, DrawnForecast, DrawnOrder, OrderScene } from './marks/order_marks';
 import { schemePicture, type CrowdPlaces, type SchemeView } from './marks/scheme_marks';
 
@@ -13,6 +13,7 @@ type Ways = ReadonlyMap<number, readonly GroundPoint[]>;
 export class OrderPicture {
   private readonly shapes_ = new GroupShapes();
   private byId_ = new Map<number, number>();
+  private buildsById_ = new Map<number, BodyBuild | undefined>();
   private selected_: ReadonlySet<number> = new Set();
   private drawn_: DrawnOrder | null = null;
   private forecasts_: readonly DrawnForecast[] = [];
@@ -23,6 +24,7 @@ export class OrderPicture {
   private scheme_: SchemeView | null = null;
   private groups_: readonly GroupView[] = [];
   private colours_: readonly number[] = [];
+  private builds_: readonly (BodyBuild | undefined)[] = [];
 
   /** `changed` asks for another picture; `crowd` tells where everybody is in the next one. */
   constructor(
@@ -33,6 +35,11 @@ export class OrderPicture {
   /** Accent indices of the newest frame's groups. */
   get colours(): readonly number[] {
     return this.colours_;
+  }
+
+  /** The build of each of them; undefined for both. */
+  get builds(): readonly (BodyBuild | undefined)[] {
+    return this.builds_;
   }
 
   clear(): void {
@@ -47,6 +54,7 @@ export class OrderPicture {
   /** Colours of the groups by id; groups come and go. */
   setGroups(groups: readonly SceneGroup[]): void {
     this.byId_ = new Map(groups.map(({ id, colour, chosenColour }) => [id, colourNumber(colour, chosenColour)]));
+    this.buildsById_ = new Map(groups.map(({ id, build }) => [id, build]));
     this.changed_();
   }
 
@@ -93,12 +101,13 @@ export class OrderPicture {
     this.changed_();
   }
 
-  /** Takes the groups of the newest frame; true where their colours are others than before. */
+  /** Takes the groups of the newest frame; true where their people look otherwise than before. */
   update(groups: readonly GroupView[]): boolean {
     this.groups_ = groups;
     const colours = groups.map(({ id }) => this.byId_.get(id) ?? id - 1);
-    if (colours.join() === this.colours_.join()) return false;
-    this.colours_ = colours;
+    const builds = groups.map(({ id }) => this.buildsById_.get(id));
+    if (colours.join() === this.colours_.join() && builds.join() === this.builds_.join()) return false;
+    [this.colours_, this.builds_] = [colours, builds];
     return true;
   }
 

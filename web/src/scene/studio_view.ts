@@ -384,12 +384,12 @@ export class StudioView implements StudioScene {
     };
   }
 
-  /** Gives people their colours. */
+  /** Gives people their colours and bodies. */
   private dress(colours: readonly number[], greyed: boolean): void {
     this.membersStale_ = false;
     const chosen = greyed ? this.overlay_.character : -1;
     this.stage_.crowd.setPalette(this.palette_, greyed, this.theme_ === 'dark');
-    this.stage_.crowd.setColours(colours, this.palette_, chosen);
+    this.stage_.crowd.setColours(colours, this.palette_, chosen, this.orders.builds);
   }
 
   private chosenGroup(): number {

@@ -131,7 +131,7 @@ export function thingsOf(scene: SceneFacts): Thing[] {
 function groupsOf(scene: SceneFacts): Thing[] {
   const speed = scene.parameters.find(({ name }) => name === 'character.maxSpeed')?.value;
   const usual: SceneGroupBody = { radius: scene.radius, maxSpeed: speed ?? 2, class: 0 };
-  return scene.groups.flatMap(({ id, name, count, colour, chosenColour, start }) =>
+  return scene.groups.flatMap(({ id, name, count, colour, chosenColour, build, motions, start }) =>
     start
       ? [
           thing('group', {
@@ -144,7 +144,10 @@ function groupsOf(scene: SceneFacts): Thing[] {
             body: start.body ?? null,
             roles: start.roles ?? [],
             colour: colourNumber(colour, chosenColour),
-            rest: { ...likeGroup(start.body ?? {}, start.roles ?? [], usual), ...present({ colour: chosenColour }) },
+            rest: {
+              ...likeGroup(start.body ?? {}, start.roles ?? [], usual),
+              ...present({ colour: chosenColour, build, motions }),
+            },
             radius: groupRadius(count, start.formation.spacing ?? 1),
           }),
         ]

@@ -10,9 +10,11 @@ import type { CameraController } from '../camera/camera_controller';
 import { ContactDiscs } from './contact_discs';
 import type { CrowdState } from './crowd_state';
 import type { FrameBlend } from '../../model/frame_timeline';
+import type { BodyBuild } from '../../protocol/scene';
 import { CrowdTextures, linear } from './crowd_textures';
 import { kFar, kHidden, kNear, LevelOfDetail } from './level_of_detail';
 import { accentColour, type Palette } from '../drawing/palette';
+import { bodyIndex } from './look';
 import { DressedBody } from './dressed_body';
 import { type CrowdUniforms, CharacterUniforms } from './character_material';
 import type { Quality } from '../drawing/quality';
@@ -41,6 +43,7 @@ export class CrowdLayer {
   private poses_: RigPoses[] = [];
   private accents_: Float32Array = new Float32Array(3);
   private chosen_ = -1;
+  private builds_: readonly (BodyBuild | undefined)[] = [];
   /** Version of the members that were uploaded; -1 where they must be uploaded again. */
   private members_ = -1;
   /** Per clip, 1 where a visitor's own is played: whole poses are not of it. */
@@ -93,8 +96,14 @@ export class CrowdLayer {
     this.discs_.strength = dark ? 0.5 : 0.3;
   }
 
-  /** `colours`: accent index per group; `chosen`: id never greyed. */
-  setColours(colours: readonly number[], palette: Palette, chosen: number): void {
+  /** `colours`: accent index per group; `chosen`: id never greyed; `builds`: per group, undefined for both bodies. */
+  setColours(
+    colours: readonly number[],
+    palette: Palette,
+    chosen: number,
+    builds: readonly (BodyBuild | undefined)[] = [],
+  ): void {
+    this.builds_ = builds;
     const shown = colours.length > 0 ? colours : [0];
     this.accents_ = linear(shown.map((colour) => accentColour(palette, colour)));
     this.chosen_ = chosen;
@@ -142,7 +151,7 @@ export class CrowdLayer {
     for (let i = 0; i < count; ++i) {
       const level = levels.levelAt(to.x[i]!, to.y[i]!);
       if (level === kHidden) continue;
-      const body = dressed[state.body(i, dressed.length)]!;
+      const body = dressed[bodyIndex(this.builds_[state.group[i]!], state.body(i, dressed.length), dressed.length)]!;
       const detail = level === kNear && full ? body.near : level >= kFar ? body.far : body.tiny;
       detail.list.add(i, full && this.replaced_[to.clip[i]!] !== 1 ? slots[i]! : -1);
       discs.list.add(i, -1);

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { bodyOf, lookOf, sizeOf } from './look';
+import { bodyIndex, bodyOf, lookOf, sizeOf } from './look';
 
 it('spreads skins, hairs and bodies over ids, always the same for one', () => {
   const skins = [0, 0, 0, 0, 0];
@@ -17,4 +17,13 @@ it('spreads skins, hairs and bodies over ids, always the same for one', () => {
   expect(bodyOf(42, 1)).toBe(0);
   // As characterSize() of the server has it.
   expect(sizeOf(0)).toBeCloseTo(0.96);
+});
+
+it('takes the body of the group, where there are two', () => {
+  for (const own of [0, 1]) {
+    expect(bodyIndex('broad', own, 2)).toBe(0);
+    expect(bodyIndex('narrow', own, 2)).toBe(1);
+    expect(bodyIndex(undefined, own, 2)).toBe(own);
+  }
+  expect(bodyIndex('narrow', 0, 1)).toBe(0);
 });

@@ -1,4 +1,6 @@
-// The look of a character follows from its id, so it never changes.
+// The look of a character follows from its id, and its body also from the build of its group.
+
+import type { BodyBuild } from '../../protocol/scene';
 
 export const kSkins = ['#F1C9A5', '#E0A97F', '#B97A50', '#8A5636', '#5B3A28'];
 export const kHairs = ['#15120F', '#3A2618', '#6B4A2B', '#8F867C', '#241A16'];
@@ -31,4 +33,11 @@ export function sizeOf(id: number): number {
 /** Which of several bodies. */
 export function bodyOf(id: number, bodies: number): number {
   return bodies > 1 ? (scrambled(id) >>> 25) % bodies : 0;
+}
+
+const kBuilds: readonly BodyBuild[] = ['broad', 'narrow'];
+
+/** Which of our bodies, broad and narrow, somebody has: that of the group's build, else their own. */
+export function bodyIndex(build: BodyBuild | undefined, own: number, bodies: number): number {
+  return build && bodies === kBuilds.length ? kBuilds.indexOf(build) : own;
 }

@@ -94,3 +94,17 @@ it('leaves the focus in the field whose number comes back', () => {
   show({ ...group, count: 10 });
   expect(document.activeElement).toBe(control('People'));
 });
+
+it('sends build and motion set together, and leaves out what is as usual', () => {
+  give('Build', 'Narrow', 'change');
+  show({ ...group, rest: { build: 'narrow' } });
+  expect(control('Build').value).toBe('Narrow');
+  give('Motion set', 'March', 'change');
+  show({ ...group, rest: { build: 'narrow', motions: 'march' } });
+  give('Build', 'Both', 'change');
+  expect(sent).toEqual([
+    ['Build', { kind: 'appearance', group: 4, build: 'narrow' }],
+    ['Motion set', { kind: 'appearance', group: 4, build: 'narrow', motions: 'march' }],
+    ['Build', { kind: 'appearance', group: 4, motions: 'march' }],
+  ]);
+});

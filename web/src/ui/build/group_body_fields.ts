@@ -1,4 +1,4 @@
-// Body, class and role of a chosen group.
+// Body, appearance, class and role of a chosen group.
 
 import { areaOf, classesOf, kAnywhere, kAreas, withArea } from '../../model/place/group_body';
 import type { PlaceEvent, Thing } from '../../model/place/things';
@@ -10,6 +10,10 @@ const kSpeed: SliderRange = { min: 0.01, max: 50, from: 0.1, to: 6, step: 0.1, u
 const kNone = 'None';
 const kMixed = 'Mixed';
 const kClasses: readonly string[] = [kNone, '1', '2', '3', '4', '5', '6'];
+
+/** What is shown for a field of the appearance, by its word in files; the empty word is that of a field left out. */
+const kBuilds: Readonly<Record<string, string>> = { '': 'Both', broad: 'Broad', narrow: 'Narrow' };
+const kMotions: Readonly<Record<string, string>> = { '': 'Plain', march: 'March', weary: 'Weary' };
 
 type Hold = (held: boolean) => void;
 
@@ -36,6 +40,22 @@ function bodySlider(
   return sliderField(label, value, range, dragging, (typed) => desk.editGroup(label, event(typed)));
 }
 
+/** Build and motion set: an event has both, and lacks what is as usual. */
+function appearanceField(
+  one: Thing,
+  [key, label, words]: readonly ['build' | 'motions', string, Readonly<Record<string, string>>],
+  desk: BuildActions,
+): HTMLElement {
+  const word = one.rest[key];
+  return selectField(label, Object.values(words), words[typeof word === 'string' ? word : ''] ?? '', (shown) => {
+    const chosen = Object.keys(words).find((known) => words[known] === shown) ?? '';
+    desk.editGroup(label, ({ id, rest }) => {
+      const wished = Object.entries({ build: rest['build'], motions: rest['motions'], [key]: chosen });
+      return { kind: 'appearance', group: id, ...Object.fromEntries(wished.filter(([, value]) => Boolean(value))) };
+    });
+  });
+}
+
 /** `hold`: a slider is being dragged, so that the fields have to stay. */
 export function groupBodyFields(one: Thing, desk: BuildActions, hold: Hold): HTMLElement[] {
   const { body, roles } = one;
@@ -44,6 +64,8 @@ export function groupBodyFields(one: Thing, desk: BuildActions, hold: Hold): HTM
   return [
     bodySlider([one, 'radius', 'Body radius', kRadius], desk, hold),
     bodySlider([one, 'maxSpeed', 'Top speed', kSpeed], desk, hold),
+    appearanceField(one, ['build', 'Build', kBuilds], desk),
+    appearanceField(one, ['motions', 'Motion set', kMotions], desk),
     selectField('Class', kClasses, unitClass, (word) => {
       const chosen = word === kNone ? 0 : Number(word);
       if (word !== kMixed)
