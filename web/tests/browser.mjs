@@ -9,6 +9,7 @@ import * as feedback from './cases/feedback.mjs';
 import * as film from './cases/film_camera.mjs';
 import * as findings from './cases/findings.mjs';
 import * as forms from './cases/forms.mjs';
+import * as groupAppearance from './cases/group_appearance.mjs';
 import * as groupColour from './cases/group_colour.mjs';
 import * as limits from './cases/limits.mjs';
 import * as look from './cases/look.mjs';
@@ -182,6 +183,8 @@ const kCases = [
   ['build: corners', buildCorners.cornersAndGuides, ['desktop', 'portrait', 'phone'], kOpen],
   ['group colour: by mouse', groupColour.byMouse, ['desktop'], { ...kOpen, touch: false }],
   ['group colour: by touch', groupColour.byTouch, ['landscape', 'portrait', 'phone', 'narrow'], kOpen],
+  ['group appearance: by mouse', groupAppearance.byMouse, ['desktop'], { ...kOpen, touch: false }],
+  ['group appearance: by touch', groupAppearance.byTouch, ['portrait', 'phone'], kOpen],
   ['build: numbers', build.numbers, ['wide'], { touch: false, scenario: 'scenarios/open.json', room: true }],
   ['build: bodies', build.bodies, [...kTablets, 'phone'], { scenario: 'scenarios/open.json', room: true }],
   ['build: drags', build.dragsInARow, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],
