@@ -39,6 +39,24 @@ describe('surroundings', () => {
   it('draws them in more where there is less room', () => {
     expect(surroundings(scene, crowd, 2)).toContainEqual({ x: 4, y: 0 });
   });
+  it('draws obstacles in still more where there are patches, which are held', () => {
+    const patch = {
+      id: 4,
+      name: '',
+      polygon: [
+        [5, 0],
+        [6, 0],
+        [6, 1],
+      ],
+      motion: 1,
+      speed: 1,
+      moving: false,
+    };
+    const both = surroundings({ ...scene, patches: [patch] } as unknown as typeof scene, crowd);
+    expect(both).toContainEqual({ x: 3, y: 0 });
+    expect(both).toContainEqual({ x: 6, y: 1 });
+    expect(both).not.toContainEqual({ x: 8, y: 0 });
+  });
   it('holds checkpoints', () => {
     const goal = parseScene(
       JSON.stringify({

@@ -9,6 +9,8 @@ import type { GroundPoint } from '../../model/plane';
 const kNear = 20;
 /** They widen the view by no more than this to a side, so that people stay large [m]. */
 export const kWiden = 6;
+/** Obstacles widen it by no more than this where patches lie about, which say more of the place [m]. */
+const kWidenBesidePatches = 1;
 /** So far from the crowd its goals are shown [m]. */
 const kGoal = 12;
 
@@ -23,15 +25,17 @@ export function surroundings(
   const ys = crowd.map((point) => point.y);
   const [x0, x1, y0, y1] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
   const clamp = (value: number, low: number, high: number): number => Math.min(high, Math.max(low, value));
-  const corners: Point2[] = [];
-  for (const one of [...scene.obstacles, ...scene.patches]) {
-    if (one.polygon) corners.push(...one.polygon);
-    else if ('centre' in one && one.centre) corners.push(one.centre);
-  }
-  corners.push(...scene.checkpoints.map(({ position }) => position));
-  return corners
-    .filter(([x, y]) => Math.hypot(x - clamp(x, x0, x1), y - clamp(y, y0, y1)) <= kNear)
-    .map(([x, y]) => ({ x: clamp(x, x0 - widen, x1 + widen), y: clamp(y, y0 - widen, y1 + widen) }));
+  const near = (corners: readonly Point2[], most: number): GroundPoint[] =>
+    corners
+      .filter(([x, y]) => Math.hypot(x - clamp(x, x0, x1), y - clamp(y, y0, y1)) <= kNear)
+      .map(([x, y]) => ({ x: clamp(x, x0 - most, x1 + most), y: clamp(y, y0 - most, y1 + most) }));
+  const obstacles = scene.obstacles.flatMap(({ polygon, centre }) => polygon ?? (centre ? [centre] : []));
+  const patches = scene.patches.flatMap(({ polygon }) => polygon);
+  const checkpoints = scene.checkpoints.map(({ position }) => position);
+  return [
+    ...near(obstacles, patches.length > 0 ? Math.min(widen, kWidenBesidePatches) : widen),
+    ...near([...patches, ...checkpoints], widen),
+  ];
 }
 
 /** Where its orders lead the crowd, drawn in where they are far. */
