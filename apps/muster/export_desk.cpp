@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
-
-#include "muster/own_clips.h"
-#include "zip_file.h"
+#include <utility>
 
 namespace muster {
 namespace {
@@ -18,24 +16,6 @@ std::string exportFolder() {
     std::error_code error;
     std::string name = (fs::temp_directory_path(error) / "muster-exports-XXXXXX").string();
     return mkdtemp(name.data()) != nullptr ? name : std::string();
-}
-
-std::string plainName(const std::string& title) {
-    std::string name;
-    for (const char c : title) {
-        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                           c == '-' || c == '_';
-        if (plain)
-            name += c;
-        else if (!name.empty() && name.back() != '-')
-            name += '-';
-    }
-    while (!name.empty() && name.back() == '-') name.pop_back();
-    return name.empty() ? "take" : name.substr(0, 60);
-}
-
-bool hasBodies(const std::string& format) {
-    return format == "glb" || format == "usda" || format == "bvh";
 }
 
 }  // namespace
@@ -56,8 +36,8 @@ ExportDesk::~ExportDesk() {
 }
 
 Result<std::string> ExportDesk::begin(ExportOrder order) {
-    const auto format = exportFormat(order.format);
-    if (!format.ok()) return format.status();
+    auto fileName = exportFileName(order);
+    if (!fileName.ok()) return fileName.status();
     if (folder_.empty()) return Status(StatusCode::IoError, "exports: no temporary folder can be made");
     const std::lock_guard lock(mutex_);
     forgetOldest();
@@ -66,8 +46,7 @@ Result<std::string> ExportDesk::begin(ExportOrder order) {
                       "exports: " + std::to_string(kMostKept) + " are under way; wait for one, or cancel it");
     auto job = std::make_shared<Job>();
     job->number = std::to_string(++last_);
-    const std::string ending = order.format == "bvh" ? "-bvh.zip" : format->ending;
-    job->report.fileName = plainName(order.title) + ending;
+    job->report.fileName = std::move(fileName).value();
     job->order = std::move(order);
     jobs_.push_back(job);
     changed_.notify_all();
@@ -149,28 +128,11 @@ void ExportDesk::make(const std::shared_ptr<Job>& job) {
 }
 
 Status ExportDesk::write(const std::shared_ptr<Job>& job, const std::string& path) {
-    const ExportOrder& order = job->order;
-    const auto take = readTake(order.take);
-    if (!take.ok()) return take.status();
-    auto clips = loadClips_ ? loadClips_(take->def.name, take->def) : Result<ClipLibrary>(ownClips());
-    if (!clips.ok()) clips = ownClips();
-    ExportDef def;
-    def.from = order.from;
-    def.to = order.to;
-    def.fps = order.fps;
-    if (order.speeds && hasBodies(order.format)) def.speeds = take->about.speeds;
-    const auto progress = [&](double share) {
+    return writeExport(job->order, loadClips_, path, [&](double share) {
         const std::lock_guard lock(mutex_);
         job->report.share = share;
         return !job->cancelled;
-    };
-    if (order.format != "bvh") return exportTake(*take, *clips, order.format, path, def, progress);
-    const std::string files = path + "-files";
-    Status status = exportTake(*take, *clips, order.format, files, def, progress);
-    if (status.ok()) status = zipFolder(files, path);
-    std::error_code ignored;
-    fs::remove_all(files, ignored);
-    return status;
+    });
 }
 
 }  // namespace muster

@@ -11,23 +11,12 @@
 #include <string>
 #include <thread>
 
-#include "muster/export.h"
+#include "export_order.h"
 
 namespace muster {
 
 /// What becomes of an export.
 enum class ExportState { Waiting, Running, Done, Failed };
-
-/// An export that somebody asked for.
-struct ExportOrder {
-    std::string take;    ///< Path of the take.
-    std::string format;  ///< As for exportTake().
-    std::string title;   ///< The file's name, without its ending.
-    double from = 0.0;   ///< [s]
-    double to = -1.0;    ///< [s]; negative: the end.
-    double fps = 30.0;
-    bool speeds = true;  ///< With the take's speeds, where the format has bodies in motion.
-};
 
 /// How far an export is.
 struct ExportReport {
@@ -42,9 +31,6 @@ struct ExportReport {
 /// Makes exports in a folder of its own, which is removed at the end. Any thread may call.
 class ExportDesk {
 public:
-    /// The clips that characters of a scenario move by.
-    using LoadClips = std::function<Result<ClipLibrary>(const std::string& name, const WorldDef& def)>;
-
     explicit ExportDesk(LoadClips loadClips);
     ~ExportDesk();
     ExportDesk(const ExportDesk&) = delete;

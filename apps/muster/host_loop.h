@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "host_answers.h"
 #include "host_events.h"
 #include "muster/session.h"
 
@@ -57,53 +58,10 @@ public:
         host_.disconnect(found->second);
         clients_.erase(found);
     }
-    void operator()(TakeRequested& event) {
-        if constexpr (requires { host_.take(); }) {
-            auto bytes = host_.take();
-            if (!bytes.ok()) return event.reply(failure(bytes.status()));
-            HttpAnswer answer;
-            answer.type = "application/octet-stream";
-            answer.body.assign(bytes.value().begin(), bytes.value().end());
-            answer.fileName = host_.takeName();
-            event.reply(std::move(answer));
-        } else {
-            event.reply(sentence(404, "There are no takes here."));
-        }
-    }
-    void operator()(TakeUploaded& event) {
-        if constexpr (requires { host_.takeName(); }) {
-            const Status status = host_.openTake(event.bytes, event.name.empty() ? "take" : event.name,
-                                                 event.name);
-            if (!status.ok()) return event.reply(failure(status));
-            event.reply(sentence(200, "The take is open."));
-        } else {
-            event.reply(sentence(404, "There are no takes here."));
-        }
-    }
-    void operator()(PlaceRequested& event) {
-        if constexpr (requires { host_.scenario(); }) {
-            auto text = host_.scenario();
-            if (!text.ok()) return event.reply(failure(text.status()));
-            HttpAnswer answer;
-            answer.type = "application/json";
-            answer.body = std::move(text).value();
-            answer.fileName = host_.scenarioName();
-            event.reply(std::move(answer));
-        } else {
-            event.reply(sentence(404, "There is no place to edit here."));
-        }
-    }
-    void operator()(PlaceUploaded& event) {
-        if constexpr (requires { host_.scenario(); }) {
-            const std::string_view text(reinterpret_cast<const char*>(event.bytes.data()),
-                                        event.bytes.size());
-            const Status status = host_.openScenario(event.name, text);
-            if (!status.ok()) return event.reply(failure(status));
-            event.reply(sentence(200, "The place is open."));
-        } else {
-            event.reply(sentence(404, "There is no place to edit here."));
-        }
-    }
+    void operator()(TakeRequested& event) { event.reply(takeAnswer(host_)); }
+    void operator()(TakeUploaded& event) { event.reply(openTakeAnswer(host_, event.bytes, event.name)); }
+    void operator()(PlaceRequested& event) { event.reply(placeAnswer(host_)); }
+    void operator()(PlaceUploaded& event) { event.reply(openPlaceAnswer(host_, event.bytes, event.name)); }
     void operator()(TakeEdited& event) {
         if constexpr (requires { host_.takeName(); }) host_.takeEdited(event.name, event.about);
     }

@@ -8,6 +8,7 @@
 
 #include "export_desk.h"
 #include "mailbox.h"
+#include "shelf_answers.h"
 #include "shelf_request.h"
 #include "studio_server.h"
 #include "take_shelf.h"
@@ -19,8 +20,7 @@ class ShelfDesk {
 public:
     /// Opens a take's bytes in the session, by its name, and answers the request.
     using OpenTake = std::function<void(std::vector<std::uint8_t> bytes, std::string name, HttpReply reply)>;
-    /// Tells the session what is said about a take now.
-    using TakeEdited = std::function<void(std::string name, TakeAbout about)>;
+    using TakeEdited = ShelfAnswers::TakeEdited;
 
     /// All must outlive this.
     ShelfDesk(TakeShelf& shelf, ExportDesk& exports, OpenTake open, TakeEdited edited);
@@ -38,8 +38,7 @@ private:
         bool end = false;
     };
     void run();
-    HttpAnswer answer(ShelfRequest& request);
-    HttpAnswer edit(const ShelfRequest& request);
+    HttpAnswer answer(const ShelfRequest& request);
     HttpAnswer beginExport(const ShelfRequest& request);
     HttpAnswer showExport(const ShelfRequest& request, bool file);
     void open(const ShelfRequest& request, const HttpReply& reply);
@@ -47,7 +46,7 @@ private:
     TakeShelf& shelf_;
     ExportDesk& exports_;
     OpenTake open_;
-    TakeEdited edited_;
+    ShelfAnswers answers_;
     Mailbox<Post> mailbox_;
     std::thread thread_;  // The last member, because the thread uses the others.
 };

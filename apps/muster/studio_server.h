@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "http_answer.h"
 #include "muster/status.h"
 #include "shelf_request.h"
 #include "static_files.h"
@@ -31,15 +32,6 @@ struct ServerLimits {
     std::size_t queuedBytes = std::size_t{32} << 20;
 };
 
-/// An answer to a request that the simulation serves.
-struct HttpAnswer {
-    int status = 200;
-    std::string type = "text/plain; charset=utf-8";
-    std::string body;
-    std::string path;      ///< Of a file that is sent instead of the body; empty for none.
-    std::string fileName;  ///< File name for saving; empty where the browser shows the answer.
-    std::string location;  ///< Where a guest who has shown the token goes on; empty for none.
-};
 /// Sends the answer. It may be called from any thread, once.
 using HttpReply = std::function<void(HttpAnswer)>;
 

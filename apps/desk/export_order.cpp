@@ -1,0 +1,100 @@
+#include "export_order.h"
+
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include "base/json.h"
+#include "muster/own_clips.h"
+#include "zip_file.h"
+
+namespace muster {
+namespace {
+
+std::string plainName(const std::string& title) {
+    std::string name;
+    for (const char c : title) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                           c == '-' || c == '_';
+        if (plain)
+            name += c;
+        else if (!name.empty() && name.back() != '-')
+            name += '-';
+    }
+    while (!name.empty() && name.back() == '-') name.pop_back();
+    return name.empty() ? "take" : name.substr(0, 60);
+}
+
+bool hasBodies(const std::string& format) {
+    return format == "glb" || format == "usda" || format == "bvh";
+}
+
+/// What the text says; the take is a name.
+Result<ExportOrder> parseOrder(const std::string& text) {
+    const auto value = parseJson(text, "export");
+    if (!value.ok()) return value.status();
+    if (!value->isObject())
+        return invalidArgument("export: found " + describeJson(*value) + ", expected an object");
+    ExportOrder order;
+    for (const auto& [key, target] :
+         {std::pair<const char*, std::string*>{"take", &order.take}, {"format", &order.format}}) {
+        const Json* found = value->find(key);
+        if (found == nullptr || !found->isText())
+            return invalidArgument(std::string("export: expected a text for ") + key);
+        *target = found->text();
+    }
+    for (const auto& [key, target] :
+         {std::pair<const char*, double*>{"from", &order.from}, {"to", &order.to}, {"fps", &order.fps}}) {
+        const Json* found = value->find(key);
+        if (found == nullptr) continue;
+        if (!found->isNumber() || !std::isfinite(found->number()))
+            return invalidArgument(std::string("export: found ") + describeJson(*found) + " for " + key +
+                                   ", expected a number");
+        *target = found->number();
+    }
+    if (const Json* speeds = value->find("speeds"); speeds != nullptr && speeds->isBoolean())
+        order.speeds = speeds->boolean();
+    return order;
+}
+
+}  // namespace
+
+Result<ExportOrder> readExportOrder(const std::string& text, TakeShelf& shelf) {
+    auto order = parseOrder(text);
+    if (!order.ok()) return order;
+    const auto path = shelf.pathOf(order->take);
+    if (!path.ok()) return path.status();
+    order->title = order->take.substr(0, order->take.rfind('.'));
+    for (const ShelvedTake& take : shelf.list())
+        if (take.name == order->take && !take.about.title.empty()) order->title = take.about.title;
+    order->take = *path;
+    return order;
+}
+
+Result<std::string> exportFileName(const ExportOrder& order) {
+    const auto format = exportFormat(order.format);
+    if (!format.ok()) return format.status();
+    return plainName(order.title) + (order.format == "bvh" ? "-bvh.zip" : format->ending);
+}
+
+Status writeExport(const ExportOrder& order, const LoadClips& loadClips, const std::string& path,
+                   const std::function<bool(double)>& progress) {
+    const auto take = readTake(order.take);
+    if (!take.ok()) return take.status();
+    auto clips = loadClips ? loadClips(take->def.name, take->def) : Result<ClipLibrary>(ownClips());
+    if (!clips.ok()) clips = ownClips();
+    ExportDef def;
+    def.from = order.from;
+    def.to = order.to;
+    def.fps = order.fps;
+    if (order.speeds && hasBodies(order.format)) def.speeds = take->about.speeds;
+    if (order.format != "bvh") return exportTake(*take, *clips, order.format, path, def, progress);
+    const std::string files = path + "-files";
+    Status status = exportTake(*take, *clips, order.format, files, def, progress);
+    if (status.ok()) status = zipFolder(files, path);
+    std::error_code ignored;
+    std::filesystem::remove_all(files, ignored);
+    return status;
+}
+
+}  // namespace muster
