@@ -1,10 +1,10 @@
 #include "take_shelf.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
@@ -65,11 +65,8 @@ std::string stampNow() {
 }
 
 std::int64_t changedAt(const fs::path& path) {
-    std::error_code error;
-    const auto time = fs::last_write_time(path, error);
-    if (error) return 0;
-    const auto since = std::chrono::file_clock::to_sys(time).time_since_epoch();
-    return std::chrono::duration_cast<std::chrono::seconds>(since).count();
+    struct stat found {};
+    return ::stat(path.c_str(), &found) == 0 ? static_cast<std::int64_t>(found.st_mtime) : 0;
 }
 
 Status notThere(const std::string& name) {

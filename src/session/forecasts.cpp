@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kMostFacing = 1e4;  // Of a question [rad].
 
-std::optional<GroupView> viewOf(const World& world, std::uint32_t id) {
+std::optional<GroupView> groupViewOf(const World& world, std::uint32_t id) {
     for (std::size_t g = 0; g < world.groupCount(); ++g) {
         GroupView view = world.group(g);
         if (view.id.value == id) return view;
@@ -75,7 +75,7 @@ Result<protocol::Forecasts> answerForecasts(const World& world, const protocol::
             if (!spelt.ok()) return spelt.status();
             order = std::move(spelt).value();
         }
-        const std::optional<GroupView> view = viewOf(world, ask.group);
+        const std::optional<GroupView> view = groupViewOf(world, ask.group);
         if (!view) continue;
         for (const QueuedOrder& queued : view->orders)
             if (ask.order != 0 && queued.id == ask.order) order = queued.order;

@@ -17,7 +17,7 @@
 namespace muster {
 namespace {
 
-constexpr double kMostFacing = 1e4;  // Of a question [rad].
+constexpr double kMostAskedFacing = 1e4;  // Of a question [rad].
 
 bool isGroup(const World& world, std::uint32_t id) {
     return inspect::indexOfGroup(world, GroupId{id}).has_value();
@@ -29,7 +29,7 @@ bool isPlace(double value) {
 
 /// InvalidArgument or LimitExceeded where a question makes no sense.
 Status check(const protocol::PlacesAsk& ask, const SessionLimits& limits) {
-    if (!isPlace(ask.x) || !isPlace(ask.y) || !(std::fabs(ask.facing) <= kMostFacing))
+    if (!isPlace(ask.x) || !isPlace(ask.y) || !(std::fabs(ask.facing) <= kMostAskedFacing))
         return {StatusCode::InvalidArgument, "places about a centre that is not finite"};
     if (ask.places.size() % 2 != 0 || !std::all_of(ask.places.begin(), ask.places.end(), isPlace))
         return {StatusCode::InvalidArgument, "places that are not finite pairs"};

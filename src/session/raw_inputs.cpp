@@ -20,7 +20,7 @@ InputEvent inputOf(const protocol::RawInput& raw, double time) {
     return event;
 }
 
-Result<GroundView> viewOf(const protocol::SetView& message) {
+Result<GroundView> groundViewOf(const protocol::SetView& message) {
     GroundView view;
     if (message.matrix.size() != view.toScreen.size()) {
         return invalidArgument("found a view of " + std::to_string(message.matrix.size()) +

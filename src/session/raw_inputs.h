@@ -10,7 +10,7 @@ namespace muster {
 /// The message as an input that happens at `time`, in world time [s].
 InputEvent inputOf(const protocol::RawInput& raw, double time);
 /// The message as a view. Fails where it holds no nine numbers, or none that can be inverted.
-Result<GroundView> viewOf(const protocol::SetView& message);
+Result<GroundView> groundViewOf(const protocol::SetView& message);
 /// Checks a message's number of inputs and their times.
 Status checkInputs(const protocol::Inputs& message, const SessionLimits& limits);
 /// What is to be shown of a scheme of that name.

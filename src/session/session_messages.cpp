@@ -287,7 +287,7 @@ public:
     }
 
     Status operator()(const protocol::SetView& message) {
-        const auto view = viewOf(message);
+        const auto view = groundViewOf(message);
         if (!view.ok()) return view.status();
         client_.scheme.setView(view.value(), session_.world ? &*session_.world : nullptr);
         return {};

@@ -51,7 +51,8 @@ void TakeLog::resume(const Take& take, std::uint32_t step, std::size_t commands,
     submitUntil(commands);
     const auto later = std::find_if(take.frames.begin(), take.frames.end(),
                                     [&](const TakeFrame& frame) { return frame.step > step; });
-    append(TakeEncoder::frames({take.frames.begin(), later}));
+    const auto count = static_cast<std::size_t>(later - take.frames.begin());
+    append(TakeEncoder::frames(std::span(take.frames).first(count)));
 }
 
 void TakeLog::storeFrames(bool on) {

@@ -79,9 +79,19 @@ async function start(mode: string | undefined): Promise<object> {
   };
 }
 
-const shown = start(document.documentElement.dataset['mode']);
-void shown.then(() => client.connect(socketAddress()));
-void fetchBodies(document.baseURI, ['body-1', 'body-2']).then((bodies) => view.setBodies(bodies));
+/** Where the page has an engine beside it, its folder stands in the first element: no server is asked. */
+async function connect(folder: string | undefined): Promise<void> {
+  if (folder === undefined) return client.connect(socketAddress());
+  const { startEngine } = await import('./link/engine/start_engine');
+  startEngine(client, folder);
+}
+
+const kAbout = document.documentElement.dataset;
+const shown = start(kAbout['mode']);
+void shown
+  .then(() => connect(kAbout['engine']))
+  .then(() => fetchBodies(['body-1', 'body-2']))
+  .then((bodies) => view.setBodies(bodies));
 
 /** For the tests in a browser. */
 const forTests = {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <tuple>
 
 #include "character/bodies/body.h"
 #include "muster/world.h"
@@ -21,7 +22,12 @@ struct CharacterLook {
     std::uint32_t accent = 0;             ///< Below kAccents.
     std::optional<std::uint32_t> chosen;  ///< Shirt, 0xRRGGBB, where the group has a colour of its own.
 
-    friend auto operator<=>(const CharacterLook&, const CharacterLook&) = default;
+    friend bool operator==(const CharacterLook&, const CharacterLook&) = default;
+    /// Orders looks, to keep them in a map.
+    friend bool operator<(const CharacterLook& a, const CharacterLook& b) {
+        return std::tie(a.body, a.skin, a.hair, a.accent, a.chosen) <
+               std::tie(b.body, b.skin, b.hair, b.accent, b.chosen);
+    }
 };
 
 /// The look of the character with that id, in the group of that index.

@@ -6,6 +6,8 @@ import type { StudioFrame } from '../model/studio_frame';
 
 export type ToWorker =
   | { readonly kind: 'open'; readonly url: string }
+  /** The port leads to the engine beside the page, which is connected to instead of a server. */
+  | { readonly kind: 'engine'; readonly port: MessagePort }
   | { readonly kind: 'send'; readonly message: ClientMessage }
   /** The page has taken the last frame and has time for another. */
   | { readonly kind: 'ready' }

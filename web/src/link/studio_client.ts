@@ -75,7 +75,7 @@ const kEvents = {
 /** What the client needs of a Worker. */
 export interface WorkerPort {
   onmessage: ((event: MessageEvent<FromWorker>) => void) | null;
-  postMessage(message: ToWorker): void;
+  postMessage(message: ToWorker, transfer?: Transferable[]): void;
 }
 
 /** Tools and panels hold no more of the client than this. */
@@ -100,8 +100,18 @@ export class StudioClient extends Emitter<StudioEvents> implements MessageSender
     this.worker_.postMessage({ kind: 'open', url });
   }
 
+  /** Connects to the engine beside the page. */
+  connectEngine(port: MessagePort): void {
+    this.worker_.postMessage({ kind: 'engine', port }, [port]);
+  }
+
   send(message: ClientMessage): void {
     this.worker_.postMessage({ kind: 'send', message });
+  }
+
+  /** Tells the visitor of something that went wrong on the page's side. */
+  tell(notice: Notice): void {
+    this.emit('notice', notice);
   }
 
   /** Tries to reach a lost server now. */

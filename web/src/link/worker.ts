@@ -3,6 +3,7 @@
 import { SUBPROTOCOL, decodeServer, encodeClient, type ClientMessage, type Frame } from '../protocol/messages';
 import { problem } from '../protocol/problem';
 import { Connection, type Socket, type Timers } from './connection';
+import { PortSocket } from './engine/port_socket';
 import { FrameGate } from './frame_gate';
 import { FrameUnpacker } from './frame_unpacker';
 import type { FromWorker, ToWorker } from './link_messages';
@@ -23,29 +24,30 @@ function epochMs(): number {
 }
 
 class LinkWorker {
-  private url_ = '';
+  /** Where to connect: to a server's address, or to the engine by a port. */
+  private peer_: string | MessagePort = '';
   private unpacker_ = new FrameUnpacker();
   private readonly gate_ = new FrameGate((frame, receivedAt) => {
     self.postMessage({ kind: 'frame', frame, receivedAt } satisfies FromWorker, { transfer: buffersOf(frame) });
   });
-  private readonly connection_ = new Connection(
-    () => new WebSocket(this.url_, SUBPROTOCOL) as unknown as Socket,
-    timers,
-    {
-      onBytes: (bytes) => this.receive(bytes),
-      onState: (state) => {
-        if (state.phase !== 'open') this.forget();
-        if (state.phase === 'open') this.send({ type: 'Hello', name: '' });
-        post({ kind: 'link', state });
-      },
-      ping: () => this.send({ type: 'Ping', time: epochMs() / 1000 }),
+  private readonly connection_ = new Connection(() => this.openSocket(), timers, {
+    onBytes: (bytes) => this.receive(bytes),
+    onState: (state) => {
+      if (state.phase !== 'open') this.forget();
+      if (state.phase === 'open') this.send({ type: 'Hello', name: '' });
+      post({ kind: 'link', state });
     },
-  );
+    ping: () => this.send({ type: 'Ping', time: epochMs() / 1000 }),
+  });
 
   handle(message: ToWorker): void {
     switch (message.kind) {
       case 'open':
-        this.url_ = message.url;
+        this.peer_ = message.url;
+        this.connection_.start();
+        break;
+      case 'engine':
+        this.peer_ = message.port;
         this.connection_.start();
         break;
       case 'send':
@@ -58,6 +60,11 @@ class LinkWorker {
         this.connection_.retryNow();
         break;
     }
+  }
+
+  private openSocket(): Socket {
+    if (this.peer_ instanceof MessagePort) return new PortSocket(this.peer_);
+    return new WebSocket(this.peer_, SUBPROTOCOL) as unknown as Socket;
   }
 
   /** The server sends everything anew over a new connection. */

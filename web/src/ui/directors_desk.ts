@@ -1,5 +1,6 @@
 // Several directors: who is there, what each holds and may direct, and how others come in.
 
+import { ask } from '../link/answers';
 import type { MessageSender } from '../link/studio_client';
 import {
   directorInfos,
@@ -86,7 +87,7 @@ export class DirectorsDesk implements DirectorActions {
 
   private async askInvitation(): Promise<void> {
     try {
-      const answer = await fetch('invitation.json', { cache: 'no-store' });
+      const answer = await ask('invitation.json', { cache: 'no-store' });
       if (!answer.ok) return;
       this.store_.set({ invitation: (await answer.json()) as Invitation });
     } catch {

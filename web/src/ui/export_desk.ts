@@ -6,7 +6,8 @@ import type { OpenTake } from '../model/take_facts';
 import { formatBytes } from '../model/take_facts';
 import { ExportDialog, kExportKinds, type ExportChoice } from './panels/export_dialog';
 import { FilmMaker, canMakeFilms } from './film_maker';
-import { save, type ShelfLink } from './shelf_link';
+import { save } from '../link/answers';
+import type { ShelfLink } from './shelf_link';
 import { ServerExport } from './take_exports';
 import { afterNextPicture } from './scene_picture';
 
@@ -39,7 +40,7 @@ function plainName(title: string): string {
 
 function saveBlob(blob: Blob, fileName: string): void {
   const url = URL.createObjectURL(blob);
-  save(url, fileName);
+  void save(url, fileName);
   window.setTimeout(() => URL.revokeObjectURL(url), 60000);
 }
 

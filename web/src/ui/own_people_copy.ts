@@ -1,6 +1,6 @@
 // The visitor's own character, kept in the browser so that it is there again after a reload.
 
-import { BrowserStore, result } from './browser_store';
+import { BrowserStore, result } from '../link/browser_store';
 
 /** Larger characters are not kept [bytes]. */
 export const kMostKept = 64 << 20;

@@ -25,7 +25,7 @@ import { PlaceLink } from './place_link';
 import { readSource } from './place_reader';
 import { PlaceShelf } from './place_shelf';
 import { takePicture } from './scene_picture';
-import { save } from './shelf_link';
+import { save } from '../link/answers';
 
 const kPicture = { width: 320, height: 180 };
 /** A picture that takes longer is done without [ms]. */
@@ -242,7 +242,7 @@ export class PlaceDesk implements PlaceActions {
 
   private download(text: string, name: string): void {
     const address = URL.createObjectURL(new Blob([text], { type: 'application/json' }));
-    save(address, fileNameOf(name));
+    void save(address, fileNameOf(name));
     window.setTimeout(() => URL.revokeObjectURL(address), kDownload);
   }
 

@@ -1,6 +1,6 @@
 // Where the browser keeps places: its database, or memory where there is none.
 
-import { BrowserStore, result } from './browser_store';
+import { BrowserStore, result } from '../link/browser_store';
 
 export type DrawerName = 'places' | 'files' | 'scenery';
 

@@ -1,11 +1,12 @@
 // The present place over HTTP (docs/protocol.md). Every call throws a sentence for the visitor where it fails.
 
+import { ask as request } from '../link/answers';
 import { plainReason } from '../model/file_trouble';
 
 async function ask(what: string, path: string, init: RequestInit = {}): Promise<string> {
   let answer: Response;
   try {
-    answer = await fetch(path, init);
+    answer = await request(path, init);
   } catch {
     throw new Error(`${what}: the server does not answer.`);
   }

@@ -1,5 +1,6 @@
 // The shelf of takes over HTTP (docs/protocol.md). Every call throws a sentence for the visitor where it fails.
 
+import { ask as request } from '../link/answers';
 import { plainReason } from '../model/file_trouble';
 import type { ShelvedTake, TakeAbout } from '../model/take_facts';
 
@@ -26,7 +27,7 @@ export interface ExportWish {
 async function ask(what: string, path: string, init: RequestInit = {}): Promise<Response> {
   let answer: Response;
   try {
-    answer = await fetch(path, init);
+    answer = await request(path, init);
   } catch {
     throw new Error(`${what}: the server does not answer.`);
   }
@@ -102,12 +103,4 @@ export function pictureAddress(take: Pick<ShelvedTake, 'name' | 'changed'>): str
 
 export function exportAddress(number: string): string {
   return `exports/${number}/file`;
-}
-
-/** Saves what lies at an address. */
-export function save(address: string, fileName: string): void {
-  const link = document.createElement('a');
-  link.href = address;
-  link.download = fileName;
-  link.click();
 }

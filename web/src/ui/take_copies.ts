@@ -1,7 +1,7 @@
 // Copies of takes in the browser: a take is safe even where the server's folder is lost.
 
 import type { ShelvedTake } from '../model/take_facts';
-import { BrowserStore, result } from './browser_store';
+import { BrowserStore, result } from '../link/browser_store';
 
 interface Copy {
   readonly name: string;

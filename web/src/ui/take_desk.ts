@@ -16,7 +16,8 @@ import { TakeShelf } from './panels/take_shelf';
 import { TimeLine } from './panels/time_line';
 import { takePicture } from './scene_picture';
 import { Scrubber } from './scrubber';
-import { ShelfLink, pictureAddress, save, takeAddress } from './shelf_link';
+import { save } from '../link/answers';
+import { ShelfLink, pictureAddress, takeAddress } from './shelf_link';
 import { scenarioBehind } from './studio_controller';
 import { TakeCopies, isCopyOnly, withCopies } from './take_copies';
 import { pathButton } from './lazy_path';
@@ -268,7 +269,7 @@ export class TakeDesk implements TakeActions {
     const title = takeTitle(take)
       .replace(/[^\p{L}\p{N}]+/gu, '-')
       .replace(/^-|-$/g, '');
-    save(takeAddress(take.name), `${title || 'take'}.take`);
+    void save(takeAddress(take.name), `${title || 'take'}.take`);
   }
 
   renameTake(take: ShelvedTake, title: string): void {

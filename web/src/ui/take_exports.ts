@@ -1,6 +1,7 @@
 // One export on the server: begun, followed, cancelled, saved.
 
-import { exportAddress, save, type ExportProgress, type ExportWish, type ShelfLink } from './shelf_link';
+import { save } from '../link/answers';
+import { exportAddress, type ExportProgress, type ExportWish, type ShelfLink } from './shelf_link';
 
 const kPollMs = 300;
 
@@ -12,7 +13,7 @@ export class ServerExport {
   constructor(
     private readonly shelf_: Pick<ShelfLink, 'beginExport' | 'exportProgress' | 'cancelExport'>,
     private readonly wait_: (ms: number) => Promise<void> = (ms) => new Promise((done) => setTimeout(done, ms)),
-    private readonly save_: (address: string, fileName: string) => void = save,
+    private readonly save_: (address: string, fileName: string) => unknown = save,
   ) {}
 
   /** The finished file, which is saved; null where it was cancelled. Throws a sentence where it fails. */
@@ -24,7 +25,7 @@ export class ServerExport {
       if (now.state === 'failed') throw new Error(`The take could not be exported: ${now.problem ?? 'unknown'}.`);
       progress(now.share);
       if (now.state === 'done') {
-        this.save_(exportAddress(this.number_), now.file);
+        await this.save_(exportAddress(this.number_), now.file);
         return now;
       }
       await this.wait_(kPollMs);

@@ -1,5 +1,6 @@
 // Takes travel by plain HTTP: one is downloaded, or a file is opened.
 
+import { ask } from '../link/answers';
 import { ShelfLink } from './shelf_link';
 
 /** A file name for a take of this scenario. */
@@ -15,7 +16,7 @@ export function takeName(scenario: string, now: Date): string {
 /** Null where it worked, else a sentence for the visitor. */
 export async function downloadTake(scenario: string): Promise<string | null> {
   try {
-    const answer = await fetch('take');
+    const answer = await ask('take');
     if (!answer.ok)
       return answer.status === 404
         ? 'There is no take yet: record one first.'

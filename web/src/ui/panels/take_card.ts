@@ -1,5 +1,6 @@
 // The card of a take that has just been kept: picture, name, length, and what can be done with it.
 
+import { showPicture } from '../../link/answers';
 import type { TakeActions } from '../../model/take_actions';
 import { formatLengthOf, takeTitle, type ShelvedTake } from '../../model/take_facts';
 import { element, setText } from '../widgets/dom';
@@ -94,7 +95,7 @@ export class TakeCard {
     if (document.activeElement !== this.name_) this.name_.value = takeTitle(take);
     setText(this.about_, `${formatLengthOf(take.seconds)} · ${take.characters} people · ${take.scenario}`);
     this.picture_.hidden = picture === '';
-    if (picture !== '' && this.picture_.getAttribute('src') !== picture) this.picture_.src = picture;
+    if (picture !== '') showPicture(this.picture_, picture);
     this.name_.disabled = removed;
     this.tools_.hidden = removed;
     this.undo_.hidden = !removed;

@@ -1,5 +1,6 @@
 // The shelf: all takes that the server keeps, the newest first.
 
+import { showPicture } from '../../link/answers';
 import type { TakeActions } from '../../model/take_actions';
 import { formatAge, formatBytes, formatLengthOf, takeTitle, type ShelvedTake } from '../../model/take_facts';
 import { element, setText } from '../widgets/dom';
@@ -79,8 +80,9 @@ export class TakeShelf {
   private item(take: ShelvedTake, open: boolean): HTMLElement {
     const title = takeTitle(take);
     const picture = take.picture
-      ? element('img', { src: this.picture_(take), alt: '', loading: 'lazy', width: 128, height: 72 })
+      ? element('img', { alt: '', loading: 'lazy', width: 128, height: 72 })
       : element('span', { class: 'shelf-no-picture' }, icon('takes', 24));
+    if (picture instanceof HTMLImageElement) showPicture(picture, this.picture_(take));
     const words = element('span', { class: 'shelf-words' }, element('strong', {}, title));
     const about = element('span', { class: 'secondary' });
     const notes = [formatLengthOf(take.seconds), formatAge(take.changed, this.now_()), formatBytes(take.bytes)];

@@ -2,6 +2,7 @@
 
 import { BufferAttribute, BufferGeometry, type InterleavedBufferAttribute, SkinnedMesh } from 'three';
 import { GLTFLoader, type GLTF } from 'three/examples/jsm/loaders/GLTFLoader.js';
+import { ask } from '../../../link/answers';
 import type { Body, BodyPart } from './body';
 import { plainRig, type Rig } from './rig';
 import { jointIndex, kJoints, restPositions } from '../../../model/skeleton';
@@ -90,18 +91,18 @@ export async function readBody(name: string, near: ArrayBuffer, far: ArrayBuffer
   return { name, rig: rigOf(skin!, roles), near: [partOf(skin!, roles)], far: [partOf(coarse!, rolesOf(coarse!))] };
 }
 
-async function bytesOf(address: URL): Promise<ArrayBuffer> {
-  const answer = await fetch(address);
-  if (!answer.ok) throw new Error(`${address.pathname}: ${answer.status}`);
+async function bytesOf(path: string): Promise<ArrayBuffer> {
+  const answer = await ask(path);
+  if (!answer.ok) throw new Error(`${path}: ${answer.status}`);
   return answer.arrayBuffer();
 }
 
 /** Those of body-1, body-2... that the server has; none where it has none. */
-export async function fetchBodies(base: string, names: readonly string[]): Promise<Body[]> {
+export async function fetchBodies(names: readonly string[]): Promise<Body[]> {
   const all = await Promise.allSettled(
     names.map(async (name) => {
       const [near, far] = await Promise.all(
-        [`bodies/${name}.glb`, `bodies/${name}-far.glb`].map((path) => bytesOf(new URL(path, base))),
+        [`bodies/${name}.glb`, `bodies/${name}-far.glb`].map((path) => bytesOf(path)),
       );
       return readBody(name, near!, far!);
     }),

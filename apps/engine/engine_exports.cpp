@@ -1,0 +1,123 @@
+// The functions of the WebAssembly module that the page's worker calls (web/src/link/engine). Bytes are
+// passed in memory of muster_reserve(); what is returned is valid until the next call.
+#include <emscripten.h>
+
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "page_engine.h"
+
+namespace {
+
+using namespace muster;
+
+std::unique_ptr<PageEngine> theEngine;
+std::string theText;  // The last answer, or the sentence of the last failure.
+HttpAnswer theAnswer;
+std::vector<MessageBytes> theMessages;
+
+std::span<const std::uint8_t> bytesAt(const std::uint8_t* data, std::uint32_t size) {
+    return {data, size};
+}
+
+int fail(const Status& status) {
+    theText = status.message();
+    return 1;
+}
+
+// The worker that makes exports tells the page how far it is; it ends by being terminated.
+EM_JS(void, tellProgress, (double share), { Module["onProgress"](share); });
+
+}  // namespace
+
+extern "C" {
+
+EMSCRIPTEN_KEEPALIVE std::uint8_t* muster_reserve(std::uint32_t size) {
+    return static_cast<std::uint8_t*>(std::malloc(size));
+}
+
+EMSCRIPTEN_KEEPALIVE void muster_release(std::uint8_t* data) {
+    std::free(data);
+}
+
+/// Opens the studio with a scenario by name; "" for the default. Returns 0, or 1 with a sentence in
+/// muster_text().
+EMSCRIPTEN_KEEPALIVE int muster_open(const char* scenario, const char* version) {
+    PageEngineDef def;
+    def.scenario = scenario;
+    def.version = version;
+    auto engine = PageEngine::open(def);
+    if (!engine.ok()) return fail(engine.status());
+    theEngine = std::move(engine).value();
+    return 0;
+}
+
+EMSCRIPTEN_KEEPALIVE const char* muster_text() {
+    return theText.c_str();
+}
+
+EMSCRIPTEN_KEEPALIVE std::uint32_t muster_connect() {
+    return theEngine->session().connect();
+}
+
+EMSCRIPTEN_KEEPALIVE void muster_disconnect(std::uint32_t client) {
+    theEngine->session().disconnect(client);
+}
+
+EMSCRIPTEN_KEEPALIVE void muster_receive(std::uint32_t client, const std::uint8_t* data, std::uint32_t size) {
+    theEngine->session().receive(client, bytesAt(data, size));
+}
+
+/// Lets time pass [s]; returns when it wants to be called again [s].
+EMSCRIPTEN_KEEPALIVE double muster_advance(double seconds) {
+    return theEngine->advance(seconds);
+}
+
+/// Takes the messages for a client; returns their number.
+EMSCRIPTEN_KEEPALIVE std::uint32_t muster_collect(std::uint32_t client) {
+    theEngine->session().outgoing(client, theMessages);
+    return static_cast<std::uint32_t>(theMessages.size());
+}
+
+EMSCRIPTEN_KEEPALIVE const std::uint8_t* muster_message(std::uint32_t index) {
+    return theMessages[index].data();
+}
+
+EMSCRIPTEN_KEEPALIVE std::uint32_t muster_message_size(std::uint32_t index) {
+    return static_cast<std::uint32_t>(theMessages[index].size());
+}
+
+/// Answers a request; returns the status.
+EMSCRIPTEN_KEEPALIVE int muster_ask(const char* method, const char* target, const std::uint8_t* body,
+                                    std::uint32_t size) {
+    theAnswer = theEngine->ask(method, target, bytesAt(body, size));
+    return theAnswer.status;
+}
+
+EMSCRIPTEN_KEEPALIVE const char* muster_answer() {
+    return theAnswer.body.data();
+}
+
+EMSCRIPTEN_KEEPALIVE std::uint32_t muster_answer_size() {
+    return static_cast<std::uint32_t>(theAnswer.body.size());
+}
+
+EMSCRIPTEN_KEEPALIVE const char* muster_answer_type() {
+    return theAnswer.type.c_str();
+}
+
+/// Makes the file of an export at a path. Returns 0 with the name to save it by in muster_text(), or 1 with a
+/// sentence there.
+EMSCRIPTEN_KEEPALIVE int muster_export(const char* order, const char* path) {
+    const auto name = theEngine->writeExport(order, path, [](double share) {
+        tellProgress(share);
+        return true;
+    });
+    if (!name.ok()) return fail(name.status());
+    theText = *name;
+    return 0;
+}
+
+}  // extern "C"

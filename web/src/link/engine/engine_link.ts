@@ -1,0 +1,63 @@
+// The page's side of the engine: requests are answered as by the server; exports run in workers of their own.
+
+import type { Ask } from '../answers';
+import type { EngineAnswer } from './engine';
+import type { FromEngine, ToEngine } from './engine_messages';
+import { EngineExports } from './engine_exports';
+
+/** What is needed of a Worker. */
+export interface EnginePort {
+  onmessage: ((event: MessageEvent<FromEngine>) => void) | null;
+  postMessage(message: ToEngine, transfer?: Transferable[]): void;
+  terminate(): void;
+}
+
+export function responseOf({ status, type, bytes }: EngineAnswer): Response {
+  return new Response(bytes, { status, headers: { 'Content-Type': type } });
+}
+
+async function bytesOf(body: BodyInit | null | undefined): Promise<Uint8Array> {
+  return new Uint8Array(await new Response(body ?? '').arrayBuffer());
+}
+
+export class EngineLink {
+  /** Leads to the engine, for the link's worker. */
+  readonly port: MessagePort;
+  private readonly waiting_ = new Map<number, (answer: Response) => void>();
+  private readonly exports_: EngineExports;
+  private last_ = 0;
+
+  /** `base`: folder of the engine's files. `failed` is told where the engine cannot run. */
+  constructor(
+    private readonly worker_: EnginePort,
+    base: string,
+    scenario: string,
+    makeWorker: () => EnginePort,
+    private readonly failed_: (problem: string) => void,
+  ) {
+    const channel = new MessageChannel();
+    this.port = channel.port1;
+    this.exports_ = new EngineExports(base, makeWorker, (path) => this.ask(path));
+    worker_.onmessage = ({ data }) => this.receive(data);
+    worker_.postMessage({ kind: 'start', base, scenario, port: channel.port2 }, [channel.port2]);
+  }
+
+  readonly ask: Ask = async (path, init = {}) => {
+    const target = `/${path}`;
+    const method = init.method ?? 'GET';
+    if (target === '/exports' || target.startsWith('/exports/')) return this.exports_.answer(method, target, init.body);
+    const body = await bytesOf(init.body);
+    const id = ++this.last_;
+    return new Promise((done) => {
+      this.waiting_.set(id, done);
+      this.worker_.postMessage({ kind: 'ask', id, method, target, body });
+    });
+  };
+
+  private receive(message: FromEngine): void {
+    if (message.kind === 'failed') this.failed_(message.problem);
+    if (message.kind !== 'answer') return;
+    this.waiting_.get(message.id)?.(responseOf(message.answer));
+    this.waiting_.delete(message.id);
+  }
+}

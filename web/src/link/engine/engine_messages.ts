@@ -1,0 +1,34 @@
+// Messages between the page and the worker that runs the engine, and over the port between that worker and the link's.
+
+import type { EngineAnswer } from './engine';
+
+export interface EngineRequest {
+  readonly id: number;
+  readonly method: string;
+  /** "/takes", "/scenario?name=market" */
+  readonly target: string;
+  readonly body: Uint8Array;
+}
+
+export type ToEngine =
+  /** Runs the studio. `port` leads to the link's worker. */
+  | { readonly kind: 'start'; readonly base: string; readonly scenario: string; readonly port: MessagePort }
+  | ({ readonly kind: 'ask' } & EngineRequest)
+  /** Makes one export of a take and ends. */
+  | {
+      readonly kind: 'export';
+      readonly base: string;
+      readonly order: string;
+      readonly name: string;
+      readonly take: Uint8Array;
+    };
+
+export type FromEngine =
+  | { readonly kind: 'answer'; readonly id: number; readonly answer: EngineAnswer }
+  | { readonly kind: 'failed'; readonly problem: string }
+  | { readonly kind: 'progress'; readonly share: number }
+  | { readonly kind: 'exported'; readonly file: string; readonly bytes: Uint8Array<ArrayBuffer> };
+
+/** Over the port: a WebSocket's events and calls. */
+export type SocketMessage =
+  { readonly kind: 'open' } | { readonly kind: 'bytes'; readonly bytes: ArrayBuffer } | { readonly kind: 'close' };

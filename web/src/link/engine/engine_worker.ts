@@ -1,0 +1,106 @@
+// The worker that runs the engine: the whole studio's session, or one export.
+
+import { Engine } from './engine';
+import { EngineLoop, type LoopTimers } from './engine_loop';
+import type { FromEngine, SocketMessage, ToEngine } from './engine_messages';
+import type { MakeEngine } from './engine_module';
+import { KeptFiles } from './kept_files';
+import { ShelfFiles } from './shelf_files';
+
+const kTakes = '/takes';
+const kScenarios = '/scenarios';
+/** How often the shelf's files are looked through [ms]. */
+const kSaveEvery = 1000;
+const kVersion = 'in this browser';
+
+function post(message: FromEngine, transfer: Transferable[] = []): void {
+  self.postMessage(message, { transfer });
+}
+
+/** Timers of a worker wait for 4 ms at least; a message to oneself does not. */
+function workerTimers(): LoopTimers {
+  const waiting: (() => void)[] = [];
+  const channel = new MessageChannel();
+  channel.port2.onmessage = () => waiting.shift()?.();
+  return {
+    now: () => performance.now(),
+    after: (ms, action) => self.setTimeout(action, ms),
+    cancel: (handle) => self.clearTimeout(handle),
+    soon: (action) => {
+      waiting.push(action);
+      channel.port1.postMessage(null);
+    },
+  };
+}
+
+async function makeEngine(base: string): Promise<Engine> {
+  const address = (name: string): string => new URL(name, base).href;
+  const scenarios = fetch(address('scenarios.json'));
+  const { default: make } = (await import(/* @vite-ignore */ address('muster-engine.js'))) as { default: MakeEngine };
+  const module = await make({
+    locateFile: address,
+    onProgress: (share) => post({ kind: 'progress', share }),
+  });
+  const answer = await scenarios;
+  if (!answer.ok) throw new Error(`scenarios.json: ${answer.statusText || answer.status}`);
+  const files = (await answer.json()) as Readonly<Record<string, string>>;
+  module.FS.mkdirTree(kTakes);
+  for (const [path, text] of Object.entries(files)) {
+    module.FS.mkdirTree(`${kScenarios}/${path}`.replace(/\/[^/]*$/, ''));
+    module.FS.writeFile(`${kScenarios}/${path}`, text);
+  }
+  return new Engine(module);
+}
+
+/** Writes the shelf to the browser's database, one time after the other. */
+function keepShelf(shelf: ShelfFiles): void {
+  const again = (): void => void self.setTimeout(() => void shelf.save().then(again, again), kSaveEvery);
+  again();
+}
+
+async function start({ base, scenario, port }: Extract<ToEngine, { kind: 'start' }>): Promise<EngineHost> {
+  const engine = await makeEngine(base);
+  const shelf = new ShelfFiles(engine.files, new KeptFiles(), [kTakes, `${kTakes}/removed`]);
+  await shelf.load();
+  engine.open(scenario, kVersion);
+  keepShelf(shelf);
+  const loop = new EngineLoop(engine, port, workerTimers());
+  port.onmessage = ({ data }: MessageEvent<SocketMessage>) => loop.handle(data);
+  return { engine, loop };
+}
+
+interface EngineHost {
+  readonly engine: Engine;
+  readonly loop: EngineLoop;
+}
+
+async function makeExport({ base, order, name, take }: Extract<ToEngine, { kind: 'export' }>): Promise<void> {
+  const engine = await makeEngine(base);
+  engine.files.writeFile(`${kTakes}/${name}`, take);
+  engine.open('', kVersion);
+  const file = engine.export(order, '/export');
+  const bytes = engine.files.readFile('/export').slice();
+  post({ kind: 'exported', file, bytes }, [bytes.buffer]);
+}
+
+function failed(error: unknown): void {
+  post({ kind: 'failed', problem: error instanceof Error ? error.message : String(error) });
+}
+
+let host: Promise<EngineHost> | null = null;
+
+async function answer({ id, method, target, body }: Extract<ToEngine, { kind: 'ask' }>): Promise<void> {
+  if (!host) return;
+  const { engine, loop } = await host;
+  const made = engine.ask(method, target, body);
+  post({ kind: 'answer', id, answer: made }, [made.bytes.buffer]);
+  loop.wake();
+}
+
+self.onmessage = ({ data }: MessageEvent<ToEngine>) => {
+  if (data.kind === 'start') {
+    host = start(data);
+    host.catch(failed);
+  } else if (data.kind === 'ask') answer(data).catch(failed);
+  else makeExport(data).catch(failed);
+};

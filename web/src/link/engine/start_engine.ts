@@ -1,0 +1,24 @@
+// Brings up the engine beside the page, and connects the studio to it.
+
+import { answerBy } from '../answers';
+import { problem } from '../../protocol/problem';
+import type { StudioClient } from '../studio_client';
+import { EngineLink, type EnginePort } from './engine_link';
+
+const makeWorker = (): EnginePort => new Worker(new URL('./engine_worker.ts', import.meta.url), { type: 'module' });
+
+/** The scenario that the address asks for: "#scenario=market". */
+function wantedScenario(hash: string): string {
+  return new URLSearchParams(hash.replace(/^#/, '')).get('scenario') ?? '';
+}
+
+/** `folder` of the engine's files, relative to the page. */
+export function startEngine(client: StudioClient, folder: string): void {
+  const base = new URL(folder, document.baseURI).href;
+  const fallback = document.documentElement.dataset['scenario'] ?? '';
+  const link = new EngineLink(makeWorker(), base, wantedScenario(location.hash) || fallback, makeWorker, (reason) =>
+    client.tell(problem('engine', `The engine cannot run here: ${reason}`)),
+  );
+  answerBy(link.ask);
+  client.connectEngine(link.port);
+}
