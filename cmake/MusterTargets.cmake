@@ -110,6 +110,17 @@ function(muster_module path)
     set(MUSTER_MODULES ${MUSTER_MODULES} ${name} CACHE INTERNAL "")
 endfunction()
 
+# muster_compile_small(target...): for browsers, code in which a step spends little of its time is made small: it is loaded
+# over the wire.
+function(muster_compile_small)
+    if(NOT EMSCRIPTEN)
+        return()
+    endif()
+    foreach(target ${ARGN})
+        target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-Oz>)
+    endforeach()
+endfunction()
+
 # muster_compile_fast(source...): optimises these sources little in builds that optimise. For large template libraries in code
 # that takes no time to run; in the folder of the target that compiles them.
 function(muster_compile_fast)

@@ -1,9 +1,9 @@
 // The functions of the WebAssembly module that the page's worker calls (web/src/link/engine). Bytes are
-// passed in memory of muster_reserve(); what is returned is valid until the next call.
+// passed in memory of malloc(); what is returned is valid until the next call.
 #include <emscripten.h>
 
-#include <cstdlib>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,20 +27,9 @@ int fail(const Status& status) {
     return 1;
 }
 
-// The worker that makes exports tells the page how far it is; it ends by being terminated.
-EM_JS(void, tellProgress, (double share), { Module["onProgress"](share); });
-
 }  // namespace
 
 extern "C" {
-
-EMSCRIPTEN_KEEPALIVE std::uint8_t* muster_reserve(std::uint32_t size) {
-    return static_cast<std::uint8_t*>(std::malloc(size));
-}
-
-EMSCRIPTEN_KEEPALIVE void muster_release(std::uint8_t* data) {
-    std::free(data);
-}
 
 /// Opens the studio with a scenario by name; "" for the default. Returns 0, or 1 with a sentence in
 /// muster_text().
@@ -106,18 +95,6 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t muster_answer_size() {
 
 EMSCRIPTEN_KEEPALIVE const char* muster_answer_type() {
     return theAnswer.type.c_str();
-}
-
-/// Makes the file of an export at a path. Returns 0 with the name to save it by in muster_text(), or 1 with a
-/// sentence there.
-EMSCRIPTEN_KEEPALIVE int muster_export(const char* order, const char* path) {
-    const auto name = theEngine->writeExport(order, path, [](double share) {
-        tellProgress(share);
-        return true;
-    });
-    if (!name.ok()) return fail(name.status());
-    theText = *name;
-    return 0;
 }
 
 }  // extern "C"

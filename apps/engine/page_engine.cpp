@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "base/text_file.h"
-#include "export_order.h"
 #include "host_answers.h"
 #include "motion_bodies.h"
 #include "request_target.h"
@@ -107,17 +106,6 @@ HttpAnswer PageEngine::askShelf(std::string_view method, std::string_view target
     if (!take.ok()) return failure(take.status());
     const auto* data = reinterpret_cast<const std::uint8_t*>(take->data());
     return openTakeAnswer(*session_, {data, take->size()}, request->name);
-}
-
-Result<std::string> PageEngine::writeExport(const std::string& text, const std::string& path,
-                                            const std::function<bool(double)>& progress) {
-    const auto order = readExportOrder(text, shelf_);
-    if (!order.ok()) return order.status();
-    const auto name = exportFileName(*order);
-    if (!name.ok()) return name;
-    const auto clips = [this](const std::string& of, const WorldDef& def) { return folder_.clips(of, def); };
-    if (Status s = muster::writeExport(*order, clips, path, progress); !s.ok()) return s;
-    return name;
 }
 
 }  // namespace muster

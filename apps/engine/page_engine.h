@@ -7,7 +7,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "http_answer.h"
 #include "muster/session.h"
@@ -41,10 +40,6 @@ public:
     /// Answers a request as the server does (docs/protocol.md, "Takes over HTTP"), but for exports. The
     /// target is a path: "/takes", "/scenario?name=market".
     HttpAnswer ask(std::string_view method, std::string_view target, std::span<const std::uint8_t> body);
-    /// Makes the file of an export of a take on the shelf (export_order.h). `progress` is told the share that
-    /// is done and returns false to end it. Returns the name to save it by.
-    Result<std::string> writeExport(const std::string& order, const std::string& path,
-                                    const std::function<bool(double)>& progress);
 
 private:
     explicit PageEngine(const PageEngineDef& def);

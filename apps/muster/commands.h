@@ -17,6 +17,7 @@ void addExportCommand(CommandLine& line);
 void addReproduceCommand(CommandLine& line);
 void addSweepCommand(CommandLine& line);
 void addStudyCommand(CommandLine& line);
+void addSiteCommand(CommandLine& line);
 
 // Commands of `muster study`.
 void addStudyRunCommand(Subcommand& study);

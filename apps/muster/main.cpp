@@ -26,6 +26,7 @@ int run(int argc, char** argv) {
     addReproduceCommand(line);
     addSweepCommand(line);
     addStudyCommand(line);
+    addSiteCommand(line);
     return line.run(argc, argv);
 }
 

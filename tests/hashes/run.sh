@@ -53,21 +53,11 @@ for name in "${others[@]}"; do
     fi
 done
 
-# WebAssembly: Debian's emscripten finds its JavaScript packages here.
-export NODE_PATH=/usr/share/nodejs
-mkdir -p build/wasm/deps
-ln -sfn /usr/include/eigen3 build/wasm/deps/eigen3
-ln -sfn /usr/include/nlohmann build/wasm/deps/nlohmann
-if { [ -f build/wasm/build.ninja ] ||
-    emcmake cmake -S . -B build/wasm -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=50 \
-        -DMUSTER_BUILD_APPS=OFF -DMUSTER_BUILD_TESTS=OFF -DMUSTER_BUILD_SCALE=OFF -DMUSTER_BUILD_HASHES=ON \
-        -DMUSTER_DEPS_INCLUDE="$root/build/wasm/deps" >build/wasm/configure.log 2>&1; } &&
-    cmake --build build/wasm --target scenario_hashes >build/wasm/build.log 2>&1; then
+if bash scripts/wasm.sh scenario_hashes; then
     node build/wasm/tests/hashes/scenario_hashes.js scenarios "$seconds" 1 >"$work/wasm" 2>"$work/errors" ||
         { failed=$((failed + 1)); tail -c 1000 "$work/errors"; }
     compare WebAssembly "$work/wasm"
 else
-    tail -n 20 build/wasm/configure.log build/wasm/build.log
     failed=$((failed + 1))
 fi
 echo "$passed passed, $failed failed"

@@ -16,6 +16,7 @@ import './ui/styles/readout.css';
 import './ui/styles/shapes.css';
 import './ui/styles/takes.css';
 
+import { ask } from './link/answers';
 import { StudioClient } from './link/studio_client';
 import { fetchBodies } from './scene/crowd/bodies/gltf_body';
 import { openBuildLazily } from './ui/lazy_build';
@@ -95,6 +96,7 @@ void shown
 
 /** For the tests in a browser. */
 const forTests = {
+  ask,
   client,
   view,
   get connected() {

@@ -154,7 +154,7 @@ Status HostedRun::breakOff() {
 }
 
 Status HostedRun::setView(const protocol::SetView& message) {
-    const auto view = viewOf(message);
+    const auto view = groundViewOf(message);
     if (!view.ok()) return view.status();
     view_ = view.value();
     return run_.stage() == RunStage::Trial ? run_.input(*view_) : Status();

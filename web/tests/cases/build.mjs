@@ -116,7 +116,7 @@ export async function byMouse(studio) {
   await scene(studio, 'without the wall', (one) => one.obstacles.length === 3);
   await page.keyboard.press('Control+z');
   await scene(studio, 'with the wall', (one) => one.obstacles.length === 4);
-  const saved = await page.evaluate(async () => (await fetch('/scenario')).json());
+  const saved = await page.evaluate(async () => (await globalThis.__muster.ask('scenario')).json());
   expect(saved.obstacles.length === 4 && saved.groups.length === 2, 'all of it is in the file');
   await page.getByRole('button', { name: 'Build', exact: true }).click();
   expect(!(await page.locator('.build-panel').isVisible()), 'the panel is gone');
@@ -216,7 +216,9 @@ export async function byTouch(studio) {
 export async function bodies(studio) {
   const { page } = studio;
   await open(studio);
-  const [{ position: at }] = await page.evaluate(async () => (await (await fetch('/scenario')).json()).groups);
+  const [{ position: at }] = await page.evaluate(
+    async () => (await (await globalThis.__muster.ask('scenario')).json()).groups,
+  );
   const edits = await watchEdits(studio);
   await press(studio, { x: at[0], y: at[1] });
   const panel = page.locator('.build-panel');
@@ -246,7 +248,7 @@ export async function bodies(studio) {
   await panel.getByLabel('Class 2 stands').scrollIntoViewIfNeeded();
   await studio.shot('build-bodies');
   await serious(studio, 'bodies of people');
-  const [saved] = await page.evaluate(async () => (await (await fetch('/scenario')).json()).groups);
+  const [saved] = await page.evaluate(async () => (await (await globalThis.__muster.ask('scenario')).json()).groups);
   expect(saved.bodies[0].radius === 0.35 && saved.bodies[0].class === 2, 'all of it is in the file');
   for (const name of ['Undo role', 'Undo class', 'Undo top speed', 'Undo body radius'])
     await page.getByRole('button', { name }).click();
@@ -353,7 +355,7 @@ export async function dragsByTouch(studio) {
   await open(studio);
   const edits = await watchEdits(studio);
   const [{ position: at, angle = 0 }] = await page.evaluate(
-    async () => (await (await fetch('/scenario')).json()).groups,
+    async () => (await (await globalThis.__muster.ask('scenario')).json()).groups,
   );
   const [a, b] = await screen(studio, [
     { x: at[0], y: at[1] },

@@ -57,7 +57,7 @@ export const timeLine = (studio) =>
   });
 
 async function takesOf(studio) {
-  return (await studio.page.evaluate(async () => (await fetch('takes')).json())).takes;
+  return (await studio.page.evaluate(async () => (await globalThis.__muster.ask('takes')).json())).takes;
 }
 
 async function openShelf(studio) {
@@ -229,8 +229,8 @@ export async function againAndOnTop(studio) {
   await stop(studio);
   expect((await takesOf(studio)).length === 3, 'three takes are kept');
   const replayed = await studio.page.evaluate(async () => {
-    const { takes } = await (await fetch('takes')).json();
-    return (await fetch(`takes/${takes[0].name}/open`, { method: 'POST' })).status;
+    const { takes } = await (await globalThis.__muster.ask('takes')).json();
+    return (await globalThis.__muster.ask(`takes/${takes[0].name}/open`, { method: 'POST' })).status;
   });
   expect(replayed === 200, 'the layered take opens');
   await studio.until('its replay', () => globalThis.__muster.frame.replaying);

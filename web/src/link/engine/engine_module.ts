@@ -1,4 +1,4 @@
-// The WebAssembly module of apps/engine, as emscripten makes it, with its functions by their names in C.
+// The WebAssembly modules of apps/engine, as emscripten makes them, with their functions by their names in C.
 
 /* eslint-disable @typescript-eslint/naming-convention -- The names are those of the C functions. */
 
@@ -13,13 +13,22 @@ export interface EngineFiles {
   utime(path: string, accessed: number, changed: number): void;
 }
 
-export interface EngineModule {
+export interface ModuleMemoryFunctions {
   readonly HEAPU8: Uint8Array;
+  _malloc(size: number): number;
+  _free(at: number): void;
+}
+
+/** What both modules have. */
+interface AnyModule extends ModuleMemoryFunctions {
   readonly FS: EngineFiles;
-  _muster_reserve(size: number): number;
-  _muster_release(at: number): void;
-  _muster_open(scenario: number, version: number): number;
+  /** The sentence of the last failure. */
   _muster_text(): number;
+}
+
+/** The studio's. */
+export interface EngineModule extends AnyModule {
+  _muster_open(scenario: number, version: number): number;
   _muster_connect(): number;
   _muster_disconnect(client: number): void;
   _muster_receive(client: number, at: number, size: number): void;
@@ -31,14 +40,18 @@ export interface EngineModule {
   _muster_answer(): number;
   _muster_answer_size(): number;
   _muster_answer_type(): number;
+}
+
+/** That of exports. */
+export interface ExporterModule extends AnyModule {
   _muster_export(order: number, path: number): number;
 }
 
-/** What the module is given. */
-export interface EngineOptions {
+/** What a module is given. */
+export interface ModuleOptions {
   locateFile(name: string): string;
   /** Tells how far an export is, 0 to 1. */
   onProgress(share: number): void;
 }
 
-export type MakeEngine = (options: EngineOptions) => Promise<EngineModule>;
+export type MakeModule<Module> = (options: ModuleOptions) => Promise<Module>;

@@ -3,12 +3,14 @@
 import { Engine } from './engine';
 import { EngineLoop, type LoopTimers } from './engine_loop';
 import type { FromEngine, SocketMessage, ToEngine } from './engine_messages';
-import type { MakeEngine } from './engine_module';
+import type { EngineFiles, EngineModule, ExporterModule, MakeModule } from './engine_module';
 import { KeptFiles } from './kept_files';
+import { ModuleMemory } from './module_memory';
 import { ShelfFiles } from './shelf_files';
 
 const kTakes = '/takes';
 const kScenarios = '/scenarios';
+const kExport = '/export';
 /** How often the shelf's files are looked through [ms]. */
 const kSaveEvery = 1000;
 const kVersion = 'in this browser';
@@ -33,23 +35,24 @@ function workerTimers(): LoopTimers {
   };
 }
 
-async function makeEngine(base: string): Promise<Engine> {
+/** Loads a module, with the scenarios in its files. */
+async function load<Module extends { readonly FS: EngineFiles }>(base: string, file: string): Promise<Module> {
   const address = (name: string): string => new URL(name, base).href;
   const scenarios = fetch(address('scenarios.json'));
-  const { default: make } = (await import(/* @vite-ignore */ address('muster-engine.js'))) as { default: MakeEngine };
+  const { default: make } = (await import(/* @vite-ignore */ address(file))) as { default: MakeModule<Module> };
   const module = await make({
     locateFile: address,
     onProgress: (share) => post({ kind: 'progress', share }),
   });
   const answer = await scenarios;
   if (!answer.ok) throw new Error(`scenarios.json: ${answer.statusText || answer.status}`);
-  const files = (await answer.json()) as Readonly<Record<string, string>>;
-  module.FS.mkdirTree(kTakes);
-  for (const [path, text] of Object.entries(files)) {
-    module.FS.mkdirTree(`${kScenarios}/${path}`.replace(/\/[^/]*$/, ''));
-    module.FS.writeFile(`${kScenarios}/${path}`, text);
+  const { FS: files } = module;
+  files.mkdirTree(kTakes);
+  for (const [path, text] of Object.entries((await answer.json()) as Readonly<Record<string, string>>)) {
+    files.mkdirTree(`${kScenarios}/${path}`.replace(/\/[^/]*$/, ''));
+    files.writeFile(`${kScenarios}/${path}`, text);
   }
-  return new Engine(module);
+  return module;
 }
 
 /** Writes the shelf to the browser's database, one time after the other. */
@@ -59,7 +62,7 @@ function keepShelf(shelf: ShelfFiles): void {
 }
 
 async function start({ base, scenario, port }: Extract<ToEngine, { kind: 'start' }>): Promise<EngineHost> {
-  const engine = await makeEngine(base);
+  const engine = new Engine(await load<EngineModule>(base, 'muster-engine.js'));
   const shelf = new ShelfFiles(engine.files, new KeptFiles(), [kTakes, `${kTakes}/removed`]);
   await shelf.load();
   engine.open(scenario, kVersion);
@@ -75,12 +78,14 @@ interface EngineHost {
 }
 
 async function makeExport({ base, order, name, take }: Extract<ToEngine, { kind: 'export' }>): Promise<void> {
-  const engine = await makeEngine(base);
-  engine.files.writeFile(`${kTakes}/${name}`, take);
-  engine.open('', kVersion);
-  const file = engine.export(order, '/export');
-  const bytes = engine.files.readFile('/export').slice();
-  post({ kind: 'exported', file, bytes }, [bytes.buffer]);
+  const module = await load<ExporterModule>(base, 'muster-exporter.js');
+  const memory = new ModuleMemory(module);
+  module.FS.writeFile(`${kTakes}/${name}`, take);
+  const wrong = memory.withTexts([order, kExport], ([wish, path]) => module._muster_export(wish!, path!));
+  const said = memory.text(module._muster_text());
+  if (wrong !== 0) throw new Error(said);
+  const bytes = module.FS.readFile(kExport).slice();
+  post({ kind: 'exported', file: said, bytes }, [bytes.buffer]);
 }
 
 function failed(error: unknown): void {

@@ -20,5 +20,7 @@ export function startEngine(client: StudioClient, folder: string): void {
     client.tell(problem('engine', `The engine cannot run here: ${reason}`)),
   );
   answerBy(link.ask);
+  // Keeps the site's files for visits without a network; where the browser has none, it is loaded anew each time.
+  void navigator.serviceWorker?.register('service_worker.js').catch(() => undefined);
   client.connectEngine(link.port);
 }

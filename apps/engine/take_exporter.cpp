@@ -1,0 +1,49 @@
+// The functions of the WebAssembly module that makes exports (web/src/link/engine): one in each worker, which
+// ends with it.
+#include <emscripten.h>
+
+#include <string>
+
+#include "export_order.h"
+#include "scenario_folder.h"
+#include "take_shelf.h"
+
+namespace {
+
+using namespace muster;
+
+std::string theText;  // The name to save the last export by, or the sentence of a failure.
+
+// The page ends a worker that is to stop.
+EM_JS(void, tellProgress, (double share), { Module["onProgress"](share); });
+
+Result<std::string> writeFile(const std::string& wish, const std::string& path) {
+    TakeShelf shelf("/takes");
+    const ScenarioFolder folder = ScenarioFolder::scan("/scenarios");
+    const auto order = readExportOrder(wish, shelf);
+    if (!order.ok()) return order.status();
+    const auto clips = [&](const std::string& name, const WorldDef& def) { return folder.clips(name, def); };
+    const Status status = writeExport(*order, clips, path, [](double share) {
+        tellProgress(share);
+        return true;
+    });
+    return status.ok() ? exportFileName(*order) : status;
+}
+
+}  // namespace
+
+extern "C" {
+
+EMSCRIPTEN_KEEPALIVE const char* muster_text() {
+    return theText.c_str();
+}
+
+/// Makes the file of an export of a take in /takes, with the scenarios in /scenarios. Returns 0 with the name
+/// to save it by in muster_text(), or 1 with a sentence there.
+EMSCRIPTEN_KEEPALIVE int muster_export(const char* order, const char* path) {
+    const auto name = writeFile(order, path);
+    theText = name.ok() ? *name : name.status().message();
+    return name.ok() ? 0 : 1;
+}
+
+}  // extern "C"

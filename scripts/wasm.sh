@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# Builds targets for WebAssembly in build/wasm, with Debian's emscripten. Usage: scripts/wasm.sh TARGET...
+#
+#     muster_engine muster_exporter   the engine for pages without a server (muster site)
+#     scenario_hashes                 the program that prints the hash of every scenario
+set -u
+cd "$(dirname "$0")/.." || exit 1
+build=$PWD/build/wasm
+# Debian's emscripten finds its JavaScript packages here.
+export NODE_PATH=/usr/share/nodejs
+mkdir -p "$build/deps"
+ln -sfn /usr/include/eigen3 "$build/deps/eigen3"
+ln -sfn /usr/include/nlohmann "$build/deps/nlohmann"
+if [ ! -f "$build/build.ninja" ]; then
+    emcmake cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=50 \
+        -DMUSTER_BUILD_APPS=OFF -DMUSTER_BUILD_TESTS=OFF -DMUSTER_BUILD_SCALE=OFF -DMUSTER_BUILD_HASHES=ON -DMUSTER_BUILD_ENGINE=ON \
+        -DMUSTER_DEPS_INCLUDE="$build/deps" >"$build/configure.log" 2>&1 || { tail -n 20 "$build/configure.log" >&2; exit 1; }
+fi
+cmake --build "$build" --target "$@" >"$build/build.log" 2>&1 || { grep -A 12 -m 1 -E 'error|FAILED' "$build/build.log" >&2; exit 1; }

@@ -1,0 +1,29 @@
+// Keeps the site's files in the browser, so that it opens without a network. `muster site` replaces the two words in capitals:
+// the files, and a number that follows from their contents.
+/* global self, caches, fetch, FILES, VERSION */
+
+const kCache = 'muster-VERSION';
+const kFiles = FILES;
+
+async function keep() {
+  const cache = await caches.open(kCache);
+  await cache.addAll(kFiles.map((path) => new Request(path, { cache: 'reload' })));
+}
+
+async function dropOthers() {
+  for (const name of await caches.keys()) if (name.startsWith('muster-') && name !== kCache) await caches.delete(name);
+  await self.clients.claim();
+}
+
+/** A kept file; whatever else comes from the network. */
+async function answer(request) {
+  const kept = await (await caches.open(kCache)).match(request, { ignoreSearch: true });
+  return kept ?? fetch(request);
+}
+
+self.addEventListener('install', (event) => event.waitUntil(keep().then(() => self.skipWaiting())));
+self.addEventListener('activate', (event) => event.waitUntil(dropOthers()));
+self.addEventListener('fetch', (event) => {
+  if (event.request.method === 'GET' && new URL(event.request.url).origin === self.location.origin)
+    event.respondWith(answer(event.request));
+});
