@@ -69,13 +69,17 @@ void UdpSocket::send(ByteSpan bytes) {
 }
 
 std::optional<Bytes> UdpSocket::receive(int milliseconds) {
-    pollfd entry{handle_, POLLIN, 0};
-    if (poll(&entry, 1, milliseconds) <= 0) return std::nullopt;
-    Bytes bytes(kLongest);
-    const ssize_t size = recv(handle_, bytes.data(), bytes.size(), MSG_DONTWAIT);
-    if (size < 0) return std::nullopt;
-    bytes.resize(static_cast<std::size_t>(size));
-    return bytes;
+    // The kernel first tells that nobody was there for what was sent before, and then gives what has come.
+    for (int attempt = 0; attempt < 2; ++attempt) {
+        pollfd entry{handle_, POLLIN, 0};
+        if (poll(&entry, 1, milliseconds) <= 0) return std::nullopt;
+        Bytes bytes(kLongest);
+        const ssize_t size = recv(handle_, bytes.data(), bytes.size(), MSG_DONTWAIT);
+        if (size < 0) continue;
+        bytes.resize(static_cast<std::size_t>(size));
+        return bytes;
+    }
+    return std::nullopt;
 }
 
 }  // namespace lockstep

@@ -56,7 +56,7 @@ void Wire::sleepUntil(std::uint32_t tick) {
 muster::Status Wire::silence() const {
     if (otherLeft_ || Clock::now() - heard_ < patience_) return {};
     return {muster::StatusCode::IoError,
-            "the other peer has not been heard of for " + std::to_string(patience_.count()) + " s"};
+            "the other peer has sent nothing for " + std::to_string(patience_.count()) + " s"};
 }
 
 muster::Status Wire::begin(std::uint32_t tick, const std::function<void(ByteSpan)>& receive) {
