@@ -12,6 +12,7 @@ void LossyLink::hold(std::uint32_t tick, Bytes bytes) {
 
 void LossyLink::send(std::uint32_t tick, const Bytes& bytes) {
     ++sent_;
+    sentBytes_ += bytes.size();
     if (def_.garbage > 0.0 && random_.chance(def_.garbage)) hold(tick, garbage(bytes));
     if (random_.chance(def_.loss))
         ++lost_;

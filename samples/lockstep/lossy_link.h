@@ -33,6 +33,7 @@ public:
 
     std::uint32_t sent() const { return sent_; }
     std::uint32_t lost() const { return lost_; }
+    std::uint64_t sentBytes() const { return sentBytes_; }
 
 private:
     void hold(std::uint32_t tick, Bytes bytes);
@@ -42,6 +43,7 @@ private:
     Random random_;
     std::multimap<double, Bytes> held_;  // By time of arrival [ms].
     std::uint32_t sent_ = 0, lost_ = 0;
+    std::uint64_t sentBytes_ = 0;
 };
 
 }  // namespace lockstep

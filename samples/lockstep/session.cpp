@@ -1,5 +1,6 @@
 #include "session.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdarg>
 #include <cstdio>
@@ -57,14 +58,17 @@ void tellProgress(Log& log, const Peer& peer, const Wire& wire) {
         world.world().characters().size(), world.world().groupCount(), peer.equalUpTo());
 }
 
-void tellEnd(Log& log, const Peer& peer, double seconds) {
+void tellEnd(Log& log, const Peer& peer, const LossyLink& link, double seconds) {
     const RollbackWorld& world = peer.world();
     const RollbackCounts& back = world.counts();
     log.line("done: %u steps in %.1f s, %u of their states compared and all equal, the last is %016llx",
              world.now(), seconds, peer.counts().compared,
              static_cast<unsigned long long>(world.hash(world.now())));
-    log.line("      %u rollbacks repeated %u steps, %.1f %%; the world refused %u commands", back.rollbacks,
-             back.repeated, 100.0 * back.repeated / world.now(), back.refused);
+    log.line("      %u rollbacks, the longest %u, repeated %u steps, %.1f %%; the world refused %u commands",
+             back.rollbacks, back.longest, back.repeated, 100.0 * back.repeated / world.now(), back.refused);
+    log.line("      stalls %u, waits %u, lost %u of %u datagrams of %.0f bytes on average",
+             peer.counts().stalls, peer.counts().waits, link.lost(), link.sent(),
+             static_cast<double>(link.sentBytes()) / std::max(link.sent(), 1u));
     if (peer.counts().refused > 0)
         log.line("      %u datagrams were malformed; the last: %s", peer.counts().refused,
                  peer.lastRefusal().c_str());
@@ -118,7 +122,8 @@ int runPeer(const Options& options, std::uint32_t number, UdpSocket socket) {
     const int outcome = play(peer, wire, log, options.every);
     wire.sayGoodbye();
     if (outcome == kEqual)
-        tellEnd(log, peer, std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
+        tellEnd(log, peer, wire.link(),
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
     return outcome;
 }
 

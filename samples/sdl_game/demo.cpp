@@ -16,22 +16,26 @@ struct Act {
 };
 
 constexpr auto kActs = std::to_array<Act>({
-    // The northern fifty draw up a front before the tower's hill.
-    {10, 25, SDL_BUTTON_LEFT, {-23.0, 1.0}, {-13.0, 9.0}},
-    {30, 60, SDL_BUTTON_RIGHT, {3.5, 8.5}, {3.5, -1.0}},
-    // The southern fifty are cut in two; one half goes round the house.
-    {80, 95, SDL_BUTTON_LEFT, {-23.0, -9.0}, {-13.0, -1.0}},
+    // The northern fifty draw up a front between house and tree.
+    {10, 25, SDL_BUTTON_LEFT, {-23.0, 0.1}, {-13.0, 10.5}},
+    {30, 60, SDL_BUTTON_RIGHT, {3.5, 9.0}, {3.5, -0.5}},
+    // The southern fifty are cut in two: one half goes behind the southern house, the other stays before it.
+    {80, 95, SDL_BUTTON_LEFT, {-23.0, -10.5}, {-13.0, -0.1}},
     {100, 100, 0, {}, {}, SDLK_s},
-    {130, 145, SDL_BUTTON_LEFT, {-23.0, -9.5}, {-12.0, -5.0}},
-    {150, 150, SDL_BUTTON_RIGHT, {8.0, -7.0}, {8.0, -7.0}},
-    {170, 185, SDL_BUTTON_LEFT, {-23.0, -5.0}, {-12.0, 0.0}},
-    {190, 190, SDL_BUTTON_RIGHT, {-7.5, -2.0}, {-7.5, -2.0}},
-    // Three of the last fall by a key.
-    {330, 340, SDL_BUTTON_LEFT, {-9.0, -1.2}, {-6.0, -0.4}},
-    {345, 345, 0, {}, {}, SDLK_k},
-    // The front goes on against the tower; it is selected and the next line is being drawn.
-    {900, 920, SDL_BUTTON_LEFT, {0.0, -2.0}, {6.5, 10.0}},
-    {930, 990, SDL_BUTTON_RIGHT, {8.5, 12.5}, {10.8, 2.5}},
+    {130, 145, SDL_BUTTON_LEFT, {-23.0, -10.5}, {-11.0, -5.1}},
+    {150, 150, SDL_BUTTON_RIGHT, {5.5, -9.0}, {5.5, -9.0}},
+    {170, 185, SDL_BUTTON_LEFT, {-23.0, -4.9}, {-11.0, 0.0}},
+    {190, 190, SDL_BUTTON_RIGHT, {-10.0, -4.0}, {-10.0, -4.0}},
+    // Some of them fall by a key.
+    {700, 710, SDL_BUTTON_LEFT, {-13.0, -3.4}, {-10.4, -2.6}},
+    {715, 715, 0, {}, {}, SDLK_k},
+    // The front goes on against the tower, and others with it.
+    {1900, 1915, SDL_BUTTON_LEFT, {-6.0, -3.0}, {6.5, 10.5}},
+    {1920, 1960, SDL_BUTTON_RIGHT, {8.5, 12.0}, {9.5, 2.0}},
+    {2550, 2565, SDL_BUTTON_LEFT, {-14.0, -8.0}, {-6.5, -0.5}},
+    {2590, 2590, SDL_BUTTON_RIGHT, {4.0, 3.5}, {4.0, 3.5}},
+    {2700, 2715, SDL_BUTTON_LEFT, {1.0, -13.5}, {9.0, -4.0}},
+    {2720, 2790, SDL_BUTTON_RIGHT, {13.0, 0.0}, {20.0, 1.5}},
 });
 
 void push(Uint32 type, Uint8 button, Vec2 p, SDL_Keycode key) {

@@ -18,6 +18,7 @@ namespace {
 using namespace game;
 
 constexpr int kWidth = 1280, kHeight = 800;
+constexpr Vec2 kField{48.0, 30.0};         // [m]
 constexpr double kDemoFrame = 1.0 / 75.0;  // Of a frame without a screen: no multiple of a step [s].
 constexpr double kMostBehind = 0.25;       // Time that cannot be caught up with is dropped [s].
 
@@ -29,6 +30,7 @@ struct Destroyer {
     }
 };
 using Window = std::unique_ptr<SDL_Window, Destroyer<SDL_DestroyWindow>>;
+using Texture = std::unique_ptr<SDL_Texture, Destroyer<SDL_DestroyTexture>>;
 using Renderer = std::unique_ptr<SDL_Renderer, Destroyer<SDL_DestroyRenderer>>;
 
 int complain(const char* what) {
@@ -42,10 +44,21 @@ double advance(Battle& battle, double& behind) {
     return behind / battle.stepTime();
 }
 
-/// Frame by frame, until the player leaves or the demo ends.
-void play(const Options& options, SDL_Renderer* renderer, Battle& battle) {
-    const Camera camera({48.0, 30.0}, kWidth, kHeight);
+/// Draws at twice the window's size and halves it, which makes all edges smooth.
+void draw(SDL_Renderer* renderer, SDL_Texture* twice, const Battle& battle, const Mouse& mouse,
+          double share) {
+    SDL_SetRenderTarget(renderer, twice);
+    SDL_SetRenderDrawColor(renderer, 0xaf, 0xc0, 0x8e, 0xff);
+    SDL_RenderClear(renderer);
     Painter painter(renderer);
+    drawScene(painter, Camera(kField, 2 * kWidth, 2 * kHeight), battle, mouse, share);
+    SDL_SetRenderTarget(renderer, nullptr);
+    SDL_RenderCopy(renderer, twice, nullptr, nullptr);
+}
+
+/// Frame by frame, until the player leaves or the demo ends.
+void play(const Options& options, SDL_Renderer* renderer, SDL_Texture* twice, Battle& battle) {
+    const Camera camera(kField, kWidth, kHeight);
     Mouse mouse;
     double behind = 0.0;
     Uint64 last = SDL_GetPerformanceCounter();
@@ -62,9 +75,7 @@ void play(const Options& options, SDL_Renderer* renderer, Battle& battle) {
         behind += options.frames > 0 ? kDemoFrame : std::min(passed, kMostBehind);
         const double share = advance(battle, behind);
         if (options.frames > 0 && frame + 1 < options.frames) continue;  // Nobody sees it.
-        SDL_SetRenderDrawColor(renderer, 0x2b, 0x33, 0x42, 0xff);
-        SDL_RenderClear(renderer);
-        drawScene(painter, camera, battle, mouse, share);
+        draw(renderer, twice, battle, mouse, share);
         if (options.frames == 0) SDL_RenderPresent(renderer);  // Waits for the screen.
     }
 }
@@ -78,10 +89,14 @@ int run(const Options& options) {
     Renderer renderer(
         SDL_CreateRenderer(window.get(), -1, demo ? SDL_RENDERER_SOFTWARE : SDL_RENDERER_PRESENTVSYNC));
     if (!renderer) return complain(SDL_GetError());
+    SDL_SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "linear");
+    const Texture twice(SDL_CreateTexture(renderer.get(), SDL_PIXELFORMAT_ARGB8888, SDL_TEXTUREACCESS_TARGET,
+                                          2 * kWidth, 2 * kHeight));
+    if (!twice) return complain(SDL_GetError());
     Jobs jobs(2);  // They end after the battle.
     muster::Result<Battle> battle = Battle::create(jobs.runner());
     if (!battle.ok()) return complain(battle.status().message().c_str());
-    play(options, renderer.get(), *battle);
+    play(options, renderer.get(), twice.get(), *battle);
     if (!options.picture.empty())
         if (const muster::Status saved = savePicture(renderer.get(), options.picture); !saved.ok())
             return complain(saved.message().c_str());

@@ -6,7 +6,7 @@
 namespace game {
 namespace {
 
-constexpr std::int32_t kDemoFrames = 980;
+constexpr std::int32_t kDemoFrames = 2780;
 constexpr std::int32_t kMostFrames = 1'000'000;
 
 }  // namespace

@@ -7,8 +7,9 @@
 namespace game {
 namespace {
 
-constexpr std::uint32_t kGrass = 0xdfe6cf, kGrid = 0xcfd8bb, kStone = 0x8b93a1, kRoof = 0xa3aab6,
-                        kShade = 0x2b3342;
+constexpr std::uint32_t kGrass = 0xb9c99a, kGrid = 0xafc08e, kShade = 0x1f2937;
+constexpr std::uint32_t kRoof = 0xb7694b, kRoofDark = 0x9a543a, kRidge = 0xcf8a6c, kCrown = 0x4f7f45;
+constexpr std::uint32_t kCrownLight = 0x66985a, kStone = 0x7d8491, kPaved = 0xa3aab6, kHead = 0xf6e3cd;
 constexpr std::uint32_t kSelect = 0xffffff, kFront = 0x1f2937, kFire = 0xdc2626, kTowerTop = 0x7f1d1d;
 constexpr auto kGroups = std::to_array<std::uint32_t>(
     {0x2563eb, 0xe2711d, 0x7c3aed, 0x0f9d76, 0xc02675, 0x0e7fa8});
@@ -35,31 +36,39 @@ void drawGround(const Scene& s) {
                                     s.at({-width, height})};
     s.painter.convex(field, {kGrass});
     for (double x = -22.0; x < width; x += 4.0)
-        s.painter.line(s.at({x, -height}), s.at({x, height}), 1.0, {kGrid});
+        s.painter.line(s.at({x, -height}), s.at({x, height}), s.px(0.06), {kGrid});
     for (double y = -13.0; y < height; y += 4.0)
-        s.painter.line(s.at({-width, y}), s.at({width, y}), 1.0, {kGrid});
+        s.painter.line(s.at({-width, y}), s.at({width, y}), s.px(0.06), {kGrid});
+}
+
+/// A tree, or the foot of the tower.
+void drawDisc(const Scene& s, Vec2 centre, double radius, Vec2 shade) {
+    const bool tower = centre == kTower;
+    s.painter.disc(s.at(centre) + shade, s.px(radius), {kShade, 0.3});
+    s.painter.disc(s.at(centre), s.px(radius), {tower ? kStone : kCrown});
+    if (tower)
+        s.painter.disc(s.at(centre), s.px(radius - 0.2), {kPaved});
+    else
+        s.painter.disc(s.at(centre) - 0.6 * shade, s.px(0.68 * radius), {kCrownLight});
+}
+
+/// A house with a ridge along its middle.
+void drawHouse(const Scene& s, const muster::Polygon& walls, Vec2 shade) {
+    const Vec2 a = s.at(walls[0]), b = s.at(walls[1]), c = s.at(walls[2]), d = s.at(walls[3]);
+    const Vec2 left = 0.5 * (a + d), right = 0.5 * (b + c);
+    const std::array<Vec2, 4> shadow{a + shade, b + shade, c + shade, d + shade};
+    s.painter.convex(shadow, {kShade, 0.3});
+    s.painter.convex(std::array<Vec2, 4>{a, b, c, d}, {kRoof});
+    s.painter.convex(std::array<Vec2, 4>{a, b, right, left}, {kRoofDark});
+    s.painter.line(left, right, s.px(0.14), {kRidge});
 }
 
 void drawObstacle(const Scene& s, const muster::ObstacleDef& def) {
-    const Vec2 shade = Vec2{s.px(0.18), s.px(0.22)};
-    if (def.polygon.empty()) {
-        s.painter.disc(s.at(def.centre) + shade, s.px(def.radius), {kShade, 0.25});
-        s.painter.disc(s.at(def.centre), s.px(def.radius), {kStone});
-        s.painter.disc(s.at(def.centre), s.px(def.radius - 0.18), {kRoof});
-        return;
-    }
-    Vec2 middle;
-    for (const Vec2 p : def.polygon) middle += p / static_cast<double>(def.polygon.size());
-    std::vector<Vec2> shadow, wall, roof;
-    for (const Vec2 p : def.polygon) {
-        wall.push_back(s.at(p));
-        shadow.push_back(wall.back() + shade);
-        const Vec2 inward = middle - p;
-        roof.push_back(s.at(p + 0.18 * Vec2{std::copysign(1.0, inward.x), std::copysign(1.0, inward.y)}));
-    }
-    s.painter.convex(shadow, {kShade, 0.25});
-    s.painter.convex(wall, {kStone});
-    s.painter.convex(roof, {kRoof});
+    const Vec2 shade{s.px(0.2), s.px(0.25)};
+    if (def.polygon.empty())
+        drawDisc(s, def.centre, def.radius, shade);
+    else
+        drawHouse(s, def.polygon, shade);
 }
 
 void drawTower(const Scene& s) {
@@ -83,7 +92,7 @@ void drawFallen(const Scene& s) {
         const double left = 1.0 - (s.battle.world().time() - fallen.time) / kFallenSeconds;
         const Vec2 p = s.at(fallen.position);
         const double r = s.px(0.2);
-        const Paint paint{kShade, 0.55 * std::clamp(left, 0.0, 1.0)};
+        const Paint paint{kShade, 0.8 * std::clamp(left, 0.0, 1.0)};
         s.painter.line(p - Vec2{r, r}, p + Vec2{r, r}, s.px(0.09), paint);
         s.painter.line(p - Vec2{r, -r}, p + Vec2{r, -r}, s.px(0.09), paint);
     }
@@ -95,11 +104,14 @@ void drawOrders(const Scene& s) {
     for (std::size_t g = 0; g < world.groupCount(); ++g) {
         const muster::GroupView group = world.group(g);
         const Paint paint{colourOf(group.id.value), 0.75};
-        for (std::size_t i = 1; i < group.way.size(); ++i)
-            s.painter.dots(s.at(group.way[i - 1]), s.at(group.way[i]), s.px(0.16), s.px(0.55), paint);
+        Vec2 from = group.pose.position;
+        for (const Vec2 corner : group.way) {
+            s.painter.dots(s.at(from), s.at(corner), s.px(0.16), s.px(0.55), paint);
+            from = corner;
+        }
         if (!group.way.empty()) s.painter.ring(s.at(group.way.back()), s.px(0.5), s.px(0.12), paint);
         for (const Vec2 place : group.placeTargets)
-            s.painter.ring(s.at(place), s.px(0.24), 1.2, {colourOf(group.id.value), 0.45});
+            s.painter.ring(s.at(place), s.px(0.24), s.px(0.06), {colourOf(group.id.value), 0.45});
     }
 }
 
@@ -107,13 +119,14 @@ void drawUnit(const Scene& s, const UnitPose& unit, bool selected) {
     const Vec2 p = s.at(unit.position), forward{unit.heading.x, -unit.heading.y};
     const Vec2 side = muster::perpendicular(forward);
     const std::uint32_t colour = colourOf(unit.group);
-    s.painter.disc(p + Vec2{s.px(0.06), s.px(0.08)}, s.px(0.29), {kShade, 0.25});
-    if (selected) s.painter.ring(p, s.px(0.38), s.px(0.08), {kSelect});
-    // Shoulders, a spear ahead, the head on top.
-    s.painter.line(p + s.px(0.2) * side, p + s.px(0.2) * side + s.px(0.5) * forward, s.px(0.06), {kShade});
-    s.painter.line(p - s.px(0.17) * side, p + s.px(0.17) * side, s.px(0.3), {kShade, 0.8});
-    s.painter.line(p - s.px(0.17) * side, p + s.px(0.17) * side, s.px(0.22), {colour});
-    s.painter.disc(p + s.px(0.03) * forward, s.px(0.13), {0xf6e3cd});
+    s.painter.disc(p + Vec2{s.px(0.08), s.px(0.1)}, s.px(0.34), {kShade, 0.25});
+    if (selected) s.painter.ring(p, s.px(0.45), s.px(0.1), {kSelect});
+    // A spear ahead, shoulders, the head on top.
+    const Vec2 hand = p + s.px(0.24) * side;
+    s.painter.line(hand, hand + s.px(0.6) * forward, s.px(0.07), {kShade});
+    s.painter.line(p - s.px(0.19) * side, p + s.px(0.19) * side, s.px(0.4), {kShade, 0.85});
+    s.painter.line(p - s.px(0.19) * side, p + s.px(0.19) * side, s.px(0.3), {colour});
+    s.painter.disc(p + s.px(0.03) * forward, s.px(0.15), {kHead});
 }
 
 void drawStrokes(const Scene& s) {
@@ -134,7 +147,8 @@ void drawStrokes(const Scene& s) {
         const std::array<Vec2, 4> corners{s.at(box->from), s.at({box->to.x, box->from.y}), s.at(box->to),
                                           s.at({box->from.x, box->to.y})};
         s.painter.convex(corners, {kSelect, 0.25});
-        for (std::size_t i = 0; i < 4; ++i) s.painter.line(corners[i], corners[(i + 1) % 4], 1.5, {kSelect});
+        for (std::size_t i = 0; i < 4; ++i)
+            s.painter.line(corners[i], corners[(i + 1) % 4], s.px(0.08), {kSelect});
     }
 }
 
