@@ -1,6 +1,7 @@
 #include "options.h"
 
 #include <charconv>
+#include <cstdio>
 #include <string_view>
 
 namespace lockstep {
@@ -12,9 +13,9 @@ muster::Result<double> number(std::string_view name, const char* text, double lo
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error == std::errc() && end == digits.data() + digits.size() && value >= low && value <= high)
         return value;
-    return muster::invalidArgument(std::string(name) + " is '" + std::string(digits) +
-                                   "', expected a number from " + std::to_string(low) + " to " +
-                                   std::to_string(high));
+    char range[80];
+    std::snprintf(range, sizeof range, "', expected a number from %g to %g", low, high);
+    return muster::invalidArgument(std::string(name) + " is '" + std::string(digits) + range);
 }
 
 /// A named number: where it goes and its range.

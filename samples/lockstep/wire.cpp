@@ -1,6 +1,6 @@
 #include "wire.h"
 
-#include <string>
+#include <cstdio>
 #include <thread>
 
 namespace lockstep {
@@ -55,8 +55,9 @@ void Wire::sleepUntil(std::uint32_t tick) {
 
 muster::Status Wire::silence() const {
     if (otherLeft_ || Clock::now() - heard_ < patience_) return {};
-    return {muster::StatusCode::IoError,
-            "the other peer has sent nothing for " + std::to_string(patience_.count()) + " s"};
+    char text[80];
+    std::snprintf(text, sizeof text, "the other peer has sent nothing for %g s", patience_.count());
+    return {muster::StatusCode::IoError, text};
 }
 
 muster::Status Wire::begin(std::uint32_t tick, const std::function<void(ByteSpan)>& receive) {
