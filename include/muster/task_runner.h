@@ -6,7 +6,7 @@
 namespace muster {
 
 /// The job system of the program that uses the library, in place of the library's own threads. A default
-/// runner has no function: all work is done in the calling thread.
+/// runner has no function, and no world takes it.
 struct TaskRunner {
     /// Largest number of workers that run at the same time, the calling thread included where it takes part
     /// [1 to 256].

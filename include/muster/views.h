@@ -102,8 +102,8 @@ struct GroupView {
     bool held = false;                    ///< True: it waits, and its orders stay.
     bool patrols = false;                 ///< True: orders that are done come last again.
     Conduct conduct;                      ///< How it behaves.
-    /// What is ahead of the way of the order that it carries out: corners up to the end [m]. It begins where
-    /// the group is.
+    /// What is ahead of the way of the order that it carries out: corners up to the end [m], the next one
+    /// first.
     std::span<const Vec2> way;
 };
 

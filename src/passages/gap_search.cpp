@@ -99,6 +99,8 @@ double depth(const Environment& environment, const Passage& passage, Vec2 direct
 }
 
 std::optional<Passage> gapAt(const Environment& environment, std::span<const Vec2> way, Vec2 p) {
+    // The cells of a way may reach beyond the edge of the world.
+    if (!environment.def().box.contains(p)) return {};
     const Surface one = nearestSurface(environment, p);
     if (!(one.distance < Environment::kClearanceLimit) || one.distance <= kNearest) return {};
     const Vec2 direction = (p - one.point) / one.distance;

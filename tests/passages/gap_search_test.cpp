@@ -62,3 +62,21 @@ TEST_CASE("slow ground takes its share of the capacity") {
     REQUIRE(passage);
     CHECK(passage->capacity() == doctest::Approx(4.5 * 2.0 * 0.25).epsilon(1e-6));
 }
+
+TEST_CASE("points of a way beyond the edge of the world belong to no gap; those inside do as ever") {
+    EnvironmentDef def;
+    def.box = {{-20, -20}, {20, 20}};
+    Environment environment = Environment::create(def).value();
+    ObstacleDef block;
+    block.polygon = {{-2, -17}, {2, -17}, {2, 5}, {-2, 5}};
+    REQUIRE(environment.addObstacle(block).ok());
+    environment.setTime(0.0);
+    CHECK_FALSE(narrowestPassage(environment, straightWay({-6, -20.25}, {6, -20.25})));
+    CHECK_FALSE(gapAcross(environment, {0.0, 20.01}));
+    // A way that leaves the world behind the gap between the block and the edge.
+    std::vector<Vec2> way = straightWay({-6, -18}, {6, -18});
+    way.push_back({7, -20.25});
+    const auto passage = narrowestPassage(environment, way);
+    REQUIRE(passage);
+    CHECK(passage->width() == doctest::Approx(3.0).epsilon(1e-6));
+}
