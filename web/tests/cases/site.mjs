@@ -1,0 +1,138 @@
+// The studio of a static site: it loads, is steered, keeps takes, plays as the program does, and needs no network.
+import { readdirSync, readFileSync, mkdtempSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join, relative } from 'node:path';
+import { gzipSync } from 'node:zlib';
+import { expect } from '../support/expect.mjs';
+import { crowd, distance, extreme, points, shifted } from '../support/geometry.mjs';
+import { runProgram } from '../support/server.mjs';
+import { serious } from './look.mjs';
+import { play, record, stop } from './takes.mjs';
+
+/** A first load may take so much over the wire, each file compressed by gzip. */
+const kFirstLoad = 1_450_000;
+
+/** What a first visit loads until people walk, on a page that has nothing yet. */
+export async function firstLoad(browser, server, size) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, serviceWorkers: 'block' });
+  const page = await context.newPage();
+  const loaded = new Map();
+  const outside = [];
+  page.on('response', async (answer) => {
+    if (!answer.url().startsWith(server.url)) return outside.push(answer.url());
+    loaded.set(relative(server.url, answer.url()) || 'index.html', await answer.body().catch(() => Buffer.alloc(0)));
+  });
+  const began = Date.now();
+  await page.goto(server.url);
+  await page.waitForFunction(() => (globalThis.__muster?.view.stats.shownFrame ?? 0) > 0, null, { timeout: 60000 });
+  const walking = Date.now() - began;
+  await page.waitForTimeout(500);
+  // Workers' own requests are not told to the page: everything of the site that is needed is counted.
+  for (const name of ['engine/muster-engine.js', 'engine/muster-engine.wasm', 'engine/scenarios.json'])
+    loaded.set(name, readFileSync(join(server.folder, name)));
+  const sizes = [...loaded].map(([name, bytes]) => [name, gzipSync(bytes, { level: 9 }).length]);
+  const sum = sizes.reduce((all, [, bytes]) => all + bytes, 0);
+  console.log(
+    `measured: first load of a site ${Math.round(sum / 1000)} kB with gzip, a walking crowd after ${walking} ms`,
+  );
+  for (const [name, bytes] of sizes.sort((a, b) => b[1] - a[1]).slice(0, 5))
+    console.log(`measured: ${Math.round(bytes / 1000)} kB ${name} (${size})`);
+  expect(outside.length === 0, `everything comes from the site: ${outside.join(', ')}`);
+  expect(sum < kFirstLoad, `${sum} bytes`);
+  const absolute = readdirSync(server.folder).filter((name) =>
+    /["'(]\/(?!\/)[\w-]+\.(js|css)/.test(text(server, name)),
+  );
+  expect(absolute.length === 0, `relative paths only: ${absolute}`);
+  await context.close();
+}
+
+function text(server, name) {
+  return /\.(html|js|css)$/.test(name) ? readFileSync(join(server.folder, name), 'utf8') : '';
+}
+
+/** Fingers steer the crowd. */
+export async function touches(studio) {
+  await studio.makeRoom();
+  const frame = await studio.frame();
+  const corner = extreme(points(frame.groups[0].vertices), 1, 0);
+  const [from, to] = await studio.screen([corner, shifted(corner, 4, 0)]);
+  await studio.fingers.down({ 1: from });
+  await studio.fingers.move({ 1: to }, { steps: 12, ms: 700 });
+  await studio.until('a control', () => globalThis.__muster.frame.groups[0].controls.length > 0);
+  await studio.shot('site-touch');
+  await studio.fingers.up();
+  const before = crowd(frame);
+  await studio.eventually(async () => {
+    const now = crowd(await studio.frame());
+    const walked = now.filter((at, i) => distance(at, before[i]) > 0.5).length;
+    expect(walked > 20, `people follow: ${walked}`);
+  });
+  await serious(studio, 'a site');
+}
+
+/** All scenarios are offered, and another one opens. */
+export async function scenarios(studio) {
+  await studio.send({ type: 'LoadScenario', name: 'paper/x08-congestion' });
+  await studio.until('another scenario', () => globalThis.__muster.state.scenario.startsWith('paper/x08'));
+  const offered = await studio.page.evaluate(() => globalThis.__muster.state.scenarios.length);
+  expect(offered >= 19, `all are offered: ${offered}`);
+}
+
+const shelf = (studio) =>
+  studio.page.evaluate(async () => (await (await globalThis.__muster.ask('takes')).json()).takes);
+
+/** A take is in the browser's shelf after the page was closed, and plays. */
+export async function takesStay(studio) {
+  await record(studio, 1.5);
+  await stop(studio);
+  await studio.shot('site-take');
+  const [kept] = await shelf(studio);
+  expect(kept?.finished && kept.steps > 60, 'the take is on the shelf');
+  await studio.wait(2500);
+  await studio.page.reload();
+  await studio.until('the first frame', () => (globalThis.__muster?.frame?.groups.length ?? 0) > 0);
+  await studio.eventually(async () => {
+    const [now] = await shelf(studio);
+    expect(now?.name === kept.name && now.bytes === kept.bytes, `it is there again: ${now?.name}`);
+  });
+  const status = await studio.page.evaluate(
+    async (name) => (await globalThis.__muster.ask(`takes/${name}/open`, { method: 'POST' })).status,
+    kept.name,
+  );
+  expect(status === 200, `it opens: ${status}`);
+  await studio.until('the replay', () => globalThis.__muster.frame.replaying);
+}
+
+/** The program simulates a take of the page again and finds every hash. */
+export async function sameHashes(studio) {
+  await record(studio, 4);
+  await stop(studio);
+  await play(studio);
+  const [{ name }] = await shelf(studio);
+  const bytes = await studio.page.evaluate(async (take) => {
+    const answer = await globalThis.__muster.ask(`takes/${take}`);
+    return [...new Uint8Array(await answer.arrayBuffer())];
+  }, name);
+  const file = join(mkdtempSync(join(tmpdir(), 'muster-site-')), name);
+  writeFileSync(file, Buffer.from(bytes));
+  const { status, stdout, stderr } = runProgram('replay', file);
+  expect(status === 0, `the program finds the same hashes: ${stdout} ${stderr}`);
+  console.log(`measured: a take of the site, replayed by the program: ${stdout.trim().split('\n').at(-1)}`);
+}
+
+/** After the first visit the site opens without a network. */
+export async function offline(studio, server) {
+  await studio.page.evaluate(() => globalThis.navigator.serviceWorker.ready);
+  await studio.until('the files to be kept', () => globalThis.navigator.serviceWorker.controller !== null);
+  await studio.context.setOffline(true);
+  await studio.page.goto(server.url);
+  await studio.page.reload();
+  await studio.until('the first frame', () => (globalThis.__muster?.frame?.groups.length ?? 0) > 0, null, 30000);
+  await studio.until('the first picture', () => globalThis.__muster.view.stats.shownFrame > 0);
+  const before = crowd(await studio.frame());
+  await studio.wait(1500);
+  const walked = crowd(await studio.frame()).filter((at, i) => distance(at, before[i]) > 0.3).length;
+  expect(walked > 50, `people walk without a network: ${walked}`);
+  await studio.shot('site-offline');
+  await studio.context.setOffline(false);
+}
