@@ -1,6 +1,6 @@
 // Keeps the site's files in the browser, so that it opens without a network. `muster site` replaces the two words in capitals:
 // the files, and a number that follows from their contents.
-/* global self, caches, fetch, FILES, VERSION */
+/* global self, caches, fetch, Request, URL, FILES */
 
 const kCache = 'muster-VERSION';
 const kFiles = FILES;
