@@ -17,10 +17,10 @@ std::string theText;  // The name to save the last export by, or the sentence of
 // The page ends a worker that is to stop.
 EM_JS(void, tellProgress, (double share), { Module["onProgress"](share); });
 
-Result<std::string> writeFile(const std::string& wish, const std::string& path) {
+Result<std::string> writeFile(const std::string& request, const std::string& path) {
     TakeShelf shelf("/takes");
     const ScenarioFolder folder = ScenarioFolder::scan("/scenarios");
-    const auto order = readExportOrder(wish, shelf);
+    const auto order = readExportOrder(request, shelf);
     if (!order.ok()) return order.status();
     const auto clips = [&](const std::string& name, const WorldDef& def) { return folder.clips(name, def); };
     const Status status = writeExport(*order, clips, path, [](double share) {

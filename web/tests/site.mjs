@@ -20,6 +20,7 @@ const kCases = [
   ['scenarios', site.scenarios, ['desktop'], { touch: false }],
   ['takes outlast the page', site.takesStay, ['desktop', 'phone'], { address: kOpen }],
   ['the same hashes as the program', site.sameHashes, ['desktop'], { address: kOpen }],
+  ['links', site.links, ['desktop'], { address: kOpen }],
   ['scrub and trim', takes.scrubAndTrim, ['desktop'], { address: kOpen }],
   ['exports', takes.exports, ['desktop'], { address: kOpen }],
   ['build', build.numbers, ['wide'], { address: kOpen, touch: false, room: true }],

@@ -10,6 +10,11 @@ export function answerBy(engine: Ask | null): void {
   answering = engine;
 }
 
+/** True where the engine answers. */
+export function hasEngine(): boolean {
+  return answering !== null;
+}
+
 export function ask(path: string, init: RequestInit = {}): Promise<Response> {
   return answering ? answering(path, init) : fetch(path, init);
 }

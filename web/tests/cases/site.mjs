@@ -120,6 +120,62 @@ export async function sameHashes(studio) {
   console.log(`measured: a take of the site, replayed by the program: ${stdout.trim().split('\n').at(-1)}`);
 }
 
+/** What lies on the clipboard, as the page writes it. */
+async function copied(studio, press) {
+  await studio.page.evaluate(() => {
+    globalThis.__copied = '';
+    const clipboard = { writeText: async (words) => void (globalThis.__copied = words) };
+    Object.defineProperty(globalThis.navigator, 'clipboard', { value: clipboard, configurable: true });
+  });
+  await press();
+  await studio.until('a link', () => globalThis.__copied !== '');
+  return studio.page.evaluate(() => globalThis.__copied);
+}
+
+/** A place and a take open from links, in a browser that has never been here. */
+export async function links(studio, server) {
+  await record(studio, 1.5);
+  await stop(studio);
+  const take = await copied(studio, () => studio.page.locator('.card-share').click());
+  await studio.page.getByText('nothing is uploaded').waitFor();
+  await studio.shot('site-link');
+  await studio.page.locator('.card-close').click();
+  console.log(`measured: a link to a take of 1.5 s has ${take.length} characters`);
+  await opensElsewhere(studio, take, () => globalThis.__muster.frame.replaying);
+  await studio.page.evaluate(async () => {
+    const { ask } = globalThis.__muster;
+    const place = await (await ask('scenario')).json();
+    place.groups[0].count = 23;
+    await ask('scenario?name=fewer', { method: 'POST', body: JSON.stringify(place) });
+  });
+  await studio.until('fewer people', () => globalThis.__muster.frame.x.length === 23);
+  await studio.page.locator('.scenario-button').click();
+  await studio.page.locator('.place-menu-item', { hasText: 'Save this place' }).click();
+  const place = await copied(studio, () => studio.page.getByRole('button', { name: 'Copy link' }).click());
+  await studio.shot('site-place-link');
+  await opensElsewhere(studio, place, () => globalThis.__muster.frame.x.length === 23);
+  await damaged(studio, `${server.url}#take=${take.split('=')[1].slice(0, 60)}`);
+}
+
+async function opensElsewhere(studio, link, test) {
+  const context = await studio.context.browser().newContext({ viewport: { width: 1280, height: 800 } });
+  const page = await context.newPage();
+  await page.goto(link);
+  await page.waitForFunction(() => (globalThis.__muster?.frame?.groups.length ?? 0) > 0, null, { timeout: 30000 });
+  await page.waitForFunction(test, null, { timeout: 15000 });
+  await context.close();
+}
+
+/** A link that was cut off is told in one sentence, and the studio goes on. */
+async function damaged(studio, link) {
+  const context = await studio.context.browser().newContext({ viewport: { width: 1280, height: 800 } });
+  const page = await context.newPage();
+  await page.goto(link);
+  await page.getByText('The take in this link').waitFor({ timeout: 30000 });
+  await page.waitForFunction(() => (globalThis.__muster?.frame?.groups.length ?? 0) > 0);
+  await context.close();
+}
+
 /** After the first visit the site opens without a network. */
 export async function offline(studio, server) {
   await studio.page.evaluate(() => globalThis.navigator.serviceWorker.ready);

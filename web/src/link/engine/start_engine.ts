@@ -2,6 +2,7 @@
 
 import { answerBy } from '../answers';
 import { problem } from '../../protocol/problem';
+import { openShared, sharedIn } from '../shared_link';
 import type { StudioClient } from '../studio_client';
 import { EngineLink, type EnginePort } from './engine_link';
 
@@ -10,6 +11,16 @@ const makeWorker = (): EnginePort => new Worker(new URL('./engine_worker.ts', im
 /** The scenario that the address asks for: "#scenario=market". */
 function wantedScenario(hash: string): string {
   return new URLSearchParams(hash.replace(/^#/, '')).get('scenario') ?? '';
+}
+
+/** A place or a take inside the address is opened. */
+async function openLink(): Promise<void> {
+  const shared = await sharedIn(location.hash);
+  if (shared) await openShared(shared);
+}
+
+function messageOf(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
 }
 
 /** `folder` of the engine's files, relative to the page. */
@@ -23,4 +34,9 @@ export function startEngine(client: StudioClient, folder: string): void {
   // Keeps the site's files for visits without a network; where the browser has none, it is loaded anew each time.
   void navigator.serviceWorker?.register('service_worker.js').catch(() => undefined);
   client.connectEngine(link.port);
+  const openFragment = (): void => {
+    openLink().catch((error: unknown) => client.tell(problem('link', messageOf(error))));
+  };
+  openFragment();
+  window.addEventListener('hashchange', openFragment);
 }

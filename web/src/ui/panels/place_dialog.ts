@@ -1,5 +1,6 @@
 // The dialog of places: what is saved, templates, import, and saving.
 
+import { canShareLinks, copyLink } from '../../link/shared_link';
 import type { KeptPlace } from '../../model/place_files/kept_place';
 import type { PlaceActions } from '../../model/place_files/place_actions';
 import type { PlacesView } from '../../model/studio_state';
@@ -138,6 +139,13 @@ export class PlaceDialog {
     return bar;
   }
 
+  /** A link that holds the place, on a site. */
+  private shareButton(): HTMLElement {
+    const share = element('button', { type: 'button', class: 'soft' }, icon('link'), 'Copy link');
+    share.addEventListener('click', () => void copyLink('place', 'scenario').then((said) => this.saySaved(said)));
+    return share;
+  }
+
   private saving(): HTMLElement {
     const save = element('button', { type: 'submit', class: 'solid' }, 'Save in this browser');
     const download = element('button', { type: 'button', class: 'soft' }, icon('download'), 'Download .json');
@@ -150,7 +158,7 @@ export class PlaceDialog {
         { class: 'secondary place-note' },
         'The file is a scenario: “muster play” plays it on the command line, to the same end as here after Restart.',
       ),
-      element('div', { class: 'place-acts' }, download, save),
+      element('div', { class: 'place-acts' }, ...(canShareLinks() ? [this.shareButton()] : []), download, save),
       this.saved_,
     );
     const name = (): string => this.name_.value.trim();

@@ -1,6 +1,7 @@
 // The card of a take that has just been kept: picture, name, length, and what can be done with it.
 
 import { showPicture } from '../../link/answers';
+import { canShareLinks, copyLink } from '../../link/shared_link';
 import type { TakeActions } from '../../model/take_actions';
 import { formatLengthOf, takeTitle, type ShelvedTake } from '../../model/take_facts';
 import { element, setText } from '../widgets/dom';
@@ -41,6 +42,8 @@ export class TakeCard {
     'aria-label': 'Take kept',
     hidden: true,
   });
+  private readonly share_ = this.tool('link', 'Copy link', (take) => void this.copyLink(take), 'soft card-share');
+  private readonly said_ = element('p', { class: 'card-said secondary', role: 'status', hidden: true });
   private take_: ShelvedTake | null = null;
   private kind_: CardKind = 'kept';
 
@@ -57,6 +60,7 @@ export class TakeCard {
       this.tool('cut', 'Trim', (take) => actions_.openTake(take.name, true), 'soft card-trim'),
       this.tool('takes', 'Export', (take) => actions_.exportTake(take.name), 'soft card-export'),
       this.tool('download', 'Save file', (take) => actions_.saveTake(take), 'soft card-save'),
+      this.share_,
       this.tool('close', 'Remove', (take) => actions_.removeTake(take), 'soft card-remove'),
     );
     this.undo_.addEventListener('click', () => this.take_ && actions_.restoreTake(this.take_));
@@ -76,6 +80,7 @@ export class TakeCard {
       this.name_,
       this.about_,
       this.tools_,
+      this.said_,
       this.undo_,
     );
   }
@@ -97,6 +102,8 @@ export class TakeCard {
     this.picture_.hidden = picture === '';
     if (picture !== '') showPicture(this.picture_, picture);
     this.name_.disabled = removed;
+    this.share_.hidden = !canShareLinks();
+    this.said_.hidden = true;
     this.tools_.hidden = removed;
     this.undo_.hidden = !removed;
     this.root.hidden = false;
@@ -104,6 +111,13 @@ export class TakeCard {
 
   close(): void {
     this.root.hidden = true;
+  }
+
+  private async copyLink(take: ShelvedTake): Promise<void> {
+    const said = await copyLink('take', `takes/${take.name}`);
+    if (this.take_ !== take) return;
+    setText(this.said_, said);
+    this.said_.hidden = false;
   }
 
   private rename(): void {
