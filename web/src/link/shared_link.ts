@@ -18,11 +18,7 @@ async function through(
   bytes: Uint8Array<ArrayBuffer>,
   stream: GenericTransformStream,
 ): Promise<Uint8Array<ArrayBuffer>> {
-  const answer = new Response(
-    new Blob([bytes])
-      .stream()
-      .pipeThrough(stream),
-  );
+  const answer = new Response(new Blob([bytes]).stream().pipeThrough(stream));
   return new Uint8Array(await answer.arrayBuffer());
 }
 
