@@ -24,4 +24,7 @@ if(TARGET muster_program)
     install(DIRECTORY scenarios DESTINATION ${CMAKE_INSTALL_DATADIR}/muster)
     # The page, where it is built: npm run build in web/, or ./run --build.
     install(DIRECTORY web/dist/ DESTINATION ${CMAKE_INSTALL_DATADIR}/muster/web OPTIONAL)
+    # The engine for browsers, where it is built: ./run -- site, or scripts/wasm.sh.
+    install(DIRECTORY build/wasm/apps/engine/ DESTINATION ${CMAKE_INSTALL_DATADIR}/muster/engine OPTIONAL
+        FILES_MATCHING PATTERN "muster-*.js" PATTERN "muster-*.wasm" PATTERN "CMakeFiles" EXCLUDE)
 endif()
