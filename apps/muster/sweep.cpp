@@ -1,61 +1,31 @@
 // muster sweep
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "base/text_file.h"
 #include "commands.h"
 #include "folders.h"
 #include "muster/parameter_table.h"
 #include "report.h"
+#include "reproduce/experiments/experiment.h"
 #include "reproduce/reproduce.h"
+#include "sweep_parts.h"
 
 namespace muster {
 namespace {
 
 struct SweepOptions {
-    std::string parameter;
-    std::vector<double> values;
+    SweepPlan plan;
     ReproduceDef def;
+    int part = -1;
+    std::string slurm;
+    std::string collect;
     bool json = false;
 };
-
-/// A row of the table: its title, then its value for each setting.
-struct SweepRow {
-    std::string title;
-    std::vector<std::string> cells;
-};
-
-std::string shortText(double value) {
-    if (std::isnan(value)) return "-";
-    char text[32];
-    std::snprintf(text, sizeof(text), "%.4g", value);
-    return text;
-}
-
-/// The rows of one setting; all settings have the same titles in the same order.
-std::vector<SweepRow> rowsOf(const Reproduction& reproduction) {
-    std::vector<SweepRow> rows;
-    for (const ExperimentResult& e : reproduction.experiments) {
-        for (const Verdict& v : e.verdicts) {
-            if (!v.binding) continue;
-            const std::string sign = v.comparison == Comparison::AtLeast ? " (at least " : " (at most ";
-            rows.push_back({e.text.id + ": " + v.criterion + sign + shortText(v.threshold) + ")",
-                            {shortText(v.value) + (v.pass ? "" : " fails")}});
-        }
-        for (const Arm& arm : e.arms) {
-            if (arm.preset != "muster") continue;
-            for (const FigureInfo& figure : e.figures) {
-                const std::string unit = figure.unit.empty() ? "" : " [" + figure.unit + "]";
-                rows.push_back({e.text.id + ", " + arm.title + ": " + figure.title + unit,
-                                {shortText(median(e.samples.values(arm.id, arm.preset, figure.name)))}});
-            }
-        }
-    }
-    return rows;
-}
 
 /// Replaces the bar, which would end the table cell.
 std::string escaped(const std::string& title) {
@@ -70,11 +40,11 @@ bool isEmpty(const SweepRow& row) {
                        [](const std::string& cell) { return cell == "-"; });
 }
 
-void printTable(const SweepOptions& options, const std::vector<SweepRow>& rows) {
-    std::printf("| %s |", options.parameter.c_str());
-    for (const double value : options.values) std::printf(" %s |", shortText(value).c_str());
+void printTable(const SweepPlan& plan, const std::vector<SweepRow>& rows) {
+    std::printf("| %s |", plan.parameter.c_str());
+    for (const double value : plan.values) std::printf(" %.4g |", value);
     std::printf("\n|---|");
-    for (std::size_t i = 0; i < options.values.size(); ++i) std::printf("---|");
+    for (std::size_t i = 0; i < plan.values.size(); ++i) std::printf("---|");
     std::printf("\n");
     for (const SweepRow& row : rows) {
         if (isEmpty(row)) continue;
@@ -84,44 +54,93 @@ void printTable(const SweepOptions& options, const std::vector<SweepRow>& rows) 
     }
 }
 
+int print(const SweepOptions& options, const SweepResults& results) {
+    if (options.json)
+        printJsonValue(results.entries);
+    else
+        printTable(options.plan, results.rows);
+    return kExitOk;
+}
+
+/// The experiments in the order in which they are run; all of them for none.
+std::vector<std::string> orderOf(const std::vector<std::string>& named) {
+    std::vector<std::string> order;
+    for (const auto& experiment : paperExperiments()) {
+        const std::string id = experiment->text().id;
+        if (named.empty() || std::find(named.begin(), named.end(), id) != named.end()) order.push_back(id);
+    }
+    return order;
+}
+
 /// Checks the options before the first of many runs.
 Status check(const SweepOptions& options) {
+    if (options.plan.parameter.empty()) return invalidArgument("PARAMETER is required");
+    if (options.plan.values.empty()) return invalidArgument("--values is required");
     Parameters probe;
-    for (const double value : options.values)
-        if (Status s = setParameter(probe, options.parameter, value); !s.ok()) return s;
-    return checkReproduce(options.def);
+    for (const double value : options.plan.values)
+        if (Status s = setParameter(probe, options.plan.parameter, value); !s.ok()) return s;
+    if (Status s = checkReproduce(options.def); !s.ok()) return s;
+    if (options.part >= 0 && static_cast<std::size_t>(options.part) >= options.plan.parts())
+        return invalidArgument("part is " + std::to_string(options.part) + ", expected 0 to " +
+                               std::to_string(options.plan.parts() - 1));
+    return {};
+}
+
+/// Runs one part and prints its file.
+int runPart(SweepOptions& options) {
+    const auto part = static_cast<std::size_t>(options.part);
+    const double value = options.plan.valueOf(part);
+    options.def.experiments = {options.plan.experimentOf(part)};
+    options.def.settings = {{options.plan.parameter, value}};
+    const auto reproduction = reproduce(options.def, [](const ReproduceProgress&) {});
+    if (!reproduction.ok()) return reportFailure(reproduction.status());
+    SweepResults results;
+    results.add(options.plan, value, *reproduction);
+    std::fputs(sweepPartText(options.plan, part, results).c_str(), stdout);
+    return kExitOk;
+}
+
+int writeSlurm(const SweepOptions& options) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    const std::string program = fs::read_symlink("/proc/self/exe", error).string();
+    const std::string folder = fs::absolute(options.slurm + ".parts", error).string();
+    const std::string script = slurmScript(options.plan, program,
+                                           fs::absolute(options.def.folder, error).string(), folder);
+    if (Status s = writeTextFile(options.slurm, script); !s.ok()) return reportFailure(s);
+    std::printf("Wrote %s with %zu parts. sbatch %s runs them; then: muster sweep --collect %s\n",
+                options.slurm.c_str(), options.plan.parts(), options.slurm.c_str(),
+                (options.slurm + ".parts").c_str());
+    return kExitOk;
+}
+
+int collect(SweepOptions& options) {
+    const auto results = collectSweep(options.collect, options.plan);
+    return results.ok() ? print(options, *results) : reportFailure(results.status());
 }
 
 int sweep(SweepOptions options) {
+    if (!options.collect.empty()) return collect(options);
     if (options.def.folder.empty()) options.def.folder = scenariosFolder() + "/paper";
+    options.plan.experiments = orderOf(options.def.experiments);
+    options.plan.seeds = options.def.seeds;
     if (Status s = check(options); !s.ok()) return reportFailure(s);
-    std::vector<SweepRow> rows;
+    if (!options.slurm.empty()) return writeSlurm(options);
+    if (options.part >= 0) return runPart(options);
+    SweepResults results;
     Progress bar("sweeping");
-    Json results = Json::array();
-    const auto count = static_cast<double>(options.values.size());
-    for (std::size_t k = 0; k < options.values.size(); ++k) {
-        options.def.settings = {{options.parameter, options.values[k]}};
+    const auto count = static_cast<double>(options.plan.values.size());
+    for (std::size_t k = 0; k < options.plan.values.size(); ++k) {
+        const double value = options.plan.values[k];
+        options.def.settings = {{options.plan.parameter, value}};
         const auto reproduction = reproduce(options.def, [&](const ReproduceProgress& p) {
             bar.show((static_cast<double>(k) + static_cast<double>(p.done) / p.of) / count,
                      p.experiment + " " + p.arm);
         });
         if (!reproduction.ok()) return reportFailure(reproduction.status());
-        const std::vector<SweepRow> column = rowsOf(*reproduction);
-        if (k == 0)
-            rows = column;
-        else
-            for (std::size_t i = 0; i < rows.size(); ++i) rows[i].cells.push_back(column[i].cells.front());
-        const auto values = parseJson(resultsJson(*reproduction), "results.json");
-        for (Json entry : values->elements()) {
-            entry[options.parameter] = options.values[k];
-            results.push(std::move(entry));
-        }
+        results.add(options.plan, value, *reproduction);
     }
-    if (options.json)
-        printJsonValue(results);
-    else
-        printTable(options, rows);
-    return kExitOk;
+    return print(options, results);
 }
 
 }  // namespace
@@ -130,11 +149,8 @@ void addSweepCommand(CommandLine& line) {
     Subcommand command = line.add("sweep",
                                   "Runs the paper's experiments with several values of a parameter.");
     auto options = std::make_shared<SweepOptions>();
-    command.option("PARAMETER", options->parameter, "Its name, as muster check --schema lists it.")
-        .required();
-    command.option("--values", options->values, "Its values, separated by commas.")
-        .required()
-        .separatedBy(',');
+    command.option("PARAMETER", options->plan.parameter, "Its name, as muster check --schema lists it.");
+    command.option("--values", options->plan.values, "Its values, separated by commas.").separatedBy(',');
     command
         .option("--experiments", options->def.experiments,
                 "Some of X1 to X11 and X13, separated by commas; without it all.")
@@ -146,6 +162,16 @@ void addSweepCommand(CommandLine& line) {
                 "Runs side by side; 0 takes what the machine has. Results are the same.")
         .range(0, 256);
     command.option("--scenarios", options->def.folder, "Folder of the experiments' scenarios.");
+    const Option slurm = command.option(
+        "--slurm", options->slurm,
+        "Runs nothing: writes this file, a Slurm job array with a task for each value and experiment.");
+    command.option("--part", options->part, "Runs this part only, 0 or more, and prints its file.")
+        .range(0, 1000000)
+        .excludes(slurm);
+    command
+        .option("--collect", options->collect, "Runs nothing: shows the results of the parts in this folder.")
+        .existingFolder()
+        .excludes(slurm);
     command.flag("--json", options->json, "One JSON array on standard output: results.json of every value.");
     command.footer(
         "A table in Markdown: criteria (value against threshold) and figures (median over the seeds) of the "
@@ -153,7 +179,9 @@ void addSweepCommand(CommandLine& line) {
         "What an arm of an experiment sets itself stays as it is.\n"
         "Examples:\n"
         "  muster sweep field.range --values 0.5,1,1.5,2 --experiments X4,X9\n"
-        "  muster sweep density.min --values 0.9,1.3,1.8 --experiments X8 --seeds 5");
+        "  muster sweep density.min --values 0.9,1.3,1.8 --experiments X8 --seeds 5\n"
+        "  muster sweep field.range --values 0.5,1,1.5,2 --slurm sweep.sh && sbatch --wait sweep.sh\n"
+        "  muster sweep --collect sweep.sh.parts");
     command.run([options] { return sweep(*options); });
 }
 

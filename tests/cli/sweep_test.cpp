@@ -1,6 +1,9 @@
 // `muster sweep`, run as a user runs it.
 #include <doctest.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -9,6 +12,7 @@
 #include "cli/program.h"
 
 using namespace muster::testing;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -48,4 +52,42 @@ TEST_CASE("sweep prints a column per value, and a firmer line keeps the right ha
     REQUIRE(rows.size() == 2);
     CHECK(rows[0]["control.softWeight"] == 2);
     CHECK(rows[1]["value"].get<double>() > 1.5 * rows[0]["value"].get<double>());
+}
+
+TEST_CASE("the parts of a sweep, run one by one as Slurm does, give the same table and the same results") {
+    const fs::path script = workFolder() / "sweep here.sh";
+    const std::string what = "sweep control.softWeight --values 2,20 --experiments X2,X1 --seeds 1";
+    const Outcome written = runProgram(what + " --slurm '" + script.string() + "'");
+    REQUIRE_MESSAGE(written.code == 0, written.error);
+    CHECK(slurp(script).find("#SBATCH --array=0-3\n") != std::string::npos);
+    // Slurm runs the tasks in any order.
+    for (const char* task : {"3", "0", "2", "1"}) {
+        const std::string line = std::string("SLURM_ARRAY_TASK_ID=") + task + " bash '" + script.string() +
+                                 "'";
+        REQUIRE(std::system(line.c_str()) == 0);
+    }
+    const std::string folder = script.string() + ".parts";
+    for (const char* form : {"", " --json"}) {
+        const Outcome collected = runProgram("sweep --collect '" + folder + "'" + form);
+        REQUIRE_MESSAGE(collected.code == 0, collected.error);
+        CHECK(collected.out == runProgram(what + form).out);
+    }
+    const auto refusal = [&] {
+        const Outcome outcome = runProgram("sweep --collect '" + folder + "'");
+        CHECK(outcome.code == 1);
+        CHECK(outcome.out.empty());
+        return outcome.error;
+    };
+    fs::rename(folder + "/2.json", folder + "/kept");
+    CHECK(refusal().find("2.json") != std::string::npos);
+    fs::copy_file(folder + "/1.json", folder + "/2.json");
+    CHECK(refusal().find("2.json: is of another sweep than") != std::string::npos);
+    std::ofstream(folder + "/2.json") << "{}";
+    CHECK(refusal().find("2.json: is no part of a sweep") != std::string::npos);
+}
+
+TEST_CASE("parts that do not exist are refused") {
+    const Outcome outcome = runProgram("sweep control.softWeight --values 2,20 --experiments X2 --part 2");
+    CHECK(outcome.code == 1);
+    CHECK(outcome.error.find("part is 2, expected 0 to 1") != std::string::npos);
 }
