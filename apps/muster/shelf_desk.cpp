@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/json.h"
+#include "json/json.h"
 #include "http_answers.h"
 #include "io/take/take_about.h"
 

@@ -29,6 +29,7 @@ void standardRelease(void*, void* memory) {
 constexpr MusterAllocator kStandard{nullptr, standardAllocate, standardRelease};
 // Exchanged as a whole, before other threads use the library.
 constinit MusterAllocator hostAllocator = kStandard;
+constinit bool engineIsCovered = false;
 
 }  // namespace
 
@@ -51,6 +52,10 @@ void releaseToHost(void* block) noexcept {
     head.release(head.context, head.start);
 }
 
+bool coverEngine() noexcept {
+    return engineIsCovered = true;
+}
+
 }  // namespace muster::c_api
 
 using namespace muster;
@@ -69,9 +74,5 @@ MusterStatus muster_set_allocator(const MusterAllocator* allocator) {
 }
 
 bool muster_allocator_covers_engine(void) {
-#ifdef MUSTER_HOST_ALLOCATOR
-    return true;
-#else
-    return false;
-#endif
+    return c_api::engineIsCovered;
 }

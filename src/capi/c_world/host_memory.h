@@ -9,5 +9,7 @@ namespace muster::c_api {
 void* takeFromHost(std::size_t size, std::size_t alignment) noexcept;
 /// Gives a block back to the functions that it came from. Null is fine.
 void releaseToHost(void* block) noexcept;
+/// Notes that operators new and delete of the library use these functions too. Gives true back.
+bool coverEngine() noexcept;
 
 }  // namespace muster::c_api

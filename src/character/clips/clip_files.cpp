@@ -3,7 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "base/json.h"
+#include "json/json.h"
 #include "base/text_file.h"
 #include "character/clips/motion_facts.h"
 #include "character/clips/retarget.h"
