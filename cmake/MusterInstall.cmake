@@ -1,25 +1,54 @@
-# cmake --install, and find_package(muster) for those who link the library.
+# cmake --install, find_package(muster [COMPONENTS core motion io studio]), and pkg-config.
 include(CMakePackageConfigHelpers)
+set(MUSTER_PACKAGE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/muster)
 
-add_library(muster INTERFACE)
-add_library(muster::muster ALIAS muster)
-set(installed muster)
-foreach(module ${MUSTER_MODULES})
-    target_link_libraries(muster INTERFACE muster_${module})
-    list(APPEND installed muster_${module})
+# One file of targets per component, so that nobody needs what only other components need.
+foreach(component ${MUSTER_BUILT_COMPONENTS})
+    list(TRANSFORM MUSTER_MODULES_${component} PREPEND muster_ OUTPUT_VARIABLE modules)
+    install(TARGETS muster_component_${component} ${modules} EXPORT muster_${component}_targets
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(EXPORT muster_${component}_targets NAMESPACE muster:: DESTINATION ${MUSTER_PACKAGE_FOLDER}
+        FILE muster_${component}.cmake)
 endforeach()
-
-install(TARGETS ${installed} EXPORT musterTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+foreach(whole shared archive)
+    if(TARGET muster_${whole})
+        install(TARGETS muster_${whole} EXPORT muster_${whole}_targets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
+            LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+        install(EXPORT muster_${whole}_targets NAMESPACE muster:: DESTINATION ${MUSTER_PACKAGE_FOLDER}
+            FILE muster_${whole}.cmake)
+    endif()
+endforeach()
 install(DIRECTORY include/muster DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(EXPORT musterTargets NAMESPACE muster:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/muster)
-configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/musterConfig.cmake.in
-    ${CMAKE_CURRENT_BINARY_DIR}/musterConfig.cmake
-    INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/muster)
+
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/musterConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/musterConfig.cmake
+    INSTALL_DESTINATION ${MUSTER_PACKAGE_FOLDER})
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/musterConfigVersion.cmake
     COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/musterConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/musterConfigVersion.cmake
-    DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/muster)
+    DESTINATION ${MUSTER_PACKAGE_FOLDER})
+
+# pkg-config, where the library is one file.
+if(MUSTER_BUILD_SHARED OR MUSTER_BUILD_ARCHIVE)
+    set(MUSTER_PC_PRIVATE "-lm ${CMAKE_THREAD_LIBS_INIT}")
+    if(APPLE)
+        string(APPEND MUSTER_PC_PRIVATE " -lc++")
+    else()
+        string(APPEND MUSTER_PC_PRIVATE " -lstdc++")
+    endif()
+    set(MUSTER_PC_REQUIRES "")
+    if(MUSTER_SQLITE_LIBRARY)
+        set(MUSTER_PC_REQUIRES sqlite3)
+    endif()
+    configure_file(${CMAKE_CURRENT_LIST_DIR}/muster.pc.in ${CMAKE_CURRENT_BINARY_DIR}/muster.pc @ONLY)
+    install(FILES ${CMAKE_CURRENT_BINARY_DIR}/muster.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endif()
+
 if(TARGET muster_program)
+    foreach(whole shared archive)
+        if(TARGET muster_${whole})
+            add_dependencies(muster_program muster_${whole})  # Whoever builds the program can install everything.
+        endif()
+    endforeach()
     install(TARGETS muster_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
     install(DIRECTORY scenarios DESTINATION ${CMAKE_INSTALL_DATADIR}/muster)
     # The page, where it is built: npm run build in web/, or ./run --build.

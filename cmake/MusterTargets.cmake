@@ -16,7 +16,13 @@ find_package(Threads REQUIRED)
 # Flags that keep every build bit-identical, and warnings.
 add_library(muster_flags INTERFACE)
 target_compile_features(muster_flags INTERFACE cxx_std_20)
-target_compile_options(muster_flags INTERFACE -ffp-contract=off)
+if(MSVC)
+    # /fp:precise contracts nothing. Nobody has compared the bits of such a build yet.
+    target_compile_options(muster_flags INTERFACE /fp:precise /utf-8 /EHsc /permissive-)
+    target_compile_definitions(muster_flags INTERFACE NOMINMAX _CRT_SECURE_NO_WARNINGS)
+else()
+    target_compile_options(muster_flags INTERFACE -ffp-contract=off)
+endif()
 # g++ 12 joins multiplications and alternating additions of neighbouring numbers to one rounding (vfmaddsub) whatever
 # -ffp-contract says, where the processor can: so it is told that this one cannot.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE}" MATCHES "-m(arch|fma|avx)"
@@ -30,7 +36,11 @@ target_compile_options(muster_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fno-tree
 target_compile_options(muster_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
 target_compile_definitions(muster_flags INTERFACE EIGEN_DONT_VECTORIZE EIGEN_MPL2_ONLY)
 add_library(muster_warnings INTERFACE)
-target_compile_options(muster_warnings INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion)
+if(MSVC)
+    target_compile_options(muster_warnings INTERFACE /W3)
+else()
+    target_compile_options(muster_warnings INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion)
+endif()
 
 if(MUSTER_SANITIZE)
     add_compile_options(-fsanitize=${MUSTER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
@@ -44,16 +54,41 @@ add_library(muster_eigen INTERFACE)
 if(MUSTER_DEPS_INCLUDE)
     target_include_directories(muster_eigen SYSTEM INTERFACE ${MUSTER_DEPS_INCLUDE} ${MUSTER_DEPS_INCLUDE}/eigen3)
 else()
-    target_include_directories(muster_eigen SYSTEM INTERFACE /usr/include/eigen3)
+    find_path(MUSTER_EIGEN_INCLUDE Eigen/SparseCholesky PATH_SUFFIXES eigen3 REQUIRED)
+    target_include_directories(muster_eigen SYSTEM INTERFACE ${MUSTER_EIGEN_INCLUDE})
 endif()
 
 set(MUSTER_MODULES "" CACHE INTERNAL "")
+set(MUSTER_KNOWN_COMPONENTS "" CACHE INTERNAL "")
+set(MUSTER_BUILT_COMPONENTS "" CACHE INTERNAL "")
+
+# muster_component(name [NEEDS component...]): the modules that follow are parts of it. They are built where MUSTER_COMPONENTS
+# names it.
+function(muster_component name)
+    cmake_parse_arguments(COMPONENT "" "" "NEEDS" ${ARGN})
+    set(MUSTER_COMPONENT ${name} PARENT_SCOPE)
+    set(MUSTER_KNOWN_COMPONENTS ${MUSTER_KNOWN_COMPONENTS} ${name} CACHE INTERNAL "")
+    set(MUSTER_NEEDS_${name} "${COMPONENT_NEEDS}" CACHE INTERNAL "")
+    set(MUSTER_MODULES_${name} "" CACHE INTERNAL "")
+    if(NOT name IN_LIST MUSTER_COMPONENTS)
+        return()
+    endif()
+    foreach(needed ${COMPONENT_NEEDS})
+        if(NOT needed IN_LIST MUSTER_COMPONENTS)
+            message(FATAL_ERROR "component ${name} needs ${needed}, which MUSTER_COMPONENTS does not name")
+        endif()
+    endforeach()
+    set(MUSTER_BUILT_COMPONENTS ${MUSTER_BUILT_COMPONENTS} ${name} CACHE INTERNAL "")
+endfunction()
 
 # muster_headers(name folder header...): what those that use the module may include. Its folder and its installed headers
 # are linked into a folder of their own, build/headers/<name>, so that nobody finds headers of modules that they do not use.
 function(muster_headers name folder)
     set(inside ${PROJECT_BINARY_DIR}/headers/${name}/inside)
     set(outside ${PROJECT_BINARY_DIR}/headers/${name}/outside)
+    if(CMAKE_HOST_WIN32)
+        return()  # Links need rights there: muster_module() gives the whole folders instead.
+    endif()
     file(REMOVE_RECURSE ${inside} ${outside})
     get_filename_component(place ${folder} NAME)
     get_filename_component(parent ${folder} DIRECTORY)
@@ -61,6 +96,8 @@ function(muster_headers name folder)
     file(MAKE_DIRECTORY ${inside}/${path} ${outside}/muster)
     file(CREATE_LINK ${folder} ${inside}/${path}/${place} SYMBOLIC)
     foreach(header ${ARGN})
+        get_filename_component(below ${header} DIRECTORY)
+        file(MAKE_DIRECTORY ${outside}/muster/${below})
         file(CREATE_LINK ${PROJECT_SOURCE_DIR}/include/muster/${header}.h ${outside}/muster/${header}.h SYMBOLIC)
     endforeach()
 endfunction()
@@ -69,8 +106,14 @@ endfunction()
 # third of the time. For what surrounds the engine: its own modules are compiled file by file, so that one that is edited is soon
 # there, and so that their speed does not depend on what stands beside them.
 function(muster_compile_together)
-    if(MUSTER_COMPILE_TOGETHER AND NOT CMAKE_UNITY_BUILD)
-        set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    set(there "")
+    foreach(target ${ARGN})
+        if(TARGET ${target})
+            list(APPEND there ${target})
+        endif()
+    endforeach()
+    if(there AND MUSTER_COMPILE_TOGETHER AND NOT CMAKE_UNITY_BUILD)
+        set_target_properties(${there} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
     endif()
 endfunction()
 
@@ -79,21 +122,34 @@ endfunction()
 function(muster_module path)
     cmake_parse_arguments(MODULE "" "" "HEADERS;USES" ${ARGN})
     get_filename_component(name ${path} NAME)
+    if(NOT MUSTER_COMPONENT IN_LIST MUSTER_COMPONENTS)
+        return()
+    endif()
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${path}/*.cpp)
     set(MUSTER_FOLDER_ROOT ${PROJECT_SOURCE_DIR}/src)
     muster_headers(${name} ${PROJECT_SOURCE_DIR}/src/${path} ${MODULE_HEADERS})
 
+    set(inside ${PROJECT_BINARY_DIR}/headers/${name}/inside)
+    set(outside ${PROJECT_BINARY_DIR}/headers/${name}/outside)
+    if(CMAKE_HOST_WIN32)
+        set(inside ${PROJECT_SOURCE_DIR}/src)
+        set(outside ${PROJECT_SOURCE_DIR}/include)
+    endif()
+
     # For Muster's own code: all headers of the module, and of those that it uses.
     add_library(muster_${name}_inside INTERFACE)
-    target_include_directories(muster_${name}_inside INTERFACE
-        ${PROJECT_BINARY_DIR}/headers/${name}/inside ${PROJECT_BINARY_DIR}/headers/${name}/outside)
+    target_include_directories(muster_${name}_inside INTERFACE ${inside} ${outside})
 
     # For everybody: its installed headers.
     add_library(muster_${name} STATIC ${sources})
-    add_library(muster::${name} ALIAS muster_${name})
-    set_target_properties(muster_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
-    target_include_directories(muster_${name} PUBLIC
-        $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/headers/${name}/outside> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+    set(outer ${name})
+    if(name IN_LIST MUSTER_KNOWN_COMPONENTS)
+        set(outer ${name}_module)  # The plain name is the component's.
+    endif()
+    add_library(muster::${outer} ALIAS muster_${name})
+    set_target_properties(muster_${name} PROPERTIES EXPORT_NAME ${outer} POSITION_INDEPENDENT_CODE ON)
+    target_include_directories(muster_${name} PUBLIC $<BUILD_INTERFACE:${outside}>
+        $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
     target_compile_features(muster_${name} PUBLIC cxx_std_20)
     target_link_libraries(muster_${name} PRIVATE $<BUILD_INTERFACE:muster_${name}_inside>
         $<BUILD_INTERFACE:muster_flags> $<BUILD_INTERFACE:muster_warnings> $<BUILD_INTERFACE:muster_eigen>)
@@ -108,6 +164,7 @@ function(muster_module path)
         target_link_libraries(muster_${name} PUBLIC Threads::Threads)
     endif()
     set(MUSTER_MODULES ${MUSTER_MODULES} ${name} CACHE INTERNAL "")
+    set(MUSTER_MODULES_${MUSTER_COMPONENT} ${MUSTER_MODULES_${MUSTER_COMPONENT}} ${name} CACHE INTERNAL "")
 endfunction()
 
 # muster_compile_small(target...): for browsers, code in which a step spends little of its time is made small: it is loaded

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "base/json.h"
+#include "json/json.h"
 #include "muster/own_clips.h"
 #include "zip_file.h"
 

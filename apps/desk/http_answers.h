@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "base/json.h"
 #include "http_answer.h"
+#include "json/json.h"
 #include "muster/status.h"
 
 namespace muster {

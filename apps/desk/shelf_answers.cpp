@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "base/json.h"
 #include "http_answers.h"
 #include "io/take/take_about.h"
+#include "json/json.h"
 
 namespace muster {
 namespace {

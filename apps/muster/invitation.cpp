@@ -11,7 +11,7 @@
 #include <random>
 #include <utility>
 
-#include "base/json.h"
+#include "json/json.h"
 
 namespace muster {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "base/json.h"
+#include "json/json.h"
 #include "base/stopwatch.h"
 #include "muster/status.h"
 #include "muster/world_def.h"

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "base/json.h"
+#include "json/json.h"
 #include "http_answers.h"
 
 namespace muster {

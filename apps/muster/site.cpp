@@ -2,9 +2,9 @@
 #include <cstdio>
 #include <memory>
 
-#include "base/json.h"
 #include "commands.h"
 #include "folders.h"
+#include "json/json.h"
 #include "report.h"
 #include "site_writer.h"
 

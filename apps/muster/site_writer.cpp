@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "base/hash.h"
-#include "base/json.h"
 #include "base/text_file.h"
+#include "json/json.h"
 #include "muster/scenario.h"
 
 namespace muster {

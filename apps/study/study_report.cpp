@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <set>
 
-#include "base/json.h"
+#include "json/json.h"
 #include "base/text_file.h"
 #include "report/markup.h"
 #include "report/page_style.h"

@@ -7,6 +7,10 @@
 #include <thread>
 #include <vector>
 
+#ifdef _MSC_VER
+#include <intrin.h>
+#endif
+
 namespace muster {
 namespace {
 
@@ -15,9 +19,11 @@ namespace {
 constexpr std::int32_t kSpins = 3000;
 
 void relax() {
-#if defined(__x86_64__) || defined(__i386__)
+#if defined(_MSC_VER) && (defined(_M_X64) || defined(_M_IX86))
+    _mm_pause();
+#elif defined(__GNUC__) && (defined(__x86_64__) || defined(__i386__))
     __builtin_ia32_pause();
-#elif defined(__aarch64__)
+#elif defined(__GNUC__) && defined(__aarch64__)
     asm volatile("yield");
 #endif
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "base/json.h"
+#include "json/json.h"
 #include "io/scenario/describe_units.h"
 #include "world/inspect.h"
 

@@ -2,7 +2,7 @@
 
 #include "base/colour_text.h"
 #include "base/hash.h"
-#include "base/json.h"
+#include "json/json.h"
 #include "environment/environment.h"
 #include "io/scenario/describe_shapes.h"
 #include "io/scenario/describe_units.h"

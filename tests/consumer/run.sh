@@ -24,7 +24,7 @@ build_samples() {
         for folder in "$work"/samples/*/; do echo "add_subdirectory($(basename "$folder"))"; done
     } >"$work/samples/CMakeLists.txt"
     cmake -S "$work/samples" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$work/prefix" \
-        -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror" >/dev/null && cmake --build "$work/build"
+        -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror" -DCMAKE_C_FLAGS="-pedantic -Wall -Wextra -Werror" >/dev/null && cmake --build "$work/build"
 }
 
 # Every installed header compiles alone, and exactly those of include/muster are installed.
@@ -57,6 +57,66 @@ lockstep_in_trouble() {
     [ $((code + $?)) -gt 0 ] && cat "$out/west" "$out/east" | grep -q 'differ after step 1$'
 }
 
+# Every header of the C API compiles alone as C99 with every compiler that is there.
+c_headers_alone() {
+    local compiler header
+    for compiler in gcc clang clang-14; do
+        command -v "$compiler" >/dev/null || continue
+        for header in muster.h $(cd "$work/prefix/include/muster" && ls c/*.h); do
+            echo "#include <muster/$header>" | "$compiler" -std=c99 -pedantic -Wall -Wextra -Wconversion -Werror -fsyntax-only \
+                -I "$work/prefix/include" -x c - || { echo "$compiler: $header"; return 1; }
+        done
+    done
+}
+
+# The shared library shows the C API and nothing else, and every function that the headers declare.
+symbols_hidden() {
+    nm -D --defined-only "$work/prefix/lib/libmuster.so" | awk '{print $3}' | sort >"$work/shown"
+    grep -ohE '\bmuster_[a-z0-9_]+\(' "$work"/prefix/include/muster/c/*.h | tr -d '(' | grep -v '_\.\.\.' | sort -u >"$work/declared"
+    [ -s "$work/declared" ] && diff "$work/declared" "$work/shown"
+}
+
+# The C sample by pkg-config, with the shared library and with the static one, and with clang: the same line each time.
+by_pkg_config() {
+    export PKG_CONFIG_PATH=$work/prefix/lib/pkgconfig
+    local flags="-std=c99 -pedantic -Wall -Wextra -Werror" source=$root/samples/c_hello/main.c compiler
+    for compiler in gcc clang; do
+        command -v "$compiler" >/dev/null || continue
+        # shellcheck disable=SC2046,SC2086
+        "$compiler" $flags "$source" $(pkg-config --cflags --libs muster) -o "$work/hello_shared" || return 1
+        # shellcheck disable=SC2046,SC2086
+        "$compiler" $flags "$source" $(pkg-config --cflags muster) "$work/prefix/lib/libmuster.a" \
+            $(pkg-config --static --libs-only-l muster | sed 's/-lmuster//') -o "$work/hello_static" || return 1
+        diff <(LD_LIBRARY_PATH=$work/prefix/lib "$work/hello_shared") <("$work/hello_static") || return 1
+    done
+}
+
+# find_package with components: what was not built is refused with a sentence; core looks for no SQLite.
+components() {
+    mkdir -p "$work/components"
+    cat >"$work/components/CMakeLists.txt" <<'TEXT'
+cmake_minimum_required(VERSION 3.25)
+project(components LANGUAGES CXX)
+find_package(muster 0.1 REQUIRED COMPONENTS ${WANTED})
+if(TARGET SQLite::SQLite3)
+    message("SQLite was looked for")
+endif()
+foreach(component core motion io studio)
+    if(TARGET muster::${component})
+        message("component ${component}")
+    endif()
+endforeach()
+TEXT
+    local configure=(cmake -S "$work/components" -B "$work/components/build" -DCMAKE_PREFIX_PATH="$work/prefix")
+    local core motion none
+    core=$("${configure[@]}" -DWANTED=core 2>&1) || return 1
+    motion=$("${configure[@]}" "-DWANTED=core;motion" 2>&1) || return 1
+    none=$("${configure[@]}" -DWANTED=engine 2>&1) && return 1
+    grep -q 'component core' <<<"$core" && ! grep -q 'SQLite was\|component motion' <<<"$core" &&
+        grep -q 'component motion' <<<"$motion" && ! grep -q 'SQLite was\|component io' <<<"$motion" &&
+        grep -q 'found no component engine' <<<"$none"
+}
+
 # The installed program, its scenarios and, where it was built, its page.
 try_program() {
     local program=$work/prefix/bin/muster studio
@@ -84,6 +144,10 @@ check "lockstep in trouble" lockstep_in_trouble 2>/dev/null
 [ ! -d "$work/sdl_game.out" ] || check "the game's picture" test -s "$work/sdl_game.out/sdl_game.bmp"
 check "the exported file" test -s "$work/record_export.out/sample.glb"
 check "the installed headers" headers_alone
+check "the headers of the C API" c_headers_alone
+check "the symbols of the shared library" symbols_hidden
+check "pkg-config" by_pkg_config
+check "components" components
 check "the installed program" try_program
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "base/json.h"
+#include "json/json.h"
 #include "base/text_file.h"
 
 using namespace muster;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "base/json.h"
+#include "json/json.h"
 #include "muster/scenario.h"
 #include "session/fake_client.h"
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "base/json.h"
+#include "json/json.h"
 #include "base/text_file.h"
 #include "muster/scenario.h"
 #include "report/markup.h"

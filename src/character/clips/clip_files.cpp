@@ -4,10 +4,10 @@
 #include <filesystem>
 
 #include "base/appearance_words.h"
-#include "base/json.h"
 #include "base/text_file.h"
 #include "character/clips/motion_facts.h"
 #include "character/clips/retarget.h"
+#include "json/json.h"
 #include "muster/clip.h"
 
 namespace muster {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "base/gltf.h"
-#include "base/json.h"
+#include "json/json.h"
 
 namespace muster {
 

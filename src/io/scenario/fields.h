@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "base/json.h"
+#include "json/json.h"
 #include "muster/formation.h"
 #include "muster/vec2.h"
 

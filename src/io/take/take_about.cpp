@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/json.h"
+#include "json/json.h"
 
 namespace muster {
 namespace {

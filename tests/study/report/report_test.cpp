@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "base/json.h"
+#include "json/json.h"
 #include "study/study_export.h"
 #include "study/study_report.h"
 

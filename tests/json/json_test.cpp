@@ -1,5 +1,5 @@
 // JSON values, read and written.
-#include "base/json.h"
+#include "json/json.h"
 
 #include <doctest.h>
 

@@ -1,6 +1,6 @@
 // Writing JSON.
-#include "base/json.h"
-#include "base/json_number.h"
+#include "json/json.h"
+#include "json/json_number.h"
 
 namespace muster {
 namespace {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/json.h"
-#include "base/json_number.h"
+#include "json/json.h"
+#include "json/json_number.h"
 
 namespace muster {
 namespace {

@@ -1,0 +1,197 @@
+/* Units and orders: what characters are, what groups are to do, and how they behave meanwhile. */
+#ifndef MUSTER_C_ORDERS_H
+#define MUSTER_C_ORDERS_H
+
+#include "muster/c/ground.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef uint32_t MusterObstacleId;    ///< Names an obstacle of a world; 0 for none. It is not used again.
+typedef uint32_t MusterPatchId;       ///< Names a patch of a world; 0 for none.
+typedef uint32_t MusterGroupId;       ///< Names a group of a world; 0 for none.
+typedef uint32_t MusterItemId;        ///< Names an item of a world; 0 for none.
+typedef uint32_t MusterCheckpointId;  ///< Names a formation checkpoint of a world; 0 for none.
+typedef uint32_t MusterControlId;     ///< Names a control of a world; 0 for none.
+typedef uint32_t MusterCharacterId;   ///< Names a character of a world; 0 for none.
+typedef uint32_t MusterOrderId;       ///< Names an order in a queue; 0 for none.
+
+/// The body of a character. A number of 0 stands for the parameter of that name.
+typedef struct MusterBody {
+    double radius;        ///< Radius [m], 0 or 0.05 to 1.5.
+    double maxSpeed;      ///< Top speed in the open [m/s], 0 or 0.01 to 50.
+    double acceleration;  ///< Top acceleration [m/s^2], 0 or 0.01 to 1000.
+    double mass;          ///< Mass in bodies of the usual mass, 0.01 to 1000: who is heavy gives way less.
+    double supply;        ///< Units that it supplies to places, above 0 and at most 1000.
+    uint8_t unitClass;    ///< Class, for roles; 0 for none.
+} MusterBody;
+
+/// A body by the parameters, of mass and supply 1.
+MUSTER_API MusterBody muster_default_body(void);
+
+/// Parts of a formation.
+typedef uint8_t MusterRoleArea;
+/// Values of MusterRoleArea.
+enum MusterRoleAreaValue {
+    MUSTER_ROLE_FRONT = 0,        ///< The foremost places.
+    MUSTER_ROLE_REAR = 1,         ///< The hindmost.
+    MUSTER_ROLE_RIM = 2,          ///< Those nearest to the outline.
+    MUSTER_ROLE_CENTRE = 3,       ///< Those nearest to the middle.
+    MUSTER_ROLE_LEFT_FLANK = 4,   ///< Those farthest to the left.
+    MUSTER_ROLE_RIGHT_FLANK = 5,  ///< Those farthest to the right.
+    MUSTER_ROLE_FLANKS = 6        ///< Those farthest from the middle line.
+};
+
+/// Characters of a class take their places in a part of the formation.
+typedef struct MusterRoleDef {
+    MusterRoleArea area;  ///< Where.
+    uint8_t unitClass;    ///< Who, 1 or more.
+} MusterRoleDef;
+
+/// Who moves a character.
+typedef uint8_t MusterDriver;
+/// Values of MusterDriver.
+enum MusterDriverValue {
+    MUSTER_DRIVER_MUSTER = 0,  ///< Steering and contacts.
+    MUSTER_DRIVER_OUTSIDE = 1  ///< The host, by the command WriteMotion. Others keep clear of it.
+};
+
+/// How a group is divided.
+typedef uint8_t MusterSplitBy;
+/// Values of MusterSplitBy.
+enum MusterSplitByValue {
+    MUSTER_SPLIT_BY_IDS = 0,    ///< Those with the given ids leave.
+    MUSTER_SPLIT_BY_LINE = 1,   ///< Those to the left of a line leave, as their places lie.
+    MUSTER_SPLIT_BY_LASSO = 2,  ///< Those whose places lie in a polygon leave.
+    MUSTER_SPLIT_BY_SHARES = 3  ///< Parts of given shares, front to back, or left to right.
+};
+
+/// The formation of parts.
+typedef uint8_t MusterPartShape;
+/// Values of MusterPartShape.
+enum MusterPartShapeValue {
+    MUSTER_PART_AS_HELD = 0,  ///< The places that they had.
+    MUSTER_PART_SMALLER = 1   ///< The shape of the whole, for fewer.
+};
+
+/// What an order asks for.
+typedef uint8_t MusterOrderKind;
+/// Values of MusterOrderKind.
+enum MusterOrderKindValue {
+    MUSTER_ORDER_MOVE = 0,    ///< Go to `target`, by `route` if one is given.
+    MUSTER_ORDER_FACE = 1,    ///< Turn to `facing` where it stands.
+    MUSTER_ORDER_FOLLOW = 2,  ///< Keep at `offset` from a group or a character, until the next order.
+    MUSTER_ORDER_GUARD = 3    ///< Stand round a rectangle, which may move, until the next order.
+};
+
+/// How a group goes to its target.
+typedef uint8_t MusterManner;
+/// Values of MusterManner.
+enum MusterMannerValue {
+    MUSTER_MANNER_MARCH = 0,     ///< In formation: the shape goes along the way and waits for the last.
+    MUSTER_MANNER_FREE = 1,      ///< Each by the shortest way; the shape at the end.
+    MUSTER_MANNER_CONTINUUM = 2  ///< All to `target` itself, by one cost field: no shape, no places.
+};
+
+/// How a marching formation takes its turns.
+typedef uint8_t MusterTurn;
+/// Values of MusterTurn.
+enum MusterTurnValue {
+    MUSTER_TURN_WHEEL = 0,    ///< It faces along its way, and turns at a bounded rate.
+    MUSTER_TURN_REVERSE = 1,  ///< As Wheel, but where the way leads back its rear becomes its front.
+    MUSTER_TURN_KEEP = 2      ///< It faces one way until it has arrived, and then turns to `facing`.
+};
+
+/// One order of a group.
+typedef struct MusterOrder {
+    uint32_t structVersion;   ///< Set by muster_default_order().
+    MusterOrderKind kind;     ///< What it asks for.
+    MusterManner manner;      ///< How it goes.
+    MusterTurn turn;          ///< How it turns on a march.
+    MusterVec2 target;        ///< Centre of the formation at the end; of the rectangle for Guard [m].
+    bool hasFacing;           ///< False: the heading of the last stretch.
+    double facing;            ///< Heading at the end [rad].
+    double width;             ///< Width of the front in ranks [m]; 0 for the formation's own.
+    const MusterVec2* route;  ///< Drawn way to the target [m]; followed as drawn, round obstacles.
+    int32_t routeCount;       ///< Number of its points.
+    const MusterFormationDef* formation;  ///< New formation, which is taken up on the way; null to keep it.
+    double pace;                          ///< Speed of a march [m/s]; 0 for as fast as all can keep up with.
+    double share;                 ///< Share that must have arrived before the next order begins, (0, 1].
+    MusterGroupId group;          ///< For Follow and Guard: the group to stay with; 0 for none.
+    MusterCharacterId character;  ///< For Follow and Guard: the character to stay with; 0 for none.
+    MusterVec2 offset;            ///< For Follow: from its centre to the formation's, in its axes [m].
+    MusterVec2 halfSize;          ///< For Guard: half the length and half the width [m].
+    MusterTimedPath path;         ///< For Guard: how the rectangle moves from `target` on.
+} MusterOrder;
+
+/// A move to the origin.
+MUSTER_API MusterOrder muster_default_order(void);
+/// Takes up a front from `left` to `right` [m]: its middle, width and facing.
+MUSTER_API MusterOrder muster_order_to_line(MusterVec2 left, MusterVec2 right);
+
+/// Where a new order stands in a queue.
+typedef uint8_t MusterQueueMode;
+/// Values of MusterQueueMode.
+enum MusterQueueModeValue {
+    MUSTER_QUEUE_REPLACE = 0,  ///< It takes the place of all others.
+    MUSTER_QUEUE_APPEND = 1,   ///< It comes last.
+    MUSTER_QUEUE_INSERT = 2    ///< It comes before the order of a given index.
+};
+
+/// Changes of a queue.
+typedef uint8_t MusterQueueEdit;
+/// Values of MusterQueueEdit.
+enum MusterQueueEditValue {
+    MUSTER_EDIT_CANCEL = 0,      ///< Drops one order, or all.
+    MUSTER_EDIT_HOLD = 1,        ///< The group waits where it is; the queue stays.
+    MUSTER_EDIT_RESUME = 2,      ///< It goes on.
+    MUSTER_EDIT_PATROL = 3,      ///< Orders that are done come last again.
+    MUSTER_EDIT_END_PATROL = 4,  ///< They do not.
+    MUSTER_EDIT_STOP = 5         ///< Drops all orders, ends all controls, and the group stands where it is.
+};
+
+/// Who makes room where groups meet.
+typedef uint8_t MusterStance;
+/// Values of MusterStance.
+enum MusterStanceValue {
+    MUSTER_STANCE_NORMAL = 0,  ///< Each as much as the other.
+    MUSTER_STANCE_HOLD = 1,    ///< It holds its ground: others go round it.
+    MUSTER_STANCE_YIELD = 2    ///< It makes room for others.
+};
+
+/// How a group behaves, whatever its orders.
+typedef struct MusterConduct {
+    MusterStance stance;  ///< Who makes room.
+    double cohesion;      ///< 0: everybody walks at their own pace; 1: at that of the slowest, [0, 1].
+    double squeeze;       ///< Share of its width that it may give up in narrow passages, [0, 1]; 0 for none.
+    bool avoids;          ///< True: its mesh gives way to other meshes and to moving obstacles.
+} MusterConduct;
+
+/// Everybody at their own pace, any squeeze.
+MUSTER_API MusterConduct muster_default_conduct(void);
+
+/// An order in a group's queue.
+typedef struct MusterQueuedOrder {
+    MusterOrderId id;   ///< Unique in the world; it is not used again.
+    MusterOrder order;  ///< What is to be done.
+} MusterQueuedOrder;
+
+/// What would come of an order.
+typedef struct MusterForecast {
+    uint32_t structVersion;  ///< Set by muster_default_forecast().
+    bool arrives;            ///< True where the target can be reached.
+    const MusterVec2* way;   ///< The way of the formation's centre, both ends included [m].
+    int32_t wayCount;        ///< Number of its points.
+    MusterVec2 end;  ///< Where the formation would stand: the target, or the nearest ground to it [m].
+    double seconds;  ///< Time until it would arrive [s]; infinite where it never does.
+} MusterForecast;
+
+/// Nothing yet: to be filled by muster_world_forecast().
+MUSTER_API MusterForecast muster_default_forecast(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
