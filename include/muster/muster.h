@@ -18,6 +18,10 @@
 #ifndef MUSTER_MUSTER_H
 #define MUSTER_MUSTER_H
 
+#include "muster/c/bvh.h"
+#include "muster/c/motion.h"
+#include "muster/c/scenario.h"
+#include "muster/c/take.h"
 #include "muster/c/world.h"
 
 #endif

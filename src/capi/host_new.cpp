@@ -1,5 +1,5 @@
-// Operators new and delete that take memory from the host. Only in a shared library that holds its own copy of
-// the C++ library (MUSTER_HOST_ALLOCATOR): there nobody else's memory meets them.
+// Operators new and delete that take memory from the host. Only in a shared library that holds its own copy
+// of the C++ library (MUSTER_HOST_ALLOCATOR): there nobody else's memory meets them.
 #include <cstddef>
 #include <new>
 

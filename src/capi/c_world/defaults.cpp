@@ -1,7 +1,7 @@
 // Defaults: those of the engine's definitions, so that none stands twice. Names, paths, formations.
 #include "capi/c_world/layout.h"
 #include "capi/c_world/world_fields.h"
-#include "muster/muster.h"
+#include "muster/c/world.h"
 
 namespace muster::c_api {
 

@@ -1,5 +1,5 @@
 // The numbers of the C API are those of the engine.
-#include "muster/muster.h"
+#include "muster/c/world.h"
 #include "muster/parameters.h"
 #include "muster/world.h"
 

@@ -1,7 +1,7 @@
 // Formations by name, timed paths, maps.
 #include "capi/c_world/handle_table.h"
 #include "capi/c_world/world_fields.h"
-#include "muster/muster.h"
+#include "muster/c/world.h"
 
 namespace muster::c_api {
 namespace {
