@@ -114,9 +114,9 @@ TEST_SUITE("misuse of the C API") {
         command.body.setFormation.formation.kind = 200;
         CHECK(muster_command_validate(&command) == MUSTER_INVALID_ARGUMENT);
         CHECK(lastError() == "command: SetFormation: formation: kind: found 200, expected 0 to 9");
-        command.kind = 42;
+        command.kind = MUSTER_COMMAND_COUNT;
         CHECK(muster_command_validate(&command) == MUSTER_INVALID_ARGUMENT);
-        CHECK(lastError() == "command: kind: found 42, expected 0 to 41");
+        CHECK(lastError() == "command: kind: found 43, expected 0 to 42");
         CHECK(muster_world_create(&def, -1, &world) == MUSTER_INVALID_ARGUMENT);
         CHECK(lastError() == "threads: found -1, expected 0 to 256");
         BothWorlds both(makeDef());

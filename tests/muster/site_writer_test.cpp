@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <string>
 
-#include "json/json.h"
 #include "base/text_file.h"
+#include "json/json.h"
 
 using namespace muster;
 namespace fs = std::filesystem;
