@@ -37,7 +37,8 @@ function(muster_whole_library target)
         $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 endfunction()
 
-if(MUSTER_BUILD_SHARED)
+# In browsers there are no shared libraries.
+if(MUSTER_BUILD_SHARED AND NOT EMSCRIPTEN)
     add_library(muster_shared SHARED ${MUSTER_OBJECTS})
     add_library(muster::shared ALIAS muster_shared)
     muster_whole_library(muster_shared)
