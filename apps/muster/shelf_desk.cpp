@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "json/json.h"
 #include "http_answers.h"
 #include "io/take/take_about.h"
+#include "json/json.h"
 
 namespace muster {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string>
 
-#include "json/json.h"
 #include "io/scenario/describe_units.h"
+#include "json/json.h"
 #include "world/inspect.h"
 
 namespace muster {

@@ -2,10 +2,10 @@
 
 #include "base/colour_text.h"
 #include "base/hash.h"
-#include "json/json.h"
 #include "environment/environment.h"
 #include "io/scenario/describe_shapes.h"
 #include "io/scenario/describe_units.h"
+#include "json/json.h"
 #include "muster/formation.h"
 #include "muster/parameter_table.h"
 #include "session/group_body.h"

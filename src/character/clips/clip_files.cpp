@@ -3,10 +3,10 @@
 #include <cmath>
 #include <filesystem>
 
-#include "json/json.h"
 #include "base/text_file.h"
 #include "character/clips/motion_facts.h"
 #include "character/clips/retarget.h"
+#include "json/json.h"
 #include "muster/clip.h"
 
 namespace muster {
