@@ -30,45 +30,51 @@ foreach(component core motion io)
     endforeach()
 endforeach()
 
-# Headers, threads and SQLite of a library in one file.
+# What libraries in one file share.
 function(muster_whole_library target)
-    set_target_properties(${target} PROPERTIES OUTPUT_NAME muster LINKER_LANGUAGE CXX)
+    set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX)
     target_include_directories(${target} INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
         $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 endfunction()
 
+# muster_shared_library(target): a shared library that shows the C API and nothing else. MSVC shows what is declared so, and
+# no more.
+function(muster_shared_library target)
+    add_library(${target} SHARED ${MUSTER_OBJECTS})
+    muster_whole_library(${target})
+    target_compile_definitions(${target} INTERFACE MUSTER_SHARED=1)
+    target_link_libraries(${target} PRIVATE Threads::Threads ${MUSTER_SQLITE_LIBRARY})
+    if(APPLE)
+        target_link_options(${target} PRIVATE "LINKER:-exported_symbol,_muster_*")
+    elseif(UNIX)
+        set(symbols ${PROJECT_SOURCE_DIR}/cmake/muster_symbols.map)
+        target_link_options(${target} PRIVATE "LINKER:--version-script=${symbols}" "LINKER:--exclude-libs,ALL")
+        set_target_properties(${target} PROPERTIES LINK_DEPENDS ${symbols})
+    endif()
+endfunction()
+
+# muster_cover_engine(target): operators new and delete of the library's own, and of its own copy of the C++ library.
+function(muster_cover_engine target)
+    target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src/capi/host_new.cpp)
+    target_link_libraries(${target} PRIVATE muster_flags muster_warnings muster_c_world_inside)
+    target_link_options(${target} PRIVATE -static-libstdc++ -static-libgcc)
+endfunction()
+
 # In browsers there are no shared libraries.
 if(MUSTER_BUILD_SHARED AND NOT EMSCRIPTEN)
-    add_library(muster_shared SHARED ${MUSTER_OBJECTS})
+    muster_shared_library(muster_shared)
     add_library(muster::shared ALIAS muster_shared)
-    muster_whole_library(muster_shared)
-    set_target_properties(muster_shared PROPERTIES EXPORT_NAME shared VERSION ${PROJECT_VERSION}
+    set_target_properties(muster_shared PROPERTIES OUTPUT_NAME muster EXPORT_NAME shared VERSION ${PROJECT_VERSION}
         SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-    target_compile_definitions(muster_shared INTERFACE MUSTER_SHARED=1)
-    target_link_libraries(muster_shared PRIVATE Threads::Threads)
-    if(MUSTER_SQLITE_LIBRARY)
-        target_link_libraries(muster_shared PRIVATE ${MUSTER_SQLITE_LIBRARY})
-    endif()
-    # Nothing but the C API is seen from outside. MSVC shows what is declared so, and no more.
-    if(APPLE)
-        target_link_options(muster_shared PRIVATE "LINKER:-exported_symbol,_muster_*")
-    elseif(UNIX)
-        target_link_options(muster_shared PRIVATE
-            "LINKER:--version-script=${CMAKE_CURRENT_LIST_DIR}/muster_symbols.map" "LINKER:--exclude-libs,ALL")
-        set_target_properties(muster_shared PROPERTIES LINK_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/muster_symbols.map)
-    endif()
     if(MUSTER_HOST_ALLOCATOR)
-        # Operators new and delete of the library's own, and of its own copy of the C++ library.
-        target_sources(muster_shared PRIVATE ${PROJECT_SOURCE_DIR}/src/capi/host_new.cpp)
-        target_link_libraries(muster_shared PRIVATE muster_flags muster_warnings muster_c_world_inside)
-        target_link_options(muster_shared PRIVATE -static-libstdc++ -static-libgcc)
+        muster_cover_engine(muster_shared)
     endif()
 endif()
 if(MUSTER_BUILD_ARCHIVE)
     add_library(muster_archive STATIC ${MUSTER_OBJECTS})
     add_library(muster::archive ALIAS muster_archive)
     muster_whole_library(muster_archive)
-    set_target_properties(muster_archive PROPERTIES EXPORT_NAME archive)
+    set_target_properties(muster_archive PROPERTIES OUTPUT_NAME muster EXPORT_NAME archive)
     target_link_libraries(muster_archive INTERFACE Threads::Threads)
     if(MUSTER_SQLITE_LIBRARY)
         target_link_libraries(muster_archive INTERFACE $<BUILD_INTERFACE:${MUSTER_SQLITE_LIBRARY}>

@@ -13,6 +13,7 @@ if(NOT EMSCRIPTEN AND (TARGET muster_export OR TARGET muster_store))
         endif()
     endforeach()
     if(SQLite3_FOUND)
+        muster_uses_header(export boost/geometry.hpp)  # For the area of JuPedSim files.
         set(MUSTER_SQLITE_LIBRARY ${SQLite3_LIBRARIES})
         set(MUSTER_SQLITE_COMPONENTS io studio)
     else()

@@ -178,6 +178,17 @@ function(muster_compile_small)
     endforeach()
 endfunction()
 
+# muster_uses_header(module header): a header-only library that the module needs when it is compiled, from wherever CMake finds it.
+function(muster_uses_header module header)
+    if(NOT TARGET muster_${module} OR MUSTER_DEPS_INCLUDE)
+        return()
+    endif()
+    string(MAKE_C_IDENTIFIER "MUSTER_INCLUDE_${header}" place)
+    find_path(${place} ${header} REQUIRED)
+    mark_as_advanced(${place})
+    target_include_directories(muster_${module} SYSTEM PRIVATE $<BUILD_INTERFACE:${${place}}>)
+endfunction()
+
 # muster_compile_fast(source...): optimises these sources little in builds that optimise. For large template libraries in code
 # that takes no time to run; in the folder of the target that compiles them.
 function(muster_compile_fast)

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "json/json.h"
 #include "base/stopwatch.h"
+#include "json/json.h"
 #include "muster/status.h"
 #include "muster/world_def.h"
 #include "world/metrics.h"

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "json/json.h"
 #include "http_answers.h"
 
 namespace muster {

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <set>
 
-#include "json/json.h"
 #include "base/text_file.h"
+#include "json/json.h"
 #include "report/markup.h"
 #include "report/page_style.h"
 #include "study/study_parts.h"

@@ -50,5 +50,8 @@ done
 if [ -n "$libraries" ]; then
     compiles "${CC:-cc}" "$file" && "${CC:-cc}" "$work/program.o" -L "$libraries" -lmuster -o "$work/program" &&
         LD_LIBRARY_PATH=$libraries "$work/program" || fail "the library lacks functions"
+    node "$root/scripts/capi/zero_program.mjs" >"$work/zero.c" &&
+        "${CC:-cc}" -std=c99 -I "$include" "$work/zero.c" -L "$libraries" -lmuster -o "$work/zero" &&
+        LD_LIBRARY_PATH=$libraries "$work/zero" || fail "a call with nothing ends the program, or succeeds"
 fi
 echo "the description fits"

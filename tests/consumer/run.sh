@@ -149,6 +149,7 @@ check "the symbols of the shared library" symbols_hidden
 check "the description of the API" bash "$root/tests/capi/description.sh" "$work/prefix/include" "$work/prefix/lib"
 check "pkg-config" by_pkg_config
 check "components" components
+check "the recipes of package managers" bash "$root/packaging/check.sh"
 check "the installed program" try_program
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

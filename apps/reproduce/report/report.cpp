@@ -2,8 +2,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "json/json.h"
 #include "base/text_file.h"
+#include "json/json.h"
 #include "muster/scenario.h"
 #include "report/markup.h"
 #include "reproduce/report/film_strip.h"

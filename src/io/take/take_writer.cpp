@@ -1,4 +1,8 @@
+#ifdef _WIN32
+#include <io.h>
+#else
 #include <unistd.h>
+#endif
 
 #include <cerrno>
 #include <cstring>
@@ -8,6 +12,18 @@
 #include "muster/take.h"
 
 namespace muster {
+namespace {
+
+/// Brings what was written to the disk; true also for files that have none behind them.
+bool synchronise(std::FILE* file) {
+#ifdef _WIN32
+    return std::fflush(file) == 0 && _commit(_fileno(file)) == 0;
+#else
+    return fsync(fileno(file)) == 0 || errno == EINVAL || errno == ENOTSUP;
+#endif
+}
+
+}  // namespace
 
 void TakeWriter::CloseFile::operator()(std::FILE* file) const {
     std::fclose(file);
@@ -52,7 +68,7 @@ Status TakeWriter::observe(const World& world) {
 Status TakeWriter::finish(const World& world) {
     if (Status s = append(TakeEncoder::frames(frames_->take())); !s.ok()) return s;
     if (Status s = append(TakeEncoder::end({world.stepCount(), world.hash()})); !s.ok()) return s;
-    const bool synced = fsync(fileno(file_.get())) == 0 || errno == EINVAL || errno == ENOTSUP;
+    const bool synced = synchronise(file_.get());
     const bool closed = std::fclose(file_.release()) == 0;
     if (synced && closed) return {};
     return {StatusCode::IoError, path_ + ": cannot be brought to the disk: " + std::strerror(errno)};
