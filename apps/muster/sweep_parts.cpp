@@ -159,7 +159,7 @@ Result<SweepResults> collectSweep(const std::string& folder, SweepPlan& plan) {
                           number->whole<std::int64_t>() == static_cast<std::int64_t>(k);
         if (k % plan.experiments.size() == 0) row = 0;
         if (!same || !addPart(*part, k / plan.experiments.size(), row, results))
-            return Status(StatusCode::ParseError, path + ": is of another sweep than " + folder + "/0.json");
+            return Status(StatusCode::ParseError, path + ": is of another sweep than 0.json");
     }
     return results;
 }
@@ -168,32 +168,31 @@ std::string slurmScript(const SweepPlan& plan, const std::string& program, const
                         const std::string& folder) {
     const std::string values = joined(plan.values, ",", exactText);
     const std::string experiments = joined(plan.experiments, ",", [](const std::string& id) { return id; });
-    const std::string last = std::to_string(plan.parts() - 1);
-    return "#!/bin/bash\n"
-           "# " +
-           std::to_string(plan.parts()) + " parts of a sweep of " + plan.parameter +
-           ": each value with each experiment.\n"
-           "#   sbatch THIS_FILE\n"
-           "#   muster sweep --collect FOLDER      once all have ended: the same table as without Slurm\n"
-           "#SBATCH --job-name=muster-sweep\n"
-           "#SBATCH --array=0-" +
-           last +
-           "\n"
-           "#SBATCH --ntasks=1\n"
-           "#SBATCH --cpus-per-task=1\n"
-           "#SBATCH --output=/dev/null\n"
-           "set -eu\n"
-           "folder=" +
-           quoted(folder) +
-           "\n"
-           "mkdir -p \"$folder\"\n"
-           "part=$folder/$SLURM_ARRAY_TASK_ID\n"
-           "exec 2>\"$part.log\"\n" +
-           quoted(program) + " sweep " + quoted(plan.parameter) + " --values " + values + " --experiments " +
-           experiments + " --seeds " + std::to_string(plan.seeds) + " --scenarios " + quoted(scenarios) +
-           " \\\n    --threads \"${SLURM_CPUS_PER_TASK:-1}\" --part \"$SLURM_ARRAY_TASK_ID\" "
-           ">\"$part.json.part\"\n"
-           "mv \"$part.json.part\" \"$part.json\"\n";
+    const std::string parts = std::to_string(plan.parts()), last = std::to_string(plan.parts() - 1);
+    std::string text = "#!/bin/bash\n# ";
+    text += parts + " parts of a sweep of " + plan.parameter + ": each value with each experiment.\n";
+    text +=
+        "#   sbatch THIS_FILE\n"
+        "#   muster sweep --collect FOLDER      once all have ended: the same table as without Slurm\n"
+        "#SBATCH --job-name=muster-sweep\n";
+    text += "#SBATCH --array=0-" + last + "\n";
+    text +=
+        "#SBATCH --ntasks=1\n"
+        "#SBATCH --cpus-per-task=1\n"
+        "#SBATCH --output=/dev/null\n"
+        "set -eu\n";
+    text += "folder=" + quoted(folder) + "\n";
+    text +=
+        "mkdir -p \"$folder\"\n"
+        "part=$folder/$SLURM_ARRAY_TASK_ID\n"
+        "exec 2>\"$part.log\"\n";
+    text += quoted(program) + " sweep " + quoted(plan.parameter) + " --values " + values;
+    text += " --experiments " + experiments + " --seeds " + std::to_string(plan.seeds);
+    text += " --scenarios " + quoted(scenarios) + " \\\n";
+    text +=
+        "    --threads \"${SLURM_CPUS_PER_TASK:-1}\" --part \"$SLURM_ARRAY_TASK_ID\" >\"$part.json.part\"\n"
+        "mv \"$part.json.part\" \"$part.json\"\n";
+    return text;
 }
 
 }  // namespace muster

@@ -151,8 +151,10 @@ MusterStatus muster_motion_joints(MusterMotionId motion, int32_t k, MusterTransf
 MusterStatus muster_motion_moment(MusterMotionId motion, MusterMotionMomentId* outMoment) {
     return withMotion(motion, [&](MotionThing& thing) -> Status {
         if (outMoment == nullptr) return nullArgument("outMoment");
-        *outMoment = moments().add(
-            std::unique_ptr<MomentThing>(new MomentThing{thing.clips, thing.motion.state()}));
+        auto moment = std::make_unique<MomentThing>();
+        moment->clips = thing.clips;
+        moment->state = thing.motion.state();
+        *outMoment = moments().add(std::move(moment));
         return {};
     });
 }

@@ -42,8 +42,9 @@ void* takeFromHost(std::size_t size, std::size_t alignment) noexcept {
     if (start == nullptr) return nullptr;
     const auto first = reinterpret_cast<std::uintptr_t>(start) + sizeof(BlockHead);
     const std::uintptr_t block = (first + alignment - 1) / alignment * alignment;
-    new (reinterpret_cast<BlockHead*>(block) - 1) BlockHead{start, allocator.context, allocator.release};
-    return reinterpret_cast<void*>(block);
+    char* const place = static_cast<char*>(start) + (block - reinterpret_cast<std::uintptr_t>(start));
+    new (reinterpret_cast<BlockHead*>(place) - 1) BlockHead{start, allocator.context, allocator.release};
+    return place;
 }
 
 void releaseToHost(void* block) noexcept {
