@@ -4,15 +4,7 @@ set -u
 root=$(cd "$(dirname "$0")/.." && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-passed=0
-failed=0
-
-# check NAME COMMAND...: counts a command that has to succeed.
-check() {
-    local name=$1
-    shift
-    if "$@"; then passed=$((passed + 1)); else failed=$((failed + 1)); echo "failed: $name"; fi
-}
+. "$root/scripts/checks.sh"
 
 version=$(grep -oE '^project\(muster VERSION [0-9.]+' "$root/CMakeLists.txt" | grep -oE '[0-9.]+$')
 port=$root/packaging/vcpkg/muster

@@ -7,13 +7,37 @@
 
 namespace muster {
 
+namespace {
+
+std::string fileName(std::size_t kind, BodyLevel level) {
+    return "body-" + std::to_string(kind + 1) + (level == BodyLevel::Near ? ".glb" : "-far.glb");
+}
+
+/// Calls `visit(kind, level)` for every body at every level, until it returns false.
+template <class Visit>
+void eachBody(Visit visit) {
+    for (std::size_t kind = 0; kind < kBodyKindCount; ++kind)
+        for (const BodyLevel level : {BodyLevel::Near, BodyLevel::Far})
+            if (!visit(kind, level)) return;
+}
+
+}  // namespace
+
+std::optional<std::string> bodyFile(std::string_view name) {
+    std::optional<std::string> bytes;
+    eachBody([&](std::size_t kind, BodyLevel level) {
+        if (fileName(kind, level) == name) bytes = bodyGlb(static_cast<BodyKind>(kind), level);
+        return !bytes;
+    });
+    return bytes;
+}
+
 std::vector<BodyFile> bodyFiles() {
     std::vector<BodyFile> files;
-    for (std::size_t kind = 0; kind < kBodyKindCount; ++kind) {
-        const std::string name = "body-" + std::to_string(kind + 1);
-        files.push_back({name + ".glb", bodyGlb(static_cast<BodyKind>(kind), BodyLevel::Near)});
-        files.push_back({name + "-far.glb", bodyGlb(static_cast<BodyKind>(kind), BodyLevel::Far)});
-    }
+    eachBody([&](std::size_t kind, BodyLevel level) {
+        files.push_back({fileName(kind, level), bodyGlb(static_cast<BodyKind>(kind), level)});
+        return true;
+    });
     return files;
 }
 

@@ -16,14 +16,12 @@ constexpr std::size_t kMostFileBytes = std::size_t{64} << 20;
 constexpr std::string_view kBodies = "/bodies/";
 
 HttpAnswer body(std::string_view name) {
-    for (BodyFile& file : bodyFiles()) {
-        if (file.name != name) continue;
-        HttpAnswer answer;
-        answer.type = "model/gltf-binary";
-        answer.body = std::move(file.bytes);
-        return answer;
-    }
-    return sentence(404, "There is no such file.");
+    auto bytes = bodyFile(name);
+    if (!bytes) return sentence(404, "There is no such file.");
+    HttpAnswer answer;
+    answer.type = "model/gltf-binary";
+    answer.body = std::move(*bytes);
+    return answer;
 }
 
 /// The page has no files: what lies in one is put into the answer.

@@ -11,6 +11,7 @@
 #include "base/text_file.h"
 #include "commands.h"
 #include "report.h"
+#include "slurm_job.h"
 #include "study/series/series.h"
 #include "study/statistics/describe.h"
 
@@ -108,18 +109,12 @@ std::string slurmJob(const StudyModelsOptions& options, const SeriesDef& def) {
     else
         list("--settings", options.settings);
     const std::string count = std::to_string(def.shards);
-    return "#!/bin/bash\n"
-           "# Trials of operator models as a Slurm array. Every task writes a database of its own and goes "
-           "on\n"
-           "# where it was cut off when it is submitted again. When all tasks are done:\n"
-           "#   muster study models --merge DB.0 --merge DB.1 ... --db DB\n"
-           "# or, in the folder of the job, bash THIS_FILE merge\n"
-           "#SBATCH --job-name=muster-study\n"
-           "#SBATCH --array=0-" +
-           std::to_string(def.shards - 1) +
-           "\n"
-           "#SBATCH --ntasks=1\n"
-           "#SBATCH --cpus-per-task=1\n"
+    const std::string about =
+        "# Trials of operator models as a Slurm array. Every task writes a database of its own and goes on\n"
+        "# where it was cut off when it is submitted again. When all tasks are done:\n"
+        "#   muster study models --merge DB.0 --merge DB.1 ... --db DB\n"
+        "# or, in the folder of the job, bash THIS_FILE merge\n";
+    return slurmHead(about, "muster-study", static_cast<std::size_t>(def.shards)) +
            "#SBATCH --mem=1G\n"
            "#SBATCH --time=04:00:00\n"
            "set -euo pipefail\n"

@@ -3,10 +3,10 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <utility>
 
 #include "base/text_file.h"
+#include "slurm_job.h"
 
 namespace muster {
 namespace {
@@ -168,17 +168,14 @@ std::string slurmScript(const SweepPlan& plan, const std::string& program, const
                         const std::string& folder) {
     const std::string values = joined(plan.values, ",", exactText);
     const std::string experiments = joined(plan.experiments, ",", [](const std::string& id) { return id; });
-    const std::string parts = std::to_string(plan.parts()), last = std::to_string(plan.parts() - 1);
-    std::string text = "#!/bin/bash\n# ";
-    text += parts + " parts of a sweep of " + plan.parameter + ": each value with each experiment.\n";
-    text +=
+    std::string about = "# ";
+    about += std::to_string(plan.parts()) + " parts of a sweep of " + plan.parameter;
+    about +=
+        ": each value with each experiment.\n"
         "#   sbatch THIS_FILE\n"
-        "#   muster sweep --collect FOLDER      once all have ended: the same table as without Slurm\n"
-        "#SBATCH --job-name=muster-sweep\n";
-    text += "#SBATCH --array=0-" + last + "\n";
+        "#   muster sweep --collect FOLDER      once all have ended: the same table as without Slurm\n";
+    std::string text = slurmHead(about, "muster-sweep", plan.parts());
     text +=
-        "#SBATCH --ntasks=1\n"
-        "#SBATCH --cpus-per-task=1\n"
         "#SBATCH --output=/dev/null\n"
         "set -eu\n";
     text += "folder=" + quoted(folder) + "\n";

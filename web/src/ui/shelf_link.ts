@@ -1,7 +1,6 @@
 // The shelf of takes over HTTP (docs/protocol.md). Every call throws a sentence for the visitor where it fails.
 
-import { ask as request } from '../link/answers';
-import { plainReason } from '../model/file_trouble';
+import { asked } from './asked';
 import type { ShelvedTake, TakeAbout } from '../model/take_facts';
 
 /** How far an export is. */
@@ -24,18 +23,6 @@ export interface ExportWish {
   readonly speeds: boolean;
 }
 
-async function ask(what: string, path: string, init: RequestInit = {}): Promise<Response> {
-  let answer: Response;
-  try {
-    answer = await request(path, init);
-  } catch {
-    throw new Error(`${what}: the server does not answer.`);
-  }
-  if (answer.ok) return answer;
-  const reason = plainReason(await answer.text());
-  throw new Error(`${what}: ${reason || answer.statusText}.`);
-}
-
 const jsonOf = (value: unknown): RequestInit => ({
   body: JSON.stringify(value),
   headers: { 'Content-Type': 'application/json' },
@@ -43,52 +30,52 @@ const jsonOf = (value: unknown): RequestInit => ({
 
 export class ShelfLink {
   async list(): Promise<readonly ShelvedTake[]> {
-    const answer = await ask('The takes could not be listed', 'takes');
+    const answer = await asked('The takes could not be listed', 'takes');
     return ((await answer.json()) as { takes: ShelvedTake[] }).takes;
   }
 
   /** Puts a file on the shelf; its name there. */
   async put(file: Blob, called: string): Promise<string> {
     const init = { method: 'POST', body: file, headers: { 'Content-Type': 'application/octet-stream' } };
-    const answer = await ask(`“${called}” could not be opened`, 'takes', init);
+    const answer = await asked(`“${called}” could not be opened`, 'takes', init);
     return ((await answer.json()) as { name: string }).name;
   }
 
   async file(name: string): Promise<Blob> {
-    return (await ask('The take could not be copied', takeAddress(name))).blob();
+    return (await asked('The take could not be copied', takeAddress(name))).blob();
   }
 
   async open(name: string): Promise<void> {
-    await ask('The take could not be opened', `takes/${name}/open`, { method: 'POST' });
+    await asked('The take could not be opened', `takes/${name}/open`, { method: 'POST' });
   }
 
   async edit(name: string, about: TakeAbout): Promise<void> {
-    await ask('The take could not be changed', `takes/${name}`, { method: 'PATCH', ...jsonOf(about) });
+    await asked('The take could not be changed', `takes/${name}`, { method: 'PATCH', ...jsonOf(about) });
   }
 
   async remove(name: string): Promise<void> {
-    await ask('The take could not be removed', `takes/${name}`, { method: 'DELETE' });
+    await asked('The take could not be removed', `takes/${name}`, { method: 'DELETE' });
   }
 
   async restore(name: string): Promise<void> {
-    await ask('The take could not be brought back', `takes/${name}/restore`, { method: 'POST' });
+    await asked('The take could not be brought back', `takes/${name}/restore`, { method: 'POST' });
   }
 
   async putPicture(name: string, picture: Blob): Promise<void> {
-    await ask('The picture could not be kept', `takes/${name}/picture`, { method: 'PUT', body: picture });
+    await asked('The picture could not be kept', `takes/${name}/picture`, { method: 'PUT', body: picture });
   }
 
   async beginExport(wish: ExportWish): Promise<string> {
-    const answer = await ask('The take could not be exported', 'exports', { method: 'POST', ...jsonOf(wish) });
+    const answer = await asked('The take could not be exported', 'exports', { method: 'POST', ...jsonOf(wish) });
     return ((await answer.json()) as { number: string }).number;
   }
 
   async exportProgress(number: string): Promise<ExportProgress> {
-    return (await ask('The export is lost', `exports/${number}`)).json() as Promise<ExportProgress>;
+    return (await asked('The export is lost', `exports/${number}`)).json() as Promise<ExportProgress>;
   }
 
   async cancelExport(number: string): Promise<void> {
-    await ask('The export could not be cancelled', `exports/${number}`, { method: 'DELETE' });
+    await asked('The export could not be cancelled', `exports/${number}`, { method: 'DELETE' });
   }
 }
 

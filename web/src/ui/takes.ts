@@ -1,6 +1,6 @@
 // Takes travel by plain HTTP: one is downloaded, or a file is opened.
 
-import { ask } from '../link/answers';
+import { ask, save } from '../link/answers';
 import { ShelfLink } from './shelf_link';
 
 /** A file name for a take of this scenario. */
@@ -22,10 +22,7 @@ export async function downloadTake(scenario: string): Promise<string | null> {
         ? 'There is no take yet: record one first.'
         : `The take could not be downloaded: ${answer.statusText}.`;
     const url = URL.createObjectURL(await answer.blob());
-    const link = document.createElement('a');
-    link.href = url;
-    link.download = takeName(scenario, new Date());
-    link.click();
+    void save(url, takeName(scenario, new Date()));
     window.setTimeout(() => URL.revokeObjectURL(url), 10000);
     return null;
   } catch {

@@ -9,7 +9,6 @@ export interface EngineFiles {
   readdir(path: string): string[];
   stat(path: string): { readonly size: number; readonly mtime: Date; readonly mode: number };
   isFile(mode: number): boolean;
-  unlink(path: string): void;
   utime(path: string, accessed: number, changed: number): void;
 }
 
