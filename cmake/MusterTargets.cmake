@@ -178,6 +178,13 @@ function(muster_compile_small)
     endforeach()
 endfunction()
 
+# muster_node_program(target): a WebAssembly program that Node runs, in one file: emscripten 3.1.6 would fetch() a second one,
+# which newer Node refuses for paths.
+function(muster_node_program target)
+    target_link_options(${target} PRIVATE -sSINGLE_FILE=1 -sNODERAWFS=1 -sALLOW_MEMORY_GROWTH=1 -sEXIT_RUNTIME=1
+        -sTOTAL_STACK=1048576 -sENVIRONMENT=node)
+endfunction()
+
 # muster_uses_header(module header): a header-only library that the module needs when it is compiled, from wherever CMake finds it.
 function(muster_uses_header module header)
     if(NOT TARGET muster_${module} OR MUSTER_DEPS_INCLUDE)

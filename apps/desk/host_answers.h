@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "http_answers.h"
+#include "request_target.h"
 
 namespace muster {
 
@@ -36,6 +37,22 @@ HttpAnswer openTakeAnswer(Host& host, std::span<const std::uint8_t> bytes, const
         return status.ok() ? sentence(200, "The take is open.") : failure(status);
     } else {
         return sentence(404, "There are no takes here.");
+    }
+}
+
+/// What a keeper needs to go on with the world elsewhere; "?world=" and "&take=" say what it has already.
+template <class Host>
+HttpAnswer handoverAnswer(const Host& host, std::string_view target) {
+    if constexpr (requires { host.handover(); }) {
+        auto bytes = host.handover(static_cast<std::uint32_t>(queryCount(target, "world")),
+                                   queryCount(target, "take"));
+        if (!bytes.ok()) return failure(bytes.status());
+        HttpAnswer answer;
+        answer.type = "application/octet-stream";
+        answer.body.assign(bytes.value().begin(), bytes.value().end());
+        return answer;
+    } else {
+        return sentence(404, "There is no world to hand over here.");
     }
 }
 

@@ -1,6 +1,8 @@
 // The parts of an HTTP request's target.
 #pragma once
 
+#include <charconv>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -11,17 +13,31 @@ inline std::string_view withoutQuery(std::string_view target) {
     return target.substr(0, target.find_first_of("?#"));
 }
 
+/// The value of "?key=" or "&key="; empty where there is none.
+inline std::string_view queryValue(std::string_view target, std::string_view key) {
+    std::string_view query = target.substr(withoutQuery(target).size());
+    while (!query.empty() && query.front() != '#') {
+        query.remove_prefix(1);
+        const std::string_view pair = query.substr(0, query.find_first_of("&#"));
+        if (pair.size() > key.size() && pair.starts_with(key) && pair[key.size()] == '=')
+            return pair.substr(key.size() + 1);
+        query.remove_prefix(pair.size());
+    }
+    return {};
+}
+
+/// The same as a number; 0 where there is none.
+inline std::uint64_t queryCount(std::string_view target, std::string_view key) {
+    const std::string_view text = queryValue(target, key);
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size() ? value : 0;
+}
+
 /// The value of "?name=" or "&name="; empty where there is none. Nothing is decoded: names are of letters,
 /// digits, - and _.
 inline std::string queryName(std::string_view target) {
-    const std::string_view query = target.substr(withoutQuery(target).size());
-    for (const std::string_view key : {"?name=", "&name="}) {
-        const std::size_t at = query.find(key);
-        if (at == std::string_view::npos) continue;
-        const std::string_view value = query.substr(at + key.size());
-        return std::string(value.substr(0, value.find_first_of("&#")));
-    }
-    return {};
+    return std::string(queryValue(target, "name"));
 }
 
 }  // namespace muster

@@ -86,6 +86,11 @@ HttpAnswer PageEngine::ask(std::string_view method, std::string_view target,
     if (isShelfTarget(target)) return withFile(askShelf(method, target, bytes));
     if (path == "/take" && get) return takeAnswer(*session_);
     if (path == "/take" && post) return openTakeAnswer(*session_, bytes, {});
+    if (path == "/handover" && get) return handoverAnswer(*session_, target);
+    if (path == "/handover" && post) {
+        const Status status = session_->takeOver(bytes);
+        return status.ok() ? sentence(200, "The world goes on.") : failure(status);
+    }
     if (path == "/scenario" && get) return placeAnswer(*session_);
     if (path == "/scenario" && post) return openPlaceAnswer(*session_, bytes, queryName(target));
     if (path.starts_with(kBodies) && get) return body(path.substr(kBodies.size()));

@@ -101,6 +101,9 @@ ServerEvents eventsTo(Mailbox<HostEvent>& mailbox, std::atomic<bool>& interrupte
         if (!mailbox.post(TakeUploaded{std::move(bytes), {}, reply}, size))
             reply(sentence(503, "The simulation is busy."));
     };
+    events.handoverRequested = [&](std::string target, HttpReply reply) {
+        mailbox.post(HandoverRequested{std::move(target), std::move(reply)});
+    };
     events.placeRequested = [&](HttpReply reply) { mailbox.post(PlaceRequested{std::move(reply)}); };
     events.placeUploaded = [&](std::vector<std::uint8_t> bytes, std::string name, HttpReply reply) {
         const std::size_t size = bytes.size();

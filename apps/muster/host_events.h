@@ -44,6 +44,10 @@ struct TakeEdited {
     std::string name;
     TakeAbout about;
 };
+struct HandoverRequested {
+    std::string target;
+    HttpReply reply;
+};
 struct PlaceRequested {
     HttpReply reply;
 };
@@ -54,7 +58,7 @@ struct PlaceUploaded {
 };
 struct Interrupted {};
 using HostEvent = std::variant<Opened, Received, Refused, Closed, TakeRequested, TakeUploaded, TakeEdited,
-                               PlaceRequested, PlaceUploaded, Interrupted>;
+                               HandoverRequested, PlaceRequested, PlaceUploaded, Interrupted>;
 
 /// Callbacks that post to the mailbox. There is no shelf of takes.
 ServerEvents eventsTo(Mailbox<HostEvent>& mailbox, std::atomic<bool>& interrupted);

@@ -60,6 +60,7 @@ public:
     }
     void operator()(TakeRequested& event) { event.reply(takeAnswer(host_)); }
     void operator()(TakeUploaded& event) { event.reply(openTakeAnswer(host_, event.bytes, event.name)); }
+    void operator()(HandoverRequested& event) { event.reply(handoverAnswer(host_, event.target)); }
     void operator()(PlaceRequested& event) { event.reply(placeAnswer(host_)); }
     void operator()(PlaceUploaded& event) { event.reply(openPlaceAnswer(host_, event.bytes, event.name)); }
     void operator()(TakeEdited& event) {

@@ -24,6 +24,7 @@ inline constexpr int kFileSeconds = 600;
 inline constexpr const char* kSocketPath = "/ws";
 inline constexpr const char* kTakePath = "/take";
 inline constexpr const char* kPlacePath = "/scenario";
+inline constexpr const char* kHandoverPath = "/handover";
 inline constexpr const char* kHealthPath = "/health";
 
 /// A TCP connection that speaks HTTP. It becomes a SocketConnection when a request upgrades it.
@@ -166,6 +167,9 @@ private:
         const std::string target = toString(parser_->get().target());
         if (target == kTakePath)
             return takeKnown() ? server_.def.events.takeRequested(reply()) : refuse(403, "Unknown origin.");
+        if (withoutQuery(target) == kHandoverPath)
+            return takeKnown() ? server_.def.events.handoverRequested(target, reply())
+                               : refuse(403, "Unknown origin.");
         if (target == kPlacePath)
             return takeKnown() ? server_.def.events.placeRequested(reply()) : refuse(403, "Unknown origin.");
         HttpAnswer answer;

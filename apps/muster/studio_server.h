@@ -48,6 +48,7 @@ struct ServerEvents {
     std::function<void(ConnectionId)> closed;
     std::function<void(HttpReply)> takeRequested;
     std::function<void(std::vector<std::uint8_t>, HttpReply)> takeUploaded;
+    std::function<void(std::string target, HttpReply)> handoverRequested;
     std::function<void(HttpReply)> placeRequested;
     std::function<void(std::vector<std::uint8_t>, std::string name, HttpReply)> placeUploaded;
     /// Called for requests to the shelf of takes and to exports.

@@ -121,6 +121,15 @@ public:
     /// Ends a recording that runs.
     void finish();
 
+    /// What another session needs to go on with this world, or with the take that is open: docs/protocol.md,
+    /// "Handover". Who has the first `takeBytes` bytes of the take of the world of that number already does
+    /// not get them again. Fails with NotFound before the first load.
+    Result<std::vector<std::uint8_t>> handover(std::uint32_t world = 0, std::uint64_t takeBytes = 0) const;
+    /// Goes on with the world of a handover, which must hold the whole take; the world before ends. Fingers
+    /// of the other session's clients let go. Fails, changing nothing, with ParseError, Unsupported or
+    /// InvalidArgument, and as openTake() does.
+    Status takeOver(std::span<const std::uint8_t> handover);
+
     /// Adds a client and returns its number, which is not reused.
     std::uint32_t connect();
     /// Removes a client, which lifts its fingers.

@@ -27,8 +27,14 @@ Status Session::Impl::begin(const std::string& worldName, const WorldDef& newDef
                             std::unique_ptr<TakePlayer> taken) {
     auto made = World::create(newDef, def.threads);
     if (!made.ok()) return made.status();
+    beginWith(std::move(made).value(), worldName, newDef, std::move(taken));
+    return {};
+}
+
+void Session::Impl::beginWith(World begun, const std::string& worldName, const WorldDef& newDef,
+                              std::unique_ptr<TakePlayer> taken) {
     stopRecording();
-    world.emplace(std::move(made).value());
+    world.emplace(std::move(begun));
     if (&worldDef != &newDef) worldDef = newDef, warn();
     editor.begin(worldDef);
     givenEdits.clear();
@@ -56,7 +62,6 @@ Status Session::Impl::begin(const std::string& worldName, const WorldDef& newDef
     refreshScene();
     touchState();
     forgetClients();
-    return {};
 }
 
 // What clients did belongs to the world before.

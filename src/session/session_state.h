@@ -12,6 +12,7 @@
 #include "session/chosen_scheme.h"
 #include "session/directors.h"
 #include "session/frame_sender.h"
+#include "session/handover.h"
 #include "session/pacer.h"
 #include "session/place_editor.h"
 #include "session/protocol.h"
@@ -69,6 +70,8 @@ struct Session::Impl {
     // Worlds (session.cpp).
     Status begin(const std::string& worldName, const WorldDef& worldDef,
                  std::unique_ptr<TakePlayer> taken = nullptr);
+    void beginWith(World begun, const std::string& worldName, const WorldDef& worldDef,
+                   std::unique_ptr<TakePlayer> taken = nullptr);
     void forgetClients();
     void beginMotion();
     void warnOfClips(SessionClient& client);
@@ -106,11 +109,16 @@ struct Session::Impl {
     void showStoredFrames();
     Status takeAgain(bool keep, SessionClient& client);
     void renumberClients(const Take& take);
-    void liftRecorded(const Take& take, std::uint32_t step);
+    /// Fingers of clients above `after` that are down at this step in the take let go.
+    void liftRecorded(const Take& take, std::uint32_t step, std::uint32_t after = 0);
     void submitLayer();
     Status editTake(const protocol::EditTake& message);
     void touchTake() { ++takeRevision, touchState(); }
     void sendTake(SessionClient& client);
+
+    // Handover (session_handover.cpp).
+    Status takeOverWorld(const Handover& handover);
+    void recordOn(const Handover& handover);
 
     // Paths of the open take (session_paths.cpp).
     Status askPath(SessionClient& client, const protocol::AskPath& message);

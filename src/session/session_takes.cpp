@@ -310,11 +310,10 @@ void Session::Impl::renumberClients(const Take& take) {
     }
 }
 
-// Fingers that are down at this step in the take let go.
-void Session::Impl::liftRecorded(const Take& take, std::uint32_t step) {
+void Session::Impl::liftRecorded(const Take& take, std::uint32_t step, std::uint32_t after) {
     std::map<std::uint32_t, std::uint32_t> sequences;
     for (const Command& command : take.commands) {
-        if (command.step >= step) continue;
+        if (command.step >= step || command.client <= after) continue;
         std::uint32_t& last = sequences[command.client];
         last = std::max(last, command.sequence);
     }

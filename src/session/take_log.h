@@ -20,6 +20,10 @@ public:
     void resume(const Take& take, std::uint32_t step, std::size_t commands, bool drop, std::size_t limit);
     /// Must be called for each command, after it is submitted.
     void command(const Command& command);
+    /// The log ends here, as if its limit were reached.
+    void close() { full_ = true; }
+    /// The records so far, without an end record. They only grow, until the next begin().
+    const std::vector<std::uint8_t>& records() const { return bytes_; }
     /// Frames are stored from now on, or no longer.
     void storeFrames(bool on);
     /// Must be called after every step.
