@@ -23,6 +23,11 @@ if(MSVC)
 else()
     target_compile_options(muster_flags INTERFACE -ffp-contract=off)
 endif()
+# For browsers: functions are inlined across files, because a point that is passed to a function goes through memory there;
+# numbers become indices and memory is copied by single instructions, which all browsers have had since 2021.
+if(EMSCRIPTEN)
+    target_compile_options(muster_flags INTERFACE $<$<NOT:$<CONFIG:Debug>>:-flto> -mnontrapping-fptoint -mbulk-memory -msign-ext)
+endif()
 # g++ 12 joins multiplications and alternating additions of neighbouring numbers to one rounding (vfmaddsub) whatever
 # -ffp-contract says, where the processor can: so it is told that this one cannot.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE}" MATCHES "-m(arch|fma|avx)"

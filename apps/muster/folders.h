@@ -15,4 +15,9 @@ inline std::string scenariosFolder() {
     return findFolder({"scenarios", "../share/muster/scenarios"});
 }
 
+/// The folder of the engine for browsers, where it is built.
+inline std::string engineFolder() {
+    return findFolder({"build/wasm/apps/engine", "../share/muster/engine"});
+}
+
 }  // namespace muster

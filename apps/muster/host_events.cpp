@@ -9,7 +9,9 @@
 #include <set>
 #include <utility>
 
+#include "base/hash.h"
 #include "browser.h"
+#include "engine_files.h"
 #include "invitation.h"
 #include "motion_bodies.h"
 #include "report.h"
@@ -121,6 +123,31 @@ ServerEvents eventsTo(Mailbox<HostEvent>& mailbox, std::atomic<bool>& interrupte
     return events;
 }
 
+namespace {
+
+/// Serves the engine for browsers. Its folder's name follows from its contents, so that browsers keep the
+/// files and have them when the server is lost. Gives the folder's address.
+Result<std::string> addEngineFiles(const ServeOptions& options, ServerDef& def) {
+    auto files = engineModules(options.engineFolder);
+    if (!files.ok()) return files.status();
+    auto texts = scenarioTexts(options.scenarioFolder, false);
+    if (!texts.ok()) return texts.status();
+    (*files)["scenarios.json"] = std::move(texts->scenarios);
+    (*files)["gestures.json"] = std::move(texts->gestures);
+    Hash hash;
+    for (const auto& [name, bytes] : *files) {
+        hash.add(name);
+        hash.add(bytes);
+    }
+    const std::string folder = "engine-" + toHex(hash.value()) + "/";
+    for (auto& [name, bytes] : *files)
+        def.files["/" + folder + name] = {typeOfFile(name), kKeptForever, std::move(bytes)};
+    return folder;
+}
+
+}  // namespace
+
+// The page learns by attributes of its first element what it is to show, and where an engine is.
 Result<ServerDef> serverDef(const ServeOptions& options) {
     if (Status status = pageExists(options.pageFolder); !status.ok()) return status;
     ServerDef def;
@@ -130,13 +157,19 @@ Result<ServerDef> serverDef(const ServeOptions& options) {
         def.files["/bodies/" + body.name] = {"model/gltf-binary", "no-cache", std::move(body.bytes)};
     def.subprotocol = protocol::kSubprotocol;
     if (options.lan) def.token = makeToken();
-    if (options.mode.empty()) return def;
-    // The page learns by an attribute of its first element what it is to show.
+    std::string attributes;
+    if (!options.mode.empty()) attributes += "data-mode=\"" + options.mode + "\" ";
+    if (!options.engineFolder.empty()) {
+        const auto folder = addEngineFiles(options, def);
+        if (!folder.ok()) return folder.status();
+        attributes += "data-standby=\"" + *folder + "\" ";
+    }
+    if (attributes.empty()) return def;
     auto page = readStaticFile(options.pageFolder, "/index.html");
     const std::size_t at = page ? page->body.find(kHtmlBegins) : std::string::npos;
     if (at == std::string::npos)
         return Status(StatusCode::ParseError, options.pageFolder + "/index.html: found no <html lang=...>");
-    page->body.insert(at + std::string(kHtmlBegins).size(), "data-mode=\"" + options.mode + "\" ");
+    page->body.insert(at + std::string(kHtmlBegins).size(), attributes);
     def.files["/index.html"] = *page;
     return def;
 }

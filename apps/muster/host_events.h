@@ -90,7 +90,11 @@ private:
 struct ServeOptions {
     int port = 8080;         ///< Where it is in use, the next free one is taken.
     std::string pageFolder;  ///< Folder of the built page.
-    std::string mode;        ///< What the page shows instead of the studio: "study"; empty for the studio.
+    /// Folder of the engine for browsers, with which the page goes on where the server is lost; empty for
+    /// none.
+    std::string engineFolder;
+    std::string scenarioFolder;  ///< Folder of the scenarios that this engine offers.
+    std::string mode;  ///< What the page shows instead of the studio: "study"; empty for the studio.
     std::string title = "Muster studio";  ///< Printed before the address.
     bool lan = false;                     ///< Others in the network may come, by a link with a token.
     bool openBrowser = false;             ///< Opens the page in the desktop's browser.

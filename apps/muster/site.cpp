@@ -20,8 +20,7 @@ int run(SiteOptions& options) {
     SiteDef& def = options.def;
     if (def.scenarioFolder.empty()) def.scenarioFolder = scenariosFolder();
     if (def.pageFolder.empty()) def.pageFolder = findFolder({"web/dist", "../share/muster/web"});
-    if (def.engineFolder.empty())
-        def.engineFolder = findFolder({"build/wasm/apps/engine", "../share/muster/engine"});
+    if (def.engineFolder.empty()) def.engineFolder = engineFolder();
     const auto report = writeSite(def);
     if (!report.ok()) {
         std::fprintf(stderr, "muster site: %s\n", report.status().message().c_str());

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <utility>
+#include <vector>
 
 #include "base/hash.h"
 #include "base/text_file.h"
+#include "engine_files.h"
 #include "json/json.h"
-#include "muster/scenario.h"
 
 namespace muster {
 namespace {
@@ -17,33 +17,14 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostFileBytes = std::size_t{64} << 20;
 constexpr const char* kMarker = "muster-site.json";  // Tells a folder that may be written again.
-constexpr const char* kEngineFiles[] = {"muster-engine.js", "muster-engine.wasm", "muster-exporter.js",
-                                        "muster-exporter.wasm"};
 constexpr std::string_view kHtmlBegins = "<html ";
 constexpr std::string_view kHeadEnds = "</head>";
 
-/// The files of a site by their paths in it.
-using SiteFiles = std::map<std::string, std::string>;
-
-Status addFile(SiteFiles& files, const std::string& as, const fs::path& path) {
+Status addFile(FileTexts& files, const std::string& as, const fs::path& path) {
     auto bytes = readTextFile(path.string(), kMostFileBytes);
     if (!bytes.ok()) return bytes.status();
     files[as] = std::move(bytes).value();
     return {};
-}
-
-/// The regular files below a folder, as paths relative to it, in their order.
-std::vector<std::string> filesBelow(const fs::path& folder) {
-    std::vector<std::string> found;
-    std::error_code error;
-    for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error)) {
-        std::error_code ignored;
-        if (entry->is_regular_file(ignored))
-            found.push_back(entry->path().lexically_relative(folder).generic_string());
-    }
-    std::sort(found.begin(), found.end());
-    return found;
 }
 
 /// Replaces a text that must be there once.
@@ -56,7 +37,7 @@ Status replaceIn(std::string& text, std::string_view old, const std::string& by,
 }
 
 /// The page's files; those of its folder `site` belong beside its first file.
-Status addPage(const SiteDef& def, SiteFiles& files) {
+Status addPage(const SiteDef& def, FileTexts& files) {
     for (const std::string& path : filesBelow(def.pageFolder)) {
         const bool ofSite = path.starts_with("site/");
         const Status added = addFile(files, ofSite ? path.substr(5) : path, fs::path(def.pageFolder) / path);
@@ -74,46 +55,28 @@ Status addPage(const SiteDef& def, SiteFiles& files) {
                      "index.html");
 }
 
-Status addEngine(const SiteDef& def, SiteFiles& files) {
-    for (const char* name : kEngineFiles) {
-        const fs::path path = fs::path(def.engineFolder) / name;
-        std::error_code ignored;
-        if (!fs::is_regular_file(path, ignored))
-            return {StatusCode::NotFound,
-                    path.string() + ": the engine for browsers is not built; ./run -- site builds it"};
-        if (Status s = addFile(files, std::string("engine/") + name, path); !s.ok()) return s;
-    }
+Status addEngine(const SiteDef& def, FileTexts& files) {
+    auto modules = engineModules(def.engineFolder);
+    if (!modules.ok()) return modules.status();
+    for (auto& [name, bytes] : *modules) files["engine/" + name] = std::move(bytes);
     return {};
 }
 
-/// All scenarios and gestures in one file: an object from paths to texts.
-Result<std::size_t> addScenarios(const SiteDef& def, SiteFiles& files) {
-    Json all = Json::object();
-    std::size_t count = 0;
-    bool first = def.scenario.empty();
-    for (const std::string& path : filesBelow(def.scenarioFolder)) {
-        if (!path.ends_with(".json") || path.starts_with("schema/") || path.find("/.") != std::string::npos)
-            continue;
-        const std::string full = (fs::path(def.scenarioFolder) / path).string();
-        auto text = readTextFile(full);
-        if (!text.ok()) return text.status();
-        if (path.find("gestures/") == std::string::npos) {
-            if (const auto read = loadScenario(full); !read.ok()) return read.status();
-            ++count;
-            first = first || path == def.scenario + ".json";
-        }
-        all[path] = std::move(text).value();
-    }
-    if (count == 0) return Status(StatusCode::NotFound, def.scenarioFolder + ": found no scenario");
-    if (!first)
+/// All scenarios in one file, and all gestures in another. Their number.
+Result<std::size_t> addScenarios(const SiteDef& def, FileTexts& files) {
+    auto texts = scenarioTexts(def.scenarioFolder, true);
+    if (!texts.ok()) return texts.status();
+    const std::vector<std::string>& names = texts->names;
+    if (!def.scenario.empty() && std::find(names.begin(), names.end(), def.scenario) == names.end())
         return Status(StatusCode::NotFound,
                       def.scenarioFolder + ": no scenario is called '" + def.scenario + "'");
-    files["engine/scenarios.json"] = compactJson(all);
-    return count;
+    files["engine/scenarios.json"] = std::move(texts->scenarios);
+    files["engine/gestures.json"] = std::move(texts->gestures);
+    return names.size();
 }
 
 /// The service worker learns which files there are, and a number that changes with any of them.
-Status finishWorker(SiteFiles& files) {
+Status finishWorker(FileTexts& files) {
     Hash hash;
     Json list = Json::array();
     list.push("./");
@@ -147,7 +110,7 @@ Status makeRoom(const std::string& folder) {
 }  // namespace
 
 Result<SiteReport> writeSite(const SiteDef& def) {
-    SiteFiles files;
+    FileTexts files;
     if (Status s = addPage(def, files); !s.ok()) return s;
     if (Status s = addEngine(def, files); !s.ok()) return s;
     const auto scenarios = addScenarios(def, files);

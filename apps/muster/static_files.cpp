@@ -30,14 +30,14 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kTypes{{
     {".webmanifest", "application/manifest+json"},
 }};
 
-std::string typeOf(const fs::path& path) {
-    const std::string extension = path.extension().string();
+}  // namespace
+
+std::string typeOfFile(const std::string& path) {
+    const std::string extension = fs::path(path).extension().string();
     for (const auto& [ending, type] : kTypes)
         if (extension == ending) return std::string(type);
     return "application/octet-stream";
 }
-
-}  // namespace
 
 std::optional<std::string> plainPath(std::string_view target) {
     target = target.substr(0, target.find_first_of("?#"));
@@ -68,10 +68,10 @@ std::optional<StaticFile> readStaticFile(const std::string& folder, std::string_
     if (!stream) return std::nullopt;
     StaticFile file;
     file.body.assign(std::istreambuf_iterator<char>(stream), {});
-    file.type = typeOf(path);
+    file.type = typeOfFile(path.string());
     // File names below /assets contain a hash of the contents.
     const bool hashed = plain->rfind("/assets/", 0) == 0;
-    file.cache = hashed ? "public, max-age=31536000, immutable" : "no-cache";
+    file.cache = hashed ? kKeptForever : "no-cache";
     return file;
 }
 

@@ -14,6 +14,11 @@ struct StaticFile {
     std::string body;
 };
 
+/// Cache-Control of files whose address changes with their contents.
+inline constexpr const char* kKeptForever = "public, max-age=31536000, immutable";
+
+/// The MIME type of a file by the ending of its name.
+std::string typeOfFile(const std::string& path);
 /// The path of a request target; "/" becomes "/index.html". Nothing for targets other than plain absolute
 /// paths, that is with escapes, backslashes, parent folders or hidden names.
 std::optional<std::string> plainPath(std::string_view target);

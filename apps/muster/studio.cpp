@@ -15,6 +15,10 @@ void addStudioCommand(CommandLine& line) {
     command.option("--scenarios", options->scenarioFolder, "Folder of the picker's scenarios.")
         .existingFolder();
     command.option("--page", options->pageFolder, "Folder of the built page.").existingFolder();
+    command
+        .option("--engine", options->engineFolder,
+                "Folder of the engine for browsers, with which pages go on where the server is lost.")
+        .existingFolder();
     command.option("--takes", options->takesFolder, "Folder in which recordings are kept.");
     command.option("--threads", options->threads, "Threads of the simulation; 0 takes what the machine has.")
         .range(0, 256);
@@ -36,6 +40,7 @@ void addStudioCommand(CommandLine& line) {
         if (options->scenarioFolder.empty()) options->scenarioFolder = scenariosFolder();
         if (options->pageFolder.empty())
             options->pageFolder = findFolder({"web/dist", "../share/muster/web"});
+        if (options->engineFolder.empty()) options->engineFolder = engineFolder();
         return runStudio(*options);
     });
 }

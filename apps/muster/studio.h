@@ -12,6 +12,7 @@ struct StudioOptions {
     std::string scenario;
     std::string scenarioFolder;         ///< Folder of the scenarios that the studio offers.
     std::string pageFolder;             ///< Folder of the built page.
+    std::string engineFolder;           ///< Folder of the engine for browsers, where it is built.
     std::string takesFolder = "takes";  ///< Folder in which recordings are kept; it is created when needed.
     int threads = 1;                    ///< Number of simulation threads; 0 uses all cores.
     bool lan = false;                   ///< Other machines of the network may connect, with a token.

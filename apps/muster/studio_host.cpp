@@ -1,6 +1,7 @@
 // The studio: its session, its shelf of takes, and the page that shows it.
 #include <utility>
 
+#include "engine_files.h"
 #include "export_desk.h"
 #include "host_loop.h"
 #include "report.h"
@@ -63,6 +64,8 @@ int runStudio(const StudioOptions& options) {
     ServeOptions serving;
     serving.port = options.port;
     serving.pageFolder = options.pageFolder;
+    if (engineBuilt(options.engineFolder)) serving.engineFolder = options.engineFolder;
+    serving.scenarioFolder = options.scenarioFolder;
     serving.lan = options.lan;
     serving.openBrowser = options.openBrowser;
     serving.json = options.json;

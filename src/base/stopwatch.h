@@ -1,23 +1,32 @@
 // Wall-clock time for reports. No decision of the simulation may depend on it.
 #pragma once
 
+#ifdef __EMSCRIPTEN__
+#include <emscripten.h>
+#else
 #include <chrono>
+#endif
 
 namespace muster {
 
-/// Measures the time since its construction or its last restart.
+/// Measures the time since its construction.
 class Stopwatch {
 public:
     /// Milliseconds since the start.
-    double milliseconds() const {
-        return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
-    }
-    /// Restarts the measurement.
-    void restart() { start_ = Clock::now(); }
+    double milliseconds() const { return now() - start_; }
 
 private:
-    using Clock = std::chrono::steady_clock;
-    Clock::time_point start_ = Clock::now();
+    // [ms]
+    static double now() {
+#ifdef __EMSCRIPTEN__
+        return emscripten_get_now();  // The clocks of its C++ library take several times as long.
+#else
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
+            .count();
+#endif
+    }
+
+    double start_ = now();
 };
 
 }  // namespace muster

@@ -35,15 +35,16 @@ static_assert(std::size(kStages) == static_cast<std::size_t>(Stage::Count));
 }  // namespace
 
 void WorldEngine::step() {
-    const Stopwatch whole;
-    Stopwatch watch;
+    const Stopwatch watch;
+    double began = 0.0;
     for (std::size_t i = 0; i < std::size(kStages); ++i) {
-        watch.restart();
         kStages[i](*this);
-        times.milliseconds[i] = watch.milliseconds();
+        const double ended = watch.milliseconds();
+        times.milliseconds[i] = ended - began;
+        began = ended;
     }
     ++state.stepCount;
-    times.total = whole.milliseconds();
+    times.total = began;
 }
 
 }  // namespace muster

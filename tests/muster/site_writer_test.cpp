@@ -78,7 +78,10 @@ TEST_CASE("a site has the page, its engine and all scenarios") {
     REQUIRE(scenarios->find("open.json") != nullptr);
     CHECK(scenarios->find("open.json")->text() == kOpen);
     CHECK(scenarios->find("more/harbour.json") != nullptr);
-    CHECK(scenarios->find("gestures/open.json") != nullptr);
+    CHECK(scenarios->find("gestures/open.json") == nullptr);
+    const auto gestures = parseJson(parts.read("out/engine/gestures.json"), "gestures.json");
+    REQUIRE(gestures.ok());
+    CHECK(gestures->find("gestures/open.json") != nullptr);
     CHECK(scenarios->find("schema/scenario.schema.json") == nullptr);
     std::size_t files = 0;
     for (const auto& entry : fs::recursive_directory_iterator(parts.base / "out"))

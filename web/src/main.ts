@@ -45,6 +45,8 @@ const worker = new Worker(new URL('./link/worker.ts', import.meta.url), { type: 
 const client = new StudioClient(worker);
 const ui = byId('ui', HTMLElement);
 
+const kAbout = document.documentElement.dataset;
+
 /** What the page shows: the server writes it to the first element; the studio where it writes nothing. */
 async function start(mode: string | undefined): Promise<object> {
   if (mode === 'study') {
@@ -67,6 +69,9 @@ async function start(mode: string | undefined): Promise<object> {
   openBuildLazily({ ...parts, history: app.desk.history });
   openPathsLazily(parts);
   openSequenceLazily({ ...parts, queues: app.desk.queues, frame: () => app.frame });
+  const standby = kAbout['standby'];
+  if (standby !== undefined)
+    void import('./ui/standby_desk').then(({ standBy }) => standBy(client, app.store, standby));
   return {
     get frame() {
       return app.frame;
@@ -87,7 +92,6 @@ async function connect(folder: string | undefined): Promise<void> {
   startEngine(client, folder);
 }
 
-const kAbout = document.documentElement.dataset;
 const shown = start(kAbout['mode']);
 void shown
   .then(() => connect(kAbout['engine']))

@@ -55,6 +55,8 @@ export interface StudioActions {
   /** Brings the spot that the message is about into view. */
   showNoticePlace(): void;
   retry(): void;
+  /** The engine in this browser goes on with the world of a lost server. */
+  goOnAlone(): void;
   fit(): void;
   /** The camera goes along with the crowd, or stays. */
   toggleFollow(): void;

@@ -117,6 +117,8 @@ export interface StudioState {
   /** A formation that waits on the ground to be taken up; the dialog is the one that it comes from. */
   readonly trying: { readonly title: string; readonly dialog: DialogName } | null;
   readonly history: HistoryFacts;
+  /** The engine in this browser, for when the server is lost: not there, ready, or asked to go on. */
+  readonly standby: 'none' | 'ready' | 'wanted';
   readonly layers: Layers;
   readonly overlay: OverlayKind;
   /** Character whose cost is shown; -1 for none. */
@@ -206,6 +208,7 @@ export const kInitialState: StudioState = {
   trying: null,
   sequencing: false,
   history: { undo: 0, undoLabel: '', redo: 0, redoLabel: '' },
+  standby: 'none',
   layers: { mesh: true, places: true, paths: true },
   overlay: OverlayKind.None,
   chosen: -1,

@@ -245,6 +245,10 @@ export class StudioController implements StudioActions {
     this.client_.retry();
   }
 
+  goOnAlone(): void {
+    if (this.store_.state.standby === 'ready') this.store_.set({ standby: 'wanted' });
+  }
+
   fit(): void {
     this.camera_.fit();
   }

@@ -11,6 +11,8 @@ export interface EngineRequest {
 }
 
 export type ToEngine =
+  /** Loads the engine, so that it can start without a network. */
+  | { readonly kind: 'prepare'; readonly base: string }
   /** Runs the studio. `port` leads to the link's worker. */
   | { readonly kind: 'start'; readonly base: string; readonly scenario: string; readonly port: MessagePort }
   | ({ readonly kind: 'ask' } & EngineRequest)
@@ -24,6 +26,7 @@ export type ToEngine =
     };
 
 export type FromEngine =
+  | { readonly kind: 'prepared' }
   | { readonly kind: 'answer'; readonly id: number; readonly answer: EngineAnswer }
   | { readonly kind: 'failed'; readonly problem: string }
   | { readonly kind: 'progress'; readonly share: number }

@@ -35,24 +35,49 @@ function workerTimers(): LoopTimers {
   };
 }
 
+type Texts = Readonly<Record<string, string>>;
+
+async function fetchTexts(address: string): Promise<Texts> {
+  const answer = await fetch(address);
+  if (!answer.ok) throw new Error(`${address}: ${answer.statusText || answer.status}`);
+  return (await answer.json()) as Texts;
+}
+
+function putTexts(files: EngineFiles, texts: Texts): void {
+  for (const [path, text] of Object.entries(texts)) {
+    files.mkdirTree(`${kScenarios}/${path}`.replace(/\/[^/]*$/, ''));
+    files.writeFile(`${kScenarios}/${path}`, text);
+  }
+}
+
 /** Loads a module, with the scenarios in its files. */
 async function load<Module extends { readonly FS: EngineFiles }>(base: string, file: string): Promise<Module> {
   const address = (name: string): string => new URL(name, base).href;
-  const scenarios = fetch(address('scenarios.json'));
+  const scenarios = fetchTexts(address('scenarios.json'));
   const { default: make } = (await import(/* @vite-ignore */ address(file))) as { default: MakeModule<Module> };
   const module = await make({
     locateFile: address,
     onProgress: (share) => post({ kind: 'progress', share }),
   });
-  const answer = await scenarios;
-  if (!answer.ok) throw new Error(`scenarios.json: ${answer.statusText || answer.status}`);
-  const { FS: files } = module;
-  files.mkdirTree(kTakes);
-  for (const [path, text] of Object.entries((await answer.json()) as Readonly<Record<string, string>>)) {
-    files.mkdirTree(`${kScenarios}/${path}`.replace(/\/[^/]*$/, ''));
-    files.writeFile(`${kScenarios}/${path}`, text);
-  }
+  module.FS.mkdirTree(kTakes);
+  putTexts(module.FS, await scenarios);
   return module;
+}
+
+/** The engine's module, which is loaded once. */
+let prepared: Promise<EngineModule> | null = null;
+
+function prepare(base: string): Promise<EngineModule> {
+  prepared ??= load<EngineModule>(base, 'muster-engine.js');
+  return prepared;
+}
+
+let gestures: Promise<void> | null = null;
+
+/** The touches that scenarios carry: they come when the first crowd walks. */
+function loadGestures(files: EngineFiles, base: string): Promise<void> {
+  gestures ??= fetchTexts(new URL('gestures.json', base).href).then((texts) => putTexts(files, texts));
+  return gestures;
 }
 
 /** Writes the shelf to the browser's database, one time after the other. */
@@ -62,13 +87,14 @@ function keepShelf(shelf: ShelfFiles): void {
 }
 
 async function start({ base, scenario, port }: Extract<ToEngine, { kind: 'start' }>): Promise<EngineHost> {
-  const engine = new Engine(await load<EngineModule>(base, 'muster-engine.js'));
+  const engine = new Engine(await prepare(base));
   const shelf = new ShelfFiles(engine.files, new KeptFiles(), [kTakes, `${kTakes}/removed`]);
   await shelf.load();
   engine.open(scenario, kVersion);
   keepShelf(shelf);
   const loop = new EngineLoop(engine, port, workerTimers());
   port.onmessage = ({ data }: MessageEvent<SocketMessage>) => loop.handle(data);
+  loadGestures(engine.files, base).catch(failed);
   return { engine, loop };
 }
 
@@ -103,7 +129,12 @@ async function answer({ id, method, target, body }: Extract<ToEngine, { kind: 'a
 }
 
 self.onmessage = ({ data }: MessageEvent<ToEngine>) => {
-  if (data.kind === 'start') {
+  if (data.kind === 'prepare') {
+    prepare(data.base)
+      .then((module) => loadGestures(module.FS, data.base))
+      .then(() => post({ kind: 'prepared' }))
+      .catch(failed);
+  } else if (data.kind === 'start') {
     host = start(data);
     host.catch(failed);
   } else if (data.kind === 'ask') answer(data).catch(failed);

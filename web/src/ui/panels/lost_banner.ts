@@ -18,12 +18,13 @@ export class LostBanner {
   private readonly title_ = element('strong', {}, 'Connection lost');
   private readonly text_ = element('span', { class: 'secondary' });
   private readonly retry_ = element('button', { type: 'button', class: 'solid' }, 'Try now');
+  private readonly goOn_ = element('button', { type: 'button', hidden: true }, 'Go on without server');
   readonly root = element(
     'section',
     { class: 'banner panel', role: 'alert' },
     icon('lost', 24),
     element('div', { class: 'banner-words' }, this.title_, this.text_),
-    element('div', { class: 'banner-buttons' }, this.retry_),
+    element('div', { class: 'banner-buttons' }, this.goOn_, this.retry_),
   );
 
   constructor(
@@ -31,6 +32,11 @@ export class LostBanner {
     actions: StudioActions,
   ) {
     this.retry_.addEventListener('click', () => actions.retry());
+    this.goOn_.addEventListener('click', () => actions.goOnAlone());
+    store_.watch(['standby'], ({ standby }) => {
+      this.goOn_.hidden = standby === 'none';
+      this.goOn_.disabled = standby === 'wanted';
+    });
     store_.watch(['link', 'recorded'], (state) => this.show(state));
     window.setInterval(() => this.show(store_.state), 500);
   }
