@@ -2,10 +2,13 @@
 //     node tests/site.mjs FOLDER [--only 'name']
 import { spawn } from 'node:child_process';
 import { createServer } from 'node:net';
-import { resolve } from 'node:path';
+import { mkdtempSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
 import { chromium } from 'playwright-core';
 import * as build from './cases/build.mjs';
 import * as site from './cases/site.mjs';
+import * as standby from './cases/standby.mjs';
 import * as takes from './cases/takes.mjs';
 import { StudioPage } from './support/studio_page.mjs';
 
@@ -24,6 +27,8 @@ const kCases = [
   ['scrub and trim', takes.scrubAndTrim, ['desktop'], { address: kOpen }],
   ['exports', takes.exports, ['desktop'], { address: kOpen }],
   ['build', build.numbers, ['wide'], { address: kOpen, touch: false, room: true }],
+  ['go on without the server', standby.goesOn, ['desktop', 'phone'], { fresh: true }],
+  ['no engine, no button', standby.withoutEngine, ['desktop'], { fresh: true }],
   ['without a network', site.offline, ['desktop', 'phone'], {}],
 ];
 
@@ -98,6 +103,8 @@ if (!folder) {
 const at = process.argv.indexOf('--only');
 const only = at > 0 ? process.argv[at + 1] : '';
 const server = await serve(resolve(folder));
+server.engine = join(resolve(folder), 'engine');
+server.empty = mkdtempSync(join(tmpdir(), 'muster-no-engine-'));
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: kFlags });
 let [passed, failed] = [0, 0];
 for (const [name, test, sizes, options] of kCases)
