@@ -63,7 +63,7 @@ std::vector<std::pair<const char*, std::string>> securityFields(const Doorway& d
     if (door.atDesk()) sockets += " ws://" + withPort("localhost", door.port);
     return {
         {"Content-Security-Policy",
-         "default-src 'self'; script-src 'self'; worker-src 'self' blob:; style-src 'self' 'unsafe-inline'; "
+         "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; style-src 'self' 'unsafe-inline'; "
          "img-src 'self' data: blob:; media-src 'self' blob:; font-src 'self' data:; connect-src 'self' "
          "data: "
          "blob: " +

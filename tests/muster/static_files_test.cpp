@@ -170,7 +170,7 @@ TEST_CASE("the security policy lets sockets go to this address and port alone") 
             CHECK_MESSAGE(has(words), words);
         CHECK(has("ws://localhost:4321") == door.atDesk());
         CHECK(!has("*"));
-        CHECK(!has("unsafe-eval"));
+        CHECK(!has("'unsafe-eval'"));
         // Each source that is a socket names this address and port.
         for (std::size_t at = policy.find("ws:"); at != std::string::npos; at = policy.find("ws:", at + 1)) {
             const std::string source = policy.substr(at, policy.find_first_of(" ;", at) - at);

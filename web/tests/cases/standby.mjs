@@ -28,6 +28,8 @@ async function withServer(browser, size, options, run) {
 }
 
 async function steerOn(studio) {
+  await studio.fit();
+  await studio.makeRoom();
   const frame = await studio.frame();
   const corner = extreme(points(frame.groups[0].vertices), 1, 0);
   const [from, to] = await studio.screen([corner, shifted(corner, 4, 0)]);

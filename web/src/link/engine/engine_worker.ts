@@ -13,6 +13,8 @@ const kScenarios = '/scenarios';
 const kExport = '/export';
 /** How often the shelf's files are looked through [ms]. */
 const kSaveEvery = 1000;
+/** Gestures, which are needed later, are loaded when people have begun to walk [ms]. */
+const kGesturesAfter = 1500;
 const kVersion = 'in this browser';
 
 function post(message: FromEngine, transfer: Transferable[] = []): void {
@@ -94,7 +96,7 @@ async function start({ base, scenario, port }: Extract<ToEngine, { kind: 'start'
   keepShelf(shelf);
   const loop = new EngineLoop(engine, port, workerTimers());
   port.onmessage = ({ data }: MessageEvent<SocketMessage>) => loop.handle(data);
-  loadGestures(engine.files, base).catch(failed);
+  self.setTimeout(() => void loadGestures(engine.files, base).catch(failed), kGesturesAfter);
   return { engine, loop };
 }
 
