@@ -160,13 +160,14 @@ Result<ServerDef> serverDef(const ServeOptions& options) {
     std::string attributes;
     if (!options.mode.empty()) attributes += "data-mode=\"" + options.mode + "\" ";
     if (!options.engineFolder.empty()) {
+        // Without an engine a lost server is waited for, that is all.
         const auto folder = addEngineFiles(options, def);
-        if (!folder.ok()) return folder.status();
-        attributes += "data-standby=\"" + *folder + "\" ";
+        if (folder.ok()) attributes += "data-standby=\"" + *folder + "\" ";
     }
     if (attributes.empty()) return def;
     auto page = readStaticFile(options.pageFolder, "/index.html");
     const std::size_t at = page ? page->body.find(kHtmlBegins) : std::string::npos;
+    if (at == std::string::npos && options.mode.empty()) return def;  // A page of somebody else's.
     if (at == std::string::npos)
         return Status(StatusCode::ParseError, options.pageFolder + "/index.html: found no <html lang=...>");
     page->body.insert(at + std::string(kHtmlBegins).size(), attributes);

@@ -295,11 +295,24 @@ await test('GET /take gives the whole take', async () => {
   take = Buffer.from(answer.body, 'latin1');
 });
 
-await test('GET /take is for our own page and for programs of this machine', async () => {
-  for (const site of ['cross-site', 'same-site', 'nonsense']) check((await get('/take', { 'Sec-Fetch-Site': site })).status === 403, site);
-  for (const site of ['same-origin', 'none']) check((await get('/take', { 'Sec-Fetch-Site': site })).status === 200, site);
-  check((await get('/take', { Origin: 'http://evil.example' })).status === 403, 'foreign Origin');
-  check((await get('/take', { Origin: here })).status === 200, 'own Origin');
+await test('GET /take and GET /handover are for our own page and for programs of this machine', async () => {
+  for (const path of ['/take', '/handover?world=1&take=0']) {
+    for (const site of ['cross-site', 'same-site', 'nonsense']) check((await get(path, { 'Sec-Fetch-Site': site })).status === 403, site);
+    for (const site of ['same-origin', 'none']) check((await get(path, { 'Sec-Fetch-Site': site })).status === 200, site);
+    check((await get(path, { Origin: 'http://evil.example' })).status === 403, 'foreign Origin');
+    check((await get(path, { Origin: here })).status === 200, 'own Origin');
+  }
+});
+
+await test('GET /handover gives what is new of the take, whatever it is asked', async () => {
+  const sizes = [];
+  const world = (await get('/handover')).body.charCodeAt(12);
+  for (const query of ['', '?world=0&take=0', `?world=${world}&take=99999999`, '?take=x&world=-1', `?world=${world}&take=64`]) {
+    const answer = await get(`/handover${query}`);
+    check(answer.status === 200 && answer.body.startsWith('MUSTHAND'), query);
+    sizes.push(answer.body.length);
+  }
+  check(sizes.at(-1) < sizes[0], `less where something is known: ${sizes}`);
 });
 
 await test('POST /take: Origin, length, contents', async () => {
