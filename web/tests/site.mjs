@@ -29,6 +29,7 @@ const kCases = [
   ['build', build.numbers, ['wide'], { address: kOpen, touch: false, room: true }],
   ['go on without the server', standby.goesOn, ['desktop', 'phone'], { fresh: true }],
   ['no engine, no button', standby.withoutEngine, ['desktop'], { fresh: true }],
+  ['large crowds', site.largeCrowds, ['desktop'], { address: kOpen, touch: false }],
   ['without a network', site.offline, ['desktop', 'phone'], {}],
 ];
 

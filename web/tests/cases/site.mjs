@@ -176,6 +176,47 @@ async function damaged(studio, link) {
   await context.close();
 }
 
+/** Steps and pictures in a second, of large crowds that march while the page draws them. */
+export async function largeCrowds(studio) {
+  for (const count of [1000, 10000]) {
+    const side = Math.ceil(Math.sqrt(count));
+    const place = {
+      format: 'muster-scenario',
+      version: 1,
+      name: `Crowd of ${count}`,
+      box: [
+        [-side, -side],
+        [2.5 * side, side],
+      ],
+      groups: [{ count, formation: 'square', position: [0, 0] }],
+    };
+    const answer = await studio.page.evaluate(async (text) => {
+      const opened = await globalThis.__muster.ask('scenario?name=large', { method: 'POST', body: text });
+      return opened.ok ? '' : opened.text();
+    }, JSON.stringify(place));
+    expect(answer === '', answer);
+    await studio.until('the crowd', (n) => globalThis.__muster.frame.x.length === n, count, 60000);
+    const march = JSON.stringify([{ kind: 'move', group: 1, x: side, y: 0 }]);
+    await studio.send({ type: 'Commands', events: march });
+    await studio.wait(3000);
+    const look = () =>
+      studio.page.evaluate(() => {
+        const { frame, view } = globalThis.__muster;
+        return { step: frame.step, pictures: view.stats.pictures, at: performance.now() };
+      });
+    const before = await look();
+    await studio.wait(6000);
+    const after = await look();
+    const seconds = (after.at - before.at) / 1000;
+    const rate = (after.step - before.step) / seconds;
+    console.log(
+      `measured: ${count} characters in the page: ${rate.toFixed(1)} steps and ` +
+        `${((after.pictures - before.pictures) / seconds).toFixed(1)} pictures a second`,
+    );
+    expect(rate > 1, `the world goes on: ${rate}`);
+  }
+}
+
 /** After the first visit the site opens without a network. */
 export async function offline(studio, server) {
   await studio.page.evaluate(() => globalThis.navigator.serviceWorker.ready);
