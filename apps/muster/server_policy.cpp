@@ -61,18 +61,18 @@ std::string tokenCookie(const Doorway& door) {
 std::vector<std::pair<const char*, std::string>> securityFields(const Doorway& door) {
     std::string sockets = "ws://" + withPort(door.address, door.port);
     if (door.atDesk()) sockets += " ws://" + withPort("localhost", door.port);
-    return {
-        {"Content-Security-Policy",
-         "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; style-src 'self' 'unsafe-inline'; "
-         "img-src 'self' data: blob:; media-src 'self' blob:; font-src 'self' data:; connect-src 'self' "
-         "data: "
-         "blob: " +
-             sockets + "; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"},
-        {"X-Content-Type-Options", "nosniff"},
-        {"X-Frame-Options", "DENY"},
-        {"Referrer-Policy", "no-referrer"},
-        {"Cross-Origin-Opener-Policy", "same-origin"},
-        {"Cross-Origin-Resource-Policy", "same-origin"}};
+    return {{"Content-Security-Policy",
+             "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; style-src "
+             "'self' 'unsafe-inline'; "
+             "img-src 'self' data: blob:; media-src 'self' blob:; font-src 'self' data:; connect-src 'self' "
+             "data: "
+             "blob: " +
+                 sockets + "; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"},
+            {"X-Content-Type-Options", "nosniff"},
+            {"X-Frame-Options", "DENY"},
+            {"Referrer-Policy", "no-referrer"},
+            {"Cross-Origin-Opener-Policy", "same-origin"},
+            {"Cross-Origin-Resource-Policy", "same-origin"}};
 }
 
 }  // namespace muster

@@ -1,5 +1,6 @@
-// Times the steps of scenarios with their gestures. Prints for each one its name, the milliseconds of all steps (the
-// shortest of several plays), the worst step of that play, and the hash of its end. bench/wasm.mjs sets builds beside each other.
+// Times the steps of scenarios with their gestures. Prints for each one its name, the milliseconds of all
+// steps (the shortest of several plays), the worst step of that play, and the hash of its end. bench/wasm.mjs
+// sets builds beside each other.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -71,7 +72,8 @@ int main(int argc, char** argv) {
         return 2;
     }
     for (int i = 4; i < argc; ++i)
-        if (const int code = timeScenario(argv[i], std::atof(argv[1]), std::atoi(argv[2]), std::atoi(argv[3]));
+        if (const int code = timeScenario(argv[i], std::atof(argv[1]), std::atoi(argv[2]),
+                                          std::atoi(argv[3]));
             code != 0)
             return code;
     return 0;

@@ -11,7 +11,7 @@
 namespace muster {
 
 /// A session's world at one moment (docs/protocol.md, "Handover"). A keeper asks for it again and again: it
-/// gets the take's bytes that it does not have yet, and all the rest anew.
+/// gets the take's bytes that it does not have yet, and all the rest each time.
 struct Handover {
     std::uint32_t world = 0;             ///< The number of the world in its session.
     std::uint64_t takeFrom = 0;          ///< Bytes of the take before `take`, which the keeper has.

@@ -27,7 +27,7 @@ function headOf(bytes: Uint8Array): Head {
   return head;
 }
 
-/** Puts handovers together: each brings what is new of the take, and all the rest anew. */
+/** Puts handovers together: each brings what is new of the take, and all the rest each time. */
 export class KeptWorld {
   private world_ = 0;
   private take_: Uint8Array[] = [];
