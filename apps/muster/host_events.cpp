@@ -98,7 +98,7 @@ ServerEvents eventsTo(Mailbox<HostEvent>& mailbox, std::atomic<bool>& interrupte
     };
     events.closed = [&](ConnectionId id) { mailbox.post(Closed{id}); };
     events.takeRequested = [&](HttpReply reply) { mailbox.post(TakeRequested{std::move(reply)}); };
-    events.takeUploaded = [&](std::vector<std::uint8_t> bytes, HttpReply reply) {
+    events.takeUploaded = [&](std::vector<std::uint8_t> bytes, const HttpReply& reply) {
         const std::size_t size = bytes.size();
         if (!mailbox.post(TakeUploaded{std::move(bytes), {}, reply}, size))
             reply(sentence(503, "The simulation is busy."));
@@ -107,7 +107,7 @@ ServerEvents eventsTo(Mailbox<HostEvent>& mailbox, std::atomic<bool>& interrupte
         mailbox.post(HandoverRequested{std::move(target), std::move(reply)});
     };
     events.placeRequested = [&](HttpReply reply) { mailbox.post(PlaceRequested{std::move(reply)}); };
-    events.placeUploaded = [&](std::vector<std::uint8_t> bytes, std::string name, HttpReply reply) {
+    events.placeUploaded = [&](std::vector<std::uint8_t> bytes, std::string name, const HttpReply& reply) {
         const std::size_t size = bytes.size();
         if (!mailbox.post(PlaceUploaded{std::move(bytes), std::move(name), reply}, size))
             reply(sentence(503, "The simulation is busy."));
@@ -162,7 +162,7 @@ Result<ServerDef> serverDef(const ServeOptions& options) {
     if (!options.engineFolder.empty()) {
         // Without an engine a lost server is waited for, that is all.
         const auto folder = addEngineFiles(options, def);
-        if (folder.ok()) attributes += "data-standby=\"" + *folder + "\" ";
+        if (folder.ok()) attributes.append("data-standby=\"").append(*folder).append("\" ");
     }
     if (attributes.empty()) return def;
     auto page = readStaticFile(options.pageFolder, "/index.html");

@@ -3,6 +3,7 @@
 // sets builds beside each other.
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -36,7 +37,7 @@ muster::Result<Play> play(const std::filesystem::path& path, double seconds, int
             if (const muster::Status status = world->submit(command); !status.ok()) return status;
     }
     Play result;
-    const auto steps = static_cast<int>(seconds / def->parameters.stepTime + 0.5);
+    const auto steps = static_cast<int>(std::lround(seconds / def->parameters.stepTime));
     for (int step = 1; step <= steps; ++step) {
         const auto began = Clock::now();
         world->step();
