@@ -140,8 +140,9 @@ Result<std::string> addEngineFiles(const ServeOptions& options, ServerDef& def) 
         hash.add(bytes);
     }
     const std::string folder = "engine-" + toHex(hash.value()) + "/";
+    const std::string base = "/" + folder;
     for (auto& [name, bytes] : *files)
-        def.files["/" + folder + name] = {typeOfFile(name), kKeptForever, std::move(bytes)};
+        def.files[base + name] = {typeOfFile(name), kKeptForever, std::move(bytes)};
     return folder;
 }
 
