@@ -29,13 +29,13 @@ export class Docs {
 
   of(text) {
     return text
-      .replace(/ of `size` bytes/g, '')
-      .replace(/\bmuster_free_buffer\(\)/g, 'nobody else')
+      .replace(/,? of `size` bytes/g, '')
+      .replace(/, which belong to the caller \(muster_free_buffer\(\)\)/g, '')
       .replace(/\b(muster_\w+)\(\)/g, (whole, name) => (this.verbs.has(name) ? `${this.verbs.get(name)}()` : whole))
       .replace(/\bMUSTER_[A-Z_]+\b/g, (name) => this.values.get(name) ?? name)
       .replace(/\bMuster[A-Z]\w+/g, (name) => (this.model.types.structs.has(name) || this.model.types.integers.has(name) ? this.model.nameOf(name) : name))
       .split(/(?<=\.) (?=[A-Z`])/)
-      .filter((sentence) => !/`out[A-Z]|which belong to the caller|^Set by /.test(sentence))
+      .filter((sentence) => !/`out[A-Z]|^Set by /.test(sentence))
       .join(' ');
   }
 }

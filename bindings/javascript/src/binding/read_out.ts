@@ -19,37 +19,46 @@ export interface ReadOut {
 }
 
 /** Throws where the owner has gone on. */
-export function checkMoment(what: string, owner: Owner, epoch: number): void {
+export function checkEpoch(what: string, owner: Owner, epoch: number): void {
   if (owner.epoch !== epoch)
     throw new MusterError(Status.InvalidArgument, `${what}: found what was read before a later step or the end, expected it to be read again`);
 }
 
+/** What it knows of itself is hidden, so that only its fields are seen. */
 abstract class LazyStruct {
-  abstract readonly layout: Layout;
-  private readonly known_ = new Map<string, unknown>();
-  private readonly epoch_: number;
+  readonly #known = new Map<string, unknown>();
+  readonly #layout: Layout;
+  readonly #decoder: Decoder;
+  readonly #view: DataView;
+  readonly #owner: Owner;
+  readonly #epoch: number;
 
-  constructor(
-    private readonly decoder_: Decoder,
-    /** The struct's own bytes. */
-    private readonly view_: DataView,
-    private readonly owner_: Owner,
-  ) {
-    this.epoch_ = owner_.epoch;
+  /** `view`: the struct's own bytes. */
+  constructor(layout: Layout, decoder: Decoder, view: DataView, owner: Owner) {
+    this.#layout = layout;
+    this.#decoder = decoder;
+    this.#view = view;
+    this.#owner = owner;
+    this.#epoch = owner.epoch;
   }
 
   read(field: Field): unknown {
-    checkMoment(this.layout.name, this.owner_, this.epoch_);
-    const known = this.known_.get(field.name);
+    checkEpoch(this.#layout.name, this.#owner, this.#epoch);
+    const known = this.#known.get(field.name);
     // Views are of a buffer that is gone once the memory has grown.
-    if (known !== undefined && (!isView(field) || (known as ArrayBufferView).buffer === this.decoder_.memory.bytes.buffer)) return known;
-    const made = this.decoder_.field(this.layout, field, 0, this.owner_, this.view_);
-    this.known_.set(field.name, made);
+    const { buffer } = this.#decoder.memory.bytes;
+    if (known !== undefined && (!isView(field) || (known as Uint8Array).buffer === buffer)) return known;
+    const made = this.#decoder.field(this.#layout, field, 0, this.#owner, this.#view);
+    this.#known.set(field.name, made);
     return made;
   }
 
   copy(): object {
-    return Object.fromEntries(this.layout.fields.map((field) => [field.name, copyOf(this.read(field))]));
+    return Object.fromEntries(this.#layout.fields.map((field) => [field.name, copyOf(this.read(field))]));
+  }
+
+  toJSON(): object {
+    return this.copy();
   }
 }
 
@@ -63,16 +72,15 @@ function copyOf(value: unknown): unknown {
   return value;
 }
 
-type LazyClass = new (decoder: Decoder, view: DataView, owner: Owner) => LazyStruct;
+type LazyClass = new (layout: Layout, decoder: Decoder, view: DataView, owner: Owner) => LazyStruct;
 
 const kClasses = new Map<string, LazyClass>();
 
 function classOf(layout: Layout): LazyClass {
   let made = kClasses.get(layout.name);
   if (!made) {
-    made = class extends LazyStruct {
-      readonly layout = layout;
-    };
+    made = class extends LazyStruct {};
+    Object.defineProperty(made, 'name', { value: layout.name });
     for (const field of layout.fields)
       Object.defineProperty(made.prototype, field.name, {
         enumerable: true,
@@ -87,5 +95,5 @@ function classOf(layout: Layout): LazyClass {
 
 export function makeReadOut(layout: Layout, decoder: Decoder, view: DataView, at: number, owner: Owner): object {
   const bytes = new Uint8Array(view.buffer, view.byteOffset + at, layout.size).slice();
-  return new (classOf(layout))(decoder, new DataView(bytes.buffer), owner);
+  return new (classOf(layout))(layout, decoder, new DataView(bytes.buffer), owner);
 }

@@ -3,7 +3,7 @@
 import { wrongValue } from '../muster_error.js';
 import type { Decoder } from './decoder.js';
 import { layoutOf, scalarOf, sizeOf, type Layout, type NumberArray } from './layout.js';
-import { checkMoment, type Owner } from './read_out.js';
+import { checkEpoch, type Owner } from './read_out.js';
 
 /** Valid until its owner steps, goes back or ends, as a read-out. */
 export class Rows<T> implements Iterable<T> {
@@ -56,6 +56,6 @@ export class Rows<T> implements Iterable<T> {
   }
 
   private check(): void {
-    checkMoment(this.layout_.name, this.owner_, this.epoch_);
+    checkEpoch(this.layout_.name, this.owner_, this.epoch_);
   }
 }

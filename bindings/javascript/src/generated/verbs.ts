@@ -34,7 +34,7 @@ export class GridMap extends Handle {
 
 /** Makes GridMap objects. */
 export class GridMapMaker extends Caller {
-  /** Reads the text of a `.map` file (type octile),. Fails with ParseError, naming the line. */
+  /** Reads the text of a `.map` file (type octile). Fails with ParseError, naming the line. */
   parse(text: string | Uint8Array): GridMap {
     return this.call_('muster_map_parse', text) as GridMap;
   }
@@ -81,7 +81,7 @@ export class World extends Handle {
     return this.call_('muster_world_hash') as bigint;
   }
 
-  /**  */
+  /** All state as bytes. */
   snapshot(): Uint8Array<ArrayBuffer> {
     return this.call_('muster_world_snapshot') as Uint8Array<ArrayBuffer>;
   }
