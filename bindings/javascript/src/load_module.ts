@@ -41,6 +41,9 @@ async function instantiate(source: WasmSource, imports: WebAssembly.Imports): Pr
 export function loadModule<Module>(make: MakeModule<Module>, source: WasmSource): Promise<Module> {
   return new Promise((done, failed) => {
     make({
+      // The library prints nothing; what stops it is thrown.
+      print: () => undefined,
+      printErr: () => undefined,
       instantiateWasm: (imports, use) => {
         instantiate(source, imports).then(use).catch(failed);
         return {};

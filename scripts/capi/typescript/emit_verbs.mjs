@@ -84,6 +84,8 @@ function resultType({ role, type }, names, model) {
 
 function returnType({ name, returns, parts }, names, model) {
   if (returns.role === 'text') return name === 'muster_version' || name === 'muster_status_name' ? 'string' : 'string | null';
+  // Defaults belong to nobody: all of them are copies.
+  if (returns.role === 'struct' && model.isReadOut(returns.type)) return `Omit<${names.one(returns.type)}, 'copy'>`;
   if (returns.role === 'number' || returns.role === 'struct') return names.one(returns.type);
   if (returns.role === 'list' || returns.role === 'fixed') return names.list(returns.type, 'copy');
   const results = parts.filter(({ role }) => kResults.has(role));

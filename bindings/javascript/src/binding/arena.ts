@@ -1,5 +1,7 @@
 // Memory for the time of one call, taken from one block and given back at once. Calls may nest.
 
+import { Status } from '../generated/enums.js';
+import { MusterError } from '../muster_error.js';
 import type { ModuleMemory } from './module_memory.js';
 
 const kBlock = 1 << 16;
@@ -36,7 +38,9 @@ export class Arena {
   }
 
   private takeLarge(size: number): number {
-    const at = this.memory_.allocate(size);
+    const at = this.memory_.tryAllocate(size);
+    if (at === 0)
+      throw new MusterError(Status.OutOfMemory, `what is given takes ${size} bytes, and the module has no memory left for them`);
     this.large_.push(at);
     return at;
   }

@@ -18,10 +18,7 @@ export class Decoder {
     if (scalar) return scalar.get(view, at);
     if (type === 'text') return this.text(view.getUint32(at, true)) ?? '';
     const layout = layoutOf(type);
-    if (layout.mode === 'readOut') {
-      if (!owner) throw new Error(`${type}: found no owner, expected one`);
-      return makeReadOut(layout, this, view, at, owner);
-    }
+    if (layout.mode === 'readOut' && owner) return makeReadOut(layout, this, view, at, owner);
     return Object.fromEntries(layout.fields.map((field) => [field.name, this.field(layout, field, at, owner, view)]));
   }
 
@@ -33,7 +30,9 @@ export class Decoder {
     const { type, shape, extra } = field;
     const at = start + field.at;
     const pointer = (): number => view.getUint32(at, true);
-    if (shape === 'list') return this.list(type, pointer(), view.getInt32(start + extra, true), mode, owner);
+    // What belongs to nobody would not be valid for long.
+    const listMode = mode === 'readOut' && !owner ? 'copy' : mode;
+    if (shape === 'list') return this.list(type, pointer(), view.getInt32(start + extra, true), listMode, owner);
     if (shape === 'maybe') return pointer() === 0 ? null : this.one(type, pointer(), owner);
     if (shape === 'has') return view.getUint8(start + extra) === 0 ? null : this.one(type, at, owner, view);
     if (shape === 'fixed') return Array.from({ length: extra }, (_, k) => this.one(type, at + k * sizeOf(type), owner, view));

@@ -68,10 +68,10 @@ export class Invoker {
     try {
       return action();
     } catch (error) {
-      // C++ exceptions come as numbers: there are none but for lack of memory.
+      // C++ exceptions come as numbers.
       if (typeof error !== 'number' && !(error instanceof WebAssembly.RuntimeError)) throw error;
-      const why = error instanceof Error ? error.message : 'no memory was left';
-      this.broken_ = `the module has stopped (${why}): load it anew`;
+      const size = Math.round(this.memory.bytes.length / 1e6);
+      this.broken_ = `the module has stopped, most likely for lack of memory (it has ${size} MB): load it anew`;
       throw new MusterError(Status.Internal, this.broken_);
     }
   }

@@ -27,8 +27,13 @@ export class ModuleMemory {
     return new TextDecoder().decode(this.bytes.subarray(at, this.bytes.indexOf(0, at)));
   }
 
+  /** The address; 0 where there is no memory left. */
+  tryAllocate(size: number): number {
+    return this.module_._malloc(Math.max(1, size));
+  }
+
   allocate(size: number): number {
-    const at = this.module_._malloc(Math.max(1, size));
+    const at = this.tryAllocate(size);
     if (at === 0) throw new Error('The engine has no memory left.');
     return at;
   }

@@ -758,8 +758,8 @@ export class MusterFunctions extends Caller {
   }
 
   /** A cyclic clip without poses, at 60 poses per second. */
-  defaultClip(): Clip {
-    return this.call_('muster_default_clip') as Clip;
+  defaultClip(): Omit<Clip, 'copy'> {
+    return this.call_('muster_default_clip') as Omit<Clip, 'copy'>;
   }
 
   /** The JSON Schema (draft 2020-12) of scenario files. */
