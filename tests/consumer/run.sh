@@ -13,7 +13,7 @@ build_samples() {
     {
         echo 'cmake_minimum_required(VERSION 3.25)'
         echo 'project(samples LANGUAGES CXX)'
-        for folder in "$work"/samples/*/; do echo "add_subdirectory($(basename "$folder"))"; done
+        for file in "$work"/samples/*/CMakeLists.txt; do echo "add_subdirectory($(basename "$(dirname "$file")"))"; done
     } >"$work/samples/CMakeLists.txt"
     cmake -S "$work/samples" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$work/prefix" \
         -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror" -DCMAKE_C_FLAGS="-pedantic -Wall -Wextra -Werror" >/dev/null && cmake --build "$work/build"

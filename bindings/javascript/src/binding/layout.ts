@@ -1,10 +1,21 @@
 // Where the fields of structs stand in memory, read from the generated table when first needed.
 
-import { kLayouts } from '../generated/layouts.js';
+import { kLayouts } from "../generated/layouts.js";
 
-export type ScalarName = 'u8' | 'u16' | 'i32' | 'u32' | 'u64' | 'f32' | 'f64' | 'bool';
-export type NumberArray = Uint8Array | Uint16Array | Int32Array | Uint32Array | Float32Array | Float64Array;
-export type NumberArrayMaker = new (buffer: ArrayBufferLike, at: number, length: number) => NumberArray;
+export type ScalarName =
+  "u8" | "u16" | "i32" | "u32" | "u64" | "f32" | "f64" | "bool";
+export type NumberArray =
+  | Uint8Array
+  | Uint16Array
+  | Int32Array
+  | Uint32Array
+  | Float32Array
+  | Float64Array;
+export type NumberArrayMaker = new (
+  buffer: ArrayBufferLike,
+  at: number,
+  length: number,
+) => NumberArray;
 
 /** One number in memory. */
 export interface Scalar {
@@ -18,7 +29,13 @@ export interface Scalar {
 }
 
 const kScalars: Readonly<Record<ScalarName, Scalar>> = {
-  u8: { size: 1, get: (v, at) => v.getUint8(at), set: (v, at, n) => v.setUint8(at, n), array: Uint8Array, range: [0, 255] },
+  u8: {
+    size: 1,
+    get: (v, at) => v.getUint8(at),
+    set: (v, at, n) => v.setUint8(at, n),
+    array: Uint8Array,
+    range: [0, 255],
+  },
   u16: {
     size: 2,
     get: (v, at) => v.getUint16(at, true),
@@ -45,20 +62,38 @@ const kScalars: Readonly<Record<ScalarName, Scalar>> = {
     get: (v, at) => v.getBigUint64(at, true),
     set: (v, at, n) => v.setBigUint64(at, BigInt(n), true),
   },
-  f32: { size: 4, get: (v, at) => v.getFloat32(at, true), set: (v, at, n) => v.setFloat32(at, n, true), array: Float32Array },
-  f64: { size: 8, get: (v, at) => v.getFloat64(at, true), set: (v, at, n) => v.setFloat64(at, n, true), array: Float64Array },
-  bool: { size: 1, get: (v, at) => v.getUint8(at) !== 0, set: (v, at, n) => v.setUint8(at, n), array: Uint8Array },
+  f32: {
+    size: 4,
+    get: (v, at) => v.getFloat32(at, true),
+    set: (v, at, n) => v.setFloat32(at, n, true),
+    array: Float32Array,
+  },
+  f64: {
+    size: 8,
+    get: (v, at) => v.getFloat64(at, true),
+    set: (v, at, n) => v.setFloat64(at, n, true),
+    array: Float64Array,
+  },
+  bool: {
+    size: 1,
+    get: (v, at) => v.getUint8(at) !== 0,
+    set: (v, at, n) => v.setUint8(at, n),
+    array: Uint8Array,
+  },
 };
 
 export function scalarOf(type: string): Scalar | undefined {
-  return Object.hasOwn(kScalars, type) ? kScalars[type as ScalarName] : undefined;
+  return Object.hasOwn(kScalars, type)
+    ? kScalars[type as ScalarName]
+    : undefined;
 }
 
 /**
  * How a field is stored. one: as it is. list: pointer and count. maybe: a pointer that may be null. has: with a flag. fixed: so
  * many. counted: text and count. body: that of the kind of a command.
  */
-export type Shape = 'one' | 'list' | 'maybe' | 'has' | 'fixed' | 'counted' | 'body';
+export type Shape =
+  "one" | "list" | "maybe" | "has" | "fixed" | "counted" | "body";
 
 export interface Field {
   readonly name: string;
@@ -73,7 +108,7 @@ export interface Field {
 export interface Layout {
   readonly name: string;
   /** How it is read: lazily; or as an object whose arrays hold objects; or whose arrays are arrays of numbers where they can be. */
-  readonly mode: 'readOut' | 'definition' | 'copy';
+  readonly mode: "readOut" | "definition" | "copy";
   readonly size: number;
   /** The scalar of a struct whose arrays are shown as numbers. */
   readonly flat: ScalarName | null;
@@ -86,21 +121,27 @@ export interface Layout {
 }
 
 function fieldOf(text: string): Field {
-  const [name = '', at, type = '', shape = 'one', extra] = text.split(' ');
-  return { name, at: Number(at), type, shape: shape as Shape, extra: Number(extra ?? 0) };
+  const [name = "", at, type = "", shape = "one", extra] = text.split(" ");
+  return {
+    name,
+    at: Number(at),
+    type,
+    shape: shape as Shape,
+    extra: Number(extra ?? 0),
+  };
 }
 
 function parsed(name: string, text: string): Layout {
-  const [head = '', ...rest] = text.split(' | ');
-  const [mode, size, flat, rows, maker] = head.split(' ');
+  const [head = "", ...rest] = text.split(" | ");
+  const [mode, size, flat, rows, maker] = head.split(" ");
   const fields = rest.map(fieldOf);
   return {
     name,
-    mode: mode as Layout['mode'],
+    mode: mode as Layout["mode"],
     size: Number(size),
-    flat: flat === '-' ? null : (flat as ScalarName),
-    rows: rows === 'rows',
-    maker: maker === '-' || maker === undefined ? null : maker,
+    flat: flat === "-" ? null : (flat as ScalarName),
+    rows: rows === "rows",
+    maker: maker === "-" || maker === undefined ? null : maker,
     fields,
     byName: new Map(fields.map((field) => [field.name, field])),
   };
@@ -112,7 +153,8 @@ export function layoutOf(name: string): Layout {
   let layout = kKnown.get(name);
   if (!layout) {
     const text = kLayouts[name];
-    if (text === undefined) throw new Error(`found no layout of ${name}, expected one`);
+    if (text === undefined)
+      throw new Error(`found no layout of ${name}, expected one`);
     layout = parsed(name, text);
     kKnown.set(name, layout);
   }
@@ -121,5 +163,5 @@ export function layoutOf(name: string): Layout {
 
 /** The size of one value of a type. */
 export function sizeOf(type: string): number {
-  return type === 'text' ? 4 : (scalarOf(type)?.size ?? layoutOf(type).size);
+  return type === "text" ? 4 : (scalarOf(type)?.size ?? layoutOf(type).size);
 }
