@@ -1,6 +1,6 @@
 // Two companies, orders to the blue one, and steps as time passes. Positions are drawn between the last two steps, so that
 // movement is even on displays of any rate.
-import { CommandKind, FormationKind, loadMuster } from "muster-engine";
+import { CommandKind, FormationKind, loadMuster } from 'muster-engine';
 
 const kStep = 1 / 60;
 const kMostStepsAtOnce = 4;
@@ -31,13 +31,13 @@ export class Crowd {
       })),
       groups: [
         {
-          name: "blue",
+          name: 'blue',
           count: 150,
           position: { x: -20, y: 0 },
           formation: { kind: FormationKind.Wedge, spacing: 1.1 },
         },
         {
-          name: "red",
+          name: 'red',
           count: 100,
           position: { x: 22, y: 0 },
           angle: Math.PI,

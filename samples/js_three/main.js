@@ -1,9 +1,9 @@
 // The companies as instanced capsules with three.js, without a bundler. Click on the ground to send the blue one.
-import * as THREE from "three";
-import { Crowd, kHouses } from "./crowd.js";
+import * as THREE from 'three';
+import { Crowd, kHouses } from './crowd.js';
 
 const kColours = [new THREE.Color(0x1e66c8), new THREE.Color(0xc62f2f)];
-const line = document.querySelector("#line");
+const line = document.querySelector('#line');
 const crowd = await Crowd.make();
 
 const renderer = new THREE.WebGLRenderer({ antialias: true });
@@ -30,10 +30,7 @@ Object.assign(sun.shadow.camera, {
 });
 scene.add(sun, new THREE.HemisphereLight(0xffffff, 0x90a4ae, 1.4));
 
-const ground = new THREE.Mesh(
-  new THREE.PlaneGeometry(80, 48),
-  new THREE.MeshLambertMaterial({ color: 0xf5f5f0 }),
-);
+const ground = new THREE.Mesh(new THREE.PlaneGeometry(80, 48), new THREE.MeshLambertMaterial({ color: 0xf5f5f0 }));
 ground.receiveShadow = true;
 scene.add(ground);
 for (const { x, y, width, depth, height } of kHouses) {
@@ -47,23 +44,13 @@ for (const { x, y, width, depth, height } of kHouses) {
 }
 
 // One capsule for each character; it stands along z, with a nose in its heading.
-const capsule = new THREE.CapsuleGeometry(0.28, 1.1, 4, 12)
-  .rotateX(Math.PI / 2)
-  .translate(0, 0, 0.83);
-const people = new THREE.InstancedMesh(
-  capsule,
-  new THREE.MeshLambertMaterial(),
-  crowd.count,
-);
+const capsule = new THREE.CapsuleGeometry(0.28, 1.1, 4, 12).rotateX(Math.PI / 2).translate(0, 0, 0.83);
+const people = new THREE.InstancedMesh(capsule, new THREE.MeshLambertMaterial(), crowd.count);
 people.castShadow = true;
 people.frustumCulled = false;
 crowd.groups.forEach((group, k) => people.setColorAt(k, kColours[group]));
 const nose = new THREE.SphereGeometry(0.12, 8, 6).translate(0.28, 0, 1.45);
-const noses = new THREE.InstancedMesh(
-  nose,
-  new THREE.MeshLambertMaterial({ color: 0xf3c9a5 }),
-  crowd.count,
-);
+const noses = new THREE.InstancedMesh(nose, new THREE.MeshLambertMaterial({ color: 0xf3c9a5 }), crowd.count);
 noses.frustumCulled = false;
 scene.add(people, noses);
 
@@ -71,12 +58,8 @@ const matrix = new THREE.Matrix4();
 function place(share) {
   const { position, heading } = crowd.world.characters();
   for (let k = 0; k < crowd.count; k += 1) {
-    const [x, y] = [2 * k, 2 * k + 1].map(
-      (at) => crowd.before[at] + share * (position[at] - crowd.before[at]),
-    );
-    matrix
-      .makeRotationZ(Math.atan2(heading[2 * k + 1], heading[2 * k]))
-      .setPosition(x, y, 0);
+    const [x, y] = [2 * k, 2 * k + 1].map((at) => crowd.before[at] + share * (position[at] - crowd.before[at]));
+    matrix.makeRotationZ(Math.atan2(heading[2 * k + 1], heading[2 * k])).setPosition(x, y, 0);
     people.setMatrixAt(k, matrix);
     noses.setMatrixAt(k, matrix);
   }
@@ -90,18 +73,12 @@ function fit() {
 }
 
 const ray = new THREE.Raycaster();
-renderer.domElement.addEventListener("pointerdown", ({ clientX, clientY }) => {
-  ray.setFromCamera(
-    new THREE.Vector2(
-      (2 * clientX) / innerWidth - 1,
-      1 - (2 * clientY) / innerHeight,
-    ),
-    camera,
-  );
+renderer.domElement.addEventListener('pointerdown', ({ clientX, clientY }) => {
+  ray.setFromCamera(new THREE.Vector2((2 * clientX) / innerWidth - 1, 1 - (2 * clientY) / innerHeight), camera);
   const [hit] = ray.intersectObject(ground);
   if (hit) crowd.send({ x: hit.point.x, y: hit.point.y });
 });
-addEventListener("resize", fit);
+addEventListener('resize', fit);
 fit();
 
 let last = performance.now();

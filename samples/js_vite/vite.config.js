@@ -1,8 +1,8 @@
-import { defineConfig } from "vite";
+import { defineConfig } from 'vite';
 
 export default defineConfig({
-  base: "./",
+  base: './',
   // Vite's development server would move the package's file away from its muster.wasm.
-  optimizeDeps: { exclude: ["muster-engine"] },
-  build: { target: "es2022" },
+  optimizeDeps: { exclude: ['muster-engine'] },
+  build: { target: 'es2022' },
 });

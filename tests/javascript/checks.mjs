@@ -1,20 +1,18 @@
 // Counting of checks, and what the cases share: the installed package, the native program.
-import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
-import { readFileSync, readdirSync } from "node:fs";
-import { dirname, join } from "node:path";
-import { fileURLToPath, pathToFileURL } from "node:url";
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { readFileSync, readdirSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 
 export { assert };
-export const root = join(dirname(fileURLToPath(import.meta.url)), "../..");
+export const root = join(dirname(fileURLToPath(import.meta.url)), '../..');
 
 /** The folder into which the package is installed, and the native program. */
 export const [place, program] = [process.env.PLACE, process.env.PROGRAM];
 
 /** The package as a program imports it: entry.mjs stands beside node_modules. */
-export const engine = await import(
-  pathToFileURL(join(place, "entry.mjs")).href
-);
+export const engine = await import(pathToFileURL(join(place, 'entry.mjs')).href);
 
 const cases = [];
 
@@ -31,9 +29,7 @@ export async function runAll() {
     try {
       await action();
       passed += 1;
-      console.log(
-        `ok    ${name} (${((performance.now() - began) / 1000).toFixed(1)} s)`,
-      );
+      console.log(`ok    ${name} (${((performance.now() - began) / 1000).toFixed(1)} s)`);
     } catch (error) {
       failed += 1;
       console.log(`FAIL  ${name}: ${error.stack}`);
@@ -46,42 +42,28 @@ export async function runAll() {
 /** Expects a MusterError of that code whose sentence has these words. */
 export function refused(code, words, action) {
   assert.throws(action, (error) => {
-    assert.ok(
-      error instanceof engine.MusterError,
-      `found ${error?.stack ?? error}`,
-    );
+    assert.ok(error instanceof engine.MusterError, `found ${error?.stack ?? error}`);
     assert.equal(error.code, engine.Status[code], error.message);
-    assert.ok(
-      error.message.includes(words),
-      `"${error.message}" does not say "${words}"`,
-    );
-    assert.ok(
-      !error.message.includes("\n") && error.message.length > 10,
-      error.message,
-    );
+    assert.ok(error.message.includes(words), `"${error.message}" does not say "${words}"`);
+    assert.ok(!error.message.includes('\n') && error.message.length > 10, error.message);
     return true;
   });
 }
 
 export const native = (...given) =>
   execFileSync(program, given, {
-    encoding: "utf8",
+    encoding: 'utf8',
     maxBuffer: 1 << 28,
     cwd: root,
   });
 
-export const api = JSON.parse(
-  readFileSync(join(root, "docs/api/muster_api.json"), "utf8"),
-);
+export const api = JSON.parse(readFileSync(join(root, 'docs/api/muster_api.json'), 'utf8'));
 
 /** Names, plans, steps and hashes of tests/hashes/references.txt. */
-export const references = readFileSync(
-  join(root, "tests/hashes/references.txt"),
-  "utf8",
-)
+export const references = readFileSync(join(root, 'tests/hashes/references.txt'), 'utf8')
   .trim()
-  .split("\n")
-  .map((line) => line.split(" "))
+  .split('\n')
+  .map((line) => line.split(' '))
   .map(([name, plan, steps, hash]) => ({
     name,
     plan,
@@ -89,17 +71,13 @@ export const references = readFileSync(
     hash,
   }));
 
-export const hex = (hash) => hash.toString(16).padStart(16, "0");
+export const hex = (hash) => hash.toString(16).padStart(16, '0');
 
 /** All scenarios and gestures, in the module's files. */
 export function withScenarios(muster) {
-  const folder = join(root, "scenarios");
+  const folder = join(root, 'scenarios');
   for (const path of readdirSync(folder, { recursive: true }))
-    if (path.endsWith(".json"))
-      muster.files.write(
-        `/scenarios/${path}`,
-        readFileSync(join(folder, path)),
-      );
+    if (path.endsWith('.json')) muster.files.write(`/scenarios/${path}`, readFileSync(join(folder, path)));
   return muster;
 }
 
@@ -108,7 +86,7 @@ export function begin(muster, name, plan) {
   const path = `/scenarios/${name}.json`;
   const loaded = muster.Scenario.load(path);
   const def = loaded.def();
-  def.parameters.push({ name: "plan.solver", value: plan === "fast" ? 1 : 0 });
+  def.parameters.push({ name: 'plan.solver', value: plan === 'fast' ? 1 : 0 });
   const scenario = muster.Scenario.fromDef(def);
   const world = scenario.createWorld();
   const commands = muster.gesturesOfScenario(path, scenario);
@@ -121,6 +99,6 @@ export function begin(muster, name, plan) {
 /** A small world to try things on: 36 characters round the origin. */
 export const smallDef = {
   box: { min: { x: -20, y: -20 }, max: { x: 20, y: 20 } },
-  obstacles: [{ name: "pillar", centre: { x: 9, y: 0 }, radius: 1.5 }],
-  groups: [{ name: "all", count: 36 }],
+  obstacles: [{ name: 'pillar', centre: { x: 9, y: 0 }, radius: 1.5 }],
+  groups: [{ name: 'all', count: 36 }],
 };

@@ -40,7 +40,7 @@ types() {
 
 # The layout of the sources is that of the page's, but for what is generated.
 formatted() {
-    (cd web && npx prettier --log-level warn --check ../bindings/javascript/{src,*.mjs,*.json} ../samples/js_* ../tests/javascript \
+    (cd web && npx prettier --config .prettierrc.json --log-level warn --check ../bindings/javascript/{src,*.mjs,*.json} ../samples/js_* ../tests/javascript \
         --ignore-path ../tests/javascript/.prettierignore >&2)
 }
 

@@ -1,16 +1,16 @@
 // The files of a module, which lie in its memory: paths begin with "/".
 
-import { Status } from "./generated/enums.js";
-import { MusterError, shown } from "./muster_error.js";
-import type { ModuleFileSystem } from "./binding/module_types.js";
+import { Status } from './generated/enums.js';
+import { MusterError, shown } from './muster_error.js';
+import type { ModuleFileSystem } from './binding/module_types.js';
 
 /** What the numbers of failures mean; those of emscripten's C library. */
 const kReasons: Readonly<Record<number, string>> = {
-  20: "exists already",
-  31: "is a folder",
-  44: "there is no such file or folder",
-  54: "is no folder",
-  55: "is not empty",
+  20: 'exists already',
+  31: 'is a folder',
+  44: 'there is no such file or folder',
+  54: 'is no folder',
+  55: 'is not empty',
 };
 
 function reasonOf(error: unknown): string {
@@ -24,7 +24,7 @@ export class ModuleFiles {
 
   /** Writes a file, in folders that are made where they are missing. */
   write(path: string, content: Uint8Array | string): void {
-    const folder = path.replace(/\/[^/]*$/, "");
+    const folder = path.replace(/\/[^/]*$/, '');
     this.attempt(path, () => {
       if (folder && folder !== path) this.files_.mkdirTree(folder);
       this.files_.writeFile(path, content);
@@ -44,19 +44,18 @@ export class ModuleFiles {
     const found: Record<string, Uint8Array<ArrayBuffer>> = {};
     const visit = (folder: string, within: string): void => {
       for (const name of this.list(folder)) {
-        if (this.isFolder(`${folder}/${name}`))
-          visit(`${folder}/${name}`, `${within}${name}/`);
+        if (this.isFolder(`${folder}/${name}`)) visit(`${folder}/${name}`, `${within}${name}/`);
         else found[within + name] = this.read(`${folder}/${name}`);
       }
     };
-    visit(path, "");
+    visit(path, '');
     return found;
   }
 
   /** Names in a folder, sorted. */
   list(path: string): string[] {
     const names = this.attempt(path, () => this.files_.readdir(path));
-    return names.filter((name) => name !== "." && name !== "..").sort();
+    return names.filter((name) => name !== '.' && name !== '..').sort();
   }
 
   exists(path: string): boolean {
@@ -69,25 +68,19 @@ export class ModuleFiles {
   }
 
   isFolder(path: string): boolean {
-    return this.attempt(path, () =>
-      this.files_.isDir(this.files_.stat(path).mode),
-    );
+    return this.attempt(path, () => this.files_.isDir(this.files_.stat(path).mode));
   }
 
   /** Removes a file, or a folder with all that is in it. */
   remove(path: string): void {
-    if (!this.isFolder(path))
-      return this.attempt(path, () => this.files_.unlink(path));
+    if (!this.isFolder(path)) return this.attempt(path, () => this.files_.unlink(path));
     for (const name of this.list(path)) this.remove(`${path}/${name}`);
     this.attempt(path, () => this.files_.rmdir(path));
   }
 
   private attempt<T>(path: string, action: () => T): T {
-    if (typeof path !== "string")
-      throw new MusterError(
-        Status.InvalidArgument,
-        `path: found ${shown(path)}, expected a text`,
-      );
+    if (typeof path !== 'string')
+      throw new MusterError(Status.InvalidArgument, `path: found ${shown(path)}, expected a text`);
     try {
       return action();
     } catch (error) {

@@ -1,12 +1,12 @@
 // The library as one object.
 
-import type { LogFunction } from "./binding/callbacks.js";
-import { Invoker } from "./binding/invoker.js";
-import type { MakeModule, MusterModule } from "./binding/module_types.js";
-import { kHandleClasses, MusterFunctions } from "./generated/verbs.js";
-import { loadModule, type WasmSource } from "./load_module.js";
-import { ModuleFiles } from "./module_files.js";
-import makeModule from "muster-module";
+import type { LogFunction } from './binding/callbacks.js';
+import { Invoker } from './binding/invoker.js';
+import type { MakeModule, MusterModule } from './binding/module_types.js';
+import { kHandleClasses, MusterFunctions } from './generated/verbs.js';
+import { loadModule, type WasmSource } from './load_module.js';
+import { ModuleFiles } from './module_files.js';
+import makeModule from 'muster-module';
 
 export class Muster extends MusterFunctions {
   /** The module's files: what is read and written by path lies there. */
@@ -37,7 +37,5 @@ export interface LoadOptions {
 /** Loads the library. Each call gives a library with a memory of its own. */
 export async function loadMuster({ wasm }: LoadOptions = {}): Promise<Muster> {
   const make = makeModule as MakeModule<MusterModule>;
-  return new Muster(
-    await loadModule(make, wasm ?? new URL("./muster.wasm", import.meta.url)),
-  );
+  return new Muster(await loadModule(make, wasm ?? new URL('./muster.wasm', import.meta.url)));
 }

@@ -1,14 +1,6 @@
 // The crowd: a world, orders to it, and steps as time passes.
 
-import {
-  CommandKind,
-  FormationKind,
-  loadMuster,
-  Manner,
-  type Muster,
-  type Vec2,
-  type World,
-} from "muster-engine";
+import { CommandKind, FormationKind, loadMuster, Manner, type Muster, type Vec2, type World } from 'muster-engine';
 
 const kStep = 1 / 60;
 /** Where drawing is slow, the crowd slows down as well, and does not get stuck in steps. */
@@ -72,8 +64,7 @@ export class Crowd {
   centre(): Vec2 {
     const { position, count } = this.world.characters();
     let [x, y] = [0, 0];
-    for (let k = 0; k < count; k += 1)
-      [x, y] = [x + position[2 * k]! / count, y + position[2 * k + 1]! / count];
+    for (let k = 0; k < count; k += 1) [x, y] = [x + position[2 * k]! / count, y + position[2 * k + 1]! / count];
     return { x, y };
   }
 }

@@ -1,5 +1,5 @@
 // Commands of every kind, as bytes and back, and as the text of a gestures file.
-import { assert, engine, refused, test } from "../checks.mjs";
+import { assert, engine, refused, test } from '../checks.mjs';
 
 const { CommandKind } = engine;
 const at = (x, y) => ({ x, y });
@@ -41,7 +41,7 @@ const order = {
   path,
 };
 const group = {
-  name: "Grün",
+  name: 'Grün',
   count: 3,
   formation: {
     kind: engine.FormationKind.Points,
@@ -67,7 +67,7 @@ const group = {
   motions: engine.MotionSet.Weary,
 };
 const obstacle = {
-  name: "wall",
+  name: 'wall',
   polygon: { points: box },
   path,
   range: 2,
@@ -75,7 +75,7 @@ const obstacle = {
   height: 4,
 };
 const patch = {
-  name: "net",
+  name: 'net',
   polygon: { points: box },
   path,
   motion: 3,
@@ -117,7 +117,7 @@ export const kBodies = {
   AddPatch: { patch },
   ChangePatch: { id: 6, patch },
   RemovePatch: { id: 7 },
-  SetParameter: { name: "plan.exponent", value: 2 },
+  SetParameter: { name: 'plan.exponent', value: 2 },
   GiveOrder: { group: 1, mode: engine.QueueMode.Insert, index: 2, order },
   EditQueue: { group: 1, edit: engine.QueueEdit.Cancel, order: 12 },
   SetConduct: { group: 1, conduct: group.conduct },
@@ -155,7 +155,7 @@ export const kBodies = {
   ChangeCheckpoint: { id: 2, checkpoint, group: 3 },
   RemoveCheckpoint: { id: 2 },
   PlaceGroup: { group: 1, position: at(8, 9), angle: 0.125 },
-  NameGroup: { group: 1, name: "Vorhut" },
+  NameGroup: { group: 1, name: 'Vorhut' },
   ColourGroup: { group: 1, colour: 0xffee00 },
   SetAppearance: {
     group: 1,
@@ -166,18 +166,14 @@ export const kBodies = {
 
 /** True where all that was given is found. */
 function holds(found, given, where) {
-  if (typeof given !== "object" || given === null)
-    return assert.equal(found, given, where);
-  for (const [name, one] of Object.entries(given))
-    holds(found?.[name], one, `${where}.${name}`);
+  if (typeof given !== 'object' || given === null) return assert.equal(found, given, where);
+  for (const [name, one] of Object.entries(given)) holds(found?.[name], one, `${where}.${name}`);
   if (Array.isArray(given)) assert.equal(found.length, given.length, where);
 }
 
-test("commands of every kind become bytes and come back, all that they say", async () => {
+test('commands of every kind become bytes and come back, all that they say', async () => {
   const muster = await engine.loadMuster();
-  const kinds = Object.entries(CommandKind).filter(
-    ([name]) => name !== "Count",
-  );
+  const kinds = Object.entries(CommandKind).filter(([name]) => name !== 'Count');
   assert.deepEqual(
     Object.keys(kBodies),
     kinds.map(([name]) => name),
@@ -197,29 +193,21 @@ test("commands of every kind become bytes and come back, all that they say", asy
     holds(back, command, name);
     assert.deepEqual(muster.commandEncode(back), bytes, name);
     assert.equal(muster.commandName(kind), name);
-    refused("ParseError", "command", () =>
-      muster.commandDecode(bytes.subarray(0, bytes.length - 1)),
-    );
+    refused('ParseError', 'command', () => muster.commandDecode(bytes.subarray(0, bytes.length - 1)));
   }
 });
 
-test("numbers arrive where the engine looks for them: its own text of the commands says the same", async () => {
+test('numbers arrive where the engine looks for them: its own text of the commands says the same', async () => {
   const muster = await engine.loadMuster();
-  const commands = [
-    "TouchDown",
-    "SetPose",
-    "SetCount",
-    "SetParameter",
-    "GiveOrder",
-    "WriteMotion",
-    "NameGroup",
-  ].map((name, k) => ({
-    kind: CommandKind[name],
-    step: 60 * (k + 1),
-    client: 1,
-    sequence: k,
-    body: kBodies[name],
-  }));
+  const commands = ['TouchDown', 'SetPose', 'SetCount', 'SetParameter', 'GiveOrder', 'WriteMotion', 'NameGroup'].map(
+    (name, k) => ({
+      kind: CommandKind[name],
+      step: 60 * (k + 1),
+      client: 1,
+      sequence: k,
+      body: kBodies[name],
+    }),
+  );
   const text = muster.gesturesText(commands, 1 / 60);
   const said = JSON.stringify(JSON.parse(text));
   for (const word of [
@@ -230,23 +218,21 @@ test("numbers arrive where the engine looks for them: its own text of the comman
     '"x":6,"y":7,"angle":-0.5',
     '"facing":1.25',
     '"share":0.75',
-    "[[0.5,0],[0,0.5]]",
+    '[[0.5,0],[0,0.5]]',
   ])
     assert.ok(said.includes(word), `${word} is missing in ${said}`);
-  const back = muster.gesturesParse(text, "back.json", 1 / 60);
+  const back = muster.gesturesParse(text, 'back.json', 1 / 60);
   assert.deepEqual(
     back.map(({ kind, step }) => [kind, step]),
     commands.map(({ kind, step }) => [kind, step]),
   );
   assert.deepEqual(
     back.map(({ body: one }) => one),
-    muster
-      .gesturesParse(muster.gesturesText(back, 1 / 60), "c", 1 / 60)
-      .map(({ body: one }) => one),
+    muster.gesturesParse(muster.gesturesText(back, 1 / 60), 'c', 1 / 60).map(({ body: one }) => one),
   );
 });
 
-test("arrays of numbers do for arrays of points and ids", async () => {
+test('arrays of numbers do for arrays of points and ids', async () => {
   const muster = await engine.loadMuster();
   const plain = { kind: CommandKind.WriteMotion, body: kBodies.WriteMotion };
   const typed = {
@@ -258,19 +244,16 @@ test("arrays of numbers do for arrays of points and ids", async () => {
     },
   };
   assert.deepEqual(muster.commandEncode(typed), muster.commandEncode(plain));
-  refused("InvalidArgument", "command.body.positions.length: found 3", () =>
+  refused('InvalidArgument', 'command.body.positions.length: found 3', () =>
     muster.commandEncode({
       kind: CommandKind.WriteMotion,
       body: { ids: [1], positions: new Float64Array(3) },
     }),
   );
-  refused(
-    "InvalidArgument",
-    "command.body.positions: found a Float32Array",
-    () =>
-      muster.commandEncode({
-        kind: CommandKind.WriteMotion,
-        body: { ids: [1], positions: new Float32Array(2) },
-      }),
+  refused('InvalidArgument', 'command.body.positions: found a Float32Array', () =>
+    muster.commandEncode({
+      kind: CommandKind.WriteMotion,
+      body: { ids: [1], positions: new Float32Array(2) },
+    }),
   );
 });

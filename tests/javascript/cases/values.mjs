@@ -1,17 +1,17 @@
 // Definitions and what is read: defaults, round trips, and numbers of every kind.
-import { api, assert, engine, refused, smallDef, test } from "../checks.mjs";
+import { api, assert, engine, refused, smallDef, test } from '../checks.mjs';
 
-test("a definition comes back as it was given, bit for bit", async () => {
+test('a definition comes back as it was given, bit for bit', async () => {
   const muster = await engine.loadMuster();
   const def = {
     ...smallDef,
-    name: "Plätze ✓",
-    description: "two groups",
+    name: 'Plätze ✓',
+    description: 'two groups',
     seed: 2n ** 53n - 3n,
     cell: 0.25,
     patches: [
       {
-        name: "pool",
+        name: 'pool',
         polygon: {
           points: [
             { x: -5, y: 5 },
@@ -25,14 +25,14 @@ test("a definition comes back as it was given, bit for bit", async () => {
     ],
     groups: [
       {
-        name: "one",
+        name: 'one',
         count: 4,
         colour: 0x010203,
         demands: [1, 2, 1, 0.5],
         position: { x: 1 / 3, y: -1e-7 },
       },
       {
-        name: "two",
+        name: 'two',
         count: 2,
         position: { x: 9, y: -9 },
         starts: [
@@ -43,7 +43,7 @@ test("a definition comes back as it was given, bit for bit", async () => {
       },
     ],
     items: [{ position: { x: 1, y: 2 }, radius: 0.5 }],
-    parameters: [{ name: "plan.exponent", value: 2 }],
+    parameters: [{ name: 'plan.exponent', value: 2 }],
   };
   const scenario = muster.Scenario.fromDef(def);
   const read = scenario.def();
@@ -60,40 +60,28 @@ test("a definition comes back as it was given, bit for bit", async () => {
   assert.equal(muster.Scenario.fromDef(read).text(), text);
   assert.equal(muster.Scenario.parse(text).text(), text);
   assert.equal(JSON.parse(text).name, def.name);
-  assert.equal(
-    muster.World.create(read).hash(),
-    muster.Scenario.parse(text).createWorld().hash(),
-  );
-  assert.equal(
-    muster.World.create(def).hash(),
-    muster.World.create(read).hash(),
-  );
-  const seeded = (seed) =>
-    muster.World.create({ ...def, seed, groups: [{ jitter: 0.1 }] }).hash();
+  assert.equal(muster.World.create(read).hash(), muster.Scenario.parse(text).createWorld().hash());
+  assert.equal(muster.World.create(def).hash(), muster.World.create(read).hash());
+  const seeded = (seed) => muster.World.create({ ...def, seed, groups: [{ jitter: 0.1 }] }).hash();
   assert.notEqual(seeded(2n ** 53n - 1n), seeded(2n ** 53n - 2n));
   assert.equal(seeded(12), seeded(12n));
-  refused("InvalidArgument", "seed", () => seeded(2n ** 64n - 1n));
+  refused('InvalidArgument', 'seed', () => seeded(2n ** 64n - 1n));
 });
 
-test("an empty definition is the default one", async () => {
+test('an empty definition is the default one', async () => {
   const muster = await engine.loadMuster();
-  assert.equal(
-    muster.Scenario.fromDef({}).text(),
-    muster.Scenario.fromDef(muster.defaultWorldDef()).text(),
-  );
+  assert.equal(muster.Scenario.fromDef({}).text(), muster.Scenario.fromDef(muster.defaultWorldDef()).text());
   assert.deepEqual(muster.defaultGroupDef().position, { x: 0, y: 0 });
   assert.equal(muster.defaultGroupDef().count, 36);
   assert.equal(muster.defaultBody().mass, 1);
 });
 
-test("every struct that is given has its defaults in JavaScript, and is taken back", async () => {
+test('every struct that is given has its defaults in JavaScript, and is taken back', async () => {
   const muster = await engine.loadMuster();
   for (const { name, parameters } of api.functions) {
     if (!/^muster_default_/.test(name) || parameters.length > 0) continue;
-    const verb = name
-      .replace("muster_", "")
-      .replace(/_(.)/g, (_, letter) => letter.toUpperCase());
-    if (muster[verb]) assert.equal(typeof muster[verb](), "object", verb);
+    const verb = name.replace('muster_', '').replace(/_(.)/g, (_, letter) => letter.toUpperCase());
+    if (muster[verb]) assert.equal(typeof muster[verb](), 'object', verb);
   }
   for (let kind = 0; kind < engine.CommandKind.Count; kind += 1) {
     const command = muster.defaultCommand(kind);
@@ -104,15 +92,11 @@ test("every struct that is given has its defaults in JavaScript, and is taken ba
     } catch {
       continue;
     }
-    assert.deepEqual(
-      muster.commandEncode(command),
-      muster.commandEncode({ kind }),
-      String(kind),
-    );
+    assert.deepEqual(muster.commandEncode(command), muster.commandEncode({ kind }), String(kind));
   }
 });
 
-test("paths, lines and travels give what analysis says", async () => {
+test('paths, lines and travels give what analysis says', async () => {
   const muster = await engine.loadMuster();
   const path = {
     waypoints: [
@@ -130,22 +114,14 @@ test("paths, lines and travels give what analysis says", async () => {
   const order = muster.orderToLine({ x: -3, y: 2 }, { x: 3, y: 2 });
   assert.deepEqual(order.target, { x: 0, y: 2 });
   assert.equal(order.width, 6);
+  assert.ok(Math.abs(order.facing - Math.PI / 2) < 1e-12, 'left at the left hand of whoever faces +y');
+  const turned = muster.travelCompose({ x: 1, y: 0, yaw: Math.PI / 2 }, { x: 2, y: 0, yaw: 0.5 });
   assert.ok(
-    Math.abs(order.facing - Math.PI / 2) < 1e-12,
-    "left at the left hand of whoever faces +y",
-  );
-  const turned = muster.travelCompose(
-    { x: 1, y: 0, yaw: Math.PI / 2 },
-    { x: 2, y: 0, yaw: 0.5 },
-  );
-  assert.ok(
-    Math.abs(turned.x - 1) < 1e-6 &&
-      Math.abs(turned.y - 2) < 1e-6 &&
-      Math.abs(turned.yaw - Math.PI / 2 - 0.5) < 1e-6,
+    Math.abs(turned.x - 1) < 1e-6 && Math.abs(turned.y - 2) < 1e-6 && Math.abs(turned.yaw - Math.PI / 2 - 0.5) < 1e-6,
   );
 });
 
-test("orders are carried out, foreseen and reported", async () => {
+test('orders are carried out, foreseen and reported', async () => {
   const muster = await engine.loadMuster();
   const world = muster.World.create(smallDef);
   const { id } = world.group(0);
@@ -176,10 +152,9 @@ test("orders are carried out, foreseen and reported", async () => {
     world.step();
     for (const { kind } of world.events()) seen.add(muster.eventName(kind));
   }
-  for (const kind of ["orderDone", "arrived"]) assert.ok(seen.has(kind), kind);
+  for (const kind of ['orderDone', 'arrived']) assert.ok(seen.has(kind), kind);
   const { position, count } = world.characters();
   let [x, y] = [0, 0];
-  for (let k = 0; k < count; k += 1)
-    [x, y] = [x + position[2 * k] / count, y + position[2 * k + 1] / count];
+  for (let k = 0; k < count; k += 1) [x, y] = [x + position[2 * k] / count, y + position[2 * k + 1] / count];
   assert.ok(Math.hypot(x + 10, y - 8) < 0.1, `${x}, ${y}`);
 });

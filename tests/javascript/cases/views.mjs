@@ -1,7 +1,7 @@
 // Read-outs: views without copies, their end, growth of the memory, rows and columns.
-import { assert, engine, refused, smallDef, test } from "../checks.mjs";
+import { assert, engine, refused, smallDef, test } from '../checks.mjs';
 
-test("characters are views of the engine’s own arrays", async () => {
+test('characters are views of the engine’s own arrays', async () => {
   const muster = await engine.loadMuster();
   const world = muster.World.create(smallDef);
   world.step(3);
@@ -19,13 +19,10 @@ test("characters are views of the engine’s own arrays", async () => {
     [Uint32Array, Uint8Array, Int32Array],
   );
   for (let k = 0; k < 36; k += 1)
-    assert.ok(
-      Math.abs(Math.hypot(one.heading[2 * k], one.heading[2 * k + 1]) - 1) <
-        1e-9,
-    );
+    assert.ok(Math.abs(Math.hypot(one.heading[2 * k], one.heading[2 * k + 1]) - 1) < 1e-9);
 });
 
-test("a read-out ends with the step, its copy does not", async () => {
+test('a read-out ends with the step, its copy does not', async () => {
   const muster = await engine.loadMuster();
   const world = muster.World.create(smallDef);
   const [characters, group] = [world.characters(), world.group(0)];
@@ -36,20 +33,20 @@ test("a read-out ends with the step, its copy does not", async () => {
     kind: engine.CommandKind.GiveOrder,
     body: { group: group.id, order: { target: { x: -5, y: 5 } } },
   });
-  assert.equal(characters.count, 36, "commands end nothing");
+  assert.equal(characters.count, 36, 'commands end nothing');
   world.step(60);
-  refused("InvalidArgument", "Characters: ", () => characters.position);
-  refused("InvalidArgument", "Group: ", () => group.name);
-  refused("InvalidArgument", "Body: ", () => body.at(0));
+  refused('InvalidArgument', 'Characters: ', () => characters.position);
+  refused('InvalidArgument', 'Group: ', () => group.name);
+  refused('InvalidArgument', 'Body: ', () => body.at(0));
   assert.deepEqual(copy.position, first);
   assert.notDeepEqual(world.characters().position, first);
-  assert.equal(JSON.parse(JSON.stringify(world.group(0))).name, "all");
+  assert.equal(JSON.parse(JSON.stringify(world.group(0))).name, 'all');
   const last = world.characters();
   world.destroy();
-  refused("InvalidArgument", "Characters: ", () => last.id);
+  refused('InvalidArgument', 'Characters: ', () => last.id);
 });
 
-test("read-outs stay right when the memory grows", async () => {
+test('read-outs stay right when the memory grows', async () => {
   const muster = await engine.loadMuster();
   const world = muster.World.create(smallDef);
   world.step(5);
@@ -63,17 +60,14 @@ test("read-outs stay right when the memory grows", async () => {
     groups: [{ count: 5000 }],
   });
   large.step(2);
-  assert.ok(
-    muster.memorySize() > size,
-    "the large world has taken more memory",
-  );
-  assert.equal(stale.length, 0, "a view of before is detached");
+  assert.ok(muster.memorySize() > size, 'the large world has taken more memory');
+  assert.equal(stale.length, 0, 'a view of before is detached');
   assert.deepEqual(characters.position, before);
   world.step();
   assert.equal(world.characters().count, 36);
 });
 
-test("rows and columns say the same", async () => {
+test('rows and columns say the same', async () => {
   const muster = await engine.loadMuster();
   const bodies = Array.from({ length: 4 }, (_, k) => ({
     radius: 0.25 * (k + 1),
@@ -91,21 +85,17 @@ test("rows and columns say the same", async () => {
     [...body].map(({ unitClass }) => unitClass),
     [0, 1, 2, 3],
   );
-  assert.deepEqual([...body.column("mass")], [1, 2, 3, 4]);
-  assert.deepEqual([...body.column("unitClass")], [0, 1, 2, 3]);
+  assert.deepEqual([...body.column('mass')], [1, 2, 3, 4]);
+  assert.deepEqual([...body.column('unitClass')], [0, 1, 2, 3]);
   const room = new Float64Array(6).fill(9);
-  assert.equal(body.column("radius", room), room);
+  assert.equal(body.column('radius', room), room);
   assert.deepEqual([...room], [0.25, 0.5, 0.75, 1, 9, 9]);
-  refused("InvalidArgument", "index: found 4", () => body.at(4));
-  refused("InvalidArgument", 'name: found "weight"', () =>
-    body.column("weight"),
-  );
-  refused("InvalidArgument", "into: found a Float32Array", () =>
-    body.column("mass", new Float32Array(4)),
-  );
+  refused('InvalidArgument', 'index: found 4', () => body.at(4));
+  refused('InvalidArgument', 'name: found "weight"', () => body.column('weight'));
+  refused('InvalidArgument', 'into: found a Float32Array', () => body.column('mass', new Float32Array(4)));
 });
 
-test("a mesh’s triangles lie counter-clockwise and cover its places", async () => {
+test('a mesh’s triangles lie counter-clockwise and cover its places', async () => {
   const muster = await engine.loadMuster();
   const group = muster.World.create(smallDef).group(0);
   const { restMesh, triangles, meshPlaces, placePositions, finalMesh } = group;
@@ -121,18 +111,11 @@ test("a mesh’s triangles lie counter-clockwise and cover its places", async ()
   }
   assert.ok(area > 25 && area < 60, `36 places at 1 m, found ${area} m^2`);
   assert.equal(meshPlaces.length, 36);
-  meshPlaces.column("triangle").forEach((triangle, k) => {
+  meshPlaces.column('triangle').forEach((triangle, k) => {
     const { weight } = meshPlaces.at(k);
     const [x, y] = [0, 1].map((axis) =>
-      weight.reduce(
-        (sum, one, corner) =>
-          sum + one * finalMesh[2 * triangles[3 * triangle + corner] + axis],
-        0,
-      ),
+      weight.reduce((sum, one, corner) => sum + one * finalMesh[2 * triangles[3 * triangle + corner] + axis], 0),
     );
-    assert.ok(
-      Math.hypot(x - placePositions[2 * k], y - placePositions[2 * k + 1]) <
-        1e-9,
-    );
+    assert.ok(Math.hypot(x - placePositions[2 * k], y - placePositions[2 * k + 1]) < 1e-9);
   });
 });

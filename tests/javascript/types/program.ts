@@ -15,15 +15,11 @@ import {
   type MotionState,
   type Vec2,
   type World,
-} from "muster-engine";
-import {
-  Engine,
-  loadStudioModule,
-  type StudioModule,
-} from "muster-engine/studio";
+} from 'muster-engine';
+import { Engine, loadStudioModule, type StudioModule } from 'muster-engine/studio';
 
 const muster: Muster = await loadMuster({
-  wasm: new URL("https://example.org/muster.wasm"),
+  wasm: new URL('https://example.org/muster.wasm'),
 });
 const group: GroupDefInit = {
   count: 3,
@@ -47,38 +43,25 @@ for (const command of decoded)
     const { position }: { position: Vec2 } = command.body;
     world.submit({ ...command, body: { position } });
   }
-const states: Rows<MotionState> = muster.Motion.create(
-  muster.ClipLibrary.own(),
-  true,
-).states();
-const column = states.column("position");
+const states: Rows<MotionState> = muster.Motion.create(muster.ClipLibrary.own(), true).states();
+const column = states.column('position');
 const def = muster.Scenario.fromDef({}).def();
-def.groups.push({ ...muster.defaultGroupDef(), name: "more" });
+def.groups.push({ ...muster.defaultGroupDef(), name: 'more' });
 muster.World.create(def);
-const took: number = muster.Take.read("/a.take").replay(
-  1,
-  0,
-  (seen) => seen.stepCount() < 9,
-).steps;
-const engine = new Engine(
-  await loadStudioModule<StudioModule>(
-    "https://example.org/engine/",
-    "muster-engine",
-  ),
-);
-engine.open("open", "a test");
+const took: number = muster.Take.read('/a.take').replay(1, 0, (seen) => seen.stepCount() < 9).steps;
+const engine = new Engine(await loadStudioModule<StudioModule>('https://example.org/engine/', 'muster-engine'));
+engine.open('open', 'a test');
 try {
   world.step(3);
 } catch (error) {
-  if (error instanceof MusterError && error.code === Status.NotFound)
-    console.log(error.message);
+  if (error instanceof MusterError && error.code === Status.NotFound) console.log(error.message);
 }
 console.log(first, hash, column.length, took);
 
 // @ts-expect-error: no such field
 muster.World.create({ groups: [{ cuont: 3 }] });
 // @ts-expect-error: not a number
-muster.World.create({ groups: [{ count: "3" }] });
+muster.World.create({ groups: [{ count: '3' }] });
 // @ts-expect-error: the body of another kind
 world.submit({ kind: CommandKind.TouchUp, body: { position: { x: 1, y: 2 } } });
 // @ts-expect-error: a point needs both numbers
@@ -88,7 +71,7 @@ world.submit({ kind: 99 });
 // @ts-expect-error: read-outs are not written
 characters.count = 3;
 // @ts-expect-error: no such field
-states.column("weight");
+states.column('weight');
 const taken = muster.Take.read('/a.take');
 // @ts-expect-error: a take is no world
 muster.Motion.create(muster.ClipLibrary.own()).update(taken);

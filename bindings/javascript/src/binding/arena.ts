@@ -1,8 +1,8 @@
 // Memory for the time of one call, taken from one block and given back at once. Calls may nest.
 
-import { Status } from "../generated/enums.js";
-import { MusterError } from "../muster_error.js";
-import type { ModuleMemory } from "./module_memory.js";
+import { Status } from '../generated/enums.js';
+import { MusterError } from '../muster_error.js';
+import type { ModuleMemory } from './module_memory.js';
 
 const kBlock = 1 << 16;
 /** Doubles and 64-bit integers stand at multiples of it. */
@@ -20,10 +20,7 @@ export class Arena {
   /** Zeroed bytes. */
   take(size: number): number {
     const rounded = Math.ceil(size / kAlignment) * kAlignment;
-    const at =
-      this.top_ + rounded <= kBlock
-        ? this.block_ + this.top_
-        : this.takeLarge(rounded);
+    const at = this.top_ + rounded <= kBlock ? this.block_ + this.top_ : this.takeLarge(rounded);
     if (at === this.block_ + this.top_) this.top_ += rounded;
     this.memory_.bytes.fill(0, at, at + rounded);
     return at;

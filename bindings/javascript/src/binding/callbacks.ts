@@ -1,9 +1,9 @@
 // Functions of JavaScript that the module calls. What they throw comes out of the call that they were called by.
 
-import type { LogLevel } from "../generated/enums.js";
-import type { World } from "../generated/verbs.js";
-import { wrongValue } from "../muster_error.js";
-import type { MusterModule } from "./module_types.js";
+import type { LogLevel } from '../generated/enums.js';
+import type { World } from '../generated/verbs.js';
+import { wrongValue } from '../muster_error.js';
+import type { MusterModule } from './module_types.js';
 
 /** Gets a message: one sentence. It must not call the library. */
 export type LogFunction = (level: LogLevel, message: string) => void;
@@ -39,18 +39,13 @@ export class Callbacks {
   /** Makes a C function of that kind; 0 for none. */
   add(kind: string, action: unknown, place: string): number {
     if (action === null || action === undefined) return 0;
-    if (typeof action !== "function")
-      throw wrongValue(place, action, "a function or null");
+    if (typeof action !== 'function') throw wrongValue(place, action, 'a function or null');
     const { signature, arguments: argumentsOf } = this.kinds_[kind]!;
     return this.module_.addFunction((_context: number, ...given: number[]) => {
       if (this.thrown_) return 0;
-      this.logs_ = kind === "LogFunction";
+      this.logs_ = kind === 'LogFunction';
       try {
-        return (action as (...values: readonly unknown[]) => unknown)(
-          ...argumentsOf(given),
-        ) === false
-          ? 0
-          : 1;
+        return (action as (...values: readonly unknown[]) => unknown)(...argumentsOf(given)) === false ? 0 : 1;
       } catch (error) {
         this.thrown_ = { error };
         return 0;
@@ -66,7 +61,7 @@ export class Callbacks {
 
   /** Replaces the log's function. `set` tells the library. */
   setLog(action: unknown, set: (index: number) => void): void {
-    const made = this.add("LogFunction", action, "function");
+    const made = this.add('LogFunction', action, 'function');
     set(made);
     this.remove(this.log_);
     this.log_ = made;

@@ -1,11 +1,11 @@
 /// <reference lib="esnext.disposable" preserve="true" />
 // What classes of the binding have in common.
 
-import type { FunctionName } from "../generated/signatures.js";
-import { MusterError } from "../muster_error.js";
-import { Status } from "../generated/enums.js";
-import type { Invoker } from "./invoker.js";
-import type { Owner } from "./read_out.js";
+import type { FunctionName } from '../generated/signatures.js';
+import { MusterError } from '../muster_error.js';
+import { Status } from '../generated/enums.js';
+import type { Invoker } from './invoker.js';
+import type { Owner } from './read_out.js';
 
 /** Calls functions that belong to no object. */
 export class Caller {
@@ -47,8 +47,7 @@ export class Handle implements Owner {
     try {
       own.destroy();
     } catch (error) {
-      if (!(error instanceof MusterError) || error.code !== Status.NotFound)
-        throw error;
+      if (!(error instanceof MusterError) || error.code !== Status.NotFound) throw error;
     }
   }
 

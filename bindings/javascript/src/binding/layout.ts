@@ -1,21 +1,10 @@
 // Where the fields of structs stand in memory, read from the generated table when first needed.
 
-import { kLayouts } from "../generated/layouts.js";
+import { kLayouts } from '../generated/layouts.js';
 
-export type ScalarName =
-  "u8" | "u16" | "i32" | "u32" | "u64" | "f32" | "f64" | "bool";
-export type NumberArray =
-  | Uint8Array
-  | Uint16Array
-  | Int32Array
-  | Uint32Array
-  | Float32Array
-  | Float64Array;
-export type NumberArrayMaker = new (
-  buffer: ArrayBufferLike,
-  at: number,
-  length: number,
-) => NumberArray;
+export type ScalarName = 'u8' | 'u16' | 'i32' | 'u32' | 'u64' | 'f32' | 'f64' | 'bool';
+export type NumberArray = Uint8Array | Uint16Array | Int32Array | Uint32Array | Float32Array | Float64Array;
+export type NumberArrayMaker = new (buffer: ArrayBufferLike, at: number, length: number) => NumberArray;
 
 /** One number in memory. */
 export interface Scalar {
@@ -82,24 +71,25 @@ const kScalars: Readonly<Record<ScalarName, Scalar>> = {
   },
 };
 
+const kScalarsByName: ReadonlyMap<string, Scalar> = new Map(Object.entries(kScalars));
+
 export function scalarOf(type: string): Scalar | undefined {
-  return Object.hasOwn(kScalars, type)
-    ? kScalars[type as ScalarName]
-    : undefined;
+  return kScalarsByName.get(type);
 }
 
 /**
  * How a field is stored. one: as it is. list: pointer and count. maybe: a pointer that may be null. has: with a flag. fixed: so
  * many. counted: text and count. body: that of the kind of a command.
  */
-export type Shape =
-  "one" | "list" | "maybe" | "has" | "fixed" | "counted" | "body";
+export type Shape = 'one' | 'list' | 'maybe' | 'has' | 'fixed' | 'counted' | 'body';
 
 export interface Field {
   readonly name: string;
   readonly at: number;
   /** A scalar, 'text' or a struct. */
   readonly type: string;
+  /** Of fields that are one number. */
+  readonly number: Scalar | null;
   readonly shape: Shape;
   /** Where the count, the flag or the kind stands; how many there are. */
   readonly extra: number;
@@ -108,7 +98,7 @@ export interface Field {
 export interface Layout {
   readonly name: string;
   /** How it is read: lazily; or as an object whose arrays hold objects; or whose arrays are arrays of numbers where they can be. */
-  readonly mode: "readOut" | "definition" | "copy";
+  readonly mode: 'readOut' | 'definition' | 'copy';
   readonly size: number;
   /** The scalar of a struct whose arrays are shown as numbers. */
   readonly flat: ScalarName | null;
@@ -121,27 +111,22 @@ export interface Layout {
 }
 
 function fieldOf(text: string): Field {
-  const [name = "", at, type = "", shape = "one", extra] = text.split(" ");
-  return {
-    name,
-    at: Number(at),
-    type,
-    shape: shape as Shape,
-    extra: Number(extra ?? 0),
-  };
+  const [name = '', at, type = '', shape = 'one', extra] = text.split(' ');
+  const number = shape === 'one' ? (scalarOf(type) ?? null) : null;
+  return { name, at: Number(at), type, number, shape: shape as Shape, extra: Number(extra ?? 0) };
 }
 
 function parsed(name: string, text: string): Layout {
-  const [head = "", ...rest] = text.split(" | ");
-  const [mode, size, flat, rows, maker] = head.split(" ");
+  const [head = '', ...rest] = text.split(' | ');
+  const [mode, size, flat, rows, maker] = head.split(' ');
   const fields = rest.map(fieldOf);
   return {
     name,
-    mode: mode as Layout["mode"],
+    mode: mode as Layout['mode'],
     size: Number(size),
-    flat: flat === "-" ? null : (flat as ScalarName),
-    rows: rows === "rows",
-    maker: maker === "-" || maker === undefined ? null : maker,
+    flat: flat === '-' ? null : (flat as ScalarName),
+    rows: rows === 'rows',
+    maker: maker === '-' || maker === undefined ? null : maker,
     fields,
     byName: new Map(fields.map((field) => [field.name, field])),
   };
@@ -153,8 +138,7 @@ export function layoutOf(name: string): Layout {
   let layout = kKnown.get(name);
   if (!layout) {
     const text = kLayouts[name];
-    if (text === undefined)
-      throw new Error(`found no layout of ${name}, expected one`);
+    if (text === undefined) throw new Error(`found no layout of ${name}, expected one`);
     layout = parsed(name, text);
     kKnown.set(name, layout);
   }
@@ -163,5 +147,5 @@ export function layoutOf(name: string): Layout {
 
 /** The size of one value of a type. */
 export function sizeOf(type: string): number {
-  return type === "text" ? 4 : (scalarOf(type)?.size ?? layoutOf(type).size);
+  return type === 'text' ? 4 : (scalarOf(type)?.size ?? layoutOf(type).size);
 }

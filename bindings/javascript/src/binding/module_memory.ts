@@ -1,6 +1,6 @@
 // Bytes and texts in the memory of a WebAssembly module.
 
-import type { ModuleMemoryFunctions } from "./module_types.js";
+import type { ModuleMemoryFunctions } from './module_types.js';
 
 export class ModuleMemory {
   private view_: DataView = new DataView(new ArrayBuffer(0));
@@ -24,9 +24,7 @@ export class ModuleMemory {
 
   /** A text that ends with a zero. */
   text(at: number): string {
-    return new TextDecoder().decode(
-      this.bytes.subarray(at, this.bytes.indexOf(0, at)),
-    );
+    return new TextDecoder().decode(this.bytes.subarray(at, this.bytes.indexOf(0, at)));
   }
 
   /** The address; 0 where there is no memory left. */
@@ -36,7 +34,7 @@ export class ModuleMemory {
 
   allocate(size: number): number {
     const at = this.tryAllocate(size);
-    if (at === 0) throw new Error("The engine has no memory left.");
+    if (at === 0) throw new Error('The engine has no memory left.');
     return at;
   }
 
@@ -54,16 +52,10 @@ export class ModuleMemory {
     }
   }
 
-  withTexts<T>(
-    texts: readonly string[],
-    use: (at: readonly number[]) => T,
-    at: readonly number[] = [],
-  ): T {
+  withTexts<T>(texts: readonly string[], use: (at: readonly number[]) => T, at: readonly number[] = []): T {
     const [first, ...others] = texts;
     if (first === undefined) return use(at);
     const bytes = new TextEncoder().encode(`${first}\0`);
-    return this.withBytes(bytes, (one) =>
-      this.withTexts(others, use, [...at, one]),
-    );
+    return this.withBytes(bytes, (one) => this.withTexts(others, use, [...at, one]));
   }
 }

@@ -29,19 +29,13 @@ export type NativeFunction = (...given: number[]) => number;
 /** The module of the C API: all functions by their names, with `_` in front. */
 export interface MusterModule extends ModuleMemoryFunctions {
   readonly FS: ModuleFileSystem;
-  addFunction(
-    action: (...given: number[]) => number | void,
-    signature: string,
-  ): number;
+  addFunction(action: (...given: number[]) => number | void, signature: string): number;
   removeFunction(index: number): void;
 }
 
 /** What emscripten asks for a module's instance. */
 export interface ModuleOptions {
-  instantiateWasm?(
-    imports: WebAssembly.Imports,
-    use: (instance: WebAssembly.Instance) => void,
-  ): object;
+  instantiateWasm?(imports: WebAssembly.Imports, use: (instance: WebAssembly.Instance) => void): object;
   locateFile?(name: string): string;
   /** Prints what the C library writes to its output and its errors. */
   print?(line: string): void;

@@ -1,11 +1,11 @@
 // What is read of a world, a take... without copying it: fields are decoded when they are asked for, arrays of numbers are views
 // of the module's memory.
 
-import { Status } from "../generated/enums.js";
-import { MusterError } from "../muster_error.js";
-import type { Decoder } from "./decoder.js";
-import { scalarOf, layoutOf, type Field, type Layout } from "./layout.js";
-import { Rows } from "./rows.js";
+import { Status } from '../generated/enums.js';
+import { MusterError } from '../muster_error.js';
+import type { Decoder } from './decoder.js';
+import { scalarOf, layoutOf, type Field, type Layout } from './layout.js';
+import { Rows } from './rows.js';
 
 /** What a read-out belongs to. `epoch` rises whenever its read-outs are no longer valid. */
 export interface Owner {
@@ -15,7 +15,7 @@ export interface Owner {
 /** Valid until its owner steps, goes back or ends: after that its fields throw. */
 export interface ReadOut {
   /** All fields as copies, which stay. */
-  copy(): Omit<this, "copy">;
+  copy(): Omit<this, 'copy'>;
 }
 
 /** Throws where the owner has gone on. */
@@ -50,29 +50,14 @@ abstract class LazyStruct {
     const known = this.#known.get(field.name);
     // Views are of a buffer that is gone once the memory has grown.
     const { buffer } = this.#decoder.memory.bytes;
-    if (
-      known !== undefined &&
-      (!isView(field) || (known as Uint8Array).buffer === buffer)
-    )
-      return known;
-    const made = this.#decoder.field(
-      this.#layout,
-      field,
-      0,
-      this.#owner,
-      this.#view,
-    );
+    if (known !== undefined && (!isView(field) || (known as Uint8Array).buffer === buffer)) return known;
+    const made = this.#decoder.field(this.#layout, field, 0, this.#owner, this.#view);
     this.#known.set(field.name, made);
     return made;
   }
 
   copy(): object {
-    return Object.fromEntries(
-      this.#layout.fields.map((field) => [
-        field.name,
-        copyOf(this.read(field)),
-      ]),
-    );
+    return Object.fromEntries(this.#layout.fields.map((field) => [field.name, copyOf(this.read(field))]));
   }
 
   toJSON(): object {
@@ -81,10 +66,7 @@ abstract class LazyStruct {
 }
 
 function isView({ type, shape }: Field): boolean {
-  return (
-    shape === "list" &&
-    (scalarOf(type) !== undefined || layoutOf(type).flat !== null)
-  );
+  return shape === 'list' && (scalarOf(type) !== undefined || layoutOf(type).flat !== null);
 }
 
 function copyOf(value: unknown): unknown {
@@ -93,12 +75,7 @@ function copyOf(value: unknown): unknown {
   return value;
 }
 
-type LazyClass = new (
-  layout: Layout,
-  decoder: Decoder,
-  view: DataView,
-  owner: Owner,
-) => LazyStruct;
+type LazyClass = new (layout: Layout, decoder: Decoder, view: DataView, owner: Owner) => LazyStruct;
 
 const kClasses = new Map<string, LazyClass>();
 
@@ -106,7 +83,7 @@ function classOf(layout: Layout): LazyClass {
   let made = kClasses.get(layout.name);
   if (!made) {
     made = class extends LazyStruct {};
-    Object.defineProperty(made, "name", { value: layout.name });
+    Object.defineProperty(made, 'name', { value: layout.name });
     for (const field of layout.fields)
       Object.defineProperty(made.prototype, field.name, {
         enumerable: true,
@@ -119,22 +96,7 @@ function classOf(layout: Layout): LazyClass {
   return made;
 }
 
-export function makeReadOut(
-  layout: Layout,
-  decoder: Decoder,
-  view: DataView,
-  at: number,
-  owner: Owner,
-): object {
-  const bytes = new Uint8Array(
-    view.buffer,
-    view.byteOffset + at,
-    layout.size,
-  ).slice();
-  return new (classOf(layout))(
-    layout,
-    decoder,
-    new DataView(bytes.buffer),
-    owner,
-  );
+export function makeReadOut(layout: Layout, decoder: Decoder, view: DataView, at: number, owner: Owner): object {
+  const bytes = new Uint8Array(view.buffer, view.byteOffset + at, layout.size).slice();
+  return new (classOf(layout))(layout, decoder, new DataView(bytes.buffer), owner);
 }

@@ -1,6 +1,6 @@
 // What functions take and give, read from the generated table when first needed.
 
-import { kSignatures, type FunctionName } from "../generated/signatures.js";
+import { kSignatures, type FunctionName } from '../generated/signatures.js';
 
 export interface Parameter {
   readonly name: string;
@@ -22,12 +22,12 @@ export interface Signature {
 }
 
 function parsed(name: FunctionName): Signature {
-  const [head = "", ...rest] = kSignatures[name].split(" | ");
-  const words = head.split(" ");
-  const moves = words.at(-1) === "moves";
-  const [returns = "", type = "", count] = moves ? words.slice(0, -1) : words;
+  const [head = '', ...rest] = kSignatures[name].split(' | ');
+  const words = head.split(' ');
+  const moves = words.at(-1) === 'moves';
+  const [returns = '', type = '', count] = moves ? words.slice(0, -1) : words;
   const parameters = rest.map((text) => {
-    const [own = "", role = "", of = "", many] = text.split(" ");
+    const [own = '', role = '', of = '', many] = text.split(' ');
     return { name: own, role, type: of, count: Number(many ?? 0) };
   });
   return { name, returns, type, count: Number(count ?? 0), moves, parameters };

@@ -1,7 +1,7 @@
 // The studio's session in this thread, with messages and answers as JavaScript has them.
 
-import type { StudioModule } from "./studio_module.js";
-import { ModuleMemory } from "../binding/module_memory.js";
+import type { StudioModule } from './studio_module.js';
+import { ModuleMemory } from '../binding/module_memory.js';
 
 export interface EngineAnswer {
   readonly status: number;
@@ -16,18 +16,16 @@ export class Engine {
     this.memory_ = new ModuleMemory(module_);
   }
 
-  get files(): StudioModule["FS"] {
+  get files(): StudioModule['FS'] {
     return this.module_.FS;
   }
 
   /** Begins with a scenario by name, '' for the default. Throws a sentence. */
   open(scenario: string, version: string): void {
-    const failed = this.memory_.withTexts(
-      [scenario, version],
-      ([name, ofPage]) => this.module_._muster_open(name!, ofPage!),
+    const failed = this.memory_.withTexts([scenario, version], ([name, ofPage]) =>
+      this.module_._muster_open(name!, ofPage!),
     );
-    if (failed !== 0)
-      throw new Error(this.memory_.text(this.module_._muster_text()));
+    if (failed !== 0) throw new Error(this.memory_.text(this.module_._muster_text()));
   }
 
   connect(): number {
@@ -39,9 +37,7 @@ export class Engine {
   }
 
   receive(client: number, bytes: Uint8Array): void {
-    this.memory_.withBytes(bytes, (at) =>
-      this.module_._muster_receive(client, at, bytes.length),
-    );
+    this.memory_.withBytes(bytes, (at) => this.module_._muster_receive(client, at, bytes.length));
   }
 
   /** Lets time pass [s] and does one piece of work; when it wants to be called again [s]. */
@@ -60,14 +56,9 @@ export class Engine {
 
   ask(method: string, target: string, body: Uint8Array): EngineAnswer {
     const status = this.memory_.withTexts([method, target], ([verb, path]) =>
-      this.memory_.withBytes(body, (at) =>
-        this.module_._muster_ask(verb!, path!, at, body.length),
-      ),
+      this.memory_.withBytes(body, (at) => this.module_._muster_ask(verb!, path!, at, body.length)),
     );
-    const bytes = this.memory_.copy(
-      this.module_._muster_answer(),
-      this.module_._muster_answer_size(),
-    );
+    const bytes = this.memory_.copy(this.module_._muster_answer(), this.module_._muster_answer_size());
     return {
       status,
       type: this.memory_.text(this.module_._muster_answer_type()),

@@ -1,10 +1,6 @@
 // The WebAssembly modules of a site (apps/engine), with their functions by their names in C.
 
-import type {
-  ModuleFileSystem,
-  ModuleMemoryFunctions,
-  ModuleOptions,
-} from "../binding/module_types.js";
+import type { ModuleFileSystem, ModuleMemoryFunctions, ModuleOptions } from '../binding/module_types.js';
 
 /* eslint-disable @typescript-eslint/naming-convention -- The names are those of the C functions. */
 
@@ -25,12 +21,7 @@ export interface StudioModule extends AnyModule {
   _muster_collect(client: number): number;
   _muster_message(index: number): number;
   _muster_message_size(index: number): number;
-  _muster_ask(
-    method: number,
-    target: number,
-    body: number,
-    size: number,
-  ): number;
+  _muster_ask(method: number, target: number, body: number, size: number): number;
   _muster_answer(): number;
   _muster_answer_size(): number;
   _muster_answer_type(): number;
@@ -55,9 +46,7 @@ export async function loadStudioModule<Module extends AnyModule>(
   onProgress: (share: number) => void = () => undefined,
 ): Promise<Module> {
   const locateFile = (file: string): string => new URL(file, folder).href;
-  const { default: make } = (await import(
-    /* @vite-ignore */ /* webpackIgnore: true */ locateFile(`${name}.js`)
-  )) as {
+  const { default: make } = (await import(/* @vite-ignore */ /* webpackIgnore: true */ locateFile(`${name}.js`))) as {
     default: (options: StudioModuleOptions) => Promise<Module>;
   };
   return make({ locateFile, onProgress });
