@@ -1,5 +1,6 @@
 // The module's files, and the package's own.
-import { readFileSync } from 'node:fs';
+import { execFileSync } from 'node:child_process';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { assert, engine, place, refused, root, test } from '../checks.mjs';
 
@@ -32,6 +33,17 @@ test('a scenario file finds the map that lies beside it', async () => {
   assert.equal(muster.Scenario.load('/ground/yard.json').createWorld().obstacleIds().length, 1);
   refused('ParseError', 'yard', () => muster.Scenario.parse(JSON.stringify(text), 'yard'));
 });
+
+for (const document of ['bindings/javascript/README.md', 'docs/javascript.md'])
+  test(`the first program of ${document} runs`, () => {
+    const [, program] = /```js\n([^]*?)```/.exec(readFileSync(join(root, document), 'utf8'));
+    writeFileSync(join(place, 'first.mjs'), program);
+    const said = execFileSync(process.execPath, [join(place, 'first.mjs')], { encoding: 'utf8' });
+    // The order was to go to the right.
+    const [, count, x] = /^(\d+) people, the first at (-?[\d.]+), /.exec(said);
+    assert.equal(count, '64');
+    assert.ok(Number(x) > 5 && Number(x) < 21, said);
+  });
 
 test('the package holds its licences, its types and no more than it needs', () => {
   const folder = join(place, 'node_modules/muster-engine');
