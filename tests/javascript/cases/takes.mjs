@@ -78,6 +78,13 @@ test('a replay ends where its function says so, and throws what it throws', asyn
       }),
     /^RangeError: enough$/,
   );
+  const throwsNumber = () => {
+    throw 7; // As C++ exceptions would come out of the module.
+  };
+  assert.throws(
+    () => take.replay(1, 0, throwsNumber),
+    (error) => error === 7,
+  );
   assert.equal(take.replay().steps, 600, 'the library goes on');
   let kept;
   take.replay(1, 0, (world) => ((kept = world), false));

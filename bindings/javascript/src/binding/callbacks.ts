@@ -23,6 +23,7 @@ interface Kind {
 
 export class Callbacks {
   private thrown_: { readonly error: unknown } | null = null;
+  private rethrown_: { readonly error: unknown } | null = null;
   private log_ = 0;
   private logs_ = false;
 
@@ -71,6 +72,12 @@ export class Callbacks {
   rethrow(): void {
     const thrown = this.thrown_;
     this.thrown_ = null;
+    this.rethrown_ = thrown;
     if (thrown) throw thrown.error;
+  }
+
+  /** True for what rethrow() has thrown last: it is not the module's. */
+  hasThrown(error: unknown): boolean {
+    return this.rethrown_ !== null && this.rethrown_.error === error;
   }
 }

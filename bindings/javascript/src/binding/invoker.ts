@@ -75,6 +75,7 @@ export class Invoker {
     try {
       return action();
     } catch (error) {
+      if (this.callbacks_.hasThrown(error)) throw error;
       // C++ exceptions come as numbers.
       if (typeof error !== 'number' && !(error instanceof WebAssembly.RuntimeError)) throw error;
       const size = Math.round(this.memory.bytes.length / 1e6);
