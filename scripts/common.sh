@@ -93,7 +93,7 @@ install_page_packages() {
 build_page() {
     install_page_packages
     if [ ! -f web/dist/index.html ] ||
-        [ -n "$(find web protocol -newer web/dist/index.html -type f -not -path 'web/node_modules/*' -not -path 'web/dist/*' -not -path 'web/test-results/*' -print -quit)" ]; then
+        [ -n "$(find web protocol bindings/javascript/src -newer web/dist/index.html -type f -not -path 'web/node_modules/*' -not -path 'web/dist/*' -not -path 'web/test-results/*' -print -quit)" ]; then
         say "Building the page"
         (cd web && npm run --silent build) >&2 || fail "the page does not build"
         touch web/dist/index.html

@@ -2,6 +2,7 @@
 # Builds targets for WebAssembly in build/wasm, with Debian's emscripten. Usage: scripts/wasm.sh TARGET...
 #
 #     muster_engine muster_exporter   the engine for pages without a server (muster site)
+#     muster_javascript               the C API, for the npm package
 #     scenario_hashes                 the program that prints the hash of every scenario
 set -u
 cd "$(dirname "$0")/.." || exit 1

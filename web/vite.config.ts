@@ -1,3 +1,4 @@
+import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
 
 // The page is served by `muster studio` at its root. `npm run dev` hands the WebSocket on to a server on port 8080.
@@ -11,6 +12,12 @@ export default defineConfig({
     rollupOptions: { input: 'index.html' },
   },
   worker: { format: 'es' },
+  // The package of bindings/javascript, from its sources.
+  resolve: {
+    alias: {
+      'muster-engine/studio': fileURLToPath(new URL('../bindings/javascript/src/studio/index.ts', import.meta.url)),
+    },
+  },
   server: { proxy: { '/ws': { target: 'ws://127.0.0.1:8080', ws: true } } },
   test: {
     // Tests that need a document say so: `// @vitest-environment jsdom`.

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs everything into a folder of its own; builds and runs each sample outside the tree, with find_package(muster);
+# Installs everything into a folder of its own; builds and runs each sample that CMake builds outside the tree, with find_package(muster);
 # compiles each installed header alone; tries the installed program. Each sample, the headers and the program count as one test.
 set -u
 root=$(cd "$(dirname "$0")/../.." && pwd)
@@ -13,7 +13,7 @@ build_samples() {
     {
         echo 'cmake_minimum_required(VERSION 3.25)'
         echo 'project(samples LANGUAGES CXX)'
-        for folder in "$work"/samples/*/; do echo "add_subdirectory($(basename "$folder"))"; done
+        for file in "$work"/samples/*/CMakeLists.txt; do echo "add_subdirectory($(basename "$(dirname "$file")"))"; done
     } >"$work/samples/CMakeLists.txt"
     cmake -S "$work/samples" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$work/prefix" \
         -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror" -DCMAKE_C_FLAGS="-pedantic -Wall -Wextra -Werror" >/dev/null && cmake --build "$work/build"
@@ -123,8 +123,8 @@ try_program() {
 
 cmake --install "$root/build/release" --prefix "$work/prefix" >/dev/null || { echo "0 passed, 1 failed"; exit 1; }
 build_samples || { echo "0 passed, 1 failed"; exit 1; }
-for folder in "$root"/samples/*/; do
-    name=$(basename "$folder")
+for file in "$root"/samples/*/CMakeLists.txt; do
+    name=$(basename "$(dirname "$file")")
     if [ "$name" = sdl_game ] && [ ! -x "$work/build/$name/$name" ]; then
         echo "skipped: sdl_game, as libsdl2-dev is not there"
         continue

@@ -1,7 +1,5 @@
 // The studio without a server: a folder of `muster site`, served by another web server, in Chromium. Usage:
 //     node tests/site.mjs FOLDER [--only 'name']
-import { spawn } from 'node:child_process';
-import { createServer } from 'node:net';
 import { mkdtempSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
@@ -10,6 +8,7 @@ import * as build from './cases/build.mjs';
 import * as site from './cases/site.mjs';
 import * as standby from './cases/standby.mjs';
 import * as takes from './cases/takes.mjs';
+import { serve } from './support/plain_server.mjs';
 import { StudioPage } from './support/studio_page.mjs';
 
 const kFlags = ['--no-sandbox', '--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'];
@@ -32,36 +31,6 @@ const kCases = [
   ['large crowds', site.largeCrowds, ['desktop'], { address: kOpen, touch: false }],
   ['without a network', site.offline, ['desktop', 'phone'], {}],
 ];
-
-function freePort() {
-  return new Promise((done) => {
-    const probe = createServer().listen(0, '127.0.0.1', () => {
-      const { port } = probe.address();
-      probe.close(() => done(port));
-    });
-  });
-}
-
-/** Python's web server, which knows nothing of Muster. */
-async function serve(folder) {
-  const port = await freePort();
-  const child = spawn('python3', ['-m', 'http.server', String(port), '--bind', '127.0.0.1'], {
-    cwd: folder,
-    stdio: 'ignore',
-  });
-  const url = `http://127.0.0.1:${port}/`;
-  for (let tries = 0; tries < 100; ++tries) {
-    if (
-      await fetch(url).then(
-        (answer) => answer.ok,
-        () => false,
-      )
-    )
-      return { url, folder, stop: () => child.kill() };
-    await new Promise((done) => setTimeout(done, 100));
-  }
-  throw new Error('The web server does not answer.');
-}
 
 async function attempt(browser, server, { test, size, options }) {
   if (options.fresh) return test(browser, server, size);

@@ -59,8 +59,8 @@ MusterStatus muster_world_obstacle(MusterWorldId world, MusterObstacleId id, Mus
     return readWorld(world, [&](WorldHandle& handle) -> Status {
         if (const Status fits = needStruct(outObstacle, "outObstacle"); !fits.ok()) return fits;
         const ObstacleId wanted{id};
-        if (!std::ranges::binary_search(handle.world().obstacleIds(), wanted))
-            return noSuchThing("obstacle", wanted);
+        const auto ids = handle.world().obstacleIds();
+        if (!std::binary_search(ids.begin(), ids.end(), wanted)) return noSuchThing("obstacle", wanted);
         const ObstacleView& view = handle.keep(handle.world().obstacle(wanted));
         fillThing<MusterObstacleDef>(view, handle.lend(Lent::Obstacle), *outObstacle);
         outObstacle->centre = {view.centre.x, view.centre.y};
@@ -78,8 +78,8 @@ MusterStatus muster_world_patch(MusterWorldId world, MusterPatchId id, MusterPat
     return readWorld(world, [&](WorldHandle& handle) -> Status {
         if (const Status fits = needStruct(outPatch, "outPatch"); !fits.ok()) return fits;
         const PatchId wanted{id};
-        if (!std::ranges::binary_search(handle.world().patchIds(), wanted))
-            return noSuchThing("patch", wanted);
+        const auto ids = handle.world().patchIds();
+        if (!std::binary_search(ids.begin(), ids.end(), wanted)) return noSuchThing("patch", wanted);
         const PatchView& view = handle.keep(handle.world().patch(wanted));
         fillThing<MusterPatchDef>(view, handle.lend(Lent::Patch), *outPatch);
         return {};

@@ -1,7 +1,7 @@
 // The page's side of the engine: requests are answered as by the server; exports run in workers of their own.
 
 import type { Ask } from '../answers';
-import type { EngineAnswer } from './engine';
+import type { EngineAnswer } from 'muster-engine/studio';
 import type { FromEngine, ToEngine } from './engine_messages';
 import { EngineExports } from './engine_exports';
 

@@ -1,6 +1,6 @@
 // Lets the engine's time pass as the page's does, and carries messages to and from one client.
 
-import type { Engine } from './engine';
+import type { Engine } from 'muster-engine/studio';
 import type { SocketMessage } from './engine_messages';
 
 /** Waits shorter than this are none [s]. */

@@ -1,6 +1,6 @@
 // Messages between the page and the worker that runs the engine, and over the port between that worker and the link's.
 
-import type { EngineAnswer } from './engine';
+import type { EngineAnswer } from 'muster-engine/studio';
 
 export interface EngineRequest {
   readonly id: number;

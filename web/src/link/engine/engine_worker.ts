@@ -1,12 +1,10 @@
 // The worker that runs the engine: the whole studio's session, or one export.
 
-import { Engine } from './engine';
+import { Engine, loadStudioModule, ModuleMemory, type ExporterModule, type StudioModule } from 'muster-engine/studio';
 import { EngineLoop, type LoopTimers } from './engine_loop';
 import type { FromEngine, SocketMessage, ToEngine } from './engine_messages';
-import type { EngineFiles, EngineModule, ExporterModule, MakeModule } from './engine_module';
 import { KeptFiles } from './kept_files';
-import { ModuleMemory } from './module_memory';
-import { ShelfFiles } from './shelf_files';
+import { ShelfFiles, type EngineFiles } from './shelf_files';
 
 const kTakes = '/takes';
 const kScenarios = '/scenarios';
@@ -53,24 +51,19 @@ function putTexts(files: EngineFiles, texts: Texts): void {
 }
 
 /** Loads a module, with the scenarios in its files. */
-async function load<Module extends { readonly FS: EngineFiles }>(base: string, file: string): Promise<Module> {
-  const address = (name: string): string => new URL(name, base).href;
-  const scenarios = fetchTexts(address('scenarios.json'));
-  const { default: make } = (await import(/* @vite-ignore */ address(file))) as { default: MakeModule<Module> };
-  const module = await make({
-    locateFile: address,
-    onProgress: (share) => post({ kind: 'progress', share }),
-  });
+async function load<Module extends StudioModule | ExporterModule>(base: string, name: string): Promise<Module> {
+  const scenarios = fetchTexts(new URL('scenarios.json', base).href);
+  const module = await loadStudioModule<Module>(base, name, (share) => post({ kind: 'progress', share }));
   module.FS.mkdirTree(kTakes);
   putTexts(module.FS, await scenarios);
   return module;
 }
 
 /** The engine's module, which is loaded once. */
-let prepared: Promise<EngineModule> | null = null;
+let prepared: Promise<StudioModule> | null = null;
 
-function prepare(base: string): Promise<EngineModule> {
-  prepared ??= load<EngineModule>(base, 'muster-engine.js');
+function prepare(base: string): Promise<StudioModule> {
+  prepared ??= load<StudioModule>(base, 'muster-engine');
   return prepared;
 }
 
@@ -106,7 +99,7 @@ interface EngineHost {
 }
 
 async function makeExport({ base, order, name, take }: Extract<ToEngine, { kind: 'export' }>): Promise<void> {
-  const module = await load<ExporterModule>(base, 'muster-exporter.js');
+  const module = await load<ExporterModule>(base, 'muster-exporter');
   const memory = new ModuleMemory(module);
   module.FS.writeFile(`${kTakes}/${name}`, take);
   const wrong = memory.withTexts([order, kExport], ([wish, path]) => module._muster_export(wish!, path!));

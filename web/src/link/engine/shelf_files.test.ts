@@ -1,6 +1,5 @@
 import { expect, it } from 'vitest';
-import type { EngineFiles } from './engine_module';
-import { ShelfFiles, type KeptFile } from './shelf_files';
+import { ShelfFiles, type EngineFiles, type KeptFile } from './shelf_files';
 
 /** Files of an engine, in memory. */
 class Files implements EngineFiles {

@@ -1,7 +1,13 @@
 // The shelf's files outlive the page: they are read from the browser's database at the start, and what changes in the engine's
 // folder is written back.
 
-import type { EngineFiles } from './engine_module';
+import type { ModuleFileSystem } from 'muster-engine/studio';
+
+/** The engine's files, as far as the shelf needs them. */
+export type EngineFiles = Pick<
+  ModuleFileSystem,
+  'mkdirTree' | 'writeFile' | 'readFile' | 'readdir' | 'stat' | 'isFile' | 'utime'
+>;
 
 /** A file with the time of its last change [ms]. */
 export interface KeptFile {

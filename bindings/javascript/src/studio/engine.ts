@@ -1,7 +1,7 @@
-// The engine: the studio's session in this thread, with messages and answers as JavaScript has them.
+// The studio's session in this thread, with messages and answers as JavaScript has them.
 
-import type { EngineModule } from './engine_module';
-import { ModuleMemory } from './module_memory';
+import type { StudioModule } from './studio_module.js';
+import { ModuleMemory } from '../binding/module_memory.js';
 
 export interface EngineAnswer {
   readonly status: number;
@@ -12,11 +12,11 @@ export interface EngineAnswer {
 export class Engine {
   private readonly memory_: ModuleMemory;
 
-  constructor(private readonly module_: EngineModule) {
+  constructor(private readonly module_: StudioModule) {
     this.memory_ = new ModuleMemory(module_);
   }
 
-  get files(): EngineModule['FS'] {
+  get files(): StudioModule['FS'] {
     return this.module_.FS;
   }
 
@@ -59,6 +59,10 @@ export class Engine {
       this.memory_.withBytes(body, (at) => this.module_._muster_ask(verb!, path!, at, body.length)),
     );
     const bytes = this.memory_.copy(this.module_._muster_answer(), this.module_._muster_answer_size());
-    return { status, type: this.memory_.text(this.module_._muster_answer_type()), bytes };
+    return {
+      status,
+      type: this.memory_.text(this.module_._muster_answer_type()),
+      bytes,
+    };
   }
 }

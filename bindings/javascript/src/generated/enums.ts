@@ -1,0 +1,487 @@
+// Generated from docs/api/muster_api.json by scripts/capi/typescript.mjs; do not edit.
+
+/** What kind of thing went wrong. */
+export const Status = {
+  /** Success. */
+  Ok: 0,
+  /** A value is outside its range or contradicts another. */
+  InvalidArgument: 1,
+  /** No object has this name or id; also for a handle that was destroyed. */
+  NotFound: 2,
+  /** Text or bytes that do not follow the format. */
+  ParseError: 3,
+  /** A file that cannot be read or written. */
+  IoError: 4,
+  /** A checksum or hash that does not match. */
+  Corrupt: 5,
+  /** Valid, but of a version or kind not known here. */
+  Unsupported: 6,
+  /** Too large, too many, too often. */
+  LimitExceeded: 7,
+  /** Memory could not be had. */
+  OutOfMemory: 8,
+  /** A fault of Muster itself. */
+  Internal: 9,
+} as const;
+export type Status = (typeof Status)[keyof typeof Status];
+
+/** Kinds of log messages. */
+export const LogLevel = {
+  /** Something that is good to know, as a command that was refused in its step. */
+  Info: 0,
+  /** A call failed; the text is its sentence. */
+  Failure: 1,
+} as const;
+export type LogLevel = (typeof LogLevel)[keyof typeof LogLevel];
+
+/** Index of a motion clip in the world's table of clips; 0 is running in the open. */
+export type MotionIndex = number;
+
+/** The library of shapes. */
+export const FormationKind = {
+  /** A filled square. */
+  Square: 0,
+  /** Two ranks abreast. */
+  Line: 1,
+  /** Two files along the heading. */
+  Column: 2,
+  /** A filled triangle with its tip in front. */
+  Wedge: 3,
+  /** Concentric circles round an open middle. */
+  Ring: 4,
+  /** A filled disc. */
+  Circle: 5,
+  /** Concentric arcs, open to the front. */
+  Crescent: 6,
+  /** A disc with a mouth to the front. */
+  Pacman: 7,
+  /** Any polygon with holes, scaled to hold the count at the spacing. */
+  Outline: 8,
+  /** Explicit places; the mesh is made round them. */
+  Points: 9,
+} as const;
+export type FormationKind = (typeof FormationKind)[keyof typeof FormationKind];
+
+/** Names an obstacle of a world; 0 for none. It is not used again. */
+export type ObstacleId = number;
+
+/** Names a patch of a world; 0 for none. */
+export type PatchId = number;
+
+/** Names a group of a world; 0 for none. */
+export type GroupId = number;
+
+/** Names an item of a world; 0 for none. */
+export type ItemId = number;
+
+/** Names a formation checkpoint of a world; 0 for none. */
+export type CheckpointId = number;
+
+/** Names a control of a world; 0 for none. */
+export type ControlId = number;
+
+/** Names a character of a world; 0 for none. */
+export type CharacterId = number;
+
+/** Names an order in a queue; 0 for none. */
+export type OrderId = number;
+
+/** Parts of a formation. */
+export const RoleArea = {
+  /** The foremost places. */
+  Front: 0,
+  /** The hindmost. */
+  Rear: 1,
+  /** Those nearest to the outline. */
+  Rim: 2,
+  /** Those nearest to the middle. */
+  Centre: 3,
+  /** Those farthest to the left. */
+  LeftFlank: 4,
+  /** Those farthest to the right. */
+  RightFlank: 5,
+  /** Those farthest from the middle line. */
+  Flanks: 6,
+} as const;
+export type RoleArea = (typeof RoleArea)[keyof typeof RoleArea];
+
+/** Who moves a character. */
+export const Driver = {
+  /** Steering and contacts. */
+  Muster: 0,
+  /** The host, by the command WriteMotion. Others keep clear of it. */
+  Outside: 1,
+} as const;
+export type Driver = (typeof Driver)[keyof typeof Driver];
+
+/** How a group is divided. */
+export const SplitBy = {
+  /** Those with the given ids leave. */
+  Ids: 0,
+  /** Those to the left of a line leave, as their places lie. */
+  Line: 1,
+  /** Those whose places lie in a polygon leave. */
+  Lasso: 2,
+  /** Parts of given shares, front to back, or left to right. */
+  Shares: 3,
+} as const;
+export type SplitBy = (typeof SplitBy)[keyof typeof SplitBy];
+
+/** The formation of parts. */
+export const PartShape = {
+  /** The places that they had. */
+  AsHeld: 0,
+  /** The shape of the whole, for fewer. */
+  Smaller: 1,
+} as const;
+export type PartShape = (typeof PartShape)[keyof typeof PartShape];
+
+/** What an order asks for. */
+export const OrderKind = {
+  /** Go to `target`, by `route` if one is given. */
+  Move: 0,
+  /** Turn to `facing` where it stands. */
+  Face: 1,
+  /** Keep at `offset` from a group or a character, until the next order. */
+  Follow: 2,
+  /** Stand round a rectangle, which may move, until the next order. */
+  Guard: 3,
+} as const;
+export type OrderKind = (typeof OrderKind)[keyof typeof OrderKind];
+
+/** How a group goes to its target. */
+export const Manner = {
+  /** In formation: the shape goes along the way and waits for the last. */
+  March: 0,
+  /** Each by the shortest way; the shape at the end. */
+  Free: 1,
+  /** All to `target` itself, by one cost field: no shape, no places. */
+  Continuum: 2,
+} as const;
+export type Manner = (typeof Manner)[keyof typeof Manner];
+
+/** How a marching formation takes its turns. */
+export const Turn = {
+  /** It faces along its way, and turns at a bounded rate. */
+  Wheel: 0,
+  /** As Wheel, but where the way leads back its rear becomes its front. */
+  Reverse: 1,
+  /** It faces one way until it has arrived, and then turns to `facing`. */
+  Keep: 2,
+} as const;
+export type Turn = (typeof Turn)[keyof typeof Turn];
+
+/** Where a new order stands in a queue. */
+export const QueueMode = {
+  /** It takes the place of all others. */
+  Replace: 0,
+  /** It comes last. */
+  Append: 1,
+  /** It comes before the order of a given index. */
+  Insert: 2,
+} as const;
+export type QueueMode = (typeof QueueMode)[keyof typeof QueueMode];
+
+/** Changes of a queue. */
+export const QueueEdit = {
+  /** Drops one order, or all. */
+  Cancel: 0,
+  /** The group waits where it is; the queue stays. */
+  Hold: 1,
+  /** It goes on. */
+  Resume: 2,
+  /** Orders that are done come last again. */
+  Patrol: 3,
+  /** They do not. */
+  EndPatrol: 4,
+  /** Drops all orders, ends all controls, and the group stands where it is. */
+  Stop: 5,
+} as const;
+export type QueueEdit = (typeof QueueEdit)[keyof typeof QueueEdit];
+
+/** Who makes room where groups meet. */
+export const Stance = {
+  /** Each as much as the other. */
+  Normal: 0,
+  /** It holds its ground: others go round it. */
+  Hold: 1,
+  /** It makes room for others. */
+  Yield: 2,
+} as const;
+export type Stance = (typeof Stance)[keyof typeof Stance];
+
+/** The build of drawn bodies. */
+export const BodyBuild = {
+  /** Wide shoulders, short hair. */
+  Broad: 0,
+  /** Narrow shoulders, wider hips, tied hair. */
+  Narrow: 1,
+} as const;
+export type BodyBuild = (typeof BodyBuild)[keyof typeof BodyBuild];
+
+/** A manner of walking and jogging, with clips of its own. */
+export const MotionSet = {
+  /** Upright, with high knees and stiff arms. */
+  March: 0,
+  /** Stooped, with hanging arms and feet that are hardly lifted. */
+  Weary: 1,
+} as const;
+export type MotionSet = (typeof MotionSet)[keyof typeof MotionSet];
+
+/** What passes a checkpoint. */
+export const CheckpointTrigger = {
+  /** A share of the characters has been in it, or, up to a half, their middle is. */
+  Crowd: 0,
+  /** The centre of the group's mesh is in it. */
+  Mesh: 1,
+} as const;
+export type CheckpointTrigger = (typeof CheckpointTrigger)[keyof typeof CheckpointTrigger];
+
+/** Kind of a control by its number of points. */
+export const ControlKind = {
+  /** One point. */
+  Point: 0,
+  /** Two. */
+  Line: 1,
+  /** Three and more. */
+  Area: 2,
+} as const;
+export type ControlKind = (typeof ControlKind)[keyof typeof ControlKind];
+
+/** Kinds of commands. Numbers stay; new kinds are appended. */
+export const CommandKind = {
+  /** Its body is `touchDown`. */
+  TouchDown: 0,
+  /** Its body is `touchMove`. */
+  TouchMove: 1,
+  /** Its body is `touchUp`. */
+  TouchUp: 2,
+  /** Its body is `touchCancel`. */
+  TouchCancel: 3,
+  /** Its body is `addControl`. */
+  AddControl: 4,
+  /** Its body is `pinControl`. */
+  PinControl: 5,
+  /** Its body is `removeControl`. */
+  RemoveControl: 6,
+  /** Its body is `releaseClient`. */
+  ReleaseClient: 7,
+  /** Its body is `setFormation`. */
+  SetFormation: 8,
+  /** Its body is `setCount`. */
+  SetCount: 9,
+  /** Its body is `setPose`. */
+  SetPose: 10,
+  /** Its body is `addGroup`. */
+  AddGroup: 11,
+  /** Its body is `removeGroup`. */
+  RemoveGroup: 12,
+  /** Its body is `addObstacle`. */
+  AddObstacle: 13,
+  /** Its body is `changeObstacle`. */
+  ChangeObstacle: 14,
+  /** Its body is `removeObstacle`. */
+  RemoveObstacle: 15,
+  /** Its body is `addPatch`. */
+  AddPatch: 16,
+  /** Its body is `changePatch`. */
+  ChangePatch: 17,
+  /** Its body is `removePatch`. */
+  RemovePatch: 18,
+  /** Its body is `setParameter`. */
+  SetParameter: 19,
+  /** Its body is `giveOrder`. */
+  GiveOrder: 20,
+  /** Its body is `editQueue`. */
+  EditQueue: 21,
+  /** Its body is `setConduct`. */
+  SetConduct: 22,
+  /** Its body is `addCharacters`. */
+  AddCharacters: 23,
+  /** Its body is `removeCharacters`. */
+  RemoveCharacters: 24,
+  /** Its body is `transferCharacters`. */
+  TransferCharacters: 25,
+  /** Its body is `splitGroup`. */
+  SplitGroup: 26,
+  /** Its body is `mergeGroups`. */
+  MergeGroups: 27,
+  /** Its body is `setBodies`. */
+  SetBodies: 28,
+  /** Its body is `setRoles`. */
+  SetRoles: 29,
+  /** Its body is `setDemands`. */
+  SetDemands: 30,
+  /** Its body is `setDriver`. */
+  SetDriver: 31,
+  /** Its body is `writeMotion`. */
+  WriteMotion: 32,
+  /** Its body is `addItem`. */
+  AddItem: 33,
+  /** Its body is `changeItem`. */
+  ChangeItem: 34,
+  /** Its body is `removeItem`. */
+  RemoveItem: 35,
+  /** Its body is `addCheckpoint`. */
+  AddCheckpoint: 36,
+  /** Its body is `changeCheckpoint`. */
+  ChangeCheckpoint: 37,
+  /** Its body is `removeCheckpoint`. */
+  RemoveCheckpoint: 38,
+  /** Its body is `placeGroup`. */
+  PlaceGroup: 39,
+  /** Its body is `nameGroup`. */
+  NameGroup: 40,
+  /** Its body is `colourGroup`. */
+  ColourGroup: 41,
+  /** Its body is `setAppearance`. */
+  SetAppearance: 42,
+  /** Number of kinds. */
+  Count: 43,
+} as const;
+export type CommandKind = (typeof CommandKind)[keyof typeof CommandKind];
+
+/** The phase of the motion that a character performs. */
+export const MotionPhase = {
+  /** It performs the motion of the ground it is on. */
+  Steady: 0,
+  /** It plays the transition into the motion. */
+  Entering: 1,
+  /** It plays the transition out of the motion. */
+  Leaving: 2,
+  /** It is within a single-step motion, which runs once per patch. */
+  Locked: 3,
+} as const;
+export type MotionPhase = (typeof MotionPhase)[keyof typeof MotionPhase];
+
+/** Kinds of events. Those from Arrived on are about orders and groups. */
+export const EventKind = {
+  /** `value` is the id of the patch. */
+  EnterPatch: 0,
+  /** `value` is the id of the patch. */
+  LeavePatch: 1,
+  /** A transition into or out of a motion begins; `value` is the motion. */
+  TransitionStart: 2,
+  /** A transition has ended; `value` is the motion. */
+  TransitionEnd: 3,
+  /** A jump or climb begins; `value` is the motion. */
+  SingleStep: 4,
+  /** An item was collected; `value` is the index of the item. */
+  Collect: 5,
+  /** A group has another formation; `subject` is the group. */
+  FormationChange: 6,
+  /** A character's place changed without a command; `value` is the new one. */
+  Swap: 7,
+  /** All with a place have been within 0.5 m of it for 1 s; `value` is their number. */
+  Arrived: 8,
+  /** Not at its place and moved less than 0.25 m in 5 s; `value` is the place. */
+  Stuck: 9,
+  /** The ground cut off the way of `value` characters of a group. */
+  Blocked: 10,
+  /** All of a group have their way again; `value` is how many had none. */
+  Free: 11,
+  /** No place of the group's order can be reached; `value` is their number. */
+  NoPath: 12,
+  /** `value` places of the group's order cannot be reached. */
+  Partial: 13,
+  /** A group was given the order of id `value`. */
+  OrderGiven: 14,
+  /** It begins the order of id `value`. */
+  OrderBegun: 15,
+  /** It has carried out the order of id `value`. */
+  OrderDone: 16,
+  /** It passes over the order of id `value`. */
+  OrderSkipped: 17,
+  /** A group has passed the checkpoint of index `value`. */
+  Passed: 18,
+  /** A group is new; `value` is the group that it was split off, or 0. */
+  GroupAdded: 19,
+  /** A group has ended; `value` is the group that it was merged into, or 0. */
+  GroupRemoved: 20,
+  /** A character is new; `value` is its group. */
+  Joined: 21,
+  /** A character has left the world; `value` is its group. */
+  Left: 22,
+  /** A character has changed groups; `value` is its new group. */
+  Transferred: 23,
+  /** Number of kinds. */
+  Count: 24,
+} as const;
+export type EventKind = (typeof EventKind)[keyof typeof EventKind];
+
+/** The joints, parents before children. The values are indices into every array of joints. */
+export const JointRole = {
+  /** The hips. */
+  Hips: 0,
+  /** The spine. */
+  Spine: 1,
+  /** The chest. */
+  Chest: 2,
+  /** The neck. */
+  Neck: 3,
+  /** The head. */
+  Head: 4,
+  /** The left shoulder. */
+  LeftShoulder: 5,
+  /** The left arm. */
+  LeftArm: 6,
+  /** The left fore arm. */
+  LeftForeArm: 7,
+  /** The left hand. */
+  LeftHand: 8,
+  /** The right shoulder. */
+  RightShoulder: 9,
+  /** The right arm. */
+  RightArm: 10,
+  /** The right fore arm. */
+  RightForeArm: 11,
+  /** The right hand. */
+  RightHand: 12,
+  /** The left up leg. */
+  LeftUpLeg: 13,
+  /** The left leg. */
+  LeftLeg: 14,
+  /** The left foot. */
+  LeftFoot: 15,
+  /** The left toe base. */
+  LeftToeBase: 16,
+  /** The right up leg. */
+  RightUpLeg: 17,
+  /** The right leg. */
+  RightLeg: 18,
+  /** The right foot. */
+  RightFoot: 19,
+  /** The right toe base. */
+  RightToeBase: 20,
+  /** Number of joints. */
+  Count: 21,
+} as const;
+export type JointRole = (typeof JointRole)[keyof typeof JointRole];
+
+/** The part of a body that touches something in a contact. */
+export const Limb = {
+  /** The left foot. */
+  LeftFoot: 0,
+  /** The right foot. */
+  RightFoot: 1,
+  /** The left hand. */
+  LeftHand: 2,
+  /** The right hand. */
+  RightHand: 3,
+  /** The left knee. */
+  LeftKnee: 4,
+  /** The right knee. */
+  RightKnee: 5,
+  /** Number of limbs. */
+  Count: 6,
+} as const;
+export type Limb = (typeof Limb)[keyof typeof Limb];
+
+/** Where a replay takes positions from. */
+export const ReplayFrom = {
+  /** The world simulates everything again. */
+  Simulation: 0,
+  /** Characters are put where the stored frames say; nothing is compared. */
+  Frames: 1,
+} as const;
+export type ReplayFrom = (typeof ReplayFrom)[keyof typeof ReplayFrom];

@@ -1,0 +1,2131 @@
+// Generated from docs/api/muster_api.json by scripts/capi/typescript.mjs; do not edit.
+
+import type { ReadOut } from '../binding/read_out.js';
+import type { Rows } from '../binding/rows.js';
+import type { Status, MotionIndex, FormationKind, ObstacleId, PatchId, GroupId, ItemId, CheckpointId, ControlId, CharacterId, OrderId, RoleArea, Driver, SplitBy, PartShape, OrderKind, Manner, Turn, QueueMode, QueueEdit, Stance, BodyBuild, MotionSet, CheckpointTrigger, ControlKind, EventKind, Limb } from './enums.js';
+
+/** A point or vector in the ground plane: x right, y forward [m]. */
+export interface Vec2 {
+  /** To the right [m]. */
+  x: number;
+  /** Forward [m]. */
+  y: number;
+}
+
+/** A rotation in the plane. */
+export interface Rotation {
+  /** Cosine of its angle. */
+  readonly c: number;
+  /** Sine. */
+  readonly s: number;
+}
+
+/** A rigid transform: rotation about the origin, then translation. */
+export interface Pose {
+  /** Translation [m]. */
+  readonly position: Vec2;
+  /** Unit rotation. */
+  readonly rotation: Rotation;
+}
+
+/** An axis-aligned box. */
+export interface Box {
+  /** Lower left corner [m]. */
+  min: Vec2;
+  /** Upper right corner [m]. */
+  max: Vec2;
+}
+
+/** Three vertex indices, counter-clockwise. */
+export interface Triangle {
+  /** Indices. */
+  readonly vertex: readonly number[];
+}
+
+/** A point of a mesh by its barycentric coordinates. */
+export interface MeshPoint {
+  /** Index into the mesh's triangles. */
+  readonly triangle: number;
+  /** Barycentric coordinates; their sum is 1. */
+  readonly weight: readonly number[];
+}
+
+/** Corners of a polygon in order [m]; an edge joins the last to the first. */
+export interface Polygon {
+  /** Corners, counter-clockwise unless noted otherwise [m]. */
+  points: Vec2[];
+}
+
+/** What may be given of Polygon. */
+export interface PolygonInit {
+  /** Corners, counter-clockwise unless noted otherwise [m]. */
+  readonly points?: readonly Vec2[] | Float64Array | undefined;
+}
+
+/** Position and angle of a moving object at one time. */
+export interface Waypoint {
+  /** World time [s], -1e7 to 1e7. */
+  time: number;
+  /** Offset from the object's defined position [m], each coordinate -1e7 to 1e7. */
+  position: Vec2;
+  /** Rotation about the object's centre of area [rad], -1e5 to 1e5. */
+  angle: number;
+}
+
+/** Piecewise linear motion through waypoints of strictly rising time. */
+export interface TimedPath {
+  /** At least 1e-6 s apart; none for an object that stands still. */
+  waypoints: Waypoint[];
+  /** True to start again after the last one; false to stay there. */
+  loop: boolean;
+}
+
+/** What may be given of TimedPath. */
+export interface TimedPathInit {
+  /** At least 1e-6 s apart; none for an object that stands still. */
+  readonly waypoints?: readonly Waypoint[] | undefined;
+  /** True to start again after the last one; false to stay there. */
+  readonly loop?: boolean | undefined;
+}
+
+/** Position, angle and velocities on a path at one time. */
+export interface PathState {
+  /** Position and angle. */
+  readonly at: Waypoint;
+  /** Velocity [m/s]. */
+  readonly velocity: Vec2;
+  /** Angular velocity [rad/s]. */
+  readonly angularVelocity: number;
+}
+
+/** Definition of a formation in its local axes: it faces +x, its centre is the origin. */
+export interface FormationDef {
+  /** Shape. */
+  kind: FormationKind;
+  /** Distance between neighbouring places [m], above 1e-6 and below 1e6. */
+  spacing: number;
+  /** Full angle of Pacman's mouth or of the crescent's gap [rad] in (0, 6]. */
+  opening: number;
+  /** For Outline: at least three corners, in any size [m]. */
+  outline: Polygon;
+  /** For Outline: holes, clockwise, apart from each other [m]. */
+  holes: Polygon[];
+  /** For Points: the places in this order [m]; no fewer than characters. */
+  points: Vec2[];
+  /** For Square: how many stand abreast, 0 to 200,000; 0 for about as many as there are ranks. */
+  files: number;
+}
+
+/** What may be given of FormationDef. */
+export interface FormationDefInit {
+  /** Shape. */
+  readonly kind?: FormationKind | undefined;
+  /** Distance between neighbouring places [m], above 1e-6 and below 1e6. */
+  readonly spacing?: number | undefined;
+  /** Full angle of Pacman's mouth or of the crescent's gap [rad] in (0, 6]. */
+  readonly opening?: number | undefined;
+  /** For Outline: at least three corners, in any size [m]. */
+  readonly outline?: PolygonInit | undefined;
+  /** For Outline: holes, clockwise, apart from each other [m]. */
+  readonly holes?: readonly PolygonInit[] | undefined;
+  /** For Points: the places in this order [m]; no fewer than characters. */
+  readonly points?: readonly Vec2[] | Float64Array | undefined;
+  /** For Square: how many stand abreast, 0 to 200,000; 0 for about as many as there are ranks. */
+  readonly files?: number | undefined;
+}
+
+/** Describes an obstacle, which nobody can walk through: a polygon or a disc. */
+export interface ObstacleDef {
+  /** Name for display; null or empty for none. */
+  name: string;
+  /** Simple, convex or not [m]; empty for a disc. */
+  polygon: Polygon;
+  /** Centre of the disc [m]. */
+  centre: Vec2;
+  /** Radius of the disc [m], above 0; 0 for a polygon. */
+  radius: number;
+  /** Its motion; empty for an obstacle that stands still. */
+  path: TimedPath;
+  /** Reach of its potential field [m], 0 or more; negative for the world's default. */
+  range: number;
+  /** Factor of its potential field, 0 or more; negative for the world's default. */
+  strength: number;
+  /** Height for display only [m], above 0. */
+  height: number;
+}
+
+/** What may be given of ObstacleDef. */
+export interface ObstacleDefInit {
+  /** Name for display; null or empty for none. */
+  readonly name?: string | null | undefined;
+  /** Simple, convex or not [m]; empty for a disc. */
+  readonly polygon?: PolygonInit | undefined;
+  /** Centre of the disc [m]. */
+  readonly centre?: Vec2 | undefined;
+  /** Radius of the disc [m], above 0; 0 for a polygon. */
+  readonly radius?: number | undefined;
+  /** Its motion; empty for an obstacle that stands still. */
+  readonly path?: TimedPathInit | undefined;
+  /** Reach of its potential field [m], 0 or more; negative for the world's default. */
+  readonly range?: number | undefined;
+  /** Factor of its potential field, 0 or more; negative for the world's default. */
+  readonly strength?: number | undefined;
+  /** Height for display only [m], above 0. */
+  readonly height?: number | undefined;
+}
+
+/** Describes a patch: ground on which a motion clip of its own is played. */
+export interface PatchDef {
+  /** Name for display; null or empty for none. */
+  name: string;
+  /** Corners of a simple polygon, convex or not [m]. */
+  polygon: Polygon;
+  /** Its motion; empty for a patch that stands still. */
+  path: TimedPath;
+  /** Clip played on it; an index into the world's clips. */
+  motion: MotionIndex;
+  /** Travel speed relative to running, above 0; negative for the clip's. */
+  speed: number;
+}
+
+/** What may be given of PatchDef. */
+export interface PatchDefInit {
+  /** Name for display; null or empty for none. */
+  readonly name?: string | null | undefined;
+  /** Corners of a simple polygon, convex or not [m]. */
+  readonly polygon?: PolygonInit | undefined;
+  /** Its motion; empty for a patch that stands still. */
+  readonly path?: TimedPathInit | undefined;
+  /** Clip played on it; an index into the world's clips. */
+  readonly motion?: MotionIndex | undefined;
+  /** Travel speed relative to running, above 0; negative for the clip's. */
+  readonly speed?: number | undefined;
+}
+
+/** Facts of a motion clip that simulation needs. */
+export interface ClipFacts {
+  /** Name of the motion: "run", "crawl", "climb"... */
+  name: string;
+  /** File of the clip; null or empty for one of Muster's own. */
+  file: string;
+  /** Travel speed relative to running, above 0 (running is 1). */
+  speed: number;
+  /** Ground covered by one play [m]; 0 where unknown. */
+  length: number;
+  /** Duration of one play [s], 0 or more. */
+  duration: number;
+  /** False for single-step motions (jump, climb). */
+  cyclic: boolean;
+  /** Duration of the transition on entering and on leaving [s]; 0 for none. */
+  transitionTime: number;
+  /** From the position to the head of a body that leans or lies [m]. */
+  reachAhead: number;
+  /** From there back to its hips [m]; both are 0 for upright bodies. */
+  reachBehind: number;
+}
+
+/** What may be given of ClipFacts. */
+export interface ClipFactsInit {
+  /** Name of the motion: "run", "crawl", "climb"... */
+  readonly name?: string | null | undefined;
+  /** File of the clip; null or empty for one of Muster's own. */
+  readonly file?: string | null | undefined;
+  /** Travel speed relative to running, above 0 (running is 1). */
+  readonly speed?: number | undefined;
+  /** Ground covered by one play [m]; 0 where unknown. */
+  readonly length?: number | undefined;
+  /** Duration of one play [s], 0 or more. */
+  readonly duration?: number | undefined;
+  /** False for single-step motions (jump, climb). */
+  readonly cyclic?: boolean | undefined;
+  /** Duration of the transition on entering and on leaving [s]; 0 for none. */
+  readonly transitionTime?: number | undefined;
+  /** From the position to the head of a body that leans or lies [m]. */
+  readonly reachAhead?: number | undefined;
+  /** From there back to its hips [m]; both are 0 for upright bodies. */
+  readonly reachBehind?: number | undefined;
+}
+
+/** A MovingAI grid map as ground. */
+export interface MapDef {
+  /** Columns, 1 to 4096. */
+  width: number;
+  /** Rows, 1 to 4096. */
+  height: number;
+  /** One character per cell, row by row, the top row first. */
+  cells: string;
+  /** Edge of a map cell [m], above 0. */
+  metresPerCell: number;
+  /** Lower left corner of the map [m]. */
+  origin: Vec2;
+  /** Travel speed on swamp cells `S` relative to running, above 0. */
+  swampSpeed: number;
+}
+
+/** What may be given of MapDef. */
+export interface MapDefInit {
+  /** Columns, 1 to 4096. */
+  readonly width?: number | undefined;
+  /** Rows, 1 to 4096. */
+  readonly height?: number | undefined;
+  /** One character per cell, row by row, the top row first. */
+  readonly cells?: string | null | undefined;
+  /** Edge of a map cell [m], above 0. */
+  readonly metresPerCell?: number | undefined;
+  /** Lower left corner of the map [m]. */
+  readonly origin?: Vec2 | undefined;
+  /** Travel speed on swamp cells `S` relative to running, above 0. */
+  readonly swampSpeed?: number | undefined;
+}
+
+/** The body of a character. A number of 0 stands for the parameter of that name. */
+export interface Body {
+  /** Radius [m], 0 or 0.05 to 1.5. */
+  radius: number;
+  /** Top speed in the open [m/s], 0 or 0.01 to 50. */
+  maxSpeed: number;
+  /** Top acceleration [m/s^2], 0 or 0.01 to 1000. */
+  acceleration: number;
+  /** Mass in bodies of the usual mass, 0.01 to 1000: who is heavy gives way less. */
+  mass: number;
+  /** Units that it supplies to places, above 0 and at most 1000. */
+  supply: number;
+  /** Class, for roles; 0 for none. */
+  unitClass: number;
+}
+
+/** What may be given of Body. */
+export interface BodyInit {
+  /** Radius [m], 0 or 0.05 to 1.5. */
+  readonly radius?: number | undefined;
+  /** Top speed in the open [m/s], 0 or 0.01 to 50. */
+  readonly maxSpeed?: number | undefined;
+  /** Top acceleration [m/s^2], 0 or 0.01 to 1000. */
+  readonly acceleration?: number | undefined;
+  /** Mass in bodies of the usual mass, 0.01 to 1000: who is heavy gives way less. */
+  readonly mass?: number | undefined;
+  /** Units that it supplies to places, above 0 and at most 1000. */
+  readonly supply?: number | undefined;
+  /** Class, for roles; 0 for none. */
+  readonly unitClass?: number | undefined;
+}
+
+/** Characters of a class take their places in a part of the formation. */
+export interface RoleDef {
+  /** Where. */
+  area: RoleArea;
+  /** Who, 1 or more. */
+  unitClass: number;
+}
+
+/** One order of a group. */
+export interface Order {
+  /** What it asks for. */
+  kind: OrderKind;
+  /** How it goes. */
+  manner: Manner;
+  /** How it turns on a march. */
+  turn: Turn;
+  /** Centre of the formation at the end; of the rectangle for Guard [m]. */
+  target: Vec2;
+  /** Heading at the end [rad]. Null: the heading of the last stretch. */
+  facing: number | null;
+  /** Width of the front in ranks [m]; 0 for the formation's own. */
+  width: number;
+  /** Drawn way to the target [m]; followed as drawn, round obstacles. */
+  route: Vec2[];
+  /** New formation, which is taken up on the way; null to keep it. */
+  formation: FormationDef | null;
+  /** Speed of a march [m/s]; 0 for as fast as all can keep up with. */
+  pace: number;
+  /** Share that must have arrived before the next order begins, (0, 1]. */
+  share: number;
+  /** For Follow and Guard: the group to stay with; 0 for none. */
+  group: GroupId;
+  /** For Follow and Guard: the character to stay with; 0 for none. */
+  character: CharacterId;
+  /** For Follow: from its centre to the formation's, in its axes [m]. */
+  offset: Vec2;
+  /** For Guard: half the length and half the width [m]. */
+  halfSize: Vec2;
+  /** For Guard: how the rectangle moves from `target` on. */
+  path: TimedPath;
+}
+
+/** What may be given of Order. */
+export interface OrderInit {
+  /** What it asks for. */
+  readonly kind?: OrderKind | undefined;
+  /** How it goes. */
+  readonly manner?: Manner | undefined;
+  /** How it turns on a march. */
+  readonly turn?: Turn | undefined;
+  /** Centre of the formation at the end; of the rectangle for Guard [m]. */
+  readonly target?: Vec2 | undefined;
+  /** Heading at the end [rad]. Null: the heading of the last stretch. */
+  readonly facing?: number | null | undefined;
+  /** Width of the front in ranks [m]; 0 for the formation's own. */
+  readonly width?: number | undefined;
+  /** Drawn way to the target [m]; followed as drawn, round obstacles. */
+  readonly route?: readonly Vec2[] | Float64Array | undefined;
+  /** New formation, which is taken up on the way; null to keep it. */
+  readonly formation?: FormationDefInit | null | undefined;
+  /** Speed of a march [m/s]; 0 for as fast as all can keep up with. */
+  readonly pace?: number | undefined;
+  /** Share that must have arrived before the next order begins, (0, 1]. */
+  readonly share?: number | undefined;
+  /** For Follow and Guard: the group to stay with; 0 for none. */
+  readonly group?: GroupId | undefined;
+  /** For Follow and Guard: the character to stay with; 0 for none. */
+  readonly character?: CharacterId | undefined;
+  /** For Follow: from its centre to the formation's, in its axes [m]. */
+  readonly offset?: Vec2 | undefined;
+  /** For Guard: half the length and half the width [m]. */
+  readonly halfSize?: Vec2 | undefined;
+  /** For Guard: how the rectangle moves from `target` on. */
+  readonly path?: TimedPathInit | undefined;
+}
+
+/** How a group behaves, whatever its orders. */
+export interface Conduct {
+  /** Who makes room. */
+  stance: Stance;
+  /** 0: everybody walks at their own pace; 1: at that of the slowest, [0, 1]. */
+  cohesion: number;
+  /** Share of its width that it may give up in narrow passages, [0, 1]; 0 for none. */
+  squeeze: number;
+  /** True: its mesh gives way to other meshes and to moving obstacles. */
+  avoids: boolean;
+}
+
+/** What may be given of Conduct. */
+export interface ConductInit {
+  /** Who makes room. */
+  readonly stance?: Stance | undefined;
+  /** 0: everybody walks at their own pace; 1: at that of the slowest, [0, 1]. */
+  readonly cohesion?: number | undefined;
+  /** Share of its width that it may give up in narrow passages, [0, 1]; 0 for none. */
+  readonly squeeze?: number | undefined;
+  /** True: its mesh gives way to other meshes and to moving obstacles. */
+  readonly avoids?: boolean | undefined;
+}
+
+/** An order in a group's queue. */
+export interface QueuedOrder {
+  /** Unique in the world; it is not used again. */
+  readonly id: OrderId;
+  /** What is to be done. */
+  readonly order: Order;
+}
+
+/** What would come of an order. */
+export interface Forecast {
+  /** True where the target can be reached. */
+  readonly arrives: boolean;
+  /** The way of the formation's centre, both ends included [m]. */
+  readonly way: Float64Array;
+  /** Where the formation would stand: the target, or the nearest ground to it [m]. */
+  readonly end: Vec2;
+  /** Time until it would arrive [s]; infinite where it never does. */
+  readonly seconds: number;
+}
+
+/** A group of characters with one mesh. */
+export interface GroupDef {
+  /** Name for display; null or empty for none. */
+  name: string;
+  /** Number of characters, 1 to 200,000; in all at most 5,000 with exact plans. */
+  count: number;
+  /** Shape and spacing of the places. */
+  formation: FormationDef;
+  /** Centre of the formation [m]. */
+  position: Vec2;
+  /** Heading, counter-clockwise from +x [rad]. */
+  angle: number;
+  /** Initial positions of characters [m]; none to start on their places. */
+  starts: Vec2[];
+  /** Largest random displacement of initial positions [m], 0 or more. */
+  jitter: number;
+  /** One for all, or one for each character; none for the parameters'. */
+  bodies: Body[];
+  /** Which class stands where; none for no roles. */
+  roles: RoleDef[];
+  /** Units of supply that each place demands; none for 1 each. */
+  demands: number[];
+  /** How it behaves. */
+  conduct: Conduct;
+  /** What it is to do at first, one after the other. */
+  orders: Order[];
+  /** True: orders that are done come last again. */
+  patrols: boolean;
+  /** Colour for display, 0xRRGGBB. Null: the palette's colour. */
+  colour: number | null;
+  /** Build of its drawn bodies. Null: bodies of both builds, by the character's id. */
+  build: BodyBuild | null;
+  /** How they walk and jog. Null: they walk in the plain manner. */
+  motions: MotionSet | null;
+}
+
+/** What may be given of GroupDef. */
+export interface GroupDefInit {
+  /** Name for display; null or empty for none. */
+  readonly name?: string | null | undefined;
+  /** Number of characters, 1 to 200,000; in all at most 5,000 with exact plans. */
+  readonly count?: number | undefined;
+  /** Shape and spacing of the places. */
+  readonly formation?: FormationDefInit | undefined;
+  /** Centre of the formation [m]. */
+  readonly position?: Vec2 | undefined;
+  /** Heading, counter-clockwise from +x [rad]. */
+  readonly angle?: number | undefined;
+  /** Initial positions of characters [m]; none to start on their places. */
+  readonly starts?: readonly Vec2[] | Float64Array | undefined;
+  /** Largest random displacement of initial positions [m], 0 or more. */
+  readonly jitter?: number | undefined;
+  /** One for all, or one for each character; none for the parameters'. */
+  readonly bodies?: readonly BodyInit[] | undefined;
+  /** Which class stands where; none for no roles. */
+  readonly roles?: readonly RoleDef[] | undefined;
+  /** Units of supply that each place demands; none for 1 each. */
+  readonly demands?: ArrayLike<number> | undefined;
+  /** How it behaves. */
+  readonly conduct?: ConductInit | undefined;
+  /** What it is to do at first, one after the other. */
+  readonly orders?: readonly OrderInit[] | undefined;
+  /** True: orders that are done come last again. */
+  readonly patrols?: boolean | undefined;
+  /** Colour for display, 0xRRGGBB. Null: the palette's colour. */
+  readonly colour?: number | null | undefined;
+  /** Build of its drawn bodies. Null: bodies of both builds, by the character's id. */
+  readonly build?: BodyBuild | null | undefined;
+  /** How they walk and jog. Null: they walk in the plain manner. */
+  readonly motions?: MotionSet | null | undefined;
+}
+
+/** A disc that changes the formation of a group which passes it. */
+export interface CheckpointDef {
+  /** Centre [m]. */
+  position: Vec2;
+  /** Radius [m], above 0. */
+  radius: number;
+  /** New formation of the group. */
+  formation: FormationDef;
+  /** Index of the group that it applies to; -1 for all groups. */
+  group: number;
+  /** True: it applies once per group. False: whenever a group enters. */
+  once: boolean;
+  /** What passes it. */
+  trigger: CheckpointTrigger;
+  /** For Crowd: share of the group, (0, 1]. */
+  share: number;
+}
+
+/** What may be given of CheckpointDef. */
+export interface CheckpointDefInit {
+  /** Centre [m]. */
+  readonly position?: Vec2 | undefined;
+  /** Radius [m], above 0. */
+  readonly radius?: number | undefined;
+  /** New formation of the group. */
+  readonly formation?: FormationDefInit | undefined;
+  /** Index of the group that it applies to; -1 for all groups. */
+  readonly group?: number | undefined;
+  /** True: it applies once per group. False: whenever a group enters. */
+  readonly once?: boolean | undefined;
+  /** What passes it. */
+  readonly trigger?: CheckpointTrigger | undefined;
+  /** For Crowd: share of the group, (0, 1]. */
+  readonly share?: number | undefined;
+}
+
+/** An item, which a character collects by coming within its radius. */
+export interface ItemDef {
+  /** Centre [m]. */
+  position: Vec2;
+  /** Radius [m], above 0. */
+  radius: number;
+}
+
+/** What may be given of ItemDef. */
+export interface ItemDefInit {
+  /** Centre [m]. */
+  readonly position?: Vec2 | undefined;
+  /** Radius [m], above 0. */
+  readonly radius?: number | undefined;
+}
+
+/** The value of a parameter. */
+export interface ParameterValue {
+  /** Name as parameterInfo() gives it: "plan.exponent". */
+  name: string;
+  /** Value in the range of the parameter. */
+  value: number;
+}
+
+/** What may be given of ParameterValue. */
+export interface ParameterValueInit {
+  /** Name as parameterInfo() gives it: "plan.exponent". */
+  readonly name?: string | null | undefined;
+  /** Value in the range of the parameter. */
+  readonly value: number;
+}
+
+/** Describes one parameter. */
+export interface ParameterInfo {
+  /** Name in files and messages: "plan.exponent". */
+  readonly name: string;
+  /** "m", "s", "m/s", "1", "switch", "mode", "steps", "count"... */
+  readonly unit: string;
+  /** Smallest allowed value. */
+  readonly minimum: number;
+  /** Largest allowed value. */
+  readonly maximum: number;
+  /** Value of the preset "muster". */
+  readonly standard: number;
+  /** True where only whole numbers are valid: switches, modes, steps and counts. */
+  readonly whole: boolean;
+  /** One sentence. */
+  readonly description: string;
+}
+
+/** Definition of a world. */
+export interface WorldDef {
+  /** Title for display; null or empty for none. */
+  name: string;
+  /** Description in one or two sentences; null or empty for none. */
+  description: string;
+  /** Credit for the data it uses; null or empty for none. */
+  credit: string;
+  /** File of its gestures; null or empty for none. Worlds do not read it. */
+  gestures: string;
+  /** Extent of the ground [m]. */
+  box: Box;
+  /** Edge of a ground cell [m], above 0. */
+  cell: number;
+  /** Seed of all random numbers. */
+  seed: bigint;
+  /** Facts of clips, indexed by MotionIndex. */
+  clips: ClipFacts[];
+  /** At most 20,000 obstacles. */
+  obstacles: ObstacleDef[];
+  /** At most 20,000 patches. */
+  patches: PatchDef[];
+  /** Map that adds obstacles and patches; null for none. */
+  map: MapDef | null;
+  /** At most 200 groups. */
+  groups: GroupDef[];
+  /** Discs that change formations. */
+  checkpoints: CheckpointDef[];
+  /** Items to collect. */
+  items: ItemDef[];
+  /** Preset of parameters, "muster" or "paper"; null for "muster". */
+  preset: string;
+  /** Parameters that differ from the preset, set in this order. */
+  parameters: ParameterValue[];
+}
+
+/** What may be given of WorldDef. */
+export interface WorldDefInit {
+  /** Title for display; null or empty for none. */
+  readonly name?: string | null | undefined;
+  /** Description in one or two sentences; null or empty for none. */
+  readonly description?: string | null | undefined;
+  /** Credit for the data it uses; null or empty for none. */
+  readonly credit?: string | null | undefined;
+  /** File of its gestures; null or empty for none. Worlds do not read it. */
+  readonly gestures?: string | null | undefined;
+  /** Extent of the ground [m]. */
+  readonly box?: Box | undefined;
+  /** Edge of a ground cell [m], above 0. */
+  readonly cell?: number | undefined;
+  /** Seed of all random numbers. */
+  readonly seed?: bigint | number | undefined;
+  /** Facts of clips, indexed by MotionIndex. */
+  readonly clips?: readonly ClipFactsInit[] | undefined;
+  /** At most 20,000 obstacles. */
+  readonly obstacles?: readonly ObstacleDefInit[] | undefined;
+  /** At most 20,000 patches. */
+  readonly patches?: readonly PatchDefInit[] | undefined;
+  /** Map that adds obstacles and patches; null for none. */
+  readonly map?: MapDefInit | null | undefined;
+  /** At most 200 groups. */
+  readonly groups?: readonly GroupDefInit[] | undefined;
+  /** Discs that change formations. */
+  readonly checkpoints?: readonly CheckpointDefInit[] | undefined;
+  /** Items to collect. */
+  readonly items?: readonly ItemDefInit[] | undefined;
+  /** Preset of parameters, "muster" or "paper"; null for "muster". */
+  readonly preset?: string | null | undefined;
+  /** Parameters that differ from the preset, set in this order. */
+  readonly parameters?: readonly ParameterValueInit[] | undefined;
+}
+
+/** A finger touches down. It edits the group whose mesh is nearest within `input.reach`, or `group` if given. */
+export interface TouchDown {
+  /** Number of the finger, unique per client while it is down. */
+  touch: number;
+  /** Position in the world [m]. */
+  position: Vec2;
+  /** World time stamp [s]. */
+  time: number;
+  /** Group to edit; 0 to pick it by position. */
+  group: GroupId;
+}
+
+/** What may be given of TouchDown. */
+export interface TouchDownInit {
+  /** Number of the finger, unique per client while it is down. */
+  readonly touch?: number | undefined;
+  /** Position in the world [m]. */
+  readonly position?: Vec2 | undefined;
+  /** World time stamp [s]. */
+  readonly time?: number | undefined;
+  /** Group to edit; 0 to pick it by position. */
+  readonly group?: GroupId | undefined;
+}
+
+/** A finger moves. */
+export interface TouchMove {
+  /** Number of the finger. */
+  touch: number;
+  /** Position in the world [m]. */
+  position: Vec2;
+  /** World time stamp [s]. */
+  time: number;
+}
+
+/** What may be given of TouchMove. */
+export interface TouchMoveInit {
+  /** Number of the finger. */
+  readonly touch?: number | undefined;
+  /** Position in the world [m]. */
+  readonly position?: Vec2 | undefined;
+  /** World time stamp [s]. */
+  readonly time?: number | undefined;
+}
+
+/** A finger lifts; its trajectory is still followed. */
+export interface TouchUp {
+  /** Number of the finger. */
+  touch: number;
+  /** World time stamp [s]. */
+  time: number;
+}
+
+/** What may be given of TouchUp. */
+export interface TouchUpInit {
+  /** Number of the finger. */
+  readonly touch?: number | undefined;
+  /** World time stamp [s]. */
+  readonly time?: number | undefined;
+}
+
+/** The control of a finger ends at once. */
+export interface TouchCancel {
+  /** Number of the finger. */
+  touch: number;
+}
+
+/** What may be given of TouchCancel. */
+export interface TouchCancelInit {
+  /** Number of the finger. */
+  readonly touch?: number | undefined;
+}
+
+/** Makes a control of all its points at once. Its points are then moved and lifted like touches. */
+export interface AddControl {
+  /** Group whose mesh it controls. */
+  group: GroupId;
+  /** Kind of control, which must fit the number of touches. */
+  kind: ControlKind;
+  /** Numbers of its fingers. */
+  touches: number[];
+  /** Positions in the world [m], one per touch. */
+  positions: Vec2[];
+  /** World time stamp [s]. */
+  time: number;
+}
+
+/** What may be given of AddControl. */
+export interface AddControlInit {
+  /** Group whose mesh it controls. */
+  readonly group?: GroupId | undefined;
+  /** Kind of control, which must fit the number of touches. */
+  readonly kind?: ControlKind | undefined;
+  /** Numbers of its fingers. */
+  readonly touches?: ArrayLike<number> | undefined;
+  /** Positions in the world [m], one per touch. */
+  readonly positions?: readonly Vec2[] | Float64Array | undefined;
+  /** World time stamp [s]. */
+  readonly time?: number | undefined;
+}
+
+/** Pins a control at the end of its trajectory, or releases it. */
+export interface PinControl {
+  /** Group that the control belongs to. */
+  group: GroupId;
+  /** Its id. */
+  control: ControlId;
+  /** False to release it. */
+  pinned: boolean;
+}
+
+/** What may be given of PinControl. */
+export interface PinControlInit {
+  /** Group that the control belongs to. */
+  readonly group?: GroupId | undefined;
+  /** Its id. */
+  readonly control?: ControlId | undefined;
+  /** False to release it. */
+  readonly pinned?: boolean | undefined;
+}
+
+/** Ends a control at once. */
+export interface RemoveControl {
+  /** Group that the control belongs to. */
+  group: GroupId;
+  /** Its id. */
+  control: ControlId;
+}
+
+/** What may be given of RemoveControl. */
+export interface RemoveControlInit {
+  /** Group that the control belongs to. */
+  readonly group?: GroupId | undefined;
+  /** Its id. */
+  readonly control?: ControlId | undefined;
+}
+
+/** A client has disconnected: all its fingers lift. */
+export interface ReleaseClient {
+  /** Not used; 0. */
+  unused: number;
+}
+
+/** What may be given of ReleaseClient. */
+export interface ReleaseClientInit {
+  /** Not used; 0. */
+  readonly unused?: number | undefined;
+}
+
+/** The group takes another formation. */
+export interface SetFormation {
+  /** Group to change. */
+  group: GroupId;
+  /** Its new definition. */
+  formation: FormationDef;
+}
+
+/** What may be given of SetFormation. */
+export interface SetFormationInit {
+  /** Group to change. */
+  readonly group?: GroupId | undefined;
+  /** Its new definition. */
+  readonly formation?: FormationDefInit | undefined;
+}
+
+/** Changes the number of characters. New ones join behind the mesh; the highest ids leave first. */
+export interface SetCount {
+  /** Group to change. */
+  group: GroupId;
+  /** New number of characters, 1 to 200,000. */
+  count: number;
+}
+
+/** What may be given of SetCount. */
+export interface SetCountInit {
+  /** Group to change. */
+  readonly group?: GroupId | undefined;
+  /** New number of characters, 1 to 200,000. */
+  readonly count?: number | undefined;
+}
+
+/** Moves the mesh at once; its places travel there. */
+export interface SetPose {
+  /** Group to move. */
+  group: GroupId;
+  /** New centre of the mesh in the world [m]. */
+  position: Vec2;
+  /** New heading, counter-clockwise from +x [rad]. */
+  angle: number;
+}
+
+/** What may be given of SetPose. */
+export interface SetPoseInit {
+  /** Group to move. */
+  readonly group?: GroupId | undefined;
+  /** New centre of the mesh in the world [m]. */
+  readonly position?: Vec2 | undefined;
+  /** New heading, counter-clockwise from +x [rad]. */
+  readonly angle?: number | undefined;
+}
+
+/** Adds a group. */
+export interface AddGroup {
+  /** Its definition. */
+  group: GroupDef;
+}
+
+/** What may be given of AddGroup. */
+export interface AddGroupInit {
+  /** Its definition. */
+  readonly group?: GroupDefInit | undefined;
+}
+
+/** Removes a group and its characters. */
+export interface RemoveGroup {
+  /** Group to remove. */
+  group: GroupId;
+}
+
+/** What may be given of RemoveGroup. */
+export interface RemoveGroupInit {
+  /** Group to remove. */
+  readonly group?: GroupId | undefined;
+}
+
+/** Adds an obstacle. */
+export interface AddObstacle {
+  /** Its definition. */
+  obstacle: ObstacleDef;
+}
+
+/** What may be given of AddObstacle. */
+export interface AddObstacleInit {
+  /** Its definition. */
+  readonly obstacle?: ObstacleDefInit | undefined;
+}
+
+/** Changes shape, position, path or field of an obstacle. */
+export interface ChangeObstacle {
+  /** Its id. */
+  id: ObstacleId;
+  /** Its new definition. */
+  obstacle: ObstacleDef;
+}
+
+/** What may be given of ChangeObstacle. */
+export interface ChangeObstacleInit {
+  /** Its id. */
+  readonly id?: ObstacleId | undefined;
+  /** Its new definition. */
+  readonly obstacle?: ObstacleDefInit | undefined;
+}
+
+/** Removes an obstacle. */
+export interface RemoveObstacle {
+  /** Its id. */
+  id: ObstacleId;
+}
+
+/** What may be given of RemoveObstacle. */
+export interface RemoveObstacleInit {
+  /** Its id. */
+  readonly id?: ObstacleId | undefined;
+}
+
+/** Adds a patch. */
+export interface AddPatch {
+  /** Its definition. */
+  patch: PatchDef;
+}
+
+/** What may be given of AddPatch. */
+export interface AddPatchInit {
+  /** Its definition. */
+  readonly patch?: PatchDefInit | undefined;
+}
+
+/** Changes shape, position, path or motion of a patch. */
+export interface ChangePatch {
+  /** Its id. */
+  id: PatchId;
+  /** Its new definition. */
+  patch: PatchDef;
+}
+
+/** What may be given of ChangePatch. */
+export interface ChangePatchInit {
+  /** Its id. */
+  readonly id?: PatchId | undefined;
+  /** Its new definition. */
+  readonly patch?: PatchDefInit | undefined;
+}
+
+/** Removes a patch. */
+export interface RemovePatch {
+  /** Its id. */
+  id: PatchId;
+}
+
+/** What may be given of RemovePatch. */
+export interface RemovePatchInit {
+  /** Its id. */
+  readonly id?: PatchId | undefined;
+}
+
+/** Changes the value of a parameter. */
+export interface SetParameter {
+  /** Name as parameterInfo() gives it: "plan.exponent". */
+  name: string;
+  /** New value, in the range of the parameter. */
+  value: number;
+}
+
+/** What may be given of SetParameter. */
+export interface SetParameterInit {
+  /** Name as parameterInfo() gives it: "plan.exponent". */
+  readonly name?: string | null | undefined;
+  /** New value, in the range of the parameter. */
+  readonly value?: number | undefined;
+}
+
+/** Puts an order into a group's queue. The event OrderGiven gives its id. */
+export interface GiveOrder {
+  /** Who. */
+  group: GroupId;
+  /** Where it stands in the queue. */
+  mode: QueueMode;
+  /** For Insert: before which order, counted from 0. */
+  index: number;
+  /** What. */
+  order: Order;
+}
+
+/** What may be given of GiveOrder. */
+export interface GiveOrderInit {
+  /** Who. */
+  readonly group?: GroupId | undefined;
+  /** Where it stands in the queue. */
+  readonly mode?: QueueMode | undefined;
+  /** For Insert: before which order, counted from 0. */
+  readonly index?: number | undefined;
+  /** What. */
+  readonly order?: OrderInit | undefined;
+}
+
+/** Changes a group's queue. */
+export interface EditQueue {
+  /** Whose. */
+  group: GroupId;
+  /** What is done to it. */
+  edit: QueueEdit;
+  /** For Cancel: the id of the order; 0 for all. */
+  order: OrderId;
+}
+
+/** What may be given of EditQueue. */
+export interface EditQueueInit {
+  /** Whose. */
+  readonly group?: GroupId | undefined;
+  /** What is done to it. */
+  readonly edit?: QueueEdit | undefined;
+  /** For Cancel: the id of the order; 0 for all. */
+  readonly order?: OrderId | undefined;
+}
+
+/** Tells a group how to behave. */
+export interface SetConduct {
+  /** Whom. */
+  group: GroupId;
+  /** How. */
+  conduct: Conduct;
+}
+
+/** What may be given of SetConduct. */
+export interface SetConductInit {
+  /** Whom. */
+  readonly group?: GroupId | undefined;
+  /** How. */
+  readonly conduct?: ConductInit | undefined;
+}
+
+/** Characters join a group where they stand. Events Joined give their ids. */
+export interface AddCharacters {
+  /** Which they join. */
+  group: GroupId;
+  /** Where they stand [m]; they part where they would stand in each other. */
+  positions: Vec2[];
+  /** One for each, or one for all; none for that of the group. */
+  bodies: Body[];
+}
+
+/** What may be given of AddCharacters. */
+export interface AddCharactersInit {
+  /** Which they join. */
+  readonly group?: GroupId | undefined;
+  /** Where they stand [m]; they part where they would stand in each other. */
+  readonly positions?: readonly Vec2[] | Float64Array | undefined;
+  /** One for each, or one for all; none for that of the group. */
+  readonly bodies?: readonly BodyInit[] | undefined;
+}
+
+/** Characters leave the world; the ranks behind them close up. A group may become empty, and stays. */
+export interface RemoveCharacters {
+  /** Who. */
+  ids: number[];
+}
+
+/** What may be given of RemoveCharacters. */
+export interface RemoveCharactersInit {
+  /** Who. */
+  readonly ids?: ArrayLike<number> | undefined;
+}
+
+/** Characters leave their groups for another one. Ids, positions and velocities stay. */
+export interface TransferCharacters {
+  /** Who. */
+  ids: number[];
+  /** Which they join. */
+  group: GroupId;
+}
+
+/** What may be given of TransferCharacters. */
+export interface TransferCharactersInit {
+  /** Who. */
+  readonly ids?: ArrayLike<number> | undefined;
+  /** Which they join. */
+  readonly group?: GroupId | undefined;
+}
+
+/** Divides a group. The part that leaves is a new group, whose id the event GroupAdded gives. */
+export interface SplitGroup {
+  /** Which. */
+  group: GroupId;
+  /** How. */
+  by: SplitBy;
+  /** For Ids: who leaves. */
+  ids: number[];
+  /** For Line: two points; for Lasso: the corners of the polygon [m]. */
+  points: Vec2[];
+  /** For Shares: of all parts, above 0; their sum counts as the whole. */
+  shares: number[];
+  /** For Shares: parts lie side by side, not one behind the other. */
+  abreast: boolean;
+  /** Formation of the parts. */
+  shape: PartShape;
+}
+
+/** What may be given of SplitGroup. */
+export interface SplitGroupInit {
+  /** Which. */
+  readonly group?: GroupId | undefined;
+  /** How. */
+  readonly by?: SplitBy | undefined;
+  /** For Ids: who leaves. */
+  readonly ids?: ArrayLike<number> | undefined;
+  /** For Line: two points; for Lasso: the corners of the polygon [m]. */
+  readonly points?: readonly Vec2[] | Float64Array | undefined;
+  /** For Shares: of all parts, above 0; their sum counts as the whole. */
+  readonly shares?: ArrayLike<number> | undefined;
+  /** For Shares: parts lie side by side, not one behind the other. */
+  readonly abreast?: boolean | undefined;
+  /** Formation of the parts. */
+  readonly shape?: PartShape | undefined;
+}
+
+/** Joins groups to the first of them; the others end. */
+export interface MergeGroups {
+  /** Two or more. */
+  groups: number[];
+  /** Smaller: the formation of the first for all; AsHeld: all places stay. */
+  shape: PartShape;
+}
+
+/** What may be given of MergeGroups. */
+export interface MergeGroupsInit {
+  /** Two or more. */
+  readonly groups?: ArrayLike<number> | undefined;
+  /** Smaller: the formation of the first for all; AsHeld: all places stay. */
+  readonly shape?: PartShape | undefined;
+}
+
+/** Gives characters other bodies. */
+export interface SetBodies {
+  /** Whose. */
+  ids: number[];
+  /** One for each, or one for all. */
+  bodies: Body[];
+}
+
+/** What may be given of SetBodies. */
+export interface SetBodiesInit {
+  /** Whose. */
+  readonly ids?: ArrayLike<number> | undefined;
+  /** One for each, or one for all. */
+  readonly bodies?: readonly BodyInit[] | undefined;
+}
+
+/** Says which class stands where in a formation. */
+export interface SetRoles {
+  /** Whose. */
+  group: GroupId;
+  /** In the order in which they choose places; none for no roles. */
+  roles: RoleDef[];
+}
+
+/** What may be given of SetRoles. */
+export interface SetRolesInit {
+  /** Whose. */
+  readonly group?: GroupId | undefined;
+  /** In the order in which they choose places; none for no roles. */
+  readonly roles?: readonly RoleDef[] | undefined;
+}
+
+/** Says how many units of supply each place demands. */
+export interface SetDemands {
+  /** Whose. */
+  group: GroupId;
+  /** Of each place, 0 to 1000; none for 1 each. */
+  demands: number[];
+}
+
+/** What may be given of SetDemands. */
+export interface SetDemandsInit {
+  /** Whose. */
+  readonly group?: GroupId | undefined;
+  /** Of each place, 0 to 1000; none for 1 each. */
+  readonly demands?: ArrayLike<number> | undefined;
+}
+
+/** Says who moves characters. */
+export interface SetDriver {
+  /** Whom. */
+  ids: number[];
+  /** Who moves them. */
+  driver: Driver;
+}
+
+/** What may be given of SetDriver. */
+export interface SetDriverInit {
+  /** Whom. */
+  readonly ids?: ArrayLike<number> | undefined;
+  /** Who moves them. */
+  readonly driver?: Driver | undefined;
+}
+
+/** Where characters that are moved from outside are after this step. */
+export interface WriteMotion {
+  /** Who. */
+  ids: number[];
+  /** Where [m]. */
+  positions: Vec2[];
+  /** How fast [m/s]; none for what follows from the last positions. */
+  velocities: Vec2[];
+}
+
+/** What may be given of WriteMotion. */
+export interface WriteMotionInit {
+  /** Who. */
+  readonly ids?: ArrayLike<number> | undefined;
+  /** Where [m]. */
+  readonly positions?: readonly Vec2[] | Float64Array | undefined;
+  /** How fast [m/s]; none for what follows from the last positions. */
+  readonly velocities?: readonly Vec2[] | Float64Array | undefined;
+}
+
+/** Adds an item to collect. */
+export interface AddItem {
+  /** Its definition. */
+  item: ItemDef;
+}
+
+/** What may be given of AddItem. */
+export interface AddItemInit {
+  /** Its definition. */
+  readonly item?: ItemDefInit | undefined;
+}
+
+/** Moves an item or changes its radius. Whether it is collected stays. */
+export interface ChangeItem {
+  /** Its id. */
+  id: ItemId;
+  /** Its new definition. */
+  item: ItemDef;
+}
+
+/** What may be given of ChangeItem. */
+export interface ChangeItemInit {
+  /** Its id. */
+  readonly id?: ItemId | undefined;
+  /** Its new definition. */
+  readonly item?: ItemDefInit | undefined;
+}
+
+/** Removes an item. */
+export interface RemoveItem {
+  /** Its id. */
+  id: ItemId;
+}
+
+/** What may be given of RemoveItem. */
+export interface RemoveItemInit {
+  /** Its id. */
+  readonly id?: ItemId | undefined;
+}
+
+/** Adds a formation checkpoint, which nobody has passed yet. */
+export interface AddCheckpoint {
+  /** Its definition; its `group` is not read. */
+  checkpoint: CheckpointDef;
+  /** Whom it concerns; 0 for any group. */
+  group: GroupId;
+}
+
+/** What may be given of AddCheckpoint. */
+export interface AddCheckpointInit {
+  /** Its definition; its `group` is not read. */
+  readonly checkpoint?: CheckpointDefInit | undefined;
+  /** Whom it concerns; 0 for any group. */
+  readonly group?: GroupId | undefined;
+}
+
+/** Changes a formation checkpoint. Who has passed it stays. */
+export interface ChangeCheckpoint {
+  /** Its id. */
+  id: CheckpointId;
+  /** Its new definition; its `group` is not read. */
+  checkpoint: CheckpointDef;
+  /** Whom it concerns; 0 for any group. */
+  group: GroupId;
+}
+
+/** What may be given of ChangeCheckpoint. */
+export interface ChangeCheckpointInit {
+  /** Its id. */
+  readonly id?: CheckpointId | undefined;
+  /** Its new definition; its `group` is not read. */
+  readonly checkpoint?: CheckpointDefInit | undefined;
+  /** Whom it concerns; 0 for any group. */
+  readonly group?: GroupId | undefined;
+}
+
+/** Removes a formation checkpoint. */
+export interface RemoveCheckpoint {
+  /** Its id. */
+  id: CheckpointId;
+}
+
+/** What may be given of RemoveCheckpoint. */
+export interface RemoveCheckpointInit {
+  /** Its id. */
+  readonly id?: CheckpointId | undefined;
+}
+
+/** Puts a group elsewhere at once, with its characters. Its orders and controls end. */
+export interface PlaceGroup {
+  /** Which. */
+  group: GroupId;
+  /** New centre of the formation [m]. */
+  position: Vec2;
+  /** New heading, counter-clockwise from +x [rad]. */
+  angle: number;
+}
+
+/** What may be given of PlaceGroup. */
+export interface PlaceGroupInit {
+  /** Which. */
+  readonly group?: GroupId | undefined;
+  /** New centre of the formation [m]. */
+  readonly position?: Vec2 | undefined;
+  /** New heading, counter-clockwise from +x [rad]. */
+  readonly angle?: number | undefined;
+}
+
+/** Gives a group another name. */
+export interface NameGroup {
+  /** Which. */
+  group: GroupId;
+  /** At most 4,096 bytes; null for none. */
+  name: string;
+}
+
+/** What may be given of NameGroup. */
+export interface NameGroupInit {
+  /** Which. */
+  readonly group?: GroupId | undefined;
+  /** At most 4,096 bytes; null for none. */
+  readonly name?: string | null | undefined;
+}
+
+/** Gives a group another colour. */
+export interface ColourGroup {
+  /** Which. */
+  group: GroupId;
+  /** 0xRRGGBB. Null: the palette's, by the group's id. */
+  colour: number | null;
+}
+
+/** What may be given of ColourGroup. */
+export interface ColourGroupInit {
+  /** Which. */
+  readonly group?: GroupId | undefined;
+  /** 0xRRGGBB. Null: the palette's, by the group's id. */
+  readonly colour?: number | null | undefined;
+}
+
+/** Gives the people of a group another appearance. */
+export interface SetAppearance {
+  /** Which. */
+  group: GroupId;
+  /** Build of its drawn bodies. Null: bodies of both builds, by the character's id. */
+  build: BodyBuild | null;
+  /** How they walk and jog. Null: the plain manner. */
+  motions: MotionSet | null;
+}
+
+/** What may be given of SetAppearance. */
+export interface SetAppearanceInit {
+  /** Which. */
+  readonly group?: GroupId | undefined;
+  /** Build of its drawn bodies. Null: bodies of both builds, by the character's id. */
+  readonly build?: BodyBuild | null | undefined;
+  /** How they walk and jog. Null: the plain manner. */
+  readonly motions?: MotionSet | null | undefined;
+}
+
+/** The body of each kind. */
+export interface CommandBodies {
+  /** TouchDown */
+  0: TouchDown;
+  /** TouchMove */
+  1: TouchMove;
+  /** TouchUp */
+  2: TouchUp;
+  /** TouchCancel */
+  3: TouchCancel;
+  /** AddControl */
+  4: AddControl;
+  /** PinControl */
+  5: PinControl;
+  /** RemoveControl */
+  6: RemoveControl;
+  /** ReleaseClient */
+  7: ReleaseClient;
+  /** SetFormation */
+  8: SetFormation;
+  /** SetCount */
+  9: SetCount;
+  /** SetPose */
+  10: SetPose;
+  /** AddGroup */
+  11: AddGroup;
+  /** RemoveGroup */
+  12: RemoveGroup;
+  /** AddObstacle */
+  13: AddObstacle;
+  /** ChangeObstacle */
+  14: ChangeObstacle;
+  /** RemoveObstacle */
+  15: RemoveObstacle;
+  /** AddPatch */
+  16: AddPatch;
+  /** ChangePatch */
+  17: ChangePatch;
+  /** RemovePatch */
+  18: RemovePatch;
+  /** SetParameter */
+  19: SetParameter;
+  /** GiveOrder */
+  20: GiveOrder;
+  /** EditQueue */
+  21: EditQueue;
+  /** SetConduct */
+  22: SetConduct;
+  /** AddCharacters */
+  23: AddCharacters;
+  /** RemoveCharacters */
+  24: RemoveCharacters;
+  /** TransferCharacters */
+  25: TransferCharacters;
+  /** SplitGroup */
+  26: SplitGroup;
+  /** MergeGroups */
+  27: MergeGroups;
+  /** SetBodies */
+  28: SetBodies;
+  /** SetRoles */
+  29: SetRoles;
+  /** SetDemands */
+  30: SetDemands;
+  /** SetDriver */
+  31: SetDriver;
+  /** WriteMotion */
+  32: WriteMotion;
+  /** AddItem */
+  33: AddItem;
+  /** ChangeItem */
+  34: ChangeItem;
+  /** RemoveItem */
+  35: RemoveItem;
+  /** AddCheckpoint */
+  36: AddCheckpoint;
+  /** ChangeCheckpoint */
+  37: ChangeCheckpoint;
+  /** RemoveCheckpoint */
+  38: RemoveCheckpoint;
+  /** PlaceGroup */
+  39: PlaceGroup;
+  /** NameGroup */
+  40: NameGroup;
+  /** ColourGroup */
+  41: ColourGroup;
+  /** SetAppearance */
+  42: SetAppearance;
+}
+
+/**
+ * A change of a world, with its step and sender. Commands apply in the order of (step, client, sequence). Of one
+ * kind.
+ */
+export interface CommandOf<Kind extends keyof CommandBodies> {
+  /** Which body it has. */
+  kind: Kind;
+  /** It applies at the start of the step from `step` to `step + 1`. */
+  step: number;
+  /** Number of the sender. */
+  client: number;
+  /** Rises with each command of a client. */
+  sequence: number;
+  /** The change. */
+  body: CommandBodies[Kind];
+}
+
+/** A change of a world, with its step and sender. Commands apply in the order of (step, client, sequence). */
+export type Command = {
+  [Kind in keyof CommandBodies]: CommandOf<Kind>;
+}[keyof CommandBodies];
+
+/** What may be given of the body of each kind. */
+export interface CommandBodiesInit {
+  /** TouchDown */
+  0: TouchDownInit;
+  /** TouchMove */
+  1: TouchMoveInit;
+  /** TouchUp */
+  2: TouchUpInit;
+  /** TouchCancel */
+  3: TouchCancelInit;
+  /** AddControl */
+  4: AddControlInit;
+  /** PinControl */
+  5: PinControlInit;
+  /** RemoveControl */
+  6: RemoveControlInit;
+  /** ReleaseClient */
+  7: ReleaseClientInit;
+  /** SetFormation */
+  8: SetFormationInit;
+  /** SetCount */
+  9: SetCountInit;
+  /** SetPose */
+  10: SetPoseInit;
+  /** AddGroup */
+  11: AddGroupInit;
+  /** RemoveGroup */
+  12: RemoveGroupInit;
+  /** AddObstacle */
+  13: AddObstacleInit;
+  /** ChangeObstacle */
+  14: ChangeObstacleInit;
+  /** RemoveObstacle */
+  15: RemoveObstacleInit;
+  /** AddPatch */
+  16: AddPatchInit;
+  /** ChangePatch */
+  17: ChangePatchInit;
+  /** RemovePatch */
+  18: RemovePatchInit;
+  /** SetParameter */
+  19: SetParameterInit;
+  /** GiveOrder */
+  20: GiveOrderInit;
+  /** EditQueue */
+  21: EditQueueInit;
+  /** SetConduct */
+  22: SetConductInit;
+  /** AddCharacters */
+  23: AddCharactersInit;
+  /** RemoveCharacters */
+  24: RemoveCharactersInit;
+  /** TransferCharacters */
+  25: TransferCharactersInit;
+  /** SplitGroup */
+  26: SplitGroupInit;
+  /** MergeGroups */
+  27: MergeGroupsInit;
+  /** SetBodies */
+  28: SetBodiesInit;
+  /** SetRoles */
+  29: SetRolesInit;
+  /** SetDemands */
+  30: SetDemandsInit;
+  /** SetDriver */
+  31: SetDriverInit;
+  /** WriteMotion */
+  32: WriteMotionInit;
+  /** AddItem */
+  33: AddItemInit;
+  /** ChangeItem */
+  34: ChangeItemInit;
+  /** RemoveItem */
+  35: RemoveItemInit;
+  /** AddCheckpoint */
+  36: AddCheckpointInit;
+  /** ChangeCheckpoint */
+  37: ChangeCheckpointInit;
+  /** RemoveCheckpoint */
+  38: RemoveCheckpointInit;
+  /** PlaceGroup */
+  39: PlaceGroupInit;
+  /** NameGroup */
+  40: NameGroupInit;
+  /** ColourGroup */
+  41: ColourGroupInit;
+  /** SetAppearance */
+  42: SetAppearanceInit;
+}
+
+/**
+ * A change of a world, with its step and sender. Commands apply in the order of (step, client, sequence). Of one
+ * kind.
+ */
+export interface CommandOfInit<Kind extends keyof CommandBodiesInit> {
+  /** Which body it has. */
+  kind: Kind;
+  /** It applies at the start of the step from `step` to `step + 1`. */
+  step?: number | undefined;
+  /** Number of the sender. */
+  client?: number | undefined;
+  /** Rises with each command of a client. */
+  sequence?: number | undefined;
+  /** The change. */
+  body?: CommandBodiesInit[Kind] | undefined;
+}
+
+/** What may be given of Command. */
+export type CommandInit = {
+  [Kind in keyof CommandBodiesInit]: CommandOfInit<Kind>;
+}[keyof CommandBodiesInit];
+
+/** All characters of a world: `count` entries in each array, in ascending order of ids. No copies are made. */
+export interface Characters extends ReadOut {
+  /** Number of characters. */
+  readonly count: number;
+  /** Unique id; it is not reused after the character has left. */
+  readonly id: Uint32Array;
+  /** Index of its group (World.group()). */
+  readonly group: Uint32Array;
+  /** [m] */
+  readonly position: Float64Array;
+  /** [m/s] */
+  readonly velocity: Float64Array;
+  /** Unit vector in which the body faces. */
+  readonly heading: Float64Array;
+  /** Index of its place in its group; -1 for the unmatched. */
+  readonly place: Int32Array;
+  /** Unit vector along its planned path; zero where there is no path. */
+  readonly direction: Float64Array;
+  /** Cost of the path to its place; infinite for the unmatched. */
+  readonly cost: Float64Array;
+  /** Motion it performs: an index into the world's clips. */
+  readonly motion: Int32Array;
+  /** Phase of that motion. */
+  readonly phase: Uint8Array;
+  /** Time since the phase began [s]. */
+  readonly motionTime: Float64Array;
+  /** Patch that it is in; 0 for none. */
+  readonly patch: Uint32Array;
+  /** What it is. */
+  readonly body: Rows<Body>;
+  /** Who moves it. */
+  readonly driver: Uint8Array;
+  /** Velocity that steering aims at, before bounds and contacts [m/s]. */
+  readonly wantedVelocity: Float64Array;
+}
+
+/** Sums over the path costs of all characters with a place, in metres of open ground. */
+export interface WalkTotals {
+  /** Sum of the costs [m]. */
+  readonly sum: number;
+  /** Sum of the squared costs [m^2]. */
+  readonly squares: number;
+  /** Largest cost [m]. */
+  readonly longest: number;
+}
+
+/** What can be read of a group without a copy. Its controls and orders have functions of their own. */
+export interface Group extends ReadOut {
+  /** Unique id; it is not reused after the group is removed. */
+  readonly id: GroupId;
+  /** Name for display. */
+  readonly name: string;
+  /** Chosen colour, 0xRRGGBB. Null: the palette's colour. */
+  readonly colour: number | null;
+  /** Build of its drawn bodies. Null: bodies of both builds. */
+  readonly build: BodyBuild | null;
+  /** How they walk and jog. Null: the plain manner. */
+  readonly motions: MotionSet | null;
+  /** Number of characters and of places. */
+  readonly count: number;
+  /** Current shape; World.groupDef() has the whole definition. */
+  readonly formation: FormationKind;
+  /** Increases whenever the mesh is replaced. */
+  readonly formationVersion: number;
+  /** Transforms the rest mesh to the world. */
+  readonly pose: Pose;
+  /** Indices of its characters, ascending. */
+  readonly members: Int32Array;
+  /** Vertices of the rest shape, in the group's axes [m]. */
+  readonly restMesh: Float64Array;
+  /** Vertices of Vu, deformed by controls [m]. */
+  readonly userMesh: Float64Array;
+  /** Vertices of Vf: Vu deformed by the environment [m]. */
+  readonly finalMesh: Float64Array;
+  /** Triangles of the meshes. */
+  readonly triangles: Int32Array;
+  /** Each place as a point of the mesh. */
+  readonly meshPlaces: Rows<MeshPoint>;
+  /** Current position of each place [m]. */
+  readonly placePositions: Float64Array;
+  /** Current velocity of each place [m/s]. */
+  readonly placeVelocities: Float64Array;
+  /** Reachable target of each place [m]. */
+  readonly placeTargets: Float64Array;
+  /** 1 where a character can stand at the place, else 0. */
+  readonly placeUsable: Uint8Array;
+  /** Class of each place by the roles, 0 for whoever is left. */
+  readonly placeClasses: Uint8Array;
+  /** Objective of the last plan [cost^p]. */
+  readonly objective: number;
+  /** Upper bound of its duality gap [cost^p]. */
+  readonly gapBound: number;
+  /** Path costs by the last plan. */
+  readonly walk: WalkTotals;
+  /** Mean distance of characters to the targets of their places [m]. */
+  readonly meanLag: number;
+  /** True: it was ordered to hold, and its orders stay. */
+  readonly waits: boolean;
+  /** True: orders that are done come last again. */
+  readonly patrols: boolean;
+  /** How it behaves. */
+  readonly conduct: Conduct;
+  /** What is ahead of the way of its order: corners up to the end [m]. */
+  readonly way: Float64Array;
+}
+
+/** A point of a drawn trajectory. */
+export interface Checkpoint {
+  /** Position in the world [m]. */
+  readonly position: Vec2;
+  /** When it was drawn [s]. */
+  readonly time: number;
+}
+
+/** A mesh vertex that a finger controls, and the trajectory drawn for it. */
+export interface ControlPoint {
+  /** Index of the mesh vertex. */
+  readonly vertex: number;
+  /** Number of the finger. */
+  readonly touch: number;
+  /** False once the finger has lifted. */
+  readonly down: boolean;
+  /** From the finger to the vertex at touch down [m]. */
+  readonly offset: Vec2;
+  /** Current position of the vertex in the world [m]. */
+  readonly position: Vec2;
+  /** Checkpoints still ahead; the last is the finger's newest point. */
+  readonly trajectory: readonly Checkpoint[];
+}
+
+/** One control of a mesh. */
+export interface Control {
+  /** Unique id, which is not reused. */
+  readonly id: ControlId;
+  /** Follows from the number of points. */
+  readonly kind: ControlKind;
+  /** Number of the client that touches. */
+  readonly client: number;
+  /** True where it stays at the end of its trajectories. */
+  readonly pinned: boolean;
+  /** True while touches of the same client may still join. */
+  readonly open: boolean;
+  /** World time at which it stops being open [s]; -1 before its first step. */
+  readonly joinDeadline: number;
+  /** Time stamp of the first touch [s]. */
+  readonly startTime: number;
+  /** Time of the drawing that the points have reached [s]. */
+  readonly clock: number;
+  /** Controlled vertices, at least one. */
+  readonly points: readonly ControlPoint[];
+  /** Supplementary points, which are soft constraints. */
+  readonly supplementary: readonly MeshPoint[];
+  /** Row-major weights, supplementary points x points. */
+  readonly weights: Float64Array;
+}
+
+/** An obstacle and its current position. */
+export interface Obstacle {
+  /** Unique id; it is not reused. */
+  readonly id: ObstacleId;
+  /** Definition as added or last changed. */
+  readonly def: ObstacleDef;
+  /** Current corners [m]; none for a disc. */
+  readonly outline: Float64Array;
+  /** Current centre of the disc or of the area [m]. */
+  readonly centre: Vec2;
+}
+
+/** A patch and its current position. */
+export interface Patch {
+  /** Unique id; it is not reused. */
+  readonly id: PatchId;
+  /** Definition as added or last changed. */
+  readonly def: PatchDef;
+  /** Current corners [m]. */
+  readonly outline: Float64Array;
+}
+
+/** One event. */
+export interface Event {
+  /** What happened. */
+  readonly kind: EventKind;
+  /** Id of the character; of the group where the kind speaks of one. */
+  readonly subject: number;
+  /** Its meaning depends on the kind. */
+  readonly value: number;
+  /** Where it happened [m]: the middle of those concerned. */
+  readonly position: Vec2;
+}
+
+/** A command that could not be applied, and why. */
+export interface Rejection {
+  /** The command that failed. */
+  readonly command: Command;
+  /** The kind of failure. */
+  readonly status: Status;
+  /** Its sentence. */
+  readonly message: string;
+}
+
+/** Overlaps of bodies that remain after a step. */
+export interface Contacts {
+  /** Pairs that overlap by more than 10 % of the sum of their radii. */
+  readonly overlapPairs: number;
+  /** Overlap of the deepest pair, as a share of that. */
+  readonly worstPenetration: number;
+}
+
+/** Wall time of one stage of the last step. It is not part of the state. */
+export interface StageTime {
+  /** Name of the stage. */
+  readonly name: string;
+  /** Its time [ms]. */
+  readonly milliseconds: number;
+}
+
+/** A point or vector in space [m]. In the world x right, y forward, z up; in body axes x forward, y left, z up. */
+export interface Vec3 {
+  /** First coordinate [m]. */
+  x: number;
+  /** Second coordinate [m]. */
+  y: number;
+  /** Height [m]. */
+  z: number;
+}
+
+/** A rotation in space: a unit quaternion. */
+export interface Quat {
+  /** First imaginary part. */
+  x: number;
+  /** Second imaginary part. */
+  y: number;
+  /** Third imaginary part. */
+  z: number;
+  /** Real part. */
+  w: number;
+}
+
+/** A rigid transform: rotation about the origin, then translation. */
+export interface Transform {
+  /** Rotation. */
+  rotation: Quat;
+  /** Translation [m]. */
+  translation: Vec3;
+}
+
+/** A joint in the rest pose. */
+export interface Joint {
+  /** Name in common use by animation programs: "LeftForeArm". */
+  readonly name: string;
+  /** Index of the parent; -1 for the hips. */
+  readonly parent: number;
+  /** Offset from the parent [m]; for the hips, from the ground below. */
+  readonly offset: Vec3;
+  /** End of the bone relative to the joint [m]; zero for joints with children. */
+  readonly tip: Vec3;
+}
+
+/** A pose of the body in body axes: the origin is on the ground below the character, which faces +x. */
+export interface BodyPose {
+  /** Position of the hips [m]. */
+  hips: Vec3;
+  /** Rotation of each joint relative to its parent; of the hips to the body axes. */
+  rotation: readonly Quat[];
+}
+
+/** A time interval in which a limb does not move over the ground. */
+export interface LimbContact {
+  /** The limb that is in contact. */
+  limb: Limb;
+  /** Start time [s], in [0, duration). */
+  begin: number;
+  /** End time [s], above `begin`; in a cyclic clip it may exceed the duration. */
+  end: number;
+  /** Position of the joint during the contact [m], in the axes in which the travel starts. */
+  anchor: Vec3;
+}
+
+/** Displacement of the body axes on the ground since the clip began (root motion). */
+export interface Travel {
+  /** Displacement forward [m]. */
+  x: number;
+  /** Displacement to the left [m]. */
+  y: number;
+  /** Rotation to the left [rad]. */
+  yaw: number;
+}
+
+/** A motion clip: poses at a fixed rate, their travel, and the contacts. */
+export interface Clip extends ReadOut {
+  /** Unique name: "run", "crawl-enter"... */
+  readonly name: string;
+  /** The motion it belongs to: "run", "duck", "crawl"... */
+  readonly motion: string;
+  /** Poses per second, above 0. */
+  readonly rate: number;
+  /** True where the first pose follows the last, displaced by the travel. */
+  readonly cyclic: boolean;
+  /** Duration times rate of a cyclic clip, one more of others. */
+  readonly poses: Float32Array;
+  /** Travel at each pose; a cyclic clip has one more. */
+  readonly travel: Float32Array;
+  /** Contacts in order of `begin`. */
+  readonly contacts: readonly LimbContact[];
+  /** Of a transition: share of the entered cycle at which that continues. */
+  readonly entryPhase: number;
+  /** Of a transition: share of the left cycle at which it begins. */
+  readonly exitPhase: number;
+  /** Height of what a single-step clip passes over [m]; 0 for nothing. */
+  readonly obstacleHeight: number;
+  /** Its extent along the travel [m]. */
+  readonly obstacleThickness: number;
+}
+
+/** What may be given of Clip. */
+export interface ClipInit {
+  /** Unique name: "run", "crawl-enter"... */
+  readonly name?: string | null | undefined;
+  /** The motion it belongs to: "run", "duck", "crawl"... */
+  readonly motion?: string | null | undefined;
+  /** Poses per second, above 0. */
+  readonly rate?: number | undefined;
+  /** True where the first pose follows the last, displaced by the travel. */
+  readonly cyclic?: boolean | undefined;
+  /** Duration times rate of a cyclic clip, one more of others. */
+  readonly poses?: readonly BodyPose[] | Float32Array | undefined;
+  /** Travel at each pose; a cyclic clip has one more. */
+  readonly travel?: readonly Travel[] | Float32Array | undefined;
+  /** Contacts in order of `begin`. */
+  readonly contacts?: readonly LimbContact[] | undefined;
+  /** Of a transition: share of the entered cycle at which that continues. */
+  readonly entryPhase?: number | undefined;
+  /** Of a transition: share of the left cycle at which it begins. */
+  readonly exitPhase?: number | undefined;
+  /** Height of what a single-step clip passes over [m]; 0 for nothing. */
+  readonly obstacleHeight?: number | undefined;
+  /** Its extent along the travel [m]. */
+  readonly obstacleThickness?: number | undefined;
+}
+
+/** Measures of a clip. */
+export interface ClipMeasures {
+  /** Duration of one play [s]. */
+  readonly duration: number;
+  /** Distance from start to end of one play [m]. */
+  readonly length: number;
+  /** Length by duration [m/s]. */
+  readonly speed: number;
+}
+
+/** A joint of a BVH file, in Muster's axes (x forward, y left, z up). */
+export interface BvhJoint {
+  /** Name in the file. */
+  readonly name: string;
+  /** Index of a joint before it; -1 for a root. */
+  readonly parent: number;
+  /** From the parent in the rest pose [m]. */
+  readonly offset: Vec3;
+  /** End sites, from the joint [m]. */
+  readonly ends: Float32Array;
+  /** True where it has position channels. */
+  readonly moves: boolean;
+}
+
+/** A whole BVH file. */
+export interface BvhContents extends ReadOut {
+  /** Parents before children; at least one. */
+  readonly joints: readonly BvhJoint[];
+  /** Transforms relative to the parent [m], by frame and then by joint. */
+  readonly values: Float32Array;
+  /** Number of frames, at least one. */
+  readonly frames: number;
+  /** Frames per second, above 0. */
+  readonly rate: number;
+  /** Length of one unit of the file [m]. */
+  readonly unit: number;
+  /** Time from the first frame to the last [s]. */
+  readonly duration: number;
+}
+
+/** The clip that a character plays: enough to draw it from baked poses. */
+export interface MotionState {
+  /** Index into the library. */
+  readonly clip: number;
+  /** The clip that fades out. */
+  readonly fromClip: number;
+  /** Time in `clip` [s], within one play. */
+  readonly time: number;
+  /** Time in `fromClip` [s]. */
+  readonly fromTime: number;
+  /** Share of `fromClip` still shown, 0 to 1. */
+  readonly fade: number;
+  /** Origin of the body axes in the world: the simulated position [m]. */
+  readonly position: Vec2;
+  /** Heading, counter-clockwise from +x [rad]. */
+  readonly yaw: number;
+  /** Factor of the skeleton: characterSize() of its id. */
+  readonly size: number;
+}
+
+/** The hash of a world's state after that many steps. */
+export interface HashMark {
+  /** Number of steps done. */
+  readonly step: number;
+  /** Hash of the state after these steps. */
+  readonly hash: bigint;
+  /** Number of commands recorded before this mark. */
+  readonly commands: number;
+}
+
+/** An event of an order, as it was raised while the take was recorded. */
+export interface TakeEvent {
+  /** Number of steps done at the event. */
+  readonly step: number;
+  /** The event. */
+  readonly event: Event;
+}
+
+/** Where everybody was after that many steps, to 1 mm. */
+export interface TakeFrame {
+  /** Number of steps done. */
+  readonly step: number;
+  /** Who, in ascending order. */
+  readonly ids: Uint32Array;
+  /** Where [m], in the same order. */
+  readonly positions: Float64Array;
+}
+
+/** A part of a take that plays faster or slower than it was recorded. */
+export interface SpeedPiece {
+  /** Time in the take [s]. */
+  from: number;
+  /** Time in the take [s], above `from`. */
+  to: number;
+  /** Seconds of the take per second, 0.1 to 8. */
+  speed: number;
+  /** Time at each end in which the speed comes and goes [s], 0 or more. */
+  ease: number;
+}
+
+/** What a take holds. */
+export interface TakeContents extends ReadOut {
+  /** Text of the scenario, map and clip facts embedded. */
+  readonly scenario: string;
+  /** The scenario, parsed. */
+  readonly def: WorldDef;
+  /** Commands in the order of submission. */
+  readonly commands: readonly Command[];
+  /** Hash marks in ascending order of steps. */
+  readonly marks: readonly HashMark[];
+  /** Events in ascending order of steps. */
+  readonly events: readonly TakeEvent[];
+  /** Frames in ascending order of steps. */
+  readonly frames: readonly TakeFrame[];
+  /** Name for people; empty for none. */
+  readonly title: string;
+  /** Steps before the part that is to be shown. */
+  readonly firstStep: number;
+  /** Steps after which that part ends. */
+  readonly lastStep: number;
+  /** Faster and slower parts, in ascending order. */
+  readonly speeds: readonly SpeedPiece[];
+  /** True where the take has an end record. */
+  readonly finished: boolean;
+  /** Bytes of an unfinished last record that were left out. */
+  readonly tornBytes: bigint;
+  /** Steps whose hashes are known: up to the last mark. */
+  readonly markedSteps: number;
+  /** Steps that can be replayed. */
+  readonly steps: number;
+}
+
+/** Outcome of a replay. */
+export interface ReplayReport {
+  /** Number of steps simulated. */
+  readonly steps: number;
+  /** Number of marks that matched. */
+  readonly compared: number;
+  /** Steps after the last mark, which no hash confirms. */
+  readonly unmarked: number;
+  /** Hash of the final state. */
+  readonly hash: bigint;
+}
+
+/** A file format of exports. */
+export interface ExportFormat {
+  /** Unique name: "glb", "bvh"... */
+  readonly name: string;
+  /** Ending of the file name (".glb"), or of the folder that bvh writes ("-bvh"). */
+  readonly ending: string;
+  /** Description in one line. */
+  readonly about: string;
+}
+
+/** The part of a take to export, and the frame rate. */
+export interface ExportDef {
+  /** Time of the first frame [s], 0 or more. */
+  from: number;
+  /** Time of the last frame [s], within the take; negative: its end. */
+  to: number;
+  /** Frames per second, 1 to 240. */
+  fps: number;
+  /** Number of threads, as for World.create(). */
+  threads: number;
+  /** Faster and slower parts. */
+  speeds: SpeedPiece[];
+}
+
+/** What may be given of ExportDef. */
+export interface ExportDefInit {
+  /** Time of the first frame [s], 0 or more. */
+  readonly from?: number | undefined;
+  /** Time of the last frame [s], within the take; negative: its end. */
+  readonly to?: number | undefined;
+  /** Frames per second, 1 to 240. */
+  readonly fps?: number | undefined;
+  /** Number of threads, as for World.create(). */
+  readonly threads?: number | undefined;
+  /** Faster and slower parts. */
+  readonly speeds?: readonly SpeedPiece[] | undefined;
+}
