@@ -1,6 +1,8 @@
 // muster export
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -20,6 +22,7 @@ struct ExportOptions {
     std::string format;
     std::string out;
     std::string clips;
+    double fps = std::numeric_limits<double>::quiet_NaN();  ///< Not a number where it is left out.
     ExportDef part;
 };
 
@@ -46,6 +49,11 @@ Result<ClipLibrary> clipsOf(const ExportOptions& options, const Take& take) {
     return clipsFor(take.def.clips, options.clips);
 }
 
+/// Frames a second where nobody says; players draw as many as the display shows between the file's.
+double usualFps(const std::string& format) {
+    return format == "player" ? 15.0 : ExportDef{}.fps;
+}
+
 /// The output path: the requested file, or a file in the current folder with the take's name.
 std::string outputPath(const ExportOptions& options, const ExportFormat& format) {
     if (!options.out.empty()) return options.out;
@@ -66,7 +74,9 @@ int exportFile(const ExportOptions& options) {
     const auto clips = clipsOf(options, *take);
     if (!clips.ok()) return reportFailure(clips.status());
     Progress progress("exporting");
-    const Status done = exportTake(*take, *clips, options.format, out, options.part, [&](double share) {
+    ExportDef part = options.part;
+    part.fps = std::isnan(options.fps) ? usualFps(options.format) : options.fps;
+    const Status done = exportTake(*take, *clips, options.format, out, part, [&](double share) {
         progress.show(share);
         return true;
     });
@@ -94,7 +104,8 @@ void addExportCommand(CommandLine& line) {
                    "File to be written, for bvh a folder; left out: here, by the take's name.");
     command.option("--from", options->part.from, "Time of the first frame [s].");
     command.option("--to", options->part.to, "Time of the last frame [s]; left out: the end of the take.");
-    command.option("--fps", options->part.fps, "Frames a second, 1 to 240; usual are 24, 25, 30 and 60.");
+    command.option("--fps", options->fps,
+                   "Frames a second, 1 to 240; usual are 24, 25, 30 and 60; left out: 30, for players 15.");
     command.option(
         "--clips", options->clips,
         "Folder with a clips.json whose clips are to be used, or the scenario's folder, if it names clip "

@@ -26,8 +26,8 @@ class Resampler {
 public:
     /// `times` are those of the frames in the take.
     Resampler(const ClipLibrary& library, const ExportDef& def, std::vector<double> times, Exporter& exporter)
-        : def_(def), times_(std::move(times)), exporter_(exporter) {
-        if (exporter.wantsPoses()) motion_.emplace(library);
+        : def_(def), times_(std::move(times)), exporter_(exporter), posesWanted_(exporter.wantsPoses()) {
+        if (exporter.wantsClips()) motion_.emplace(library, CrowdMotionDef{posesWanted_});
     }
 
     /// Takes the next step; returns false when no further steps are needed.
@@ -56,21 +56,25 @@ private:
         const CharactersView characters = world.characters();
         now_.time = world.time();
         now_.characters.resize(characters.size());
-        if (motion_) now_.poses.resize(characters.size());
+        if (posesWanted_) now_.poses.resize(characters.size());
         for (std::size_t i = 0; i < characters.size(); ++i) {
             ExportCharacter& out = now_.characters[i];
             out = {characters.id[i], characters.group[i], characters.position[i]};
             out.yaw = static_cast<float>(arcTangent2(characters.heading[i].y, characters.heading[i].x));
             out.size = characterSize(out.id);
-            if (motion_) fillPose(i, out);
+            if (motion_) fillMotion(i, out);
         }
     }
 
-    void fillPose(std::size_t i, ExportCharacter& out) {
+    void fillMotion(std::size_t i, ExportCharacter& out) {
         const MotionState& state = motion_->states()[i];
         out.position = state.position;
         out.yaw = state.yaw;
         out.size = state.size;
+        out.clip = state.clip;
+        out.clipTime = state.time;
+        out.fade = state.fade;
+        if (!posesWanted_) return;
         const auto near = motion_->near();
         const auto at = std::lower_bound(near.begin(), near.end(), static_cast<std::uint32_t>(i));
         if (at != near.end() && *at == i)
@@ -81,14 +85,14 @@ private:
         const double span = now_.time - before_.time;
         const double share = span > 0.0 ? std::clamp((frameTime() - before_.time) / span, 0.0, 1.0) : 1.0;
         frame_ = now_.characters;
-        if (motion_) poses_.resize(frame_.size());
+        if (posesWanted_) poses_.resize(frame_.size());
         std::size_t b = 0;
         for (std::size_t i = 0; i < frame_.size(); ++i) {
-            if (motion_) poses_[i] = now_.poses[i];
+            if (posesWanted_) poses_[i] = now_.poses[i];
             while (b < before_.characters.size() && before_.characters[b].id < frame_[i].id) ++b;
             const bool known = b < before_.characters.size() && before_.characters[b].id == frame_[i].id;
             if (known && share < 1.0) between(b, share, i);
-            if (motion_) frame_[i].pose = &poses_[i];
+            if (posesWanted_) frame_[i].pose = &poses_[i];
         }
         return {next_, frameTime(), frame_, &world};
     }
@@ -100,12 +104,18 @@ private:
         const double turn = static_cast<double>(out.yaw) - before.yaw;
         out.yaw = static_cast<float>(before.yaw +
                                      share * (turn - 2.0 * kPi * std::floor(turn / (2.0 * kPi) + 0.5)));
-        if (motion_) blend(before_.poses[b], now_.poses[i], static_cast<float>(share), poses_[i]);
+        // Where it goes on in its clip without a switch or a new beginning.
+        if (before.clip == out.clip && before.clipTime <= out.clipTime && before.fade >= out.fade) {
+            out.clipTime = before.clipTime + static_cast<float>(share) * (out.clipTime - before.clipTime);
+            out.fade = before.fade + static_cast<float>(share) * (out.fade - before.fade);
+        }
+        if (posesWanted_) blend(before_.poses[b], now_.poses[i], static_cast<float>(share), poses_[i]);
     }
 
     ExportDef def_;
     std::vector<double> times_;
     Exporter& exporter_;
+    bool posesWanted_ = false;
     std::optional<CrowdMotion> motion_;
     Moment before_, now_;
     std::vector<ExportCharacter> frame_;
@@ -165,7 +175,8 @@ Status exportTake(const Take& take, const ClipLibrary& library, const ExportDef&
     if (!times.ok()) return times.status();
     auto start = World::create(take.def, part.threads);
     if (!start.ok()) return start.status();
-    if (Status s = exporter.begin({take.def.name, part.fps, part.from, times->size(), &*start}); !s.ok())
+    if (Status s = exporter.begin({take.def.name, part.fps, part.from, times->size(), &*start, &library});
+        !s.ok())
         return s;
     Resampler resampler(library, part, std::move(*times), exporter);
     bool more = resampler.observe(*start);

@@ -22,6 +22,9 @@ struct ExportCharacter {
     float yaw = 0.0f;         ///< The character faces (cos yaw, sin yaw) [rad].
     float size = 1.0f;        ///< Scale of the skeleton; it applies to the hips and offsets of the pose.
     const BodyPose* pose = nullptr;  ///< The pose for a body of size 1; null where the exporter needs none.
+    std::uint16_t clip = 0;          ///< Index into the library of the clip it plays, where clips are wanted.
+    float clipTime = 0.0f;           ///< Time in that clip [s], within one play.
+    float fade = 0.0f;               ///< Share of the clip before that is still shown, 0 to 1.
 };
 
 /// The state at one moment of a take; it may lie between two steps of the simulation.
@@ -40,6 +43,7 @@ struct ExportInfo {
     double from = 0.0;             ///< Time of the first frame in the take [s].
     std::size_t frames = 0;        ///< Exact number of frames, at least one.
     const World* world = nullptr;  ///< The world before the take's first step. Only valid within begin().
+    const ClipLibrary* clips = nullptr;  ///< The clips that characters move by; valid until finish().
 };
 
 /// Writes a take in some format. The calls are begin() once, frame() once per frame and finish() once; none
@@ -54,6 +58,8 @@ public:
 
     /// False where the format needs no poses; they are not computed then.
     virtual bool wantsPoses() const { return true; }
+    /// True where the format needs to know which clips are played; so it is where it needs poses.
+    virtual bool wantsClips() const { return wantsPoses(); }
     /// Opens the output. Fails with IoError.
     virtual Status begin(const ExportInfo& info) = 0;
     /// Writes one frame. It must not keep pointers into it.

@@ -6,6 +6,7 @@
 #include "io/export/gltf_export.h"
 #include "io/export/joint_list.h"
 #include "io/export/jupedsim.h"
+#include "io/export/player/player_export.h"
 #include "io/export/trajectory_text.h"
 #include "io/export/usd_export.h"
 
@@ -20,13 +21,14 @@ constexpr std::array kFormats{
     ExportFormat{"joints", "-joints.json", "where all joints are, as JSON"},
     ExportFormat{"jupedsim", ".sqlite", "trajectories as JuPedSim's SQLite file"},
     ExportFormat{"pedpy", ".txt", "trajectories as text for PedPy"},
+    ExportFormat{"player", ".muster-player", "one small file that <muster-player> plays in any web page"},
 };
 
 /// Functions that make an exporter for a path, in the order of kFormats.
 using MakeExporter = std::unique_ptr<Exporter> (*)(const std::string&);
 constexpr std::array<MakeExporter, kFormats.size()> kMakers{
-    makeGltfExporter,      makeUsdExporter,      makeBvhExporter,
-    makeJointListExporter, makeJupedsimExporter, makePedpyExporter,
+    makeGltfExporter,     makeUsdExporter,   makeBvhExporter,    makeJointListExporter,
+    makeJupedsimExporter, makePedpyExporter, makePlayerExporter,
 };
 
 }  // namespace

@@ -7,10 +7,6 @@
 namespace muster {
 namespace {
 
-constexpr double kDegree = kPi / 180.0;
-constexpr double kTurn = 0.33;  // Rotation of the camera from +y to the left [rad].
-constexpr double kPitch = 46.0 * kDegree;
-constexpr double kFieldOfView = 24.0 * kDegree;
 constexpr double kAspect = 16.0 / 9.0;
 constexpr double kFilled = 0.92;   // Share of the picture that the points fill.
 constexpr double kNearest = 8.0;   // Least distance from the eye to a point [m].
@@ -23,13 +19,13 @@ Vec3 unit(double x, double y, double z) {
 }  // namespace
 
 CameraFit::CameraFit() {
-    const double st = sine(kTurn), ct = cosine(kTurn), sp = sine(kPitch), cp = cosine(kPitch);
+    const double st = sine(kViewTurn), ct = cosine(kViewTurn), sp = sine(kViewPitch), cp = cosine(kViewPitch);
     view_.right = unit(ct, st, 0.0);
     view_.up = unit(-st * sp, ct * sp, cp);
     view_.forward = unit(-st * cp, ct * cp, -sp);
-    view_.fieldOfView = kFieldOfView;
+    view_.fieldOfView = kViewAngle;
     view_.aspect = kAspect;
-    along_ = kFilled * sine(0.5 * kFieldOfView) / cosine(0.5 * kFieldOfView);
+    along_ = kFilled * sine(0.5 * kViewAngle) / cosine(0.5 * kViewAngle);
     across_ = kAspect * along_;
 }
 

@@ -7,6 +7,12 @@
 
 namespace muster {
 
+/// The direction of the studio's view as it opens.
+inline constexpr double kViewTurn = 0.33;                                    ///< From +y to the left [rad].
+inline constexpr double kViewPitch = 46.0 / 180.0 * 3.14159265358979323846;  ///< Looking down [rad].
+inline constexpr double kViewAngle = 24.0 / 180.0 *
+                                     3.14159265358979323846;  ///< Vertical angle of view [rad].
+
 inline constexpr double kSeenHeight = 1.8;  ///< Height of a character that the camera keeps in view [m].
 
 /// A fixed camera; it looks along `forward`.

@@ -129,7 +129,12 @@ void SceneMeshBuilder::walls(Finish finish, const Polygon& outline, double low, 
     }
 }
 
-void SceneMeshBuilder::prism(Finish side, Finish lid, const Polygon& outline, double low, double high) {
+void SceneMeshBuilder::level(Finish finish, const PolygonWithHoles&, const TriangleMesh& mesh) {
+    const auto at = [&](std::int32_t v) { return pointAt(mesh.vertices[static_cast<std::size_t>(v)], 0.0); };
+    for (const Triangle& t : mesh.triangles) triangle(finish, at(t[0]), at(t[1]), at(t[2]));
+}
+
+void SceneShapes::prism(Finish side, Finish lid, const Polygon& outline, double low, double high) {
     walls(side, outline, low, high);
     floor(lid, outline, high);
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -83,30 +84,64 @@ struct SceneThing {
 /// The ground, then obstacles, then patches, in the world's present state.
 std::vector<SceneThing> makeScene(const World& world);
 
+/// What one object of a scene is made of. Makers of objects call it; what becomes of the shapes is up to
+/// those who implement it.
+class SceneShapes {
+public:
+    virtual ~SceneShapes() = default;
+
+    /// Adds a flat quadrangle, anticlockwise when seen from outside.
+    virtual void quad(Finish finish, Vec3 a, Vec3 b, Vec3 c, Vec3 d) = 0;
+    /// Adds a horizontal polygon at a height [m], counter-clockwise, seen from above.
+    virtual void floor(Finish finish, const Polygon& outline, double z) = 0;
+    /// Adds a horizontal mesh at height 0, seen from above. Where its triangles begin and end does not
+    /// matter, so that others may be made from the same outline and holes.
+    virtual void level(Finish finish, const PolygonWithHoles& shape, const TriangleMesh& mesh) = 0;
+    /// Adds vertical walls along a counter-clockwise polygon, seen from outside or from inside.
+    virtual void walls(Finish finish, const Polygon& outline, double low, double high,
+                       bool inside = false) = 0;
+    /// Adds a truncated vertical cone with a lid; its sides have smooth shading.
+    virtual void frustum(Finish finish, Vec3 base, double height, double lowRadius, double highRadius,
+                         int sides) = 0;
+    /// Adds a beam of square section between two points.
+    virtual void beam(Finish finish, Vec3 a, Vec3 b, double width) = 0;
+    /// Adds an irregular ball of flat facets: radius on the ground and half its height [m]; `seed` varies its
+    /// shape.
+    virtual void blob(Finish finish, Vec3 centre, double radius, double height, std::uint32_t seed,
+                      int rows = 5, int sides = 9) = 0;
+
+    /// Adds walls with a lid.
+    void prism(Finish side, Finish lid, const Polygon& outline, double low, double high);
+};
+
+/// The definition of an object of a scene.
+struct ScenePlan {
+    std::string name;  ///< Unique within the scene, not empty.
+    Vec2 pivot;        ///< Centre of rotation [m].
+    TimedPath path;    ///< Its motion; empty for a static object.
+};
+/// Calls `visit` for the ground, then for obstacles, then for patches, in the world's present state. `visit`
+/// gets what the object is and a function that adds its shapes, at their places in the world.
+void visitScene(const World& world,
+                const std::function<void(const ScenePlan&, const std::function<void(SceneShapes&)>&)>& visit);
+
 /// Collects the surfaces of one object.
-class SceneMeshBuilder {
+class SceneMeshBuilder final : public SceneShapes {
 public:
     /// Everything added is moved by -pivot.
     explicit SceneMeshBuilder(Vec2 pivot) : pivot_(pivot) {}
 
     /// Adds a flat triangle, anticlockwise when seen from outside.
     void triangle(Finish finish, Vec3 a, Vec3 b, Vec3 c);
-    /// Adds a flat quadrangle, anticlockwise when seen from outside.
-    void quad(Finish finish, Vec3 a, Vec3 b, Vec3 c, Vec3 d);
-    /// Adds a horizontal polygon at a height [m], counter-clockwise, seen from above.
-    void floor(Finish finish, const Polygon& outline, double z);
-    /// Adds vertical walls along a counter-clockwise polygon, seen from outside or from inside.
-    void walls(Finish finish, const Polygon& outline, double low, double high, bool inside = false);
-    /// Adds walls with a lid.
-    void prism(Finish side, Finish lid, const Polygon& outline, double low, double high);
-    /// Adds a truncated vertical cone with a lid; its sides have smooth shading.
-    void frustum(Finish finish, Vec3 base, double height, double lowRadius, double highRadius, int sides);
-    /// Adds a beam of square section between two points.
-    void beam(Finish finish, Vec3 a, Vec3 b, double width);
-    /// Adds an irregular ball of flat facets: radius on the ground and half its height [m]; `seed` varies its
-    /// shape.
+    void quad(Finish finish, Vec3 a, Vec3 b, Vec3 c, Vec3 d) override;
+    void floor(Finish finish, const Polygon& outline, double z) override;
+    void level(Finish finish, const PolygonWithHoles& shape, const TriangleMesh& mesh) override;
+    void walls(Finish finish, const Polygon& outline, double low, double high, bool inside = false) override;
+    void frustum(Finish finish, Vec3 base, double height, double lowRadius, double highRadius,
+                 int sides) override;
+    void beam(Finish finish, Vec3 a, Vec3 b, double width) override;
     void blob(Finish finish, Vec3 centre, double radius, double height, std::uint32_t seed, int rows = 5,
-              int sides = 9);
+              int sides = 9) override;
 
     /// The surfaces so far.
     std::vector<SceneSurface> take() { return std::move(surfaces_); }
@@ -137,10 +172,9 @@ double thrown(std::uint32_t a, std::uint32_t b);
 Polygon circle(Vec2 centre, double radius, int corners);
 
 /// Adds an obstacle as defined.
-void addObstacle(const ObstacleDef& obstacle, SceneMeshBuilder& builder);
+void addObstacle(const ObstacleDef& obstacle, SceneShapes& shapes);
 /// Adds a patch as defined, with the look of the clip of that name. `open` is true where the ground below it
 /// is left out; `floor` is the height of its own floor [m].
-void addPatch(const PatchDef& patch, const std::string& clip, bool open, double floor,
-              SceneMeshBuilder& builder);
+void addPatch(const PatchDef& patch, const std::string& clip, bool open, double floor, SceneShapes& shapes);
 
 }  // namespace muster

@@ -1,5 +1,6 @@
 // All objects of a world.
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "environment/environment.h"
@@ -30,23 +31,20 @@ const std::string& clipOf(const Environment& environment, const PatchDef& patch)
     return motion < environment.def().clips.size() ? environment.def().clips[motion].name : kRun;
 }
 
-/// Adds the ground with holes for pools; returns false and adds nothing where the holes cannot be cut.
-bool addGround(const Environment& environment, const std::vector<Polygon>& pools, SceneMeshBuilder& builder) {
-    const Box box = environment.def().box.grown(kApron);
-    PolygonWithHoles shape;
-    shape.outline = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
-    for (const Polygon& pool : pools) shape.holes.emplace_back(pool.rbegin(), pool.rend());
-    if (pools.empty()) return builder.floor(Finish::Ground, shape.outline, 0.0), true;
-    const double spacing = std::max(box.width(), box.height()) / 40.0;
-    const auto mesh = triangulate(shape, spacing);
-    if (!mesh.ok()) return false;
-    const auto corner = [&](std::int32_t v) {
-        const Vec2 p = mesh->vertices[v];
-        return Vec3{static_cast<float>(p.x), static_cast<float>(p.y), 0.0f};
-    };
-    for (const Triangle& t : mesh->triangles)
-        builder.triangle(Finish::Ground, corner(t[0]), corner(t[1]), corner(t[2]));
-    return true;
+/// The ground with holes for pools, as an outline and as a mesh.
+struct GroundShape {
+    PolygonWithHoles outline;
+    std::optional<TriangleMesh> mesh;  ///< None where there are no holes, or they cannot be cut.
+};
+
+GroundShape groundShape(const Box& box, const std::vector<Polygon>& pools) {
+    GroundShape ground;
+    ground.outline.outline = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
+    if (pools.empty()) return ground;
+    for (const Polygon& pool : pools) ground.outline.holes.emplace_back(pool.rbegin(), pool.rend());
+    auto mesh = triangulate(ground.outline, std::max(box.width(), box.height()) / 40.0);
+    if (mesh.ok()) ground.mesh = std::move(mesh).value();
+    return ground;
 }
 
 std::vector<Polygon> poolsOf(const Environment& environment) {
@@ -67,36 +65,44 @@ Vec2 pivotOf(const Polygon& polygon) {
 
 }  // namespace
 
-std::vector<SceneThing> makeScene(const World& world) {
+void visitScene(
+    const World& world,
+    const std::function<void(const ScenePlan&, const std::function<void(SceneShapes&)>&)>& visit) {
     const Environment& environment = inspect::environment(world);
-    std::vector<SceneThing> things;
     std::set<std::string> names;
-    const auto add = [&](const std::string& name, const char* kind, Vec2 pivot, const TimedPath& path,
-                         SceneMeshBuilder&& builder) {
-        auto surfaces = builder.take();
-        if (!surfaces.empty())
-            things.push_back({nameOf(name, kind, names), pivot, path, std::move(surfaces)});
-    };
-    SceneMeshBuilder ground({});
-    const bool open = addGround(environment, poolsOf(environment), ground);
-    if (!open) addGround(environment, {}, ground);
-    add("Ground", "Ground", {}, {}, std::move(ground));
+    const std::vector<Polygon> pools = poolsOf(environment);
+    const GroundShape ground = groundShape(environment.def().box.grown(kApron), pools);
+    const bool open = pools.empty() || ground.mesh.has_value();
+    visit({nameOf("Ground", "Ground", names), {}, {}}, [&](SceneShapes& shapes) {
+        if (ground.mesh)
+            shapes.level(Finish::Ground, ground.outline, *ground.mesh);
+        else
+            shapes.floor(Finish::Ground, ground.outline.outline, 0.0);
+    });
     for (const ObstacleId id : environment.obstacleIds()) {
         const ObstacleDef& def = *environment.obstacle(id);
         const Vec2 pivot = def.polygon.empty() ? def.centre : pivotOf(def.polygon);
-        SceneMeshBuilder builder(pivot);
-        addObstacle(def, builder);
-        add(def.name, "Obstacle", pivot, def.path, std::move(builder));
+        visit({nameOf(def.name, "Obstacle", names), pivot, def.path},
+              [&](SceneShapes& shapes) { addObstacle(def, shapes); });
     }
     double floor = kFloor;
     for (const PatchId id : environment.patchIds()) {
         const PatchDef& def = *environment.patch(id);
-        const Vec2 pivot = pivotOf(def.polygon);
-        SceneMeshBuilder builder(pivot);
-        addPatch(def, clipOf(environment, def), open && def.path.still(), floor, builder);
+        visit({nameOf(def.name, "Patch", names), pivotOf(def.polygon), def.path}, [&](SceneShapes& shapes) {
+            addPatch(def, clipOf(environment, def), open && def.path.still(), floor, shapes);
+        });
         floor = floor < kHighestFloor ? floor + kFloorStep : kFloor;
-        add(def.name, "Patch", pivot, def.path, std::move(builder));
     }
+}
+
+std::vector<SceneThing> makeScene(const World& world) {
+    std::vector<SceneThing> things;
+    visitScene(world, [&](const ScenePlan& plan, const std::function<void(SceneShapes&)>& addShapes) {
+        SceneMeshBuilder builder(plan.pivot);
+        addShapes(builder);
+        auto surfaces = builder.take();
+        if (!surfaces.empty()) things.push_back({plan.name, plan.pivot, plan.path, std::move(surfaces)});
+    });
     return things;
 }
 
