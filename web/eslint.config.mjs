@@ -34,6 +34,10 @@ const kLayers = [
   'ui/panels',
   'ui',
   'ui/study',
+  'player/file',
+  'player/play',
+  'player/draw',
+  'player',
   '',
 ];
 
@@ -101,7 +105,7 @@ export default tseslint.config(
   { ignores: ['dist/', 'node_modules/', 'test-results/', ...kGenerated] },
   js.configs.recommended,
   {
-    files: ['src/**/*.ts', 'vite.config.ts'],
+    files: ['src/**/*.ts', 'vite*.config.ts'],
     extends: [tseslint.configs.recommendedTypeChecked],
     languageOptions: { parserOptions: { projectService: true, tsconfigRootDir: import.meta.dirname } },
     plugins: { 'import-x': importX, page: { rules: { 'no-import-upward': noImportUpward } } },
@@ -130,7 +134,7 @@ export default tseslint.config(
       '@typescript-eslint/require-await': 'off',
     },
   },
-  { files: ['vite.config.ts'], rules: { 'import-x/no-default-export': 'off' } },
+  { files: ['vite*.config.ts'], rules: { 'import-x/no-default-export': 'off' } },
   {
     files: ['tests/**/*.mjs', 'eslint.config.mjs'],
     languageOptions: {

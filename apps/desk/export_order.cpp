@@ -6,6 +6,7 @@
 
 #include "json/json.h"
 #include "muster/own_clips.h"
+#include "player_page.h"
 #include "zip_file.h"
 
 namespace muster {
@@ -26,7 +27,12 @@ std::string plainName(const std::string& title) {
 }
 
 bool hasBodies(const std::string& format) {
-    return format == "glb" || format == "usda" || format == "bvh";
+    return format == "glb" || format == "usda" || format == "bvh" || format == "player" ||
+           isPlayerPage(format);
+}
+
+bool isFolder(const std::string& format) {
+    return format == "bvh" || format == kPlayerFolder.name;
 }
 
 /// What the text says; the take is a name.
@@ -72,28 +78,31 @@ Result<ExportOrder> readExportOrder(const std::string& text, TakeShelf& shelf) {
 }
 
 Result<std::string> exportFileName(const ExportOrder& order) {
-    const auto format = exportFormat(order.format);
+    const auto format = exportOrPageFormat(order.format);
     if (!format.ok()) return format.status();
-    return plainName(order.title) + (order.format == "bvh" ? "-bvh.zip" : format->ending);
+    return plainName(order.title) + format->ending + (isFolder(order.format) ? ".zip" : "");
 }
 
-Status writeExport(const ExportOrder& order, const LoadClips& loadClips, const std::string& path,
+Status writeExport(const ExportOrder& order, const ExportTools& tools, const std::string& path,
                    const std::function<bool(double)>& progress) {
+    const auto format = exportOrPageFormat(order.format);
+    if (!format.ok()) return format.status();
     const auto take = readTake(order.take);
     if (!take.ok()) return take.status();
-    auto clips = loadClips ? loadClips(take->def.name, take->def) : Result<ClipLibrary>(ownClips());
+    auto clips = tools.loadClips ? tools.loadClips(take->def.name, take->def)
+                                 : Result<ClipLibrary>(ownClips());
     if (!clips.ok()) clips = ownClips();
     ExportDef def;
     def.from = order.from;
     def.to = order.to;
     def.fps = order.fps;
     if (order.speeds && hasBodies(order.format)) def.speeds = take->about.speeds;
-    if (order.format != "bvh") return exportTake(*take, *clips, order.format, path, def, progress);
-    const std::string files = path + "-files";
-    Status status = exportTake(*take, *clips, order.format, files, def, progress);
-    if (status.ok()) status = zipFolder(files, path);
+    const std::string target = isFolder(order.format) ? path + "-files" : path;
+    Status status = exportTakeOrPage(*take, *clips, *format, target, def, tools.playerFolder, progress);
+    if (!isFolder(order.format)) return status;
+    if (status.ok()) status = zipFolder(target, path);
     std::error_code ignored;
-    std::filesystem::remove_all(files, ignored);
+    std::filesystem::remove_all(target, ignored);
     return status;
 }
 

@@ -23,6 +23,12 @@ struct ExportOrder {
 /// The clips that characters of a scenario move by.
 using LoadClips = std::function<Result<ClipLibrary>(const std::string& name, const WorldDef& def)>;
 
+/// What exports are made with.
+struct ExportTools {
+    LoadClips loadClips;       ///< May be empty: Muster's own clips.
+    std::string playerFolder;  ///< That of readPlayerParts().
+};
+
 /// The order that a request's JSON text spells out, for a take on the shelf. Fails with InvalidArgument or
 /// ParseError, naming the culprit, and with NotFound.
 Result<ExportOrder> readExportOrder(const std::string& text, TakeShelf& shelf);
@@ -30,7 +36,7 @@ Result<ExportOrder> readExportOrder(const std::string& text, TakeShelf& shelf);
 Result<std::string> exportFileName(const ExportOrder& order);
 /// Makes the file. `progress` is told the share that is done, 0 to 1, and returns false to end it. Fails like
 /// readTake and exportTake.
-Status writeExport(const ExportOrder& order, const LoadClips& loadClips, const std::string& path,
+Status writeExport(const ExportOrder& order, const ExportTools& tools, const std::string& path,
                    const std::function<bool(double)>& progress);
 
 }  // namespace muster

@@ -23,7 +23,7 @@ Result<std::string> writeFile(const std::string& request, const std::string& pat
     const auto order = readExportOrder(request, shelf);
     if (!order.ok()) return order.status();
     const auto clips = [&](const std::string& name, const WorldDef& def) { return folder.clips(name, def); };
-    const Status status = writeExport(*order, clips, path, [](double share) {
+    const Status status = writeExport(*order, {clips, "/player"}, path, [](double share) {
         tellProgress(share);
         return true;
     });
@@ -38,7 +38,8 @@ EMSCRIPTEN_KEEPALIVE const char* muster_text() {
     return theText.c_str();
 }
 
-/// Makes the file of an export of a take in /takes, with the scenarios in /scenarios. Returns 0 with the name
+/// Makes the file of an export of a take in /takes, with the scenarios in /scenarios and, for pages with a
+/// player, what they are made of in /player. Returns 0 with the name
 /// to save it by in muster_text(), or 1 with a sentence there.
 EMSCRIPTEN_KEEPALIVE int muster_export(const char* order, const char* path) {
     const auto name = writeFile(order, path);

@@ -5,13 +5,16 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "character/clips/clip_files.h"
 #include "character/motion/clips_for.h"
 #include "commands.h"
+#include "folders.h"
 #include "muster/export.h"
 #include "muster/own_clips.h"
 #include "options.h"
+#include "player_page.h"
 #include "report.h"
 
 namespace muster {
@@ -49,11 +52,6 @@ Result<ClipLibrary> clipsOf(const ExportOptions& options, const Take& take) {
     return clipsFor(take.def.clips, options.clips);
 }
 
-/// Frames a second where nobody says; players draw as many as the display shows between the file's.
-double usualFps(const std::string& format) {
-    return format == "player" ? 15.0 : ExportDef{}.fps;
-}
-
 /// The output path: the requested file, or a file in the current folder with the take's name.
 std::string outputPath(const ExportOptions& options, const ExportFormat& format) {
     if (!options.out.empty()) return options.out;
@@ -61,7 +59,7 @@ std::string outputPath(const ExportOptions& options, const ExportFormat& format)
 }
 
 int exportFile(const ExportOptions& options) {
-    const auto format = exportFormat(options.format);
+    const auto format = exportOrPageFormat(options.format);
     if (!format.ok()) return reportFailure(format.status());
     const std::string out = outputPath(options, *format);
     if (Status s = differentFiles({options.take}, {out}); !s.ok()) return reportFailure(s);
@@ -76,7 +74,8 @@ int exportFile(const ExportOptions& options) {
     Progress progress("exporting");
     ExportDef part = options.part;
     part.fps = std::isnan(options.fps) ? usualFps(options.format) : options.fps;
-    const Status done = exportTake(*take, *clips, options.format, out, part, [&](double share) {
+    const std::string player = findFolder({"web/dist/player", "../share/muster/web/player"});
+    const Status done = exportTakeOrPage(*take, *clips, *format, out, part, player, [&](double share) {
         progress.show(share);
         return true;
     });
@@ -87,7 +86,9 @@ int exportFile(const ExportOptions& options) {
 
 std::string formatList() {
     std::string text;
-    for (const ExportFormat& format : exportFormats())
+    std::vector<ExportFormat> formats(exportFormats().begin(), exportFormats().end());
+    formats.insert(formats.end(), {kPlayerPage, kPlayerFolder});
+    for (const ExportFormat& format : formats)
         text += std::string("  ") + format.name + ": " + format.about + "\n";
     return text;
 }
@@ -100,8 +101,9 @@ void addExportCommand(CommandLine& line) {
     auto options = std::make_shared<ExportOptions>();
     command.option("TAKE", options->take, "Take file.").required();
     command.option("--format", options->format, "One of those below.").required();
-    command.option("--out", options->out,
-                   "File to be written, for bvh a folder; left out: here, by the take's name.");
+    command.option(
+        "--out", options->out,
+        "File to be written, for bvh and player-folder a folder; left out: here, by the take's name.");
     command.option("--from", options->part.from, "Time of the first frame [s].");
     command.option("--to", options->part.to, "Time of the last frame [s]; left out: the end of the take.");
     command.option("--fps", options->fps,
@@ -117,7 +119,8 @@ void addExportCommand(CommandLine& line) {
                    "behind where it fails.\n"
                    "Examples:\n"
                    "  muster export cars.take --format bvh --out cars --fps 24\n"
-                   "  muster export cars.take --format jupedsim --out cars.sqlite --from 2 --to 10");
+                   "  muster export cars.take --format jupedsim --out cars.sqlite --from 2 --to 10\n"
+                   "  muster export cars.take --format player-page --out cars.html");
     command.run([options] { return exportFile(*options); });
 }
 

@@ -20,8 +20,8 @@ std::string exportFolder() {
 
 }  // namespace
 
-ExportDesk::ExportDesk(LoadClips loadClips)
-    : loadClips_(std::move(loadClips)), folder_(exportFolder()), thread_([this] { run(); }) {}
+ExportDesk::ExportDesk(ExportTools tools)
+    : tools_(std::move(tools)), folder_(exportFolder()), thread_([this] { run(); }) {}
 
 ExportDesk::~ExportDesk() {
     {
@@ -128,7 +128,7 @@ void ExportDesk::make(const std::shared_ptr<Job>& job) {
 }
 
 Status ExportDesk::write(const std::shared_ptr<Job>& job, const std::string& path) {
-    return writeExport(job->order, loadClips_, path, [&](double share) {
+    return writeExport(job->order, tools_, path, [&](double share) {
         const std::lock_guard lock(mutex_);
         job->report.share = share;
         return !job->cancelled;

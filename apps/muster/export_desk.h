@@ -31,7 +31,7 @@ struct ExportReport {
 /// Makes exports in a folder of its own, which is removed at the end. Any thread may call.
 class ExportDesk {
 public:
-    explicit ExportDesk(LoadClips loadClips);
+    explicit ExportDesk(ExportTools tools);
     ~ExportDesk();
     ExportDesk(const ExportDesk&) = delete;
     ExportDesk& operator=(const ExportDesk&) = delete;
@@ -59,7 +59,7 @@ private:
     std::shared_ptr<Job> find(const std::string& number) const;
     void forgetOldest();
 
-    LoadClips loadClips_;
+    ExportTools tools_;
     std::string folder_;
     mutable std::mutex mutex_;
     std::condition_variable changed_;

@@ -76,7 +76,8 @@ int runStudio(const StudioOptions& options) {
     auto session = makeSession(options, folder, shelf);
     if (!session.ok()) return serveFailed(session.status());
     ExportDesk exports(
-        [folder](const std::string& of, const WorldDef& def) { return folder.clips(of, def); });
+        {[folder](const std::string& of, const WorldDef& def) { return folder.clips(of, def); },
+         options.pageFolder + "/player"});
     return serve(session.value(), serving, [&](Mailbox<HostEvent>& mailbox, ServerEvents& events) {
         auto desk = std::make_unique<ShelfDesk>(
             shelf, exports,

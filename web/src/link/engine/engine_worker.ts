@@ -9,6 +9,7 @@ import { ShelfFiles, type EngineFiles } from './shelf_files';
 const kTakes = '/takes';
 const kScenarios = '/scenarios';
 const kExport = '/export';
+const kPlayer = '/player';
 /** How often the shelf's files are looked through [ms]. */
 const kSaveEvery = 1000;
 /** Gestures, which are needed later, are loaded when people have begun to walk [ms]. */
@@ -98,9 +99,20 @@ interface EngineHost {
   readonly loop: EngineLoop;
 }
 
+/** What pages with a player are made of lies beside the engine. */
+async function addPlayer(base: string, files: EngineFiles): Promise<void> {
+  files.mkdirTree(kPlayer);
+  for (const name of ['muster-player.js', 'page.html']) {
+    const answer = await fetch(new URL(`../player/${name}`, base).href);
+    if (!answer.ok) throw new Error(`${name}: ${answer.statusText || answer.status}`);
+    files.writeFile(`${kPlayer}/${name}`, await answer.text());
+  }
+}
+
 async function makeExport({ base, order, name, take }: Extract<ToEngine, { kind: 'export' }>): Promise<void> {
   const module = await load<ExporterModule>(base, 'muster-exporter');
   const memory = new ModuleMemory(module);
+  await addPlayer(base, module.FS);
   module.FS.writeFile(`${kTakes}/${name}`, take);
   const wrong = memory.withTexts([order, kExport], ([wish, path]) => module._muster_export(wish!, path!));
   const said = memory.text(module._muster_text());

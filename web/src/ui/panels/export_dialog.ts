@@ -14,11 +14,30 @@ export interface ExportKind {
   readonly film?: boolean;
   /** Its frames a second can be chosen. */
   readonly frames?: boolean;
+  /** Frames a second that suit it. */
+  readonly fps?: number;
 }
+
+/** Players draw as many pictures as the display shows between the frames of the file. */
+const kPlayerFps = 15;
 
 export const kExportKinds: readonly ExportKind[] = [
   { name: 'film', label: 'Film', about: 'MP4 or WebM of what you see', here: true, film: true, frames: true },
   { name: 'picture', label: 'Picture', about: 'PNG of the shown moment', here: true },
+  {
+    name: 'player-page',
+    label: 'Web page',
+    about: 'One HTML file that plays in any browser: to send, or to put online',
+    here: false,
+    fps: kPlayerFps,
+  },
+  {
+    name: 'player-folder',
+    label: 'Player',
+    about: 'For a page of yours: script, crowd and the lines to copy, in a ZIP',
+    here: false,
+    fps: kPlayerFps,
+  },
   {
     name: 'glb',
     label: 'glTF',
@@ -103,7 +122,7 @@ export class ExportDialog {
   get chosen(): ExportChoice {
     return {
       kind: this.kind_,
-      fps: Number(this.fps_.value),
+      fps: this.kind_.fps ?? Number(this.fps_.value),
       size: kFilmSizes[this.size_.value] ?? [1280, 720],
       clean: this.clean_.checked,
     };
