@@ -117,6 +117,43 @@ TEST_CASE("export writes each simple format") {
     }
 }
 
+TEST_CASE("export writes a player's file at 15 frames a second, and pages where the page is built") {
+    const std::string take = smallTake();
+    const Outcome file = runProgram("export " + take + " --format player --out " + path("e.muster-player"));
+    CHECK_MESSAGE(file.code == 0, file.error);
+    const std::string bytes = slurp(path("e.muster-player"));
+    CHECK(bytes.rfind("MUSTERPL", 0) == 0);
+    CHECK(bytes.find("\"fps\":15.0,\"frames\":16") != std::string::npos);
+    REQUIRE(
+        runProgram("export " + take + " --format player --fps 30 --out " + path("e.muster-player")).code ==
+        0);
+    CHECK(slurp(path("e.muster-player")).find("\"fps\":30.0,\"frames\":31") != std::string::npos);
+    // From a folder with a page of its own, which is not built yet.
+    const std::string there = "cd " + workFolder().string();
+    std::filesystem::create_directories(workFolder() / "web/dist/player");
+    const Outcome page = runProgram("export " + take + " --format player-page --out " + path("e.html"),
+                                    there);
+    CHECK(page.code == 1);
+    CHECK(page.errorLines() == 1);
+    CHECK_MESSAGE(page.error.find("muster-player.js: is not there") != std::string::npos, page.error);
+    CHECK_FALSE(std::filesystem::exists(path("e.html")));
+    put("web/dist/player/muster-player.js", "script();");
+    put("web/dist/player/page.html", "<h1>{{title}}</h1>{{script}}{{source}}");
+    for (const std::string format :
+         {"player-page --out " + path("e.html"), "player-folder --out " + path("e-player")}) {
+        const Outcome made = runProgram("export " + take + " --format " + format, there);
+        CHECK_MESSAGE(made.code == 0, made.error);
+    }
+    CHECK(slurp(path("e.html")).find("script();") != std::string::npos);
+    CHECK(slurp(path("e.html")).find("base64,TVVTVEVSUEw") != std::string::npos);
+    CHECK(filesIn(path("e-player")) == 3);
+    CHECK_FALSE(std::filesystem::exists(path("e.html.muster-player")));
+    const Outcome again = runProgram("export " + take + " --format player-folder --out " + path("e-player"),
+                                     there);
+    CHECK(again.code == 1);
+    CHECK(again.error.find("exists already") != std::string::npos);
+}
+
 TEST_CASE("export fails with one sentence and leaves no incomplete file") {
     const std::string take = smallTake(), out = path("half");
     const std::string torn = put("torn.take", slurp(take).substr(0, slurp(take).size() - 5));
