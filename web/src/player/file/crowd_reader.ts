@@ -180,15 +180,15 @@ class CrowdReader {
 
   private changeMembers(): void {
     const coder = this.coder_;
-    const gone = coder.count(this.gone_, this.members_.length);
+    const gone = coder.count(this.gone_, this.members_.length, 'characters who leave');
     const leaving = new Set<number>();
     let last = 0;
     for (let k = 0; k < gone; ++k) {
-      last += coder.count(this.gone_, this.members_.length - 1 - last);
+      last += coder.count(this.gone_, this.members_.length - 1 - last, 'characters who leave');
       leaving.add(last);
     }
     this.members_ = this.members_.filter((_, i) => !leaving.has(i));
-    const came = coder.count(this.came_, this.head_.most - this.members_.length);
+    const came = coder.count(this.came_, this.head_.most - this.members_.length, 'characters who come');
     let id = 0;
     for (let k = 0; k < came; ++k) {
       id += coder.natural(this.ids_);
@@ -208,15 +208,15 @@ class CrowdReader {
     const y = this.lastPlace_[1]! + coder.whole(this.place_);
     this.lastPlace_.splice(0, 2, x, y);
     const yaw = coder.whole(this.heading_);
-    const clip = coder.count(this.clip_, this.clips_.length - 1);
-    const time = coder.count(this.clipTime_, this.clips_[clip]!.duration);
+    const clip = coder.count(this.clip_, this.clips_.length - 1, 'clip');
+    const time = coder.count(this.clipTime_, this.clips_[clip]!.duration, 'time of a clip');
     const still = { stepX: 0, stepY: 0, turn: 0, advance: 0, stir: 0, turned: 0, paced: 0, switched: 0, fade: 0 };
     const playing = { clip, time, fromClip: clip, fromTime: time };
     return { id, who, x, y, yaw, colour, ...still, ...playing, sample: -1, fresh: true };
   }
 
   private readColour(): number {
-    return this.coder_.count(this.colour_, this.head_.colours.length - 1);
+    return this.coder_.count(this.colour_, this.head_.colours.length - 1, 'colour');
   }
 
   private move(member: Member): void {
@@ -260,9 +260,9 @@ class CrowdReader {
     const coder = this.coder_;
     let next = this.nextClip_.get(member.clip);
     if (!next) this.nextClip_.set(member.clip, (next = new NumberModel()));
-    const clip = coder.count(next, this.clips_.length - 1);
+    const clip = coder.count(next, this.clips_.length - 1, 'clip');
     const now = this.clips_[clip]!;
-    const fade = coder.count(this.fade_, kFadeSteps) / kFadeSteps;
+    const fade = coder.count(this.fade_, kFadeSteps, 'fade') / kFadeSteps;
     const same = Math.floor((member.time * now.duration) / before.duration);
     const turn = now.duration + 1;
     const time = same + coder.whole(this.phase_);

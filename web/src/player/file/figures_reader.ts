@@ -53,16 +53,16 @@ export interface PlayedClip {
 export function readFigures(bytes: Uint8Array): Figures {
   const coder = new RangeDecoder(bytes);
   const [parent, offset, kinds] = [new NumberModel(), new NumberModel(), new NumberModel()];
-  const joints = coder.count(kinds, kMostJoints);
+  const joints = coder.count(kinds, kMostJoints, 'joints');
   if (joints === 0) throw new DamagedFile('found no joints');
   const skeleton = { parents: new Int16Array(joints), offsets: new Float32Array(3 * joints) };
   for (let j = 0; j < joints; ++j) {
-    skeleton.parents[j] = coder.count(parent, j) - 1;
+    skeleton.parents[j] = coder.count(parent, j, 'parent of a joint') - 1;
     for (let k = 0; k < 3; ++k) skeleton.offsets[3 * j + k] = kBodyUnit * coder.whole(offset);
   }
   const bodies = [];
   for (let kind = 0; kind < kKinds; ++kind) {
-    if (coder.count(kinds, 1) === 0) {
+    if (coder.count(kinds, 1, 'bodies') === 0) {
       bodies.push(null);
       continue;
     }
@@ -87,7 +87,7 @@ class MeshReader {
   ) {}
 
   mesh(): BodyMesh {
-    const count = this.coder_.count(this.count_, kMostVertices);
+    const count = this.coder_.count(this.count_, kMostVertices, 'corners of a body');
     const mesh = {
       positions: new Float32Array(3 * count),
       joints: new Uint8Array(4 * count),
@@ -112,7 +112,7 @@ class MeshReader {
     last.region += coder.whole(this.region_);
     if (last.region < 0 || last.region > 4) throw new DamagedFile(`found region ${last.region}, expected 0 to 4`);
     mesh.regions[v] = last.region;
-    const bearing = 1 + coder.count(this.joints_, 3);
+    const bearing = 1 + coder.count(this.joints_, 3, 'joints of a corner');
     let left = 255;
     for (let k = 0; k < 4; ++k) {
       if (k < bearing) last.joints[k]! += coder.whole(this.joint_[k]!);
@@ -130,7 +130,7 @@ class MeshReader {
   }
 
   private triangles(vertices: number): Uint16Array {
-    const count = this.coder_.count(this.count_, kMostTriangles);
+    const count = this.coder_.count(this.count_, kMostTriangles, 'triangles of a body');
     const indices = new Uint16Array(3 * count);
     let [a, b, c] = [0, 0, 0];
     for (let t = 0; t < count; ++t) {
@@ -182,9 +182,9 @@ class ClipReader {
 
   clip(): PlayedClip {
     const coder = this.coder_;
-    const duration = coder.count(this.head_, kMostClipTime);
-    const cyclic = coder.count(this.head_, 1) === 1;
-    const poses = coder.count(this.head_, kMostPoses);
+    const duration = coder.count(this.head_, kMostClipTime, 'duration of a clip');
+    const cyclic = coder.count(this.head_, 1, 'kind of a clip') === 1;
+    const poses = coder.count(this.head_, kMostPoses, 'poses of a clip');
     if (duration === 0 || poses === 0) throw new DamagedFile('found an empty clip');
     const clip = {
       duration,

@@ -72,10 +72,10 @@ export class RangeDecoder {
     return value * 2 ** left + this.plain(left) - 1;
   }
 
-  /** A number from 0 to `most`; a larger one means damage. */
-  count(model: NumberModel, most: number): number {
+  /** A number from 0 to `most`; a larger one means damage. `what` names what is counted. */
+  count(model: NumberModel, most: number, what: string): number {
     const value = this.natural(model);
-    if (value > most) throw new DamagedFile(`found ${value}, expected at most ${most}`);
+    if (value > most) throw new DamagedFile(`${what}: found ${value}, expected 0 to ${most}`);
     this.check();
     return value;
   }

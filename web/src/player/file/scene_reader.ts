@@ -68,10 +68,10 @@ class SceneReader {
 
   private object(maker: MeshMaker): void {
     for (;;) {
-      const kind = this.coder_.count(this.kind_, kShapes.length - 1);
+      const kind = this.coder_.count(this.kind_, kShapes.length - 1, 'kind of a shape');
       if (kind === 0) return;
       this.own_ = this.models_[kind]!;
-      this.shape(kShapes[kind]!, this.coder_.count(this.finish_, kFinishes - 1), maker);
+      this.shape(kShapes[kind]!, this.coder_.count(this.finish_, kFinishes - 1, 'finish'), maker);
       if (maker.corners > kMostCorners) throw new DamagedFile('found too many shapes');
     }
   }
@@ -113,7 +113,7 @@ class SceneReader {
 
   private level(finish: number, maker: MeshMaker): void {
     const points = this.outline();
-    const triangles = this.coder_.count(this.count_, kMostPoints);
+    const triangles = this.coder_.count(this.count_, kMostPoints, 'corners of a shape');
     let last = 0;
     const next = (): Point => {
       last += this.coder_.whole(this.index_);
@@ -136,7 +136,7 @@ class SceneReader {
   }
 
   private outline(): Point[] {
-    const count = this.coder_.count(this.count_, kMostPoints);
+    const count = this.coder_.count(this.count_, kMostPoints, 'corners of a shape');
     const points: Point[] = [];
     for (let k = 0; k < count; ++k) points.push(this.flat());
     this.coder_.check();
