@@ -165,6 +165,7 @@ export default tseslint.config(
           'createImageBitmap',
           'ArrayBuffer',
           'OffscreenCanvas',
+          'Function',
           'requestAnimationFrame',
           'getComputedStyle',
         ].map((name) => [name, 'readonly']),

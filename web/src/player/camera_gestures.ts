@@ -9,9 +9,18 @@ const kWheel = 0.0025;
 const kKeyTurn = 0.12;
 const kKeyZoom = 1.15;
 
+/** A finger that has gone so far across turns the view; one that goes up or down first is the page's [px]. */
+const kSlop = 8;
+
 interface Point {
   readonly x: number;
   readonly y: number;
+}
+
+/** Where a pointer is, where it came down, and whether the view follows it. */
+interface Held extends Point {
+  readonly from: Point;
+  readonly turns: boolean;
 }
 
 export interface GestureHost {
@@ -23,7 +32,7 @@ export interface GestureHost {
 }
 
 export class CameraGestures {
-  private readonly pointers_ = new Map<number, Point>();
+  private readonly pointers_ = new Map<number, Held>();
 
   constructor(
     private readonly area_: HTMLElement,
@@ -51,7 +60,9 @@ export class CameraGestures {
 
   private down(event: PointerEvent): void {
     if (!this.host_.camera || (event.pointerType === 'mouse' && event.button !== 0)) return;
-    this.pointers_.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    const at = { x: event.clientX, y: event.clientY };
+    const turns = event.pointerType === 'mouse' || this.host_.whole || this.pointers_.size > 0;
+    this.pointers_.set(event.pointerId, { ...at, from: at, turns });
     this.area_.setPointerCapture(event.pointerId);
   }
 
@@ -60,10 +71,13 @@ export class CameraGestures {
     if (!before) return;
     const now = { x: event.clientX, y: event.clientY };
     const others = [...this.pointers_].filter(([id]) => id !== event.pointerId).map(([, at]) => at);
-    this.pointers_.set(event.pointerId, now);
+    const other = others[0];
+    const gone = { x: Math.abs(now.x - before.from.x), y: Math.abs(now.y - before.from.y) };
+    const turns = before.turns || other !== undefined || (gone.x > kSlop && gone.x > gone.y);
+    this.pointers_.set(event.pointerId, { ...before, ...now, turns });
+    if (!turns) return;
     const size = Math.max(1, this.area_.clientHeight);
     const by = { x: (now.x - before.x) / size, y: (now.y - before.y) / size };
-    const other = others[0];
     this.with((camera) => {
       if (other) pinch(camera, before, now, other, size);
       else if (event.shiftKey) camera.pan(-by.x, by.y);

@@ -44,7 +44,11 @@ export class ControlBar {
     this.start.innerHTML = icon('play');
     this.whole_.innerHTML = icon('whole');
     this.toggle_.addEventListener('click', () => actions.toggle());
-    this.start.addEventListener('click', () => actions.toggle());
+    this.start.addEventListener('click', () => {
+      actions.toggle();
+      // The button goes away; keys go on to those that stay.
+      this.toggle_.focus({ preventScroll: true });
+    });
     this.whole_.addEventListener('click', () => actions.wholeScreen());
     this.scrub_.addEventListener('input', () => actions.seek(Number(this.scrub_.value) / kSteps));
     this.root.append(this.toggle_, this.scrub_, this.time_, this.whole_);

@@ -5,6 +5,7 @@ import { ControlBar } from './control_bar';
 import { CannotDraw } from './draw/gl';
 import type { LoadedCrowd } from './file/loaded_crowd';
 import { loadFile } from './load_file';
+import { CrowdMoment } from './play/crowd_moment';
 import { Playback, clockText, type PlaybackEvent } from './play/playback';
 import { kStyle } from './player_style';
 import { PlayerView, type ViewSettings } from './player_view';
@@ -17,6 +18,18 @@ const kNear = '300px';
 const kSeekKey = 1;
 /** The controls and the room round them [px]. */
 const kBarHeight = 66;
+
+/** Height of a head [m]. */
+const kHead = 1.6;
+
+/** Somebody at some time. */
+export interface PlayerCharacter {
+  readonly id: number;
+  readonly x: number;
+  readonly y: number;
+  readonly heading: number;
+  readonly screen: { readonly x: number; readonly y: number };
+}
 
 /** Other than in a browser there is no class to extend: the module can be imported all the same. */
 const kBase = globalThis.HTMLElement ?? class {};
@@ -85,6 +98,23 @@ export class MusterPlayer extends kBase {
   /** Of the file: its title, or an empty text. */
   get crowdTitle(): string {
     return this.loaded_?.head.title ?? '';
+  }
+
+  /**
+   * Who is where at a time since the first frame [s]: ids, places on the ground [m], headings counter-clockwise from +x [rad], and
+   * where their heads are in the picture that was drawn last [CSS px from the upper left of the player]. Empty before the file is
+   * there.
+   */
+  charactersAt(time: number): readonly PlayerCharacter[] {
+    const { loaded_: loaded, view_: view } = this;
+    if (!loaded || !view) return [];
+    const moment = new CrowdMoment(loaded);
+    moment.goTo(time);
+    return Array.from({ length: moment.count }, (_, i) => {
+      const [x, y] = [moment.x[i]!, moment.y[i]!];
+      const { id } = loaded.crowd.people[moment.who[i]!]!;
+      return { id, x, y, heading: moment.yaw[i]!, screen: view.screenOf(x, y, kHead) };
+    });
   }
 
   /** Begins to play, as soon as the file is there. */
@@ -214,10 +244,11 @@ export class MusterPlayer extends kBase {
     return Number.isFinite(speed) ? Math.min(16, Math.max(0.05, speed)) : 1;
   }
 
+  /** One large button at first, then the bar. */
   private showControls(): void {
-    const there = this.playback_ !== null && this.message_.hidden;
-    this.controls_.root.hidden = !there || !this.hasAttribute('controls');
-    this.controls_.start.hidden = !there || this.started_ || !this.hasAttribute('controls');
+    const there = this.playback_ !== null && this.message_.hidden && this.hasAttribute('controls');
+    this.controls_.root.hidden = !there || !this.started_;
+    this.controls_.start.hidden = !there || this.started_;
   }
 
   private near(isNear: boolean): void {

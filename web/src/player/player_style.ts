@@ -8,6 +8,7 @@ export const kStyle = `
   background: var(--_back); color: var(--_ink); font: 500 13px/1.35 var(--muster-font, Inter, system-ui, sans-serif);
   border-radius: var(--muster-radius, 12px); contain: content;
 }
+@media (max-width: 480px) { :host { aspect-ratio: 4 / 3; } }
 :host([hidden]) { display: none; }
 :host(:fullscreen) { aspect-ratio: auto; border-radius: 0; width: 100vw; height: 100vh; }
 .root { position: absolute; inset: 0; color-scheme: light; }

@@ -79,6 +79,13 @@ export class PlayerView {
     this.stage_.draw(this.moment, this.camera, pixel);
   }
 
+  /** Where a point is in the picture [CSS px]. */
+  screenOf(x: number, y: number, z: number): { x: number; y: number } {
+    const [across, up] = this.camera.screen(x, y, z);
+    const { clientWidth, clientHeight } = this.place_;
+    return { x: (0.5 + 0.5 * across) * clientWidth, y: (0.5 - 0.5 * up) * clientHeight };
+  }
+
   /** How long the last picture took while it played [s]: where many are slow, pictures become simpler. */
   took(seconds: number): void {
     this.slow_ = seconds > kSlow ? this.slow_ + 1 : 0;

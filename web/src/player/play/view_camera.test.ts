@@ -9,7 +9,9 @@ function seen(camera: ViewCamera, x: number, y: number, z: number): [number, num
   const of = (row: number): number => m[row]! * x + m[4 + row]! * y + m[8 + row]! * z + m[12 + row]!;
   expect(of(3)).toBeGreaterThan(0);
   expect(Math.abs(of(2) / of(3))).toBeLessThan(1);
-  return [of(0) / of(3), of(1) / of(3)];
+  const at: [number, number] = [of(0) / of(3), of(1) / of(3)];
+  expect(camera.screen(x, y, z)).toEqual(at);
+  return at;
 }
 
 function spread(): { extent: Extent; points: [number, number][] } {

@@ -181,6 +181,13 @@ export class ViewCamera {
     return m;
   }
 
+  /** Where a point is seen: from -1 to 1, right and up. */
+  screen(x: number, y: number, z: number): readonly [number, number] {
+    const m = this.matrix();
+    const row = (k: number): number => m[k]! * x + m[4 + k]! * y + m[8 + k]! * z + m[12 + k]!;
+    return [row(0) / row(3), row(1) / row(3)];
+  }
+
   /** The point of the ground that is seen there: from -1 to 1, right and up; null above the horizon. */
   ground(x: number, y: number): readonly [number, number] | null {
     const { right, up, forward, eye } = this;
