@@ -76,10 +76,17 @@ std::string filled(std::string_view text,
 }
 
 /// A script that may stand within a page.
-std::string inlineScript(std::string script) {
-    for (std::size_t at = 0; (at = script.find("</script", at)) != std::string::npos; at += 3)
-        script.insert(at + 1, "\\");
-    return "<script type=\"module\">\n" + script + "\n    </script>";
+std::string inlineScript(std::string_view script) {
+    static constexpr std::string_view kEnd = "</script";
+    std::string out = "<script type=\"module\">\n";
+    for (std::size_t at = script.find(kEnd); at != std::string_view::npos; at = script.find(kEnd)) {
+        out += script.substr(0, at);
+        out += "<\\/script";
+        script.remove_prefix(at + kEnd.size());
+    }
+    out += script;
+    out += "\n    </script>";
+    return out;
 }
 
 std::string page(const PlayerParts& parts, const std::string& title, std::string script, std::string source) {

@@ -34,15 +34,17 @@ export interface GestureHost {
 export class CameraGestures {
   private readonly pointers_ = new Map<number, Held>();
 
+  /** `area_` is the picture; `all` what lies over it, too, for the wheel. */
   constructor(
     private readonly area_: HTMLElement,
     private readonly host_: GestureHost,
+    all: HTMLElement = area_,
   ) {
     area_.addEventListener('pointerdown', (event) => this.down(event));
     area_.addEventListener('pointermove', (event) => this.move(event));
     for (const end of ['pointerup', 'pointercancel', 'lostpointercapture'] as const)
       area_.addEventListener(end, (event) => this.pointers_.delete(event.pointerId));
-    area_.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
+    all.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
     area_.addEventListener('dblclick', () => this.with((camera) => camera.reset()));
     area_.addEventListener('keydown', (event) => this.key(event));
     area_.addEventListener('contextmenu', (event) => {

@@ -15,7 +15,10 @@ export async function loadFile(src: string, signal: AbortSignal): Promise<Loaded
   const name = fileName(src);
   const bytes = await fetched(src, name, signal);
   try {
-    return await loadCrowd(bytes);
+    return await loadCrowd(bytes, async () => {
+      await new Promise((done) => setTimeout(done, 0));
+      signal.throwIfAborted();
+    });
   } catch (error) {
     if (error instanceof DamagedFile) throw new Error(`${name} cannot be played: ${error.message}.`);
     if (error instanceof RangeError) throw new Error(`${name} cannot be played: this browser has no room for it.`);

@@ -182,18 +182,19 @@ export class MusterPlayer extends kBase {
   }
 
   private listen(): void {
-    const player = { current: (): PlayerView | null => this.view_, whole: (): boolean => this.isWhole };
     const camera = (): ViewCamera | null =>
-      this.getAttribute('camera') === 'fixed' ? null : (player.current()?.camera ?? null);
-    new CameraGestures(this.place_, {
+      this.getAttribute('camera') === 'fixed' ? null : (this.view_?.camera ?? null);
+    const whole = (): boolean => this.isWhole;
+    const host = {
       get camera() {
         return camera();
       },
       get whole() {
-        return player.whole();
+        return whole();
       },
       moved: () => this.ask(),
-    });
+    };
+    new CameraGestures(this.place_, host, this.root_);
     for (const name of ['pointermove', 'pointerdown', 'focusin', 'keydown'] as const)
       this.addEventListener(name, () => this.wake());
     this.addEventListener('keydown', (event) => this.key(event));

@@ -274,6 +274,16 @@ export async function exports(studio) {
   expect(usd.bytes.subarray(0, 5).toString() === '#usda', 'USD');
   const pedpy = await exportOf(studio, 'pedpy');
   expect(/^#/.test(pedpy.bytes.toString()), 'PedPy');
+  const page = await exportOf(studio, 'player-page');
+  const html = page.bytes.toString();
+  expect(
+    page.name.endsWith('.html') && html.includes('customElements.define("muster-player"'),
+    'a page with the script',
+  );
+  expect(/<muster-player src="data:[^"]*;base64,TVVTVEVSUEw/.test(html), 'and the crowd');
+  const folder = await exportOf(studio, 'player-folder');
+  expect(folder.name.endsWith('-player.zip') && folder.bytes.includes('crowd.muster-player'), folder.name);
+  expect(folder.bytes.includes('MUSTERPL') && folder.bytes.includes('index.html'), 'page and crowd are in the ZIP');
   const png = await exportOf(studio, 'picture');
   expect(png.bytes.subarray(1, 4).toString() === 'PNG' && png.bytes.length > 5000, 'a picture');
   await studio.page.locator('.time-to').press('Home');

@@ -18,7 +18,7 @@ enum class PlayerShape : std::uint8_t { End, Floor, Walls, Quad, Frustum, Beam, 
 /// Writes the shapes of one object after the other.
 class SceneRecord final : public SceneShapes {
 public:
-    /// Begins an object. `moves`: it is placed anew in each frame, about its pivot.
+    /// Begins an object. `moves`: it has a place in each frame, that of its pivot.
     void begin(const ScenePlan& plan, bool moves);
     /// Ends it.
     void end();
