@@ -1,0 +1,22 @@
+// The module muster._core: what muster (../muster) is made of.
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "pinned_memory.h"
+#include "status_error.h"
+#include "world_handle.h"
+
+PYBIND11_MODULE(_core, module) {
+    using namespace muster::python;
+    registerErrors();
+    module.attr("VERSION") = MUSTER_VERSION;
+    defineCharacters(module);
+    defineGroups(module);
+    defineWorld(module);
+    defineScenarios(module);
+    defineTakes(module);
+    defineFigures(module);
+    defineMotion(module);
+    module.def("kept_blocks", &keptBlocks,
+               "For tests: arrays that the engine has given back while views lie in them.");
+}
