@@ -45,21 +45,21 @@ def word(name: str) -> str:
     return name[0].lower() + name[1:]
 
 
-def annotation(type_: str, enumerations: set[str]) -> str:
+def annotation(type_: str) -> str:
     """The Python type of a C++ one."""
     if type_ in NUMBERS or re.fullmatch(r"\w+Id", type_):
         return "int"
     if type_ in PLAIN:
         return PLAIN[type_][0]
     if inner := re.fullmatch(r"std::optional<(.+)>", type_):
-        return f"{annotation(inner[1], enumerations)} | None"
+        return f"{annotation(inner[1])} | None"
     if inner := re.fullmatch(r"std::vector<(.+)>", type_):
-        return f"list[{annotation(inner[1], enumerations)}]"
+        return f"list[{annotation(inner[1])}]"
     if type_ == "std::array<double, 3>":
         return "tuple[float, float, float]"
     if type_.startswith("std::array<double, "):
         return "dict[str, float]"
-    return f"{type_} | str" if type_ in enumerations else type_
+    return type_
 
 
 def default(item: Field, enumerations: set[str]) -> str:
@@ -88,7 +88,7 @@ def default(item: Field, enumerations: set[str]) -> str:
         return text
     if type_ in PLAIN and PLAIN[type_][1]:
         return PLAIN[type_][1]
-    if annotation(type_, enumerations) == "int":
+    if annotation(type_) == "int":
         return "0"
     if type_ == "double":
         raise HeaderError(f"{item.name}: found a number without a default, expected one")
@@ -121,7 +121,7 @@ def python_struct(thing: Struct, enumerations: set[str], methods: str = "") -> s
         lines += [wrapped(f"{snake(item.name)}: {item.doc}", "        ") for item in thing.fields]
     lines += ['    """', ""]
     for item in thing.fields:
-        lines.append(f"    {snake(item.name)}: {annotation(item.type, enumerations)} = {default(item, enumerations)}")
+        lines.append(f"    {snake(item.name)}: {annotation(item.type)} = {default(item, enumerations)}")
     return "\n".join(lines) + (f"\n\n{methods.rstrip()}" if methods else "")
 
 
@@ -174,6 +174,8 @@ def write_table(things: list[Struct | Enumeration]) -> str:
         lines += ["    static void fields(Visitor& visitor, Value& value) {"]
         lines += [f'        visitor("{snake(item.name)}", value.{item.name});' for item in thing.fields]
         lines += ["    }", "};"]
+    names = ", ".join(thing.name for thing in things if isinstance(thing, Struct))
+    lines += ["/// Every described type.", f"using AllDescribed = std::tuple<{names}>;"]
     return "\n".join(lines) + "\n"
 
 

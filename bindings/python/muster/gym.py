@@ -124,7 +124,9 @@ class CrowdEnv(_Base):  # type: ignore[misc]
         return offsets
 
     def _distances(self) -> NDArray[np.float64]:
-        return np.hypot(*self._offsets().T)
+        offsets = self._offsets()
+        distances: NDArray[np.float64] = np.hypot(offsets[:, 0], offsets[:, 1])
+        return distances
 
     def _observation(self) -> NDArray[np.float32]:
         characters = self.world.characters

@@ -130,7 +130,7 @@ class Take:
 
         step_time = _core.World(self.definition).parameters["time.step"]
         rows = [
-            (e.step, e.step * step_time, str(e.event.kind.value), e.event.subject, e.event.value, *e.event.position)
+            (e.step, e.step * step_time, e.event.kind.value, e.event.subject, e.event.value, *e.event.position)
             for e in self.events
         ]
         return pandas.DataFrame(rows, columns=["step", "time", "kind", "subject", "value", "x", "y"])
@@ -142,7 +142,7 @@ def trajectory_frame(
     """Rows of one character in one frame each, as a frame with columns id, frame, x, y, sorted by id and frame."""
     import pandas
 
-    order = np.lexsort((frames, ids))
+    order = np.lexsort(np.vstack([frames, ids]))
     columns: dict[str, Any] = {
         "id": ids[order].astype(np.int64),
         "frame": frames[order],

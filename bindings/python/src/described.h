@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include <array>
+#include <tuple>
 #include <type_traits>
 
 #include "muster/command.h"

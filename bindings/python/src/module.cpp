@@ -4,6 +4,7 @@
 
 #include "pinned_memory.h"
 #include "status_error.h"
+#include "to_python.h"
 #include "world_handle.h"
 
 PYBIND11_MODULE(_core, module) {
@@ -17,6 +18,8 @@ PYBIND11_MODULE(_core, module) {
     defineTakes(module);
     defineFigures(module);
     defineMotion(module);
+    module.def("engine_defaults", &engineDefaults,
+               "For tests: every type of plain data as the engine makes it, by name.");
     module.def("kept_blocks", &keptBlocks,
                "For tests: arrays that the engine has given back while views lie in them.");
 }

@@ -131,9 +131,6 @@ void defineParameters(py::module_& module) {
         "default_clip_facts", [] { return toPython(defaultClipFacts()); },
         "Facts of the clips that every world knows: run, walk, duck, crawl, swim, jump, climb, idle, in this "
         "order.");
-    module.def(
-        "defaults_of_engine", [] { return py::make_tuple(toPython(WorldDef()), toPython(GroupDef())); },
-        "For tests: a WorldDef and a GroupDef as the engine makes them.");
 }
 
 }  // namespace

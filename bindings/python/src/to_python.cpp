@@ -43,4 +43,14 @@ py::object toPython(const CommandBody& value) {
     return std::visit([](const auto& body) -> py::object { return toPython(body); }, value);
 }
 
+py::dict engineDefaults() {
+    py::dict all;
+    std::apply(
+        [&](const auto&... values) {
+            ((all[Described<std::decay_t<decltype(values)>>::kName] = toPython(values)), ...);
+        },
+        AllDescribed());
+    return all;
+}
+
 }  // namespace muster::python

@@ -92,4 +92,7 @@ requires(Described<T>::value) py::object toPython(const T& value) {
     return classOf<T>()(*py::tuple(list.values));
 }
 
+/// A dict of every described type, by name, as C++ makes it.
+py::dict engineDefaults();
+
 }  // namespace muster::python
