@@ -1,0 +1,159 @@
+"""Definitions and commands as plain data: defaults, conversions, and sentences for what is wrong."""
+
+from __future__ import annotations
+
+import copy
+import dataclasses
+import inspect
+import math
+import pickle
+import typing
+
+import numpy as np
+import pytest
+from conftest import walkers
+
+import muster
+from muster import _core, _types
+
+COMMANDS = typing.get_args(_types.CommandBody)
+
+
+def test_every_type_has_the_defaults_of_the_engine() -> None:
+    engine = _core.engine_defaults()
+    for name, made in engine.items():
+        mine = getattr(_types, name)()
+        if name == "RunFigures":  # Python counts nothing before there is a run.
+            made.events, made.stage_mean = {}, {}
+        assert mine == made, name
+    assert len(engine) == sum(dataclasses.is_dataclass(value) for value in vars(_types).values())
+
+
+def test_every_field_is_described() -> None:
+    for name in _core.engine_defaults():
+        text = inspect.getdoc(getattr(_types, name)) or ""
+        for field in dataclasses.fields(getattr(_types, name)):
+            assert f"{field.name}: " in text, f"{name}.{field.name}"
+    assert "[m/s]" in _types.Body.__doc__ and "[rad]" in _types.GroupDef.__doc__
+
+
+def value_for(hint: object) -> object:
+    """A value other than the default, for any type of field."""
+    if hint == list[_types.Vec2]:
+        return [(0.0, -2.25), (1.5, 0.5), (-1.0, 0.25)]
+    if typing.get_origin(hint) is list:
+        items = [value_for(typing.get_args(hint)[0]) for _ in range(3)]
+        for i, item in enumerate(items):
+            if isinstance(item, _types.Waypoint):
+                item.time += i  # Times rise.
+        return [item + i for i, item in enumerate(items)] if isinstance(items[0], int) else items
+    if hint == _types.Vec2:
+        return (1.5, 2.25)
+    if isinstance(hint, type) and dataclasses.is_dataclass(hint):
+        return filled(hint)
+    if isinstance(hint, type) and issubclass(hint, _types.Enum):
+        return list(hint)[-1]
+    options = typing.get_args(hint)
+    if type(None) in options:
+        return value_for(options[0])
+    return {bool: True, int: 3, float: 0.625, str: "grün"}[hint]
+
+
+def filled(type_: type) -> object:
+    hints = typing.get_type_hints(type_)
+    made = type_(**{field.name: value_for(hints[field.name]) for field in dataclasses.fields(type_)})
+    if isinstance(made, _types.ObstacleDef):
+        made.radius = 0.0  # It has a polygon.
+    if isinstance(made, _types.SetParameter):
+        made.name = "plan.exponent"
+        made.value = 1.25
+    return made
+
+
+def test_every_command_comes_back_from_bytes() -> None:
+    assert len(COMMANDS) == 43
+    for type_ in COMMANDS:
+        command = muster.Command(step=7, client=2, sequence=9, body=filled(type_))
+        assert muster.decode_command(muster.encode_command(command)) == command, type_.__name__
+        assert pickle.loads(pickle.dumps(command)) == command
+        assert copy.deepcopy(command) == command
+    with pytest.raises(muster.ParseError):
+        muster.decode_command(b"\x01")
+
+
+def test_points_may_be_arrays_and_words_may_stand_for_values() -> None:
+    points = np.array([[0, 0], [3, 0], [3, 1]], dtype=np.int32)
+    from_array = muster.FormationDef("points", points=points)
+    from_lists = muster.FormationDef(muster.FormationKind.POINTS, points=[[0, 0], (3.0, 0), np.array([3, 1])])
+    worlds = [muster.World(walkers(3, formation=formation)) for formation in (from_array, from_lists)]
+    assert worlds[0].hash() == worlds[1].hash()
+    assert worlds[0].groups[0].formation is muster.FormationKind.POINTS
+    assert muster.World(walkers(np.int64(3), angle=np.float32(0.5))).groups[0].count == 3
+
+
+SENTENCES = [
+    (lambda d: setattr(d.groups[0], "count", "many"), "groups[0].count: found 'many', expected a whole number"),
+    (lambda d: setattr(d.groups[0], "count", 1.5), "groups[0].count: found 1.5, expected a whole number"),
+    (lambda d: setattr(d.groups[0], "count", 2**40), f"groups[0].count: found {2**40}, expected a whole number from -2147483648 to 2147483647"),
+    (lambda d: setattr(d.groups[0], "count", True), "groups[0].count: found True, expected a whole number"),
+    (lambda d: setattr(d, "seed", -1), "seed: found -1, expected a whole number from 0 to 18446744073709551615"),
+    (lambda d: setattr(d.groups[0], "position", (1.0,)), "groups[0].position: found (1.0,), expected a point (x, y)"),
+    (lambda d: setattr(d.groups[0], "position", (1.0, "a")), "groups[0].position[1]: found 'a', expected a number"),
+    (lambda d: setattr(d.groups[0], "starts", np.zeros((2, 3))), "groups[0].starts: found 'an array of shape (2, 3)', expected one of shape (n, 2)"),
+    (lambda d: setattr(d.groups[0], "starts", np.array(["a"])), "groups[0].starts: found array(['a'], dtype='<U1'), expected numbers"),
+    (lambda d: setattr(d.groups[0], "starts", "ab"), "groups[0].starts: found 'ab', expected a list of points"),
+    (lambda d: setattr(d.groups[0], "formation", None), "groups[0].formation: found None, expected a FormationDef"),
+    (lambda d: setattr(d.groups[0].formation, "kind", "blob"), "groups[0].formation.kind: found 'blob', expected one of square, line, column,"),
+    (lambda d: setattr(d.groups[0].formation, "kind", 3), "groups[0].formation.kind: found 3, expected one of square"),
+    (lambda d: setattr(d.groups[0], "patrols", 1), "groups[0].patrols: found 1, expected True or False"),
+    (lambda d: setattr(d, "groups", 3), "groups: found 3, expected a list"),
+    (lambda d: d.groups.append(muster.ItemDef()), "groups[1]: found ItemDef(position=(0.0, 0.0), radius=0.5), expected a GroupDef"),
+    (lambda d: setattr(d, "name", b"x"), "name: found b'x', expected text"),
+    (lambda d: setattr(d, "name", "\ud800"), "name: found"),
+    (lambda d: setattr(d, "box", (0, 1)), "box[0]: found 0, expected a point (x, y)"),
+    (lambda d: d.parameters.update({"plan.exponent": 9.0}), "plan.exponent"),
+    (lambda d: d.parameters.update({"plan.x": 1.0}), 'there is no parameter "plan.x"'),
+    (lambda d: d.parameters.update({3: 1.0}), "parameters: found 3, expected the name of a parameter"),
+    (lambda d: setattr(d.groups[0], "angle", math.nan), "angle"),
+    (lambda d: setattr(d.groups[0], "count", 0), "groups[0]: count is 0, expected a number in [1, 200000]"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("spoil, sentence", SENTENCES)
+def test_what_is_wrong_is_named_by_one_sentence(spoil, sentence: str) -> None:
+    definition = walkers(4)
+    spoil(definition)
+    with pytest.raises(muster.Error) as caught:
+        muster.World(definition)
+    assert sentence in str(caught.value)
+    assert "\n" not in str(caught.value)
+    assert caught.value.code in ("invalid argument", "not found")
+
+
+def test_names_that_are_not_there_are_refused() -> None:
+    with pytest.raises(TypeError, match="cuont"):
+        muster.GroupDef(cuont=3)  # type: ignore[call-arg]
+    with pytest.raises(AttributeError):
+        muster.GroupDef().cuont = 3  # type: ignore[attr-defined]
+    world = muster.World(walkers(3))
+    with pytest.raises(muster.InvalidArgumentError, match="command: found 3, expected a command"):
+        world.submit(3)  # type: ignore[arg-type]
+    with pytest.raises(muster.InvalidArgumentError, match="position"):
+        world.submit(muster.TouchDown(1, (math.inf, 0.0)))
+    with pytest.raises(TypeError, match="definition: found int"):
+        muster.World(3)  # type: ignore[arg-type]
+
+
+def test_a_definition_that_holds_itself_ends_in_a_sentence() -> None:
+    definition = walkers(3)
+    definition.groups.append(definition.groups)  # type: ignore[arg-type]
+    with pytest.raises(muster.InvalidArgumentError, match=r"groups\[1\]"):
+        muster.World(definition)
+
+
+def test_makers_of_orders() -> None:
+    line = muster.Order.move_to_line((0.0, 4.0), (0.0, -4.0))
+    assert line.width == pytest.approx(8.0) and line.target == pytest.approx((0.0, 0.0)) and line.facing == pytest.approx(0.0)
+    assert muster.Order.go((1.0, 2.0)).manner is muster.Manner.FREE
+    assert muster.Order.follow_character(4, (1.0, 0.0)).character == 4
+    assert muster.Order.guard((1.0, 1.0), (2.0, 3.0), 0.5).half_size == (2.0, 3.0)
