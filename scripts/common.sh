@@ -3,7 +3,7 @@
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root" || exit 1
 
-# Debian packages: to build the program; on top of that for the C++ tests, style, browser tests, WebAssembly, Blender.
+# Debian packages: to build the program; on top of that for the C++ tests, style, browser tests, WebAssembly, Blender, Python.
 build_packages=(g++ cmake ninja-build libeigen3-dev nlohmann-json3-dev libcli11-dev libboost-dev libstb-dev libsqlite3-dev libqrcodegencpp-dev)
 test_packages=(doctest-dev librapidcheck-dev liblemon-dev r-base-core r-cran-lme4 r-cran-lmertest)
 style_packages=(clang-format clang-tidy git)
@@ -11,6 +11,7 @@ browser_packages=(chromium libgl1-mesa-dri libegl1)
 firefox_packages=(firefox-esr xvfb libgl1-mesa-dri libegl1)
 wasm_packages=(emscripten)
 blender_packages=(blender python3-numpy)
+python_packages=(pybind11-dev python3-dev python3-numpy python3-pip python3-venv python3-pytest python3-pandas python3-matplotlib mypy)
 configure_again=no  # Becomes yes once packages have come, for what is found now.
 
 say() { printf '\033[1m%s\033[0m\n' "$*" >&2; }

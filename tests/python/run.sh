@@ -14,4 +14,4 @@ export MUSTER_PROGRAM=$program MUSTER_BUILD_DIR=$build PYTHONDONTWRITEBYTECODE=1
 "$work/venv/bin/pip" install --quiet --no-index "$root/bindings/python" || { echo "0 passed, 1 failed"; exit 1; }
 "$work/venv/bin/pip" check >/dev/null || { echo "pip check fails"; echo "0 passed, 1 failed"; exit 1; }
 cd "$root/tests/python" || exit 1  # Away from the sources of the package.
-"$work/venv/bin/python" -m pytest -q --no-header --durations=15 -p no:cacheprovider .
+"$work/venv/bin/python" -m pytest -q --no-header -p no:cacheprovider .

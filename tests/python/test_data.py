@@ -144,6 +144,51 @@ def test_names_that_are_not_there_are_refused() -> None:
         muster.World(3)  # type: ignore[arg-type]
 
 
+BAD_CALLS = [
+    (lambda w, d: muster.World(d, -1), "threads: found -1, expected 1 to 256, or 0 for all cores"),
+    (lambda w, d: muster.World(d, "two"), "threads: found 'two', expected a whole number"),
+    (lambda w, d: w.step("x"), "count: found 'x', expected a whole number"),
+    (lambda w, d: w.step(10**30), f"count: found {10**30}, expected a whole number from -9223372036854775808 to 9223372036854775807"),
+    (lambda w, d: w.group("Red"), "group: found 'Red', expected a whole number"),
+    (lambda w, d: w.submit(muster.SetCount(1, 2), client=-1), "client: found -1, expected a whole number from 0 to 4294967295"),
+    (lambda w, d: w.submit(muster.Command(), step=3), "submit: found a Command and a step or client"),
+    (lambda w, d: w.rewind("abc"), "snapshot: found 'abc', expected bytes"),
+    (lambda w, d: muster.decode_command("abc"), "data: found 'abc', expected bytes"),
+    (lambda w, d: muster.write_gestures([], 0.0), "step_time: found 0.0, expected a number above 0"),
+    (lambda w, d: muster.write_gestures([3]), "commands[0]: found 3, expected a Command"),
+    (lambda w, d: muster.load_scenario("/no/\udc80.json"), "cannot be opened"),
+    (lambda w, d: w.forecast(1, 5), "order: found 5, expected an Order"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("call, sentence", BAD_CALLS)
+def test_bad_arguments_are_named(call, sentence: str) -> None:
+    definition = walkers(4)
+    with pytest.raises(muster.Error) as caught:
+        call(muster.World(definition), definition)
+    assert sentence in str(caught.value) and "\n" not in str(caught.value)
+
+
+class Shrinking(list):
+    """A list that loses its items while they are read."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        outer = self
+
+        class Number:
+            def __index__(self) -> int:
+                outer.clear()
+                return 1
+
+        self.extend([Number(), *range(2, 50)])
+
+
+def test_lists_that_change_while_they_are_read_do_no_harm() -> None:
+    command = muster.Command(body=muster.RemoveCharacters(Shrinking()))
+    assert muster.decode_command(muster.encode_command(command)).body.ids == list(range(1, 50))
+
+
 def test_a_definition_that_holds_itself_ends_in_a_sentence() -> None:
     definition = walkers(3)
     definition.groups.append(definition.groups)  # type: ignore[arg-type]

@@ -52,7 +52,7 @@ def test_what_the_wheel_holds(wheel: Path, measured) -> None:
         names = set(packed.namelist())
         info = backend.wheel_file.info_folder(backend.project())
         metadata = Parser().parsestr(packed.read(f"{info}/METADATA").decode())
-        notices = packed.read(f"{info}/licences.txt").decode()
+        notices = packed.read(f"{info}/THIRD-PARTY-NOTICES.txt").decode()
         licence = packed.read(f"{info}/LICENSE").decode()
     assert {"muster/__init__.py", "muster/_types.py", "muster/_core.pyi", "muster/py.typed"} <= names
     assert any(name.startswith("muster/_core.") and name.endswith(".so") for name in names)

@@ -167,7 +167,7 @@ def metadata_files() -> dict[str, bytes]:
         "METADATA": metadata().encode(),
         "WHEEL": wheel_file.wheel_text().encode(),
         "LICENSE": (ROOT / "LICENSE").read_bytes(),
-        "licences.txt": (HERE / "licences.txt").read_bytes(),
+        "THIRD-PARTY-NOTICES.txt": (HERE / "THIRD-PARTY-NOTICES.txt").read_bytes(),
     }
 
 

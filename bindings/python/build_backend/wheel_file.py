@@ -36,7 +36,7 @@ def metadata(project: dict[str, Any], readme: str) -> str:
     for extra, packages in project["optional-dependencies"].items():
         lines += [f"Provides-Extra: {extra}"]
         lines += [f'Requires-Dist: {needed}; extra == "{extra}"' for needed in packages]
-    return "\n".join([*lines, "License-File: LICENSE", "License-File: licences.txt"]) + (
+    return "\n".join([*lines, "License-File: LICENSE", "License-File: THIRD-PARTY-NOTICES.txt"]) + (
         "\nDescription-Content-Type: text/markdown\n\n" + readme
     )
 

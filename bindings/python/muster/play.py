@@ -46,13 +46,13 @@ def play(
     going = observe is None or observe(world) is not False
     while going and not _ended(world, metrics, last, seconds, longest):
         world.step()
-        metrics.observe(world)
+        metrics.observe()
         if writer:
             writer.observe(world)
         going = observe is None or observe(world) is not False
     if writer:
         writer.finish(world)
-    return metrics.figures(world, path_ratio)
+    return metrics.figures(path_ratio)
 
 
 def _ended(world: World, metrics: RunMetrics, last: int, seconds: float | None, longest: float) -> bool:
@@ -63,4 +63,4 @@ def _ended(world: World, metrics: RunMetrics, last: int, seconds: float | None, 
         return True
     second = math.ceil(1.0 / step_time)
     due = seconds is None and world.step_count > last + 2 * second and world.step_count % (second // 2) == 0
-    return due and metrics.settled(world)
+    return due and metrics.settled()

@@ -55,8 +55,7 @@ def parse_scenario(content: str | Mapping[str, Any], *, source_name: str = "scen
     Relative map files are looked for in `base_folder`; without one only embedded maps are allowed. `source_name` stands for the
     file in failures. Fails with ParseError.
     """
-    text = content if isinstance(content, str) else json.dumps(dict(content))
-    return _core.parse_scenario(text, source_name, os.fspath(base_folder))
+    return _core.parse_scenario(_as_text(content), source_name, os.fspath(base_folder))
 
 
 def save_scenario(definition: WorldDef, path: PathLike) -> None:
@@ -75,8 +74,15 @@ def parse_gestures(
     content: str | Mapping[str, Any], step_time: float = 1.0 / 60.0, *, source_name: str = "gestures"
 ) -> list[Command]:
     """The same from the text of a gestures file, or from its content as a dict."""
-    text = content if isinstance(content, str) else json.dumps(dict(content))
-    return _core.parse_gestures(text, source_name, step_time)
+    return _core.parse_gestures(_as_text(content), source_name, step_time)
+
+
+def _as_text(content: str | Mapping[str, Any]) -> str:
+    if isinstance(content, str):
+        return content
+    if not isinstance(content, Mapping):
+        raise TypeError(f"content: found {type(content).__name__}, expected a file's text, or its content as a dict")
+    return json.dumps(dict(content))
 
 
 def as_definition(given: Definition) -> WorldDef:

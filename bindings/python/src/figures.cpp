@@ -4,26 +4,39 @@
 #include "world_handle.h"
 
 namespace muster::python {
+namespace {
+
+/// The metrics of a world, which they keep.
+struct WorldMetrics {
+    explicit WorldMetrics(py::object watched) : world(std::move(watched)), metrics(worldOf(world)) {}
+
+    py::object world;
+    RunMetrics metrics;
+};
+
+}  // namespace
 
 void defineFigures(py::module_& module) {
-    py::class_<RunMetrics>(
+    py::class_<WorldMetrics>(
         module, "RunMetrics",
         "Watches a world from its first step on and gives the figures that `muster play` prints.")
-        .def(py::init([](WorldHandle& world) { return RunMetrics(world.get()); }), py::arg("world"),
-             "Starts watching; before the first step.")
+        .def(py::init([](const py::object& world) {
+                 (void)py::cast<WorldHandle&>(world);
+                 return std::make_unique<WorldMetrics>(world);
+             }),
+             py::arg("world"), "Starts watching; before the first step.")
         .def(
-            "observe", [](RunMetrics& self, WorldHandle& world) { self.observe(world.get()); },
-            py::arg("world"), "Call after every single step.")
+            "observe", [](WorldMetrics& self) { self.metrics.observe(worldOf(self.world)); },
+            "Call after every single step.")
         .def(
-            "settled", [](const RunMetrics& self, WorldHandle& world) { return self.settled(world.get()); },
-            py::arg("world"),
+            "settled", [](const WorldMetrics& self) { return self.metrics.settled(worldOf(self.world)); },
             "True where nothing is left to do: no control still moves, places stand, and all have arrived.")
         .def(
             "figures",
-            [](const RunMetrics& self, WorldHandle& world, bool pathRatio) {
-                return toPython(self.figures(world.get(), pathRatio));
+            [](const WorldMetrics& self, bool pathRatio) {
+                return toPython(self.metrics.figures(worldOf(self.world), pathRatio));
             },
-            py::arg("world"), py::arg("path_ratio") = false,
+            py::arg("path_ratio") = false,
             "The figures so far. `path_ratio` needs one cost field per place: seconds for large crowds.");
 }
 

@@ -1,5 +1,7 @@
 #include "from_python.h"
 
+#include <cmath>
+
 #include "muster/parameter_table.h"
 
 namespace muster::python {
@@ -34,9 +36,14 @@ bool isText(py::handle from) {
 }  // namespace
 
 void FromPython::fail(py::handle found, const std::string& expected) const {
-    check(invalidArgument((path_.empty() ? root_ : path_) + ": found " + shown(found) + ", expected " +
+    const bool ofRoot = path_.empty() || path_.front() == '[';
+    check(invalidArgument((ofRoot ? root_ : "") + path_ + ": found " + shown(found) + ", expected " +
                           expected));
     std::abort();  // Not reached: check() throws.
+}
+
+std::string FromPython::withArticle(const char* name) {
+    return (std::string("AEIO").find(name[0]) == std::string::npos ? "a " : "an ") + std::string(name);
 }
 
 std::string FromPython::text(py::handle from) const {
@@ -51,7 +58,8 @@ std::string FromPython::text(py::handle from) const {
 
 py::object FromPython::list(py::handle from, const char* expected) const {
     if (isText(from) || PyDict_Check(from.ptr()) || !PySequence_Check(from.ptr())) fail(from, expected);
-    PyObject* const items = PySequence_Fast(from.ptr(), "");
+    // A tuple of its own: no code that runs while its items are read can change it.
+    PyObject* const items = PySequence_Tuple(from.ptr());
     if (items == nullptr) {
         PyErr_Clear();
         fail(from, expected);
@@ -104,16 +112,16 @@ void FromPython::read(py::handle from, std::string& into) {
 
 void FromPython::read(py::handle from, Vec2& into) {
     const py::object pair = list(from, "a point (x, y)");
-    if (PySequence_Fast_GET_SIZE(pair.ptr()) != 2) fail(from, "a point (x, y)");
-    readItem(PySequence_Fast_GET_ITEM(pair.ptr(), 0), 0, into.x);
-    readItem(PySequence_Fast_GET_ITEM(pair.ptr(), 1), 1, into.y);
+    if (PyTuple_GET_SIZE(pair.ptr()) != 2) fail(from, "a point (x, y)");
+    readItem(PyTuple_GET_ITEM(pair.ptr(), 0), 0, into.x);
+    readItem(PyTuple_GET_ITEM(pair.ptr(), 1), 1, into.y);
 }
 
 void FromPython::read(py::handle from, Box& into) {
     const py::object corners = list(from, "two corners ((x, y), (x, y))");
-    if (PySequence_Fast_GET_SIZE(corners.ptr()) != 2) fail(from, "two corners ((x, y), (x, y))");
-    readItem(PySequence_Fast_GET_ITEM(corners.ptr(), 0), 0, into.min);
-    readItem(PySequence_Fast_GET_ITEM(corners.ptr(), 1), 1, into.max);
+    if (PyTuple_GET_SIZE(corners.ptr()) != 2) fail(from, "two corners ((x, y), (x, y))");
+    readItem(PyTuple_GET_ITEM(corners.ptr(), 0), 0, into.min);
+    readItem(PyTuple_GET_ITEM(corners.ptr(), 1), 1, into.max);
 }
 
 bool FromPython::readArray(py::handle from, std::vector<Vec2>& into) const {
@@ -138,17 +146,17 @@ bool FromPython::readArray(py::handle from, std::vector<Vec2>& into) const {
 void FromPython::read(py::handle from, std::vector<Vec2>& into) {
     if (readArray(from, into)) return;
     const py::object items = list(from, "a list of points");
-    const auto count = static_cast<std::size_t>(PySequence_Fast_GET_SIZE(items.ptr()));
+    const auto count = static_cast<std::size_t>(PyTuple_GET_SIZE(items.ptr()));
     into.assign(count, {});
     for (std::size_t i = 0; i < count; ++i)
-        readItem(PySequence_Fast_GET_ITEM(items.ptr(), static_cast<Py_ssize_t>(i)), i, into[i]);
+        readItem(PyTuple_GET_ITEM(items.ptr(), static_cast<Py_ssize_t>(i)), i, into[i]);
 }
 
 void FromPython::read(py::handle from, std::array<double, 3>& into) {
     const py::object items = list(from, "three numbers");
-    if (PySequence_Fast_GET_SIZE(items.ptr()) != 3) fail(from, "three numbers");
+    if (PyTuple_GET_SIZE(items.ptr()) != 3) fail(from, "three numbers");
     for (std::size_t i = 0; i < 3; ++i)
-        readItem(PySequence_Fast_GET_ITEM(items.ptr(), static_cast<Py_ssize_t>(i)), i, into[i]);
+        readItem(PyTuple_GET_ITEM(items.ptr(), static_cast<Py_ssize_t>(i)), i, into[i]);
 }
 
 void FromPython::read(py::handle from, Parameters& into) {
@@ -184,6 +192,33 @@ void FromPython::read(py::handle from, CommandBody& into) {
     }
     (std::make_index_sequence<std::variant_size_v<CommandBody>>());
     if (!known) fail(from, "a command, as muster.TouchDown or muster.GiveOrder");
+}
+
+std::int32_t threadsFrom(py::handle from) {
+    const auto threads = fromPython<std::int32_t>(from, "threads");
+    if (threads < 0 || threads > 256)
+        check(invalidArgument("threads: found " + std::to_string(threads) +
+                              ", expected 1 to 256, or 0 for all cores"));
+    return threads;
+}
+
+double stepTimeFrom(py::handle from) {
+    const auto seconds = fromPython<double>(from, "step_time");
+    if (!(seconds > 0.0) || !std::isfinite(seconds))
+        check(invalidArgument("step_time: found " + shown(from) + ", expected a number above 0"));
+    return seconds;
+}
+
+std::string pathFrom(py::handle from) {
+    const py::object bytes = py::module_::import("os").attr("fsencode")(from);
+    return bytes.cast<std::string>();
+}
+
+std::span<const std::uint8_t> bytesFrom(py::handle from, const char* root) {
+    if (!PyBytes_Check(from.ptr()))
+        check(invalidArgument(std::string(root) + ": found " + shown(from) + ", expected bytes"));
+    return {reinterpret_cast<const std::uint8_t*>(PyBytes_AS_STRING(from.ptr())),
+            static_cast<std::size_t>(PyBytes_GET_SIZE(from.ptr()))};
 }
 
 }  // namespace muster::python

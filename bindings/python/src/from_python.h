@@ -8,6 +8,7 @@
 #include <concepts>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -53,11 +54,11 @@ public:
     template <class T>
     void read(py::handle from, std::vector<T>& into) {
         const py::object items = list(from, "a list");
-        const auto count = static_cast<std::size_t>(PySequence_Fast_GET_SIZE(items.ptr()));
+        const auto count = static_cast<std::size_t>(PyTuple_GET_SIZE(items.ptr()));
         into.clear();
         into.resize(count);
         for (std::size_t i = 0; i < count; ++i)
-            readItem(PySequence_Fast_GET_ITEM(items.ptr(), static_cast<Py_ssize_t>(i)), i, into[i]);
+            readItem(PyTuple_GET_ITEM(items.ptr(), static_cast<Py_ssize_t>(i)), i, into[i]);
     }
     template <class T>
     requires std::is_enum_v<T>
@@ -78,7 +79,7 @@ public:
     }
     template <class T>
     requires(Described<T>::value) void read(py::handle from, T& into) {
-        if (!py::isinstance(from, classOf<T>())) fail(from, std::string("a ") + Described<T>::kName);
+        if (!py::isinstance(from, classOf<T>())) fail(from, withArticle(Described<T>::kName));
         readFields(from, into);
     }
 
@@ -111,6 +112,7 @@ private:
     template <std::size_t I>
     bool readAlternative(py::handle from, CommandBody& into);
 
+    static std::string withArticle(const char* name);
     [[noreturn]] void fail(py::handle found, const std::string& expected) const;
     std::string text(py::handle from) const;
     py::object list(py::handle from, const char* expected) const;
@@ -120,6 +122,15 @@ private:
     std::string root_;
     std::string path_;
 };
+
+/// The number of threads of a world: 0 to 256.
+std::int32_t threadsFrom(py::handle from);
+/// A step time [s], above 0 and finite.
+double stepTimeFrom(py::handle from);
+/// A path as the system has it, of text or of os.PathLike.
+std::string pathFrom(py::handle from);
+/// The bytes of a bytes object; valid as long as it is.
+std::span<const std::uint8_t> bytesFrom(py::handle from, const char* root);
 
 /// A value of Python as one of C++.
 template <class T>

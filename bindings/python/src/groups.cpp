@@ -3,7 +3,7 @@
 #include <string>
 
 #include "array_view.h"
-#include "status_error.h"
+#include "from_python.h"
 #include "to_python.h"
 #include "world_handle.h"
 
@@ -124,7 +124,8 @@ py::list groupsOf(const py::object& object) {
     return all;
 }
 
-py::object groupOf(const py::object& world, std::uint32_t id) {
+py::object groupOf(const py::object& world, const py::object& given) {
+    const auto id = fromPython<std::uint32_t>(given, "group");
     (void)indexOf(worldOf(world), {id});
     return py::cast(GroupHandle{world, {id}});
 }

@@ -34,12 +34,12 @@ WorldDef definitionFrom(const py::object& definition) {
 
 void defineFiles(py::module_& module) {
     module.def(
-        "load_scenario", [](const std::string& path) { return toPython(take(loadScenario(path))); },
+        "load_scenario", [](const py::object& path) { return toPython(take(loadScenario(pathFrom(path)))); },
         py::arg("path"));
     module.def(
         "parse_scenario",
-        [](const std::string& text, const std::string& source, const std::string& folder) {
-            return toPython(take(parseScenario(text, source, folder)));
+        [](const std::string& text, const std::string& source, const py::object& folder) {
+            return toPython(take(parseScenario(text, source, pathFrom(folder))));
         },
         py::arg("text"), py::arg("source_name"), py::arg("base_folder"));
     module.def(
@@ -65,24 +65,26 @@ void defineFiles(py::module_& module) {
 void defineGestures(py::module_& module) {
     module.def(
         "load_gestures",
-        [](const std::string& path, double stepTime) { return commandList(loadGestures(path, stepTime)); },
+        [](const py::object& path, const py::object& stepTime) {
+            return commandList(loadGestures(pathFrom(path), stepTimeFrom(stepTime)));
+        },
         py::arg("path"), py::arg("step_time"));
     module.def(
         "parse_gestures",
-        [](const std::string& text, const std::string& source, double stepTime) {
-            return commandList(parseGestures(text, source, stepTime));
+        [](const std::string& text, const std::string& source, const py::object& stepTime) {
+            return commandList(parseGestures(text, source, stepTimeFrom(stepTime)));
         },
         py::arg("text"), py::arg("source_name"), py::arg("step_time"));
     module.def(
         "load_scenario_gestures",
-        [](const std::string& path, const py::object& definition) {
-            return commandList(loadScenarioGestures(path, definitionFrom(definition)));
+        [](const py::object& path, const py::object& definition) {
+            return commandList(loadScenarioGestures(pathFrom(path), definitionFrom(definition)));
         },
         py::arg("path"), py::arg("definition"));
     module.def(
         "write_gestures",
-        [](const py::object& commands, double stepTime) {
-            return writeGestures(commandsFrom(commands), stepTime);
+        [](const py::object& commands, const py::object& stepTime) {
+            return writeGestures(commandsFrom(commands), stepTimeFrom(stepTime));
         },
         py::arg("commands"), py::arg("step_time") = 1.0 / 60.0,
         "Commands as the text of a gestures file for worlds of that step time [s]. Reading it gives the same "
@@ -100,8 +102,8 @@ void defineCommands(py::module_& module) {
         py::arg("command"), "A Command as bytes, for files and messages.");
     module.def(
         "decode_command",
-        [](const py::bytes& bytes) { return toPython(take(decodeCommand(bytesOf(bytes)))); }, py::arg("data"),
-        "A Command from bytes. Fails with ParseError.");
+        [](const py::object& bytes) { return toPython(take(decodeCommand(bytesFrom(bytes, "data")))); },
+        py::arg("data"), "A Command from bytes. Fails with ParseError.");
     module.def(
         "validate_command",
         [](const py::object& command) { check(validateCommand(fromPython<Command>(command, "command"))); },

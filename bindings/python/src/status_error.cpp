@@ -31,7 +31,11 @@ const char* className(StatusCode code) {
 }  // namespace
 
 py::object exceptionOf(const Status& status) {
-    return py::module_::import("muster.errors").attr(className(status.code()))(status.message());
+    const std::string& text = status.message();
+    // Names of files need not be UTF-8.
+    const auto sentence = py::reinterpret_steal<py::object>(
+        PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "backslashreplace"));
+    return py::module_::import("muster.errors").attr(className(status.code()))(sentence);
 }
 
 void registerErrors() {

@@ -38,7 +38,8 @@ public:
     std::vector<Vec2> positions;
 };
 
-py::tuple positionsOf(const Take& recorded, double fps, double from, double to, std::int32_t threads) {
+py::tuple positionsOf(const Take& recorded, double fps, double from, double to, const py::object& workers) {
+    const std::int32_t threads = threadsFrom(workers);
     PositionCollector collector;
     Status status;
     {
@@ -68,7 +69,8 @@ void exportFile(const Take& recorded, const std::string& path, const std::string
     check(status);
 }
 
-py::object replay(const Take& recorded, std::int32_t threads) {
+py::object replay(const Take& recorded, const py::object& workers) {
+    const std::int32_t threads = threadsFrom(workers);
     ReplayReport report;
     {
         const py::gil_scoped_release others;
@@ -103,18 +105,19 @@ void defineTakeFacts(py::class_<Take, std::shared_ptr<Take>>& type) {
 void defineTake(py::module_& module) {
     py::class_<Take, std::shared_ptr<Take>> type(module, "TakeData");
     type.def_static(
-        "load", [](const std::string& path) { return std::make_shared<Take>(take(readTake(path))); },
+        "load", [](const py::object& path) { return std::make_shared<Take>(take(readTake(pathFrom(path)))); },
         py::arg("path"));
     type.def_static(
         "parse",
-        [](const py::bytes& bytes, const std::string& source) {
-            return std::make_shared<Take>(take(parseTake(bytesOf(bytes), source)));
+        [](const py::object& bytes, const std::string& source) {
+            return std::make_shared<Take>(take(parseTake(bytesFrom(bytes, "data"), source)));
         },
         py::arg("data"), py::arg("source_name"));
     type.def("replay", &replay, py::arg("threads"));
     type.def(
         "simulates_alike",
-        [](const Take& self, std::int32_t threads) {
+        [](const Take& self, const py::object& workers) {
+            const std::int32_t threads = threadsFrom(workers);
             const py::gil_scoped_release others;
             return simulatesAlike(self, threads);
         },
@@ -144,7 +147,7 @@ void defineTakes(py::module_& module) {
         .def(py::init([](const py::object& path, const py::object& definition, bool overwrite) {
                  const py::object given = py::module_::import("muster.scenario")
                                               .attr("as_definition")(definition);
-                 const auto text = py::module_::import("os").attr("fspath")(path).cast<std::string>();
+                 const auto text = pathFrom(path);
                  return take(TakeWriter::create(text, fromPython<WorldDef>(given, "definition"), overwrite));
              }),
              py::arg("path"), py::arg("definition"), py::arg("overwrite") = true,

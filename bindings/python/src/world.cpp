@@ -8,15 +8,17 @@
 namespace muster::python {
 namespace {
 
-std::unique_ptr<WorldHandle> create(const py::object& definition, std::int32_t threads) {
+std::unique_ptr<WorldHandle> create(const py::object& definition, const py::object& workers) {
+    const std::int32_t threads = threadsFrom(workers);
     const py::object given = py::module_::import("muster.scenario").attr("as_definition")(definition);
     const auto def = fromPython<WorldDef>(given, "definition");
     const py::gil_scoped_release others;
     return std::make_unique<WorldHandle>(take(World::create(def, threads)));
 }
 
-std::unique_ptr<WorldHandle> restore(const py::bytes& snapshot, std::int32_t threads) {
-    return std::make_unique<WorldHandle>(take(World::restore(bytesOf(snapshot), threads)));
+std::unique_ptr<WorldHandle> restore(const py::object& snapshot, const py::object& workers) {
+    const std::int32_t threads = threadsFrom(workers);
+    return std::make_unique<WorldHandle>(take(World::restore(bytesFrom(snapshot, "snapshot"), threads)));
 }
 
 py::bytes snapshotOf(const World& world) {
@@ -46,7 +48,8 @@ py::dict stageTimesOf(const World& world) {
     return all;
 }
 
-py::array wayAhead(const World& world, std::uint32_t id) {
+py::array wayAhead(const World& world, const py::object& character) {
+    const auto id = fromPython<std::uint32_t>(character, "character");
     const std::span<const std::uint32_t> ids = world.characters().id;
     const auto at = std::lower_bound(ids.begin(), ids.end(), id);
     if (at == ids.end() || *at != id)
@@ -55,9 +58,10 @@ py::array wayAhead(const World& world, std::uint32_t id) {
     return pointArray(world.wayAhead(static_cast<std::size_t>(at - ids.begin())));
 }
 
-py::object forecast(const py::object& self, std::uint32_t group, const py::object& order) {
+py::object forecast(const py::object& self, const py::object& group, const py::object& order) {
     (void)groupOf(self, group);  // Fails where there is none.
-    return toPython(worldOf(self).forecast({group}, fromPython<Order>(order, "order")));
+    return toPython(worldOf(self).forecast({fromPython<std::uint32_t>(group, "group")},
+                                           fromPython<Order>(order, "order")));
 }
 
 void defineState(py::class_<WorldHandle>& world) {
@@ -111,7 +115,7 @@ void defineReadOuts(py::class_<WorldHandle>& world) {
         "last_command_step", [](WorldHandle& self) { return self.get().lastCommandStep(); },
         "Step of the last command that was applied; 0 for none.");
     world.def(
-        "way_ahead", [](WorldHandle& self, std::uint32_t id) { return wayAhead(self.get(), id); },
+        "way_ahead", [](WorldHandle& self, const py::object& id) { return wayAhead(self.get(), id); },
         py::arg("character"),
         "The way of the character of an id to its place: corners round what stands still, both ends "
         "included, shape (n, 2)\n"

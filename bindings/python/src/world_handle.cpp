@@ -26,8 +26,9 @@ void WorldHandle::stepOnce(World& world) {
     world.step();
 }
 
-void WorldHandle::step(std::int64_t count) {
+void WorldHandle::step(const py::object& given) {
     World& world = get();
+    const auto count = fromPython<std::int64_t>(given, "count");
     if (count < 0) check(invalidArgument("count: found " + std::to_string(count) + ", expected 0 or more"));
     for (std::int64_t i = 0; i < count; ++i) {
         stepOnce(world);
@@ -35,8 +36,9 @@ void WorldHandle::step(std::int64_t count) {
     }
 }
 
-py::object WorldHandle::submit(const py::object& what, const py::object& step, std::uint32_t client) {
+py::object WorldHandle::submit(const py::object& what, const py::object& step, const py::object& sender) {
     World& world = get();
+    const auto client = fromPython<std::uint32_t>(sender, "client");
     Command command;
     if (py::isinstance(what, classOf<Command>())) {
         if (!step.is_none() || client != 0)
@@ -57,15 +59,8 @@ py::object WorldHandle::submit(const py::object& what, const py::object& step, s
     return toPython(command);
 }
 
-void WorldHandle::rewind(const py::bytes& snapshot) {
-    check(get().rewind(bytesOf(snapshot)));
-}
-
-std::span<const std::uint8_t> bytesOf(const py::bytes& bytes) {
-    char* data = nullptr;
-    Py_ssize_t size = 0;
-    if (PyBytes_AsStringAndSize(bytes.ptr(), &data, &size) != 0) throw py::error_already_set();
-    return {reinterpret_cast<const std::uint8_t*>(data), static_cast<std::size_t>(size)};
+void WorldHandle::rewind(const py::object& snapshot) {
+    check(get().rewind(bytesFrom(snapshot, "snapshot")));
 }
 
 }  // namespace muster::python

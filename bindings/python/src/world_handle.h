@@ -20,12 +20,12 @@ public:
     /// The world; throws while it makes a step in another thread.
     World& get();
     /// Steps that many times, without the interpreter's lock.
-    void step(std::int64_t count);
+    void step(const py::object& count);
     /// Submits a command, or a body for a step (none: the next one) as the next command of a client. Gives
     /// the command.
-    py::object submit(const py::object& what, const py::object& step, std::uint32_t client);
+    py::object submit(const py::object& what, const py::object& step, const py::object& client);
     /// Goes back to a snapshot.
-    void rewind(const py::bytes& snapshot);
+    void rewind(const py::object& snapshot);
 
 private:
     void stepOnce(World& world);
@@ -39,8 +39,6 @@ private:
 inline World& worldOf(const py::object& object) {
     return object.cast<WorldHandle&>().get();
 }
-/// The bytes, valid as long as the object is.
-std::span<const std::uint8_t> bytesOf(const py::bytes& bytes);
 
 void defineWorld(py::module_& module);
 void defineCharacters(py::module_& module);
@@ -52,7 +50,7 @@ void defineMotion(py::module_& module);
 
 /// All groups, in ascending order of ids, and the group of an id (groups.cpp).
 py::list groupsOf(const py::object& world);
-py::object groupOf(const py::object& world, std::uint32_t id);
+py::object groupOf(const py::object& world, const py::object& id);
 /// The characters (characters.cpp).
 py::object charactersOf(const py::object& world);
 /// What lies on the ground, in ascending order of ids (ground.cpp).
