@@ -1,14 +1,13 @@
 // The player for other pages: its files read by its own code and compared with other exports, and the component in Chromium,
 // served by a web server that knows nothing of Muster. Usage:
 //     node tests/player.mjs FOLDER [--only 'name'] [--shots FOLDER]
-import { spawn } from 'node:child_process';
-import { createServer } from 'node:net';
 import { cpSync, existsSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { chromium } from 'playwright-core';
 import * as files from './cases/player_files.mjs';
 import * as pages from './cases/player_pages.mjs';
 import * as trouble from './cases/player_trouble.mjs';
+import { serve } from './support/plain_server.mjs';
 
 const kFlags = ['--no-sandbox', '--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'];
 const kDesktop = { viewport: { width: 840, height: 640 } };
@@ -37,31 +36,6 @@ const kCases = [
   ['comings and goings', trouble.comings, kDesktop],
 ];
 
-function freePort() {
-  return new Promise((done) => {
-    const probe = createServer().listen(0, '127.0.0.1', () => {
-      const { port } = probe.address();
-      probe.close(() => done(port));
-    });
-  });
-}
-
-async function serve(folder) {
-  const port = await freePort();
-  const options = ['-m', 'http.server', String(port), '--bind', '127.0.0.1'];
-  const child = spawn('python3', options, { cwd: folder, stdio: 'ignore' });
-  const url = `http://127.0.0.1:${port}/`;
-  for (let tries = 0; tries < 100; ++tries) {
-    const answers = await fetch(url).then(
-      (answer) => answer.ok,
-      () => false,
-    );
-    if (answers) return { url, stop: () => child.kill() };
-    await new Promise((done) => setTimeout(done, 100));
-  }
-  throw new Error('The web server does not answer.');
-}
-
 async function attempt(browser, host, test, options) {
   if (!options) return test(host.folder);
   const context = await browser.newContext(options);
@@ -89,7 +63,7 @@ if (!existsSync(join(folder, 'market.muster-player'))) {
 const script = new URL('../dist/player/muster-player.js', import.meta.url).pathname;
 cpSync(script, join(folder, 'muster-player.js'));
 writeFileSync(join(folder, 'plain.html'), pages.kPlain);
-const host = { folder, shots: option('--shots'), ...(await serve(folder)) };
+const host = { shots: option('--shots'), ...(await serve(folder)) };
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: kFlags });
 let [passed, failed] = [0, 0];
 for (const [name, test, options] of kCases) {

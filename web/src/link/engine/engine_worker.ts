@@ -112,7 +112,8 @@ async function addPlayer(base: string, files: EngineFiles): Promise<void> {
 async function makeExport({ base, order, name, take }: Extract<ToEngine, { kind: 'export' }>): Promise<void> {
   const module = await load<ExporterModule>(base, 'muster-exporter');
   const memory = new ModuleMemory(module);
-  await addPlayer(base, module.FS);
+  const { format } = JSON.parse(order) as { format?: unknown };
+  if (typeof format === 'string' && format.startsWith('player-')) await addPlayer(base, module.FS);
   module.FS.writeFile(`${kTakes}/${name}`, take);
   const wrong = memory.withTexts([order, kExport], ([wish, path]) => module._muster_export(wish!, path!));
   const said = memory.text(module._muster_text());

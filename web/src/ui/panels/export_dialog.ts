@@ -27,14 +27,14 @@ export const kExportKinds: readonly ExportKind[] = [
   {
     name: 'player-page',
     label: 'Web page',
-    about: 'One HTML file that plays in any browser: to send, or to put online',
+    about: 'One HTML file that plays in any browser',
     here: false,
     fps: kPlayerFps,
   },
   {
     name: 'player-folder',
     label: 'Player',
-    about: 'For a page of yours: script, crowd and the lines to copy, in a ZIP',
+    about: 'Script, crowd and the lines to copy, in a ZIP',
     here: false,
     fps: kPlayerFps,
   },
