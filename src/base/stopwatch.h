@@ -9,11 +9,13 @@
 
 namespace muster {
 
-/// Measures the time since its construction.
+/// Measures the time since its construction or its last restart.
 class Stopwatch {
 public:
     /// Milliseconds since the start.
     double milliseconds() const { return now() - start_; }
+    /// Restarts the measurement.
+    void restart() { start_ = now(); }
 
 private:
     // [ms]
