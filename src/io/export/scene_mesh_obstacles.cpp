@@ -35,9 +35,11 @@ bool carSized(const Polygon& outline) {
 void addTree(const ObstacleDef& tree, SceneShapes& shapes) {
     // Lower than real trees, as in the studio, so that people under them stay visible.
     const double s = std::clamp(tree.radius / 0.4, 0.65, 1.0);
-    const auto seed = static_cast<std::uint32_t>(thrown(static_cast<std::uint32_t>(tree.centre.x * 64.0),
-                                                        static_cast<std::uint32_t>(tree.centre.y * 64.0)) *
-                                                 1e6);
+    // By way of 64 bits: what becomes of a negative number otherwise differs from processor to processor.
+    const auto place = [](double metres) {
+        return static_cast<std::uint32_t>(static_cast<std::int64_t>(metres * 64.0));
+    };
+    const auto seed = static_cast<std::uint32_t>(thrown(place(tree.centre.x), place(tree.centre.y)) * 1e6);
     const double trunk = std::min(tree.radius, 0.22 * s);
     shapes.frustum(Finish::Trunk, pointAt(tree.centre, 0.0), 2.2 * s, trunk, 0.65 * trunk, 9);
     const auto crown = [&](double x, double y, double z, double radius, double height, std::uint32_t k) {
