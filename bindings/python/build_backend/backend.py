@@ -2,20 +2,17 @@
 
 It builds the engine by CMake and packs wheels. Settings (`pip install -C NAME=VALUE`), or variables of the environment:
 
-    build-dir    MUSTER_BUILD_DIR    a build folder of CMake to use, and to use again; without one a temporary one
+    build-dir    MUSTER_BUILD_DIR    a build folder of CMake, which is kept and used again; without it build/python in the tree
     jobs         MUSTER_BUILD_JOBS   compilers at the same time; without it one per core
 """
 
 from __future__ import annotations
 
-import contextlib
 import os
 import re
 import subprocess
 import sys
-import tempfile
 import tomllib
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -65,18 +62,14 @@ prepare_metadata_for_build_editable = prepare_metadata_for_build_wheel
 
 
 def build_wheel(wheel_directory: str, config_settings: Settings = None, metadata_directory: str | None = None) -> str:
-    with build_folder(config_settings) as folder:
-        package = compile_module(folder, config_settings)
-        files = {f"muster/{path.name}": path.read_bytes() for path in sorted(package.iterdir()) if path.is_file()}
-        return write_wheel(wheel_directory, files)
+    package = compile_module(build_folder(config_settings), config_settings)
+    files = {f"muster/{path.name}": path.read_bytes() for path in sorted(package.iterdir()) if path.is_file()}
+    return write_wheel(wheel_directory, files)
 
 
 def build_editable(wheel_directory: str, config_settings: Settings = None, metadata_directory: str | None = None) -> str:
     """A wheel that points to the build folder, where the Python files are links to those of the tree."""
-    folder = named_folder(config_settings)
-    if folder is None:
-        raise BuildError("build-dir: found none, expected a folder that stays, for editable installs: MUSTER_BUILD_DIR=build/python")
-    package = compile_module(folder, config_settings)
+    package = compile_module(build_folder(config_settings), config_settings)
     return write_wheel(wheel_directory, {"muster.pth": f"{package.parent}\n".encode()})
 
 
@@ -91,20 +84,10 @@ def setting(settings: Settings, name: str, variable: str) -> str | None:
     return str(found) if found else None
 
 
-def named_folder(settings: Settings) -> Path | None:
-    """The build folder that was asked for. pip works in the folder of the package, but names count from where pip was called."""
+def build_folder(settings: Settings) -> Path:
+    """The build folder. pip works in the folder of the package, but names count from where pip was called."""
     name = setting(settings, "build-dir", "MUSTER_BUILD_DIR")
-    return Path(os.environ.get("PWD", "."), name).resolve() if name else None
-
-
-@contextlib.contextmanager
-def build_folder(settings: Settings) -> Iterator[Path]:
-    """The build folder; a temporary one is removed at the end."""
-    if named := named_folder(settings):
-        yield named
-        return
-    with tempfile.TemporaryDirectory(prefix="muster-build-") as folder:
-        yield Path(folder)
+    return Path(os.environ.get("PWD", "."), name).resolve() if name else ROOT / "build/python"
 
 
 def compile_module(folder: Path, settings: Settings) -> Path:
