@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/base64.h"
 #include "base/text_file.h"
+#include "report/markup.h"
 
 namespace muster {
 namespace {
@@ -15,46 +17,6 @@ constexpr std::string_view kScriptName = "muster-player.js", kPageName = "page.h
                            kCrowdName = "crowd.muster-player";
 constexpr double kPlayerFps = 15.0;
 constexpr std::size_t kMostCrowdBytes = std::size_t{256} << 20;
-
-std::string escaped(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            default:
-                out += c;
-        }
-    }
-    return out;
-}
-
-std::string base64(std::string_view bytes) {
-    static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    out.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t at = 0; at < bytes.size(); at += 3) {
-        const auto byte = [&](std::size_t k) {
-            return at + k < bytes.size()
-                       ? static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + k]))
-                       : 0u;
-        };
-        const std::uint32_t three = byte(0) << 16 | byte(1) << 8 | byte(2);
-        for (std::size_t k = 0; k < 4; ++k)
-            out += at + k <= bytes.size() ? kDigits[three >> (18 - 6 * k) & 63u] : '=';
-    }
-    return out;
-}
 
 /// The text with each of these words replaced; what comes in place of one is not looked through again.
 std::string filled(std::string_view text,
@@ -115,7 +77,8 @@ Result<PlayerParts> readPlayerParts(const std::string& folder) {
 
 std::string playerPage(const PlayerParts& parts, const std::string& title, std::string_view crowd) {
     return page(parts, title, inlineScript(parts.script),
-                "data:application/octet-stream;base64," + base64(crowd));
+                "data:application/octet-stream;base64," +
+                    base64({reinterpret_cast<const std::uint8_t*>(crowd.data()), crowd.size()}));
 }
 
 Status writePlayerFolder(const PlayerParts& parts, const std::string& title, const std::string& crowd,

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/hash.h"
 #include "base/text_file.h"
 #include "json/json.h"
 #include "muster/scenario.h"
@@ -35,6 +36,15 @@ std::vector<std::string> filesBelow(const std::string& folder) {
     }
     std::sort(found.begin(), found.end());
     return found;
+}
+
+std::string versionOf(const FileTexts& files) {
+    Hash hash;
+    for (const auto& [path, bytes] : files) {
+        hash.add(path);
+        hash.add(bytes);
+    }
+    return toHex(hash.value());
 }
 
 bool engineBuilt(const std::string& folder) {

@@ -12,6 +12,9 @@ namespace muster {
 /// Files by their paths.
 using FileTexts = std::map<std::string, std::string>;
 
+/// A number that follows from paths and contents.
+std::string versionOf(const FileTexts& files);
+
 /// True where that folder holds all modules.
 bool engineBuilt(const std::string& folder);
 /// The modules. Fails with NotFound, naming the file, where one is not built.

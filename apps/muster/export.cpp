@@ -74,7 +74,7 @@ int exportFile(const ExportOptions& options) {
     Progress progress("exporting");
     ExportDef part = options.part;
     part.fps = std::isnan(options.fps) ? usualFps(options.format) : options.fps;
-    const std::string player = findFolder({"web/dist/player", "../share/muster/web/player"});
+    const std::string player = pageFolder() + "/player";
     const Status done = exportTakeOrPage(*take, *clips, *format, out, part, player, [&](double share) {
         progress.show(share);
         return true;

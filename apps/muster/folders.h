@@ -15,6 +15,11 @@ inline std::string scenariosFolder() {
     return findFolder({"scenarios", "../share/muster/scenarios"});
 }
 
+/// The folder of the built page.
+inline std::string pageFolder() {
+    return findFolder({"web/dist", "../share/muster/web"});
+}
+
 /// The folder of the engine for browsers, where it is built.
 inline std::string engineFolder() {
     return findFolder({"build/wasm/apps/engine", "../share/muster/engine"});

@@ -9,7 +9,6 @@
 #include <set>
 #include <utility>
 
-#include "base/hash.h"
 #include "browser.h"
 #include "engine_files.h"
 #include "invitation.h"
@@ -134,12 +133,7 @@ Result<std::string> addEngineFiles(const ServeOptions& options, ServerDef& def) 
     if (!texts.ok()) return texts.status();
     (*files)["scenarios.json"] = std::move(texts->scenarios);
     (*files)["gestures.json"] = std::move(texts->gestures);
-    Hash hash;
-    for (const auto& [name, bytes] : *files) {
-        hash.add(name);
-        hash.add(bytes);
-    }
-    const std::string folder = "engine-" + toHex(hash.value()) + "/";
+    const std::string folder = "engine-" + versionOf(*files) + "/";
     const std::string base = "/" + folder;
     for (auto& [name, bytes] : *files)
         def.files[base + name] = {typeOfFile(name), kKeptForever, std::move(bytes)};

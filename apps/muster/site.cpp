@@ -19,7 +19,7 @@ struct SiteOptions {
 int run(SiteOptions& options) {
     SiteDef& def = options.def;
     if (def.scenarioFolder.empty()) def.scenarioFolder = scenariosFolder();
-    if (def.pageFolder.empty()) def.pageFolder = findFolder({"web/dist", "../share/muster/web"});
+    if (def.pageFolder.empty()) def.pageFolder = pageFolder();
     if (def.engineFolder.empty()) def.engineFolder = engineFolder();
     const auto report = writeSite(def);
     if (!report.ok()) {

@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/hash.h"
 #include "base/text_file.h"
 #include "engine_files.h"
 #include "json/json.h"
@@ -77,18 +76,15 @@ Result<std::size_t> addScenarios(const SiteDef& def, FileTexts& files) {
 
 /// The service worker learns which files there are, and a number that changes with any of them.
 Status finishWorker(FileTexts& files) {
-    Hash hash;
+    const std::string version = versionOf(files);
     Json list = Json::array();
     list.push("./");
-    for (const auto& [path, bytes] : files) {
-        hash.add(path);
-        hash.add(bytes);
+    for (const auto& [path, bytes] : files)
         if (path != "service_worker.js") list.push(path);
-    }
     std::string& worker = files["service_worker.js"];
     if (Status s = replaceIn(worker, "= FILES", "= " + compactJson(list), "service_worker.js"); !s.ok())
         return s;
-    return replaceIn(worker, "muster-VERSION", "muster-" + toHex(hash.value()), "service_worker.js");
+    return replaceIn(worker, "muster-VERSION", "muster-" + version, "service_worker.js");
 }
 
 /// Empties the folder where it is an older site; refuses it where it holds something else.

@@ -38,8 +38,7 @@ void addStudioCommand(CommandLine& line) {
         "  muster studio --lan");
     command.run([options] {
         if (options->scenarioFolder.empty()) options->scenarioFolder = scenariosFolder();
-        if (options->pageFolder.empty())
-            options->pageFolder = findFolder({"web/dist", "../share/muster/web"});
+        if (options->pageFolder.empty()) options->pageFolder = pageFolder();
         if (options->engineFolder.empty()) options->engineFolder = engineFolder();
         return runStudio(*options);
     });

@@ -121,8 +121,7 @@ void addStudyReplayCommand(Subcommand& study) {
         "  muster study replay --db study.db --trial 12\n"
         "  muster study replay --db study.db --trial 12 --studio --open");
     command.run([options] {
-        if (options->serve.pageFolder.empty())
-            options->serve.pageFolder = findFolder({"web/dist", "../share/muster/web"});
+        if (options->serve.pageFolder.empty()) options->serve.pageFolder = pageFolder();
         return studyReplay(*options);
     });
 }

@@ -82,8 +82,7 @@ void addStudyRunCommand(Subcommand& study) {
         "  muster study run --db study.db\n"
         "  muster study run --db study.db --mouse mouse-full-free --crowd 100 --open");
     command.run([options] {
-        if (options->serve.pageFolder.empty())
-            options->serve.pageFolder = findFolder({"web/dist", "../share/muster/web"});
+        if (options->serve.pageFolder.empty()) options->serve.pageFolder = pageFolder();
         return studyRun(*options);
     });
 }

@@ -29,13 +29,10 @@ muster::Result<Play> play(const std::filesystem::path& path, double seconds, int
     if (!def.ok()) return def.status();
     auto world = muster::World::create(*def, threads);
     if (!world.ok()) return world.status();
-    const auto gestures = path.parent_path() / "gestures" / path.filename();
-    if (std::filesystem::exists(gestures)) {
-        const auto commands = muster::loadGestures(gestures.string(), def->parameters.stepTime);
-        if (!commands.ok()) return commands.status();
-        for (const muster::Command& command : *commands)
-            if (const muster::Status status = world->submit(command); !status.ok()) return status;
-    }
+    const auto commands = muster::loadScenarioGestures(path.string(), *def);
+    if (!commands.ok()) return commands.status();
+    for (const muster::Command& command : *commands)
+        if (const muster::Status status = world->submit(command); !status.ok()) return status;
     Play result;
     const auto steps = static_cast<int>(std::lround(seconds / def->parameters.stepTime));
     for (int step = 1; step <= steps; ++step) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/base64.h"
 #include "picture/canvas.h"
 #include "picture/debug_draw.h"
 
@@ -15,18 +16,6 @@ std::string number(double value) {
     text.erase(text.find_last_not_of('0') + 1);
     if (!text.empty() && text.back() == '.') text.pop_back();
     return text == "-0" ? "0" : text;
-}
-
-std::string base64(std::span<const std::uint8_t> bytes) {
-    constexpr const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::size_t left = std::min<std::size_t>(3, bytes.size() - i);
-        std::uint32_t word = 0;
-        for (std::size_t k = 0; k < 3; ++k) word = word << 8 | (k < left ? bytes[i + k] : 0u);
-        for (std::size_t k = 0; k < 4; ++k) text += k <= left ? kDigits[word >> (18 - 6 * k) & 63u] : '=';
-    }
-    return text;
 }
 
 std::string escaped(std::string_view words) {

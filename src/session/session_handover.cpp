@@ -84,17 +84,9 @@ Status Session::Impl::takeOverWorld(const Handover& handover) {
     demonstratedUntil = endOfDemonstration(*take);
     renumberClients(*take);
     liftRecorded(*take, handover.step, demonstrating() ? kLastDemonstrator : 0);
-    if (handover.recording) recordOn(handover);
+    if (handover.recording) beginRecording(handover.recordedFrom, {}, nullptr);
     refreshScene();
     return {};
-}
-
-// The recording goes on in a file of this session.
-void Session::Impl::recordOn(const Handover& handover) {
-    recordedAbout = {};
-    recordedAbout.from = std::min(handover.recordedFrom, handover.step);
-    recordedFrom = recordedAbout.from * world->parameters().stepTime;
-    beginFile(nullptr);
 }
 
 }  // namespace muster

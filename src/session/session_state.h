@@ -97,6 +97,8 @@ struct Session::Impl {
 
     // Recording (session_takes.cpp).
     void setRecording(bool on, SessionClient* client);
+    /// Records from that step on, at most the present one.
+    void beginRecording(std::uint32_t from, const std::string& title, SessionClient* client);
     void beginFile(SessionClient* client);
     void stopRecording(bool dropEmpty = false);
     void reportLostFile();
@@ -118,7 +120,6 @@ struct Session::Impl {
 
     // Handover (session_handover.cpp).
     Status takeOverWorld(const Handover& handover);
-    void recordOn(const Handover& handover);
 
     // Paths of the open take (session_paths.cpp).
     Status askPath(SessionClient& client, const protocol::AskPath& message);

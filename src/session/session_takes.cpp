@@ -90,9 +90,14 @@ void Session::finish() {
 void Session::Impl::setRecording(bool on, SessionClient* client) {
     if (!on) return stopRecording();
     if (recordedFrom >= 0.0) return;
-    recordedFrom = world->time();
+    beginRecording(world->stepCount(), {}, client);
+}
+
+void Session::Impl::beginRecording(std::uint32_t from, const std::string& title, SessionClient* client) {
     recordedAbout = {};
-    recordedAbout.from = world->stepCount();
+    recordedAbout.title = title;
+    recordedAbout.from = std::min(from, world->stepCount());
+    recordedFrom = recordedAbout.from * world->parameters().stepTime;
     beginFile(client);
 }
 
@@ -280,12 +285,7 @@ Status Session::Impl::takeAgain(bool keep, SessionClient& client) {
         liftRecorded(take, now);
     }
     renumberClients(take);
-    const std::uint32_t first = std::min(taken->about().firstStep(taken->steps()), now);
-    recordedAbout = {};
-    recordedAbout.title = taken->about().title;
-    recordedAbout.from = first;
-    recordedFrom = first * world->parameters().stepTime;
-    beginFile(&client);
+    beginRecording(taken->about().firstStep(taken->steps()), taken->about().title, &client);
     playing = false;
     waitsForHand = true;
     pacer.reset();

@@ -57,6 +57,8 @@ def test_a_writer_step_by_step(tmp_path) -> None:
     assert take.definition == definition
     frame = take.event_frame()
     assert "arrived" in set(frame["kind"]) and list(frame.columns) == ["step", "time", "kind", "subject", "value", "x", "y"]
+    step_time = muster.World(definition).parameters["time.step"]
+    assert list(frame["time"]) == [step * step_time for step in frame["step"]]
     with pytest.raises(muster.IoError):
         muster.TakeWriter(file, definition, overwrite=False)
 

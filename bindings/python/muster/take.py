@@ -128,7 +128,8 @@ class Take:
         """The events of orders: columns step, time [s], kind, subject, value, x [m], y [m]. Needs pandas."""
         import pandas
 
-        step_time = _core.World(self.definition).parameters["time.step"]
+        usual = {parameter.name: parameter.default for parameter in _core.parameter_table()}
+        step_time = (usual | self.definition.parameters)["time.step"]
         rows = [
             (e.step, e.step * step_time, e.event.kind.value, e.event.subject, e.event.value, *e.event.position)
             for e in self.events

@@ -43,8 +43,13 @@ export class Connection {
     private readonly handlers_: ConnectionHandlers,
   ) {}
 
+  /** Opens a socket; one that is there is closed. */
   start(): void {
     this.stopTimer();
+    const before = this.socket_;
+    this.socket_ = null;
+    this.isOpen_ = false;
+    before?.close();
     this.handlers_.onState({ phase: 'connecting' });
     const socket = this.openSocket_();
     this.socket_ = socket;

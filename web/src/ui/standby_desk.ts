@@ -62,7 +62,10 @@ export function standBy(client: StudioClient, store: StudioStore, folder: string
   });
   store.watch(['standby'], ({ standby: now }) => {
     if (now === 'wanted')
-      goOn().catch((error: unknown) => tell(error instanceof Error ? error.message : String(error)));
+      goOn().catch((error: unknown) => {
+        store.set({ standby: 'ready' });
+        tell(error instanceof Error ? error.message : String(error));
+      });
   });
   client.on('link', (link) => {
     const neverCame = client.clientId === 0 && link.phase === 'lost' && link.attempt >= kMostAttempts;

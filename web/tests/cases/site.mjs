@@ -50,8 +50,8 @@ function text(server, name) {
   return /\.(html|js|css)$/.test(name) ? readFileSync(join(server.folder, name), 'utf8') : '';
 }
 
-/** Fingers steer the crowd. */
-export async function touches(studio) {
+/** Fingers lead the formation's corner away, and people follow. `held` is called while the finger is down. */
+export async function steer(studio, held = async () => {}) {
   await studio.makeRoom();
   const frame = await studio.frame();
   const corner = extreme(points(frame.groups[0].vertices), 1, 0);
@@ -59,7 +59,7 @@ export async function touches(studio) {
   await studio.fingers.down({ 1: from });
   await studio.fingers.move({ 1: to }, { steps: 12, ms: 700 });
   await studio.until('a control', () => globalThis.__muster.frame.groups[0].controls.length > 0);
-  await studio.shot('site-touch');
+  await held();
   await studio.fingers.up();
   const before = crowd(frame);
   await studio.eventually(async () => {
@@ -67,6 +67,11 @@ export async function touches(studio) {
     const walked = now.filter((at, i) => distance(at, before[i]) > 0.5).length;
     expect(walked > 20, `people follow: ${walked}`);
   });
+}
+
+/** Fingers steer the crowd. */
+export async function touches(studio) {
+  await steer(studio, () => studio.shot('site-touch'));
   await serious(studio, 'a site');
 }
 

@@ -1,8 +1,9 @@
 // A server that is lost: the page goes on with its world, with the engine that waited in the browser.
 import { expect } from '../support/expect.mjs';
-import { crowd, distance, extreme, points, shifted } from '../support/geometry.mjs';
+import { crowd, distance } from '../support/geometry.mjs';
 import { startStudio } from '../support/server.mjs';
 import { StudioPage } from '../support/studio_page.mjs';
+import { steer } from './site.mjs';
 import { record, stop } from './takes.mjs';
 
 const step = (studio) => studio.page.evaluate(() => globalThis.__muster.frame.step);
@@ -29,20 +30,7 @@ async function withServer(browser, size, options, run) {
 
 async function steerOn(studio) {
   await studio.fit();
-  await studio.makeRoom();
-  const frame = await studio.frame();
-  const corner = extreme(points(frame.groups[0].vertices), 1, 0);
-  const [from, to] = await studio.screen([corner, shifted(corner, 4, 0)]);
-  await studio.fingers.down({ 1: from });
-  await studio.fingers.move({ 1: to }, { steps: 12, ms: 700 });
-  await studio.until('a control', () => globalThis.__muster.frame.groups[0].controls.length > 0);
-  await studio.fingers.up();
-  const before = crowd(frame);
-  await studio.eventually(async () => {
-    const now = crowd(await studio.frame());
-    const walked = now.filter((at, i) => distance(at, before[i]) > 0.5).length;
-    expect(walked > 20, `people follow: ${walked}`);
-  });
+  await steer(studio);
 }
 
 /** The world goes on where it was, is steered, recorded and exported without a server. */

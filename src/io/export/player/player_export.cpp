@@ -87,7 +87,6 @@ private:
     }
 
     Json head() const {
-        // A view of the studio as it opens; the page moves it away until everybody is seen.
         Json colours = Json::array();
         for (const std::uint32_t colour : track_->colours())
             colours.push(colour < kAccents ? Json(colour) : Json(colourText(colour & 0xFFFFFFu)));
@@ -101,6 +100,7 @@ private:
                 {"things", moving_.size()},
                 {"colours", colours},
                 {"box", Json::array({box_.min.x, box_.min.y, box_.max.x, box_.max.y})},
+                // The studio's view as it opens; the page moves it away until everybody is seen.
                 {"camera", {{"turn", kViewTurn}, {"pitch", kViewPitch}, {"angle", kViewAngle}}}};
     }
 

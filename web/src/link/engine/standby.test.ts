@@ -125,5 +125,13 @@ describe('the engine on standby', () => {
     await expect(standby.goOn('')).rejects.toThrow('a sentence');
     expect(ports).toEqual([]);
     expect(hasEngine()).toBe(false);
+    expect(worker.ended).toBe(true);
+    const before = asked.length;
+    await vi.advanceTimersByTimeAsync(2500);
+    expect(asked.length).toBeGreaterThan(before);
+    worker.status = 200;
+    await standby.goOn('');
+    expect(worker.told.map(({ kind }) => kind).slice(-3)).toEqual(['prepare', 'start', 'ask']);
+    expect(ports).toHaveLength(1);
   });
 });

@@ -62,15 +62,21 @@ export class Standby {
 
   /** The engine goes on with the world that is kept, or begins with a scenario where there is none. */
   async goOn(scenario: string): Promise<void> {
-    clearTimeout(this.timer_);
     if (!this.worker_) await this.prepare();
+    const worker = this.worker_!;
+    // An engine that has begun cannot begin again.
+    this.worker_ = null;
     const { base, makeWorker, failed, client } = this.parts_;
-    const link = new EngineLink(this.worker_!, base, scenario, makeWorker, failed);
+    const link = new EngineLink(worker, base, scenario, makeWorker, failed);
     const world = this.kept_.whole();
     if (world) {
       const taken = await link.ask('handover', { method: 'POST', body: world });
-      if (!taken.ok) throw new Error((await taken.text()).trim());
+      if (!taken.ok) {
+        worker.terminate();
+        throw new Error((await taken.text()).trim());
+      }
     }
+    clearTimeout(this.timer_);
     answerBy(link.ask);
     client.connectEngine(link.port);
   }

@@ -1,15 +1,8 @@
 // Shaders of a player's picture. Colours are in linear light until the end.
 
+import { kToSun } from '../../scene/drawing/daylight';
+import { kLinesGlsl } from '../../scene/drawing/lines_glsl';
 import { kHairs, kSkins } from '../../scene/crowd/look';
-
-const kElevation = (52 * Math.PI) / 180;
-const kAzimuth = 3.4;
-/** Unit vector to the sun: 52 degrees high, left of the view as it opens, as in the studio. */
-export const kToSun = [
-  Math.cos(kElevation) * Math.cos(kAzimuth),
-  Math.cos(kElevation) * Math.sin(kAzimuth),
-  Math.sin(kElevation),
-] as const;
 
 export const kFinishes = 22;
 
@@ -78,15 +71,7 @@ uniform float uKeeps;
 uniform float uPixel;
 out vec4 oColour;
 
-// Lines at multiples of a spacing, fading where they would crowd.
-float lines(vec2 at, float spacing, float width) {
-  vec2 across = at / spacing;
-  vec2 wide = max(fwidth(across), vec2(1e-6));
-  vec2 away = abs(fract(across - 0.5) - 0.5) / wide;
-  vec2 line = 1.0 - smoothstep(width * 0.5 * uPixel - 0.5, width * 0.5 * uPixel + 0.5, away);
-  line *= 1.0 - smoothstep(0.015, 0.12, wide * uPixel);
-  return max(line.x, line.y);
-}
+${kLinesGlsl}
 
 vec3 groundAt(vec2 at) {
   vec2 inside = min(at - uBox.xy, uBox.zw - at);

@@ -2,7 +2,7 @@
 
 import type { Triple, ViewCamera } from '../play/view_camera';
 import { CannotDraw, type Gl } from './gl';
-import { kToSun } from './shaders';
+import { kToSun } from '../../scene/drawing/daylight';
 
 const kSize = 2048;
 /** Around the ground with something on it [m]. */

@@ -1,5 +1,6 @@
 // Draws pictures of a crowd onto a canvas.
 
+import { kEarthColour, kSkyColour, kSunColour } from '../../scene/drawing/daylight';
 import type { Theme } from '../../model/view_settings';
 import type { CrowdMoment } from '../play/crowd_moment';
 import type { LoadedCrowd } from '../file/loaded_crowd';
@@ -10,10 +11,6 @@ import { linear, playerPalette, type PlayerPalette } from './player_palette';
 import { ScenePart } from './scene_part';
 import * as shaders from './shaders';
 import { ShadowMap } from './shadow_map';
-
-const kSunColour = '#FFF9EE';
-const kSkyColour = '#FFFFFF';
-const kEarthColour = '#D2CABF';
 
 export class Stage {
   /** False: without shadows and fine bodies, for browsers that draw without a graphics card. */

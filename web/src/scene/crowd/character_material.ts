@@ -15,7 +15,7 @@ import { kHairs, kSkins } from './look';
 import type { CrowdTextures } from './crowd_textures';
 import { kCharacterColour, kCharacterPose, kCharacterShown } from './character_shader';
 import type { Quality } from '../drawing/quality';
-import { kEarthColour, kSkyColour, kSunColour, kToSun } from '../drawing/sun';
+import { kEarthColour, kSkyColour, kSunColour, kToSun } from '../drawing/daylight';
 
 /** Uniforms of all characters. */
 export class CharacterUniforms {

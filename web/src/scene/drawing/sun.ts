@@ -2,24 +2,12 @@
 
 import { DirectionalLight, Group, HemisphereLight, Vector3 } from 'three';
 import type { CameraController } from '../camera/camera_controller';
+import { kEarthColour, kSkyColour, kSunColour, kToSun } from './daylight';
 import type { Palette } from './palette';
 import type { Quality } from './quality';
 import type { SceneBox } from '../../protocol/scene';
 
-const kElevation = (52 * Math.PI) / 180;
-/** Where the sun stands, from +x counter-clockwise [rad]: left of the view as it opens, so that shadows fall right. */
-const kAzimuth = 3.4;
 const kMapSize = 2048;
-export const kSunColour = '#FFF9EE';
-export const kSkyColour = '#FFFFFF';
-export const kEarthColour = '#D2CABF';
-/** Unit vector to the sun. */
-export const kToSun = [
-  Math.cos(kElevation) * Math.cos(kAzimuth),
-  Math.cos(kElevation) * Math.sin(kAzimuth),
-  Math.sin(kElevation),
-] as const;
-
 export class Sun {
   readonly group = new Group();
   private readonly sun_ = new DirectionalLight(kSunColour, 2.2);

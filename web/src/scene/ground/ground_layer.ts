@@ -1,5 +1,6 @@
 // The ground: pale, with lines every metre and every five, the world's edge, and at most one field painted on it.
 
+import { kLinesGlsl } from '../drawing/lines_glsl';
 import {
   Color,
   DataTexture,
@@ -58,15 +59,7 @@ uniform sampler2D uRamp;
 uniform vec4 uFieldBox;
 uniform float uStep;
 
-// Lines one px wide at multiples of a spacing, fading where they would crowd.
-float lines(vec2 at, float spacing, float width) {
-  vec2 across = at / spacing;
-  vec2 wide = max(fwidth(across), vec2(1e-6));
-  vec2 away = abs(fract(across - 0.5) - 0.5) / wide;
-  vec2 line = 1.0 - smoothstep(width * 0.5 * uPixel - 0.5, width * 0.5 * uPixel + 0.5, away);
-  line *= 1.0 - smoothstep(0.015, 0.12, wide * uPixel);
-  return max(line.x, line.y);
-}
+${kLinesGlsl}
 
 void main() {
   vec2 inside = min(vAt - uBox.xy, uBox.zw - vAt);
