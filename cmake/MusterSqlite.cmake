@@ -20,3 +20,7 @@ if(NOT EMSCRIPTEN AND (TARGET muster_export OR TARGET muster_store))
         message(STATUS "SQLite is not there: muster export writes no jupedsim files, muster study keeps nothing")
     endif()
 endif()
+# In browsers the page gives the engine an SQLite of its own.
+if(EMSCRIPTEN AND TARGET muster_export AND MUSTER_WITH_SQLITE AND EXISTS "${MUSTER_DEPS_INCLUDE}/boost/geometry.hpp")
+    target_compile_definitions(muster_export PRIVATE MUSTER_SQLITE=1)
+endif()

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "last_text.h"
 #include "page_engine.h"
 
 namespace {
@@ -14,7 +15,6 @@ namespace {
 using namespace muster;
 
 std::unique_ptr<PageEngine> theEngine;
-std::string theText;  // The last answer, or the sentence of the last failure.
 HttpAnswer theAnswer;
 std::vector<MessageBytes> theMessages;
 
@@ -23,11 +23,20 @@ std::span<const std::uint8_t> bytesAt(const std::uint8_t* data, std::uint32_t si
 }
 
 int fail(const Status& status) {
-    theText = status.message();
+    lastText() = status.message();
     return 1;
 }
 
 }  // namespace
+
+namespace muster {
+
+std::string& lastText() {
+    static std::string text;
+    return text;
+}
+
+}  // namespace muster
 
 extern "C" {
 
@@ -43,8 +52,9 @@ EMSCRIPTEN_KEEPALIVE int muster_open(const char* scenario, const char* version) 
     return 0;
 }
 
+/// The sentence of the last failure, or what the last function says that it gives there.
 EMSCRIPTEN_KEEPALIVE const char* muster_text() {
-    return theText.c_str();
+    return lastText().c_str();
 }
 
 EMSCRIPTEN_KEEPALIVE std::uint32_t muster_connect() {

@@ -1,18 +1,17 @@
-// The functions of the WebAssembly module that makes exports (web/src/link/engine): one in each worker, which
-// ends with it.
+// The function of the WebAssembly module that makes an export (web/src/link/engine), in a worker of its own,
+// which ends with it.
 #include <emscripten.h>
 
 #include <string>
 
 #include "export_order.h"
+#include "last_text.h"
 #include "scenario_folder.h"
 #include "take_shelf.h"
 
 namespace {
 
 using namespace muster;
-
-std::string theText;  // The name to save the last export by, or the sentence of a failure.
 
 // The page ends a worker that is to stop.
 EM_JS(void, tellProgress, (double share), { Module["onProgress"](share); });
@@ -34,16 +33,12 @@ Result<std::string> writeFile(const std::string& request, const std::string& pat
 
 extern "C" {
 
-EMSCRIPTEN_KEEPALIVE const char* muster_text() {
-    return theText.c_str();
-}
-
 /// Makes the file of an export of a take in /takes, with the scenarios in /scenarios and, for pages with a
-/// player, what they are made of in /player. Returns 0 with the name
-/// to save it by in muster_text(), or 1 with a sentence there.
+/// player, what they are made of in /player. Returns 0 with the name to save it by in muster_text(), or 1
+/// with a sentence there.
 EMSCRIPTEN_KEEPALIVE int muster_export(const char* order, const char* path) {
     const auto name = writeFile(order, path);
-    theText = name.ok() ? *name : name.status().message();
+    lastText() = name.ok() ? *name : name.status().message();
     return name.ok() ? 0 : 1;
 }
 

@@ -15,8 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostModuleBytes = std::size_t{64} << 20;
-constexpr const char* kModules[] = {"muster-engine.js", "muster-engine.wasm", "muster-exporter.js",
-                                    "muster-exporter.wasm"};
+constexpr const char* kModules[] = {"muster-engine.js", "muster-engine.wasm.xz", "muster-engine-rest.wasm"};
 constexpr std::string_view kJsonEnds = ".json";
 
 bool isGestures(const std::string& path) {

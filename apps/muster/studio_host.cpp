@@ -87,7 +87,7 @@ int runStudio(const StudioOptions& options) {
             [&](std::string name, TakeAbout about) {
                 mailbox.post(TakeEdited{std::move(name), std::move(about)});
             });
-        events.shelfRequested = [desk = desk.get()](ShelfRequest request, HttpReply reply) {
+        events.shelfRequested = [desk = desk.get()](ShelfRequest request, const HttpReply& reply) {
             if (!desk->post(std::move(request), reply)) reply(sentence(503, "The shelf is busy."));
         };
         return desk;

@@ -76,8 +76,8 @@ public:
             for (std::int32_t x = 0; x < width; ++x) {
                 const Colour c = colours[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                                          static_cast<std::size_t>(x)];
-                bytes.insert(bytes.end(),
-                             {c.red, c.green, c.blue, static_cast<std::uint8_t>(c.opacity * 255.0 + 0.5)});
+                const auto opacity = static_cast<std::uint8_t>(std::lround(c.opacity * 255.0));
+                bytes.insert(bytes.end(), {c.red, c.green, c.blue, opacity});
             }
         }
         const Vec2 corner = toPixel({box.min.x, box.max.y});

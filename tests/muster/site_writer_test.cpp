@@ -28,9 +28,9 @@ struct Parts {
         put("page/assets/main-1.js", "page();");
         put("page/site/service_worker.js", "const kCache = 'muster-VERSION'; const kFiles = FILES;");
         put("page/site/manifest.webmanifest", "{}");
-        for (const char* name : {"muster-engine.js", "muster-engine.wasm", "muster-exporter.js"})
+        for (const char* name : {"muster-engine.js", "muster-engine.wasm.xz"})
             put(std::string("engine/") + name, name);
-        put("engine/muster-exporter.wasm", std::string("\0asm", 4));
+        put("engine/muster-engine-rest.wasm", std::string("\0asm", 4));
         put("scenarios/open.json", kOpen);
         put("scenarios/more/harbour.json", kOpen);
         put("scenarios/gestures/open.json", R"({"format":"muster-gestures","version":1,"events":[]})");
@@ -72,7 +72,7 @@ TEST_CASE("a site has the page, its engine and all scenarios") {
     CHECK(parts.read("out/index.html").find("<link rel=\"manifest\" href=\"manifest.webmanifest\" />") !=
           std::string::npos);
     CHECK(parts.read("out/assets/main-1.js") == "page();");
-    CHECK(parts.read("out/engine/muster-exporter.wasm") == std::string("\0asm", 4));
+    CHECK(parts.read("out/engine/muster-engine-rest.wasm") == std::string("\0asm", 4));
     const auto scenarios = parseJson(parts.read("out/engine/scenarios.json"), "scenarios.json");
     REQUIRE(scenarios.ok());
     REQUIRE(scenarios->find("open.json") != nullptr);
@@ -94,7 +94,7 @@ TEST_CASE("the service worker knows every file, and another content is another v
     REQUIRE(writeSite(parts.def).ok());
     const std::string first = parts.read("out/service_worker.js");
     for (const char* path : {"\"./\"", "\"index.html\"", "\"assets/main-1.js\"", "\"engine/scenarios.json\"",
-                             "\"engine/muster-engine.wasm\"", "\"manifest.webmanifest\""})
+                             "\"engine/muster-engine.wasm.xz\"", "\"manifest.webmanifest\""})
         CHECK_MESSAGE(first.find(path) != std::string::npos, path);
     CHECK(first.find("FILES") == std::string::npos);
     CHECK(first.find("VERSION") == std::string::npos);
@@ -119,9 +119,9 @@ TEST_CASE("an older site is replaced, and nothing else is") {
 TEST_CASE("what is missing is named, and nothing is written") {
     Parts parts;
     SUBCASE("engine") {
-        fs::remove(parts.base / "engine/muster-engine.wasm");
+        fs::remove(parts.base / "engine/muster-engine.wasm.xz");
         CHECK(without(parts.refusal(), parts.base.string()) ==
-              "/engine/muster-engine.wasm: the engine for browsers is not built; ./run -- site builds it");
+              "/engine/muster-engine.wasm.xz: the engine for browsers is not built; ./run -- site builds it");
     }
     SUBCASE("page") {
         fs::remove(parts.base / "page/index.html");

@@ -361,6 +361,7 @@ async function attempt({ name, test, size, options }) {
  * needed it is told. */
 async function runCase(one) {
   const title = `${one.name} (${one.size}`;
+  let reason = '';
   for (let tried = 1; tried <= 2; ++tried) {
     const started = Date.now();
     const wrong = await attempt(one);
@@ -369,9 +370,10 @@ async function runCase(one) {
       if (tried > 1) again.push(`${title})`);
       return console.log(`ok    ${title}, ${((Date.now() - started) / 1000).toFixed(1)} s)`);
     }
+    reason = wrong;
     console.log(`${tried === 1 ? 'again' : 'FAIL '} ${title}): ${wrong}`);
   }
-  failed.push(`${title})`);
+  failed.push(`${title}): ${reason}`);
 }
 
 const all = kCases

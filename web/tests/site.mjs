@@ -24,6 +24,7 @@ const kCases = [
   ['the same hashes as the program', site.sameHashes, ['desktop'], { address: kOpen }],
   ['links', site.links, ['desktop'], { address: kOpen }],
   ['scrub and trim', takes.scrubAndTrim, ['desktop'], { address: kOpen }],
+  ['exports for JuPedSim', site.jupedsim, ['desktop'], { address: kOpen }],
   ['exports', takes.exports, ['desktop'], { address: kOpen }],
   ['build', build.numbers, ['wide'], { address: kOpen, touch: false, room: true }],
   ['go on without the server', standby.goesOn, ['desktop', 'phone'], { fresh: true }],

@@ -18,8 +18,7 @@ const makeWorker = (): EnginePort =>
   new Worker(new URL('../link/engine/engine_worker.ts', import.meta.url), { type: 'module' });
 
 /** What the page loads when it is first used, and could not without a server. */
-async function loadTheRest(base: string): Promise<void> {
-  for (const name of ['muster-exporter.js', 'muster-exporter.wasm']) await fetch(new URL(name, base));
+async function loadTheRest(): Promise<void> {
   await Promise.all([
     import('./build/build_desk'),
     import('./path/path_desk'),
@@ -53,7 +52,7 @@ export function standBy(client: StudioClient, store: StudioStore, folder: string
     await standby.prepare();
     standby.keep();
     store.set({ standby: 'ready' });
-    await loadTheRest(base);
+    await loadTheRest();
   };
   const stopWaiting = client.on('frame', () => {
     stopWaiting();

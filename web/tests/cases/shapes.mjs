@@ -159,19 +159,21 @@ export async function writtenFormation(studio) {
   await studio.until('the written formation', () => globalThis.__muster.state.groups[0].formation === 'points');
   await studio.wait(5000);
   await page.keyboard.press('f');
-  await studio.wait(500);
+  await studio.cameraAtRest();
   await studio.shot('written-formation');
-  const words = await page.evaluate(() => {
-    const { frame, view } = globalThis.__muster;
-    const { places } = frame.groups[0];
-    const at = Array.from({ length: places.length / 2 }, (_, i) =>
-      view.worldToScreen({ x: places[2 * i], y: places[2 * i + 1] }),
-    );
-    const xs = at.map((p) => p.x).sort((a, b) => a - b);
-    const ys = at.map((p) => p.y);
-    return { wide: xs[xs.length - 1] - xs[0], high: Math.max(...ys) - Math.min(...ys), count: at.length };
+  await studio.eventually(async () => {
+    const words = await page.evaluate(() => {
+      const { frame, view } = globalThis.__muster;
+      const { places } = frame.groups[0];
+      const at = Array.from({ length: places.length / 2 }, (_, i) =>
+        view.worldToScreen({ x: places[2 * i], y: places[2 * i + 1] }),
+      );
+      const xs = at.map((p) => p.x).sort((a, b) => a - b);
+      const ys = at.map((p) => p.y);
+      return { wide: xs[xs.length - 1] - xs[0], high: Math.max(...ys) - Math.min(...ys), count: at.length };
+    });
+    expect(words.wide > words.high * 0.9, `HI reads from the left to the right: ${JSON.stringify(words)}`);
   });
-  expect(words.wide > words.high * 0.9, `HI reads from the left to the right: ${JSON.stringify(words)}`);
   // Nothing is left that does nothing.
   const dead = await page.evaluate(() =>
     [...document.querySelectorAll('#ui button')]

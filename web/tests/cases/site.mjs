@@ -1,8 +1,9 @@
 // The studio of a static site: it loads, is steered, keeps takes, plays as the program does, and needs no network.
 import { readdirSync, readFileSync, mkdtempSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join, relative } from 'node:path';
+import { basename, join, relative } from 'node:path';
 import { gzipSync } from 'node:zlib';
+import initSqlJs from 'sql.js';
 import { expect } from '../support/expect.mjs';
 import { crowd, distance, extreme, points, shifted } from '../support/geometry.mjs';
 import { runProgram } from '../support/server.mjs';
@@ -10,7 +11,7 @@ import { serious } from './look.mjs';
 import { play, record, stop } from './takes.mjs';
 
 /** A first load may take so much over the wire, each file compressed by gzip. */
-const kFirstLoad = 1_450_000;
+const kFirstLoad = 900_000;
 
 /** What a first visit loads until people walk, on a page that has nothing yet. */
 export async function firstLoad(browser, server, size) {
@@ -20,17 +21,25 @@ export async function firstLoad(browser, server, size) {
   const outside = [];
   page.on('response', async (answer) => {
     if (!answer.url().startsWith(server.url)) return outside.push(answer.url());
-    loaded.set(relative(server.url, answer.url()) || 'index.html', await answer.body().catch(() => Buffer.alloc(0)));
+    const name = relative(server.url, answer.url()) || 'index.html';
+    loaded.set(name, Buffer.alloc(0));
+    loaded.set(name, await answer.body().catch(() => Buffer.alloc(0)));
   });
   const began = Date.now();
   await page.goto(server.url);
   await page.waitForFunction(() => (globalThis.__muster?.view.stats.shownFrame ?? 0) > 0, null, { timeout: 60000 });
+  const standing = await page.evaluate(() => [...globalThis.__muster.frame.x]);
+  const walked = (xs) => globalThis.__muster.frame.x.some((x, k) => Math.abs(x - xs[k]) > 0.1);
+  await page.waitForFunction(walked, standing, { timeout: 60000, polling: 20 });
   const walking = Date.now() - began;
+  // Answers are read to their ends; what is asked for from now on does not count.
+  const asked = new Set(loaded.keys());
   await page.waitForTimeout(500);
   // Workers' own requests are not told to the page: everything of the site that is needed is counted.
-  for (const name of ['engine/muster-engine.js', 'engine/muster-engine.wasm', 'engine/scenarios.json'])
+  for (const name of ['engine/muster-engine.js', 'engine/muster-engine.wasm.xz', 'engine/scenarios.json'])
     loaded.set(name, readFileSync(join(server.folder, name)));
-  const sizes = [...loaded].map(([name, bytes]) => [name, gzipSync(bytes, { level: 9 }).length]);
+  const counted = [...loaded].filter(([name]) => asked.has(name) || /engine\.|scenarios/.test(name));
+  const sizes = counted.map(([name, bytes]) => [name, gzipSync(bytes, { level: 9 }).length]);
   const sum = sizes.reduce((all, [, bytes]) => all + bytes, 0);
   console.log(
     `measured: first load of a site ${Math.round(sum / 1000)} kB with gzip, a walking crowd after ${walking} ms`,
@@ -108,9 +117,9 @@ export async function takesStay(studio) {
   await studio.until('the replay', () => globalThis.__muster.frame.replaying);
 }
 
-/** The program simulates a take of the page again and finds every hash. */
-export async function sameHashes(studio) {
-  await record(studio, 4);
+/** Records a take of so many seconds; a copy of its file. */
+async function newTake(studio, seconds) {
+  await record(studio, seconds);
   await stop(studio);
   await play(studio);
   const [{ name }] = await shelf(studio);
@@ -120,6 +129,47 @@ export async function sameHashes(studio) {
   }, name);
   const file = join(mkdtempSync(join(tmpdir(), 'muster-site-')), name);
   writeFileSync(file, Buffer.from(bytes));
+  return file;
+}
+
+/** All rows of JuPedSim's file, without SQLite's own words. */
+function jupedsimRows(library, bytes) {
+  const base = new library.Database(bytes);
+  const tables = ['metadata', 'geometry', 'frame_data', 'trajectory_data'];
+  const rows = tables.map((name) => base.exec(`SELECT * FROM ${name} ORDER BY 1, 2`)[0].values);
+  base.close();
+  return rows;
+}
+
+/** JuPedSim's file is written by the page's SQLite and has the rows of the program's. */
+export async function jupedsim(studio) {
+  const take = await newTake(studio, 1.5);
+  const bytes = await studio.page.evaluate(async (name) => {
+    const { ask } = globalThis.__muster;
+    const order = JSON.stringify({ take: name, format: 'jupedsim', fps: 30, from: 0, to: -1 });
+    const { number } = await (await ask('exports', { method: 'POST', body: order })).json();
+    for (;;) {
+      const { state, problem } = await (await ask(`exports/${number}`)).json();
+      if (state === 'failed') throw new Error(problem);
+      if (state === 'done') return [...new Uint8Array(await (await ask(`exports/${number}/file`)).arrayBuffer())];
+      await new Promise((done) => setTimeout(done, 100));
+    }
+  }, basename(take));
+  const file = `${take}.sqlite`;
+  const made = runProgram('export', take, '--format', 'jupedsim', '--fps', '30', '--out', file);
+  expect(made.status === 0, `the program exports it: ${made.stderr}`);
+  const library = await initSqlJs();
+  const [ours, programs] = [Buffer.from(bytes), readFileSync(file)].map((all) => jupedsimRows(library, all));
+  expect(ours[3].length > 1000, `trajectories: ${ours[3].length} rows`);
+  const counts = (tables) => tables.map((rows) => rows.length).join();
+  expect(counts(ours) === counts(programs), `as many rows: ${counts(ours)} and ${counts(programs)}`);
+  const other = ours.findIndex((rows, k) => JSON.stringify(rows) !== JSON.stringify(programs[k]));
+  expect(other < 0, `the same rows in table ${other}: ${JSON.stringify(ours[other]?.slice(0, 3))}`);
+}
+
+/** The program simulates a take of the page again and finds every hash. */
+export async function sameHashes(studio) {
+  const file = await newTake(studio, 4);
   const { status, stdout, stderr } = runProgram('replay', file);
   expect(status === 0, `the program finds the same hashes: ${stdout} ${stderr}`);
   console.log(`measured: a take of the site, replayed by the program: ${stdout.trim().split('\n').at(-1)}`);

@@ -274,6 +274,8 @@ export async function exports(studio) {
   expect(usd.bytes.subarray(0, 5).toString() === '#usda', 'USD');
   const pedpy = await exportOf(studio, 'pedpy');
   expect(/^#/.test(pedpy.bytes.toString()), 'PedPy');
+  const jupedsim = await exportOf(studio, 'jupedsim');
+  expect(jupedsim.bytes.subarray(0, 15).toString() === 'SQLite format 3', 'JuPedSim');
   const page = await exportOf(studio, 'player-page');
   const html = page.bytes.toString();
   expect(

@@ -1,7 +1,14 @@
-// The studio's session: what the studio's page runs in a worker where there is no server (docs/site.md). Its modules come with a
+// The studio's session: what the studio's page runs in a worker where there is no server (docs/site.md). Its module comes with a
 // site, in the folder `engine`.
 
 export { ModuleMemory } from '../binding/module_memory.js';
 export type { ModuleFileSystem } from '../binding/module_types.js';
 export { Engine, type EngineAnswer } from './engine.js';
-export { loadStudioModule, type ExporterModule, type StudioModule } from './studio_module.js';
+export { SplitModule, webSource, type ModuleSource } from './split_module.js';
+export {
+  loadStudioModule,
+  type ExportParts,
+  type LoadedStudioModule,
+  type SqlWriter,
+  type StudioModule,
+} from './studio_module.js';

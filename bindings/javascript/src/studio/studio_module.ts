@@ -1,18 +1,14 @@
-// The WebAssembly modules of a site (apps/engine), with their functions by their names in C.
+// The WebAssembly module of a site (apps/engine), with its functions by their names in C.
 
+import { SplitModule, type ModuleSource } from './split_module.js';
 import type { ModuleFileSystem, ModuleMemoryFunctions, ModuleOptions } from '../binding/module_types.js';
 
 /* eslint-disable @typescript-eslint/naming-convention -- The names are those of the C functions. */
 
-/** What both modules have. */
-interface AnyModule extends ModuleMemoryFunctions {
+export interface StudioModule extends ModuleMemoryFunctions {
   readonly FS: ModuleFileSystem;
   /** The sentence of the last failure. */
   _muster_text(): number;
-}
-
-/** The studio's. */
-export interface StudioModule extends AnyModule {
   _muster_open(scenario: number, version: number): number;
   _muster_connect(): number;
   _muster_disconnect(client: number): void;
@@ -25,29 +21,50 @@ export interface StudioModule extends AnyModule {
   _muster_answer(): number;
   _muster_answer_size(): number;
   _muster_answer_type(): number;
-}
-
-/** That of exports. */
-export interface ExporterModule extends AnyModule {
   _muster_export(order: number, path: number): number;
 }
 
-/** What a module is given. */
-export interface StudioModuleOptions extends ModuleOptions {
-  locateFile(name: string): string;
-  /** Tells how far an export is, 0 to 1. */
-  onProgress(share: number): void;
+/** Writes an SQLite file, as exports for JuPedSim are. Functions answer 1, or 0 where they failed: then `trouble` says why. */
+export interface SqlWriter {
+  readonly trouble: string;
+  open(): number;
+  execute(statements: string): number;
+  /** Adds a value of the next statement that runs. */
+  bind(value: number | string): void;
+  run(statement: string): number;
+  /** The whole file; null where it failed. */
+  close(): Uint8Array | null;
 }
 
-/** Loads a module of a folder by its name, with `engine/` of a site as the folder: 'muster-engine' or 'muster-exporter'. */
-export async function loadStudioModule<Module extends AnyModule>(
+/** What exports need. */
+export interface ExportParts {
+  /** Tells how far it is, 0 to 1. */
+  onProgress?: (share: number) => void;
+  /** Without it exports for JuPedSim fail with a sentence. */
+  sql?: SqlWriter;
+}
+
+export interface LoadedStudioModule {
+  readonly module: StudioModule;
+  /** Loads what is seldom used. Functions that are called before wait for it, and everything with them. */
+  readonly loadRest: () => Promise<void>;
+}
+
+/** Loads the module from a folder, `engine/` of a site. */
+export async function loadStudioModule(
   folder: string,
-  name: string,
-  onProgress: (share: number) => void = () => undefined,
-): Promise<Module> {
-  const locateFile = (file: string): string => new URL(file, folder).href;
-  const { default: make } = (await import(/* @vite-ignore */ /* webpackIgnore: true */ locateFile(`${name}.js`))) as {
-    default: (options: StudioModuleOptions) => Promise<Module>;
+  source: ModuleSource,
+  parts: ExportParts = {},
+): Promise<LoadedStudioModule> {
+  const place = (file: string): string => new URL(file, folder).href;
+  const loader = import(/* @vite-ignore */ /* webpackIgnore: true */ place('muster-engine.js')) as Promise<{
+    default: (options: ModuleOptions & ExportParts) => Promise<StudioModule>;
+  }>;
+  const split = await SplitModule.load(place('muster-engine.wasm.xz'), place('muster-engine-rest.wasm'), source);
+  const instantiateWasm: ModuleOptions['instantiateWasm'] = (imports, use) => {
+    void split.instantiate(imports).then(use);
+    return {};
   };
-  return make({ locateFile, onProgress });
+  const module = await (await loader).default({ ...parts, instantiateWasm });
+  return { module, loadRest: () => split.loadRest() };
 }

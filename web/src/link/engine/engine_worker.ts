@@ -1,6 +1,15 @@
 // The worker that runs the engine: the whole studio's session, or one export.
 
-import { Engine, loadStudioModule, ModuleMemory, type ExporterModule, type StudioModule } from 'muster-engine/studio';
+import {
+  Engine,
+  loadStudioModule,
+  ModuleMemory,
+  webSource,
+  type ExportParts,
+  type LoadedStudioModule,
+} from 'muster-engine/studio';
+import { XzReadableStream } from 'xz-decompress';
+import { FRAME_ACK } from '../../protocol/enums';
 import { EngineLoop, type LoopTimers } from './engine_loop';
 import type { FromEngine, SocketMessage, ToEngine } from './engine_messages';
 import { KeptFiles } from './kept_files';
@@ -12,8 +21,8 @@ const kExport = '/export';
 const kPlayer = '/player';
 /** How often the shelf's files are looked through [ms]. */
 const kSaveEvery = 1000;
-/** Gestures, which are needed later, are loaded when people have begun to walk [ms]. */
-const kGesturesAfter = 1500;
+/** What is needed later is loaded when the page has shown so many frames: people walk. */
+const kMoreAfter = 10;
 const kVersion = 'in this browser';
 
 function post(message: FromEngine, transfer: Transferable[] = []): void {
@@ -51,30 +60,39 @@ function putTexts(files: EngineFiles, texts: Texts): void {
   }
 }
 
-/** Loads a module, with the scenarios in its files. */
-async function load<Module extends StudioModule | ExporterModule>(base: string, name: string): Promise<Module> {
+/** Loads the engine, with the scenarios in its files. */
+async function load(base: string, parts: ExportParts = {}): Promise<LoadedStudioModule> {
   const scenarios = fetchTexts(new URL('scenarios.json', base).href);
-  const module = await loadStudioModule<Module>(base, name, (share) => post({ kind: 'progress', share }));
-  module.FS.mkdirTree(kTakes);
-  putTexts(module.FS, await scenarios);
-  return module;
+  const source = webSource((packed) => new XzReadableStream(packed));
+  const loaded = await loadStudioModule(base, source, parts);
+  loaded.module.FS.mkdirTree(kTakes);
+  putTexts(loaded.module.FS, await scenarios);
+  return loaded;
 }
 
-/** The engine's module, which is loaded once. */
-let prepared: Promise<StudioModule> | null = null;
+/** The engine, which is loaded once. */
+let prepared: Promise<LoadedStudioModule> | null = null;
 
-function prepare(base: string): Promise<StudioModule> {
-  prepared ??= load<StudioModule>(base, 'muster-engine');
+function prepare(base: string): Promise<LoadedStudioModule> {
+  prepared ??= load(base);
   return prepared;
 }
 
 let gestures: Promise<void> | null = null;
 
-/** The touches that scenarios carry: they come when the first crowd walks. */
+/** The touches that scenarios carry. */
 function loadGestures(files: EngineFiles, base: string): Promise<void> {
   gestures ??= fetchTexts(new URL('gestures.json', base).href).then((texts) => putTexts(files, texts));
   return gestures;
 }
+
+/** What comes when the first crowd walks. */
+async function loadMore({ module, loadRest }: LoadedStudioModule, base: string): Promise<void> {
+  await Promise.all([loadRest(), loadGestures(module.FS, base)]);
+}
+
+const isFrameAck = (message: SocketMessage): boolean =>
+  message.kind === 'bytes' && new Uint8Array(message.bytes)[0] === FRAME_ACK;
 
 /** Writes the shelf to the browser's database, one time after the other. */
 function keepShelf(shelf: ShelfFiles): void {
@@ -83,14 +101,18 @@ function keepShelf(shelf: ShelfFiles): void {
 }
 
 async function start({ base, scenario, port }: Extract<ToEngine, { kind: 'start' }>): Promise<EngineHost> {
-  const engine = new Engine(await prepare(base));
+  const loaded = await prepare(base);
+  const engine = new Engine(loaded.module);
   const shelf = new ShelfFiles(engine.files, new KeptFiles(), [kTakes, `${kTakes}/removed`]);
   await shelf.load();
   engine.open(scenario, kVersion);
   keepShelf(shelf);
   const loop = new EngineLoop(engine, port, workerTimers());
-  port.onmessage = ({ data }: MessageEvent<SocketMessage>) => loop.handle(data);
-  self.setTimeout(() => void loadGestures(engine.files, base).catch(failed), kGesturesAfter);
+  let shown = 0;
+  port.onmessage = ({ data }: MessageEvent<SocketMessage>) => {
+    loop.handle(data);
+    if (isFrameAck(data) && ++shown === kMoreAfter) loadMore(loaded, base).catch(failed);
+  };
   return { engine, loop };
 }
 
@@ -110,9 +132,12 @@ async function addPlayer(base: string, files: EngineFiles): Promise<void> {
 }
 
 async function makeExport({ base, order, name, take }: Extract<ToEngine, { kind: 'export' }>): Promise<void> {
-  const module = await load<ExporterModule>(base, 'muster-exporter');
-  const memory = new ModuleMemory(module);
   const { format } = JSON.parse(order) as { format?: unknown };
+  const parts: ExportParts = { onProgress: (share) => post({ kind: 'progress', share }) };
+  if (format === 'jupedsim') parts.sql = await (await import('./sql_files')).loadSqlFiles();
+  const { module, loadRest } = await load(base, parts);
+  await loadRest();
+  const memory = new ModuleMemory(module);
   if (typeof format === 'string' && format.startsWith('player-')) await addPlayer(base, module.FS);
   module.FS.writeFile(`${kTakes}/${name}`, take);
   const wrong = memory.withTexts([order, kExport], ([wish, path]) => module._muster_export(wish!, path!));
@@ -139,7 +164,7 @@ async function answer({ id, method, target, body }: Extract<ToEngine, { kind: 'a
 self.onmessage = ({ data }: MessageEvent<ToEngine>) => {
   if (data.kind === 'prepare') {
     prepare(data.base)
-      .then((module) => loadGestures(module.FS, data.base))
+      .then((loaded) => loadMore(loaded, data.base))
       .then(() => post({ kind: 'prepared' }))
       .catch(failed);
   } else if (data.kind === 'start') {

@@ -1,0 +1,132 @@
+// What somebody does in the first minute with the engine for browsers, without a page: so it is seen which of its functions
+// are needed at once.
+import { readdirSync, readFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const root = join(dirname(fileURLToPath(import.meta.url)), '../..');
+const schema = JSON.parse(readFileSync(join(root, 'protocol/messages.json'), 'utf8'));
+const numberOf = (section, name) => Object.keys(section).indexOf(name);
+const kFrame = numberOf(schema.server, 'Frame');
+const kFirst = 'market';
+/** Each step of the page's loop lets so much time pass [s]. */
+const kTick = 1 / 60;
+
+/** A message to the engine; numbers are given by the names of DataView's functions. */
+function message(name, parts) {
+  const pieces = parts.map(([kind, value]) => {
+    if (kind === 'text') {
+      const text = Buffer.from(value);
+      const length = Buffer.alloc(4);
+      length.writeUInt32LE(text.length);
+      return Buffer.concat([length, text]);
+    }
+    const bytes = new DataView(new ArrayBuffer({ Uint8: 1, Uint32: 4, Float32: 4, Float64: 8 }[kind]));
+    bytes[`set${kind}`](0, value, true);
+    return Buffer.from(bytes.buffer);
+  });
+  return Buffer.concat([Buffer.from([numberOf(schema.client, name)]), ...pieces]);
+}
+
+function touches(events) {
+  const parts = events.flatMap(([phase, touch, x, y, time]) => [
+    ['Uint8', schema.enums.TouchPhase.indexOf(phase)],
+    ['Uint32', touch],
+    ['Float64', x],
+    ['Float64', y],
+    ['Float64', time],
+    ['Uint32', 0],
+  ]);
+  return message('Touches', [['Uint32', events.length], ...parts]);
+}
+
+/** A page's side of a conversation with the module. */
+class FirstVisit {
+  constructor(module) {
+    this.module = module;
+    this.time = 0;
+  }
+
+  /** Puts text or bytes where the module can read them while `action` runs. */
+  with(bytes, action) {
+    const data = typeof bytes === 'string' ? Buffer.from(`${bytes}\0`) : bytes;
+    const at = this.module._malloc(data.length);
+    this.module.HEAPU8.set(data, at);
+    const result = action(at, data.length);
+    this.module._free(at);
+    return result;
+  }
+
+  open(scenario) {
+    const failed = this.with(scenario, (name) => this.with('', (version) => this.module._muster_open(name, version)));
+    if (failed) throw new Error(`the engine could not open ${scenario}`);
+    this.client = this.module._muster_connect();
+    this.send(message('Hello', [['text', '']]));
+    this.send(
+      message('Attend', [
+        ['Float32', 0],
+        ['Float32', 0],
+        ['Uint32', 100],
+      ]),
+    );
+  }
+
+  send(bytes) {
+    this.with(bytes, (at, size) => this.module._muster_receive(this.client, at, size));
+  }
+
+  ask(target) {
+    this.with('GET', (verb) => this.with(target, (path) => this.module._muster_ask(verb, path, 0, 0)));
+    if (this.module._muster_answer_size() === 0) throw new Error(`the engine has no answer to ${target}`);
+    this.module._muster_answer_type();
+    this.module._muster_answer();
+  }
+
+  /** Lets time pass [s], and says of every frame that it was drawn. */
+  play(seconds) {
+    for (let passed = 0; passed < seconds; passed += kTick) {
+      this.module._muster_advance(kTick);
+      this.time += kTick;
+      const count = this.module._muster_collect(this.client);
+      for (let k = 0; k < count; ++k) {
+        const at = this.module._muster_message(k);
+        const bytes = Buffer.from(this.module.HEAPU8.slice(at, at + this.module._muster_message_size(k)));
+        if (bytes[0] === kFrame) this.send(message('FrameAck', [['Uint32', bytes.readUInt32LE(1)]]));
+      }
+    }
+  }
+
+  /** So many fingers side by side move from one place to another [m] and lift. */
+  drag(fingers, [fromX, fromY], [toX, toY]) {
+    const all = (phase, x, y) =>
+      this.send(touches(Array.from({ length: fingers }, (_, k) => [phase, k, x + (k % 2), y + k, this.time])));
+    all('Down', fromX, fromY);
+    for (let k = 1; k <= 30; ++k) {
+      this.play(kTick);
+      all('Move', fromX + ((toX - fromX) * k) / 30, fromY + ((toY - fromY) * k) / 30);
+    }
+    all('Up', toX, toY);
+    this.play(1.5);
+  }
+}
+
+/** Plays the first scenario with touches, by an engine that has just been loaded. */
+export function playFirstVisit(module) {
+  const folder = join(root, 'scenarios');
+  const names = readdirSync(folder, { recursive: true }).filter(
+    (name) => name.endsWith('.json') && !name.startsWith('schema'),
+  );
+  module.FS.mkdirTree('/takes');
+  for (const name of names) {
+    module.FS.mkdirTree(dirname(`/scenarios/${name}`));
+    module.FS.writeFile(`/scenarios/${name}`, readFileSync(join(folder, name)));
+  }
+  const visit = new FirstVisit(module);
+  visit.open(kFirst);
+  for (const target of ['/takes', `/scenario?name=${kFirst}`, '/bodies/body-1.glb', '/bodies/body-1-far.glb']) visit.ask(target);
+  visit.play(3);
+  for (const fingers of [1, 2, 3]) visit.drag(fingers, [-8 + fingers, 0], [2, 3]);
+  for (const action of ['Pause', 'SingleStep', 'Play'])
+    visit.send(message('Playback', [['Uint8', schema.enums.PlaybackAction.indexOf(action)]]));
+  visit.play(1);
+}
