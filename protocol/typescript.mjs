@@ -68,8 +68,6 @@ function tsEnums() {
 export const VERSION = ${schema.version};
 /** Of the WebSocket. */
 export const SUBPROTOCOL = 'muster.v${schema.version}';
-/** The first byte of a FrameAck. */
-export const FRAME_ACK = ${Object.keys(schema.client).indexOf('FrameAck')};
 `;
   for (const [name, values] of Object.entries(schema.enums)) {
     const pairs = values.map((value, i) => `  ${value}: ${i},\n`).join('');

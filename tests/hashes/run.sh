@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Compares the hashes of every scenario, by the exact and by the fast plan, between builds: 1, 2, 3 and 8 threads; -O2;
-# -O3 -march=native; debug (the first quarter); clang where it is installed; WebAssembly under Node. Usage: run.sh [SECONDS]
+# Compares the hashes of every scenario, by the exact and by the fast plan, between builds: 1, 2, 3 and 8 threads;
+# -O3 -march=native; debug (the first quarter); clang with -O2 where it is installed; WebAssembly under Node. Usage: run.sh [SECONDS]
 # The builds other than release compile each module as one file (CMAKE_UNITY_BUILD): they are made from nothing once and
 # hardly ever again.
 set -u
@@ -39,7 +39,7 @@ for threads in 2 3 8; do
     build/release/tests/hashes/scenario_hashes scenarios "$seconds" "$threads" >"$work/threads" || failed=$((failed + 1))
     compare "$threads threads" "$work/threads"
 done
-others=(o2 native debug)
+others=(native debug)
 if command -v clang++ >/dev/null; then others+=(clang); else echo "skipped: clang, which is not installed"; fi
 for name in "${others[@]}"; do
     if build "hashes-$name"; then

@@ -45,6 +45,8 @@ const worker = new Worker(new URL('./link/worker.ts', import.meta.url), { type: 
 const client = new StudioClient(worker);
 const ui = byId('ui', HTMLElement);
 
+/** After the first picture [ms]. */
+const kSeenAfter = 500;
 const kAbout = document.documentElement.dataset;
 
 /** What the page shows: the server writes it to the first element; the studio where it writes nothing. */
@@ -85,11 +87,22 @@ async function start(mode: string | undefined): Promise<object> {
   };
 }
 
+/** Until people have walked for a moment before somebody's eyes. */
+function seen(): Promise<void> {
+  return new Promise((done) => {
+    const look = (): void => {
+      if (view.stats.shownFrame > 0) setTimeout(done, kSeenAfter);
+      else requestAnimationFrame(look);
+    };
+    look();
+  });
+}
+
 /** Where the page has an engine beside it, its folder stands in the first element: no server is asked. */
 async function connect(folder: string | undefined): Promise<void> {
   if (folder === undefined) return client.connect(socketAddress());
   const { startEngine } = await import('./link/engine/start_engine');
-  startEngine(client, folder);
+  startEngine(client, folder, seen());
 }
 
 const shown = start(kAbout['mode']);

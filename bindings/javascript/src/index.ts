@@ -20,4 +20,5 @@ export {
 export type { WasmSource } from './load_module.js';
 export { ModuleFiles } from './module_files.js';
 export { loadMuster, Muster, type LoadOptions } from './muster.js';
+export type { SqlLibrary } from './sql_files.js';
 export { MusterError } from './muster_error.js';

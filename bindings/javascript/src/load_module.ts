@@ -1,6 +1,6 @@
 // Finds and compiles WebAssembly, in Node and in browsers.
 
-import type { MakeModule } from './binding/module_types.js';
+import type { MakeModule, ModuleOptions } from './binding/module_types.js';
 
 /** Where a module's WebAssembly is: an address, its bytes, or what WebAssembly.compile() made of them. */
 export type WasmSource = URL | string | ArrayBuffer | Uint8Array<ArrayBuffer> | WebAssembly.Module;
@@ -38,9 +38,14 @@ async function instantiate(source: WasmSource, imports: WebAssembly.Imports): Pr
 }
 
 /** An instance of a module. Throws why it cannot be had. */
-export function loadModule<Module>(make: MakeModule<Module>, source: WasmSource): Promise<Module> {
+export function loadModule<Module>(
+  make: MakeModule<Module>,
+  source: WasmSource,
+  parts: Pick<ModuleOptions, 'sql'> = {},
+): Promise<Module> {
   return new Promise((done, failed) => {
     make({
+      ...parts,
       // The library prints nothing; what stops it is thrown.
       print: () => undefined,
       printErr: () => undefined,

@@ -6,6 +6,7 @@ import type { MakeModule, MusterModule } from './binding/module_types.js';
 import { kHandleClasses, MusterFunctions } from './generated/verbs.js';
 import { loadModule, type WasmSource } from './load_module.js';
 import { ModuleFiles } from './module_files.js';
+import { SqlFiles, type SqlLibrary } from './sql_files.js';
 import makeModule from 'muster-module';
 
 export class Muster extends MusterFunctions {
@@ -32,10 +33,13 @@ export class Muster extends MusterFunctions {
 export interface LoadOptions {
   /** Where muster.wasm is; beside this file where it is not given. A compiled module can be shared with workers. */
   readonly wasm?: WasmSource | undefined;
+  /** SQLite for exports for JuPedSim: `await initSqlJs()` of the package sql.js. Without it they fail with `Unsupported`. */
+  readonly sqlite?: SqlLibrary | undefined;
 }
 
 /** Loads the library. Each call gives a library with a memory of its own. */
-export async function loadMuster({ wasm }: LoadOptions = {}): Promise<Muster> {
+export async function loadMuster({ wasm, sqlite }: LoadOptions = {}): Promise<Muster> {
   const make = makeModule as MakeModule<MusterModule>;
-  return new Muster(await loadModule(make, wasm ?? new URL('./muster.wasm', import.meta.url)));
+  const parts = sqlite ? { sql: new SqlFiles(sqlite) } : {};
+  return new Muster(await loadModule(make, wasm ?? new URL('./muster.wasm', import.meta.url), parts));
 }

@@ -12,8 +12,8 @@ namespace muster {
 /// A value of a row: INTEGER, REAL or TEXT.
 using SqlValue = std::variant<std::int64_t, double, std::string>;
 
-/// An SQLite file that is made anew and written by one thread: by SQLite's library, or in browsers by what the
-/// module was given as `sql` (web/src/link/engine/sql_files.ts).
+/// An SQLite file that is made anew and written by one thread: by SQLite's library, or in browsers by what
+/// the module was given as `sql` (web/src/link/engine/sql_files.ts).
 class SqlFile {
 public:
     /// Begins a file; nullptr where this build has no SQLite. A file that cannot be opened fails at the first
@@ -23,8 +23,8 @@ public:
 
     /// Executes statements without values; false where one failed.
     virtual bool execute(const char* statements) = 0;
-    /// Executes a statement with a value for each "?"; false where it failed. Statements are prepared once and
-    /// told apart by their addresses, as literals are.
+    /// Executes a statement with a value for each "?"; false where it failed. Statements are prepared once
+    /// and told apart by their addresses, as literals are.
     virtual bool insert(const char* statement, std::span<const SqlValue> values) = 0;
     /// Ends the file; false where it could not be written to its end. Nothing else may be called afterwards.
     virtual bool close() = 0;

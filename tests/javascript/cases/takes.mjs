@@ -1,5 +1,6 @@
 // Takes of the package for the native program, and the reverse.
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { assert, begin, engine, hex, native, refused, test, withScenarios } from '../checks.mjs';
@@ -147,4 +148,28 @@ test('exports are those of the native program: trajectories byte for byte, joint
   refused('Unsupported', 'cancelled', () => take.exportTake(library, 'glb', '/none.glb', {}, () => false));
   assert.equal(muster.files.exists('/none.glb'), false);
   refused('Unsupported', 'jupedsim', () => take.exportTake(library, 'jupedsim', '/a.sqlite'));
+});
+
+test('with an SQLite of the caller files for JuPedSim have the rows of the native program', async () => {
+  const tools = createRequire(new URL('../../../web/package.json', import.meta.url));
+  const sqlite = await tools('sql.js')();
+  const recording = await recorded();
+  const file = join(folder, 'for-jupedsim.take');
+  writeFileSync(file, recording.bytes);
+  const out = join(folder, 'native.sqlite');
+  native('export', file, '--format', 'jupedsim', '--out', out, '--fps', '10', '--to', '3');
+  const muster = await engine.loadMuster({ sqlite });
+  const library = muster.ClipLibrary.own();
+  muster.Take.parse(recording.bytes).exportTake(library, 'jupedsim', '/a.sqlite', { fps: 10, to: 3 });
+  const rows = (bytes) => {
+    const base = new sqlite.Database(bytes);
+    const all = ['metadata', 'geometry', 'frame_data', 'trajectory_data'].map(
+      (table) => base.exec(`SELECT * FROM ${table} ORDER BY 1, 2`)[0].values,
+    );
+    base.close();
+    return all;
+  };
+  const ours = rows(muster.files.read('/a.sqlite'));
+  assert.equal(ours[3].length, 31 * 36);
+  assert.deepEqual(ours, rows(readFileSync(out)));
 });

@@ -3,8 +3,6 @@
 export const VERSION = 10;
 /** Of the WebSocket. */
 export const SUBPROTOCOL = 'muster.v10';
-/** The first byte of a FrameAck. */
-export const FRAME_ACK = 15;
 
 export const TouchPhase = {
   Down: 0,

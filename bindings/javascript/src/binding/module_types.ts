@@ -1,5 +1,7 @@
 // WebAssembly modules as emscripten makes them.
 
+import type { SqlFiles } from '../sql_files.js';
+
 /** A module's files, which lie in its memory. */
 export interface ModuleFileSystem {
   mkdirTree(path: string): void;
@@ -40,6 +42,8 @@ export interface ModuleOptions {
   /** Prints what the C library writes to its output and its errors. */
   print?(line: string): void;
   printErr?(line: string): void;
+  /** For exports as SQLite files. */
+  sql?: SqlFiles;
 }
 
 export type MakeModule<Module> = (options: ModuleOptions) => Promise<Module>;

@@ -24,24 +24,10 @@ export interface StudioModule extends ModuleMemoryFunctions {
   _muster_export(order: number, path: number): number;
 }
 
-/** Writes an SQLite file, as exports for JuPedSim are. Functions answer 1, or 0 where they failed: then `trouble` says why. */
-export interface SqlWriter {
-  readonly trouble: string;
-  open(): number;
-  execute(statements: string): number;
-  /** Adds a value of the next statement that runs. */
-  bind(value: number | string): void;
-  run(statement: string): number;
-  /** The whole file; null where it failed. */
-  close(): Uint8Array | null;
-}
-
 /** What exports need. */
-export interface ExportParts {
+export interface ExportParts extends Pick<ModuleOptions, 'sql'> {
   /** Tells how far it is, 0 to 1. */
   onProgress?: (share: number) => void;
-  /** Without it exports for JuPedSim fail with a sentence. */
-  sql?: SqlWriter;
 }
 
 export interface LoadedStudioModule {

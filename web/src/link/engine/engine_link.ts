@@ -30,16 +30,16 @@ export class EngineLink {
   /** `base`: folder of the engine's files. `failed` is told where the engine cannot run. */
   constructor(
     private readonly worker_: EnginePort,
-    base: string,
+    private readonly base_: string,
     scenario: string,
     makeWorker: () => EnginePort,
     private readonly failed_: (problem: string) => void,
   ) {
     const channel = new MessageChannel();
     this.port = channel.port1;
-    this.exports_ = new EngineExports(base, makeWorker, (path) => this.ask(path));
+    this.exports_ = new EngineExports(base_, makeWorker, (path) => this.ask(path));
     worker_.onmessage = ({ data }) => this.receive(data);
-    worker_.postMessage({ kind: 'start', base, scenario, port: channel.port2 }, [channel.port2]);
+    worker_.postMessage({ kind: 'start', base: base_, scenario, port: channel.port2 }, [channel.port2]);
   }
 
   readonly ask: Ask = async (path, init = {}) => {
@@ -53,6 +53,11 @@ export class EngineLink {
       this.worker_.postMessage({ kind: 'ask', id, method, target, body });
     });
   };
+
+  /** Loads what a crowd that walks did not need. */
+  complete(): void {
+    this.worker_.postMessage({ kind: 'prepare', base: this.base_ });
+  }
 
   private receive(message: FromEngine): void {
     if (message.kind === 'failed') this.failed_(message.problem);

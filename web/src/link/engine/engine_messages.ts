@@ -11,7 +11,7 @@ export interface EngineRequest {
 }
 
 export type ToEngine =
-  /** Loads the engine, so that it can start without a network. */
+  /** Loads all of the engine, so that it can start, or go on, without a network. */
   | { readonly kind: 'prepare'; readonly base: string }
   /** Runs the studio. `port` leads to the link's worker. */
   | { readonly kind: 'start'; readonly base: string; readonly scenario: string; readonly port: MessagePort }

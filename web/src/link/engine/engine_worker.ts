@@ -9,7 +9,6 @@ import {
   type LoadedStudioModule,
 } from 'muster-engine/studio';
 import { XzReadableStream } from 'xz-decompress';
-import { FRAME_ACK } from '../../protocol/enums';
 import { EngineLoop, type LoopTimers } from './engine_loop';
 import type { FromEngine, SocketMessage, ToEngine } from './engine_messages';
 import { KeptFiles } from './kept_files';
@@ -21,8 +20,6 @@ const kExport = '/export';
 const kPlayer = '/player';
 /** How often the shelf's files are looked through [ms]. */
 const kSaveEvery = 1000;
-/** What is needed later is loaded when the page has shown so many frames: people walk. */
-const kMoreAfter = 10;
 const kVersion = 'in this browser';
 
 function post(message: FromEngine, transfer: Transferable[] = []): void {
@@ -86,13 +83,11 @@ function loadGestures(files: EngineFiles, base: string): Promise<void> {
   return gestures;
 }
 
-/** What comes when the first crowd walks. */
-async function loadMore({ module, loadRest }: LoadedStudioModule, base: string): Promise<void> {
+/** Loads everything, also what comes when the first crowd walks. */
+async function complete(base: string): Promise<void> {
+  const { module, loadRest } = await prepare(base);
   await Promise.all([loadRest(), loadGestures(module.FS, base)]);
 }
-
-const isFrameAck = (message: SocketMessage): boolean =>
-  message.kind === 'bytes' && new Uint8Array(message.bytes)[0] === FRAME_ACK;
 
 /** Writes the shelf to the browser's database, one time after the other. */
 function keepShelf(shelf: ShelfFiles): void {
@@ -101,18 +96,13 @@ function keepShelf(shelf: ShelfFiles): void {
 }
 
 async function start({ base, scenario, port }: Extract<ToEngine, { kind: 'start' }>): Promise<EngineHost> {
-  const loaded = await prepare(base);
-  const engine = new Engine(loaded.module);
+  const engine = new Engine((await prepare(base)).module);
   const shelf = new ShelfFiles(engine.files, new KeptFiles(), [kTakes, `${kTakes}/removed`]);
   await shelf.load();
   engine.open(scenario, kVersion);
   keepShelf(shelf);
   const loop = new EngineLoop(engine, port, workerTimers());
-  let shown = 0;
-  port.onmessage = ({ data }: MessageEvent<SocketMessage>) => {
-    loop.handle(data);
-    if (isFrameAck(data) && ++shown === kMoreAfter) loadMore(loaded, base).catch(failed);
-  };
+  port.onmessage = ({ data }: MessageEvent<SocketMessage>) => loop.handle(data);
   return { engine, loop };
 }
 
@@ -134,7 +124,7 @@ async function addPlayer(base: string, files: EngineFiles): Promise<void> {
 async function makeExport({ base, order, name, take }: Extract<ToEngine, { kind: 'export' }>): Promise<void> {
   const { format } = JSON.parse(order) as { format?: unknown };
   const parts: ExportParts = { onProgress: (share) => post({ kind: 'progress', share }) };
-  if (format === 'jupedsim') parts.sql = await (await import('./sql_files')).loadSqlFiles();
+  if (format === 'jupedsim') parts.sql = await (await import('./load_sqlite')).loadSqlite();
   const { module, loadRest } = await load(base, parts);
   await loadRest();
   const memory = new ModuleMemory(module);
@@ -163,8 +153,7 @@ async function answer({ id, method, target, body }: Extract<ToEngine, { kind: 'a
 
 self.onmessage = ({ data }: MessageEvent<ToEngine>) => {
   if (data.kind === 'prepare') {
-    prepare(data.base)
-      .then((loaded) => loadMore(loaded, data.base))
+    complete(data.base)
       .then(() => post({ kind: 'prepared' }))
       .catch(failed);
   } else if (data.kind === 'start') {

@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import initSqlJs, { type SqlJsStatic } from 'sql.js';
 import { beforeAll, describe, expect, it } from 'vitest';
-import { SqlFiles } from './sql_files';
+import { SqlFiles } from 'muster-engine/studio';
 
 let library: SqlJsStatic;
 

@@ -23,8 +23,8 @@ function messageOf(error: unknown): string {
   return error instanceof Error ? error.message : String(error);
 }
 
-/** `folder` of the engine's files, relative to the page. */
-export function startEngine(client: StudioClient, folder: string): void {
+/** `folder` of the engine's files, relative to the page. Once people are `seen` the rest of the engine is loaded. */
+export function startEngine(client: StudioClient, folder: string, seen: Promise<void>): void {
   const base = new URL(folder, document.baseURI).href;
   const fallback = document.documentElement.dataset['scenario'] ?? '';
   const link = new EngineLink(makeWorker(), base, wantedScenario(location.hash) || fallback, makeWorker, (reason) =>
@@ -34,6 +34,7 @@ export function startEngine(client: StudioClient, folder: string): void {
   // Keeps the site's files for visits without a network; where the browser has none, it is loaded anew each time.
   void navigator.serviceWorker?.register('service_worker.js').catch(() => undefined);
   client.connectEngine(link.port);
+  void seen.then(() => link.complete());
   const openFragment = (): void => {
     openLink().catch((error: unknown) => client.tell(problem('link', messageOf(error))));
   };

@@ -1,17 +1,30 @@
-// SQLite files for exports (src/io/export/sql_file.h), by a module that is loaded for them only.
+// SQLite files, as exports for JuPedSim are, by an SQLite that the caller has loaded (src/io/export/sql_file.h).
 
-import initSqlJs, { type Database, type SqlJsStatic, type Statement } from 'sql.js';
-import kModule from 'sql.js/dist/sql-wasm-browser.wasm?url';
-import type { SqlWriter } from 'muster-engine/studio';
+interface SqlStatement {
+  run(values: (number | string)[]): unknown;
+}
+
+interface SqlBase {
+  run(statements: string): unknown;
+  prepare(statement: string): SqlStatement;
+  export(): Uint8Array;
+  close(): void;
+}
+
+/** What is used of an SQLite for JavaScript; the package sql.js gives it: `await initSqlJs()`. */
+export interface SqlLibrary {
+  // eslint-disable-next-line @typescript-eslint/naming-convention -- A class of theirs.
+  readonly Database: new () => SqlBase;
+}
 
 /** Writes one file at a time. Functions answer 1, or 0 where SQLite failed, and keep its words. */
-export class SqlFiles implements SqlWriter {
+export class SqlFiles {
   trouble = '';
-  private base_: Database | null = null;
-  private readonly prepared_ = new Map<string, Statement>();
+  private base_: SqlBase | null = null;
+  private readonly prepared_ = new Map<string, SqlStatement>();
   private values_: (number | string)[] = [];
 
-  constructor(private readonly library_: SqlJsStatic) {}
+  constructor(private readonly library_: SqlLibrary) {}
 
   open(): number {
     return this.tried(() => {
@@ -48,7 +61,7 @@ export class SqlFiles implements SqlWriter {
     return bytes;
   }
 
-  private get opened(): Database {
+  private get opened(): SqlBase {
     if (!this.base_) throw new Error('no file is open');
     return this.base_;
   }
@@ -62,8 +75,4 @@ export class SqlFiles implements SqlWriter {
       return 0;
     }
   }
-}
-
-export async function loadSqlFiles(): Promise<SqlFiles> {
-  return new SqlFiles(await initSqlJs({ locateFile: () => kModule }));
 }
