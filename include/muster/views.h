@@ -39,7 +39,8 @@ enum class Stage : std::uint8_t {
 /// The name of a stage: "commands", "orders", "controls"...
 const char* stageName(Stage stage);
 
-/// Wall time of the last step by stage; it is not part of the state.
+/// Wall time of the last step by stage; it is not part of the state. WebAssembly times the stages of every
+/// eighth step only.
 struct StageTimes {
     std::array<double, static_cast<std::size_t>(Stage::Count)>
         milliseconds{};  ///< Time of each stage [ms], indexed by Stage.

@@ -12,8 +12,8 @@ namespace muster {
 /// A value of a row: INTEGER, REAL or TEXT.
 using SqlValue = std::variant<std::int64_t, double, std::string>;
 
-/// An SQLite file that is made anew and written by one thread: by SQLite's library, or in browsers by what
-/// the module was given as `sql` (web/src/link/engine/sql_files.ts).
+/// A new SQLite file, written by one thread: by SQLite's library, or in browsers by what
+/// the module was given as `sql` (bindings/javascript/src/sql_files.ts).
 class SqlFile {
 public:
     /// Begins a file; nullptr where this build has no SQLite. A file that cannot be opened fails at the first
