@@ -27,6 +27,10 @@ endif()
 # numbers become indices and memory is copied by single instructions, which all browsers have had since 2021.
 if(EMSCRIPTEN)
     target_compile_options(muster_flags INTERFACE $<$<NOT:$<CONFIG:Debug>>:-flto> -mnontrapping-fptoint -mbulk-memory -msign-ext)
+    # Threads share the module's memory, which only isolated pages allow: such a module is another one.
+    if(MUSTER_WASM_THREADS)
+        target_compile_options(muster_flags INTERFACE -pthread)
+    endif()
 endif()
 # g++ 12 joins multiplications and alternating additions of neighbouring numbers to one rounding (vfmaddsub) whatever
 # -ffp-contract says, where the processor can: so it is told that this one cannot.

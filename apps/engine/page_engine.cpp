@@ -44,6 +44,7 @@ PageEngine::PageEngine(const PageEngineDef& def)
       }) {
     SessionDef session;
     session.version = def.version;
+    session.threads = def.threads;
     session.scenarios = folder_.entries();
     session.loadScenario = [this](const std::string& wanted) { return folder_.load(wanted); };
     session.loadGestures = [this](const std::string& of, const WorldDef& begun) {

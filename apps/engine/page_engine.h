@@ -22,6 +22,7 @@ struct PageEngineDef {
     std::string takesFolder = "/takes";         ///< Folder of the shelf of takes.
     std::string scenario;                       ///< Loaded first; empty for the folder's default.
     std::string version;                        ///< Version that is sent to the page.
+    std::int32_t threads = 1;                   ///< Threads of the world.
 };
 
 /// A session with a shelf. Not thread-safe; nothing waits.

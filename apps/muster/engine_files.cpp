@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "base/hash.h"
 #include "base/text_file.h"
@@ -16,7 +18,17 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostModuleBytes = std::size_t{64} << 20;
 constexpr const char* kModules[] = {"muster-engine.js", "muster-engine.wasm.xz", "muster-engine-rest.wasm"};
+/// For isolated pages, where they are built.
+constexpr const char* kThreadModules[] = {"muster-engine-threads.js", "muster-engine-threads.worker.js",
+                                          "muster-engine-threads.wasm"};
 constexpr std::string_view kJsonEnds = ".json";
+
+bool allThere(const std::string& folder, std::span<const char* const> names) {
+    return std::all_of(names.begin(), names.end(), [&](const char* name) {
+        std::error_code ignored;
+        return fs::is_regular_file(fs::path(folder) / name, ignored);
+    });
+}
 
 bool isGestures(const std::string& path) {
     return path.find("gestures/") != std::string::npos;
@@ -47,15 +59,19 @@ std::string versionOf(const FileTexts& files) {
 }
 
 bool engineBuilt(const std::string& folder) {
-    return std::all_of(std::begin(kModules), std::end(kModules), [&](const char* name) {
-        std::error_code ignored;
-        return fs::is_regular_file(fs::path(folder) / name, ignored);
-    });
+    return allThere(folder, kModules);
+}
+
+bool hasThreads(const FileTexts& files) {
+    return files.contains(kThreadModules[0]);
 }
 
 Result<FileTexts> engineModules(const std::string& folder) {
     FileTexts files;
-    for (const char* name : kModules) {
+    std::vector<const char*> names(std::begin(kModules), std::end(kModules));
+    if (allThere(folder, kThreadModules))
+        names.insert(names.end(), std::begin(kThreadModules), std::end(kThreadModules));
+    for (const char* name : names) {
         const fs::path path = fs::path(folder) / name;
         std::error_code ignored;
         if (!fs::is_regular_file(path, ignored))

@@ -15,10 +15,13 @@ using FileTexts = std::map<std::string, std::string>;
 /// A number that follows from paths and contents.
 std::string versionOf(const FileTexts& files);
 
-/// True where that folder holds all modules.
+/// True where that folder holds all modules that are needed.
 bool engineBuilt(const std::string& folder);
-/// The modules. Fails with NotFound, naming the file, where one is not built.
+/// The modules, and those for isolated pages where they are built. Fails with NotFound, naming the file,
+/// where one that is needed is not built.
 Result<FileTexts> engineModules(const std::string& folder);
+/// True where modules for isolated pages are among them.
+bool hasThreads(const FileTexts& files);
 
 /// The scenarios of a folder, as the engine gets them.
 struct ScenarioTexts {

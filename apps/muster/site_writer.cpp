@@ -57,6 +57,11 @@ Status addPage(const SiteDef& def, FileTexts& files) {
 Status addEngine(const SiteDef& def, FileTexts& files) {
     auto modules = engineModules(def.engineFolder);
     if (!modules.ok()) return modules.status();
+    if (hasThreads(*modules))
+        if (Status s = replaceIn(files["index.html"], kHtmlBegins, std::string(kHtmlBegins) + "data-threads ",
+                                 "index.html");
+            !s.ok())
+            return s;
     for (auto& [name, bytes] : *modules) files["engine/" + name] = std::move(bytes);
     return {};
 }

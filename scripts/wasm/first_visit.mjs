@@ -72,7 +72,7 @@ class FirstVisit {
   }
 
   open(scenario) {
-    const failed = this.with(scenario, (name) => this.with('', (version) => this.module._muster_open(name, version)));
+    const failed = this.with(scenario, (name) => this.with('', (version) => this.module._muster_open(name, version, 1)));
     if (failed) throw new Error(`the engine could not open ${scenario}`);
     this.client = this.module._muster_connect();
     this.send(message('Hello', [['text', '']]));

@@ -68,6 +68,11 @@ struct ThreadPool::Impl {
     std::mutex mutex;  // Held only to fall asleep and to wake others.
     std::condition_variable wake;
     std::condition_variable finished;
+    std::atomic<std::int32_t> users{1};  // The pool and its detached workers: the last one deletes this.
+
+    void leave() {
+        if (users.fetch_sub(1) == 1) delete this;
+    }
 
     bool somethingToDo() const {
         return (round.load() & kLeftMask) != 0 || background.load() == Background::Offered || stopping.load();
@@ -150,7 +155,7 @@ struct ThreadPool::Impl {
 };
 
 ThreadPool::ThreadPool(std::int32_t threads) : impl_(std::make_unique<Impl>()) {
-#ifdef __EMSCRIPTEN__
+#if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
     threads = 1;
 #else
     const auto cores = static_cast<std::int32_t>(std::thread::hardware_concurrency());
@@ -158,8 +163,13 @@ ThreadPool::ThreadPool(std::int32_t threads) : impl_(std::make_unique<Impl>()) {
     threads = std::clamp(threads, 1, 256);
     // Where threads share cores, polling would keep the awaited threads from working.
     impl_->spins = threads <= cores ? kSpins : 0;
-    for (std::int32_t i = 1; i < threads; ++i)
-        impl_->workers.emplace_back([impl = impl_.get(), i] { impl->loop(i); });
+    for (std::int32_t i = 1; i < threads; ++i) {
+        impl_->users.fetch_add(1);
+        impl_->workers.emplace_back([impl = impl_.get(), i] {
+            impl->loop(i);
+            impl->leave();
+        });
+    }
 #endif
     impl_->total = threads;
 }
@@ -177,7 +187,16 @@ ThreadPool::~ThreadPool() {
         impl_->stopping.store(true);
     }
     impl_->wake.notify_all();
-    for (auto& worker : impl_->workers) worker.join();
+    // In browsers a thread may begin only after the calling thread has returned to the page: to wait for its
+    // end could mean to wait for ever. Workers have nothing to do any more and touch nothing but their pool.
+    for (auto& worker : impl_->workers) {
+#ifdef __EMSCRIPTEN__
+        worker.detach();
+#else
+        worker.join();
+#endif
+    }
+    impl_.release()->leave();
 }
 
 std::int32_t ThreadPool::threads() const {

@@ -89,6 +89,21 @@ TEST_CASE("a site has the page, its engine and all scenarios") {
     CHECK(files == report->files);
 }
 
+TEST_CASE("modules for isolated pages come where they are built") {
+    const Parts parts;
+    for (const char* name :
+         {"muster-engine-threads.js", "muster-engine-threads.worker.js", "muster-engine-threads.wasm"}) {
+        REQUIRE(writeSite(parts.def).ok());
+        CHECK_FALSE(fs::exists(parts.base / "out/engine/muster-engine-threads.js"));
+        CHECK(parts.read("out/index.html").find("data-threads") == std::string::npos);
+        parts.put(std::string("engine/") + name, name);
+    }
+    REQUIRE(writeSite(parts.def).ok());
+    CHECK(parts.read("out/engine/muster-engine-threads.worker.js") == "muster-engine-threads.worker.js");
+    CHECK(parts.read("out/index.html").find("<html data-threads data-engine=") != std::string::npos);
+    CHECK(parts.read("out/service_worker.js").find("engine/muster-engine-threads.wasm") != std::string::npos);
+}
+
 TEST_CASE("the service worker knows every file, and another content is another version") {
     const Parts parts;
     REQUIRE(writeSite(parts.def).ok());

@@ -30,6 +30,7 @@ const kCases = [
   ['go on without the server', standby.goesOn, ['desktop', 'phone'], { fresh: true }],
   ['no engine, no button', standby.withoutEngine, ['desktop'], { fresh: true }],
   ['large crowds', site.largeCrowds, ['desktop'], { address: kOpen, touch: false }],
+  ['threads', site.threads, ['desktop'], { address: kOpen, touch: false }],
   ['without a network', site.offline, ['desktop', 'phone'], {}],
 ];
 

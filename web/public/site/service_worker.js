@@ -1,6 +1,6 @@
 // Keeps the site's files in the browser, so that it opens without a network. `muster site` replaces the two words in capitals:
 // the files, and a number that follows from their contents.
-/* global self, caches, fetch, Request, URL, FILES */
+/* global self, caches, fetch, Headers, Request, Response, URL, FILES */
 
 const kCache = 'muster-VERSION';
 const kFiles = FILES;
@@ -15,10 +15,18 @@ async function dropOthers() {
   await self.clients.claim();
 }
 
+/** The same answer for an isolated page: such a page may share memory between threads. */
+function isolated(answer) {
+  const headers = new Headers(answer.headers);
+  headers.set('Cross-Origin-Opener-Policy', 'same-origin');
+  headers.set('Cross-Origin-Embedder-Policy', 'require-corp');
+  return new Response(answer.body, { status: answer.status, statusText: answer.statusText, headers });
+}
+
 /** A kept file; whatever else comes from the network. */
 async function answer(request) {
   const kept = await (await caches.open(kCache)).match(request, { ignoreSearch: true });
-  return kept ?? fetch(request);
+  return isolated(kept ?? (await fetch(request)));
 }
 
 self.addEventListener('install', (event) => event.waitUntil(keep().then(() => self.skipWaiting())));

@@ -272,6 +272,25 @@ export async function largeCrowds(studio) {
   }
 }
 
+/** A visit that the service worker answers is isolated: worlds have threads there, and the same hashes. */
+export async function threads(studio, server) {
+  await studio.page.evaluate(() => globalThis.navigator.serviceWorker.ready);
+  await studio.until('the files to be kept', () => globalThis.navigator.serviceWorker.controller !== null);
+  await studio.page.goto(`${server.url}?threads=2#scenario=open`);
+  await studio.page.reload();
+  await studio.until('the first frame', () => (globalThis.__muster?.frame?.groups.length ?? 0) > 0, null, 30000);
+  expect(await studio.page.evaluate(() => globalThis.crossOriginIsolated), 'the page is isolated');
+  const workers = studio.page.workers().map((worker) => worker.url());
+  expect(workers.filter((url) => /threads\.worker/.test(url)).length >= 1, `threads run: ${workers}`);
+  // Worlds come and go with their threads.
+  for (const name of ['paper/x08-congestion', 'market', 'open']) {
+    await studio.send({ type: 'LoadScenario', name });
+    await studio.until(name, (wanted) => globalThis.__muster.state.scenario === wanted, name);
+  }
+  await sameHashes(studio);
+  await largeCrowds(studio);
+}
+
 /** After the first visit the site opens without a network. */
 export async function offline(studio, server) {
   await studio.page.evaluate(() => globalThis.navigator.serviceWorker.ready);

@@ -4,16 +4,20 @@ import type { ModuleMemoryFunctions } from './module_types.js';
 
 export class ModuleMemory {
   private view_: DataView = new DataView(new ArrayBuffer(0));
+  private shared_ = new Uint8Array(0);
 
   constructor(private readonly module_: ModuleMemoryFunctions) {}
 
   /** All of the memory. Another object whenever it has grown. */
   get bytes(): Uint8Array {
-    return this.module_.HEAPU8;
+    const { HEAPU8: bytes, wasmMemory: memory } = this.module_;
+    if (!memory || memory.buffer === bytes.buffer) return bytes;
+    if (this.shared_.buffer !== memory.buffer) this.shared_ = new Uint8Array(memory.buffer);
+    return this.shared_;
   }
 
   get view(): DataView {
-    const { buffer } = this.module_.HEAPU8;
+    const { buffer } = this.bytes;
     if (this.view_.buffer !== buffer) this.view_ = new DataView(buffer);
     return this.view_;
   }
@@ -24,7 +28,8 @@ export class ModuleMemory {
 
   /** A text that ends with a zero. */
   text(at: number): string {
-    return new TextDecoder().decode(this.bytes.subarray(at, this.bytes.indexOf(0, at)));
+    // Shared memory is not decoded, so it is copied.
+    return new TextDecoder().decode(this.bytes.slice(at, this.bytes.indexOf(0, at)));
   }
 
   /** The address; 0 where there is no memory left. */

@@ -22,6 +22,8 @@ export interface ModuleFileSystem {
 
 export interface ModuleMemoryFunctions {
   readonly HEAPU8: Uint8Array;
+  /** Where threads share the memory: another one may have let it grow. */
+  readonly wasmMemory?: WebAssembly.Memory;
   _malloc(size: number): number;
   _free(at: number): void;
 }

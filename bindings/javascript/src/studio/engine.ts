@@ -20,10 +20,10 @@ export class Engine {
     return this.module_.FS;
   }
 
-  /** Begins with a scenario by name, '' for the default. Throws a sentence. */
-  open(scenario: string, version: string): void {
+  /** Begins with a scenario by name, '' for the default, on so many threads where the module has some. Throws a sentence. */
+  open(scenario: string, version: string, threads = 1): void {
     const failed = this.memory_.withTexts([scenario, version], ([name, ofPage]) =>
-      this.module_._muster_open(name!, ofPage!),
+      this.module_._muster_open(name!, ofPage!, threads),
     );
     if (failed !== 0) throw new Error(this.memory_.text(this.module_._muster_text()));
   }

@@ -5,5 +5,11 @@ export { ModuleMemory } from '../binding/module_memory.js';
 export type { ModuleFileSystem } from '../binding/module_types.js';
 export { Engine, type EngineAnswer } from './engine.js';
 export { SplitModule, webSource, type ModuleSource } from './split_module.js';
-export { loadStudioModule, type ExportParts, type LoadedStudioModule, type StudioModule } from './studio_module.js';
+export {
+  loadStudioModule,
+  loadThreadedModule,
+  type ExportParts,
+  type LoadedStudioModule,
+  type StudioModule,
+} from './studio_module.js';
 export { SqlFiles, type SqlLibrary } from '../sql_files.js';

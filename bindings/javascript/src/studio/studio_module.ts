@@ -9,7 +9,7 @@ export interface StudioModule extends ModuleMemoryFunctions {
   readonly FS: ModuleFileSystem;
   /** The sentence of the last failure. */
   _muster_text(): number;
-  _muster_open(scenario: number, version: number): number;
+  _muster_open(scenario: number, version: number, threads: number): number;
   _muster_connect(): number;
   _muster_disconnect(client: number): void;
   _muster_receive(client: number, at: number, size: number): void;
@@ -36,21 +36,40 @@ export interface LoadedStudioModule {
   readonly loadRest: () => Promise<void>;
 }
 
+interface Loader<Options> {
+  default(options: Options): Promise<StudioModule>;
+}
+
+const placed = (file: string, folder: string): string => new URL(file, folder).href;
+
 /** Loads the module from a folder, `engine/` of a site. */
 export async function loadStudioModule(
   folder: string,
   source: ModuleSource,
   parts: ExportParts = {},
 ): Promise<LoadedStudioModule> {
-  const place = (file: string): string => new URL(file, folder).href;
-  const loader = import(/* @vite-ignore */ /* webpackIgnore: true */ place('muster-engine.js')) as Promise<{
-    default: (options: ModuleOptions & ExportParts) => Promise<StudioModule>;
-  }>;
-  const split = await SplitModule.load(place('muster-engine.wasm.xz'), place('muster-engine-rest.wasm'), source);
+  const loader = import(/* @vite-ignore */ /* webpackIgnore: true */ placed('muster-engine.js', folder)) as Promise<
+    Loader<ModuleOptions & ExportParts>
+  >;
+  const [first, rest] = ['muster-engine.wasm.xz', 'muster-engine-rest.wasm'].map((file) => placed(file, folder));
+  const split = await SplitModule.load(first!, rest!, source);
   const instantiateWasm: ModuleOptions['instantiateWasm'] = (imports, use) => {
     void split.instantiate(imports).then(use);
     return {};
   };
   const module = await (await loader).default({ ...parts, instantiateWasm });
   return { module, loadRest: () => split.loadRest() };
+}
+
+/** Worlds of a page change: for a while there are the threads of two or three. */
+const kWorlds = 3;
+
+/** Loads the module for isolated pages, whose worlds may have so many threads. */
+export async function loadThreadedModule(folder: string, threads: number): Promise<LoadedStudioModule> {
+  const loader = (await import(
+    /* @vite-ignore */ /* webpackIgnore: true */ placed('muster-engine-threads.js', folder)
+  )) as Loader<{ locateFile(name: string): string; workers: number }>;
+  const workers = kWorlds * (threads - 1);
+  const module = await loader.default({ workers, locateFile: (file) => placed(file, folder) });
+  return { module, loadRest: () => Promise.resolve() };
 }

@@ -29,7 +29,12 @@ beforeEach(() => {
     others.push(new Worker());
     return others.at(-1)!;
   };
-  link = new EngineLink(worker, 'http://here/engine/', 'market', makeWorker, (problem) => problems.push(problem));
+  link = new EngineLink(
+    worker,
+    { base: 'http://here/engine/', scenario: 'market', threads: 2 },
+    makeWorker,
+    (problem) => problems.push(problem),
+  );
 });
 
 async function nextAsk(count: number): Promise<Extract<ToEngine, { kind: 'ask' }>> {
@@ -42,7 +47,7 @@ function answer(id: number, text: string, status = 200): void {
 }
 
 it('starts the engine, and tells why it cannot run', () => {
-  expect(worker.told[0]).toMatchObject({ kind: 'start', base: 'http://here/engine/', scenario: 'market' });
+  expect(worker.told[0]).toMatchObject({ kind: 'start', base: 'http://here/engine/', scenario: 'market', threads: 2 });
   worker.say({ kind: 'failed', problem: 'no WebAssembly' });
   expect(problems).toEqual(['no WebAssembly']);
 });

@@ -20,26 +20,35 @@ async function bytesOf(body: BodyInit | null | undefined): Promise<Uint8Array> {
   return new Uint8Array(await new Response(body ?? '').arrayBuffer());
 }
 
+export interface EngineBegin {
+  /** Folder of the engine's files. */
+  readonly base: string;
+  readonly scenario: string;
+  /** Of the world; more than one need an isolated page. */
+  readonly threads: number;
+}
+
 export class EngineLink {
   /** Leads to the engine, for the link's worker. */
   readonly port: MessagePort;
   private readonly waiting_ = new Map<number, (answer: Response) => void>();
   private readonly exports_: EngineExports;
+  private readonly base_: string;
   private last_ = 0;
 
-  /** `base`: folder of the engine's files. `failed` is told where the engine cannot run. */
+  /** `failed` is told where the engine cannot run. */
   constructor(
     private readonly worker_: EnginePort,
-    private readonly base_: string,
-    scenario: string,
+    begin: EngineBegin,
     makeWorker: () => EnginePort,
     private readonly failed_: (problem: string) => void,
   ) {
     const channel = new MessageChannel();
     this.port = channel.port1;
-    this.exports_ = new EngineExports(base_, makeWorker, (path) => this.ask(path));
+    this.base_ = begin.base;
+    this.exports_ = new EngineExports(begin.base, makeWorker, (path) => this.ask(path));
     worker_.onmessage = ({ data }) => this.receive(data);
-    worker_.postMessage({ kind: 'start', base: base_, scenario, port: channel.port2 }, [channel.port2]);
+    worker_.postMessage({ kind: 'start', ...begin, port: channel.port2 }, [channel.port2]);
   }
 
   readonly ask: Ask = async (path, init = {}) => {

@@ -14,7 +14,13 @@ export type ToEngine =
   /** Loads all of the engine, so that it can start, or go on, without a network. */
   | { readonly kind: 'prepare'; readonly base: string }
   /** Runs the studio. `port` leads to the link's worker. */
-  | { readonly kind: 'start'; readonly base: string; readonly scenario: string; readonly port: MessagePort }
+  | {
+      readonly kind: 'start';
+      readonly base: string;
+      readonly scenario: string;
+      readonly threads: number;
+      readonly port: MessagePort;
+    }
   | ({ readonly kind: 'ask' } & EngineRequest)
   /** Makes one export of a take and ends. */
   | {

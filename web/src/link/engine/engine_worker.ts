@@ -3,6 +3,7 @@
 import {
   Engine,
   loadStudioModule,
+  loadThreadedModule,
   ModuleMemory,
   webSource,
   type ExportParts,
@@ -58,10 +59,10 @@ function putTexts(files: EngineFiles, texts: Texts): void {
 }
 
 /** Loads the engine, with the scenarios in its files. */
-async function load(base: string, parts: ExportParts = {}): Promise<LoadedStudioModule> {
+async function load(base: string, parts: ExportParts = {}, threads = 1): Promise<LoadedStudioModule> {
   const scenarios = fetchTexts(new URL('scenarios.json', base).href);
   const source = webSource((packed) => new XzReadableStream(packed));
-  const loaded = await loadStudioModule(base, source, parts);
+  const loaded = threads > 1 ? await loadThreadedModule(base, threads) : await loadStudioModule(base, source, parts);
   loaded.module.FS.mkdirTree(kTakes);
   putTexts(loaded.module.FS, await scenarios);
   return loaded;
@@ -70,8 +71,8 @@ async function load(base: string, parts: ExportParts = {}): Promise<LoadedStudio
 /** The engine, which is loaded once. */
 let prepared: Promise<LoadedStudioModule> | null = null;
 
-function prepare(base: string): Promise<LoadedStudioModule> {
-  prepared ??= load(base);
+function prepare(base: string, threads = 1): Promise<LoadedStudioModule> {
+  prepared ??= load(base, {}, threads);
   return prepared;
 }
 
@@ -95,11 +96,11 @@ function keepShelf(shelf: ShelfFiles): void {
   again();
 }
 
-async function start({ base, scenario, port }: Extract<ToEngine, { kind: 'start' }>): Promise<EngineHost> {
-  const engine = new Engine((await prepare(base)).module);
+async function start({ base, scenario, threads, port }: Extract<ToEngine, { kind: 'start' }>): Promise<EngineHost> {
+  const engine = new Engine((await prepare(base, threads)).module);
   const shelf = new ShelfFiles(engine.files, new KeptFiles(), [kTakes, `${kTakes}/removed`]);
   await shelf.load();
-  engine.open(scenario, kVersion);
+  engine.open(scenario, kVersion, threads);
   keepShelf(shelf);
   const loop = new EngineLoop(engine, port, workerTimers());
   port.onmessage = ({ data }: MessageEvent<SocketMessage>) => loop.handle(data);

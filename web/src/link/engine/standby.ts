@@ -67,7 +67,7 @@ export class Standby {
     // An engine that has begun cannot begin again.
     this.worker_ = null;
     const { base, makeWorker, failed, client } = this.parts_;
-    const link = new EngineLink(worker, base, scenario, makeWorker, failed);
+    const link = new EngineLink(worker, { base, scenario, threads: 1 }, makeWorker, failed);
     const world = this.kept_.whole();
     if (world) {
       const taken = await link.ask('handover', { method: 'POST', body: world });

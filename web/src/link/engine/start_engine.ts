@@ -13,6 +13,17 @@ function wantedScenario(hash: string): string {
   return new URLSearchParams(hash.replace(/^#/, '')).get('scenario') ?? '';
 }
 
+/** Most threads of a world: more bring little to crowds of browsers. */
+const kMostThreads = 8;
+
+/** Threads share memory on isolated pages only, which the service worker makes of all visits but the first. A core is left for
+ * the picture; `?threads=` in the address asks for another number. */
+function threadsHere(): number {
+  if (!crossOriginIsolated || document.documentElement.dataset['threads'] === undefined) return 1;
+  const asked = Number(new URLSearchParams(location.search).get('threads') ?? navigator.hardwareConcurrency - 1);
+  return Math.min(Math.max(1, Math.floor(asked) || 1), kMostThreads);
+}
+
 /** A place or a take inside the address is opened. */
 async function openLink(): Promise<void> {
   const shared = await sharedIn(location.hash);
@@ -27,7 +38,8 @@ function messageOf(error: unknown): string {
 export function startEngine(client: StudioClient, folder: string, seen: Promise<void>): void {
   const base = new URL(folder, document.baseURI).href;
   const fallback = document.documentElement.dataset['scenario'] ?? '';
-  const link = new EngineLink(makeWorker(), base, wantedScenario(location.hash) || fallback, makeWorker, (reason) =>
+  const scenario = wantedScenario(location.hash) || fallback;
+  const link = new EngineLink(makeWorker(), { base, scenario, threads: threadsHere() }, makeWorker, (reason) =>
     client.tell(problem('engine', `The engine cannot run here: ${reason}`)),
   );
   answerBy(link.ask);
