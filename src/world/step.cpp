@@ -32,7 +32,8 @@ constexpr StageFunction kStages[] = {
 };
 static_assert(std::size(kStages) == static_cast<std::size_t>(Stage::Count));
 
-// The clock of a browser takes a hundredth of a small world's step: there the stages of every eighth step are timed.
+// The clock of a browser takes a hundredth of a small world's step: there the stages of every eighth step are
+// timed.
 #ifdef __EMSCRIPTEN__
 constexpr std::uint64_t kTimedEvery = 8;
 #else

@@ -58,11 +58,16 @@ function putTexts(files: EngineFiles, texts: Texts): void {
   }
 }
 
+/** The module with threads; null where none are wanted, or where this browser cannot run it. */
+async function loadThreads(base: string, threads: number): Promise<LoadedStudioModule | null> {
+  return threads > 1 ? loadThreadedModule(base, threads).catch(() => null) : null;
+}
+
 /** Loads the engine, with the scenarios in its files. */
 async function load(base: string, parts: ExportParts = {}, threads = 1): Promise<LoadedStudioModule> {
   const scenarios = fetchTexts(new URL('scenarios.json', base).href);
   const source = webSource((packed) => new XzReadableStream(packed));
-  const loaded = threads > 1 ? await loadThreadedModule(base, threads) : await loadStudioModule(base, source, parts);
+  const loaded = (await loadThreads(base, threads)) ?? (await loadStudioModule(base, source, parts));
   loaded.module.FS.mkdirTree(kTakes);
   putTexts(loaded.module.FS, await scenarios);
   return loaded;
