@@ -6,6 +6,7 @@
 #include <sqlite3.h>
 
 #include <map>
+#include <utility>
 #endif
 
 namespace muster {
