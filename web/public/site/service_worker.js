@@ -3,11 +3,14 @@
 /* global self, caches, fetch, Headers, Request, Response, URL, FILES */
 
 const kCache = 'muster-VERSION';
-const kFiles = FILES;
+// With two cores the engine has one thread.
+const kThreads = self.navigator.hardwareConcurrency > 2;
+const kFiles = FILES.filter((path) => kThreads || !path.includes('-threads'));
 
+/** What the browser has already is asked after, not loaded again. */
 async function keep() {
   const cache = await caches.open(kCache);
-  await cache.addAll(kFiles.map((path) => new Request(path, { cache: 'reload' })));
+  await cache.addAll(kFiles.map((path) => new Request(path, { cache: 'no-cache' })));
 }
 
 async function dropOthers() {
@@ -17,6 +20,8 @@ async function dropOthers() {
 
 /** The same answer for an isolated page: such a page may share memory between threads. */
 function isolated(answer) {
+  // The browser follows redirections itself.
+  if (answer.status === 0) return answer;
   const headers = new Headers(answer.headers);
   headers.set('Cross-Origin-Opener-Policy', 'same-origin');
   headers.set('Cross-Origin-Embedder-Policy', 'require-corp');

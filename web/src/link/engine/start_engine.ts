@@ -34,7 +34,7 @@ function messageOf(error: unknown): string {
   return error instanceof Error ? error.message : String(error);
 }
 
-/** `folder` of the engine's files, relative to the page. Once people are `seen` the rest of the engine is loaded. */
+/** `folder` of the engine's files, relative to the page. Once people are `seen` the rest is loaded, and kept. */
 export function startEngine(client: StudioClient, folder: string, seen: Promise<void>): void {
   const base = new URL(folder, document.baseURI).href;
   const fallback = document.documentElement.dataset['scenario'] ?? '';
@@ -43,10 +43,12 @@ export function startEngine(client: StudioClient, folder: string, seen: Promise<
     client.tell(problem('engine', `The engine cannot run here: ${reason}`)),
   );
   answerBy(link.ask);
-  // Keeps the site's files for visits without a network; where the browser has none, it is loaded anew each time.
-  void navigator.serviceWorker?.register('service_worker.js').catch(() => undefined);
   client.connectEngine(link.port);
-  void seen.then(() => link.complete());
+  void seen.then(() => {
+    link.complete();
+    // Keeps the site's files for visits without a network; a browser that has no such workers loads it each time.
+    void navigator.serviceWorker?.register('service_worker.js').catch(() => undefined);
+  });
   const openFragment = (): void => {
     openLink().catch((error: unknown) => client.tell(problem('link', messageOf(error))));
   };

@@ -19,6 +19,16 @@ export interface Tag {
 
 /** Half the height of a tag [CSS px]; view.css agrees. */
 const kHalfHeight = 13;
+/** Between a tag and the panels at the right [CSS px]. */
+const kGap = 8;
+
+/** Where a tag of half that width begins: the name of a patch that is seen moves out from below the panels, which begin at
+ * `right`, as long as it stays above its patch. */
+export function tagLeft({ kind, at }: Pick<Tag, 'kind' | 'at'>, half: number, right: number): number {
+  const centred = at.x - half;
+  if (kind !== 'patch' || at.x > right) return Math.round(centred);
+  return Math.round(Math.max(Math.min(centred, right - kGap - 2 * half), centred - half));
+}
 
 const kSvg = 'http://www.w3.org/2000/svg';
 
@@ -32,8 +42,8 @@ export class TagLayer {
     root.append(this.root_);
   }
 
-  /** Shows exactly these tags; an element stays as long as its key does. */
-  show(tags: readonly Tag[]): void {
+  /** Shows exactly these tags; an element stays as long as its key does. At the right panels begin at `right` [CSS px]. */
+  show(tags: readonly Tag[], right = Infinity): void {
     const unseen = new Set(this.elements_.keys());
     for (const tag of tags) {
       unseen.delete(tag.key);
@@ -46,7 +56,7 @@ export class TagLayer {
         element.dataset['half'] = String(element.offsetWidth / 2);
       }
       // Whole px keep the letters sharp.
-      const left = Math.round(tag.at.x - Number(element.dataset['half']));
+      const left = tagLeft(tag, Number(element.dataset['half']), right);
       element.style.transform = `translate(${left}px, ${Math.round(tag.at.y - kHalfHeight)}px)`;
       element.style.opacity = String(tag.opacity ?? 1);
       if (tag.fill) element.style.background = tag.fill;
