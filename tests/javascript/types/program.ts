@@ -16,7 +16,7 @@ import {
   type Vec2,
   type World,
 } from 'muster-engine';
-import { Engine, loadStudioModule, type StudioModule } from 'muster-engine/studio';
+import { Engine, loadStudioModule, webSource, type StudioModule } from 'muster-engine/studio';
 
 const muster: Muster = await loadMuster({
   wasm: new URL('https://example.org/muster.wasm'),
@@ -49,7 +49,11 @@ const def = muster.Scenario.fromDef({}).def();
 def.groups.push({ ...muster.defaultGroupDef(), name: 'more' });
 muster.World.create(def);
 const took: number = muster.Take.read('/a.take').replay(1, 0, (seen) => seen.stepCount() < 9).steps;
-const engine = new Engine(await loadStudioModule<StudioModule>('https://example.org/engine/', 'muster-engine'));
+const unpack = (packed: ReadableStream<Uint8Array>): ReadableStream<Uint8Array> => packed;
+const { module, loadRest } = await loadStudioModule('https://example.org/engine/', webSource(unpack));
+const session: StudioModule = module;
+const engine = new Engine(session);
+void loadRest();
 engine.open('open', 'a test');
 try {
   world.step(3);
