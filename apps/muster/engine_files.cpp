@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "base/hash.h"
 #include "base/text_file.h"
@@ -28,6 +27,21 @@ bool allThere(const std::string& folder, std::span<const char* const> names) {
         std::error_code ignored;
         return fs::is_regular_file(fs::path(folder) / name, ignored);
     });
+}
+
+Result<FileTexts> readModules(const std::string& folder, std::span<const char* const> names) {
+    FileTexts files;
+    for (const char* name : names) {
+        const fs::path path = fs::path(folder) / name;
+        std::error_code ignored;
+        if (!fs::is_regular_file(path, ignored))
+            return Status(StatusCode::NotFound,
+                          path.string() + ": the engine for browsers is not built; ./run -- site builds it");
+        auto bytes = readTextFile(path.string(), kMostModuleBytes);
+        if (!bytes.ok()) return bytes.status();
+        files[name] = std::move(bytes).value();
+    }
+    return files;
 }
 
 bool isGestures(const std::string& path) {
@@ -62,26 +76,12 @@ bool engineBuilt(const std::string& folder) {
     return allThere(folder, kModules);
 }
 
-bool hasThreads(const FileTexts& files) {
-    return files.contains(kThreadModules[0]);
+Result<FileTexts> engineModules(const std::string& folder) {
+    return readModules(folder, kModules);
 }
 
-Result<FileTexts> engineModules(const std::string& folder) {
-    FileTexts files;
-    std::vector<const char*> names(std::begin(kModules), std::end(kModules));
-    if (allThere(folder, kThreadModules))
-        names.insert(names.end(), std::begin(kThreadModules), std::end(kThreadModules));
-    for (const char* name : names) {
-        const fs::path path = fs::path(folder) / name;
-        std::error_code ignored;
-        if (!fs::is_regular_file(path, ignored))
-            return Status(StatusCode::NotFound,
-                          path.string() + ": the engine for browsers is not built; ./run -- site builds it");
-        auto bytes = readTextFile(path.string(), kMostModuleBytes);
-        if (!bytes.ok()) return bytes.status();
-        files[name] = std::move(bytes).value();
-    }
-    return files;
+Result<FileTexts> threadModules(const std::string& folder) {
+    return allThere(folder, kThreadModules) ? readModules(folder, kThreadModules) : FileTexts();
 }
 
 Result<ScenarioTexts> scenarioTexts(const std::string& folder, bool check) {

@@ -17,11 +17,10 @@ std::string versionOf(const FileTexts& files);
 
 /// True where that folder holds all modules that are needed.
 bool engineBuilt(const std::string& folder);
-/// The modules, and those for isolated pages where they are built. Fails with NotFound, naming the file,
-/// where one that is needed is not built.
+/// The modules that are needed. Fails with NotFound, naming the file, where one is not built.
 Result<FileTexts> engineModules(const std::string& folder);
-/// True where modules for isolated pages are among them.
-bool hasThreads(const FileTexts& files);
+/// Those for isolated pages; none where they are not all built.
+Result<FileTexts> threadModules(const std::string& folder);
 
 /// The scenarios of a folder, as the engine gets them.
 struct ScenarioTexts {

@@ -57,13 +57,14 @@ Status addPage(const SiteDef& def, FileTexts& files) {
 Status addEngine(const SiteDef& def, FileTexts& files) {
     auto modules = engineModules(def.engineFolder);
     if (!modules.ok()) return modules.status();
-    if (hasThreads(*modules))
-        if (Status s = replaceIn(files["index.html"], kHtmlBegins, std::string(kHtmlBegins) + "data-threads ",
-                                 "index.html");
-            !s.ok())
-            return s;
+    auto threads = threadModules(def.engineFolder);
+    if (!threads.ok()) return threads.status();
+    const bool hasThreads = !threads->empty();
+    modules->merge(*threads);
     for (auto& [name, bytes] : *modules) files["engine/" + name] = std::move(bytes);
-    return {};
+    if (!hasThreads) return {};
+    return replaceIn(files["index.html"], kHtmlBegins, std::string(kHtmlBegins) + "data-threads ",
+                     "index.html");
 }
 
 /// All scenarios in one file, and all gestures in another. Their number.

@@ -2,56 +2,19 @@
 // are needed at once.
 import { readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
-import { fileURLToPath } from 'node:url';
+import { root } from '../../protocol/schema.mjs';
+import { encode, fromServer } from '../../protocol/wire.mjs';
 
-const root = join(dirname(fileURLToPath(import.meta.url)), '../..');
-const schema = JSON.parse(readFileSync(join(root, 'protocol/messages.json'), 'utf8'));
-const numberOf = (section, name) => Object.keys(section).indexOf(name);
-const kFrame = numberOf(schema.server, 'Frame');
 const kFirst = 'market';
 /** Each step of the page's loop lets so much time pass [s]. */
 const kTick = 1 / 60;
 
-/** A message to the engine; numbers are given by the names of DataView's functions. */
-function message(name, parts) {
-  const pieces = parts.map(([kind, value]) => {
-    if (kind === 'text') {
-      const text = Buffer.from(value);
-      const length = Buffer.alloc(4);
-      length.writeUInt32LE(text.length);
-      return Buffer.concat([length, text]);
-    }
-    const bytes = new DataView(new ArrayBuffer({ Uint8: 1, Uint32: 4, Float32: 4, Float64: 8 }[kind]));
-    bytes[`set${kind}`](0, value, true);
-    return Buffer.from(bytes.buffer);
-  });
-  return Buffer.concat([Buffer.from([numberOf(schema.client, name)]), ...pieces]);
-}
-
-function touches(events) {
-  const parts = events.flatMap(([phase, touch, x, y, time]) => [
-    ['Uint8', schema.enums.TouchPhase.indexOf(phase)],
-    ['Uint32', touch],
-    ['Float64', x],
-    ['Float64', y],
-    ['Float64', time],
-    ['Uint32', 0],
-  ]);
-  return message('Touches', [['Uint32', events.length], ...parts]);
-}
-
 /** Asks where orders lead: those in the queues of the first groups, which have small numbers, and a new one. */
 function forecasts() {
-  const ask = (group, order, event) => [
-    ['Uint32', group],
-    ['Uint32', order],
-    ['text', event],
-    ['Uint8', order > 1 ? 1 : 0],
-    ...[0, 0, 0].map((value) => ['Float64', value]),
-  ];
-  const asks = [1, 2].flatMap((group) => Array.from({ length: 3 }, (_, k) => ask(group, k + 1, '')));
+  const ask = (group, order, event) => ({ group, order, event, placed: order > 1, x: 0, y: 0, facing: 0 });
+  const asks = [1, 2].flatMap((group) => [1, 2, 3].map((order) => ask(group, order, '')));
   asks.push(ask(1, 0, '{"kind":"move","group":1,"x":3,"y":2}'));
-  return message('AskForecasts', [['Uint32', 1], ['Uint32', asks.length], ...asks.flat()]);
+  return encode('AskForecasts', { number: 1, asks });
 }
 
 /** A page's side of a conversation with the module. */
@@ -72,17 +35,13 @@ class FirstVisit {
   }
 
   open(scenario) {
-    const failed = this.with(scenario, (name) => this.with('', (version) => this.module._muster_open(name, version, 1)));
+    const failed = this.with(scenario, (name) =>
+      this.with('', (version) => this.module._muster_open(name, version, 1)),
+    );
     if (failed) throw new Error(`the engine could not open ${scenario}`);
     this.client = this.module._muster_connect();
-    this.send(message('Hello', [['text', '']]));
-    this.send(
-      message('Attend', [
-        ['Float32', 0],
-        ['Float32', 0],
-        ['Uint32', 100],
-      ]),
-    );
+    this.send(encode('Hello', { name: '' }));
+    this.send(encode('Attend', { x: 0, y: 0, count: 100 }));
   }
 
   send(bytes) {
@@ -105,15 +64,17 @@ class FirstVisit {
       for (let k = 0; k < count; ++k) {
         const at = this.module._muster_message(k);
         const bytes = Buffer.from(this.module.HEAPU8.slice(at, at + this.module._muster_message_size(k)));
-        if (bytes[0] === kFrame) this.send(message('FrameAck', [['Uint32', bytes.readUInt32LE(1)]]));
+        if (bytes[0] === fromServer.Frame) this.send(encode('FrameAck', { frame: bytes.readUInt32LE(1) }));
       }
     }
   }
 
   /** So many fingers side by side move from one place to another [m] and lift. */
   drag(fingers, [fromX, fromY], [toX, toY]) {
-    const all = (phase, x, y) =>
-      this.send(touches(Array.from({ length: fingers }, (_, k) => [phase, k, x + (k % 2), y + k, this.time])));
+    const all = (phase, x, y) => {
+      const finger = (touch) => ({ phase, touch, x: x + (touch % 2), y: y + touch, time: this.time, group: 0 });
+      this.send(encode('Touches', { events: Array.from({ length: fingers }, (_, k) => finger(k)) }));
+    };
     all('Down', fromX, fromY);
     for (let k = 1; k <= 30; ++k) {
       this.play(kTick);
@@ -147,10 +108,9 @@ export function playFirstVisit(module) {
     visit.ask(target);
   visit.play(1);
   visit.send(forecasts());
-  visit.send(message('Ping', [['Float64', 1]]));
+  visit.send(encode('Ping', { time: 1 }));
   visit.play(2);
   for (const fingers of [1, 2, 3]) visit.drag(fingers, [-8 + fingers, 0], [2, 3]);
-  for (const action of ['Pause', 'SingleStep', 'Play'])
-    visit.send(message('Playback', [['Uint8', schema.enums.PlaybackAction.indexOf(action)]]));
+  for (const action of ['Pause', 'SingleStep', 'Play']) visit.send(encode('Playback', { action }));
   visit.play(1);
 }

@@ -1,13 +1,10 @@
 // A raw client for the studio's server: bytes on a socket, so that it can also break every rule.
-import { readFileSync } from 'node:fs';
 import net from 'node:net';
 import { randomBytes } from 'node:crypto';
+import { schema } from '../../protocol/schema.mjs';
+import { encode, fromClient, fromServer } from '../../protocol/wire.mjs';
 
-const schema = JSON.parse(readFileSync(new URL('../../protocol/messages.json', import.meta.url), 'utf8'));
-const numbered = (section) => Object.fromEntries(Object.keys(section).map((name, number) => [name, number]));
-/** First bytes of messages, by name. */
-export const fromServer = numbered(schema.server);
-export const fromClient = numbered(schema.client);
+export { fromClient, fromServer };
 /** The WebSocket's subprotocol. */
 export const kSubprotocol = `muster.v${schema.version}`;
 
@@ -204,36 +201,16 @@ export function readNotice(bytes) {
   return `${code}: ${bytes.subarray(10 + codeLength, 10 + codeLength + textLength).toString()}`;
 }
 
-export function hello() {
-  return Buffer.from([fromClient.Hello, 1, 0, 0, 0, 97]);
-}
-
+export const hello = () => encode('Hello', { name: 'a' });
 /** Ping with a time. */
-export function ping(time) {
-  const bytes = Buffer.alloc(9);
-  bytes[0] = fromClient.Ping;
-  bytes.writeDoubleLE(time, 1);
-  return bytes;
-}
-
-export function ack(frame) {
-  const bytes = Buffer.alloc(5);
-  bytes[0] = fromClient.FrameAck;
-  bytes.writeUInt32LE(frame, 1);
-  return bytes;
-}
+export const ping = (time) => encode('Ping', { time });
+export const ack = (frame) => encode('FrameAck', { frame });
+/** LoadScenario. */
+export const load = (name) => encode('LoadScenario', { name });
 
 /** Step of a Frame message. */
 export function stepOf(bytes) {
   return bytes.readUInt32LE(5);
-}
-
-/** LoadScenario. */
-export function load(name) {
-  const text = Buffer.from(name);
-  const length = Buffer.alloc(4);
-  length.writeUInt32LE(text.length);
-  return Buffer.concat([Buffer.from([fromClient.LoadScenario]), length, text]);
 }
 
 /** Whether a Frame message says that a demonstration runs: behind number, frame, step, time, playing, speed,

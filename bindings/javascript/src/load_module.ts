@@ -27,7 +27,8 @@ async function fetched(address: URL, imports: WebAssembly.Imports): Promise<Inst
     : WebAssembly.instantiate(await answer.arrayBuffer(), imports);
 }
 
-async function instantiate(source: WasmSource, imports: WebAssembly.Imports): Promise<WebAssembly.Instance> {
+/** An instance of what is there. */
+export async function instantiate(source: WasmSource, imports: WebAssembly.Imports): Promise<WebAssembly.Instance> {
   if (source instanceof WebAssembly.Module) return WebAssembly.instantiate(source, imports);
   if (source instanceof ArrayBuffer || ArrayBuffer.isView(source))
     return (await WebAssembly.instantiate(source, imports)).instance;
@@ -37,20 +38,17 @@ async function instantiate(source: WasmSource, imports: WebAssembly.Imports): Pr
   return (await WebAssembly.instantiate(await fileBytes(address), imports)).instance;
 }
 
-/** An instance of a module. Throws why it cannot be had. */
+/** A module with the instance that `instantiated` makes. Throws why it cannot be had. */
 export function loadModule<Module>(
   make: MakeModule<Module>,
-  source: WasmSource,
-  parts: Pick<ModuleOptions, 'sql'> = {},
+  instantiated: (imports: WebAssembly.Imports) => Promise<WebAssembly.Instance>,
+  parts: ModuleOptions = {},
 ): Promise<Module> {
   return new Promise((done, failed) => {
     make({
       ...parts,
-      // The library prints nothing; what stops it is thrown.
-      print: () => undefined,
-      printErr: () => undefined,
       instantiateWasm: (imports, use) => {
-        instantiate(source, imports).then(use).catch(failed);
+        instantiated(imports).then(use).catch(failed);
         return {};
       },
     }).then(done, failed);

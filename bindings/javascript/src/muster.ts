@@ -4,7 +4,7 @@ import type { LogFunction } from './binding/callbacks.js';
 import { Invoker } from './binding/invoker.js';
 import type { MakeModule, MusterModule } from './binding/module_types.js';
 import { kHandleClasses, MusterFunctions } from './generated/verbs.js';
-import { loadModule, type WasmSource } from './load_module.js';
+import { instantiate, loadModule, type WasmSource } from './load_module.js';
 import { ModuleFiles } from './module_files.js';
 import { SqlFiles, type SqlLibrary } from './sql_files.js';
 import makeModule from 'muster-module';
@@ -40,6 +40,12 @@ export interface LoadOptions {
 /** Loads the library. Each call gives a library with a memory of its own. */
 export async function loadMuster({ wasm, sqlite }: LoadOptions = {}): Promise<Muster> {
   const make = makeModule as MakeModule<MusterModule>;
-  const parts = sqlite ? { sql: new SqlFiles(sqlite) } : {};
-  return new Muster(await loadModule(make, wasm ?? new URL('./muster.wasm', import.meta.url), parts));
+  const source = wasm ?? new URL('./muster.wasm', import.meta.url);
+  const module = await loadModule(make, (imports) => instantiate(source, imports), {
+    // The library prints nothing; what stops it is thrown.
+    print: () => undefined,
+    printErr: () => undefined,
+    ...(sqlite ? { sql: new SqlFiles(sqlite) } : {}),
+  });
+  return new Muster(module);
 }

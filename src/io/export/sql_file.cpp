@@ -1,12 +1,13 @@
 #include "io/export/sql_file.h"
 
+#include <utility>
+
 #if defined(__EMSCRIPTEN__)
 #include <emscripten.h>
 #elif MUSTER_SQLITE
 #include <sqlite3.h>
 
 #include <map>
-#include <utility>
 #endif
 
 namespace muster {
@@ -92,7 +93,10 @@ public:
     bool close() override {
         for (const auto& [text, prepared] : prepared_) sqlite3_finalize(prepared);
         prepared_.clear();
-        return sqlite3_close(std::exchange(base_, nullptr)) == SQLITE_OK;
+        // One that cannot be closed stays, to say why.
+        if (sqlite3_close(base_) != SQLITE_OK) return false;
+        base_ = nullptr;
+        return true;
     }
     std::string trouble() const override { return sqlite3_errmsg(base_); }
 

@@ -3,6 +3,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { jupedsimRows } from '../../../web/tests/support/jupedsim_rows.mjs';
 import { assert, begin, engine, hex, native, refused, test, withScenarios } from '../checks.mjs';
 
 const folder = mkdtempSync(join(tmpdir(), 'muster-takes-'));
@@ -161,15 +162,7 @@ test('with an SQLite of the caller files for JuPedSim have the rows of the nativ
   const muster = await engine.loadMuster({ sqlite });
   const library = muster.ClipLibrary.own();
   muster.Take.parse(recording.bytes).exportTake(library, 'jupedsim', '/a.sqlite', { fps: 10, to: 3 });
-  const rows = (bytes) => {
-    const base = new sqlite.Database(bytes);
-    const all = ['metadata', 'geometry', 'frame_data', 'trajectory_data'].map(
-      (table) => base.exec(`SELECT * FROM ${table} ORDER BY 1, 2`)[0].values,
-    );
-    base.close();
-    return all;
-  };
-  const ours = rows(muster.files.read('/a.sqlite'));
+  const ours = jupedsimRows(sqlite, muster.files.read('/a.sqlite'));
   assert.equal(ours[3].length, 31 * 36);
-  assert.deepEqual(ours, rows(readFileSync(out)));
+  assert.deepEqual(ours, jupedsimRows(sqlite, readFileSync(out)));
 });

@@ -6,6 +6,7 @@ import { gzipSync } from 'node:zlib';
 import initSqlJs from 'sql.js';
 import { expect } from '../support/expect.mjs';
 import { crowd, distance, extreme, points, shifted } from '../support/geometry.mjs';
+import { jupedsimRows } from '../support/jupedsim_rows.mjs';
 import { runProgram } from '../support/server.mjs';
 import { serious } from './look.mjs';
 import { play, record, stop } from './takes.mjs';
@@ -130,15 +131,6 @@ async function newTake(studio, seconds) {
   const file = join(mkdtempSync(join(tmpdir(), 'muster-site-')), name);
   writeFileSync(file, Buffer.from(bytes));
   return file;
-}
-
-/** All rows of JuPedSim's file, without SQLite's own words. */
-function jupedsimRows(library, bytes) {
-  const base = new library.Database(bytes);
-  const tables = ['metadata', 'geometry', 'frame_data', 'trajectory_data'];
-  const rows = tables.map((name) => base.exec(`SELECT * FROM ${name} ORDER BY 1, 2`)[0].values);
-  base.close();
-  return rows;
 }
 
 /** JuPedSim's file is written by the page's SQLite and has the rows of the program's. */
@@ -272,10 +264,15 @@ export async function largeCrowds(studio) {
   }
 }
 
-/** A visit that the service worker answers is isolated: worlds have threads there, and the same hashes. */
-export async function threads(studio, server) {
+/** Waits until the service worker has all files. */
+async function filesKept(studio) {
   await studio.page.evaluate(() => globalThis.navigator.serviceWorker.ready);
   await studio.until('the files to be kept', () => globalThis.navigator.serviceWorker.controller !== null);
+}
+
+/** A visit that the service worker answers is isolated: worlds have threads there, and the same hashes. */
+export async function threads(studio, server) {
+  await filesKept(studio);
   await studio.page.goto(`${server.url}?threads=2#scenario=open`);
   await studio.page.reload();
   await studio.until('the first frame', () => (globalThis.__muster?.frame?.groups.length ?? 0) > 0, null, 30000);
@@ -293,8 +290,7 @@ export async function threads(studio, server) {
 
 /** After the first visit the site opens without a network. */
 export async function offline(studio, server) {
-  await studio.page.evaluate(() => globalThis.navigator.serviceWorker.ready);
-  await studio.until('the files to be kept', () => globalThis.navigator.serviceWorker.controller !== null);
+  await filesKept(studio);
   await studio.context.setOffline(true);
   await studio.page.goto(server.url);
   await studio.page.reload();

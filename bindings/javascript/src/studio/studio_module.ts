@@ -1,5 +1,6 @@
 // The WebAssembly module of a site (apps/engine), with its functions by their names in C.
 
+import { loadModule } from '../load_module.js';
 import { SplitModule, type ModuleSource } from './split_module.js';
 import type { ModuleFileSystem, ModuleMemoryFunctions, ModuleOptions } from '../binding/module_types.js';
 
@@ -53,11 +54,7 @@ export async function loadStudioModule(
   >;
   const [first, rest] = ['muster-engine.wasm.xz', 'muster-engine-rest.wasm'].map((file) => placed(file, folder));
   const split = await SplitModule.load(first!, rest!, source);
-  const instantiateWasm: ModuleOptions['instantiateWasm'] = (imports, use) => {
-    void split.instantiate(imports).then(use);
-    return {};
-  };
-  const module = await (await loader).default({ ...parts, instantiateWasm });
+  const module = await loadModule((await loader).default, (imports) => split.instantiate(imports), parts);
   return { module, loadRest: () => split.loadRest() };
 }
 
