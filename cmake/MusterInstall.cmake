@@ -43,13 +43,19 @@ if(MUSTER_BUILD_SHARED OR MUSTER_BUILD_ARCHIVE)
     install(FILES ${CMAKE_CURRENT_BINARY_DIR}/muster.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endif()
 
+# What is installed, as one target.
+add_custom_target(muster_everything)
+foreach(target shared archive program lab)
+    if(TARGET muster_${target})
+        add_dependencies(muster_everything muster_${target})
+    endif()
+endforeach()
+foreach(module ${MUSTER_MODULES})
+    add_dependencies(muster_everything muster_${module})
+endforeach()
+
 if(TARGET muster_program)
-    foreach(whole shared archive)
-        if(TARGET muster_${whole})
-            add_dependencies(muster_program muster_${whole})  # Whoever builds the program can install everything.
-        endif()
-    endforeach()
-    install(TARGETS muster_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+    install(TARGETS muster_program muster_lab RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
     install(DIRECTORY scenarios DESTINATION ${CMAKE_INSTALL_DATADIR}/muster)
     # The page, where it is built: npm run build in web/, or ./run --build.
     install(DIRECTORY web/dist/ DESTINATION ${CMAKE_INSTALL_DATADIR}/muster/web OPTIONAL)

@@ -1,5 +1,6 @@
 // muster study
 #include "commands.h"
+#include "lab_commands.h"
 
 namespace muster {
 
@@ -7,9 +8,7 @@ void addStudyCommand(CommandLine& line) {
     Subcommand study = line.add("study", "The study of touch and mouse (the paper's section 7.5).");
     addStudyRunCommand(study);
     addStudyReplayCommand(study);
-    addStudyModelsCommand(study);
-    addStudyReportCommand(study);
-    addStudyExportCommand(study);
+    addLabCommands(study);
     study.footer(
         "All commands share one database file. Operator models are no people: reports never mix them.\n"
         "Examples:\n"

@@ -7,6 +7,9 @@
 
 namespace muster {
 
+/// Time until somebody looks again where nothing moves and nothing is awaited [s].
+inline constexpr double kLongWait = 1.0;
+
 /// Schedules steps by real time. A backlog beyond two batches is dropped, so that a slow machine slows the
 /// world instead of falling further and further behind.
 class Pacer {

@@ -10,7 +10,6 @@
 namespace muster {
 namespace {
 
-constexpr double kLongWait = 1.0;  // Reported as the time to the next step while paused [s].
 // Events kept for a client that takes no frames; older ones are dropped.
 constexpr std::size_t kMaxEvents = 4096;
 

@@ -9,7 +9,6 @@
 namespace muster {
 namespace {
 
-constexpr double kLongWait = 1.0;          // Reported while nothing moves [s].
 constexpr double kInputsPerSecond = 2000;  // Of one page, on average, and the largest number at once.
 
 }  // namespace

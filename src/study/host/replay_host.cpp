@@ -9,11 +9,6 @@
 #include "study/host/trial_facts.h"
 
 namespace muster {
-namespace {
-
-constexpr double kLongWait = 1.0;  // Reported while nothing moves [s].
-
-}  // namespace
 
 /// A page.
 struct ReplayHost::Client {

@@ -10,7 +10,6 @@
 namespace muster {
 namespace {
 
-constexpr double kLongWait = 1.0;  // Reported while no run goes on [s].
 constexpr std::size_t kNoRun = static_cast<std::size_t>(-1);
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include "character/clips/clip_files.h"
 #include "character/clips/motion_facts.h"
 #include "character/clips/retarget.h"
-#include "commands.h"
+#include "lab_commands.h"
 #include "motion_bodies.h"
 #include "motion_measure.h"
 #include "motion_strip.h"

@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "commands.h"
+#include "lab_commands.h"
 #include "report.h"
 #include "study/study_report.h"
 

@@ -9,7 +9,7 @@
 #include "character/motion/body_overlap.h"
 #include "character/motion/clips_for.h"
 #include "character/motion/motion_report.h"
-#include "commands.h"
+#include "lab_commands.h"
 #include "muster/scenario.h"
 #include "report.h"
 

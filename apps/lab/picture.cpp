@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/text_file.h"
-#include "commands.h"
+#include "lab_commands.h"
 #include "muster/scenario.h"
 #include "muster/take.h"
 #include "options.h"

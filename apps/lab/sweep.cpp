@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/text_file.h"
-#include "commands.h"
+#include "lab_commands.h"
 #include "folders.h"
 #include "muster/parameter_table.h"
 #include "report.h"

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "base/hash.h"
-#include "commands.h"
+#include "command_line.h"
 #include "muster/scenario.h"
 
 namespace muster {

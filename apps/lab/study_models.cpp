@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "base/text_file.h"
-#include "commands.h"
+#include "lab_commands.h"
 #include "report.h"
 #include "slurm_job.h"
 #include "study/series/series.h"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "commands.h"
+#include "lab_commands.h"
 #include "folders.h"
 #include "options.h"
 #include "report.h"
