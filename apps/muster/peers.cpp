@@ -7,12 +7,12 @@
 
 #include "base/text_file.h"
 #include "commands.h"
+#include "engine/state/validation.h"
 #include "muster/scenario.h"
 #include "options.h"
 #include "overrides.h"
 #include "report.h"
 #include "runner.h"
-#include "world/validation.h"
 
 namespace muster {
 namespace {

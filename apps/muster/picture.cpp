@@ -8,14 +8,14 @@
 
 #include "base/text_file.h"
 #include "commands.h"
+#include "engine/state/validation.h"
+#include "lab/picture/picture.h"
 #include "muster/scenario.h"
 #include "muster/take.h"
 #include "options.h"
 #include "overrides.h"
-#include "picture/picture.h"
 #include "report.h"
 #include "touches.h"
-#include "world/validation.h"
 
 namespace muster {
 namespace {

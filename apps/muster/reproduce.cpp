@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "commands.h"
+#include "files/report/markup.h"
 #include "folders.h"
+#include "lab/reproduce/reproduce.h"
 #include "options.h"
 #include "report.h"
-#include "report/markup.h"
-#include "reproduce/reproduce.h"
 
 namespace muster {
 namespace {

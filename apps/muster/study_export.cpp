@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "commands.h"
+#include "lab/study/report/study_export.h"
 #include "report.h"
-#include "study/study_export.h"
 
 namespace muster {
 namespace {

@@ -10,10 +10,10 @@
 
 #include "base/text_file.h"
 #include "commands.h"
+#include "lab/study/series/series.h"
+#include "lab/study/statistics/describe.h"
 #include "report.h"
 #include "slurm_job.h"
-#include "study/series/series.h"
-#include "study/statistics/describe.h"
 
 namespace muster {
 namespace {

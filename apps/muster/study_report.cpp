@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "commands.h"
+#include "lab/study/report/study_report.h"
 #include "report.h"
-#include "study/study_report.h"
 
 namespace muster {
 namespace {
