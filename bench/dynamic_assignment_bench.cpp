@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "assignment/dynamic/dynamic_assignment.h"
 #include "base/random.h"
+#include "engine/assignment/transport/dynamic/dynamic_assignment.h"
 
 namespace {
 

@@ -2,8 +2,8 @@
 #include <benchmark/benchmark.h>
 
 #include "base/random.h"
-#include "cost/unit_cost_builder.h"
-#include "eikonal/eikonal_solver.h"
+#include "engine/fields/cost/unit_cost_builder.h"
+#include "engine/fields/eikonal/eikonal_solver.h"
 
 namespace {
 

@@ -7,18 +7,18 @@
 #include <memory>
 #include <vector>
 
-#include "assignment/dense/transportation_problem.h"
 #include "base/neighbour_list.h"
 #include "base/random.h"
 #include "base/stopwatch.h"
-#include "cost/dynamic_cost.h"
-#include "cost/static_ground.h"
-#include "cost/unit_cost_builder.h"
-#include "eikonal/eikonal_solver.h"
-#include "formation/mesh/arap.h"
-#include "formation/shapes/formation.h"
-#include "planning/fixed_costs.h"
-#include "planning/plan.h"
+#include "engine/assignment/planning/fixed_costs.h"
+#include "engine/assignment/planning/plan.h"
+#include "engine/assignment/transport/dense/transportation_problem.h"
+#include "engine/fields/cost/dynamic_cost.h"
+#include "engine/fields/cost/static_ground.h"
+#include "engine/fields/cost/unit_cost_builder.h"
+#include "engine/fields/eikonal/eikonal_solver.h"
+#include "engine/formation/mesh/arap.h"
+#include "engine/formation/shapes/formation.h"
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "base/stopwatch.h"
-#include "character/motion/parade.h"
 #include "muster/own_clips.h"
+#include "people/motion/parade.h"
 
 namespace {
 

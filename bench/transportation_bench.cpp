@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/random.h"
-#include "planning/plan.h"
+#include "engine/assignment/planning/plan.h"
 
 namespace {
 

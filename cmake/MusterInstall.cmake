@@ -1,4 +1,4 @@
-# cmake --install, find_package(muster [COMPONENTS core motion io studio]), and pkg-config.
+# cmake --install, find_package(muster [COMPONENTS core motion io studio lab]), and pkg-config.
 include(CMakePackageConfigHelpers)
 set(MUSTER_PACKAGE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/muster)
 

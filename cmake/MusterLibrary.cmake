@@ -55,7 +55,7 @@ endfunction()
 
 # muster_cover_engine(target): operators new and delete of the library's own, and of its own copy of the C++ library.
 function(muster_cover_engine target)
-    target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src/capi/host_new.cpp)
+    target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/bindings/c/host_new.cpp)
     target_link_libraries(${target} PRIVATE muster_flags muster_warnings muster_c_world_inside)
     target_link_options(${target} PRIVATE -static-libstdc++ -static-libgcc)
 endfunction()

@@ -120,22 +120,26 @@ function(muster_compile_together target)
     endif()
 endfunction()
 
-# muster_module(path [HEADERS installed...] [USES module...]): builds src/<path> and what lies below it. Its name is the last
-# part of the path; HEADERS are those of include/muster that it implements.
+# muster_module(path [HEADERS installed...] [USES module...]): builds src/<path> and what lies below it, or <path> where that is a
+# folder of bindings/. Its name is the last part of the path; HEADERS are those of include/muster that it implements. No module
+# lies in the folder of another.
 function(muster_module path)
     cmake_parse_arguments(MODULE "" "" "HEADERS;USES" ${ARGN})
     get_filename_component(name ${path} NAME)
     if(NOT MUSTER_COMPONENT IN_LIST MUSTER_COMPONENTS)
         return()
     endif()
-    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${path}/*.cpp)
     set(MUSTER_FOLDER_ROOT ${PROJECT_SOURCE_DIR}/src)
-    muster_headers(${name} ${PROJECT_SOURCE_DIR}/src/${path} ${MODULE_HEADERS})
+    if(path MATCHES "^bindings/")
+        set(MUSTER_FOLDER_ROOT ${PROJECT_SOURCE_DIR})
+    endif()
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${MUSTER_FOLDER_ROOT}/${path}/*.cpp)
+    muster_headers(${name} ${MUSTER_FOLDER_ROOT}/${path} ${MODULE_HEADERS})
 
     set(inside ${PROJECT_BINARY_DIR}/headers/${name}/inside)
     set(outside ${PROJECT_BINARY_DIR}/headers/${name}/outside)
     if(CMAKE_HOST_WIN32)
-        set(inside ${PROJECT_SOURCE_DIR}/src)
+        set(inside ${MUSTER_FOLDER_ROOT})
         set(outside ${PROJECT_SOURCE_DIR}/include)
     endif()
 

@@ -102,7 +102,7 @@ function cppMessages(side, entries) {
 #include <variant>
 #include <vector>
 
-#include "session/protocol_parts.h"
+#include "studio/session/inbox/protocol_parts.h"
 
 namespace muster::protocol {
 
@@ -123,8 +123,8 @@ function cppHeader() {
 
 #include "base/archive.h"
 #include "muster/status.h"
-#include "session/protocol_client.h"
-#include "session/protocol_server.h"
+#include "studio/session/inbox/protocol_client.h"
+#include "studio/session/inbox/protocol_server.h"
 
 namespace muster::protocol {
 
@@ -159,7 +159,7 @@ ${end}`;
 function cppSource() {
   const names = (all) => wrapped(all.map((entry) => `"${entry.name}"`), '    ');
   const cases = (all) => all.map((entry) => `        case ${entry.number}: return decodeAs<Any, ${entry.name}>(bytes);\n`).join('');
-  return `${cppBanner}#include "session/protocol.h"
+  return `${cppBanner}#include "studio/session/inbox/protocol.h"
 
 #include <iterator>
 
@@ -219,10 +219,10 @@ ${cases(server)}        default: return unknown(bytes, std::size(kServerNames));
 /** Files by path. */
 export function cppFiles() {
   return {
-    'src/session/protocol_parts.h': cppParts(),
-    'src/session/protocol_client.h': cppMessages('Client', client),
-    'src/session/protocol_server.h': cppMessages('Server', server),
-    'src/session/protocol.h': cppHeader(),
-    'src/session/protocol.cpp': cppSource(),
+    'src/studio/session/inbox/protocol_parts.h': cppParts(),
+    'src/studio/session/inbox/protocol_client.h': cppMessages('Client', client),
+    'src/studio/session/inbox/protocol_server.h': cppMessages('Server', server),
+    'src/studio/session/inbox/protocol.h': cppHeader(),
+    'src/studio/session/inbox/protocol.cpp': cppSource(),
   };
 }

@@ -63,14 +63,14 @@ links() {
 
 # What only emscripten compiles is left out.
 tidy() {
-    sources '*.cpp' | grep -E '^(src|apps|bench)/' | grep -vE '^apps/engine/(engine_exports|take_exporter)' | xargs -r -P "$(nproc)" -n 1 clang-tidy -p build/style --quiet >"$work/tidy" 2>"$work/errors"
+    sources '*.cpp' | grep -E '^(src|apps|bench|bindings/c)/' | grep -vE '^apps/engine/(engine_exports|take_exporter)' | xargs -r -P "$(nproc)" -n 1 clang-tidy -p build/style --quiet >"$work/tidy" 2>"$work/errors"
     grep -E -A 3 '(warning|error): ' "$work/tidy"
     ! grep -qE '(warning|error): ' "$work/tidy"
 }
 
-# Those of bindings need Python and files that are made by a build.
+# Those of the Python package need Python and files that are made by a build.
 lonely_headers() {
-    sources '*.h' | grep -v '^bindings/' >"$work/headers"
+    sources '*.h' | grep -vE '^bindings/(python|javascript)/' >"$work/headers"
     node scripts/lonely_headers.mjs build/style "$work/headers"
 }
 

@@ -2,8 +2,8 @@
 
 #include <cstdlib>
 
+#include "engine/state/validation.h"
 #include "muster/parameter_table.h"
-#include "world/validation.h"
 
 namespace muster {
 

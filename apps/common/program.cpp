@@ -23,10 +23,12 @@ int failed(const char* reason) {
 
 int runProgram(const std::string& name, const std::string& about, AddCommands add, int argc, char** argv) {
     try {
-        CommandLine line(name, about, MUSTER_VERSION,
-                         "Exit codes: 0 done, 1 failure (one sentence on standard error), 2 wrong command line,\n"
-                         "3 not reproduced: a replay, or a criterion of the paper's experiments.\n"
-                         "`" + name + " COMMAND --help` shows the options of a command, with examples.");
+        CommandLine line(
+            name, about, MUSTER_VERSION,
+            "Exit codes: 0 done, 1 failure (one sentence on standard error), 2 wrong command line,\n"
+            "3 not reproduced: a replay, or a criterion of the paper's experiments.\n"
+            "`" +
+                name + " COMMAND --help` shows the options of a command, with examples.");
         add(line);
         const int code = line.run(argc, argv);
         return allPrinted() || code != kExitOk ? code : failed("standard output cannot be written in full");

@@ -4,10 +4,10 @@
 #include <string>
 
 #include "base/stopwatch.h"
+#include "engine/world/metrics.h"
 #include "json/json.h"
 #include "muster/status.h"
 #include "muster/world_def.h"
-#include "world/metrics.h"
 
 namespace muster {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/world/metrics.h"
 #include "muster/status.h"
-#include "world/metrics.h"
 
 namespace muster {
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "base/output_file.h"
-#include "character/bodies/body.h"
+#include "people/bodies/body.h"
 
 namespace muster {
 

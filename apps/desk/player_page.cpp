@@ -6,7 +6,7 @@
 
 #include "base/base64.h"
 #include "base/text_file.h"
-#include "report/markup.h"
+#include "files/report/markup.h"
 
 namespace muster {
 namespace {

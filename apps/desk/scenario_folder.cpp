@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "character/motion/clips_for.h"
 #include "muster/scenario.h"
+#include "people/motion/clips_for.h"
 
 namespace muster {
 namespace {

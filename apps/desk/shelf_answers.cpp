@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "files/take/take_about.h"
 #include "http_answers.h"
-#include "io/take/take_about.h"
 #include "json/json.h"
 
 namespace muster {

@@ -12,7 +12,7 @@
 
 #include "base/output_file.h"
 #include "base/text_file.h"
-#include "io/take/take_encoder.h"
+#include "files/take/take_encoder.h"
 
 namespace muster {
 namespace {

@@ -17,6 +17,6 @@ void addCommands(muster::CommandLine& line) {
 
 // People type `muster COMMAND`, so that messages call it so.
 int main(int argc, char** argv) {
-    return muster::runProgram("muster", "The laboratory of Muster: experiments, sweeps, studies, pictures.", addCommands,
-                              argc, argv);
+    return muster::runProgram("muster", "The laboratory of Muster: experiments, sweeps, studies, pictures.",
+                              addCommands, argc, argv);
 }

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "character/clips/clip_files.h"
-#include "character/clips/motion_facts.h"
-#include "character/clips/retarget.h"
 #include "lab_commands.h"
 #include "motion_bodies.h"
 #include "motion_measure.h"
 #include "motion_strip.h"
 #include "muster/own_clips.h"
+#include "people/clips/clip_files.h"
+#include "people/clips/motion_facts.h"
+#include "people/clips/retarget.h"
 #include "report.h"
 
 namespace muster {

@@ -5,12 +5,12 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "character/clips/clip_files.h"
-#include "character/motion/body_overlap.h"
-#include "character/motion/clips_for.h"
-#include "character/motion/motion_report.h"
 #include "lab_commands.h"
 #include "muster/scenario.h"
+#include "people/clips/clip_files.h"
+#include "people/motion/body_overlap.h"
+#include "people/motion/clips_for.h"
+#include "people/motion/motion_report.h"
 #include "report.h"
 
 namespace muster {

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "base/output_file.h"
-#include "picture/pose_strip.h"
+#include "lab/picture/pose_strip.h"
 
 namespace muster {
 

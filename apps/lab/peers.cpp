@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "base/text_file.h"
+#include "engine/state/validation.h"
 #include "lab_commands.h"
 #include "muster/scenario.h"
 #include "options.h"
 #include "overrides.h"
 #include "report.h"
 #include "runner.h"
-#include "world/validation.h"
 
 namespace muster {
 namespace {

@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "base/text_file.h"
+#include "engine/state/validation.h"
+#include "lab/picture/picture.h"
 #include "lab_commands.h"
 #include "muster/scenario.h"
 #include "muster/take.h"
 #include "options.h"
 #include "overrides.h"
-#include "picture/picture.h"
 #include "report.h"
 #include "touches.h"
-#include "world/validation.h"
 
 namespace muster {
 namespace {

@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "lab_commands.h"
+#include "files/report/markup.h"
 #include "folders.h"
+#include "lab/reproduce/reproduce.h"
+#include "lab_commands.h"
 #include "options.h"
 #include "report.h"
-#include "report/markup.h"
-#include "reproduce/reproduce.h"
 
 namespace muster {
 namespace {

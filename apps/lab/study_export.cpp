@@ -2,9 +2,9 @@
 #include <cstdio>
 #include <memory>
 
+#include "lab/study/report/study_export.h"
 #include "lab_commands.h"
 #include "report.h"
-#include "study/study_export.h"
 
 namespace muster {
 namespace {

@@ -9,11 +9,11 @@
 #include <tuple>
 
 #include "base/text_file.h"
+#include "lab/study/series/series.h"
+#include "lab/study/statistics/describe.h"
 #include "lab_commands.h"
 #include "report.h"
 #include "slurm_job.h"
-#include "study/series/series.h"
-#include "study/statistics/describe.h"
 
 namespace muster {
 namespace {

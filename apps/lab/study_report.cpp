@@ -2,9 +2,9 @@
 #include <cstdio>
 #include <memory>
 
+#include "lab/study/report/study_report.h"
 #include "lab_commands.h"
 #include "report.h"
-#include "study/study_report.h"
 
 namespace muster {
 namespace {

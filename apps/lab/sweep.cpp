@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "base/text_file.h"
-#include "lab_commands.h"
 #include "folders.h"
+#include "lab/reproduce/experiments/experiment.h"
+#include "lab/reproduce/reproduce.h"
+#include "lab_commands.h"
 #include "muster/parameter_table.h"
 #include "report.h"
-#include "reproduce/experiments/experiment.h"
-#include "reproduce/reproduce.h"
 #include "sweep_parts.h"
 
 namespace muster {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "json/json.h"
+#include "lab/reproduce/reproduce.h"
 #include "muster/status.h"
-#include "reproduce/reproduce.h"
 
 namespace muster {
 

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "character/clips/clip_files.h"
-#include "character/motion/clips_for.h"
 #include "commands.h"
 #include "folders.h"
 #include "muster/export.h"
 #include "muster/own_clips.h"
 #include "options.h"
+#include "people/clips/clip_files.h"
+#include "people/motion/clips_for.h"
 #include "player_page.h"
 #include "report.h"
 

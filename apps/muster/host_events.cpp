@@ -14,7 +14,7 @@
 #include "invitation.h"
 #include "motion_bodies.h"
 #include "report.h"
-#include "session/protocol.h"
+#include "studio/session/inbox/protocol.h"
 
 namespace muster {
 namespace {

@@ -9,12 +9,12 @@
 #include "base/grid.h"
 #include "base/text_file.h"
 #include "commands.h"
-#include "environment/environment.h"
+#include "engine/ground/environment/environment.h"
+#include "engine/ground/routes/route_graph.h"
+#include "engine/state/validation.h"
 #include "muster/scenario.h"
 #include "options.h"
 #include "report.h"
-#include "routes/route_graph.h"
-#include "world/validation.h"
 
 namespace muster {
 namespace {

@@ -48,10 +48,11 @@ int startLab(char** argv) {
     const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
     const std::string lab = (folder / "muster-lab").string();
     execv(lab.c_str(), argv);
-    std::fprintf(stderr,
-                 "muster: '%s' is a command of muster-lab, which is not beside this program: `./run -- %s` builds it "
-                 "(target muster_lab)\n",
-                 argv[1], argv[1]);
+    std::fprintf(
+        stderr,
+        "muster: '%s' is a command of muster-lab, which is not beside this program: `./run -- %s` builds it "
+        "(target muster_lab)\n",
+        argv[1], argv[1]);
     return kExitFailure;
 }
 

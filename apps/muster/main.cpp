@@ -21,6 +21,6 @@ void addCommands(muster::CommandLine& line) {
 
 int main(int argc, char** argv) {
     if (muster::isLabCommand(argc, argv)) return muster::startLab(argv);
-    return muster::runProgram("muster", "Muster directs crowds by formations that bend like cloth.", addCommands, argc,
-                              argv);
+    return muster::runProgram("muster", "Muster directs crowds by formations that bend like cloth.",
+                              addCommands, argc, argv);
 }

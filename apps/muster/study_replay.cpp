@@ -9,8 +9,8 @@
 #include "folders.h"
 #include "host_loop.h"
 #include "report.h"
-#include "study/host/replay_host.h"
-#include "study/store/store.h"
+#include "studio/study/host/replay_host.h"
+#include "studio/study/store/store.h"
 
 namespace muster {
 namespace {

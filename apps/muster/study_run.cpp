@@ -6,11 +6,11 @@
 
 #include "commands.h"
 #include "folders.h"
-#include "gestures/control_scheme.h"
 #include "host_loop.h"
 #include "invitation.h"
 #include "report.h"
-#include "study/host/study_host.h"
+#include "studio/gestures/control_scheme.h"
+#include "studio/study/host/study_host.h"
 
 namespace muster {
 namespace {

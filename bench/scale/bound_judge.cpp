@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "base/maths.h"
-#include "eikonal/eikonal_solver.h"
-#include "planning/exact/connected_regions.h"
+#include "engine/assignment/planning/exact/connected_regions.h"
+#include "engine/fields/eikonal/eikonal_solver.h"
 #include "scale/judge.h"
 #include "scale/sparse_assignment.h"
 

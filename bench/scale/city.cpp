@@ -5,7 +5,7 @@
 
 #include "base/random.h"
 #include "base/text_file.h"
-#include "routes/route_search.h"
+#include "engine/ground/routes/route_search.h"
 #include "scale/spots.h"
 
 namespace muster::scale {

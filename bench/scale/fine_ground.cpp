@@ -1,7 +1,7 @@
 #include "scale/fine_ground.h"
-#include "environment/environment.h"
-#include "world/inspect.h"
-#include "world/state/layer_defs.h"
+#include "engine/ground/environment/environment.h"
+#include "engine/state/layer_defs.h"
+#include "engine/world/inspect.h"
 
 namespace muster::scale {
 

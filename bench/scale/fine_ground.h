@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "cost/unit_cost_builder.h"
+#include "engine/fields/cost/unit_cost_builder.h"
 #include "muster/world.h"
 
 namespace muster::scale {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/maths.h"
-#include "planning/fixed_costs.h"
-#include "planning/plan.h"
+#include "engine/assignment/planning/fixed_costs.h"
+#include "engine/assignment/planning/plan.h"
 
 namespace muster::scale {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "cost/unit_cost.h"
+#include "engine/fields/cost/unit_cost.h"
 #include "muster/status.h"
 
 namespace muster::scale {

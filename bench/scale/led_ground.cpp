@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <vector>
 
+#include "engine/ground/routes/route_search.h"
+#include "engine/world/inspect.h"
 #include "muster/event.h"
-#include "routes/route_search.h"
 #include "scale/meter.h"
-#include "world/inspect.h"
 
 namespace muster::scale {
 namespace {

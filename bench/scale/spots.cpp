@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "base/maths.h"
-#include "routes/route_graph.h"
+#include "engine/ground/routes/route_graph.h"
 
 namespace muster::scale {
 namespace {

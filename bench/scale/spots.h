@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "environment/environment.h"
+#include "engine/ground/environment/environment.h"
 #include "muster/world_def.h"
 
 namespace muster::scale {

@@ -11,6 +11,7 @@
 #include "muster/id.h"
 #include "muster/order_commands.h"
 #include "muster/place_commands.h"
+#include "muster/status.h"
 #include "muster/unit_commands.h"
 #include "muster/world_def.h"
 
@@ -265,5 +266,11 @@ const char* commandName(const Command& command);
 /// Checks what does not depend on the world. Fails with InvalidArgument where a number is not finite or out
 /// of its range.
 Status validateCommand(const Command& command);
+
+/// A command that could not be applied, and why.
+struct Rejection {
+    Command command;  ///< The command that failed.
+    Status status;    ///< Reason of the failure.
+};
 
 }  // namespace muster

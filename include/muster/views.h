@@ -15,8 +15,8 @@
 #include "muster/obstacle.h"
 #include "muster/order.h"
 #include "muster/patch.h"
-#include "muster/status.h"
 #include "muster/vec2.h"
+#include "muster/walk_totals.h"
 
 namespace muster {
 
@@ -45,30 +45,6 @@ struct StageTimes {
     std::array<double, static_cast<std::size_t>(Stage::Count)>
         milliseconds{};  ///< Time of each stage [ms], indexed by Stage.
     double total = 0.0;  ///< Time of the whole step [ms].
-};
-
-/// A command that could not be applied, and why.
-struct Rejection {
-    Command command;  ///< The command that failed.
-    Status status;    ///< Reason of the failure.
-};
-
-/// Sums over the path costs of all characters with a place, in metres of open ground.
-struct WalkTotals {
-    double sum = 0.0;      ///< Sum of the costs [m].
-    double squares = 0.0;  ///< Sum of the squared costs [m^2].
-    double longest = 0.0;  ///< Largest cost [m].
-
-    /// Adds the cost of one path; infinite costs are ignored.
-    void add(double walk);
-    /// Adds the totals of other paths.
-    void add(const WalkTotals& others);
-
-    /// Lets an archive read or write the totals.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(sum, squares, longest);
-    }
 };
 
 /// What can be read of a group. Text and spans are valid until the world steps or ends.

@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "base/random.h"
-#include "cost/unit_cost_builder.h"
-#include "eikonal/eikonal_solver.h"
+#include "engine/fields/cost/unit_cost_builder.h"
+#include "engine/fields/eikonal/eikonal_solver.h"
 #include "scale/judge.h"
 
 using namespace muster;

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/state/validation.h"
 #include "scale/case.h"
 #include "scale/options.h"
 #include "scale/quality.h"
 #include "scale/report.h"
-#include "world/validation.h"
 
 using namespace muster;
 using namespace muster::scale;

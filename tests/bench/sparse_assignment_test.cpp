@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "assignment/dense/transportation_problem.h"
 #include "base/random.h"
+#include "engine/assignment/transport/dense/transportation_problem.h"
 #include "scale/sparse_assignment.h"
 
 using namespace muster;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/program.h"
-#include "io/take/take_encoder.h"
+#include "files/take/take_encoder.h"
 #include "muster/scenario.h"
 #include "muster/take.h"
 

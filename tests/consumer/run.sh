@@ -138,7 +138,7 @@ check "the exported file" test -s "$work/record_export.out/sample.glb"
 check "the installed headers" headers_alone
 check "the headers of the C API" c_headers_alone
 check "the symbols of the shared library" symbols_hidden
-check "the description of the API" bash "$root/tests/capi/description.sh" "$work/prefix/include" "$work/prefix/lib"
+check "the description of the API" bash "$root/tests/bindings/c/description.sh" "$work/prefix/include" "$work/prefix/lib"
 check "pkg-config" by_pkg_config
 check "components" components
 check "the recipes of package managers" bash "$root/packaging/check.sh"

@@ -1,8 +1,8 @@
 // Runs a jam and measures it as `muster play` does.
 #pragma once
 
+#include "engine/world/metrics.h"
 #include "jams/jam_scene.h"
-#include "world/metrics.h"
 
 namespace muster::testing {
 

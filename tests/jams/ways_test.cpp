@@ -5,13 +5,13 @@
 #include <map>
 #include <set>
 
-#include "crowd/characters.h"
+#include "engine/passages/way_number.h"
+#include "engine/steering/characters.h"
+#include "engine/world/inspect.h"
+#include "engine/world/world_engine.h"
 #include "folders.h"
 #include "jams/jam_run.h"
 #include "muster/scenario.h"
-#include "passages/way_number.h"
-#include "world/inspect.h"
-#include "world/world_engine.h"
 
 using namespace muster;
 using namespace muster::testing;

@@ -1,4 +1,4 @@
-// SQLite files, as exports for JuPedSim are, by an SQLite that the caller has loaded (src/io/export/sql_file.h).
+// SQLite files, as exports for JuPedSim are, by an SQLite that the caller has loaded (src/files/export/sql_file.h).
 
 interface SqlStatement {
   run(values: (number | string)[]): unknown;

@@ -29,7 +29,7 @@ ENGINE_ONLY = [
     *(f"-DMUSTER_BUILD_{part}=OFF" for part in ("SHARED", "ARCHIVE", "APPS", "TESTS", "HASHES", "ENGINE", "SCALE")),
 ]
 # What the engine is built from, for source distributions.
-SOURCES = ["CMakeLists.txt", "LICENSE", "cmake", "include", "src", "bindings/python"]
+SOURCES = ["CMakeLists.txt", "LICENSE", "cmake", "include", "src", "bindings/c", "bindings/python"]
 
 
 class BuildError(SystemExit):

@@ -13,7 +13,7 @@ from read_headers import Enumeration, Field, HeaderError, Struct, read_header
 
 HEADERS = (
     "appearance formation geometry obstacle patch unit order control map_import world_def order_commands unit_commands "
-    "place_commands command event characters views take"
+    "place_commands command event characters walk_totals views take"
 ).split()
 # What has a Python class of its own, or none.
 LEFT_OUT = {
@@ -208,7 +208,7 @@ def command_names(header: Path) -> list[str]:
 def main() -> None:
     root, folder = Path(sys.argv[1]), Path(sys.argv[2])
     include = root / "include/muster"
-    paths = [include / f"{name}.h" for name in HEADERS] + [root / "src/world/metrics.h"]
+    paths = [include / f"{name}.h" for name in HEADERS] + [root / "src/engine/world/metrics.h"]
     things = [thing for path in paths for thing in read_header(path) if thing.name not in LEFT_OUT]
     commands = command_names(include / "command.h")
     things = in_order(things, commands)

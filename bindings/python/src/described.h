@@ -7,12 +7,12 @@
 #include <tuple>
 #include <type_traits>
 
+#include "engine/world/metrics.h"
 #include "muster/command.h"
 #include "muster/event.h"
 #include "muster/take.h"
 #include "muster/views.h"
 #include "muster/world_def.h"
-#include "world/metrics.h"
 
 namespace muster::python {
 

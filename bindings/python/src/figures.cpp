@@ -1,6 +1,6 @@
 // muster.RunMetrics
+#include "engine/world/metrics.h"
 #include "to_python.h"
-#include "world/metrics.h"
 #include "world_handle.h"
 
 namespace muster::python {

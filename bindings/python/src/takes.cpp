@@ -2,8 +2,8 @@
 #include <memory>
 
 #include "array_view.h"
+#include "files/export/exporter.h"
 #include "from_python.h"
-#include "io/export/exporter.h"
 #include "muster/export.h"
 #include "muster/own_clips.h"
 #include "muster/take.h"

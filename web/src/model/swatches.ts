@@ -1,4 +1,4 @@
-// The colours that groups are offered: each for light and for dark ground. Files keep the light one (src/picture/swatches.cpp has
+// The colours that groups are offered: each for light and for dark ground. Files keep the light one (src/lab/picture/swatches.cpp has
 // the same pairs).
 
 export interface Swatch {

@@ -62,7 +62,7 @@ const everyMessage: ClientMessage[] = [
 
 describe('the bytes', () => {
   it('are those that the protocol promises', () => {
-    // The same lines stand in tests/session/protocol_test.cpp.
+    // The same lines stand in tests/studio/session/protocol_test.cpp.
     expect(hex(encodeClient({ type: 'Hello', name: 'ab' }))).toBe('00020000006162');
     expect(
       hex(

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { KeptWorld } from './kept_world';
 
-/** A handover as src/session/handover.cpp writes it. */
+/** A handover as src/studio/session/takes/handover.cpp writes it. */
 function handover(world: number, takeFrom: number, take: number[], rest: number[]): Uint8Array {
   const bytes = new Uint8Array(32 + take.length + rest.length);
   const view = new DataView(bytes.buffer);

@@ -1,4 +1,4 @@
-// The frames of a crowd (src/io/export/player/crowd_track.cpp writes them): who is there, where, and which clip they play.
+// The frames of a crowd (src/files/export/player/crowd_track.cpp writes them): who is there, where, and which clip they play.
 
 import type { PlayedClip } from './figures_reader';
 import type { PlayerHead } from './player_file';

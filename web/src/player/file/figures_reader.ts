@@ -1,4 +1,4 @@
-// Skeleton, bodies and clips of a player's file (src/io/export/player/figures.cpp writes them).
+// Skeleton, bodies and clips of a player's file (src/files/export/player/figures.cpp writes them).
 
 import { DamagedFile, NumberModel, BitModel, RangeDecoder } from './range_decoder';
 

@@ -1,4 +1,4 @@
-// Makes meshes from the shapes of a scene, as src/io/export/scene_mesh.cpp does.
+// Makes meshes from the shapes of a scene, as src/files/export/scene_mesh.cpp does.
 
 export type Point = readonly [number, number, number];
 

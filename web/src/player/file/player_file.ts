@@ -1,4 +1,4 @@
-// The parts of a player's file, and what its head says. The layout is that of src/io/export/player/player_format.h.
+// The parts of a player's file, and what its head says. The layout is that of src/files/export/player/player_format.h.
 
 import { DamagedFile } from './range_decoder';
 

@@ -1,4 +1,4 @@
-// Reads numbers that an adaptive range coder wrote (src/io/export/player/range_encoder.h has the writer, with the same models).
+// Reads numbers that an adaptive range coder wrote (src/files/export/player/range_encoder.h has the writer, with the same models).
 
 const kShareBits = 15;
 const kLeastRange = 1 << 24;

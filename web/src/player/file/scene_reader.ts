@@ -1,4 +1,4 @@
-// Ground, obstacles and patches of a player's file (src/io/export/player/scene_record.cpp writes their shapes).
+// Ground, obstacles and patches of a player's file (src/files/export/player/scene_record.cpp writes their shapes).
 
 import { MeshMaker, type Point, type SceneMesh } from './mesh_maker';
 import { BitModel, DamagedFile, NumberModel, RangeDecoder } from './range_decoder';

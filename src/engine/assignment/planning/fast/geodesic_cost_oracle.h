@@ -1,0 +1,95 @@
+// The cost oracle of the fast plan: pair costs by geodesics or by straight lines.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "engine/assignment/planning/planned_ways.h"
+#include "engine/assignment/transport/dynamic/cost_oracle.h"
+#include "engine/fields/geodesics/geodesics.h"
+
+namespace muster {
+
+/// Costs of the characters to their incumbent places are given, since their guidance has evaluated them
+/// already.
+class GeodesicCostOracle final : public CostOracle {
+public:
+    /// Takes the state of this step; all must outlive the last query. `incumbentCost` is the cost of each
+    /// character to its place in `incumbent` (-1 for none) [m]. `geodesic` is false for straight-line costs.
+    /// `barred`, `wait` and `slowness` as in PlanInput; `incumbentCost` counts that.
+    void set(const Geodesics& geodesics, const PlannedWays& ways, bool geodesic,
+             std::span<const Vec2> characters, std::span<const Vec2> places,
+             std::span<const std::int32_t> incumbent, std::span<const float> incumbentCost,
+             std::span<const std::int32_t> barred, std::span<const float> wait,
+             std::span<const float> slowness) {
+        geodesics_ = &geodesics;
+        ways_ = ways;
+        geodesic_ = geodesic;
+        characters_ = characters;
+        places_ = places;
+        incumbent_ = incumbent;
+        incumbentCost_ = incumbentCost;
+        barred_ = barred;
+        wait_ = wait;
+        slowness_ = slowness;
+        leastSlowness_ = 1.0f;
+        for (const float factor : slowness) leastSlowness_ = std::min(leastSlowness_, factor);
+    }
+    /// What a way costs a character that costs others `walk` [m]. Who is slow can still reach all that
+    /// others reach.
+    static float slowed(float walk, float slowness) {
+        constexpr float kMost = 0.999f * kUnreachable;
+        return walk < kMost ? std::min(walk * slowness, kMost) : walk;
+    }
+    float cost(std::int32_t character, std::int32_t place) override { return pairCost(character, place); }
+    double leastUnitCost() const override {
+        return leastSlowness_ * (geodesic_ ? geodesics_->leastUnitCost() : 1.0);
+    }
+    double lowerBound(std::int32_t character, std::int32_t place) const override {
+        if (!geodesic_) return 0.0;
+        const double walk = geodesics_->lowerBound(characters_[character], place);
+        return slowness_.empty() ? walk : slowed(static_cast<float>(walk), slowness_[character]);
+    }
+    bool unsteady(std::int32_t character, std::int32_t place) const override {
+        return geodesic_ && (geodesics_->hasMovingCost(characters_[character]) ||
+                             geodesics_->hasMovingCost(places_[place]));
+    }
+    void evaluate(std::span<const AssignmentPair> pairs, std::span<float> cost, ThreadPool& pool) override {
+        constexpr std::size_t kChunk = 256;
+        forChunks(&pool, pairs.size(), kChunk,
+                  [&](std::size_t k) { cost[k] = pairCost(pairs[k].character, pairs[k].place); });
+    }
+
+private:
+    float pairCost(std::int32_t character, std::int32_t place) const {
+        if (barred_.empty() || barred_[character] != place) return walkCost(character, place);
+        const float wait = wait_[character];
+        return wait < 0.0f ? -wait : walkCost(character, place) + wait;
+    }
+    float walkCost(std::int32_t character, std::int32_t place) const {
+        if (incumbent_[character] == place) return incumbentCost_[character];
+        const float walk = rawCost(character, place);
+        return slowness_.empty() ? walk : slowed(walk, slowness_[character]);
+    }
+    float rawCost(std::int32_t character, std::int32_t place) const {
+        if (!geodesic_) return static_cast<float>(distance(characters_[character], places_[place]));
+        const double byWay = ways_.cost(character, place, places_.size());
+        return byWay < kInfiniteCost ? static_cast<float>(byWay)
+                                     : geodesics_->cost(characters_[character], place);
+    }
+
+    const Geodesics* geodesics_ = nullptr;
+    PlannedWays ways_;
+    bool geodesic_ = true;
+    std::span<const Vec2> characters_;         // Positions [m].
+    std::span<const Vec2> places_;             // Positions [m].
+    std::span<const std::int32_t> incumbent_;  // Per character, -1 for none.
+    std::span<const float> incumbentCost_;     // Per character [m].
+    std::span<const std::int32_t> barred_;     // Per character, -1 for none.
+    std::span<const float> wait_;              // Per character [m].
+    std::span<const float> slowness_;          // Per character; empty for all 1.
+    float leastSlowness_ = 1.0f;
+};
+
+}  // namespace muster

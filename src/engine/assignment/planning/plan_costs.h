@@ -1,0 +1,28 @@
+// The costs of a step, as plans ask for them.
+#pragma once
+
+#include "engine/fields/cost/dynamic_cost.h"
+#include "engine/fields/cost/static_ground.h"
+#include "engine/fields/cost/unit_cost.h"
+#include "engine/ground/environment/environment.h"
+#include "engine/ground/routes/route_graph.h"
+
+namespace muster {
+
+/// What a step offers to plans. Each part is brought up to date when it is first asked for in a step, so that
+/// nobody needs to know which plan reads what. References stay valid; what they refer to changes with the
+/// next step's first request, which comes after all background work.
+class PlanCosts {
+public:
+    virtual ~PlanCosts() = default;
+
+    virtual const Environment& environment() const = 0;  ///< Obstacles and patches.
+    virtual const UnitCost& unitCost() = 0;              ///< Unit cost of all ground cells, with the crowd.
+    virtual const StaticGround& staticGround() = 0;      ///< What stands still.
+    virtual const DynamicCost& dynamicCost() = 0;        ///< What crowd and moving things add.
+    virtual RouteGraph* routes() { return nullptr; }     ///< Where characters can walk; null for unknown.
+    /// The costs for larger or smaller bodies; 0 for usual ones. Valid as long as these.
+    virtual PlanCosts& ofClass(std::int32_t /*groundClass*/) { return *this; }
+};
+
+}  // namespace muster

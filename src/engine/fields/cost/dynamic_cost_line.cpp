@@ -1,0 +1,206 @@
+// Line integrals of the dynamic cost, by the midpoint rule.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/fields/cost/dynamic_cost.h"
+
+namespace muster {
+namespace {
+
+// Distance between samples of the moving cost along a line [m].
+constexpr double kMovingStep = 0.5;
+// Largest number of samples along a line.
+constexpr std::int32_t kMaxSamples = 16;
+// Unit costs that differ relatively by less are of the same ground.
+constexpr float kSameUnit = 0.01f;
+// Cells on the same ground that have less than this weight together are too few for an interpolation.
+constexpr float kLeastWeight = 0.02f;
+
+std::int32_t samplesAlong(double length, double step) {
+    return std::min(kMaxSamples, static_cast<std::int32_t>(length / step) + 1);
+}
+
+// The mean of `read(point, fraction of the line)` over the midpoints of equal parts of a line.
+template <class Read>
+double meanAlong(Vec2 a, Vec2 b, std::int32_t samples, const Read& read) {
+    const double share = 1.0 / samples;
+    const Vec2 line = b - a;
+    double sum = 0.0;
+    for (std::int32_t k = 0; k < samples; ++k) sum += read(a + line * ((k + 0.5) * share), (k + 0.5) * share);
+    return sum * share;
+}
+
+}  // namespace
+
+struct DynamicCost::Direction {
+    float CellCost::*sideX;  // The side that is crossed along x.
+    float CellCost::*sideY;  // The side that is crossed along y.
+    float x;                 // Unit vector.
+    float y;
+
+    explicit Direction(Vec2 unitVector)
+        : sideX(unitVector.x > 0.0 ? &CellCost::east : &CellCost::west),
+          sideY(unitVector.y > 0.0 ? &CellCost::north : &CellCost::south),
+          x(static_cast<float>(unitVector.x)),
+          y(static_cast<float>(unitVector.y)) {}
+    // The relative cost of this direction where crossing the sides costs so much relative to empty ground.
+    double relativeCost(float costX, float costY) const {
+        const float alongX = x * costX;
+        const float alongY = y * costY;
+        return static_cast<double>(std::sqrt(alongX * alongX + alongY * alongY)) - 1.0;
+    }
+};
+
+// Relative crowd cost at `p`, with bilinear costs.
+inline double DynamicCost::crowdCost(Vec2 p, const Direction& direction) const {
+    const BilinearLocator::Location at = locator_.at(p);
+    const std::int32_t opposite = at.low + locator_.right() + locator_.up();
+    if ((nearCrowd_.flags()[at.low] | nearCrowd_.flags()[opposite]) == 0) return 0.0;
+    const CellCost* low = crowdCost_.data() + at.low;
+    const CellCost* high = low + locator_.up();
+    const auto read = [&](float CellCost::*side) {
+        const float below = low->*side + (low[locator_.right()].*side - low->*side) * at.fx;
+        const float above = high->*side + (high[locator_.right()].*side - high->*side) * at.fx;
+        return 1.0f + below + (above - below) * at.fy;
+    };
+    return direction.relativeCost(read(direction.sideX), read(direction.sideY));
+}
+
+// The same at a point on ground of this unit cost, from those of the four cells around that lie on the same
+// ground: at the edge of a patch the same flow is fast relative to the one ground and slow relative to the
+// other. Here speeds are interpolated instead of costs, which gives least weight to single slow cells.
+inline double DynamicCost::crowdCostOnGround(Vec2 p, const Direction& direction, float unitCost) const {
+    const BilinearLocator::Location at = locator_.at(p);
+    const std::int32_t opposite = at.low + locator_.right() + locator_.up();
+    if ((nearCrowd_.flags()[at.low] | nearCrowd_.flags()[opposite]) == 0) return 0.0;
+    const std::int32_t upper = at.low + locator_.up();
+    const std::int32_t cell[] = {at.low, at.low + locator_.right(), upper, upper + locator_.right()};
+    float weight[] = {(1.0f - at.fx) * (1.0f - at.fy), at.fx * (1.0f - at.fy), (1.0f - at.fx) * at.fy,
+                      at.fx * at.fy};
+    float sum = 0.0f;
+    for (int k = 0; k < 4; ++k) {
+        const bool otherGround = evaluated_.contains(cell[k]) &&
+                                 std::fabs(staticUnit_[cell[k]] - unitCost) > kSameUnit * unitCost;
+        if (otherGround) weight[k] = 0.0f;
+        sum += weight[k];
+    }
+    if (!(sum > kLeastWeight)) return crowdCost(p, direction);
+    const auto read = [&](float CellCost::*side) {
+        float speed = 0.0f;
+        for (int k = 0; k < 4; ++k) speed += weight[k] * speedAt(crowdCost_[cell[k]].*side);
+        return lengthShare_ + timeShare_ * sum / speed;
+    };
+    return direction.relativeCost(read(direction.sideX), read(direction.sideY));
+}
+
+inline bool DynamicCost::isBlocked(Vec2 p) const {
+    return blockedBounds_.meets(p, p) && blocked_[ground_.nearestCell(p)] != 0;
+}
+
+double DynamicCost::interpolateMovingCost(Vec2 p) const {
+    if (isBlocked(p)) return kBlocked;
+    const BilinearPoint at = movingLocator_.point(p);
+    const Cell low = windowCells_.low;
+    if (at.low.x >= low.x && at.low.y >= low.y && at.low.x < windowCells_.high.x &&
+        at.low.y < windowCells_.high.y) {
+        const float* below = window_.data() + (at.low.y - low.y) * windowWidth_ + (at.low.x - low.x);
+        const float* above = below + windowWidth_;
+        return static_cast<double>(interpolateBilinear(below[0], below[1], above[0], above[1],
+                                                       static_cast<float>(at.fx), static_cast<float>(at.fy)));
+    }
+    return readSparse(at);
+}
+
+double DynamicCost::readSparse(const BilinearPoint& at) const {
+    const Cell high{at.low.x + (movingLocator_.right() > 0 ? 1 : 0),
+                    at.low.y + (movingLocator_.up() > 0 ? 1 : 0)};
+    const auto [value] = movingCost_.square(at.low, high);
+    return static_cast<double>(interpolateBilinear(value[0], value[1], value[2], value[3],
+                                                   static_cast<float>(at.fx), static_cast<float>(at.fy)));
+}
+
+// True where the crowd cost may differ from zero in the bounding box of the line.
+bool DynamicCost::crowdMeets(Vec2 a, Vec2 b) const {
+    if (crowdCells_.empty() || !crowdBounds_.meets(a, b)) return false;
+    const Cell p = grid_.nearestCell(a - 0.5 * Vec2{grid_.cell, grid_.cell});
+    const Cell q = grid_.nearestCell(b - 0.5 * Vec2{grid_.cell, grid_.cell});
+    return nearCrowdSums_.any(
+        {{std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x) + 1, std::max(p.y, q.y) + 1}});
+}
+
+/// The centroid of what is positive of the moving cost along a line.
+struct DynamicCost::Centroid {
+    double sum = 0.0;
+    double moment = 0.0;
+    std::int32_t samples = 0;
+
+    // Takes a sample, and returns it.
+    double add(double cost, double fraction) {
+        const double here = std::max(0.0, cost);
+        sum += here;
+        moment += here * fraction;
+        ++samples;
+        return cost;
+    }
+    double fraction() const {
+        if (!(sum > 0.0)) return -1.0;
+        const double mean = sum * (1.0 / samples);
+        return moment / (mean * samples);
+    }
+};
+
+// Crowd and moving cost with spacings of their own.
+inline double DynamicCost::sumAlong(Vec2 a, Vec2 b, double length, Centroid& centroid) const {
+    const bool crowd = crowdMeets(a, b);
+    const bool moving = movingCostMeets(a, b);
+    if ((!crowd && !moving) || !(length > 0.0)) return 0.0;
+    double mean = 0.0;
+    if (crowd) {
+        const Direction direction((b - a) / length);
+        mean += meanAlong(a, b, samplesAlong(length, grid_.cell),
+                          [&](Vec2 p, double) { return crowdCost(p, direction); });
+    }
+    if (moving)
+        mean += meanAlong(a, b, samplesAlong(length, kMovingStep),
+                          [&](Vec2 p, double fraction) { return centroid.add(movingCostAt(p), fraction); });
+    return mean * length;
+}
+
+double DynamicCost::relativeAlong(Vec2 a, Vec2 b, double length) const {
+    Centroid centroid;
+    return sumAlong(a, b, length, centroid);
+}
+
+// Over ground of several unit costs.
+double DynamicCost::sumOnGround(const StaticGround& ground, Vec2 a, Vec2 b, double length,
+                                Centroid& centroid) const {
+    const bool crowd = crowdMeets(a, b);
+    const bool moving = movingCostMeets(a, b);
+    if ((!crowd && !moving) || !(length > 0.0)) return 0.0;
+    const Direction direction((b - a) / length);
+    const std::int32_t samples = samplesAlong(length, moving ? kMovingStep : grid_.cell);
+    const double mean = meanAlong(a, b, samples, [&](Vec2 p, double fraction) {
+        const float unitCost = ground.unitCost(p);
+        return unitCost * ((crowd ? crowdCostOnGround(p, direction, unitCost) : 0.0) +
+                           (moving ? centroid.add(movingCostAt(p), fraction) : 0.0));
+    });
+    return mean * length;
+}
+
+DynamicCost::LineCost DynamicCost::costAndCentroid(const StaticGround& ground, Vec2 a, Vec2 b,
+                                                   double length) const {
+    Centroid centroid;
+    const double cost = ground.uniform() ? ground.unitCost(a) * sumAlong(a, b, length, centroid)
+                                         : sumOnGround(ground, a, b, length, centroid);
+    return {cost, centroid.fraction()};
+}
+
+double DynamicCost::movingCostCentroid(Vec2 a, Vec2 b, double length) const {
+    if (!movingCostMeets(a, b)) return -1.0;
+    Centroid centroid;
+    meanAlong(a, b, samplesAlong(length, kMovingStep),
+              [&](Vec2 p, double fraction) { return centroid.add(movingCostAt(p), fraction); });
+    return centroid.fraction();
+}
+
+}  // namespace muster

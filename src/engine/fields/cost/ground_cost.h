@@ -1,0 +1,53 @@
+// Unit cost of the ground alone, without crowd and discomfort, with walls placed to a fraction of a cell
+// (docs/method/unit-cost.md).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/cell_rect.h"
+#include "base/grid.h"
+#include "engine/fields/cost/ground_node.h"
+#include "engine/fields/cost/unit_cost.h"
+#include "engine/ground/environment/environment.h"
+
+namespace muster {
+
+/// Distance at which a change of the clearance can still change the cost of a cell [cells].
+inline constexpr std::int32_t kGroundReach = 2;
+/// Clearances beyond the radius plus or minus this all give the same cost [cells].
+inline constexpr double kGroundBand = 3.0;
+
+/// Where the ground cost is written.
+struct GroundCosts {
+    std::vector<CellCost>& cells;  ///< Unit cost times the length of the edge to the neighbour in cells.
+    std::vector<float>& unit;      ///< Cost of a true metre in each cell; infinite in walls.
+    std::vector<WallNode>& nodes;  ///< Wall nodes are appended here.
+};
+
+/// Computes the cells from `first` to `last` - 1: `openCost`, the unit cost of open ground, over the travel
+/// speed; infinite where a character of `radius` [m] cannot be, and towards such cells. Near walls edges lead
+/// from wall node to wall node and hold their true length.
+void computeGroundCost(const GroundRasters& ground, double radius, double openCost, std::int32_t first,
+                       std::int32_t last, const GroundCosts& costs);
+/// The same for the listed cells.
+void computeGroundCost(const GroundRasters& ground, double radius, double openCost,
+                       std::span<const std::int32_t> cells, const GroundCosts& costs);
+
+/// Computes the ground cost of small areas: each node is found once.
+class GroundCostCrop {
+public:
+    /// Writes the cost of the cells in `area` to `cost`, whose cells are walls so far: that of cell c to cell
+    /// c + `shift`; appends their wall nodes. The rasters must reach kGroundReach cells beyond the area, or
+    /// to the edge of the ground. The cells that the `gaps` cross become walls.
+    void compute(const GroundRasters& ground, double radius, double openCost, const CellRect& area,
+                 Cell shift, std::span<const ClosedGap> gaps, UnitCost& cost);
+
+private:
+    void findNodes(const GroundRasters& ground, double radius, const CellRect& area);
+    void closeGaps(const Grid& grid, std::span<const ClosedGap> gaps);
+
+    std::vector<GroundNode> nodes_;  // Per cell of the rasters.
+};
+
+}  // namespace muster

@@ -1,0 +1,128 @@
+#include "engine/fields/geodesics/field_cache.h"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+namespace muster {
+namespace {
+
+constexpr std::uint32_t kIdleSteps = 240;   // A field unused for more steps may be evicted.
+constexpr std::size_t kMaxRequests = 8192;  // Requests between two calls of solveRequested().
+constexpr std::size_t kMostAdmitted = 64;   // Fields solved in a step for which there is memory at first.
+constexpr std::size_t kFilterSize = 4096;   // Entries of the filter against double requests.
+
+}  // namespace
+
+FieldCache::FieldCache(std::int32_t capacity) : capacity_(capacity) {
+    table_.assign(std::bit_ceil(static_cast<std::uint32_t>(2 * capacity)), -1);
+    landmark_.reserve(capacity);
+    lastUse_.reserve(capacity);
+    requests_.reserve(kMaxRequests);
+    admitted_.reserve(kMostAdmitted);
+    filter_.assign(kFilterSize, -1);
+}
+
+void FieldCache::clear() {
+    ++generation_;
+    missing_.clear();
+    count_ = 0;
+    landmark_.clear();
+    lastUse_.clear();
+    requests_.clear();
+    std::fill(filter_.begin(), filter_.end(), -1);
+    std::fill(table_.begin(), table_.end(), -1);
+}
+
+void FieldCache::reserve(std::size_t fields, std::size_t cells, std::size_t pseudoSources) {
+    const std::size_t first = fields_.size();
+    fields_.resize(std::max(first, std::min<std::size_t>(fields, capacity_)));
+    for (std::size_t k = first; k < fields_.size(); ++k) fields_[k].reserve(cells, pseudoSources);
+}
+
+// Multiplicative hashing (Knuth 1973, 6.4).
+std::uint32_t FieldCache::hashOf(std::int32_t landmark) const {
+    const std::uint32_t product = static_cast<std::uint32_t>(landmark) * 2654435761u;
+    return (product ^ (product >> 15)) & static_cast<std::uint32_t>(table_.size() - 1);
+}
+
+std::int32_t FieldCache::find(std::int32_t landmark) const {
+    const auto mask = static_cast<std::uint32_t>(table_.size() - 1);
+    for (std::uint32_t at = hashOf(landmark); table_[at] >= 0; at = (at + 1) & mask)
+        if (landmark_[table_[at]] == landmark) return table_[at];
+    return -1;
+}
+
+std::int32_t FieldCache::use(std::int32_t landmark) {
+    const std::int32_t slot = find(landmark);
+    if (slot >= 0) lastUse_[slot] = clock_;
+    return slot;
+}
+
+void FieldCache::request(std::int32_t landmark) {
+    std::int32_t& last = filter_[hashOf(landmark) % kFilterSize];
+    if (last == landmark || requests_.size() >= kMaxRequests) return;
+    last = landmark;
+    requests_.push_back(landmark);
+}
+
+void FieldCache::insert(std::int32_t landmark, std::int32_t slot) {
+    const auto mask = static_cast<std::uint32_t>(table_.size() - 1);
+    std::uint32_t at = hashOf(landmark);
+    while (table_[at] >= 0) at = (at + 1) & mask;
+    table_[at] = slot;
+}
+
+void FieldCache::keepFieldsOf(FieldCache& before) {
+    if (!before.missing_.empty()) return;
+    std::erase_if(missing_, [&](std::int32_t slot) {
+        const std::int32_t known = before.find(landmark_[slot]);
+        if (known < 0) return false;
+        std::swap(fields_[slot], before.fields_[known]);
+        before.landmark_[known] = -1;  // It has nothing more to give.
+        return true;
+    });
+    // The memory of the others serves later fields.
+    for (std::size_t k = fields_.size(); k < before.fields_.size(); ++k)
+        fields_.push_back(std::move(before.fields_[k]));
+}
+
+void FieldCache::rebuildTable() {
+    std::fill(table_.begin(), table_.end(), -1);
+    for (std::int32_t slot = 0; slot < count_; ++slot) insert(landmark_[slot], slot);
+}
+
+void FieldCache::rebuildFilter() {
+    std::fill(filter_.begin(), filter_.end(), -1);
+    for (const std::int32_t landmark : requests_) filter_[hashOf(landmark) % kFilterSize] = landmark;
+}
+
+void FieldCache::evictUnused() {
+    ++generation_;
+    keepWhere([&](std::int32_t slot) { return clock_ - lastUse_[slot] <= kIdleSteps; });
+}
+
+void FieldCache::admitRequests(std::int32_t most) {
+    admitted_.clear();
+    if (requests_.empty()) return;
+    for (const std::int32_t landmark : requests_) {
+        if (std::cmp_greater_equal(admitted_.size(), most)) break;
+        if (use(landmark) >= 0) continue;
+        if (count_ >= capacity_) {
+            // Eviction moves slots, so it must come before any slot is admitted.
+            if (!admitted_.empty()) break;
+            evictUnused();
+            if (count_ >= capacity_) break;
+        }
+        const std::int32_t slot = count_++;
+        if (std::cmp_greater_equal(slot, fields_.size())) fields_.resize(slot + 1);
+        landmark_.push_back(landmark);
+        lastUse_.push_back(clock_);
+        insert(landmark, slot);
+        admitted_.push_back(slot);
+    }
+    requests_.clear();
+    std::fill(filter_.begin(), filter_.end(), -1);
+}
+
+}  // namespace muster

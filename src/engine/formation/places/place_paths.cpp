@@ -1,0 +1,72 @@
+// Paths of travelling places: a shared way where one leads there, else a route of its own; round obstacles
+// that move.
+#include <limits>
+
+#include "engine/formation/places/place_tracker.h"
+
+namespace muster {
+namespace {
+
+constexpr double kSampleSpacing = 0.5;       // Of points of a path tested against moving obstacles [m].
+constexpr std::int32_t kSamples = 30;        // So many from the start on.
+constexpr std::int32_t kSamplesPast = 2;     // A path round an obstacle ends so many samples past it.
+constexpr std::int64_t kDetourWork = 30000;  // Bound on the search round moving obstacles [operations].
+
+// Points along a path, from its start on.
+void samplePath(const std::vector<Vec2>& path, std::vector<Vec2>& samples) {
+    samples.clear();
+    double past = 0.0;  // Of the present segment.
+    for (std::size_t k = 1; k < path.size() && samples.size() < kSamples; ++k) {
+        const double whole = distance(path[k - 1], path[k]);
+        for (; past < whole && samples.size() < kSamples; past += kSampleSpacing)
+            samples.push_back(lerp(path[k - 1], path[k], past / whole));
+        past -= whole;
+    }
+    if (samples.size() < kSamples) samples.push_back(path.back());
+}
+
+}  // namespace
+
+// Returns the operations used.
+std::int64_t PlaceTracker::findPath(RouteGraph& routes, Vec2 from, Vec2 to, std::vector<Vec2>& path) {
+    std::int64_t work = 1;
+    if (!ways_.join(routes.ground(), from, to, path, work)) {
+        search_.start(routes, from, to);
+        std::int64_t budget = std::numeric_limits<std::int64_t>::max();
+        search_.advance(routes, budget);
+        path = search_.path();
+        work += search_.work();
+        if (!path.empty()) ways_.add(path);
+    }
+    if (!path.empty() && !routes.environment().movingObstacleAreas().empty())
+        work += passMovingObstacles(routes, path);
+    return work;
+}
+
+// Replaces the first metres of a path where an obstacle that moves lies on them now. Where there is no way
+// past it the path stays: the place waits.
+std::int64_t PlaceTracker::passMovingObstacles(RouteGraph& routes, std::vector<Vec2>& path) {
+    const Environment& environment = routes.environment();
+    const double radius = routes.ground().radius();
+    samplePath(path, samples_);
+    const std::size_t n = samples_.size();
+    std::size_t blocked = 1;
+    while (blocked < n && environment.clearLine(samples_[blocked - 1], samples_[blocked], radius)) ++blocked;
+    if (blocked >= n) return 0;
+    std::size_t past = blocked;
+    while (past < n && !environment.clearLine(samples_[past], samples_[past], radius)) ++past;
+    past = std::min(past + kSamplesPast, n - 1);
+    search_.start(routes, path.front(), samples_[past], {}, true);
+    std::int64_t budget = kDetourWork;
+    if (search_.advance(routes, budget) != RouteStatus::Found) return search_.work();
+    // The corners that the samples up to there have passed are dropped.
+    double left = static_cast<double>(past) * kSampleSpacing;
+    std::size_t next = 1;
+    for (; next < path.size() && distance(path[next - 1], path[next]) <= left; ++next)
+        left -= distance(path[next - 1], path[next]);
+    path.erase(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(next));
+    path.insert(path.begin(), search_.path().begin(), search_.path().end());
+    return search_.work();
+}
+
+}  // namespace muster

@@ -1,0 +1,40 @@
+// How much room there is round each point of the ground, as far as formations need to know.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/ground/environment/environment.h"
+
+namespace muster {
+
+/// The ground in coarse cells with the distance to what stands still: exact near obstacles, a lower bound in
+/// the open. A cache: it follows from the ground alone.
+class WayGround {
+public:
+    /// Follows the environment, which must outlive it or the next update. Moving obstacles do not count.
+    void update(const Environment& environment);
+
+    const Environment& environment() const { return *environment_; }  ///< Of the last update.
+    const Grid& grid() const { return grid_; }                        ///< Coarse cells.
+    /// Where somebody in the cell has most room [m].
+    Vec2 point(std::int32_t cell) const { return fine_.centre(fine_.at(point_[cell])); }
+    double clearance(std::int32_t cell) const { return clearance_[cell]; }  ///< At that point [m].
+    /// Distance from `p` to what stands still or the edge of the world [m]; 0 or less inside.
+    double clearanceAt(Vec2 p) const;
+
+private:
+    void roomOf(std::span<const float> near);
+    void distances(std::span<const float> near);
+
+    const Environment* environment_ = nullptr;
+    std::uint64_t instance_ = 0, version_ = 0;
+    Grid fine_, grid_;
+    std::int32_t factor_ = 1;          // Fine cells along the edge of a coarse one.
+    std::vector<std::int32_t> point_;  // Fine cell with most room, per coarse cell.
+    std::vector<float> clearance_;     // There [m].
+    std::vector<float> distance_;      // From the centre of a coarse cell [m].
+};
+
+}  // namespace muster

@@ -1,0 +1,238 @@
+#include "engine/orders/way_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "base/maths.h"
+
+namespace muster {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kSlack = 0.05;        // Narrower by so much is not felt [m].
+constexpr double kMarginCost = 0.35;   // More for a metre beside an obstacle, where it is wide enough.
+constexpr double kNarrowCost = 1.0;    // More for a metre that is narrower than the formation...
+constexpr double kNarrower = 3.0;      // ... and still more by the share that is missing.
+constexpr double kForbidden = 1000.0;  // More for a metre where it may not narrow so far.
+constexpr std::array<Cell, 8> kSteps{{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+
+}  // namespace
+
+double WayNeeds::halfAcross(Vec2 direction) const {
+    const double angle = arcTangent2(direction.y, direction.x);
+    const double turn = angle < 0.0 ? angle + kPi : angle;
+    const auto k = static_cast<std::size_t>(turn / kPi * kDirections + 0.5);
+    return half[k % kDirections];
+}
+
+double WayNeeds::cost(double clearance, double halfWidth) const {
+    if (clearance < radius) return kInfinite;
+    if (clearance >= halfWidth + margin) return 1.0;
+    if (clearance >= halfWidth - kSlack)
+        return 1.0 + kMarginCost * std::min(1.0, (halfWidth + margin - clearance) / std::max(margin, 1e-9));
+    const double missing = 1.0 - clearance / halfWidth;
+    const double narrow = 1.0 + kMarginCost + kNarrowCost + kNarrower * missing;
+    return clearance < least * halfWidth - kSlack ? narrow + kForbidden : narrow;
+}
+
+double stretchCost(const WayGround& ground, const WayNeeds& needs, Vec2 a, Vec2 b) {
+    const double whole = distance(a, b);
+    if (whole < 1e-9) return 0.0;
+    const double half = needs.halfAcross(b - a);
+    const auto n = std::max(1, static_cast<std::int32_t>(std::ceil(whole / ground.grid().cell)));
+    double sum = 0.0;
+    bool near = false;
+    for (std::int32_t k = 0; k < n; ++k) {
+        const double clearance = ground.clearanceAt(lerp(a, b, (k + 0.5) / n));
+        near = near || clearance < needs.radius + ground.grid().cell;
+        sum += needs.cost(std::max(clearance, needs.radius), half);
+    }
+    if (near && !ground.environment().clearStaticLine(a, b, needs.radius)) return kInfinite;
+    return sum * whole / n;
+}
+
+namespace {
+
+/// Leaves out corners where the straight stretch costs no more.
+void skip(const WayGround& ground, const WayNeeds& needs, std::vector<Vec2>& points,
+          std::vector<double>& prefix) {
+    constexpr double kMore = 1.002;  // Costs that count as equal.
+    prefix.assign(1, 0.0);
+    for (std::size_t k = 1; k < points.size(); ++k)
+        prefix.push_back(prefix.back() + stretchCost(ground, needs, points[k - 1], points[k]));
+    const auto good = [&](std::size_t from, std::size_t to) {
+        return stretchCost(ground, needs, points[from], points[to]) <=
+               kMore * (prefix[to] - prefix[from]) + 1e-9;
+    };
+    std::size_t kept = 0;
+    for (std::size_t at = 0; at + 1 < points.size();) {
+        std::size_t low = at + 1, high = points.size();
+        for (std::size_t stride = 2; at + stride < points.size(); stride *= 2) {
+            if (!good(at, at + stride)) {
+                high = at + stride;
+                break;
+            }
+            low = at + stride;
+        }
+        if (high == points.size() && low + 1 < high && good(at, high - 1)) low = high - 1;
+        while (high - low > 1) {
+            const std::size_t middle = low + (high - low) / 2;
+            (good(at, middle) ? low : high) = middle;
+        }
+        at = low;
+        points[++kept] = points[at];
+    }
+    points.resize(points.empty() ? 0 : kept + 1);
+}
+
+/// Replaces corners by two points on their sides where that costs less.
+void cut(const WayGround& ground, const WayNeeds& needs, std::vector<Vec2>& points, std::vector<Vec2>& out) {
+    constexpr int kTries = 4;
+    out.assign(1, points.front());
+    for (std::size_t k = 1; k + 1 < points.size(); ++k) {
+        const Vec2 a = out.back(), c = points[k], b = points[k + 1];
+        double reach = 0.6 * std::min(distance(a, c), distance(c, b));
+        bool done = false;
+        for (int tries = 0; tries < kTries && !done && reach > 0.2; ++tries, reach *= 0.5) {
+            const Vec2 p = c + normalized(a - c) * reach, q = c + normalized(b - c) * reach;
+            const double around = stretchCost(ground, needs, p, c) + stretchCost(ground, needs, c, q);
+            done = stretchCost(ground, needs, p, q) < around;
+            if (!done) continue;
+            out.push_back(p);
+            out.push_back(q);
+        }
+        if (!done) out.push_back(c);
+    }
+    out.push_back(points.back());
+    points.swap(out);
+}
+
+}  // namespace
+
+void pullWay(const WayGround& ground, const WayNeeds& needs, std::vector<Vec2>& points,
+             std::vector<Vec2>& scratch, std::vector<double>& prefix) {
+    constexpr int kPasses = 3;
+    if (points.size() < 3) return;
+    skip(ground, needs, points, prefix);
+    for (int pass = 0; pass < kPasses && points.size() > 2; ++pass) {
+        cut(ground, needs, points, scratch);
+        skip(ground, needs, points, prefix);
+    }
+}
+
+// The cell at `p` or beside it to whose point the line is clear, the nearest; -1 for none.
+std::int32_t WaySearch::cellNear(const WayGround& ground, Vec2 p) const {
+    const Grid& grid = ground.grid();
+    const Cell middle = grid.nearestCell(p);
+    std::int32_t best = -1;
+    double nearest = kInfinite;
+    for (std::int32_t dy = -1; dy <= 1; ++dy)
+        for (std::int32_t dx = -1; dx <= 1; ++dx) {
+            const Cell c{middle.x + dx, middle.y + dy};
+            if (!grid.contains(c)) continue;
+            const std::int32_t cell = grid.index(c);
+            const double away = distance(ground.point(cell), p);
+            if (away >= nearest || ground.clearance(cell) < query_.needs.radius ||
+                !ground.environment().clearStaticLine(p, ground.point(cell), query_.needs.radius))
+                continue;
+            nearest = away;
+            best = cell;
+        }
+    return best;
+}
+
+void WaySearch::start(const WayGround& ground, const WayQuery& query) {
+    query_ = query;
+    expanded_ = 0;
+    const auto count = static_cast<std::size_t>(ground.grid().count());
+    if (seen_.size() != count) {
+        seen_.assign(count, 0);
+        cost_.resize(count);
+        parent_.resize(count);
+        closed_.resize(count);
+        mark_ = 0;
+    }
+    ++mark_;
+    open_.clear();
+    path_.clear();
+    const std::int32_t from = cellNear(ground, query.from);
+    goal_ = cellNear(ground, query.to);
+    status_ = from < 0 || goal_ < 0 ? WayStatus::None : WayStatus::Searching;
+    if (status_ != WayStatus::None) reach(from, -1, 0.0, distance(query.from, query.to));
+}
+
+void WaySearch::reach(std::int32_t cell, std::int32_t from, double cost, double estimate) {
+    if (seen_[cell] != mark_) {
+        seen_[cell] = mark_;
+        cost_[cell] = kInfinite;
+        closed_[cell] = 0;
+    }
+    if (closed_[cell] != 0 || cost >= cost_[cell]) return;
+    cost_[cell] = cost;
+    parent_[cell] = from;
+    open_.push_back({estimate, cell});
+    std::push_heap(open_.begin(), open_.end());
+}
+
+// A step between the points of neighbouring cells: clear where their discs overlap, else by exact geometry.
+double WaySearch::stepCost(const WayGround& ground, std::int32_t a, std::int32_t b, double halfWidth) const {
+    const double room = std::min(ground.clearance(a), ground.clearance(b));
+    const Vec2 p = ground.point(a), q = ground.point(b);
+    const double step = distance(p, q);
+    const double radius = query_.needs.radius;
+    if (room < radius) return kInfinite;
+    if (ground.clearance(a) + ground.clearance(b) < step + 2.0 * radius + 0.5 * ground.grid().cell &&
+        !ground.environment().clearStaticLine(p, q, radius))
+        return kInfinite;
+    return step * query_.needs.cost(room, halfWidth);
+}
+
+void WaySearch::expand(const WayGround& ground, std::int32_t cell) {
+    const Grid& grid = ground.grid();
+    const Cell at = grid.at(cell);
+    const Vec2 goal = ground.point(goal_);
+    for (std::size_t k = 0; k < kSteps.size(); ++k) {
+        const Cell next{at.x + kSteps[k].x, at.y + kSteps[k].y};
+        if (!grid.contains(next)) continue;
+        const std::int32_t to = grid.index(next);
+        if (seen_[to] == mark_ && closed_[to] != 0) continue;
+        const double half = query_.needs.half[2 * (k % 4)];
+        const double cost = cost_[cell] + stepCost(ground, cell, to, half);
+        if (cost < kInfinite) reach(to, cell, cost, cost + distance(ground.point(to), goal));
+    }
+}
+
+void WaySearch::trace(const WayGround& ground) {
+    path_.assign(1, query_.to);
+    for (std::int32_t cell = goal_; cell >= 0; cell = parent_[cell]) path_.push_back(ground.point(cell));
+    path_.push_back(query_.from);
+    std::reverse(path_.begin(), path_.end());
+    pullWay(ground, query_.needs, path_, scratch_, prefix_);
+}
+
+WayStatus WaySearch::advance(const WayGround& ground, std::int32_t cells) {
+    while (status_ == WayStatus::Searching && cells > 0) {
+        if (open_.empty()) {
+            status_ = WayStatus::None;
+            break;
+        }
+        std::pop_heap(open_.begin(), open_.end());
+        const std::int32_t cell = open_.back().cell;
+        open_.pop_back();
+        if (closed_[cell] != 0) continue;
+        closed_[cell] = 1;
+        if (cell == goal_) {
+            trace(ground);
+            status_ = WayStatus::Found;
+            break;
+        }
+        expand(ground, cell);
+        ++expanded_;
+        --cells;
+    }
+    return status_;
+}
+
+}  // namespace muster

@@ -1,0 +1,104 @@
+// Costs of walks between a passage, or a point, and everywhere else, on the coarse ground.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/bilinear.h"
+#include "engine/fields/cost/unit_cost.h"
+#include "engine/passages/passage.h"
+
+namespace muster {
+
+/// What a walk field knows of one point.
+struct Walk {
+    double cost = 0.0;  ///< Cost of the walk [m of open ground]; infinite where there is none.
+    std::int32_t
+        side = 0;  ///< 1 where it ends on the left side of the passage, -1 on the right, 0 for neither.
+};
+
+/// A point, located among the cells: the same for all fields on one ground.
+struct WalkSpot {
+    Vec2 point;
+    BilinearStencil stencil;
+    std::int32_t nearest = 0;  ///< Cell.
+};
+
+/// The cost of the cheapest walk from every cell to a passage that nobody goes through, from whichever side.
+class WalkField {
+public:
+    /// Locates a point.
+    WalkSpot spot(Vec2 p) const { return {p, bilinearStencil(grid_, p), grid_.index(grid_.nearestCell(p))}; }
+    /// The walk from a spot on the same ground. Near the passage the side is exact.
+    Walk atSpot(const WalkSpot& spot) const;
+    /// The same for a point.
+    Walk at(Vec2 p) const { return atSpot(spot(p)); }
+    /// The first cells, at most so many, of the cheapest walk from `p` to the source, as points [m]; empty
+    /// where there is none.
+    void trace(Vec2 p, std::size_t most, std::vector<Vec2>& path) const;
+
+private:
+    friend class WalkSolver;
+    bool isCutOff(std::int32_t cell) const;
+    std::int32_t reachedCell(Vec2 p) const;
+    std::int32_t nextCell(std::int32_t cell) const;
+
+    Grid grid_;
+    Passage passage_;                 // Of two equal ends for a point.
+    Box near_;                        // Holds what is near the passage.
+    std::vector<float> cost_;         // Per cell.
+    std::vector<std::int8_t> side_;   // Per cell.
+    std::vector<std::uint8_t> open_;  // Per cell: bits of its open edges, east, north, west, south.
+};
+
+/// The edges between cells that can be walked.
+class WalkEdges {
+public:
+    /// Opens all edges of this ground.
+    void open(const UnitCost& ground);
+    /// Shuts the edges that cross the passage.
+    void close(const Passage& passage);
+
+private:
+    friend class WalkSolver;
+
+    Grid grid_;
+    std::vector<std::uint8_t> open_;  // Per cell, as in WalkField.
+};
+
+/// Solves one walk field at a time by fast marching (Sethian 1996) of first order, in as many pieces as its
+/// user likes. What a field holds after so many cells depends on nothing else, so that a march can be
+/// repeated up to where it was. Owns the working memory.
+class WalkSolver {
+public:
+    /// Begins from both sides of a passage, whose edges must be closed.
+    void begin(const UnitCost& ground, const WalkEdges& edges, const Passage& passage, WalkField& field);
+    /// Begins from a point.
+    void begin(const UnitCost& ground, const WalkEdges& edges, Vec2 source, WalkField& field);
+    /// The march may end when WalkField::at() holds for this point, and all others that were given, after
+    /// begin().
+    void stopAt(Vec2 p, const WalkField& field);
+    /// The march may end at this cost. Walks that cost more are then unknown or too costly.
+    void stopBeyond(double cost) { most_ = static_cast<float>(cost); }
+    /// Solves up to `cells` cells and takes them off. True once the march has ended. The ground and the field
+    /// must be those of begin().
+    bool advance(const UnitCost& ground, WalkField& field, std::int64_t& cells);
+    /// The whole field at once.
+    void finish(const UnitCost& ground, WalkField& field);
+
+private:
+    void reset(const WalkEdges& edges, WalkField& field);
+    void seed(WalkField& field, std::int32_t cell, double cost, std::int32_t side);
+    void seedPassage(const UnitCost& ground, WalkField& field);
+    void spread(const UnitCost& ground, WalkField& field, std::int32_t cell);
+    bool want(std::int32_t cell, const WalkField& field);
+    void push(float cost, std::int32_t cell);
+
+    std::vector<std::uint64_t> heap_;  // The front: cost, then cell; the least first.
+    std::vector<std::uint8_t> mark_;   // Per cell: bit 0 solved, bit 1 wanted by stopAt().
+    std::int32_t wanted_ = -1;         // Wanted cells that are not solved yet; -1 where all are wanted.
+    float most_ = 0.0f;
+};
+
+}  // namespace muster

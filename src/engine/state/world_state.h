@@ -1,0 +1,87 @@
+// The state of a world: all that can influence its later steps.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "base/random.h"
+#include "engine/ground/environment/environment.h"
+#include "engine/ground/routes/route_graph.h"
+#include "engine/passages/survey_state.h"
+#include "engine/state/continuum.h"
+#include "engine/state/group.h"
+#include "engine/state/own_route.h"
+#include "engine/steering/characters.h"
+#include "muster/command.h"
+#include "muster/parameters.h"
+#include "muster/world_def.h"
+
+namespace muster {
+
+/// All state. Snapshots and hashes hold it whole (world_archive.h); everything else is a cache or a report.
+struct WorldState {
+    Parameters parameters;
+    Environment environment;                          ///< Obstacles, patches and the ground.
+    Characters characters;                            ///< In ascending order of ids.
+    std::vector<Group> groups;                        ///< In ascending order of ids.
+    std::vector<OwnRoute> ownRoutes;                  ///< In ascending order of characters.
+    Continuum continuum;                              ///< Groups without places.
+    std::vector<Command> queue;                       ///< In the order of comesBefore().
+    std::vector<FormationCheckpointDef> checkpoints;  ///< As defined.
+    std::vector<GroupId> checkpointGroups;            ///< Whom each checkpoint concerns; none for any group.
+    std::vector<std::uint8_t> checkpointState;        ///< Groups x checkpoints: bit 0 inside, bit 1 used.
+    std::vector<CheckpointId> checkpointIds;          ///< Of each checkpoint, ascending.
+    std::vector<ItemDef> items;                       ///< As defined.
+    std::vector<ItemId> itemIds;                      ///< Of each item, ascending.
+    std::vector<std::uint8_t> collected;              ///< Per item, 1 once collected.
+    Random random;                                    ///< For start positions.
+    std::uint32_t stepCount = 0;                      ///< Steps done.
+    std::vector<Passage> passages;                    ///< Gaps before which somebody may have to wait.
+    SurveyState survey;                               ///< Looks for further ones.
+    std::uint32_t waysLookedAt = 0;                   ///< Step in which groups were last looked at for that.
+    std::uint32_t waysChosenAt = 0;                   ///< Step in which ways were last chosen.
+    std::uint32_t lastCommandStep = 0;                ///< Step of the last applied command; 0 for none.
+    std::uint32_t groundEdits = 0;                    ///< Commands that changed obstacles or patches.
+    std::uint32_t nextCharacter = 1;                  ///< Id of the next character.
+    std::uint32_t nextGroup = 1;                      ///< Id of the next group.
+    std::uint32_t nextOrder = 1;                      ///< Id of the next order.
+    std::uint32_t nextItem = 1;                       ///< Id of the next item.
+    std::uint32_t nextCheckpoint = 1;                 ///< Id of the next checkpoint.
+
+    // Caches.
+    RouteGraph routes;  ///< Where usual characters can walk; as it was after the last refreshRoutes().
+    std::map<std::int32_t, RouteGraph> classRoutes;  ///< The same for other classes of ground.
+
+    /// Simulated time [s].
+    double time() const { return stepCount * parameters.stepTime; }
+    /// The group with that id; null where there is none.
+    Group* findGroup(GroupId id);
+    /// Brings Group::members up to date after characters have joined or left.
+    void refreshMembers();
+    /// Brings the routes up to date after the ground or the radius of characters has changed.
+    RouteGraph& refreshRoutes() {
+        routes.update(environment, parameters.character.radius);
+        return routes;
+    }
+    /// The same for a class of ground.
+    RouteGraph& refreshRoutes(std::int32_t groundClass);
+    /// The routes of a group, as they were after the last refresh of those of its class.
+    const RouteGraph& routesOf(const Group& group) const;
+    RouteGraph& routesOf(const Group& group) {
+        return const_cast<RouteGraph&>(std::as_const(*this).routesOf(group));
+    }
+};
+
+/// The order in which commands are applied.
+inline bool comesBefore(const Command& a, const Command& b) {
+    return std::tie(a.step, a.client, a.sequence) < std::tie(b.step, b.client, b.sequence);
+}
+
+/// The region in which most of a group's characters stand, the lower label among equals; -1 for
+/// none. `counts` becomes the number of its characters by region.
+std::int32_t mainRegion(const WorldState& state, const Group& group, std::vector<std::int32_t>& counts);
+
+}  // namespace muster

@@ -1,0 +1,177 @@
+#include "engine/steering/body_axes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace muster {
+namespace {
+
+constexpr double kAside = 0.28;      // Axes side by side are at least so far apart [m].
+constexpr double kEnd = 0.06;        // Axes end this much before hips and head [m].
+constexpr double kGap = 0.03;        // Between those who follow each other, beyond the least distance [m].
+constexpr double kFileWidth = 0.32;  // Who is farther aside is not ahead [m].
+constexpr double kClosing = 0.25;    // A gap is closed in this time [s].
+constexpr double kSameWay = 0.5;     // Cosine of the largest angle between two who go the same way.
+constexpr double kLookAhead = 0.6;   // Who is so near a patch is about to lie [m].
+constexpr double kSettled = 0.35;    // Who is so near its place has settled [m].
+constexpr double kPairReach = 1.5;   // Who is farther apart does not matter to each other [m].
+constexpr double kAbreast = 0.3;     // Nobody is behind where two are nearer than this along their way [m].
+constexpr double kLieDown = 1.6;     // Whole lengths are reached after 1 / this of a transition.
+constexpr double kInFile = 0.95;     // Cosine of the largest angle between two whose axes count as parallel.
+constexpr double kStands = 0.15;     // Whoever is slower does not get on [m/s].
+constexpr double kPass = 0.14;       // At which those behind pass somebody who stands [m/s].
+
+BodyReach reachOf(const ClipFacts& clip, double share) {
+    return {clip.reachAhead * share, clip.reachBehind * share};
+}
+
+bool isUpright(const BodyReach& reach) {
+    return reach.ahead + reach.behind <= 0.0;
+}
+
+// How much of its length a body lies now: transitions lie down and stand up evenly.
+double lyingShare(const ClipFacts& clip, MotionPhase phase, double time) {
+    if (phase != MotionPhase::Entering && phase != MotionPhase::Leaving) return 1.0;
+    const double share = clip.transitionTime > 0.0 ? std::min(1.0, time / clip.transitionTime) : 1.0;
+    return std::min(1.0, kLieDown * (phase == MotionPhase::Entering ? share : 1.0 - share));
+}
+
+// The two points of two segments that are nearest to each other, from the first to the second.
+Vec2 nearestBetween(Vec2 a, Vec2 aEnd, Vec2 b, Vec2 bEnd) {
+    const Vec2 da = aEnd - a, db = bEnd - b;
+    const double crossing = cross(da, db);
+    if (std::fabs(crossing) > 1e-12) {
+        const double s = cross(b - a, db) / crossing, t = cross(b - a, da) / crossing;
+        if (s >= 0.0 && s <= 1.0 && t >= 0.0 && t <= 1.0) return {};
+    }
+    const auto onto = [](Vec2 p, Vec2 from, Vec2 along) {
+        const double l2 = lengthSquared(along);
+        const double t = l2 > 0.0 ? std::clamp(dot(p - from, along) / l2, 0.0, 1.0) : 0.0;
+        return from + along * t;
+    };
+    Vec2 nearest = onto(a, b, db) - a;
+    const auto consider = [&nearest](Vec2 other) {
+        if (lengthSquared(other) < lengthSquared(nearest)) nearest = other;
+    };
+    consider(onto(aEnd, b, db) - aEnd);
+    consider(b - onto(b, a, da));
+    consider(bEnd - onto(bEnd, a, da));
+    return nearest;
+}
+
+// Where one body is relative to another that goes the same way.
+struct File {
+    Vec2 along;          // Unit vector of both.
+    double aside = 0.0;  // Of the one ahead, to the left [m].
+    double gap = 0.0;    // Between the head behind and the hips ahead [m].
+};
+
+File fileOf(Vec2 rear, Vec2 front, Vec2 along, double rearAhead, double frontBehind) {
+    const Vec2 between = front - rear;
+    const double ends = std::max(0.0, rearAhead + frontBehind - 2.0 * kEnd);
+    return {along, cross(along, between), dot(along, between) - ends};
+}
+
+}  // namespace
+
+void BodyAxes::resolve(const Environment& environment, const Characters& now, std::span<const Vec2> place,
+                       std::span<const Vec2> placeVelocity) {
+    members_.clear();
+    positions_.clear();
+    if (environment.patchIds().empty()) return;
+    members_.reserve(now.size());
+    positions_.reserve(now.size());
+    const std::vector<ClipFacts>& clips = environment.def().clips;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        const ClipFacts& clip = clips[now.motion[i]];
+        Member member;
+        member.character = static_cast<std::int32_t>(i);
+        member.heading = now.heading[i];
+        member.reach = reachOf(clip, lyingShare(clip, now.phase[i], now.motionTime[i]));
+        member.lying = now.phase[i] == MotionPhase::Leaving ? member.reach : reachOf(clip, 1.0);
+        if (isUpright(member.lying) && now.direction[i] != Vec2{}) {
+            const GroundSample ahead = environment.ground(now.position[i] + now.direction[i] * kLookAhead);
+            member.lying = reachOf(clips[ahead.motion], 1.0);
+        }
+        if (isUpright(member.lying)) continue;
+        if (now.phase[i] == MotionPhase::Locked)
+            member.onward = now.direction[i] != Vec2{} ? now.direction[i] : now.heading[i];
+        member.settled = now.place[i] >= 0 && length(placeVelocity[i]) < kStands &&
+                         distance(now.position[i], place[i]) < kSettled;
+        members_.push_back(member);
+        positions_.push_back(now.position[i]);
+    }
+    if (!members_.empty()) pairs_.build(positions_, kPairReach);
+}
+
+void BodyAxes::keepDistance(const CrowdBodies& bodies, const Characters& now,
+                            std::span<Vec2> preferred) const {
+    for (const NeighbourPair pair : pairs_.pairs()) {
+        const Member *rear = &members_[pair.low], *front = &members_[pair.high];
+        if (dot(rear->heading, front->heading) < kSameWay) continue;
+        const Vec2 along = normalized(rear->heading + front->heading, rear->heading);
+        if (dot(now.position[front->character] - now.position[rear->character], along) < 0.0)
+            std::swap(rear, front);
+        const std::int32_t r = rear->character, f = front->character;
+        if (bodies.isFixed(r) || (rear->settled && front->settled)) continue;
+        const File file = fileOf(now.position[r], now.position[f], along, rear->lying.ahead,
+                                 front->reach.behind);
+        if (std::fabs(file.aside) > kFileWidth) continue;
+        const double least = std::sqrt(std::max(0.0, kAside * kAside - file.aside * file.aside)) + kGap;
+        const double ahead = std::max(0.0, dot(now.velocity[f], along));
+        const double most = std::max(0.0, ahead + (file.gap - least) / kClosing);
+        const double tooFast = dot(preferred[r], along) - most;
+        if (tooFast <= 0.0) continue;
+        preferred[r] -= along * tooFast;
+        if (ahead < kStands)
+            preferred[r] += perpendicular(along) *
+                            (std::min(tooFast, kPass) * (file.aside > 0.0 ? -1.0 : 1.0));
+    }
+}
+
+// Who is within a single-step motion is pushed aside, but not back, because it would begin the motion again;
+// the other one makes room instead.
+BodyAxes::Correction BodyAxes::correctionOf(NeighbourPair pair, std::span<const Vec2> positions) const {
+    const Member &a = members_[pair.low], &b = members_[pair.high];
+    if (isUpright(a.reach) || isUpright(b.reach) || (a.settled && b.settled)) return {};
+    const Overlap overlap = axesOverlap(a, b, positions);
+    const double backA = std::max(0.0, dot(overlap.away, a.onward));
+    const double backB = std::max(0.0, -dot(overlap.away, b.onward));
+    const double shareA = overlap.share, shareB = 1.0 - shareA;
+    const double leftA = shareA * backA * backA, leftB = shareB * backB * backB;
+    return {overlap.depth, (overlap.away - a.onward * backA) * (-overlap.depth * (shareA + leftB)),
+            (overlap.away + b.onward * backB) * (overlap.depth * (shareB + leftA))};
+}
+
+// `a` and `b` both lie.
+BodyAxes::Overlap BodyAxes::axesOverlap(const Member& a, const Member& b,
+                                        std::span<const Vec2> positions) const {
+    const Vec2 p = positions[a.character], q = positions[b.character];
+    const double cosine = dot(a.heading, b.heading);
+    const Vec2 along = cosine > kSameWay ? normalized(a.heading + b.heading, a.heading) : Vec2{};
+    if (cosine < kInFile) {
+        const auto end = [](const Member& m, Vec2 at, double reach) {
+            return at + m.heading * (reach > 0.0 ? std::max(0.0, reach - kEnd) : std::min(0.0, reach + kEnd));
+        };
+        const Vec2 nearest = nearestBetween(end(a, p, -a.reach.behind), end(a, p, a.reach.ahead),
+                                            end(b, q, -b.reach.behind), end(b, q, b.reach.ahead));
+        const double apart = length(nearest), ahead = dot(q - p, along);
+        if (apart >= kAside) return {};
+        const double share = std::fabs(ahead) <= kAbreast ? 0.5 : ahead > 0.0 ? 1.0 : 0.0;
+        return {apart > 1e-9 ? nearest / apart : normalized(q - p, {1.0, 0.0}), kAside - apart, share};
+    }
+    const bool aBehind = dot(q - p, along) >= 0.0;
+    const File file = aBehind ? fileOf(p, q, along, a.reach.ahead, b.reach.behind)
+                              : fileOf(q, p, along, b.reach.ahead, a.reach.behind);
+    const double aside = std::fabs(file.aside), gap = std::max(0.0, file.gap);
+    if (aside * aside + gap * gap >= kAside * kAside) return {};
+    const double back = std::sqrt(kAside * kAside - aside * aside) - file.gap;
+    const double sideways = std::sqrt(kAside * kAside - gap * gap) - aside;
+    // The one behind falls back; both go aside where none is behind.
+    if (back <= sideways || std::fabs(dot(q - p, along)) > kAbreast)
+        return {aBehind ? along : along * -1.0, back, aBehind ? 1.0 : 0.0};
+    const bool left = (file.aside >= 0.0) == aBehind;
+    return {left ? perpendicular(along) : perpendicular(along) * -1.0, sideways, 0.5};
+}
+
+}  // namespace muster

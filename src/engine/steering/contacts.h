@@ -1,0 +1,89 @@
+// Contacts: nobody enters another or an obstacle (SPEC A6). Positions are corrected by projection, as in
+// position-based dynamics (Müller et al. 2007).
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "base/neighbour_list.h"
+#include "base/parallel.h"
+#include "engine/ground/environment/environment.h"
+#include "engine/steering/body_axes.h"
+#include "engine/steering/crowd_bodies.h"
+#include "muster/characters.h"
+#include "muster/parameters.h"
+
+namespace muster {
+
+/// How contacts are resolved.
+struct ContactDef {
+    /// Of a character [m], above 0, where no bodies are given.
+    double radius = Parameters::Character{}.radius;
+    /// Most Gauss-Seidel iterations over all contacts, 1 or more.
+    std::int32_t iterations = Parameters::Contact{}.iterations;
+};
+
+/// Where the step began, and how far characters can walk in it, one entry per character; empty for no bounds.
+struct ContactBounds {
+    std::span<const Vec2> from;     ///< [m]
+    std::span<const double> reach;  ///< [m]
+};
+
+/// Corrects positions in place: in each iteration first pairs, in the order of the neighbour list
+/// (Gauss-Seidel), then obstacles. Two share a correction by their inverse masses, alike ones by halves.
+class Contacts {
+public:
+    /// Moves `positions` apart and out of obstacles and reports what overlaps remain. Nobody gets out of the
+    /// reach of `bounds`, except who is pushed by a moving obstacle, and no pair gets deeper than 9 % of its
+    /// mean diameter that was not before, except where an obstacle came over one of the two, or one is fixed.
+    /// `neighbours`, if given, is used as long as it is valid, which saves a search; it must list pairs
+    /// nearer than the largest diameter or farther. `bodies`, if given, are those of all characters: who is
+    /// fixed is not moved, not by obstacles either. `axes`, if given, keep those who lie apart as well, as
+    /// far as the rest allows.
+    ContactReport resolve(const ContactDef& def, const Environment& environment, std::span<Vec2> positions,
+                          const NeighbourList* neighbours = nullptr, ThreadPool* pool = nullptr,
+                          const ContactBounds& bounds = {}, const CrowdBodies* bodies = nullptr,
+                          const BodyAxes* axes = nullptr);
+
+private:
+    // A character near an obstacle or the edge of the world.
+    struct ObstacleCandidate {
+        std::int32_t index;
+        // A position that is known to be free; NaN where none is.
+        Vec2 free{std::numeric_limits<double>::quiet_NaN(), 0.0};
+    };
+
+    template <bool kAlike>
+    double separatePairs(std::span<Vec2> positions);
+    double separateAxes(std::span<Vec2> positions);
+    double leaveObstacles(const Environment& environment, std::span<Vec2> positions);
+    void leaveObstaclesFinally(const Environment& environment, std::span<Vec2> positions);
+    void takeBack(const Environment& environment, std::span<Vec2> positions);
+    bool takeBackOne(const Environment& environment, std::int32_t character, std::span<Vec2> positions);
+    Vec2 withinReach(std::size_t character, Vec2 position) const;
+    bool isWedged(const Environment& environment, std::int32_t character) const;
+    Vec2 walkOut(double radius, const Environment& environment, std::size_t character, Vec2 free) const;
+    ContactReport report(std::span<const Vec2> positions);
+    void findPairs(std::span<const Vec2> positions);
+    void findObstacleCandidates(const Environment& environment, std::span<const Vec2> positions,
+                                ThreadPool* pool);
+    double slack() const;
+    bool outdatedByCorrections(std::span<const Vec2> positions);
+
+    // Of the present call.
+    ContactBounds bounds_;
+    CrowdBodies alike_;
+    const CrowdBodies* bodies_ = nullptr;  // Given by the caller, or alike_.
+    const BodyAxes* axes_ = nullptr;       // Given by the caller; null where nobody lies.
+    double diameter_ = 0.0;                // The largest [m].
+
+    NeighbourList ownPairs_;
+    const NeighbourList* pairs_ = nullptr;  // Given by the caller, or ownPairs_.
+    bool corrected_ = false;  // True where a position was corrected since pairs_ was last checked.
+    std::vector<ObstacleCandidate> obstacleCandidates_;
+    std::vector<std::uint8_t> nearObstacle_;  // Per character, 1 for candidates.
+};
+
+}  // namespace muster

@@ -1,0 +1,67 @@
+#include "engine/steering/crowd_bodies.h"
+
+#include <functional>
+
+#include "engine/steering/characters.h"
+
+namespace muster {
+namespace {
+
+// Who holds its ground gives way to others by this share of what its mass asks for.
+constexpr double kFirmShare = 0.002;
+
+bool isUsual(const Body& body) {
+    return body.radius == 0.0 && body.maxSpeed == 0.0 && body.acceleration == 0.0 && body.mass == 1.0;
+}
+
+}  // namespace
+
+void CrowdBodies::reset(const Parameters::Character& def) {
+    def_ = def;
+    largest_ = def.radius;
+    radius_.clear();
+}
+
+void CrowdBodies::resolve(const Parameters::Character& def, const Characters& now,
+                          std::span<const std::uint8_t> firmness) {
+    reset(def);
+    const bool normal = std::adjacent_find(firmness.begin(), firmness.end(), std::not_equal_to()) ==
+                        firmness.end();
+    const bool driven = std::all_of(now.driver.begin(), now.driver.end(),
+                                    [](Driver driver) { return driver == Driver::Muster; });
+    if (normal && driven && std::all_of(now.body.begin(), now.body.end(), isUsual)) return;
+    const std::size_t count = now.size();
+    for (auto* array : {&radius_, &maxSpeed_, &acceleration_, &inverseMass_}) array->resize(count);
+    firmness_.resize(count);
+    group_.assign(now.group.begin(), now.group.end());
+    largest_ = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Body body = i < now.body.size() ? now.body[i] : Body{};
+        radius_[i] = radiusOf(def, body);
+        maxSpeed_[i] = maxSpeedOf(def, body);
+        acceleration_[i] = body.acceleration > 0.0 ? body.acceleration : def.acceleration;
+        const bool outside = i < now.driver.size() && now.driver[i] == Driver::Outside;
+        inverseMass_[i] = outside ? 0.0 : 1.0 / body.mass;
+        firmness_[i] = group_[i] < firmness.size() ? firmness[group_[i]] : std::uint8_t{0};
+        largest_ = std::max(largest_, radius_[i]);
+    }
+}
+
+double CrowdBodies::ownShare(std::size_t a, std::size_t b) const {
+    double own = inverseMass_[a], other = inverseMass_[b];
+    if (group_[a] != group_[b] && firmness_[a] != firmness_[b])
+        (firmness_[a] > firmness_[b] ? own : other) *= kFirmShare;
+    const double sum = own + other;
+    return sum > 0.0 ? own / sum : 0.0;
+}
+
+void CrowdBodies::shorten(std::span<const Vec2> positions, NeighbourList& neighbours) const {
+    if (alike()) return;
+    const double beyond = neighbours.listedReach() - 2.0 * largest_;
+    neighbours.dropPairs([&](NeighbourPair pair) {
+        const double reach = touching(pair.low, pair.high) + beyond;
+        return lengthSquared(positions[pair.high] - positions[pair.low]) > reach * reach;
+    });
+}
+
+}  // namespace muster

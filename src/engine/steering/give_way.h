@@ -1,0 +1,52 @@
+// Giving way: people leave the ground that a moving obstacle is about to sweep, or do not enter it (SPEC A5).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/neighbour_list.h"
+#include "engine/ground/environment/environment.h"
+#include "engine/steering/crowd_bodies.h"
+#include "engine/steering/gates.h"
+#include "muster/parameters.h"
+
+namespace muster {
+
+struct Characters;
+
+/// Changes preferred velocities before moving obstacles. The ground that a piece of an obstacle sweeps is
+/// taken as a lane along its velocity. Who stands in it leaves it by the side that is quicker to reach, in
+/// time; who is beside it enters only if there is time to cross. Those whom somebody leaving touches make
+/// room.
+class GiveWay {
+public:
+    /// Overwrites `preferred` velocities [m/s] of those who give way. `topSpeed` is that of each character
+    /// [m/s]; `neighbours` lists all who nearly touch.
+    void run(const CrowdBodies& bodies, const Characters& now, const Environment& environment,
+             const NeighbourList& neighbours, std::span<const double> topSpeed, std::span<Vec2> preferred);
+
+private:
+    // The ground ahead of one piece, in axes along and across its velocity.
+    struct Lane {
+        Vec2 centre, along, across;
+        double speed;
+        double rear, front;  // Of the piece, from its centre along the lane [m].
+        double right, left;  // Of the lane, for the centres of characters [m].
+    };
+
+    static Lane laneOf(const ObstaclePiece& piece, double radius);
+    static Lane widened(Lane lane, double by);
+    void giveWay(const Lane& lane, const Environment& environment, Vec2 position, double topSpeed,
+                 double radius, std::size_t character, Vec2& preferred);
+    static void follow(const Lane& lane, double along, double across, Vec2& preferred);
+    void leave(const Lane& lane, const Environment& environment, Vec2 position, double topSpeed,
+               double radius, std::size_t character, double timeLeft, Vec2 preferred);
+    void passOn(const CrowdBodies& bodies, const Characters& now, const NeighbourList& neighbours);
+
+    Gates gates_;
+    std::vector<Lane> lanes_;
+    std::vector<Vec2> leaving_;  // Of each character, the velocity at which it leaves a lane; null for none.
+    std::vector<double> slack_;  // Of those, the time that is left over [s].
+};
+
+}  // namespace muster

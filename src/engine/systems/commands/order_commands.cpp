@@ -1,0 +1,174 @@
+#include "engine/systems/commands/order_commands.h"
+
+#include <algorithm>
+#include <string>
+
+#include "engine/formation/mesh/rigid_fit.h"
+#include "engine/state/validation.h"
+#include "engine/systems/commands/not_found.h"
+
+namespace muster {
+namespace {
+
+bool isFree(const OrderQueue& queue) {
+    return queue.begun && queue.orders.front().order.kind == OrderKind::Move &&
+           queue.orders.front().order.manner == Manner::Free;
+}
+
+/// Ends the order that is carried out, which is about to leave the queue.
+void endFirst(Group& group, bool stays) {
+    if (stays && isFree(group.orders)) standWhereItIs(group);
+    group.orders.end();
+}
+
+// Members without places stand at once, others where their places are.
+void standStill(WorldState& state, Group& group) {
+    if (Gathering* const gathering = state.continuum.find(group.id))
+        gathering->active = false;
+    else
+        standWhereItIs(group);
+}
+
+Status cancel(WorldState& state, Group& group, std::uint32_t id) {
+    OrderQueue& queue = group.orders;
+    if (id == 0) {
+        if (!queue.orders.empty()) endFirst(group, true);
+        if (Gathering* const gathering = state.continuum.find(group.id)) gathering->active = false;
+        queue.orders.clear();
+        queue.march.speed = queue.march.spin = 0.0;
+        return {};
+    }
+    const auto at = std::find_if(queue.orders.begin(), queue.orders.end(),
+                                 [&](const QueuedOrder& order) { return order.id == id; });
+    if (at == queue.orders.end())
+        return {StatusCode::NotFound,
+                "group " + std::to_string(group.id.value) + " has no order of the id " + std::to_string(id)};
+    if (at == queue.orders.begin()) endFirst(group, queue.orders.size() == 1);
+    queue.orders.erase(at);
+    return {};
+}
+
+void hold(Group& group) {
+    if (isFree(group.orders)) standWhereItIs(group);
+    group.orders.held = true;
+    group.orders.march.speed = group.orders.march.spin = 0.0;
+}
+
+// Who goes freely gets its target again.
+void resume(Group& group) {
+    OrderQueue& queue = group.orders;
+    queue.held = false;
+    if (isFree(queue)) queue.march.phase = MarchPhase::Idle;
+}
+
+void stop(WorldState& state, Group& group) {
+    group.controls.clear();
+    standStill(state, group);
+    dropOrders(group);
+}
+
+}  // namespace
+
+void standWhereItIs(Group& group) {
+    const Formation& formation = group.mesh.formation();
+    const std::vector<Vec2>& places = group.places.positions();
+    if (places.empty() || places.size() != formation.places.size()) return;
+    std::vector<Vec2> rest;
+    rest.reserve(places.size());
+    for (const MeshPoint& place : formation.places)
+        rest.push_back(place.position(formation.mesh.triangles, formation.mesh.vertices));
+    group.mesh.setPose(bestRigidFit(rest, places));
+}
+
+void shareOrders(WorldState& state, std::span<Group* const> parts, Vec2 middle) {
+    const OrderQueue whole = parts[0]->orders;
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+        OrderQueue& queue = parts[p]->orders;
+        queue = whole;
+        std::vector<Vec2> places;
+        parts[p]->mesh.placePositions(places);
+        Vec2 own;
+        for (const Vec2 place : places) own += place;
+        const Vec2 shift = places.empty() ? Vec2{} : own / static_cast<double>(places.size()) - middle;
+        queue.march.phase = MarchPhase::Idle;
+        queue.march.searched = 0;
+        queue.own.reset();
+        queue.files = 0;
+        for (QueuedOrder& queued : queue.orders) {
+            if (p > 0) queued.id = state.nextOrder++;
+            if (queued.order.kind != OrderKind::Move || queued.order.manner == Manner::Continuum) continue;
+            queued.order.target += shift;
+            for (Vec2& point : queued.order.route) point += shift;
+        }
+        const bool gathers = queue.begun && queue.orders.front().order.manner == Manner::Continuum;
+        if (!gathers) queue.target += shift;
+    }
+}
+
+void dropOrders(Group& group) {
+    OrderQueue& queue = group.orders;
+    queue.end();
+    queue.orders.clear();
+    queue.held = queue.patrols = false;
+    queue.march.speed = queue.march.spin = 0.0;
+}
+
+Status giveOrder(WorldState& state, const GiveOrder& command, std::vector<Event>& events) {
+    Group* const group = state.findGroup(command.group);
+    if (group == nullptr) return noGroup(command.group);
+    const Order& order = command.order;
+    if (order.group && state.findGroup(order.group) == nullptr) return noGroup(order.group);
+    if (order.group == command.group) return invalidArgument("a group cannot follow or guard itself");
+    if (order.character != 0 && state.characters.indexOf(order.character) < 0)
+        return noCharacter(order.character);
+    std::vector<QueuedOrder>& orders = group->orders.orders;
+    if (command.mode != QueueMode::Replace && orders.size() >= kMaxOrders)
+        return {StatusCode::LimitExceeded, "a queue holds at most " + std::to_string(kMaxOrders) + " orders"};
+    const QueuedOrder queued{state.nextOrder++, order};
+    if (command.mode == QueueMode::Replace) {
+        group->orders.end();
+        group->orders.held = group->orders.patrols = false;
+        orders.clear();
+    }
+    const std::size_t index = command.mode == QueueMode::Insert
+                                  ? std::min<std::size_t>(command.index, orders.size())
+                                  : orders.size();
+    if (index == 0) group->orders.end();
+    orders.insert(orders.begin() + static_cast<std::ptrdiff_t>(index), queued);
+    events.push_back({EventKind::OrderGiven, group->id.value, queued.id, order.target});
+    return {};
+}
+
+Status editQueue(WorldState& state, const EditQueue& command, std::vector<Event>&) {
+    Group* const group = state.findGroup(command.group);
+    if (group == nullptr) return noGroup(command.group);
+    switch (command.edit) {
+        case QueueEdit::Cancel:
+            return cancel(state, *group, command.order);
+        case QueueEdit::Hold:
+            hold(*group);
+            break;
+        case QueueEdit::Resume:
+            resume(*group);
+            break;
+        case QueueEdit::Patrol:
+            group->orders.patrols = true;
+            break;
+        case QueueEdit::EndPatrol:
+            group->orders.patrols = false;
+            break;
+        case QueueEdit::Stop:
+            stop(state, *group);
+            break;
+    }
+    return {};
+}
+
+Status setConduct(WorldState& state, const SetConduct& command) {
+    Group* const group = state.findGroup(command.group);
+    if (group == nullptr) return noGroup(command.group);
+    group->def.conduct = command.conduct;
+    return {};
+}
+
+}  // namespace muster

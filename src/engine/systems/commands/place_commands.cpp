@@ -1,0 +1,140 @@
+#include "engine/systems/commands/place_commands.h"
+
+#include <algorithm>
+#include <string>
+
+#include "base/maths.h"
+#include "engine/state/group_edits.h"
+#include "engine/state/validation.h"
+#include "engine/systems/commands/not_found.h"
+#include "engine/systems/commands/order_commands.h"
+
+namespace muster {
+namespace {
+
+/// Index of an id in ascending ids; -1 for none.
+template <class AnyId>
+std::ptrdiff_t indexOf(const std::vector<AnyId>& ids, AnyId id) {
+    const auto at = std::lower_bound(ids.begin(), ids.end(), id);
+    return at != ids.end() && *at == id ? at - ids.begin() : -1;
+}
+
+Status tooMany(const char* what) {
+    return {StatusCode::LimitExceeded, "a world holds at most " + std::to_string(kMaxObstacles) + " " + what};
+}
+
+Status noThing(const char* what, std::uint32_t id) {
+    return {StatusCode::NotFound, std::string("no ") + what + " has the id " + std::to_string(id)};
+}
+
+Status groupIsThere(WorldState& state, GroupId group) {
+    return !group || state.findGroup(group) != nullptr ? Status{} : noGroup(group);
+}
+
+/// Gives the marks of groups at checkpoints a column more at the end, or takes one column out.
+void changeColumns(WorldState& state, std::size_t before, std::size_t now, std::size_t without) {
+    std::vector<std::uint8_t> marks;
+    for (std::size_t g = 0; g < state.groups.size(); ++g) {
+        for (std::size_t c = 0; c < before; ++c)
+            if (c != without) marks.push_back(state.checkpointState[g * before + c]);
+        marks.resize((g + 1) * now, 0);
+    }
+    state.checkpointState = std::move(marks);
+}
+
+}  // namespace
+
+Status addItem(WorldState& state, const AddItem& add) {
+    if (state.items.size() >= kMaxObstacles) return tooMany("items");
+    state.items.push_back(add.item);
+    state.itemIds.push_back(ItemId{state.nextItem++});
+    state.collected.push_back(0);
+    return {};
+}
+
+Status changeItem(WorldState& state, const ChangeItem& change) {
+    const std::ptrdiff_t at = indexOf(state.itemIds, change.id);
+    if (at < 0) return noThing("item", change.id.value);
+    state.items[at] = change.item;
+    return {};
+}
+
+Status removeItem(WorldState& state, const RemoveItem& remove) {
+    const std::ptrdiff_t at = indexOf(state.itemIds, remove.id);
+    if (at < 0) return noThing("item", remove.id.value);
+    state.items.erase(state.items.begin() + at);
+    state.itemIds.erase(state.itemIds.begin() + at);
+    state.collected.erase(state.collected.begin() + at);
+    return {};
+}
+
+Status addCheckpoint(WorldState& state, const AddCheckpoint& add) {
+    const std::size_t before = state.checkpoints.size();
+    if (before >= kMaxObstacles) return tooMany("checkpoints");
+    if (const Status there = groupIsThere(state, add.group); !there.ok()) return there;
+    state.checkpoints.push_back(add.checkpoint);
+    state.checkpoints.back().group = -1;
+    state.checkpointGroups.push_back(add.group);
+    state.checkpointIds.push_back(CheckpointId{state.nextCheckpoint++});
+    changeColumns(state, before, before + 1, before);
+    return {};
+}
+
+Status changeCheckpoint(WorldState& state, const ChangeCheckpoint& change) {
+    const std::ptrdiff_t at = indexOf(state.checkpointIds, change.id);
+    if (at < 0) return noThing("checkpoint", change.id.value);
+    if (const Status there = groupIsThere(state, change.group); !there.ok()) return there;
+    state.checkpoints[at] = change.checkpoint;
+    state.checkpoints[at].group = -1;
+    state.checkpointGroups[at] = change.group;
+    return {};
+}
+
+Status removeCheckpoint(WorldState& state, const RemoveCheckpoint& remove) {
+    const std::ptrdiff_t at = indexOf(state.checkpointIds, remove.id);
+    if (at < 0) return noThing("checkpoint", remove.id.value);
+    const std::size_t before = state.checkpoints.size();
+    changeColumns(state, before, before - 1, static_cast<std::size_t>(at));
+    state.checkpoints.erase(state.checkpoints.begin() + at);
+    state.checkpointGroups.erase(state.checkpointGroups.begin() + at);
+    state.checkpointIds.erase(state.checkpointIds.begin() + at);
+    for (Group& group : state.groups)
+        if (std::cmp_greater(group.visitors.size(), at)) group.visitors.erase(group.visitors.begin() + at);
+    return {};
+}
+
+Status placeGroup(WorldState& state, const PlaceGroup& place) {
+    Group* group = state.findGroup(place.group);
+    if (group == nullptr) return noGroup(place.group);
+    const Pose pose{place.position, {cosine(place.angle), sine(place.angle)}};
+    if (const Status placed = standAt(state, *group, pose); !placed.ok()) return placed;
+    group->controls.clear();
+    state.continuum.end(group->id);
+    dropOrders(*group);
+    group->orders.march.reversed = false;
+    return {};
+}
+
+Status nameGroup(WorldState& state, const NameGroup& name) {
+    Group* group = state.findGroup(name.group);
+    if (group == nullptr) return noGroup(name.group);
+    group->def.name = name.name;
+    return {};
+}
+
+Status colourGroup(WorldState& state, const ColourGroup& colour) {
+    Group* group = state.findGroup(colour.group);
+    if (group == nullptr) return noGroup(colour.group);
+    group->def.colour = colour.colour;
+    return {};
+}
+
+Status setAppearance(WorldState& state, const SetAppearance& appearance) {
+    Group* group = state.findGroup(appearance.group);
+    if (group == nullptr) return noGroup(appearance.group);
+    group->def.build = appearance.build;
+    group->def.motions = appearance.motions;
+    return {};
+}
+
+}  // namespace muster

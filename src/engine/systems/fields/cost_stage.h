@@ -1,0 +1,73 @@
+// The stage of density and costs (SPEC A3 to A5).
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+
+#include "engine/assignment/planning/plan_costs.h"
+#include "engine/fields/cost/density.h"
+#include "engine/fields/cost/unit_cost_builder.h"
+#include "engine/state/world_state.h"
+
+namespace muster {
+
+/// Owns the density of the crowd, and the costs that plans read. It computes those that somebody asks for.
+class CostStage final : public PlanCosts {
+public:
+    /// Prepares the density for a world before its first step.
+    void reset(WorldState& state);
+    /// Computes the density; costs of the last step are out of date then. The state must outlive the next
+    /// call.
+    void run(WorldState& state);
+
+    /// Density and average velocity by the last run.
+    const DensityField& density() const { return density_; }
+    const Environment& environment() const override { return state_->environment; }
+    const UnitCost& unitCost() override;
+    const StaticGround& staticGround() override;
+    const DynamicCost& dynamicCost() override;
+    RouteGraph* routes() override { return &state_->refreshRoutes(); }
+    PlanCosts& ofClass(std::int32_t groundClass) override;
+
+private:
+    // The costs of another class of ground than the usual one.
+    class ClassCosts final : public PlanCosts {
+    public:
+        ClassCosts(CostStage& stage, std::int32_t groundClass) : stage_(stage), class_(groundClass) {}
+        // Costs of the last step are out of date.
+        void begin() { unitCostBuilt_ = dynamicCostBuilt_ = false; }
+
+        const Environment& environment() const override { return stage_.environment(); }
+        const UnitCost& unitCost() override;
+        const StaticGround& staticGround() override;
+        const DynamicCost& dynamicCost() override;
+        RouteGraph* routes() override { return &stage_.state_->refreshRoutes(class_); }
+
+    private:
+        double radius() const;
+
+        CostStage& stage_;
+        std::int32_t class_;
+        UnitCostBuilder builder_;
+        bool unitCostBuilt_ = false;
+        StaticGround ground_;
+        DynamicCost dynamicCost_;
+        bool dynamicCostBuilt_ = false;
+    };
+
+    void buildUnitCost();
+
+    WorldState* state_ = nullptr;
+    Parameters::Density def_;  // The density is made for its cell and lambda.
+    DensityField density_;
+    UnitCostBuilder builder_;
+    bool unitCostBuilt_ = false;       // For the density as it is.
+    std::int32_t unitCostUnread_ = 0;  // Steps since the unit cost was last asked for.
+    StaticGround ground_;
+    DynamicCost dynamicCost_;
+    bool dynamicCostBuilt_ = false;  // For the density as it is.
+    std::map<std::int32_t, std::unique_ptr<ClassCosts>> classes_;
+};
+
+}  // namespace muster

@@ -1,0 +1,24 @@
+// How fast marches go, so that everybody keeps up (SPEC U6).
+#pragma once
+
+#include <vector>
+
+#include "engine/state/world_state.h"
+
+namespace muster {
+
+/// The pace of marches. Its working memory is reused.
+class MarchPace {
+public:
+    static constexpr double kWaitedFor = 5.0;  ///< Who has not got on for so long is not waited for [s].
+
+    /// The pace of a group in this step: a share of its speed, [0, 1]. Counts how long it has waited.
+    double of(const WorldState& state, Group& group);
+
+private:
+    double byLags(const WorldState& state, const Group& group);
+
+    std::vector<double> lags_;  // Of one group [m].
+};
+
+}  // namespace muster

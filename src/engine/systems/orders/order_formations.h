@@ -1,0 +1,20 @@
+// The formations that groups take up for their orders.
+#pragma once
+
+#include "base/parallel.h"
+#include "engine/state/world_state.h"
+#include "engine/systems/orders/order_ways.h"
+#include "muster/order.h"
+
+namespace muster {
+
+/// Takes up the formation that an order asks for, or its own again. The group goes on from where it is. Waits
+/// for background work where another one is taken up.
+void takeUpFormation(WorldState& state, Group& group, const Order& order, ThreadPool& pool);
+/// Takes up its own formation again, where it has another for an order.
+void restoreOwn(WorldState& state, Group& group, ThreadPool& pool);
+/// Narrows before passages, as far as they ask, and widens behind them (SPEC B11).
+void squeeze(WorldState& state, Group& group, const FormationExtent& extent, WayFinder& ways,
+             ThreadPool& pool);
+
+}  // namespace muster

@@ -1,0 +1,434 @@
+#include "engine/systems/orders/order_stage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/maths.h"
+#include "engine/state/ground_class.h"
+#include "engine/state/group_edits.h"
+#include "engine/state/reform.h"
+#include "engine/systems/events/standstill.h"
+#include "engine/systems/orders/order_formations.h"
+#include "engine/systems/steering/continuum_stage.h"
+
+namespace muster {
+namespace {
+
+constexpr std::int32_t kCellsPerStep = 1000;  // Of searches for ways.
+constexpr double kLongest = 20.0;  // Who has moved to and fro on one spot for so long is not waited for [s].
+constexpr double kSoonDone = 5.0;  // Following ends so soon where another order waits [s].
+
+/// True while fingers hold the mesh, or their ways are followed.
+bool isHandled(const Group& group) {
+    for (const Control& control : group.controls.controls())
+        for (const ControlPoint& point : control.points)
+            if (point.down || !point.trajectory.empty()) return true;
+    return false;
+}
+
+Pose facingPose(Vec2 position, Vec2 front) {
+    return {position, {front.x, front.y}};
+}
+
+bool samePose(const Pose& a, const Pose& b) {
+    return a.position == b.position && a.rotation.c == b.rotation.c && a.rotation.s == b.rotation.s;
+}
+
+bool isContinuum(const Order& order) {
+    return order.kind == OrderKind::Move && order.manner == Manner::Continuum;
+}
+
+void raise(std::vector<Event>& events, EventKind kind, const Group& group, std::uint32_t value) {
+    events.push_back({kind, group.id.value, value, group.mesh.pose().position});
+}
+
+/// Where somebody has joined or left, the middle of the formation goes the way.
+void recentre(Group& group) {
+    if (!group.refitted) return;
+    const bool led = !samePose(group.orders.march.last, group.mesh.pose());
+    recentreFormation(group);
+    if (!led) group.orders.march.last = group.mesh.pose();
+}
+
+}  // namespace
+
+std::int32_t OrderStage::regionOf(WorldState& state, const Group& group) {
+    state.refreshRoutes(group.groundClass);
+    return mainRegion(state, group, regions_);
+}
+
+OrderStage::Lead OrderStage::leadOf(const WorldState& state, const Order& order) {
+    Lead lead;
+    if (order.character != 0) {
+        const Characters& c = state.characters;
+        const std::int32_t i = c.indexOf(order.character);
+        if (i < 0) return lead;
+        return {true, c.position[i], normalized(c.heading[i], {1.0, 0.0}), c.velocity[i]};
+    }
+    for (const Group& group : state.groups) {
+        if (group.id != order.group) continue;
+        lead = {true, group.mesh.pose().position, group.orders.march.front(group.mesh.pose()),
+                meanVelocity(group)};
+    }
+    return lead;
+}
+
+OrderStage::Outcome OrderStage::begin(WorldState& state, Group& group, ThreadPool& pool,
+                                      std::vector<Event>& events) {
+    OrderQueue& queue = group.orders;
+    const Order order = queue.orders.front().order;
+    const std::uint32_t id = queue.orders.front().id;
+    queue.target = order.target;
+    queue.reachable = true;
+    if (order.kind == OrderKind::Move) {
+        const std::int32_t region = regionOf(state, group);
+        const OrderGoal goal = goalOf(state.routesOf(group), region, extentOf(group).width, order.target);
+        queue.target = goal.target;
+        queue.reachable = goal.reachable;
+        const bool last = queue.orders.size() == 1;
+        if (!goal.reachable && !last) return Outcome::Skipped;
+    }
+    queue.begun = true;
+    queue.begunAt = queue.stoodAt = state.stepCount;
+    queue.arrived = 0;
+    queue.march.phase = MarchPhase::Idle;
+    group.avoidance = {};
+    group.controls.clear();
+    if (isContinuum(order))
+        state.continuum.begin(group.id, queue.target);
+    else
+        state.continuum.end(group.id);
+    takeUpFormation(state, group, order, pool);
+    group.order.begin(state.stepCount);
+    raise(events, EventKind::OrderBegun, group, id);
+    if (!queue.reachable)
+        events.push_back(
+            {EventKind::NoPath, group.id.value, static_cast<std::uint32_t>(group.def.count), order.target});
+    return Outcome::GoesOn;
+}
+
+// Begins the way from where the mesh is.
+void OrderStage::restart(WorldState& state, Group& group) {
+    OrderQueue& queue = group.orders;
+    March& march = queue.march;
+    const Order& order = queue.orders.front().order;
+    const Pose pose = group.mesh.pose();
+    march.last = pose;
+    march.searched = 0;
+    march.facing = order.facing.value_or(0.0);
+    march.turns = order.facing.has_value();
+    if (order.kind == OrderKind::Face) {
+        march.phase = MarchPhase::Turn;
+        return;
+    }
+    if (order.kind != OrderKind::Move) return;
+    if (order.manner == Manner::Free && order.route.empty()) {
+        Vec2 middle;
+        for (const std::int32_t i : group.members) middle += state.characters.position[i];
+        middle = middle / std::max(1.0, static_cast<double>(group.members.size()));
+        Vec2 front = normalized(queue.target - middle, march.front(pose));
+        if (order.facing) front = {cosine(*order.facing), sine(*order.facing)};
+        march.reversed = false;
+        group.mesh.setPose(facingPose(queue.target, front));
+        march.last = group.mesh.pose();
+        march.phase = MarchPhase::Stand;
+        march.speed = march.spin = 0.0;
+        queue.stoodAt = state.stepCount;
+        return;
+    }
+    if (order.manner == Manner::Free && !march.turns) {
+        const Vec2 last = queue.target - order.route.back();
+        march.turns = length(last) > 0.0;
+        march.facing = arcTangent2(last.y, last.x);
+    }
+    const std::int32_t region = regionOf(state, group);
+    const OrderGoal goal = goalOf(state.routesOf(group), region, extentOf(group).width, order.target);
+    listLegs(state.routesOf(group), region, order, goal, march.legs);
+    march.way.assign(1, pose.position);
+    march.next = 1;
+    march.phase = MarchPhase::Search;
+}
+
+void OrderStage::avoid(const WorldState& state, Group& group, const MarchDef& def) {
+    avoids_ = true;
+    group.mesh.setPose(avoidance_.advance(state, ways_.ground(), def, group));
+}
+
+void OrderStage::goOn(WorldState& state, Group& group, const MarchDef& def) {
+    OrderQueue& queue = group.orders;
+    March& march = queue.march;
+    const Order& order = queue.orders.front().order;
+    if (march.phase == MarchPhase::Search && budget_ > 0) {
+        const std::int32_t region = regionOf(state, group);
+        const bool whole = ways_.advance(state, state.routesOf(group), region, !order.route.empty(),
+                                         needsOf(state, group, order), march, budget_);
+        if (whole) {
+            if (!(march.way.back() == queue.target)) march.way.push_back(queue.target);
+            march.phase = MarchPhase::Go;
+        }
+    }
+    const double dt = state.parameters.stepTime;
+    if (march.phase == MarchPhase::Search)
+        march.speed = std::max(0.0, march.speed - def.acceleration * dt);
+    else if (march.phase == MarchPhase::Go && group.def.conduct.avoids)
+        avoid(state, group, def);
+    else
+        group.mesh.setPose(advanceMarch(def, march, group.mesh.pose(), dt));
+    march.last = group.mesh.pose();
+}
+
+bool OrderStage::isDone(const WorldState& state, Group& group) {
+    OrderQueue& queue = group.orders;
+    if (queue.march.phase != MarchPhase::Stand) {
+        queue.stoodAt = state.stepCount;
+        return false;
+    }
+    const Characters& c = state.characters;
+    const std::uint32_t patience = stepsIn(state, MarchPace::kWaitedFor);
+    const std::uint32_t longest = stepsIn(state, kLongest);
+    std::int32_t arrived = 0;
+    bool stuck = true;
+    shared_.find(state, group);
+    for (const std::int32_t i : group.members) {
+        const std::int32_t place = c.place[i];
+        const Vec2 target = place >= 0 ? group.places.reachableTargets()[place] : Vec2{};
+        if (place >= 0 && distance(c.position[i], target) <= kArrivedReach + shared_.room(i))
+            ++arrived;
+        else
+            stuck = stuck && (state.stepCount - c.walk[i].movedAt >= patience ||
+                              state.stepCount - c.walk[i].campedAt >= longest);
+    }
+    if (arrived > queue.arrived) {
+        queue.arrived = arrived;
+        queue.stoodAt = state.stepCount;
+    }
+    const double share = queue.orders.front().order.share * static_cast<double>(group.members.size());
+    // Targets follow the mesh in this step.
+    const std::uint32_t quiet = state.stepCount - queue.stoodAt;
+    if (quiet > 1 && arrived >= static_cast<std::int32_t>(std::ceil(share - 1e-9))) return true;
+    return stuck && quiet >= patience;
+}
+
+OrderStage::Outcome OrderStage::follow(WorldState& state, Group& group, const MarchDef& def) {
+    OrderQueue& queue = group.orders;
+    March& march = queue.march;
+    const Order& order = queue.orders.front().order;
+    const Lead lead = leadOf(state, order);
+    if (!lead.found) return Outcome::Done;
+    if (queue.orders.size() > 1 && state.stepCount - queue.begunAt >= stepsIn(state, kSoonDone))
+        return Outcome::Done;
+    const Pose leading = facingPose(lead.position, lead.facing);
+    const Pose pose = group.mesh.pose();
+    const double dt = state.parameters.stepTime;
+    const double radius = groundRadius(state.parameters.character.radius, group.groundClass);
+    const Vec2 goal = state.environment.def().box.clamp(leading.apply(order.offset));
+    const std::int32_t region = regionOf(state, group);
+    const bool free = region < 0 || state.routesOf(group).region(goal) == region;
+    if (free && state.environment.clearStaticLine(pose.position, goal, radius)) {
+        march.phase = MarchPhase::Idle;
+        group.mesh.setPose(advanceTowards(def, march, pose, goal, lead.velocity, lead.facing, dt));
+        march.last = group.mesh.pose();
+        return Outcome::GoesOn;
+    }
+    const double stale = std::max(2.0, 0.25 * distance(pose.position, goal));
+    const bool under = march.phase == MarchPhase::Search || march.phase == MarchPhase::Go;
+    if (!under || distance(queue.target, goal) > stale) {
+        queue.target = goal;
+        march.turns = false;
+        march.searched = 0;
+        march.legs.assign(1, free ? goal : state.routesOf(group).nearestReachable(goal, region));
+        march.way.assign(1, pose.position);
+        march.next = 1;
+        march.phase = MarchPhase::Search;
+    }
+    if (march.phase == MarchPhase::Search && budget_ > 0 &&
+        ways_.advance(state, state.routesOf(group), region, false, needsOf(state, group, order), march,
+                      budget_))
+        march.phase = MarchPhase::Go;
+    if (march.phase == MarchPhase::Go && group.def.conduct.avoids)
+        avoid(state, group, def);
+    else
+        group.mesh.setPose(advanceMarch(def, march, pose, dt));
+    march.last = group.mesh.pose();
+    return Outcome::GoesOn;
+}
+
+OrderStage::Outcome OrderStage::guard(WorldState& state, Group& group) {
+    OrderQueue& queue = group.orders;
+    const Order& order = queue.orders.front().order;
+    Vec2 centre = order.target;
+    const double facing = order.facing.value_or(0.0);
+    Vec2 front{cosine(facing), sine(facing)};
+    if (order.group || order.character != 0) {
+        const Lead lead = leadOf(state, order);
+        if (!lead.found) return Outcome::Done;
+        centre = facingPose(lead.position, lead.facing).apply(order.offset);
+        front = lead.facing;
+    } else if (!order.path.still()) {
+        const Waypoint at = order.path.at((state.stepCount - queue.begunAt) * state.parameters.stepTime);
+        centre += at.position;
+        front = {cosine(facing + at.angle), sine(facing + at.angle)};
+    }
+    centre = state.environment.def().box.clamp(centre);
+    queue.target = centre;
+    queue.march.phase = MarchPhase::Stand;
+    queue.march.reversed = false;
+    group.mesh.setPose(facingPose(centre, front));
+    queue.march.last = group.mesh.pose();
+    return queue.orders.size() > 1 && isDone(state, group) ? Outcome::Done : Outcome::GoesOn;
+}
+
+// All go to the target itself. The order is done once enough have come near, or nobody gets on any more;
+// those behind go on to the target of the last order.
+OrderStage::Outcome OrderStage::gather(WorldState& state, Group& group) {
+    OrderQueue& queue = group.orders;
+    queue.march.phase = MarchPhase::Stand;
+    queue.march.speed = queue.march.spin = 0.0;
+    queue.march.last = group.mesh.pose();
+    const Gathering* gathering = state.continuum.find(group.id);
+    // Fingers had taken the formation.
+    if (gathering == nullptr || !gathering->active) state.continuum.begin(group.id, queue.target);
+    gathering = state.continuum.find(group.id);
+    const Characters& c = state.characters;
+    const double reach = gatheringReach(group.members.size(), state.parameters.character.radius);
+    const std::uint32_t patience = stepsIn(state, MarchPace::kWaitedFor);
+    std::int32_t arrived = 0;
+    bool stuck = true;
+    for (const std::int32_t i : group.members) {
+        if (distance(c.position[i], queue.target) <= reach || gathering->hasArrived(c.id[i]))
+            ++arrived;
+        else
+            stuck = stuck && state.stepCount - c.walk[i].movedAt >= patience;
+    }
+    if (arrived > queue.arrived) {
+        queue.arrived = arrived;
+        queue.stoodAt = state.stepCount;
+    }
+    const double share = queue.orders.front().order.share * static_cast<double>(group.members.size());
+    const bool enough = arrived >= static_cast<std::int32_t>(std::ceil(share - 1e-9));
+    return enough || (stuck && state.stepCount - queue.stoodAt >= patience) ? Outcome::Done : Outcome::GoesOn;
+}
+
+// The formation of a group without places stays where its people are, so that fingers can take it there.
+void OrderStage::followPeople(WorldState& state) {
+    std::erase_if(state.continuum.gatherings, [&](const Gathering& gathering) {
+        const Group* const group = state.findGroup(gathering.group);
+        return group == nullptr || isHandled(*group);
+    });
+    for (const Gathering& gathering : state.continuum.gatherings) {
+        Group& group = *state.findGroup(gathering.group);
+        if (group.members.empty()) continue;
+        Vec2 sum;
+        for (const std::int32_t i : group.members) sum += state.characters.position[i];
+        Pose pose = group.mesh.pose();
+        pose.position = sum / static_cast<double>(group.members.size());
+        group.mesh.setPose(pose);
+    }
+}
+
+OrderStage::Outcome OrderStage::advance(WorldState& state, Group& group, ThreadPool& pool) {
+    OrderQueue& queue = group.orders;
+    const Order& order = queue.orders.front().order;
+    if (order.kind == OrderKind::Guard) return guard(state, group);
+    if (isContinuum(order)) return gather(state, group);
+    const FormationExtent extent = extentOf(group);
+    MarchDef def = marchDefOf(state, group, order, extent);
+    // A free group waits for nobody on a drawn way.
+    if (order.manner != Manner::Free) def.pace = pace_.of(state, group);
+    if (order.kind == OrderKind::Follow) return follow(state, group, def);
+    // Led away by fingers, it goes on from where it is.
+    if (queue.march.phase == MarchPhase::Idle || !samePose(queue.march.last, group.mesh.pose()))
+        restart(state, group);
+    goOn(state, group, def);
+    if (order.kind == OrderKind::Move && order.manner == Manner::March && order.turn != Turn::Keep)
+        squeeze(state, group, extent, ways_, pool);
+    return isDone(state, group) ? Outcome::Done : Outcome::GoesOn;
+}
+
+void OrderStage::runGroup(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events) {
+    OrderQueue& queue = group.orders;
+    // Each order of the queue ends once in a step at most.
+    for (std::size_t left = queue.orders.size(); left > 0 && !queue.orders.empty(); --left) {
+        Outcome outcome = queue.begun ? Outcome::GoesOn : begin(state, group, pool, events);
+        if (outcome == Outcome::GoesOn) {
+            if (!group.controls.controls().empty()) group.controls.clear();
+            recentre(group);
+            outcome = advance(state, group, pool);
+        }
+        if (outcome == Outcome::GoesOn) return;
+        const QueuedOrder done = queue.orders.front();
+        raise(events, outcome == Outcome::Done ? EventKind::OrderDone : EventKind::OrderSkipped, group,
+              done.id);
+        queue.end();
+        queue.orders.erase(queue.orders.begin());
+        if (queue.patrols) queue.orders.push_back(done);
+        if (outcome == Outcome::Done && queue.patrols && queue.orders.size() == 1) return;
+    }
+}
+
+void OrderStage::run(WorldState& state, ThreadPool& pool, std::vector<Event>& events) {
+    // A step that divides a group has enough to do.
+    const bool divided = std::any_of(events.begin(), events.end(),
+                                     [](const Event& event) { return event.kind == EventKind::GroupAdded; });
+    budget_ = divided ? 0 : kCellsPerStep;
+    ways_.update(state);
+    avoidance_.begin();
+    followPeople(state);
+    for (Group& group : state.groups) {
+        avoids_ = false;
+        runQueue(state, group, pool, events);
+        if (!avoids_) group.avoidance = {};
+    }
+}
+
+void OrderStage::runQueue(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events) {
+    OrderQueue& queue = group.orders;
+    if (queue.orders.empty()) {
+        queue.march.speed = queue.march.spin = 0.0;
+        if (queue.own && !isHandled(group)) restoreOwn(state, group, pool);
+        return;
+    }
+    if (queue.held || isHandled(group) || group.members.empty()) {
+        queue.march.speed = queue.march.spin = 0.0;
+        return;
+    }
+    runGroup(state, group, pool, events);
+}
+
+OrderForecast OrderStage::forecast(WorldState& state, const Group& group, const Order& order,
+                                   const Pose* from) {
+    ways_.update(state);
+    OrderForecast forecast;
+    Order asked = order;
+    if (order.group || order.character != 0) asked.target = leadOf(state, order).position;
+    const Pose pose = from != nullptr ? *from : group.mesh.pose();
+    const std::int32_t region = regionOf(state, group);
+    const FormationExtent extent = extentOf(group);
+    if (asked.kind == OrderKind::Face) asked.target = pose.position;
+    const OrderGoal goal = goalOf(state.refreshRoutes(group.groundClass), region, extent.width, asked.target);
+    March march;
+    march.reversed = from == nullptr && group.orders.march.reversed;
+    march.way.assign(1, pose.position);
+    listLegs(state.routesOf(group), region, asked, goal, march.legs);
+    std::int32_t budget = state.environment.grid().count() + 1;
+    // A search that is under way is run again up to where it was.
+    RouteGraph& routes = state.refreshRoutes(group.groundClass);
+    while (!ways_.advance(state, routes, region, !asked.route.empty(), needsOf(state, group, asked), march,
+                          budget))
+        budget = state.environment.grid().count() + 1;
+    if (!(march.way.back() == goal.target)) march.way.push_back(goal.target);
+    forecast.arrives = goal.reachable;
+    forecast.end = goal.target;
+    forecast.way = march.way;
+    const MarchDef def = marchDefOf(state, group, asked, extent);
+    const auto facing = asked.manner == Manner::Free ? std::nullopt : asked.facing;
+    const double slower = slowGround(state.environment, march.way,
+                                     asked.manner == Manner::Free ? 0.0 : extent.depth);
+    forecast.seconds = goal.reachable
+                           ? marchTime(def, march.way, march.front(pose), facing) + slower / def.speed
+                           : std::numeric_limits<double>::infinity();
+    return forecast;
+}
+
+}  // namespace muster

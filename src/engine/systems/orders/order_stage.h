@@ -1,0 +1,64 @@
+// The stage of orders: it begins the orders of groups, moves their meshes along their ways, and ends them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/parallel.h"
+#include "engine/state/shared_places.h"
+#include "engine/state/world_state.h"
+#include "engine/systems/orders/march_pace.h"
+#include "engine/systems/orders/mesh_avoidance.h"
+#include "engine/systems/orders/order_ways.h"
+#include "muster/event.h"
+
+namespace muster {
+
+/// Carries orders out.
+class OrderStage {
+public:
+    /// Takes a new or restored state; call before its first step.
+    void reset(const WorldState& state) { ways_.update(state); }
+    /// One step of all queues; appends what happened to `events`.
+    void run(WorldState& state, ThreadPool& pool, std::vector<Event>& events);
+    /// What would come of an order; `from`: where an order before it would have brought the formation, null
+    /// for where it is. Changes nothing but caches.
+    OrderForecast forecast(WorldState& state, const Group& group, const Order& order,
+                           const Pose* from = nullptr);
+
+private:
+    /// What a group stays with: a pose that moves.
+    struct Lead {
+        bool found = false;
+        Vec2 position;
+        Vec2 facing{1.0, 0.0};
+        Vec2 velocity;
+    };
+    /// What the carrying out of an order has come to in a step.
+    enum class Outcome : std::uint8_t { GoesOn, Done, Skipped };
+
+    void runQueue(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
+    void runGroup(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
+    Outcome begin(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
+    void restart(WorldState& state, Group& group);
+    Outcome advance(WorldState& state, Group& group, ThreadPool& pool);
+    void goOn(WorldState& state, Group& group, const MarchDef& def);
+    void avoid(const WorldState& state, Group& group, const MarchDef& def);
+    Outcome follow(WorldState& state, Group& group, const MarchDef& def);
+    Outcome guard(WorldState& state, Group& group);
+    Outcome gather(WorldState& state, Group& group);
+    static void followPeople(WorldState& state);
+    bool isDone(const WorldState& state, Group& group);
+    std::int32_t regionOf(WorldState& state, const Group& group);
+    static Lead leadOf(const WorldState& state, const Order& order);
+
+    WayFinder ways_;
+    MarchPace pace_;
+    SharedPlaces shared_;
+    MeshAvoidance avoidance_;
+    bool avoids_ = false;                // The mesh of the present group keeps clear of others.
+    std::int32_t budget_ = 0;            // Cells that may be searched in this step.
+    std::vector<std::int32_t> regions_;  // Members of one group by region.
+};
+
+}  // namespace muster

@@ -1,0 +1,254 @@
+#include "engine/systems/orders/order_ways.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/maths.h"
+#include "engine/ground/routes/route_search.h"
+#include "engine/state/ground_class.h"
+#include "engine/state/layer_defs.h"
+
+namespace muster {
+namespace {
+
+constexpr double kKeepUp = 0.97;           // Of the top speed of the slowest: so others can catch up.
+constexpr double kMostAcceleration = 4.0;  // Of a formation [m/s^2].
+constexpr double kNearTarget = 1.0;   // A target in an obstacle counts as reached so near to it at least [m].
+constexpr double kStep = 0.25;        // Of looks for walls [m].
+constexpr double kPost = 2.0;         // A wall is longer than this [m].
+constexpr double kCentring = 1.0;     // Between points that are moved to the middle of a passage [m].
+constexpr std::int32_t kLegWork = 5;  // Cells for which a straight leg counts.
+
+}  // namespace
+
+FormationExtent extentOf(const Group& group) {
+    const Formation& formation = group.mesh.formation();
+    FormationExtent extent;
+    for (const MeshPoint& place : formation.places) {
+        const Vec2 p = place.position(formation.mesh.triangles, formation.mesh.vertices);
+        extent.depth = std::max(extent.depth, std::fabs(p.x));
+        extent.width = std::max(extent.width, std::fabs(p.y));
+        extent.reach = std::max(extent.reach, length(p));
+    }
+    return extent;
+}
+
+Vec2 meanVelocity(const Group& group) {
+    Vec2 sum;
+    for (const Vec2 v : group.places.velocities()) sum += v;
+    return sum / std::max(1.0, static_cast<double>(group.places.velocities().size()));
+}
+
+OrderGoal goalOf(RouteGraph& routes, std::int32_t region, double width, Vec2 target) {
+    if (region < 0) return {target, target, true};
+    const std::int32_t at = routes.region(target);
+    if (at == region) return {target, target, true};
+    const Vec2 nearest = routes.nearestReachable(target, region);
+    // On a tree, say, a formation stands round it.
+    if (at < 0 && distance(nearest, target) <= std::max(kNearTarget, width) &&
+        routes.region(routes.nearestReachable(target, -1)) == region)
+        return {nearest, target, true};
+    return {nearest, nearest, false};
+}
+
+WayNeeds needsOf(const WorldState& state, const Group& group, const Order& order) {
+    const Formation& formation = group.mesh.formation();
+    WayNeeds needs;
+    needs.radius = groundRadius(state.parameters.character.radius, group.groundClass);
+    needs.margin = state.parameters.field.enabled ? std::min(1.5, state.parameters.field.range) : 0.5;
+    needs.least = 1.0 - group.def.conduct.squeeze;
+    for (std::size_t k = 0; k < WayNeeds::kDirections; ++k) {
+        Vec2 across{0.0, 1.0};
+        if (order.turn == Turn::Keep) {
+            const double angle = kPi * (static_cast<double>(k) / WayNeeds::kDirections + 0.5);
+            across = group.mesh.pose().rotation.applyInverse({cosine(angle), sine(angle)});
+        }
+        double half = 0.0;
+        for (const MeshPoint& place : formation.places)
+            half = std::max(
+                half,
+                std::fabs(dot(across, place.position(formation.mesh.triangles, formation.mesh.vertices))));
+        needs.half[k] = half + needs.radius;
+    }
+    return needs;
+}
+
+MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& order,
+                    const FormationExtent& extent) {
+    const Parameters::Character& character = state.parameters.character;
+    double slowest = placeDefOf(state, group, placeDef(state.parameters)).maxSpeed,
+           least = character.acceleration;
+    for (const std::int32_t i : group.members) {
+        const Body& body = state.characters.body[i];
+        slowest = std::min(slowest, body.maxSpeed > 0.0 ? body.maxSpeed : character.maxSpeed);
+        least = std::min(least, body.acceleration > 0.0 ? body.acceleration : character.acceleration);
+    }
+    MarchDef def;
+    def.turn = order.manner == Manner::Free ? Turn::Keep : order.turn;
+    def.speed = def.top = kKeepUp * slowest;
+    if (order.pace > 0.0) def.speed = std::min(def.speed, order.pace);
+    def.acceleration = std::min(kMostAcceleration, least);
+    def.reach = std::max(extent.reach, 0.5);
+    def.depth = extent.depth;
+    return def;
+}
+
+double slowGround(const Environment& environment, std::span<const Vec2> way, double depth) {
+    constexpr double kSample = 0.5;  // [m]
+    const Grid& grid = environment.grid();
+    const RasterView speeds = environment.travelSpeed();
+    std::vector<double> slowness;  // By sample.
+    for (std::size_t k = 1; k < way.size(); ++k) {
+        const double part = distance(way[k - 1], way[k]);
+        for (double s = 0.0; s < part; s += kSample) {
+            const Vec2 p = lerp(way[k - 1], way[k], s / part);
+            slowness.push_back(1.0 / speeds[grid.index(grid.nearestCell(p))] - 1.0);
+        }
+    }
+    const auto reach = static_cast<std::ptrdiff_t>(depth / kSample);
+    const auto count = static_cast<std::ptrdiff_t>(slowness.size());
+    double sum = 0.0;
+    for (std::ptrdiff_t k = 0; k < count; ++k) {
+        double slowest = 0.0;
+        for (std::ptrdiff_t j = std::max<std::ptrdiff_t>(0, k - reach); j <= std::min(count - 1, k + reach);
+             ++j)
+            slowest = std::max(slowest, slowness[j]);
+        sum += slowest * kSample;
+    }
+    return sum;
+}
+
+void listLegs(const RouteGraph& routes, std::int32_t region, const Order& order, const OrderGoal& goal,
+              std::vector<Vec2>& legs) {
+    legs.clear();
+    for (const Vec2 p : order.route)
+        if (region < 0 || routes.region(p) == region) legs.push_back(p);
+    legs.push_back(goal.ground);
+}
+
+// Of a drawn way what bodies can walk is walked; else it has to be as good as any other way.
+bool WayFinder::straight(const WorldState& state, bool drawn, const WayNeeds& needs, Vec2 from,
+                         Vec2 to) const {
+    if (drawn) return state.environment.clearStaticLine(from, to, needs.radius);
+    return stretchCost(ground_, needs, from, to) <= 1.001 * distance(from, to);
+}
+
+// Single trees and posts are no walls: a formation lets them through.
+bool WayFinder::isWall(Vec2 p, Vec2 along) const {
+    const Box& box = ground_.environment().def().box;
+    const auto blocked = [&](Vec2 q) { return !box.contains(q) || ground_.clearanceAt(q) < 0.5 * kStep; };
+    if (!blocked(p)) return false;
+    for (const Vec2 direction : {along, -along, perpendicular(along), -perpendicular(along)})
+        if (blocked(p + direction * (0.5 * kPost)) && blocked(p + direction * kPost)) return true;
+    return false;
+}
+
+double WayFinder::roomBeside(Vec2 p, Vec2 side, double most) const {
+    const Box& box = ground_.environment().def().box;
+    for (double at = 0.0; at < most;) {
+        const Vec2 q = p + side * at;
+        const double clearance = box.contains(q) ? ground_.clearanceAt(q) : 0.0;
+        if (isWall(q, perpendicular(side))) return at + std::max(clearance, 0.0);
+        at += std::max(clearance, kStep);
+    }
+    return most;
+}
+
+// Appends a path, in the middle of passages that are narrower than the formation.
+void WayFinder::append(WorldState& state, const WayNeeds& needs, March& march,
+                       const std::vector<Vec2>& path) {
+    for (std::size_t k = 1; k < path.size(); ++k) {
+        const Vec2 a = path[k - 1], b = path[k];
+        const Vec2 side = perpendicular(normalized(b - a));
+        const double half = needs.halfAcross(b - a);
+        const auto n = std::max(1, static_cast<std::int32_t>(std::ceil(distance(a, b) / kCentring)));
+        for (std::int32_t j = 1; j <= n; ++j) {
+            const Vec2 p = lerp(a, b, static_cast<double>(j) / n);
+            Vec2 q = p;
+            const bool last = j == n && k + 1 == path.size();
+            if (!last && ground_.clearanceAt(p) < half) {
+                const double left = roomBeside(p, side, 2.0 * half), right = roomBeside(p, -side, 2.0 * half);
+                if (left + right < 2.0 * half) q = p + side * (0.5 * (left - right));
+            }
+            const bool moved = !(q == p) &&
+                               state.environment.clearStaticLine(march.way.back(), q, needs.radius);
+            if (moved)
+                march.way.push_back(q);
+            else if (j == n)
+                march.way.push_back(p);
+        }
+    }
+}
+
+bool WayFinder::advance(WorldState& state, RouteGraph& routes, std::int32_t region, bool drawn,
+                        const WayNeeds& needs, March& march, std::int32_t& budget) {
+    while (!march.legs.empty() && budget > 0) {
+        const Vec2 to = march.legs.front();
+        Vec2 from = march.way.back();
+        if (region >= 0 && routes.region(from) != region) from = routes.nearestReachable(from, region);
+        if (march.searched == 0) {
+            if (straight(state, drawn, needs, from, to)) {
+                budget -= kLegWork;
+                if (!(from == march.way.back())) march.way.push_back(from);
+                march.way.push_back(to);
+                march.legs.erase(march.legs.begin());
+                continue;
+            }
+            march.query = {from, to, needs};
+        }
+        // Another ground, or a search that somebody else has had meanwhile: from the start.
+        const bool fresh = march.searched == 0 || march.ground != state.groundEdits;
+        const bool lost = !(search_.query() == march.query) || searchGround_ != state.groundEdits ||
+                          search_.expanded() != march.searched;
+        if (fresh || lost) {
+            search_.start(ground_, march.query);
+            searchGround_ = state.groundEdits;
+            if (!fresh) search_.advance(ground_, march.searched);
+        }
+        march.ground = state.groundEdits;
+        const std::int32_t before = search_.expanded();
+        const WayStatus status = search_.advance(ground_, budget);
+        budget -= std::max(1, search_.expanded() - before);
+        march.searched = search_.expanded();
+        if (status == WayStatus::Searching) return false;
+        if (status == WayStatus::Found) {
+            append(state, needs, march, search_.path());
+        } else {
+            const std::vector<Vec2> route = findRoute(routes, from, to);
+            if (route.size() > 1)
+                march.way.insert(march.way.end(), route.begin() + 1, route.end());
+            else
+                march.way.push_back(to);
+        }
+        march.searched = 0;
+        march.legs.erase(march.legs.begin());
+    }
+    return march.legs.empty();
+}
+
+double WayFinder::narrowest(const March& march, Vec2 from, double behind, double ahead, double most) const {
+    double least = most;
+    const auto look = [&](Vec2 a, Vec2 b, double reach) {
+        const double whole = distance(a, b);
+        const Vec2 side = perpendicular(normalized(b - a));
+        for (double at = 0.0; at <= std::min(whole, reach); at += 2.0 * kStep) {
+            const Vec2 p = whole > 0.0 ? lerp(a, b, at / whole) : a;
+            if (ground_.clearanceAt(p) >= 0.5 * least) continue;
+            least = std::min(least, roomBeside(p, side, least) + roomBeside(p, -side, least));
+        }
+        return reach - whole;
+    };
+    Vec2 at = from;
+    for (std::size_t k = march.next; k < march.way.size() && ahead > 0.0; ++k) {
+        ahead = look(at, march.way[k], ahead);
+        at = march.way[k];
+    }
+    at = from;
+    for (std::size_t k = march.next; k-- > 0 && behind > 0.0;) {
+        behind = look(at, march.way[k], behind);
+        at = march.way[k];
+    }
+    return least;
+}
+
+}  // namespace muster

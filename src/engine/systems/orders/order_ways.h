@@ -1,0 +1,75 @@
+// What orders need to know of the ground and of their groups.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/orders/march.h"
+#include "engine/orders/way_ground.h"
+#include "engine/orders/way_search.h"
+#include "engine/state/world_state.h"
+#include "muster/order.h"
+
+namespace muster {
+
+/// How far a formation extends from the middle of its places.
+struct FormationExtent {
+    double depth = 0.0;  ///< Along its heading [m].
+    double width = 0.0;  ///< Across [m].
+    double reach = 0.0;  ///< To the farthest place [m].
+};
+
+/// Where an order leads.
+struct OrderGoal {
+    Vec2 ground;            ///< The end of the way that characters can walk [m].
+    Vec2 target;            ///< Where the formation goes: the target, or the nearest ground to it [m].
+    bool reachable = true;  ///< False where that is not the target.
+};
+
+/// The extent of a group's formation.
+FormationExtent extentOf(const Group& group);
+/// Mean velocity of the places of a group; zero where it has none [m/s].
+Vec2 meanVelocity(const Group& group);
+/// Where a group in a region comes by an order to go to `target` [m].
+OrderGoal goalOf(RouteGraph& routes, std::int32_t region, double width, Vec2 target);
+/// The room that a group needs on its way.
+WayNeeds needsOf(const WorldState& state, const Group& group, const Order& order);
+/// The bounds of a group's march.
+MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& order,
+                    const FormationExtent& extent);
+/// How much longer a way [m] is for a formation that reaches `depth` [m] before and behind its middle,
+/// because some of it is on slow ground: in metres of good ground.
+double slowGround(const Environment& environment, std::span<const Vec2> way, double depth);
+/// The points through which an order leads, from the first after the group's position to the end: those of a
+/// drawn way on which the group can stand, then the goal [m].
+void listLegs(const RouteGraph& routes, std::int32_t region, const Order& order, const OrderGoal& goal,
+              std::vector<Vec2>& legs);
+
+/// Searches the ways of marches, leg by leg.
+class WayFinder {
+public:
+    /// Follows the ground.
+    void update(const WorldState& state) { ground_.update(state.environment); }
+    const WayGround& ground() const { return ground_; }  ///< As of the last update().
+    /// Goes on with the search for the legs of a march for `budget` cells, about, and takes what it used off
+    /// it. True once the whole way is known.
+    bool advance(WorldState& state, RouteGraph& routes, std::int32_t region, bool drawn,
+                 const WayNeeds& needs, March& march, std::int32_t& budget);
+    /// Length of way ahead, and some behind, whose narrowest width is asked for; the width [m], `most` where
+    /// wider.
+    double narrowest(const March& march, Vec2 from, double behind, double ahead, double most) const;
+
+private:
+    bool straight(const WorldState& state, bool drawn, const WayNeeds& needs, Vec2 from, Vec2 to) const;
+    void append(WorldState& state, const WayNeeds& needs, March& march, const std::vector<Vec2>& path);
+    bool isWall(Vec2 p, Vec2 along) const;
+    double roomBeside(Vec2 p, Vec2 side, double most) const;
+
+    WayGround ground_;
+    WaySearch search_;
+    std::uint32_t searchGround_ = 0;  // Version of the ground for which the search began.
+    std::vector<Vec2> centred_;
+};
+
+}  // namespace muster

@@ -1,0 +1,141 @@
+#include "engine/systems/passages/crossers.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/infinite_cost.h"
+#include "engine/geometry/polygon.h"
+#include "engine/passages/way_number.h"
+#include "engine/systems/passages/goals.h"
+
+namespace muster {
+namespace {
+
+constexpr std::size_t kMaxChoices = 6;  // Passages among which is chosen at a time.
+constexpr double kPast = 0.75;  // A detour of this share of the walk between two passages leads past one.
+constexpr double kRoundabout = 2.0;   // Ways through passages this many times as long as the straight one...
+constexpr double kLeastRound = 2.0;   // ... and this much longer are none [m].
+constexpr double kBeforeMouth = 0.4;  // Where people wait for a passage [m].
+
+/// Where people on its left or right side wait for a passage.
+Vec2 mouthOf(const Passage& passage, bool onLeft) {
+    const Vec2 left = perpendicular((passage.b - passage.a) / passage.width());
+    return passage.middle() + left * (onLeft ? passage.left + kBeforeMouth : -passage.right - kBeforeMouth);
+}
+
+}  // namespace
+
+void Crossers::gatherMember(const WorldState& state, const WayFields& fields, const Group& group,
+                            std::int32_t pool, std::int32_t character) {
+    const std::int32_t place = state.characters.place[character];
+    const ChosenWay& chosen = state.characters.chosen[character];
+    if (place < 0 || chosen.turns >= kGaveUp) return;
+    if (fields.isInside(chosen.way, state.characters.position[character])) return;
+    const WalkSpot from = fields.spot(fields.inRoom(state.characters.position[character]));
+    const WalkSpot to = fields.spot(fields.inRoom(goalOf(group, place)));
+    const double speed = metresPerSecond(state.parameters);
+    const std::size_t all = state.passages.size();
+    double least = kInfiniteCost;
+    for (std::size_t p = 0; p < all; ++p) {
+        const Walk here = fields.walk(p, from), there = fields.walk(p, to);
+        const bool candidate = onOppositeSides(here, there);
+        if (candidate) least = std::min(least, here.cost + there.cost);
+        arrival_.push_back(candidate ? here.cost / speed : kInfiniteCost);
+        onward_.push_back(candidate ? there.cost / speed : kInfiniteCost);
+        side_.push_back(static_cast<std::int8_t>(here.side));
+    }
+    const bool seen = least < kInfiniteCost && seesGoal(state, fields, character, to.point, least);
+    if (least < kInfiniteCost && !seen) {
+        characters_.push_back(character);
+        pool_.push_back(pool);
+        return;
+    }
+    if (seen) inSight_.push_back(character);
+    for (auto* table : {&arrival_, &onward_}) table->resize(table->size() - all);
+    side_.resize(side_.size() - all);
+}
+
+bool Crossers::seesGoal(const WorldState& state, const WayFields& fields, std::int32_t character, Vec2 goal,
+                        double byPassage) const {
+    const Vec2 from = state.characters.position[character];
+    const StaticGround& ground = fields.ground();
+    if (byPassage < kRoundabout * ground.lineCost(from, goal) + kLeastRound) return false;
+    const bool through = std::any_of(state.passages.begin(), state.passages.end(),
+                                     [&](const Passage& p) { return segmentsCross(from, goal, p.a, p.b); });
+    return !through && ground.collisionFree(from, goal);
+}
+
+void Crossers::gather(const WorldState& state, const WayFields& fields) {
+    characters_.clear();
+    inSight_.clear();
+    pool_.clear();
+    arrival_.clear();
+    onward_.clear();
+    side_.clear();
+    for (std::size_t g = 0; g < state.groups.size(); ++g) {
+        if (state.groups[g].groundClass != 0) continue;  // Passages are those of usual bodies.
+        for (const std::int32_t i : state.groups[g].members)
+            gatherMember(state, fields, state.groups[g], static_cast<std::int32_t>(g), i);
+    }
+    keepNearest(state.passages.size());
+}
+
+// Keeps the passages with the shortest ways in the tables, so many at most.
+void Crossers::keepNearest(std::size_t all) {
+    least_.assign(all, kInfiniteCost);
+    for (std::size_t k = 0; k < arrival_.size(); ++k)
+        least_[k % all] = std::min(least_[k % all], arrival_[k] + onward_[k]);
+    used_.clear();
+    for (std::size_t p = 0; p < all; ++p)
+        if (least_[p] < kInfiniteCost) used_.push_back(static_cast<std::int32_t>(p));
+    if (used_.size() > kMaxChoices) {
+        std::stable_sort(used_.begin(), used_.end(),
+                         [&](std::int32_t x, std::int32_t y) { return least_[x] < least_[y]; });
+        used_.resize(kMaxChoices);
+        std::sort(used_.begin(), used_.end());
+    }
+    const std::size_t kept = used_.size();
+    for (std::size_t k = 0; k < characters_.size(); ++k)
+        for (std::size_t u = 0; u < kept; ++u) {
+            arrival_[k * kept + u] = arrival_[k * all + used_[u]];
+            onward_[k * kept + u] = onward_[k * all + used_[u]];
+            side_[k * kept + u] = side_[k * all + used_[u]];
+        }
+}
+
+void Crossers::shutPast(const WorldState& state, const WayFields& fields, std::span<const std::int32_t> way) {
+    measureBetween(state, fields);
+    const std::size_t kept = used_.size();
+    for (std::size_t k = 0; k < way.size(); ++k) {
+        if (way[k] < 0) continue;
+        arrivalBefore_.assign(arrival_.begin() + k * kept, arrival_.begin() + (k + 1) * kept);
+        for (std::size_t to = 0; to < kept; ++to)
+            for (std::size_t by = 0; by < kept; ++by) {
+                const std::size_t onLeft = side_[k * kept + by] > 0 ? 1 : 0;
+                const double between = between_[(2 * by + onLeft) * kept + to];
+                const bool past = arrivalBefore_[to] - arrivalBefore_[by] > kPast * between;
+                if (past && to != by && std::cmp_not_equal(to, way[k]))
+                    arrival_[k * kept + to] = kInfiniteCost;
+            }
+    }
+}
+
+// Times of the walks from the mouths of the used passages to the used passages.
+void Crossers::measureBetween(const WorldState& state, const WayFields& fields) {
+    const std::size_t kept = used_.size();
+    const double speed = metresPerSecond(state.parameters);
+    between_.clear();
+    for (const std::int32_t by : used_)
+        for (const bool onLeft : {false, true}) {
+            const Vec2 mouth = fields.inRoom(mouthOf(state.passages[by], onLeft));
+            const double toOwn = fields.walk(by, mouth).cost;
+            for (std::size_t to = 0; to < kept; ++to)
+                between_.push_back((fields.walk(used_[to], mouth).cost - toOwn) / speed);
+        }
+}
+
+std::int32_t Crossers::wayOf(std::size_t crosser, std::size_t used) const {
+    return wayNumber(used_[used], side_[crosser * used_.size() + used]);
+}
+
+}  // namespace muster

@@ -1,0 +1,56 @@
+// Those who have to go through a passage.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/state/world_state.h"
+#include "engine/systems/passages/way_fields.h"
+
+namespace muster {
+
+/// A character that gets nowhere on its way counts as one that has turned so often: until the next command it
+/// goes without a passage.
+inline constexpr std::uint32_t kGaveUp = 1000;
+
+/// The characters that have to go through a passage, and what each passage would cost them. Tables hold an
+/// entry per character and used passage, those of the first character first.
+class Crossers {
+public:
+    /// Finds all of them, and keeps the passages with the shortest ways.
+    void gather(const WorldState& state, const WayFields& fields);
+
+    /// Closes for each character that has a passage those to which it would have to walk past another one,
+    /// through those who wait there. `way` holds an index in used() for each, -1 for none.
+    void shutPast(const WorldState& state, const WayFields& fields, std::span<const std::int32_t> way);
+
+    const std::vector<std::int32_t>& characters() const { return characters_; }  ///< Who they are.
+    /// Those whose goals are in sight, much nearer than through any passage: the two sides of a passage that
+    /// stands alone meet where the ways round it are equally long, and nothing parts them there.
+    const std::vector<std::int32_t>& inSight() const { return inSight_; }
+    const std::vector<std::int32_t>& pool() const { return pool_; }  ///< The group of each crosser.
+    const std::vector<std::int32_t>& used() const { return used_; }  ///< Passages of the tables, ascending.
+    const std::vector<double>& arrival() const { return arrival_; }  ///< Times to the passages [s].
+    const std::vector<double>& onward() const { return onward_; }    ///< Times from there to the goals [s].
+    /// The way of a character, by its index here, through a passage, by its index in used().
+    std::int32_t wayOf(std::size_t crosser, std::size_t used) const;
+
+private:
+    void gatherMember(const WorldState& state, const WayFields& fields, const Group& group, std::int32_t pool,
+                      std::int32_t character);
+    bool seesGoal(const WorldState& state, const WayFields& fields, std::int32_t character, Vec2 goal,
+                  double byPassage) const;
+    void keepNearest(std::size_t all);
+    void measureBetween(const WorldState& state, const WayFields& fields);
+
+    std::vector<std::int32_t> characters_, inSight_, pool_, used_;
+    std::vector<double> arrival_, onward_;
+    std::vector<std::int8_t> side_;  // From which they come.
+    std::vector<double> least_;      // Per passage: time of the shortest way [s].
+    // Per used passage, side (right, left) and used passage: time of the walk from there [s].
+    std::vector<double> between_;
+    std::vector<double> arrivalBefore_;  // Of one character.
+};
+
+}  // namespace muster

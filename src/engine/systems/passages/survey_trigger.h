@@ -1,0 +1,32 @@
+// Decides when passages are looked for.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "engine/passages/survey_state.h"
+#include "engine/state/world_state.h"
+#include "engine/systems/passages/way_fields.h"
+
+namespace muster {
+
+/// Looks at some characters of a group.
+class SurveyTrigger {
+public:
+    /// True where somebody has to go through a known passage. Where many have something between themselves
+    /// and their goals that no known passage explains, appends an order to `survey`, and writes that down in
+    /// the group.
+    bool look(const WorldState& state, const WayFields& fields, Group& group, SurveyState& survey);
+
+private:
+    // One who looks, and its goal.
+    using Line = std::pair<Vec2, Vec2>;
+
+    bool sample(const WorldState& state, const WayFields& fields, const Group& group);
+    const Line& middleLine() const;
+
+    std::size_t looked_ = 0;
+    std::vector<Line> hidden_;  // Positions and goals with something in between.
+};
+
+}  // namespace muster

@@ -1,0 +1,72 @@
+// The stage of ways: who goes through which passage where more come than pass (SPEC A8).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/parallel.h"
+#include "engine/assignment/planning/plan_costs.h"
+#include "engine/assignment/planning/planned_ways.h"
+#include "engine/passages/passage_survey.h"
+#include "engine/passages/way_choice.h"
+#include "engine/state/world_state.h"
+#include "engine/systems/passages/crossers.h"
+#include "engine/systems/passages/group_ways.h"
+#include "engine/systems/passages/passage_guide.h"
+#include "engine/systems/passages/survey_trigger.h"
+#include "engine/systems/passages/way_fields.h"
+#include "engine/systems/passages/way_spread.h"
+
+namespace muster {
+
+/// Finds passages, chooses ways, and tells plans and steering of them.
+class WayStage {
+public:
+    /// Takes a new or restored state; call before its first step. Fields that still hold are kept.
+    void reset(const WorldState& state);
+    /// Writes passages and chosen ways; what follows from them is ready for the rest of the step.
+    void run(WorldState& state, PlanCosts& costs, ThreadPool& pool);
+
+    /// The ways of a group, for its plan. Valid until the next run.
+    PlannedWays waysOf(std::size_t group) const;
+    /// True where a member of a group heads for a passage in this step, because its place is beyond; then
+    /// writes the unit vector of its desired direction and the cost of its way [m].
+    bool guide(const WorldState& state, std::size_t group, std::size_t member, std::int32_t place,
+               Vec2& direction, double& cost) const;
+
+private:
+    bool groundChanged(const WorldState& state);
+    static void clear(WorldState& state);
+    static bool due(const WorldState& state);
+    void look(WorldState& state);
+    bool survey(WorldState& state);
+    void decide(WorldState& state, ThreadPool& pool);
+    static void dropIfPassed(WorldState& state, std::size_t character, bool behind);
+    void dropPassed(WorldState& state, ThreadPool& pool);
+    void choose(WorldState& state);
+    bool keepCrossers(WorldState& state);
+    void dropUnneeded(WorldState& state) const;
+    void readChosen(const WorldState& state);
+    void commit(WorldState& state);
+
+    static constexpr std::size_t kMaxPassages = 12;  // Of all groups together.
+
+    // What walks depend on, as it was in the last step.
+    std::uint64_t staticVersion_ = 0;
+    double radius_ = 0.0, openCost_ = 0.0;
+    WayFields fields_;
+    SurveyTrigger trigger_;
+    PassageSurvey survey_{kMaxPassages};
+    Crossers crossers_;
+    WayChoice choice_;
+    WaySpread spread_;
+    mutable PassageGuide guide_;
+    std::vector<GroupWays> groups_;
+    std::vector<float> reach_;  // Of all characters with a way: cost to its passage [m].
+    // Of one choice.
+    std::vector<double> slot_, capacity_;
+    std::vector<std::int32_t> way_;  // Per crosser: index of its passage among those that are used.
+    std::vector<std::uint8_t> movable_, marked_;
+};
+
+}  // namespace muster

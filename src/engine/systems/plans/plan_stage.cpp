@@ -1,0 +1,255 @@
+#include "engine/systems/plans/plan_stage.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "engine/assignment/planning/main_places.h"
+#include "engine/state/layer_defs.h"
+#include "engine/systems/steering/own_routes.h"
+
+namespace muster {
+namespace {
+
+// Characters for which first plans are made in one step, unless a single group has more.
+constexpr std::size_t kFirstCharacters = 500;
+// In large worlds this share of all.
+constexpr std::size_t kFirstShare = 10;
+
+constexpr double kMostSlowness = 10.0;  // Beyond, speeds count as that much slower, or faster.
+constexpr float kLeastCost = 0.01f;     // Of a place whose cost is known [m].
+
+/// Groups take different steps of the period, so that their plans do not fall on one step.
+bool isDue(const WorldState& state, std::size_t index) {
+    const Group& group = state.groups[index];
+    const auto period = static_cast<std::uint32_t>(planPeriod(state.parameters));
+    return group.planNow || (!group.plan->pending() && (state.stepCount + index) % period == 0);
+}
+
+// By how much a way costs a character more than others, because it is slower (SPEC B10).
+double slownessOf(const WorldState& state, std::int32_t i) {
+    const Parameters::Character& usual = state.parameters.character;
+    const double own = state.characters.body[i].maxSpeed;
+    return own > 0.0 ? std::clamp(usual.maxSpeed / own, 1.0 / kMostSlowness, kMostSlowness) : 1.0;
+}
+
+}  // namespace
+
+void PlanStage::reserve(WorldState& state, PlanCosts& costs) {
+    for (Group& group : state.groups)
+        group.plan->reserve(group.members.size(), group.places.positions().size(),
+                            costs.ofClass(group.groundClass));
+}
+
+// Marks who stands on ground that is cut off from where most of the group is; empty where nobody does.
+void PlanStage::findConnected(const WorldState& state, const Group& group) {
+    connected_.clear();
+    if (!group.split) return;
+    for (const Vec2 p : members_.positions()) {
+        const std::int32_t label = state.routesOf(group).region(p);
+        connected_.push_back(label < 0 || group.region < 0 || label == group.region ? 1 : 0);
+    }
+}
+
+void PlanStage::gatherWaits(const WorldState& state, const Group& group) {
+    barred_.clear();
+    wait_.clear();
+    for (const std::int32_t i : group.members) {
+        const PlaceWait& wait = state.characters.wait[i];
+        const double exact = slownessOf(state, i) * exactCost(state, i);
+        const bool same = wait.place == state.characters.place[i];
+        // One place counts: its own, where its cost is known, unless another one was barred.
+        const bool counts = exact >= 0.0 && (same || wait.place < 0);
+        barred_.push_back(counts ? state.characters.place[i] : wait.place);
+        const float known = std::max(kLeastCost, static_cast<float>(exact) + (same ? wait.cost : 0.0f));
+        wait_.push_back(counts ? -known : wait.cost);
+    }
+}
+
+// Empty where all are as fast as the parameters say.
+void PlanStage::gatherSlowness(const WorldState& state, const Group& group) {
+    slowness_.clear();
+    const auto isUsual = [&](std::int32_t i) { return state.characters.body[i].maxSpeed == 0.0; };
+    if (std::all_of(group.members.begin(), group.members.end(), isUsual)) return;
+    for (const std::int32_t i : group.members) slowness_.push_back(static_cast<float>(slownessOf(state, i)));
+}
+
+// Only those count who can get to the places.
+void PlanStage::findClasses(const WorldState& state, Group& group) {
+    const std::vector<RoleDef>& roles = group.def.roles;
+    class_.clear();
+    ClassCounts counts{};
+    for (std::size_t k = 0; k < group.members.size() && !roles.empty(); ++k) {
+        class_.push_back(roleClass(roles, state.characters.body[group.members[k]].unitClass));
+        if (connected_.empty() || connected_[k] != 0) ++counts[class_.back()];
+    }
+    group.placeClasses.find(group.mesh.formation(), roles, counts, group.places.fit(), group.placeClass);
+}
+
+void PlanStage::gatherAmounts(const WorldState& state, const Group& group) {
+    const std::vector<double>& demands = group.def.demands;
+    supply_.clear();
+    demand_.clear();
+    bool unequal = false;
+    for (const std::int32_t i : group.members) {
+        supply_.push_back(state.characters.body[i].supply);
+        unequal = unequal || supply_.back() != 1.0;
+    }
+    for (std::size_t j = 0; j < group.places.positions().size(); ++j) {
+        demand_.push_back(j < demands.size() ? demands[j] : 1.0);
+        unequal = unequal || demand_.back() != 1.0;
+    }
+    if (unequal) return;
+    supply_.clear();
+    demand_.clear();
+}
+
+void PlanStage::start(const WorldState& state, PlanCosts& costs, const PlannedWays& ways, Group& group) {
+    const PlanMode mode = state.parameters.plan.mode;
+    members_.gather(state.characters, group);
+    std::vector<std::int32_t>& incumbent = members_.places();
+    PlanDef def = planDef(state.parameters);
+    group.reassigns = mode == PlanMode::Transport || (mode == PlanMode::AssignedOnce && !group.assigned);
+    def.reassign = group.reassigns;
+    def.starts = std::max(1, starts_);
+    if (group.planNow || group.provisional) {
+        def.firstPlans = firstPlans_;
+        def.firstPlanRank = firstPlanRank_++;
+    }
+    // Who lost its place because that was not usable gets it back.
+    if (mode == PlanMode::Fixed)
+        std::iota(incumbent.begin(), incumbent.end(), 0);
+    else if (!group.reassigns)
+        std::copy_n(group.lastAssignment.begin(), std::min(group.lastAssignment.size(), group.members.size()),
+                    incumbent.begin());
+    PlanInput input;
+    input.characters = members_.positions();
+    input.places = group.places.positions();
+    input.usable = group.places.fit();
+    input.incumbent = incumbent;
+    input.costs = &costs.ofClass(group.groundClass);
+    findConnected(state, group);
+    input.connected = connected_;
+    gatherWaits(state, group);
+    input.barred = barred_;
+    input.wait = wait_;
+    gatherSlowness(state, group);
+    input.slowness = slowness_;
+    input.ways = ways;
+    findClasses(state, group);
+    input.characterClass = class_;
+    input.placeClass = group.placeClass;
+    gatherAmounts(state, group);
+    input.supply = supply_;
+    input.demand = demand_;
+    group.slices = group.plan->shares(group.planNow ? 1 : planPeriod(state.parameters));
+    group.slice = 0;
+    const Status status = group.plan->start(def, input);
+    MUSTER_ASSERT(status.ok());
+    (void)status;
+}
+
+void PlanStage::finish(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events) {
+    const Status status = group.plan->finish(pool, result_);
+    MUSTER_ASSERT(status.ok());
+    (void)status;
+    group.objective = result_.objective;
+    group.gapBound = result_.gapBound;
+    group.walk = {};
+    for (const double cost : result_.cost) group.walk.add(cost);
+    Characters& characters = state.characters;
+    incumbent_.clear();
+    for (const std::int32_t i : group.members) incumbent_.push_back(characters.place[i]);
+    std::vector<std::int32_t>& places = members_.places();
+    findMainPlaces(result_.flows, incumbent_, places);
+    if (group.reassigns) group.lastAssignment = places;
+    for (std::size_t k = 0; k < group.members.size(); ++k) {
+        const std::int32_t i = group.members[k];
+        const std::int32_t place = places[k];
+        if (place == characters.place[i]) continue;
+        if (!result_.first && !group.planNow && place >= 0 && characters.place[i] >= 0)
+            events.push_back({EventKind::Swap, characters.id[i], static_cast<std::uint32_t>(place),
+                              characters.position[i]});
+        characters.place[i] = place;
+    }
+    group.provisional = result_.provisional;
+    group.assigned = !result_.provisional;
+    group.planNow = false;
+}
+
+// Who goes by a field has no place; a new plan is made when places count again.
+bool PlanStage::goesWithout(WorldState& state, Group& group) {
+    if (state.continuum.find(group.id) == nullptr) return false;
+    for (const std::int32_t i : group.members) {
+        state.characters.place[i] = -1;
+        state.characters.chosen[i] = {};
+        state.characters.wait[i] = {};
+    }
+    if (!group.planNow || group.plan->pending()) group.plan->forget();
+    group.planNow = true;
+    group.provisional = group.assigned = false;
+    group.slice = 0;
+    group.objective = group.gapBound = 0.0;
+    group.walk = {};
+    return true;
+}
+
+void PlanStage::launch(ThreadPool& pool) {
+    if (background_.empty()) return;
+    pool.launch(
+        [](void* plans) {
+            for (Assigner* plan : *static_cast<std::vector<Assigner*>*>(plans)) plan->workInBackground();
+        },
+        &background_);
+}
+
+// Does the next share of a pending plan.
+void PlanStage::advance(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events) {
+    Assigner& plan = *group.plan;
+    plan.advance(group.slice, group.slices, pool);
+    if (++group.slice < group.slices) return;
+    // A first plan is finished at once; later ones hold from the next step on.
+    if (plan.worksInBackground() && !group.planNow)
+        background_.push_back(&plan);
+    else
+        finish(state, group, pool, events);
+}
+
+// The first plans of large groups do not fall on one step.
+bool PlanStage::waitsForFirstPlan(const WorldState& state, const Group& group) {
+    const std::size_t count = group.members.size();
+    const std::size_t most = std::max(kFirstCharacters, state.characters.position.size() / kFirstShare);
+    if (firstCharacters_ > 0 && firstCharacters_ + count > most) return true;
+    firstCharacters_ += count;
+    return false;
+}
+
+void PlanStage::run(WorldState& state, PlanCosts& costs, WayStage& ways, ThreadPool& pool,
+                    std::vector<Event>& events) {
+    pool.wait();
+    background_.clear();
+    without_.clear();
+    for (Group& group : state.groups) without_.push_back(goesWithout(state, group) ? 1 : 0);
+    ways.run(state, costs, pool);
+    const auto isWithout = [&](const Group& group) { return without_[&group - state.groups.data()] != 0; };
+    firstPlans_ = static_cast<std::int32_t>(
+        std::count_if(state.groups.begin(), state.groups.end(), [&](const Group& group) {
+            return !group.members.empty() && !isWithout(group) && (group.planNow || group.provisional);
+        }));
+    starts_ = static_cast<std::int32_t>(
+        std::count_if(state.groups.begin(), state.groups.end(),
+                      [](const Group& group) { return !group.members.empty() && group.plan->starting(); }));
+    firstPlanRank_ = 0;
+    firstCharacters_ = 0;
+    for (std::size_t g = 0; g < state.groups.size(); ++g) {
+        Group& group = state.groups[g];
+        if (group.members.empty() || without_[g] != 0) continue;
+        const bool worked = group.plan->pending() && group.slice >= group.slices;
+        if (worked && !group.planNow) finish(state, group, pool, events);
+        if (group.planNow && waitsForFirstPlan(state, group)) continue;
+        if (isDue(state, g)) start(state, costs, ways.waysOf(g), group);
+        if (group.plan->pending()) advance(state, group, pool, events);
+    }
+    launch(pool);
+}
+
+}  // namespace muster

@@ -1,0 +1,58 @@
+// The stage of plans: who goes to which place (SPEC A1 to A3).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/parallel.h"
+#include "engine/assignment/planning/plan.h"
+#include "engine/state/world_state.h"
+#include "engine/systems/passages/way_stage.h"
+#include "engine/systems/steering/member_arrays.h"
+#include "muster/event.h"
+
+namespace muster {
+
+/// Starts, advances and finishes the plans of all groups. The work of a plan is cut into shares, one per
+/// step; what is left after the last share goes on in the background until the next step.
+class PlanStage {
+public:
+    /// Allocates memory for the first plans of a new world.
+    void reserve(WorldState& state, PlanCosts& costs);
+    /// Has the ways chosen first, after all background work. Writes places of characters, and appends Swap
+    /// events to `events`.
+    void run(WorldState& state, PlanCosts& costs, WayStage& ways, ThreadPool& pool,
+             std::vector<Event>& events);
+
+private:
+    void start(const WorldState& state, PlanCosts& costs, const PlannedWays& ways, Group& group);
+    void advance(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
+    void finish(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
+    bool waitsForFirstPlan(const WorldState& state, const Group& group);
+    bool goesWithout(WorldState& state, Group& group);
+    void gatherWaits(const WorldState& state, const Group& group);
+    void gatherSlowness(const WorldState& state, const Group& group);
+    void findConnected(const WorldState& state, const Group& group);
+    void findClasses(const WorldState& state, Group& group);
+    void gatherAmounts(const WorldState& state, const Group& group);
+    void launch(ThreadPool& pool);
+
+    std::vector<Assigner*> background_;  // Plans whose work goes on until the next run.
+    std::int32_t firstPlans_ = 0;        // Groups whose first plan is not made, or provisional.
+    std::int32_t starts_ = 0;            // Groups whose plans go on from other places than before.
+    std::int32_t firstPlanRank_ = 0;     // Those of them that came before in this step.
+    std::size_t firstCharacters_ = 0;    // Characters of the first plans that were made in this step.
+    std::vector<std::uint8_t> without_;  // By group: 1 where its members have no places.
+    MemberArrays members_;
+    std::vector<std::uint8_t> connected_;
+    std::vector<std::int32_t> barred_;  // Of one group's members, as in PlanInput.
+    std::vector<float> wait_;
+    std::vector<float> slowness_;
+    std::vector<std::uint8_t> class_;      // Of one group's members; empty without roles.
+    std::vector<double> supply_, demand_;  // Of one group; both empty where all are 1.
+    std::vector<std::int32_t> incumbent_;  // Of one group's members, -1 for none.
+    PlanResult result_;
+};
+
+}  // namespace muster

@@ -1,0 +1,54 @@
+#include "engine/systems/steering/contact_stage.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/state/layer_defs.h"
+
+namespace muster {
+namespace {
+
+// Pushed by contacts, nobody moves faster than this many times its top speed.
+constexpr double kContactShare = 1.04;
+
+}  // namespace
+
+std::int32_t movesOf(double stepTime) {
+    constexpr double kMostMoves = 30.0;  // Of one part of a step, per second.
+    return static_cast<std::int32_t>(std::max(1.0, std::ceil(stepTime * kMostMoves - 1e-9)));
+}
+
+ContactReport ContactStage::correct(WorldState& state, SteeringStage& steering, double dt, ThreadPool& pool) {
+    Characters& characters = state.characters;
+    NextMotion& next = steering.next();
+    const CrowdBodies& bodies = steering.bodies();
+    reach_.assign(steering.topSpeeds().begin(), steering.topSpeeds().end());
+    for (double& reach : reach_) reach *= kContactShare * dt;
+    const ContactReport report = contacts_.resolve(contactDef(state.parameters), state.environment,
+                                                   next.position, &steering.neighbours(), &pool,
+                                                   {characters.position, reach_}, &bodies, &steering.axes());
+    // Speed that contacts took away is lost; what they pushed adds none.
+    for (std::size_t i = 0; i < characters.size(); ++i) {
+        characters.heading[i] = next.heading[i];
+        if (bodies.isFixed(i)) continue;
+        const Vec2 moved = (next.position[i] - characters.position[i]) / dt;
+        characters.velocity[i] = clampLength(moved, length(next.velocity[i]));
+        characters.position[i] = next.position[i];
+    }
+    return report;
+}
+
+ContactReport ContactStage::run(WorldState& state, SteeringStage& steering, ThreadPool& pool) {
+    const std::int32_t moves = movesOf(state.parameters.stepTime);
+    const double dt = state.parameters.stepTime / moves;
+    ContactReport report = correct(state, steering, dt, pool);
+    for (std::int32_t k = 1; k < moves; ++k) {
+        // Moving obstacles go on too: the clock of the environment ends within the step.
+        state.environment.setTime(state.time() + k * dt);
+        steering.move(state, dt, pool);
+        report = correct(state, steering, dt, pool);
+    }
+    return report;
+}
+
+}  // namespace muster

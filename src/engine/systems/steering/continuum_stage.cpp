@@ -1,0 +1,126 @@
+#include "engine/systems/steering/continuum_stage.h"
+
+#include <cmath>
+#include <limits>
+
+#include "engine/steering/crowd_bodies.h"
+#include "engine/systems/events/standstill.h"
+
+namespace muster {
+namespace {
+
+constexpr double kFrozenFor = 0.25;  // Time for which fields serve [s].
+constexpr double kAtTarget = 0.3;    // Who is so near stands [m].
+constexpr double
+    kTouchGap = 0.15;  // Who stands with a smaller gap to those who have arrived touches them [m].
+constexpr double kNoRoomFor = 1.5;    // Who touches them and has not got on for so long has arrived too [s].
+constexpr double kDiscRadius = 1.15;  // Of a disc of bodies, times the root of their number, in their radii.
+constexpr double kDiscMargin = 0.35;  // [m]
+
+}  // namespace
+
+double gatheringReach(std::size_t count, double radius) {
+    return kDiscRadius * radius * std::sqrt(static_cast<double>(count)) + kDiscMargin;
+}
+
+void ContinuumStage::begin(WorldState& state, PlanCosts& costs) {
+    Continuum& continuum = state.continuum;
+    if (continuum.gatherings.empty()) {
+        if (!continuum.costs.empty()) continuum.costs.clear();
+        return;
+    }
+    std::vector<std::int32_t> classes;
+    for (const Group& group : state.groups) {
+        const Gathering* const gathering = continuum.find(group.id);
+        if (gathering != nullptr && gathering->active && !group.members.empty())
+            classes.push_back(group.groundClass);
+    }
+    std::sort(classes.begin(), classes.end());
+    classes.erase(std::unique(classes.begin(), classes.end()), classes.end());
+    const auto holds = [&](std::int32_t wanted) {
+        return std::any_of(continuum.costs.begin(), continuum.costs.end(),
+                           [&](const FrozenCost& frozen) { return frozen.groundClass == wanted; });
+    };
+    const bool fresh = continuum.groundEdits == state.groundEdits &&
+                       state.stepCount - continuum.frozenAt < stepsIn(state, kFrozenFor) &&
+                       std::all_of(classes.begin(), classes.end(), holds);
+    if (fresh || classes.empty()) return;
+    continuum.costs.resize(classes.size());
+    for (std::size_t k = 0; k < classes.size(); ++k)
+        continuum.costs[k] = {classes[k], costs.ofClass(classes[k]).unitCost()};
+    continuum.frozenAt = state.stepCount;
+    continuum.groundEdits = state.groundEdits;
+    std::erase_if(fields_, [](const Field& field) { return !field.used; });
+    for (Field& field : fields_) {
+        field.used = false;
+        field.stale = true;
+    }
+}
+
+const CostField& ContinuumStage::fieldOf(const WorldState& state, std::int32_t groundClass, Vec2 target) {
+    Field* found = nullptr;
+    for (Field& field : fields_) {
+        if (!(field.target == target) || field.groundClass != groundClass) continue;
+        found = &field;
+        field.used = true;
+        if (!field.stale) return field.field;
+    }
+    if (found == nullptr) found = &fields_.emplace_back();
+    found->groundClass = groundClass;
+    found->target = target;
+    found->used = true;
+    found->stale = false;
+    for (const FrozenCost& frozen : state.continuum.costs)
+        if (frozen.groundClass == groundClass) solver_.solve(frozen.cost, target, {}, found->field);
+    return found->field;
+}
+
+// Who has come to the target stands, and whoever comes up against those who stand, near it or where there is
+// no room ahead.
+void ContinuumStage::findArrived(const WorldState& state, const Group& group, Gathering& gathering) {
+    const Characters& c = state.characters;
+    const Parameters::Character& usual = state.parameters.character;
+    standing_.clear();
+    double largest = usual.radius;
+    for (const std::int32_t i : group.members) {
+        largest = std::max(largest, radiusOf(usual, c.body[i]));
+        if (gathering.hasArrived(c.id[i])) standing_.push_back(c.position[i]);
+    }
+    const double reach = gatheringReach(group.members.size(), largest);
+    const double touching = 2.0 * largest + kTouchGap;
+    if (!standing_.empty()) cells_.sort(standing_, touching);
+    const auto touches = [&](Vec2 p) {
+        if (standing_.empty()) return false;
+        const Grid& grid = cells_.grid();
+        const Cell low = grid.nearestCell(p - Vec2{touching, touching});
+        const Cell high = grid.nearestCell(p + Vec2{touching, touching});
+        for (std::int32_t y = low.y; y <= high.y; ++y)
+            for (const std::int32_t k : cells_.within(grid.index({low.x, y}), grid.index({high.x, y})))
+                if (distance(standing_[k], p) <= touching) return true;
+        return false;
+    };
+    const std::uint32_t patience = stepsIn(state, kNoRoomFor);
+    for (const std::int32_t i : group.members) {
+        if (gathering.hasArrived(c.id[i])) continue;
+        const double away = distance(c.position[i], gathering.target);
+        // Once the order is done nobody jostles on against those who stand.
+        const bool stands = group.orders.orders.empty() || state.stepCount - c.walk[i].movedAt >= patience;
+        if (away > kAtTarget && !((away <= reach || stands) && touches(c.position[i]))) continue;
+        gathering.arrived.insert(
+            std::lower_bound(gathering.arrived.begin(), gathering.arrived.end(), c.id[i]), c.id[i]);
+    }
+}
+
+void ContinuumStage::guide(WorldState& state, const Group& group, Gathering& gathering) {
+    Characters& c = state.characters;
+    const bool goes = gathering.active && !group.orders.held;
+    if (goes) findArrived(state, group, gathering);
+    const CostField* const field = goes ? &fieldOf(state, group.groundClass, gathering.target) : nullptr;
+    for (const std::int32_t i : group.members) {
+        const bool stands = field == nullptr || gathering.hasArrived(c.id[i]);
+        c.direction[i] = stands ? Vec2{} : field->direction(c.position[i]);
+        c.cost[i] = stands ? std::numeric_limits<double>::infinity() : field->cost(c.position[i]);
+    }
+}
+
+}  // namespace muster

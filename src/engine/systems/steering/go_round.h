@@ -1,0 +1,46 @@
+// Going round those who hold their ground (SPEC B15).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/neighbour_list.h"
+#include "engine/state/world_state.h"
+#include "engine/steering/crowd_bodies.h"
+
+namespace muster {
+
+/// Turns the directions of characters whose way leads into a cluster of others who hold their ground, to
+/// the end of the cluster by which the way to their place is shorter.
+class GoRound {
+public:
+    /// Changes directions. `targets` is where each heads for in the end [m].
+    void run(WorldState& state, const CrowdBodies& bodies, std::span<const Vec2> targets);
+
+private:
+    // Holders that leave no gap for others.
+    struct Cluster {
+        std::size_t first, end;  // Of its members in members_.
+        Box box;                 // Of their centres.
+        double largest;          // Radius [m].
+    };
+
+    void findHolders(const WorldState& state);
+    void findClusters(const WorldState& state, const CrowdBodies& bodies);
+    std::int32_t rootOf(std::int32_t k);
+    bool isLeftShorter(const Characters& c, const CrowdBodies& bodies, const Cluster& cluster, Vec2 target,
+                       std::int32_t character) const;
+    void turn(Characters& c, const CrowdBodies& bodies, const Cluster& cluster, Vec2 target,
+              std::int32_t character) const;
+
+    std::vector<std::int32_t> holders_;  // Characters.
+    std::vector<Vec2> positions_;        // Of these [m].
+    NeighbourList pairs_;
+    std::vector<std::int32_t> root_;     // Union-find over holders.
+    std::vector<std::int32_t> members_;  // Characters, cluster by cluster.
+    std::vector<std::int32_t> order_;    // Of holders, by root.
+    std::vector<Cluster> clusters_;
+};
+
+}  // namespace muster

@@ -1,0 +1,22 @@
+#include "engine/systems/steering/member_arrays.h"
+
+namespace muster {
+
+void MemberArrays::gather(const Characters& characters, const Group& group) {
+    const std::size_t count = group.members.size();
+    if (count == characters.size()) {
+        places_.assign(characters.place.begin(), characters.place.end());
+        positions_ = characters.position;
+        return;
+    }
+    gathered_.resize(count);
+    places_.resize(count);
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::int32_t i = group.members[k];
+        gathered_[k] = characters.position[i];
+        places_[k] = characters.place[i];
+    }
+    positions_ = gathered_;
+}
+
+}  // namespace muster

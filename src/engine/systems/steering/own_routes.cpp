@@ -1,0 +1,196 @@
+#include "engine/systems/steering/own_routes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace muster {
+namespace {
+
+constexpr double kCampsFor = 6.0;    // Who camps for this long gets a route [s].
+constexpr double kRouteFor = 30.0;   // A route is followed for this long at most [s].
+constexpr double kGoalMoved = 0.5;   // A place this far from where it was gets a new route [m].
+constexpr double kCommitment = 0.5;  // A place with a route counts as nearer by this, so that it is kept [m].
+constexpr double kNearPlace = 1.0;   // From here on the straight line to a place is tested [m].
+constexpr double kAtPlace = 0.02;    // From here on it needs no test [m].
+constexpr double kMisled = 1.2;      // A cost above this times the straight line is no line of sight,
+constexpr double kMisledBy = 0.05;   // and this [m].
+constexpr double kAtCorner = 0.1;    // A corner this near is reached [m].
+constexpr std::uint32_t kSearchTurns = 8;   // Each may search in one step of so many.
+constexpr std::int64_t kRouteWork = 12000;  // Searches begin in a step until they have used so much.
+constexpr double kMovingReach = 6.0;        // Of the discomfort round moving obstacles [m].
+
+double lengthFrom(Vec2 from, const std::vector<Vec2>& path) {
+    double sum = 0.0;
+    for (const Vec2 corner : path) {
+        sum += distance(from, corner);
+        from = corner;
+    }
+    return sum;
+}
+
+Vec2 placeOf(const WorldState& state, std::int32_t i) {
+    return state.groups[state.characters.group[i]].places.positions()[state.characters.place[i]];
+}
+
+const RouteGraph& routesFor(const WorldState& state, std::int32_t i) {
+    return state.routesOf(state.groups[state.characters.group[i]]);
+}
+
+// True where ground may cost more than its length, because something moves there.
+bool nearMoving(const Environment& environment, Vec2 p) {
+    const Grid& grid = environment.grid();
+    const Cell here = grid.nearestCell(p);
+    const auto reach = static_cast<std::int32_t>(kMovingReach / grid.cell);
+    const auto areas = environment.movingObstacleAreas();
+    return std::any_of(areas.begin(), areas.end(), [&](const CellRect& area) {
+        return !area.empty() && here.x >= area.low.x - reach && here.x <= area.high.x + reach &&
+               here.y >= area.low.y - reach && here.y <= area.high.y + reach;
+    });
+}
+
+// Rasters do not know every line along a wall; near its place a character goes by the exact ground. -1 where
+// the straight line is not clear, or the raster tells all.
+double nearCost(const WorldState& state, std::int32_t i) {
+    const Characters& c = state.characters;
+    const Environment& environment = state.environment;
+    if (c.place[i] < 0 || c.chosen[i].way >= 0 || !environment.patchIds().empty()) return -1.0;
+    const Vec2 here = c.position[i], place = placeOf(state, i);
+    const double left = distance(here, place);
+    if (left > kNearPlace || nearMoving(environment, here)) return -1.0;
+    const Grid& grid = environment.grid();
+    const double clearance = environment.clearance()[grid.index(grid.nearestCell(here))];
+    if (clearance > left + routesFor(state, i).radius() + grid.cell) return -1.0;
+    return left < kAtPlace || routesFor(state, i).ground().lineClear(here, place) ? left : -1.0;
+}
+
+bool hasTurn(const WorldState& state, std::int32_t i) {
+    return (state.stepCount + state.characters.id[i]) % kSearchTurns == 0;
+}
+
+}  // namespace
+
+// True for who has been on its way for long without getting farther than about a step or two.
+bool OwnRoutes::camps(const WorldState& state, std::int32_t i) {
+    const Characters& c = state.characters;
+    const WalkProgress& walk = c.walk[i];
+    if (walk.within || c.place[i] < 0 || c.chosen[i].way >= 0) return false;
+    return (state.stepCount - walk.campedAt) * state.parameters.stepTime >= kCampsFor;
+}
+
+// Finds the characters of routes, and drops the routes of those who left, arrived, or took too long.
+void OwnRoutes::dropEnded(WorldState& state) {
+    const Characters& c = state.characters;
+    std::vector<OwnRoute>& routes = state.ownRoutes;
+    index_.clear();
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < routes.size(); ++k) {
+        const std::int32_t i = c.indexOf(routes[k].character);
+        const bool known = i >= 0;
+        const bool arrived = known && c.walk[i].within &&
+                             (state.stepCount - c.walk[i].since) * state.parameters.stepTime >= kStayedFor;
+        const bool late = (state.stepCount - routes[k].since) * state.parameters.stepTime > kRouteFor;
+        if (!known || arrived || late || c.place[i] < 0 || c.chosen[i].way >= 0) {
+            spare_.push_back(std::move(routes[k].path));
+            continue;
+        }
+        if (kept != k) std::swap(routes[kept], routes[k]);
+        index_.push_back(i);
+        ++kept;
+    }
+    routes.resize(kept);
+}
+
+// False where no way leads to the place.
+bool OwnRoutes::search(WorldState& state, std::int32_t i, OwnRoute& route) {
+    RouteGraph& graph = state.routesOf(state.groups[state.characters.group[i]]);
+    const Vec2 from = state.characters.position[i];
+    route.place = state.characters.place[i];
+    route.goal = placeOf(state, i);
+    search_.start(graph, from, route.goal, {}, !state.environment.movingObstacleAreas().empty());
+    std::int64_t whole = std::numeric_limits<std::int64_t>::max();
+    const RouteStatus status = search_.advance(graph, whole);
+    budget_ -= search_.work() + 1;
+    if (status != RouteStatus::Found || search_.path().size() < 2) return false;
+    route.path.assign(search_.path().begin() + 1, search_.path().end());
+    return true;
+}
+
+// Those who camp get a route, as far as the budget goes.
+void OwnRoutes::begin(WorldState& state) {
+    const auto count = static_cast<std::int32_t>(state.characters.size());
+    for (std::int32_t i = 0; i < count && budget_ > 0; ++i) {
+        if (!hasTurn(state, i) || !camps(state, i)) continue;
+        std::vector<OwnRoute>& routes = state.ownRoutes;
+        const std::uint32_t id = state.characters.id[i];
+        const auto at = std::lower_bound(
+            routes.begin(), routes.end(), id,
+            [](const OwnRoute& r, std::uint32_t own) { return r.character < own; });
+        if (at != routes.end() && at->character == id) continue;
+        OwnRoute route;
+        if (!spare_.empty()) {
+            route.path.swap(spare_.back());
+            spare_.pop_back();
+        }
+        route.character = id;
+        route.since = state.stepCount;
+        if (!search(state, i, route)) {
+            spare_.push_back(std::move(route.path));
+            continue;
+        }
+        index_.insert(index_.begin() + (at - routes.begin()), i);
+        routes.insert(at, std::move(route));
+    }
+}
+
+void OwnRoutes::follow(WorldState& state, std::int32_t i, OwnRoute& route) {
+    Characters& c = state.characters;
+    const RouteGround& ground = routesFor(state, i).ground();
+    const Vec2 here = c.position[i];
+    const bool moved = route.place != c.place[i] || distance(route.goal, placeOf(state, i)) > kGoalMoved;
+    const bool lost = route.path.empty() || !ground.lineClear(here, route.path.front());
+    if ((moved || lost) && hasTurn(state, i) && budget_ > 0) search(state, i, route);
+    if (route.place != c.place[i] || route.path.empty()) return;
+    std::size_t passed = 0;
+    while (passed + 1 < route.path.size() &&
+           (distance(here, route.path[passed]) < kAtCorner || ground.lineClear(here, route.path[passed + 1])))
+        ++passed;
+    route.path.erase(route.path.begin(), route.path.begin() + static_cast<std::ptrdiff_t>(passed));
+    if (route.path.size() == 1) route.path.front() = placeOf(state, i);
+    route.cost = static_cast<float>(lengthFrom(here, route.path));
+    c.direction[i] = normalized(route.path.front() - here, c.direction[i]);
+    c.cost[i] = route.cost;
+}
+
+// Near its place nobody goes round where the straight line is clear.
+void OwnRoutes::goStraight(WorldState& state) {
+    Characters& c = state.characters;
+    const auto count = static_cast<std::int32_t>(c.size());
+    for (std::int32_t i = 0; i < count; ++i) {
+        if (c.place[i] < 0) continue;
+        const Vec2 way = placeOf(state, i) - c.position[i];
+        const double left = length(way);
+        if (left > kNearPlace || !(c.cost[i] > kMisled * left + kMisledBy) || nearCost(state, i) < 0.0)
+            continue;
+        c.direction[i] = normalized(way, c.direction[i]);
+        c.cost[i] = left;
+    }
+}
+
+double exactCost(const WorldState& state, std::int32_t i) {
+    const OwnRoute* const route = ownRouteOf(state.ownRoutes, state.characters.id[i]);
+    if (route != nullptr && route->place == state.characters.place[i] && !route->path.empty())
+        return std::max(0.0, route->cost - kCommitment);
+    return nearCost(state, i);
+}
+
+void OwnRoutes::run(WorldState& state) {
+    budget_ = kRouteWork;
+    dropEnded(state);
+    begin(state);
+    goStraight(state);
+    for (std::size_t k = 0; k < state.ownRoutes.size(); ++k) follow(state, index_[k], state.ownRoutes[k]);
+}
+
+}  // namespace muster

@@ -1,0 +1,38 @@
+// Routes of their own for those whom the guidance of their plan does not get to their places.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/ground/routes/route_search.h"
+#include "engine/state/world_state.h"
+
+namespace muster {
+
+/// What the place of a character costs it by the exact ground [m]: where it follows a route of its own (then
+/// somewhat less, so that it keeps the place), or stands so near its place that the straight line is known to
+/// be clear. Negative where that is not known.
+double exactCost(const WorldState& state, std::int32_t i);
+
+/// Who has been about the same spot for a while although its place is elsewhere follows a route by the exact
+/// ground, and keeps it until it has arrived: so no two sources of directions alternate.
+class OwnRoutes {
+public:
+    /// Writes the directions and costs of those with a route, after the plans and passages.
+    void run(WorldState& state);
+
+private:
+    static bool camps(const WorldState& state, std::int32_t i);
+    void dropEnded(WorldState& state);
+    void begin(WorldState& state);
+    bool search(WorldState& state, std::int32_t i, OwnRoute& route);
+    void follow(WorldState& state, std::int32_t i, OwnRoute& route);
+    static void goStraight(WorldState& state);
+
+    RouteSearch search_;
+    std::int64_t budget_ = 0;               // Operations left in this step.
+    std::vector<std::int32_t> index_;       // Of the character of each route.
+    std::vector<std::vector<Vec2>> spare_;  // Memory of routes that ended.
+};
+
+}  // namespace muster

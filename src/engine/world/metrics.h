@@ -1,0 +1,84 @@
+// Figures of a run, in the words of the specification's section 8.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "engine/steering/walk_progress.h"
+#include "muster/world.h"
+
+namespace muster {
+
+/// Number of events by kind.
+using EventCounts = std::array<std::uint64_t, static_cast<std::size_t>(EventKind::Count)>;
+
+/// Figures of a run. Times count from the last command.
+struct RunFigures {
+    std::int32_t characters = 0;  ///< At the end.
+    std::uint32_t steps = 0;      ///< Done.
+    std::uint64_t hash = 0;       ///< Of the state at the end.
+    double arrived95 = -1.0;      ///< [s]; -1 where not reached.
+    double arrived100 = -1.0;     ///< [s]; -1 where not reached.
+    std::int32_t stuck = 0;       ///< Not arrived, and within 0.25 m for the last 5 s.
+    /// Length walked over the least-sum geodesic assignment; -1 where it has no meaning.
+    double pathRatio = -1.0;
+    std::int32_t overlapPairsMax = 0;  ///< Most pairs at once deeper than 10 % of the mean diameter.
+    double worstPenetration = 0.0;     ///< Share of the mean diameter.
+    double
+        topSpeedRatio = 0.0;  ///< Largest displacement of a step, in steps at own top speed on that ground.
+    double swapsPerCharacterPerSecond = 0.0;  ///< Changes of place without a command.
+    WalkTotals planned;                       ///< Paths to the places by the last plan, all groups.
+    WalkTotals walked;                        ///< Paths walked by those still there.
+    double lagP95 = 0.0;                      ///< Distance to the place at the end, p95 [m].
+    std::int32_t unmatched = 0;               ///< At the end.
+    std::int32_t collected = 0;               ///< Items.
+    EventCounts events{};                     ///< Of the whole run, by kind.
+    double stepP50 = 0.0;                     ///< [ms]
+    double stepP95 = 0.0;                     ///< [ms]
+    double stepMax = 0.0;                     ///< [ms]
+    std::array<double, static_cast<std::size_t>(Stage::Count)> stageMean{};  ///< [ms] by Stage.
+};
+
+/// Watches a world and never changes it.
+class RunMetrics {
+public:
+    /// Starts watching; call before the first step.
+    explicit RunMetrics(const World& world);
+    /// Call after every step.
+    void observe(const World& world);
+    /// The figures so far. The path ratio needs one cost field per place, so it can be left out (-1).
+    RunFigures figures(const World& world, bool withPathRatio = true) const;
+
+    /// True where nothing is left to do: no control still moves, places stand, and all have arrived.
+    bool settled(const World& world) const;
+    /// Characters that are not arrived.
+    std::int32_t notArrived(const World& world) const;
+
+private:
+    void follow(const CharactersView& characters);
+    void watchArrivals(const World& world);
+    void watchSpeeds(const World& world);
+    bool hasArrived(const World& world, std::size_t character) const;
+    void arrivals(const World& world, RunFigures& figures) const;
+    double pathRatio(const World& world) const;
+
+    std::vector<std::uint32_t> ids_;
+    std::vector<std::uint32_t> reachedAt_;  // Step at which it got within reach; kNever outside.
+    std::vector<Vec2> start_;
+    std::vector<Vec2> last_;
+    std::vector<double> walked_;
+    std::vector<std::array<Vec2, 6>> trail_;  // Positions by second, the newest first.
+    std::uint32_t trailSamples_ = 0;
+    std::uint32_t samplePeriod_ = 60;  // Steps in a second.
+    bool still_ = true;                // Nothing moved on a path and no command was given.
+    std::vector<float> stepTimes_;
+    std::array<double, static_cast<std::size_t>(Stage::Count)> stageSum_{};
+    EventCounts events_{};
+    double characterSeconds_ = 0.0;
+    std::int32_t overlapPairsMax_ = 0;
+    double worstPenetration_ = 0.0;
+    double topSpeedRatio_ = 0.0;
+};
+
+}  // namespace muster

@@ -1,0 +1,212 @@
+// The read-only views of a world, and what Muster's own code sees of its inside.
+#include "muster/views.h"
+
+#include <cstdint>
+#include <limits>
+
+#include "engine/ground/routes/route_search.h"
+#include "engine/state/validation.h"
+#include "engine/world/forecast_from.h"
+#include "engine/world/inspect.h"
+#include "engine/world/world_engine.h"
+#include "muster/world.h"
+
+namespace muster {
+namespace {
+
+OrderForecast forecastOf(WorldEngine& engine, GroupId group, const Order& order, const Pose* from) {
+    engine.finishBackgroundWork();
+    const Group* const found = engine.state.findGroup(group);
+    if (found == nullptr || !validateOrder(order).ok()) {
+        OrderForecast none;
+        none.end = order.target;
+        none.seconds = std::numeric_limits<double>::infinity();
+        return none;
+    }
+    return engine.orders.forecast(engine.state, *found, order, from);
+}
+
+}  // namespace
+
+const char* stageName(Stage stage) {
+    constexpr const char* kStageNames[] = {"commands",   "orders",   "controls",         "user mesh",
+                                           "final mesh", "places",   "density and cost", "plan",
+                                           "steering",   "contacts", "patches",          "events"};
+    return stage < Stage::Count ? kStageNames[static_cast<std::size_t>(stage)] : "none";
+}
+
+std::uint32_t World::stepCount() const {
+    return engine_->state.stepCount;
+}
+double World::time() const {
+    return engine_->state.time();
+}
+const Parameters& World::parameters() const {
+    return engine_->state.parameters;
+}
+CharactersView World::characters() const {
+    return engine_->state.characters.view();
+}
+std::vector<Vec2> World::wayAhead(std::size_t character) const {
+    engine_->finishBackgroundWork();
+    WorldState& state = engine_->state;
+    if (character >= state.characters.size() || state.characters.place[character] < 0) return {};
+    const Group& group = state.groups[state.characters.group[character]];
+    RouteSearch search;
+    RouteGraph& routes = state.refreshRoutes(group.groundClass);
+    search.start(routes, state.characters.position[character],
+                 group.places.positions()[state.characters.place[character]]);
+    std::int64_t whole = std::numeric_limits<std::int64_t>::max();
+    const bool found = search.advance(routes, whole) == RouteStatus::Found;
+    return found ? search.path() : std::vector<Vec2>{};
+}
+std::size_t World::groupCount() const {
+    return engine_->state.groups.size();
+}
+
+GroupView World::group(std::size_t index) const {
+    const Group& group = engine_->state.groups[index];
+    const TriangleMesh& rest = group.mesh.formation().mesh;
+    GroupView view;
+    view.id = group.id;
+    view.name = group.def.name;
+    view.colour = group.def.colour;
+    view.build = group.def.build;
+    view.motions = group.def.motions;
+    view.count = group.def.count;
+    view.formation = group.def.formation.kind;
+    view.formationVersion = group.formationVersion;
+    view.pose = group.mesh.pose();
+    view.members = group.members;
+    view.restMesh = rest.vertices;
+    view.userMesh = group.mesh.userMesh();
+    view.finalMesh = group.mesh.finalMesh();
+    view.triangles = rest.triangles;
+    view.controls = group.controls.controls();
+    view.meshPlaces = group.mesh.formation().places;
+    view.placePositions = group.places.positions();
+    view.placeVelocities = group.places.velocities();
+    view.placeTargets = group.places.reachableTargets();
+    view.placeUsable = group.places.fit();
+    view.placeClasses = group.placeClass;
+    view.objective = group.objective;
+    view.gapBound = group.gapBound;
+    view.walk = group.walk;
+    view.meanLag = group.meanLag;
+    const OrderQueue& queue = group.orders;
+    view.orders = queue.orders;
+    view.held = queue.held;
+    view.patrols = queue.patrols;
+    view.conduct = group.def.conduct;
+    view.way = queue.march.ahead();
+    return view;
+}
+
+GroupDef World::groupDef(std::size_t index) const {
+    return engine_->state.groups[index].def;
+}
+
+OrderForecast World::forecast(GroupId group, const Order& order) const {
+    return forecastOf(*engine_, group, order, nullptr);
+}
+
+std::span<const ObstacleId> World::obstacleIds() const {
+    return engine_->state.environment.obstacleIds();
+}
+
+ObstacleView World::obstacle(ObstacleId id) const {
+    const ObstacleDef* def = engine_->state.environment.obstacle(id);
+    if (def == nullptr) return {};
+    return {id, *def, engine_->state.environment.obstaclePolygon(id),
+            engine_->state.environment.obstacleCentre(id)};
+}
+
+std::span<const PatchId> World::patchIds() const {
+    return engine_->state.environment.patchIds();
+}
+
+PatchView World::patch(PatchId id) const {
+    const PatchDef* def = engine_->state.environment.patch(id);
+    if (def == nullptr) return {};
+    return {id, *def, engine_->state.environment.patchPolygon(id)};
+}
+
+std::span<const ItemDef> World::items() const {
+    return engine_->state.items;
+}
+std::span<const std::uint8_t> World::collected() const {
+    return engine_->state.collected;
+}
+std::span<const FormationCheckpointDef> World::checkpoints() const {
+    return engine_->state.checkpoints;
+}
+std::span<const ItemId> World::itemIds() const {
+    return engine_->state.itemIds;
+}
+std::span<const CheckpointId> World::checkpointIds() const {
+    return engine_->state.checkpointIds;
+}
+std::span<const GroupId> World::checkpointGroups() const {
+    return engine_->state.checkpointGroups;
+}
+std::span<const Event> World::events() const {
+    return engine_->events;
+}
+std::span<const Rejection> World::rejections() const {
+    return engine_->rejections;
+}
+StageTimes World::stageTimes() const {
+    return engine_->times;
+}
+ContactReport World::contacts() const {
+    return engine_->contactReport;
+}
+std::uint32_t World::lastCommandStep() const {
+    return engine_->state.lastCommandStep;
+}
+
+OrderForecast forecastFrom(const World& world, GroupId group, const Order& order, const Pose& from) {
+    WorldEngine& engine = WorldAccess::of(world);
+    const Pose inside{engine.state.environment.def().box.clamp(from.position), from.rotation};
+    return forecastOf(engine, group, order, &inside);
+}
+
+namespace inspect {
+
+const Environment& environment(const World& world) {
+    return WorldAccess::of(world).state.environment;
+}
+const Characters& characters(const World& world) {
+    return WorldAccess::of(world).state.characters;
+}
+const DensityField& density(const World& world) {
+    return WorldAccess::of(world).cost.density();
+}
+const UnitCost* unitCost(const World& world) {
+    WorldEngine& engine = WorldAccess::of(world);
+    return engine.state.stepCount == 0 ? nullptr : &engine.cost.unitCost();
+}
+std::optional<std::size_t> indexOfGroup(const World& world, GroupId id) {
+    for (std::size_t g = 0; g < world.groupCount(); ++g)
+        if (world.group(g).id == id) return g;
+    return std::nullopt;
+}
+const GroupDef& groupDef(const World& world, std::size_t group) {
+    return WorldAccess::of(world).state.groups[group].def;
+}
+const FormationDef& ownFormation(const World& world, std::size_t group) {
+    const Group& of = WorldAccess::of(world).state.groups[group];
+    return of.orders.own ? *of.orders.own : of.def.formation;
+}
+const FormationMesh& mesh(const World& world, std::size_t group) {
+    return WorldAccess::of(world).state.groups[group].mesh;
+}
+const PlaceTracker& places(const World& world, std::size_t group) {
+    return WorldAccess::of(world).state.groups[group].places;
+}
+const Plan& plan(const World& world, std::size_t group) {
+    return *WorldAccess::of(world).state.groups[group].plan;
+}
+
+}  // namespace inspect
+}  // namespace muster

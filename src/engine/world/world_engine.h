@@ -1,0 +1,67 @@
+// What stands behind World: its state, the memory of each stage, and the reports of the last step.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "base/parallel.h"
+#include "engine/state/world_state.h"
+#include "engine/systems/events/event_stage.h"
+#include "engine/systems/events/patch_stage.h"
+#include "engine/systems/fields/cost_stage.h"
+#include "engine/systems/orders/order_stage.h"
+#include "engine/systems/passages/way_stage.h"
+#include "engine/systems/places/place_stage.h"
+#include "engine/systems/plans/plan_stage.h"
+#include "engine/systems/steering/contact_stage.h"
+#include "engine/systems/steering/steering_stage.h"
+#include "muster/world.h"
+
+namespace muster {
+
+/// A world. Everything but `state` can be dropped without changing a later bit.
+struct WorldEngine {
+    WorldState state;
+
+    std::vector<Event> events;          ///< Of the last step.
+    std::vector<Rejection> rejections;  ///< Of the last step.
+    ContactReport contactReport;        ///< After the last step.
+    StageTimes times;                   ///< Of the last step.
+
+    OrderStage orders;
+    PlaceStage places;
+    CostStage cost;
+    WayStage ways;
+    PlanStage plans;
+    SteeringStage steering;
+    ContactStage contacts;
+    PatchStage patches;
+    EventStage happenings;
+
+    /// Declared last: its destructor waits for background work, which reads the members above.
+    std::unique_ptr<ThreadPool> pool;
+
+    /// One time step (step.cpp).
+    void step();
+    /// Prepares to go on from a state that was just read, with the memory that the stages have. No background
+    /// work may be running.
+    void goOnFromState() {
+        orders.reset(state);
+        cost.reset(state);
+        ways.reset(state);
+        steering.reset();
+        for (const Group& group : state.groups) group.plan->bind(cost.ofClass(group.groundClass));
+        events.clear();
+        rejections.clear();
+        contactReport = {};
+    }
+    /// Waits for background work, which writes parts of the state.
+    void finishBackgroundWork() const { pool->wait(); }
+};
+
+/// Lets Muster's own code into a world.
+struct WorldAccess {
+    static WorldEngine& of(const World& world) { return *world.engine_; }  ///< All of it.
+};
+
+}  // namespace muster

@@ -1,0 +1,217 @@
+// The fields of orders, conducts, bodies and roles in scenario and gesture files.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/appearance_words.h"
+#include "files/scenario/describe_shapes.h"
+#include "muster/world_def.h"
+
+namespace muster {
+
+inline constexpr NumberRange kId{0.0, 4294967295.0};
+inline constexpr NumberRange kCoordinate{-1e6, 1e6, "m"};
+inline constexpr NumberRange kDemand{0.0, 1000.0};
+
+// The words of enumerations, in the order of their values.
+inline constexpr std::array kOrderWords{"move", "face", "follow", "guard"};
+inline constexpr std::array kMannerWords{"march", "free", "continuum"};
+inline constexpr std::array kTurnWords{"wheel", "reverse", "keep"};
+inline constexpr std::array kModeWords{"replace", "append", "insert"};
+inline constexpr std::array kEditWords{"cancel", "hold", "resume", "patrol", "endPatrol", "stop"};
+inline constexpr std::array kStanceWords{"normal", "hold", "yield"};
+inline constexpr std::array kAreaWords{"front", "rear", "rim", "centre", "leftFlank", "rightFlank", "flanks"};
+inline constexpr std::array kDriverWords{"muster", "outside"};
+inline constexpr std::array kSplitWords{"ids", "line", "lasso", "shares"};
+inline constexpr std::array kShapeWords{"asHeld", "smaller"};
+inline constexpr std::array kTriggerWords{"crowd", "mesh"};
+
+/// A value of an enumeration, as one of its words.
+template <class Visitor, class Value, std::size_t N>
+void describeWord(Visitor& v, const char* key, Value& value, const std::array<const char*, N>& words,
+                  const char* about, Need need = Need::Optional) {
+    const std::vector<std::string> names(words.begin(), words.end());
+    std::string word = names[static_cast<std::size_t>(value)];
+    v.choice(key, word, names, about, need);
+    if constexpr (Visitor::kReading) {
+        for (std::size_t i = 0; i < N; ++i)
+            if (names[i] == word) value = static_cast<Value>(i);
+    }
+}
+
+/// The same for a value that may be none, which is left out.
+template <class Visitor, class Value, std::size_t N>
+void describeWord(Visitor& v, const char* key, std::optional<Value>& value,
+                  const std::array<const char*, N>& words, const char* about) {
+    if constexpr (Visitor::kReading && !Visitor::kSchema) {
+        if (!v.has(key)) return;
+    }
+    if (!Visitor::kReading && !Visitor::kSchema && !value) return;
+    Value word = value.value_or(Value{});
+    describeWord(v, key, word, words, about);
+    if constexpr (Visitor::kReading) value = word;
+}
+
+/// The appearance of a group's people, of anything that has `build` and `motions`.
+template <class Visitor, class Appearance>
+void describeAppearance(Visitor& v, Appearance& of) {
+    describeWord(v, "build", of.build, kBuildWords,
+                 "Build of the drawn bodies; left out: both, by their ids.");
+    describeWord(v, "motions", of.motions, kMotionSetWords, "How they walk and jog; left out: plainly.");
+}
+
+/// True where a field takes part: in files it is read wherever it stands, and written where it says
+/// something.
+template <class Visitor>
+bool takesPart(bool says) {
+    return Visitor::kReading || Visitor::kSchema || says;
+}
+
+/// True for points that differ in any bit from (0, 0).
+inline bool isSet(Vec2 p) {
+    return p != Vec2{} || std::signbit(p.x) || std::signbit(p.y);
+}
+
+/// The target of an order: a place, or both ends of a front.
+template <class Visitor>
+void describeTarget(Visitor& v, Order& order) {
+    if constexpr (!Visitor::kSchema && Visitor::kReading) {
+        if (v.has("line")) {
+            std::vector<Vec2> ends;
+            v.points("line", ends, 2, 2, "");
+            if (v.failed()) return;
+            if (ends[0] == ends[1]) return v.fail("line", "two equal points", "two different ones");
+            const Order line = Order::moveToLine(ends[0], ends[1]);
+            order.target = line.target;
+            order.facing = line.facing;
+            order.width = line.width;
+            return;
+        }
+    }
+    const bool goes = order.kind == OrderKind::Move;
+    const Need need = goes && !Visitor::kSchema ? Need::Required : Need::Optional;
+    if (takesPart<Visitor>(goes || order.kind == OrderKind::Guard || isSet(order.target))) {
+        v.number("x", order.target.x, kCoordinate, "Where its centre goes; of a guarded rectangle.", need);
+        v.number("y", order.target.y, kCoordinate, "Where its centre goes; of a guarded rectangle.", need);
+    }
+    const Need turned = order.kind == OrderKind::Face ? Need::Required : Need::Optional;
+    v.optionalNumber("facing", order.facing, kAngle, "Heading at the end; left out: of the last stretch.",
+                     turned);
+    if (takesPart<Visitor>(order.width != 0.0))
+        v.number("width", order.width, {0.0, 1e5, "m"}, "Of the front; 0 for that of the formation.");
+    if constexpr (Visitor::kSchema) {
+        v.points("line", order.route, 2, 2,
+                 "Left and right end of the front, instead of place, facing and width.");
+    }
+}
+
+/// Whom an order stays with.
+template <class Visitor>
+void describeLeader(Visitor& v, Order& order) {
+    if (takesPart<Visitor>(static_cast<bool>(order.group)))
+        v.whole("leader", order.group.value, kId, "For follow and guard: the group to stay with.");
+    if (takesPart<Visitor>(order.character != 0))
+        v.whole("character", order.character, kId, "For follow and guard: the character to stay with.");
+    if (takesPart<Visitor>(isSet(order.offset)))
+        v.point("offset", order.offset, "For follow: from its centre, in its axes.");
+    if (takesPart<Visitor>(isSet(order.halfSize)))
+        v.point("halfSize", order.halfSize, "For guard: half the length and half the width.");
+    describePath(v, order.path);
+}
+
+/// The fields of an order, except its kind.
+template <class Visitor>
+void describeOrder(Visitor& v, Order& order) {
+    describeTarget(v, order);
+    v.points("route", order.route, 0, kMaxCorners, "Drawn way to the target.");
+    if (takesPart<Visitor>(order.formation.has_value())) {
+        FormationDef formation = order.formation.value_or(FormationDef{});
+        const bool given = v.objectOrKind("formation", "New formation; left out: the old one.",
+                                          [&](auto& inner) { describeFormation(inner, formation); });
+        if (Visitor::kReading && given) order.formation = formation;
+    }
+    if (takesPart<Visitor>(order.kind == OrderKind::Move || order.manner != Manner::March))
+        describeWord(v, "manner", order.manner, kMannerWords,
+                     "In formation, each by the shortest way, or to one point by one field.");
+    if (takesPart<Visitor>(order.kind == OrderKind::Move || order.turn != Turn::Wheel))
+        describeWord(v, "turn", order.turn, kTurnWords, "How it turns on a march.");
+    if (takesPart<Visitor>(order.pace != 0.0))
+        v.number("pace", order.pace, {0.0, 100.0, "m/s"}, "Of a march; 0 for as fast as all can.");
+    v.number("share", order.share, {1e-6, 1.0}, "Of those who must be there before the next order begins.");
+    describeLeader(v, order);
+}
+
+template <class Visitor>
+void describeConduct(Visitor& v, Conduct& conduct) {
+    describeWord(v, "stance", conduct.stance, kStanceWords, "Who makes room where groups meet.");
+    v.number("cohesion", conduct.cohesion, {0.0, 1.0}, "0: each at their own pace; 1: at the slowest one's.");
+    v.number("squeeze", conduct.squeeze, {0.0, 1.0}, "Share of its width that it may give up in passages.");
+    v.flag("avoids", conduct.avoids, "Its mesh gives way to other meshes and to moving obstacles.");
+}
+
+/// Equal bodies that stand one behind the other in a list.
+struct BodyRun {
+    Body body;
+    std::int32_t count = 1;
+};
+
+template <class Visitor>
+void describeBody(Visitor& v, Body& body) {
+    v.number("radius", body.radius, {0.0, 1.5, "m"}, "0: the parameter's; else 0.05 or more.");
+    v.number("maxSpeed", body.maxSpeed, {0.0, 50.0, "m/s"}, "0: the parameter's; else 0.01 or more.");
+    v.number("acceleration", body.acceleration, {0.0, 1000.0, "m/s^2"},
+             "0: the parameter's; else 0.01 or more.");
+    v.number("mass", body.mass, {0.01, 1000.0}, "Who is heavy gives way less.");
+    v.number("supply", body.supply, {1e-3, 1000.0}, "Units that it supplies to places.");
+    v.whole("class", body.unitClass, {0.0, 255.0}, "For roles; 0 for none.");
+}
+
+template <class Visitor>
+void describeBodyRun(Visitor& v, BodyRun& run) {
+    if (takesPart<Visitor>(run.count != 1))
+        v.whole("count", run.count, {1.0, kMaxCharacters}, "So many have this body.");
+    describeBody(v, run.body);
+}
+
+/// A list of bodies. Equal ones are written once, with their number.
+template <class Visitor>
+void describeBodies(Visitor& v, const char* key, std::vector<Body>& bodies, Need need) {
+    std::vector<BodyRun> runs;
+    for (const Body& body : bodies) {
+        if (!runs.empty() && runs.back().body == body) {
+            ++runs.back().count;
+        } else {
+            runs.push_back({body, 1});
+        }
+    }
+    v.list(
+        key, runs, kMaxCharacters, "One for all, or one for each; left out: the group's or the parameters'.",
+        [](auto& item, BodyRun& run) { describeBodyRun(item, run); }, need);
+    if constexpr (Visitor::kReading) {
+        bodies.clear();
+        for (const BodyRun& run : runs) {
+            if (v.failed()) return;
+            const auto count = static_cast<std::size_t>(run.count);
+            if (bodies.size() + count > static_cast<std::size_t>(kMaxCharacters))
+                return v.fail(key, "more than " + std::to_string(kMaxCharacters) + " bodies", "fewer");
+            bodies.insert(bodies.end(), count, run.body);
+        }
+    }
+}
+
+template <class Visitor>
+void describeRoles(Visitor& v, std::vector<RoleDef>& roles, Need need) {
+    v.list(
+        "roles", roles, 255, "Which class stands where, in the order in which they choose.",
+        [](auto& item, RoleDef& role) {
+            describeWord(item, "area", role.area, kAreaWords, "Part of the formation.", Need::Required);
+            item.whole("class", role.unitClass, {1.0, 255.0}, "Of those who stand there.", Need::Required);
+        },
+        need);
+}
+
+}  // namespace muster

@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "engine/ground/environment/environment.h"
+#include "muster/scenario.h"
+
+namespace muster {
+namespace {
+
+// A single-step patch whose length differs from its clip's by more than this share gives a warning.
+constexpr double kLengthShare = 0.15;
+
+std::string at(Vec2 p) {
+    char buffer[64];
+    std::snprintf(buffer, sizeof(buffer), "(%.2f, %.2f)", p.x, p.y);
+    return buffer;
+}
+
+/// The ground of the definition at time 0.
+Result<Environment> groundOf(const WorldDef& def) {
+    EnvironmentDef ground{def.box, def.cell, def.parameters.field.range, def.parameters.field.strength,
+                          def.clips};
+    auto environment = Environment::create(ground);
+    if (!environment.ok()) return environment;
+    std::vector<ObstacleDef> obstacles = def.obstacles;
+    if (def.map) {
+        for (ObstacleDef& piece : mapObstacles(def.map->grid, def.map->def))
+            obstacles.push_back(std::move(piece));
+    }
+    for (const ObstacleDef& obstacle : obstacles) {
+        if (const auto id = environment->addObstacle(obstacle); !id.ok()) return id.status();
+    }
+    environment->setTime(0.0);
+    return environment;
+}
+
+std::string nameOf(const Environment& environment, ObstacleId id) {
+    const ObstacleDef* obstacle = environment.obstacle(id);
+    if (obstacle != nullptr && !obstacle->name.empty()) return "\"" + obstacle->name + "\"";
+    return "obstacle " + std::to_string(id.value);
+}
+
+/// The location of a gap, in words.
+std::string placeOf(const Environment& environment, const NarrowGap& gap) {
+    if (!gap.b) return "between " + nameOf(environment, gap.a) + " and the edge of the world";
+    if (gap.a == gap.b) return "within " + nameOf(environment, gap.a);
+    return "between " + nameOf(environment, gap.a) + " and " + nameOf(environment, gap.b);
+}
+
+void warnOfGaps(const WorldDef& def, const Environment& environment, std::size_t most,
+                std::vector<std::string>& warnings) {
+    const double diameter = 2.0 * def.parameters.character.radius;
+    for (const NarrowGap& gap : environment.narrowGaps(diameter, static_cast<std::int32_t>(most))) {
+        if (warnings.size() >= most) return;
+        char width[32];
+        std::snprintf(width, sizeof(width), "%.2f", gap.width);
+        warnings.push_back("the gap " + placeOf(environment, gap) + " at " + at(gap.where) + " is " + width +
+                           " m wide, narrower than a character");
+    }
+}
+
+/// The shortest straight path across a shape [m].
+double widthOf(std::span<const Vec2> polygon) {
+    const Polygon hull = convexHull(polygon);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0, j = hull.size() - 1; i < hull.size(); j = i++) {
+        const Vec2 along = normalized(hull[i] - hull[j]);
+        double across = 0.0;
+        for (const Vec2 p : hull) across = std::max(across, cross(along, p - hull[j]));
+        least = std::min(least, across);
+    }
+    return least;
+}
+
+/// SPEC C3: a single-step motion runs once, so its patch must be as long as its clip.
+void warnOfSingleSteps(const WorldDef& def, std::size_t most, std::vector<std::string>& warnings) {
+    for (std::size_t i = 0; i < def.patches.size() && warnings.size() < most; ++i) {
+        const ClipFacts& clip = def.clips[def.patches[i].motion];
+        if (clip.cyclic || clip.length <= 0.0) continue;
+        const double found = widthOf(def.patches[i].polygon);
+        if (std::fabs(found - clip.length) <= kLengthShare * clip.length) continue;
+        char text[160];
+        std::snprintf(text, sizeof(text),
+                      ": found %.2f m across, expected %.2f to %.2f m, as a play of \"%.40s\" covers %.2f m",
+                      found, (1.0 - kLengthShare) * clip.length, (1.0 + kLengthShare) * clip.length,
+                      clip.name.c_str(), clip.length);
+        warnings.push_back("$.patches[" + std::to_string(i) + "].polygon" + text);
+    }
+}
+
+void warnOfStarts(const WorldDef& def, const Environment& environment, std::size_t most,
+                  std::vector<std::string>& warnings) {
+    for (const GroupDef& group : def.groups) {
+        std::int32_t blocked = 0;
+        Vec2 example;
+        for (Vec2 p : group.starts) {
+            if (def.box.contains(p) && environment.distanceToObstacle(p) >= def.parameters.character.radius)
+                continue;
+            if (blocked++ == 0) example = p;
+        }
+        if (group.starts.empty() && !def.box.contains(group.position)) {
+            warnings.push_back("group \"" + group.name + "\" stands outside the world box");
+        }
+        if (blocked > 0 && warnings.size() < most) {
+            warnings.push_back(std::to_string(blocked) + " characters of group \"" + group.name +
+                               "\" start in an obstacle or outside, the first at " + at(example));
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> scenarioWarnings(const WorldDef& def, std::size_t most) {
+    std::vector<std::string> warnings;
+    const auto environment = groundOf(def);
+    if (!environment.ok()) return {environment.status().message()};
+    warnOfGaps(def, *environment, most, warnings);
+    warnOfSingleSteps(def, most, warnings);
+    warnOfStarts(def, *environment, most, warnings);
+    return warnings;
+}
+
+}  // namespace muster

@@ -1,0 +1,146 @@
+#include "files/take/take_about.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "json/json.h"
+
+namespace muster {
+namespace {
+
+constexpr double kSlowest = 0.1, kFastest = 8.0;  // [seconds of the take per second]
+
+std::string text(double value) {
+    return compactJson(Json(value));
+}
+
+Status checkPiece(const SpeedPiece& piece, double earliest, const std::string& where) {
+    if (!std::isfinite(piece.from) || piece.from < earliest)
+        return invalidArgument(where + ".from: found " + text(piece.from) + ", expected " + text(earliest) +
+                               " or later");
+    if (!std::isfinite(piece.to) || piece.to <= piece.from)
+        return invalidArgument(where + ".to: found " + text(piece.to) + ", expected later than from");
+    if (!(piece.speed >= kSlowest && piece.speed <= kFastest))
+        return invalidArgument(where + ".speed: found " + text(piece.speed) + ", expected 0.1 to 8");
+    if (!std::isfinite(piece.ease) || piece.ease < 0.0)
+        return invalidArgument(where + ".ease: found " + text(piece.ease) + ", expected 0 or more");
+    return {};
+}
+
+double smooth(double share) {
+    const double t = std::clamp(share, 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+Status wrong(const std::string& key, const Json& found, const char* expected) {
+    return {StatusCode::ParseError, key + ": found " + describeJson(found) + ", expected " + expected};
+}
+
+Status readNumber(const Json& object, const char* key, double& value) {
+    const Json* found = object.find(key);
+    if (found == nullptr) return {};
+    if (!found->isNumber()) return wrong(key, *found, "a number");
+    value = found->number();
+    return {};
+}
+
+Status readStep(const Json& object, const char* key, std::uint32_t& step) {
+    const Json* found = object.find(key);
+    if (found == nullptr || found->isNull()) return {};
+    const bool fits = found->isWhole() && found->number() >= 0.0 && found->number() <= double{kTakeEnd};
+    if (!fits) return wrong(key, *found, "a number of steps");
+    step = found->whole<std::uint32_t>();
+    return {};
+}
+
+Status readSpeeds(const Json& list, std::vector<SpeedPiece>& speeds) {
+    if (!list.isArray()) return wrong("speeds", list, "an array");
+    speeds.clear();
+    for (const Json& entry : list.elements()) {
+        if (!entry.isObject()) return wrong("speeds", entry, "objects in it");
+        SpeedPiece piece;
+        for (const auto& [key, value] : {std::pair<const char*, double*>{"from", &piece.from},
+                                         {"to", &piece.to},
+                                         {"speed", &piece.speed},
+                                         {"ease", &piece.ease}})
+            if (Status s = readNumber(entry, key, *value); !s.ok()) return s.within("speeds");
+        speeds.push_back(piece);
+    }
+    return {};
+}
+
+}  // namespace
+
+std::uint32_t TakeAbout::firstStep(std::uint32_t steps) const {
+    return std::min(from, lastStep(steps) - std::min(lastStep(steps), 1u));
+}
+
+std::uint32_t TakeAbout::lastStep(std::uint32_t steps) const {
+    return std::max(std::min(to, steps), std::min(steps, 1u));
+}
+
+double TakeAbout::speedAt(double seconds) const {
+    for (const SpeedPiece& piece : speeds) {
+        if (seconds < piece.from || seconds >= piece.to) continue;
+        const double ease = std::min(piece.ease, 0.5 * (piece.to - piece.from));
+        if (ease <= 0.0) return piece.speed;
+        const double inside = std::min(seconds - piece.from, piece.to - seconds);
+        return 1.0 + (piece.speed - 1.0) * smooth(inside / ease);
+    }
+    return 1.0;
+}
+
+Status TakeAbout::check() const {
+    if (title.size() > kMaxTitleBytes)
+        return invalidArgument("title: found " + std::to_string(title.size()) + " bytes, expected at most " +
+                               std::to_string(kMaxTitleBytes));
+    const auto control = [](char c) { return static_cast<unsigned char>(c) < 32; };
+    if (std::any_of(title.begin(), title.end(), control))
+        return invalidArgument("title: found a control character, expected plain text");
+    if (to <= from)
+        return invalidArgument("to: found " + std::to_string(to) + ", expected more than " +
+                               std::to_string(from));
+    if (speeds.size() > kMaxSpeedPieces)
+        return invalidArgument("speeds: found " + std::to_string(speeds.size()) + ", expected at most " +
+                               std::to_string(kMaxSpeedPieces));
+    double earliest = 0.0;
+    for (std::size_t i = 0; i < speeds.size(); ++i) {
+        const Status s = checkPiece(speeds[i], earliest, "speeds[" + std::to_string(i) + "]");
+        if (!s.ok()) return s;
+        earliest = speeds[i].to;
+    }
+    return {};
+}
+
+std::string writeTakeAbout(const TakeAbout& about) {
+    Json value = Json::object();
+    if (!about.title.empty()) value["title"] = about.title;
+    if (about.from != 0) value["from"] = about.from;
+    if (about.to != kTakeEnd) value["to"] = about.to;
+    for (const SpeedPiece& piece : about.speeds)
+        value["speeds"].push(
+            {{"from", piece.from}, {"to", piece.to}, {"speed", piece.speed}, {"ease", piece.ease}});
+    return compactJson(value);
+}
+
+Result<TakeAbout> readTakeAbout(std::string_view text, const std::string& sourceName) {
+    const auto value = parseJson(text, sourceName);
+    if (!value.ok()) return value.status();
+    if (!value->isObject())
+        return Status(StatusCode::ParseError,
+                      sourceName + ": found " + describeJson(*value) + ", expected an object");
+    TakeAbout about;
+    if (const Json* title = value->find("title")) {
+        if (!title->isText()) return wrong("title", *title, "a text").within(sourceName);
+        about.title = title->text();
+    }
+    Status status = readStep(*value, "from", about.from);
+    if (status.ok()) status = readStep(*value, "to", about.to);
+    if (const Json* speeds = value->find("speeds"); status.ok() && speeds != nullptr)
+        status = readSpeeds(*speeds, about.speeds);
+    if (status.ok()) status = about.check();
+    if (!status.ok()) return status.within(sourceName);
+    return about;
+}
+
+}  // namespace muster

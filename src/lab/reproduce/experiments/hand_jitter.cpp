@@ -1,0 +1,29 @@
+#include "lab/reproduce/experiments/hand_jitter.h"
+
+#include <algorithm>
+
+#include "base/random.h"
+
+namespace muster {
+namespace {
+
+constexpr double kGrows = 2.0;  // [s]
+
+}  // namespace
+
+void jitterHand(std::vector<Command>& commands, std::uint64_t seed, double amount) {
+    Random random(seed);
+    const double x = random.uniform(-amount, amount);
+    const double y = random.uniform(-amount, amount);
+    const Vec2 shift{x, y};
+    double begins = -1.0;
+    for (Command& command : commands) {
+        if (const auto* down = std::get_if<TouchDown>(&command.body); down != nullptr && begins < 0.0)
+            begins = down->time;
+        auto* move = std::get_if<TouchMove>(&command.body);
+        if (move == nullptr || begins < 0.0) continue;
+        move->position += shift * std::clamp((move->time - begins) / kGrows, 0.0, 1.0);
+    }
+}
+
+}  // namespace muster

@@ -1,0 +1,29 @@
+// One trial directed by an operator model.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lab/study/models/operator_model.h"
+
+namespace muster {
+
+/// Trials of the report have seeds from 1 on; whoever tunes anything uses seeds from here on, which no report
+/// has.
+inline constexpr std::uint64_t kFirstTuningSeed = 1000001;
+
+/// What came of a trial.
+struct ModelTrial {
+    TrialResult result;                    ///< As of any trial.
+    std::int32_t misses = 0;               ///< Gestures that did not what was meant.
+    std::int32_t orders = 0;               ///< Orders that the model meant to give.
+    double operatorSeconds = 0.0;          ///< Time in which it decided or moved [s].
+    std::vector<ModelDecision> decisions;  ///< In the order of time.
+    std::vector<StampedInput> inputs;      ///< All that it did.
+};
+
+/// Runs a trial to its end. Items, and the chance of the model, depend on the seed alone, so that trials of
+/// two schemes with one seed are a pair. Fails where a name is unknown.
+Result<ModelTrial> runModelTrial(const TrialDef& def, const std::string& setting);
+
+}  // namespace muster

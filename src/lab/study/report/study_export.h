@@ -1,0 +1,21 @@
+// The study's tables as CSV (RFC 4180), with a codebook.
+#pragma once
+
+#include <string>
+
+#include "studio/study/store/store.h"
+
+namespace muster {
+
+/// A field of a CSV file: in quotes where it holds commas, quotes or line breaks.
+std::string csvField(const std::string& text);
+/// "models", "people", "test".
+const char* kindName(RunKind kind);
+/// "running", "complete", "broken-off".
+const char* stateName(RunState state);
+
+/// Writes runs.csv, trials.csv, inputs.csv, decisions.csv, answers.csv, codebook.csv and codebook.md into a
+/// folder, which is made where it is missing.
+Status exportStudy(StudyStore& store, const std::string& folder);
+
+}  // namespace muster

@@ -1,0 +1,66 @@
+#include "studio/session/frames/frame_sender.h"
+
+namespace muster {
+
+void FrameSender::restart() {
+    sentIds_ = 0;
+    sentMeshes_.clear();
+}
+
+Status FrameSender::acknowledge(std::uint32_t number) {
+    if (number > frame_) return invalidArgument("frame " + std::to_string(number) + " was never sent");
+    if (number == frame_) awaitsAck_ = false;
+    return {};
+}
+
+// Sends everything that a frame refers to before the frame.
+void FrameSender::sendScene(const WorldPicture& picture, std::vector<MessageBytes>& messages) {
+    if (sentScene_ != picture.sceneRevision) {
+        messages.push_back(picture.scene);
+        sentScene_ = picture.sceneRevision;
+    }
+    if (sentMotions_ != picture.motion.revision()) {
+        messages.push_back(picture.motion.motions());
+        sentMotions_ = picture.motion.revision();
+    }
+    for (std::size_t g = 0; g < picture.world.groupCount(); ++g) {
+        const GroupView group = picture.world.group(g);
+        const auto sent = sentMeshes_.find(group.id.value);
+        if (sent != sentMeshes_.end() && sent->second == group.formationVersion) continue;
+        messages.push_back(protocol::encode(buildGroupMesh(picture.world, g)));
+        sentMeshes_[group.id.value] = group.formationVersion;
+        places_[group.id.value].restart();
+    }
+}
+
+void FrameSender::send(const WorldPicture& picture, double echo, std::vector<protocol::EventFrame>& events,
+                       std::vector<MessageBytes>& messages) {
+    sendScene(picture, messages);
+    protocol::Frame& frame = picture.frame;
+    const bool known = sentIds_ == picture.frames.idsVersion();
+    crowd_.encode(picture.frames.crowd(), !known, frame.crowd);
+    for (std::size_t g = 0; g < frame.groups.size(); ++g)
+        places_[frame.groups[g].id].encode(picture.frames.places()[g], frame.groups[g]);
+    frame.frame = ++frame_;
+    frame.touchEcho = echo;
+    frame.events.swap(events);
+    // Ids, groups and bodies are left out of this message where the client already has them.
+    std::vector<std::uint32_t> ids;
+    std::vector<std::uint8_t> groups, classes, radii;
+    const auto swapMembers = [&] {
+        if (!known) return;
+        ids.swap(frame.ids);
+        groups.swap(frame.group);
+        classes.swap(frame.unitClass);
+        radii.swap(frame.radius);
+    };
+    swapMembers();
+    messages.push_back(protocol::encode(frame));
+    swapMembers();
+    frame.events.swap(events);
+    events.clear();
+    sentIds_ = picture.frames.idsVersion();
+    awaitsAck_ = true;
+}
+
+}  // namespace muster

@@ -1,0 +1,104 @@
+#include "studio/session/history/act_label.h"
+
+#include <algorithm>
+
+#include "engine/world/inspect.h"
+#include "studio/session/inbox/command_kinds.h"
+
+namespace muster {
+namespace {
+
+const char* orderLabel(const Order& order) {
+    switch (order.kind) {
+        case OrderKind::Move:
+            break;
+        case OrderKind::Face:
+            return "Turn";
+        case OrderKind::Follow:
+            return "Follow";
+        case OrderKind::Guard:
+            return "Guard";
+    }
+    return "Move";
+}
+
+const char* editLabel(QueueEdit edit) {
+    switch (edit) {
+        case QueueEdit::Cancel:
+            break;
+        case QueueEdit::Hold:
+            return "Hold";
+        case QueueEdit::Resume:
+            return "Go on";
+        case QueueEdit::Patrol:
+            return "Patrol";
+        case QueueEdit::EndPatrol:
+            return "End patrol";
+        case QueueEdit::Stop:
+            return "Stop";
+    }
+    return "Cancel order";
+}
+
+const char* conductLabel(const SetConduct& set, const World& world) {
+    const auto g = inspect::indexOfGroup(world, set.group);
+    if (!g) return "Conduct";
+    const Conduct& was = inspect::groupDef(world, *g).conduct;
+    if (set.conduct.cohesion != was.cohesion) return "Cohesion";
+    if (set.conduct.squeeze != was.squeeze) return "Squeeze";
+    if (set.conduct.stance != was.stance) return "Stance";
+    if (set.conduct.avoids != was.avoids) return "Give way";
+    return "Conduct";
+}
+
+/// One label for each kind of command.
+struct Label {
+    const World& world;
+
+    const char* operator()(const GiveOrder& give) const { return orderLabel(give.order); }
+    const char* operator()(const EditQueue& edit) const { return editLabel(edit.edit); }
+    const char* operator()(const SetConduct& set) const { return conductLabel(set, world); }
+    const char* operator()(const PinControl& pin) const { return pin.pinned ? "Pin" : "Release pin"; }
+    const char* operator()(const SetFormation&) const { return "Change shape"; }
+    const char* operator()(const SetCount&) const { return "People"; }
+    const char* operator()(const SetPose&) const { return "Place group"; }
+    const char* operator()(const AddGroup&) const { return "Add group"; }
+    const char* operator()(const SetParameter&) const { return "Setting"; }
+    const char* operator()(const AddCharacters&) const { return "Add people"; }
+    const char* operator()(const RemoveCharacters&) const { return "Remove people"; }
+    const char* operator()(const TransferCharacters&) const { return "Transfer people"; }
+    const char* operator()(const SplitGroup&) const { return "Split"; }
+    const char* operator()(const MergeGroups&) const { return "Merge"; }
+    const char* operator()(const SetBodies&) const { return "Bodies"; }
+    const char* operator()(const SetRoles&) const { return "Roles"; }
+    const char* operator()(const SetDemands&) const { return "Demands"; }
+    template <class Other>
+    const char* operator()(const Other&) const {
+        return nullptr;
+    }
+};
+
+}  // namespace
+
+bool canTakeBack(const CommandBody& body) {
+    return !isOneOf<TouchDown, TouchMove, TouchUp, TouchCancel, AddControl, RemoveControl, ReleaseClient>(
+        body);
+}
+
+std::string actLabel(std::span<const CommandBody> bodies, const World& world) {
+    const auto has = [&](auto kind) {
+        return std::any_of(bodies.begin(), bodies.end(), [&](const CommandBody& body) {
+            return std::holds_alternative<decltype(kind)>(body);
+        });
+    };
+    if (has(GiveOrder{}) && has(EditQueue{})) return "Change orders";
+    for (const CommandBody& body : bodies)
+        if (const char* label = std::visit(Label{world}, body)) return label;
+    return "Change";
+}
+
+bool isContinuous(const CommandBody& body) {
+    return isOneOf<SetConduct, SetParameter, SetCount, SetDemands>(body);
+}
+
+}  // namespace muster

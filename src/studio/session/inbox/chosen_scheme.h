@@ -1,0 +1,41 @@
+// The control scheme that judges one client's raw inputs.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "muster/session.h"
+#include "studio/gestures/scheme_driver.h"
+#include "studio/session/inbox/protocol.h"
+
+namespace muster {
+
+/// Where a client's inputs are judged, if it chose a scheme.
+class ChosenScheme {
+public:
+    /// Another scheme for the client of that number; an empty name for none. Fails with NotFound, listing
+    /// the names, and changes nothing then.
+    Status choose(const std::string& name, std::uint32_t client);
+    /// A new world began, in which the client has that number: what the scheme remembers is forgotten.
+    void restart(std::uint32_t client);
+    /// How the ground is seen from now on; it outlives schemes and worlds.
+    void setView(const GroundView& view, const World* world);
+    /// Takes an input. Fails where there is no scheme or no view yet, and where the input is malformed.
+    Status input(const InputEvent& event, const World& world);
+    /// The commands for the next step.
+    std::vector<CommandBody> take(const World& world);
+    /// Appends what is to be shown, where it changed.
+    void send(std::vector<MessageBytes>& messages);
+
+private:
+    std::string name_;
+    SchemeDef def_;
+    std::optional<GroundView> view_;
+    std::optional<SchemeDriver> driver_;
+    bool viewKnown_ = false;      // The driver knows the view.
+    std::vector<Command> taken_;  // Working memory.
+    MessageBytes sent_;           // The marks that were sent last.
+};
+
+}  // namespace muster

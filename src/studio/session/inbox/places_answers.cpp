@@ -1,0 +1,97 @@
+#include "studio/session/inbox/places_answers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "base/maths.h"
+#include "engine/state/validation.h"
+#include "engine/world/inspect.h"
+#include "engine/world/stand_forecast.h"
+#include "muster/views.h"
+#include "studio/session/inbox/command_text.h"
+
+namespace muster {
+namespace {
+
+constexpr double kMostAskedFacing = 1e4;  // Of a question [rad].
+
+bool isGroup(const World& world, std::uint32_t id) {
+    return inspect::indexOfGroup(world, GroupId{id}).has_value();
+}
+
+bool isPlace(double value) {
+    return std::fabs(value) <= kMaxCoordinate;
+}
+
+/// InvalidArgument or LimitExceeded where a question makes no sense.
+Status check(const protocol::PlacesAsk& ask, const SessionLimits& limits) {
+    if (!isPlace(ask.x) || !isPlace(ask.y) || !(std::fabs(ask.facing) <= kMostAskedFacing))
+        return {StatusCode::InvalidArgument, "places about a centre that is not finite"};
+    if (ask.places.size() % 2 != 0 || !std::all_of(ask.places.begin(), ask.places.end(), isPlace))
+        return {StatusCode::InvalidArgument, "places that are not finite pairs"};
+    const auto most = static_cast<std::size_t>(limits.charactersPerGroup);
+    if (ask.places.size() / 2 > most)
+        return {StatusCode::LimitExceeded, "found " + std::to_string(ask.places.size() / 2) +
+                                               " places, expected at most " + std::to_string(most)};
+    return {};
+}
+
+/// The places of the formation that a question spells out.
+Result<std::vector<Vec2>> standOf(const World& world, const protocol::PlacesAsk& ask,
+                                  const SessionLimits& limits) {
+    auto bodies = parseCommandText("[" + ask.event + "]", limits);
+    if (!bodies.ok()) return bodies.status();
+    const auto* set = bodies->size() == 1 ? std::get_if<SetFormation>(&bodies->front()) : nullptr;
+    if (set == nullptr) return Status(StatusCode::InvalidArgument, "places of what is not one formation");
+    const Pose at{{ask.x, ask.y}, {cosine(ask.facing), sine(ask.facing)}};
+    return placesAt(world, GroupId{ask.group}, set->formation, at);
+}
+
+std::vector<Vec2> given(const protocol::PlacesAsk& ask) {
+    std::vector<Vec2> places;
+    for (std::size_t i = 0; i + 1 < ask.places.size(); i += 2)
+        places.push_back({ask.places[i], ask.places[i + 1]});
+    return places;
+}
+
+protocol::PlacesFrame answer(const World& world, const protocol::PlacesAsk& ask,
+                             const SessionLimits& limits) {
+    protocol::PlacesFrame frame;
+    frame.group = ask.group;
+    const Result<std::vector<Vec2>> places = ask.event.empty() ? Result<std::vector<Vec2>>(given(ask))
+                                                               : standOf(world, ask, limits);
+    if (!places.ok()) {
+        frame.problem = places.status().message();
+        return frame;
+    }
+    for (const Vec2 p : places.value()) {
+        frame.places.push_back(static_cast<float>(p.x));
+        frame.places.push_back(static_cast<float>(p.y));
+    }
+    for (const PlaceBar bar : barsOf(world, GroupId{ask.group}, places.value()))
+        frame.unfit.push_back(static_cast<std::uint8_t>(bar));
+    return frame;
+}
+
+}  // namespace
+
+Result<protocol::Places> answerPlaces(const World& world, const protocol::AskPlaces& message,
+                                      const SessionLimits& limits) {
+    if (message.asks.size() > limits.forecastsPerMessage)
+        return Status(StatusCode::LimitExceeded, "found " + std::to_string(message.asks.size()) +
+                                                     " questions about places, expected at most " +
+                                                     std::to_string(limits.forecastsPerMessage));
+    protocol::Places answers;
+    answers.number = message.number;
+    for (const protocol::PlacesAsk& ask : message.asks) {
+        if (Status status = check(ask, limits); !status.ok()) return status;
+        if (isGroup(world, ask.group)) answers.answers.push_back(answer(world, ask, limits));
+    }
+    return answers;
+}
+
+}  // namespace muster

@@ -1,0 +1,427 @@
+// A session's inbox: a message becomes commands or changes how the session runs.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/ground/environment/environment.h"
+#include "engine/state/validation.h"
+#include "engine/world/inspect.h"
+#include "muster/parameter_table.h"
+#include "studio/session/frames/notice_position.h"
+#include "studio/session/inbox/command_text.h"
+#include "studio/session/inbox/forecasts.h"
+#include "studio/session/inbox/places_answers.h"
+#include "studio/session/inbox/raw_inputs.h"
+#include "studio/session/session_state.h"
+
+namespace muster {
+namespace {
+
+constexpr std::int32_t kMaxSingleSteps = 60;  // Largest number of single steps that may wait.
+
+CommandBody touchCommand(const protocol::TouchEvent& event, double time) {
+    const Vec2 position{event.x, event.y};
+    switch (event.phase) {
+        case protocol::TouchPhase::Down:
+            return TouchDown{event.touch, position, time, GroupId{event.group}};
+        case protocol::TouchPhase::Move:
+            return TouchMove{event.touch, position, time};
+        case protocol::TouchPhase::Up:
+            return TouchUp{event.touch, time};
+        case protocol::TouchPhase::Cancel:
+            break;
+    }
+    return TouchCancel{event.touch};
+}
+
+Status limitExceeded(const std::string& what, std::size_t found, std::size_t most) {
+    return {StatusCode::LimitExceeded,
+            "found " + std::to_string(found) + " " + what + ", expected at most " + std::to_string(most)};
+}
+
+// Handles one message.
+class Handler {
+public:
+    Handler(Session::Impl& session, SessionClient& client) : session_(session), client_(client) {}
+
+    Status operator()(const protocol::Hello& message) {
+        if (client_.greeted) return invalidArgument("a second Hello");
+        session_.greet(client_, message.name);
+        return {};
+    }
+
+    Status operator()(const protocol::SetName& message) {
+        session_.directors.rename(client_.number, message.name);
+        return {};
+    }
+
+    Status operator()(const protocol::GiveGroup& message) {
+        const GroupDef* group = message.group == 0 ? nullptr : groupDef(message.group);
+        if (message.group != 0 && group == nullptr) return noGroup(message.group);
+        const Status status = session_.directors.give(message.client, GroupId{message.group});
+        if (!status.ok()) return status;
+        const auto found = std::find_if(
+            session_.clients.begin(), session_.clients.end(),
+            [&](const auto& entry) { return entry.second.number == message.client; });
+        if (message.client == client_.number || found == session_.clients.end()) return {};
+        const std::string what = group == nullptr ? "everything" : group->name;
+        session_.notice(found->second, protocol::NoticeLevel::Info, "director",
+                        session_.directors.name(client_.number) + " gave you " + what + " to direct.");
+        return {};
+    }
+
+    Status operator()(const protocol::Touches& message) {
+        const SessionLimits& limits = session_.def.limits;
+        if (message.events.size() > limits.touchesPerMessage)
+            return limitExceeded("touch events", message.events.size(), limits.touchesPerMessage);
+        for (const protocol::TouchEvent& event : message.events) {
+            if (!std::isfinite(event.time)) return invalidArgument("a touch with a time that is not finite");
+        }
+        if (!client_.touches.take(session_.realTime, static_cast<double>(message.events.size())))
+            return tooManyTouches("touch events");
+        TouchClock clock = client_.clock;  // Stored only if every event of the message is valid.
+        std::vector<CommandBody> bodies;
+        double newest = client_.touchWaiting;
+        for (const protocol::TouchEvent& event : message.events) {
+            bodies.push_back(touchCommand(event, stamp(clock, event.time)));
+            newest = std::max(newest, event.time);
+        }
+        const Status status = submit(std::move(bodies));
+        if (!status.ok()) return status;
+        client_.clock = clock;
+        client_.touchWaiting = newest;
+        return status;
+    }
+
+    Status operator()(const protocol::AddControl& message) {
+        const std::size_t count = message.touches.size();
+        const std::size_t most = session_.def.limits.pointsPerControl;
+        if (count > most) return limitExceeded("points", count, most);
+        if (message.xs.size() != count || message.ys.size() != count)
+            return invalidArgument(
+                "found lists of different lengths, expected one x and one y for each touch");
+        if (!std::isfinite(message.time)) return invalidArgument("a time that is not finite");
+        AddControl add;
+        add.group = GroupId{message.group};
+        add.kind = static_cast<ControlKind>(message.kind);
+        add.touches = message.touches;
+        for (std::size_t i = 0; i < count; ++i) add.positions.push_back({message.xs[i], message.ys[i]});
+        TouchClock clock = client_.clock;
+        add.time = stamp(clock, message.time);
+        const Status status = submit(CommandBody{std::move(add)});
+        if (!status.ok()) return status;
+        client_.clock = clock;
+        client_.touchWaiting = std::max(client_.touchWaiting, message.time);
+        return status;
+    }
+
+    Status operator()(const protocol::PinControl& message) {
+        return submit(
+            CommandBody{PinControl{GroupId{message.group}, ControlId{message.control}, message.pinned}});
+    }
+
+    Status operator()(const protocol::RemoveControl& message) {
+        return submit(CommandBody{RemoveControl{GroupId{message.group}, ControlId{message.control}}});
+    }
+
+    Status operator()(const protocol::SetFormation& message) {
+        const auto kind = formationKind(message.formation);
+        if (!kind.ok()) return kind.status();
+        const GroupDef* group = groupDef(message.group);
+        if (group == nullptr) return noGroup(message.group);
+        SetFormation set{GroupId{message.group}, group->formation};
+        set.formation.kind = kind.value();
+        return submit(CommandBody{std::move(set)});
+    }
+
+    Status operator()(const protocol::SetCount& message) {
+        const std::int32_t most = session_.def.limits.charactersPerGroup;
+        if (message.count < 1 || message.count > static_cast<std::uint32_t>(most)) {
+            return invalidArgument("found " + std::to_string(message.count) + " characters, expected 1 to " +
+                                   std::to_string(most));
+        }
+        if (groupDef(message.group) == nullptr) return noGroup(message.group);
+        return submit(
+            CommandBody{SetCount{GroupId{message.group}, static_cast<std::int32_t>(message.count)}});
+    }
+
+    Status operator()(const protocol::SetParameter& message) {
+        if (!session_.world) return noWorld();
+        Parameters copy = session_.world->parameters();
+        Status status = setParameter(copy, message.name, message.value);
+        if (status.ok()) status = validateParameters(copy, inspect::environment(*session_.world).def().box);
+        if (!status.ok()) return status;
+        return submit(CommandBody{SetParameter{message.name, message.value}});
+    }
+
+    Status operator()(const protocol::Playback& message) {
+        if (!session_.world) return noWorld();
+        switch (message.action) {
+            case protocol::PlaybackAction::Play:
+                if (session_.player && session_.player->atEnd(*session_.world)) return session_.restart();
+                session_.playing = true;
+                session_.waitsForHand = false;
+                break;
+            case protocol::PlaybackAction::Pause:
+                session_.playing = false;
+                break;
+            case protocol::PlaybackAction::SingleStep:
+                session_.playing = false;
+                session_.singleSteps = std::min(session_.singleSteps + 1, kMaxSingleSteps);
+                break;
+            case protocol::PlaybackAction::Restart:
+                return announced(session_.restart(), "began again");
+            case protocol::PlaybackAction::Demonstrate:
+                return announced(session_.demonstrate(), "plays the touches that the scenario carries");
+        }
+        session_.pacer.reset();
+        session_.touchState();
+        return {};
+    }
+
+    Status operator()(const protocol::SetSpeed& message) {
+        if (!(message.factor >= 0.1f && message.factor <= 8.0f)) {
+            return invalidArgument("found a speed of " + std::to_string(message.factor) +
+                                   ", expected 0.1 to 8");
+        }
+        session_.speed = message.factor;
+        session_.touchState();
+        return {};
+    }
+
+    Status operator()(const protocol::LoadScenario& message) {
+        const auto& all = session_.def.scenarios;
+        const auto found = std::find_if(
+            all.begin(), all.end(), [&](const ScenarioEntry& entry) { return entry.name == message.name; });
+        if (found == all.end() || !session_.def.loadScenario)
+            return {StatusCode::NotFound, "no scenario is called '" + message.name.substr(0, 60) + "'"};
+        const auto def = session_.def.loadScenario(found->name);
+        if (!def.ok()) return def.status();
+        return announced(session_.begin(found->name, def.value()), "opened " + found->title);
+    }
+
+    Status operator()(const protocol::Record& message) {
+        if (!session_.world) return noWorld();
+        if (session_.player)
+            return {StatusCode::Unsupported, "a take is being replayed; load a scenario to record"};
+        session_.setRecording(message.on, &client_);
+        return {};
+    }
+
+    Status operator()(const protocol::Seek& message) {
+        if (!session_.player) return {StatusCode::Unsupported, "no take is open"};
+        session_.player->want(message.step);
+        return {};
+    }
+
+    Status operator()(const protocol::TakeAgain& message) {
+        return session_.takeAgain(message.keep, client_);
+    }
+
+    Status operator()(const protocol::EditTake& message) { return session_.editTake(message); }
+    Status operator()(const protocol::AskPath& message) { return session_.askPath(client_, message); }
+    Status operator()(const protocol::BendPath& message) { return session_.changePath(message); }
+
+    Status operator()(const protocol::SetOverlay& message) {
+        if (message.kind == protocol::OverlayKind::Cost) {
+            if (!session_.world) return noWorld();
+            const std::span ids = session_.world->characters().id;
+            if (std::find(ids.begin(), ids.end(), message.character) == ids.end())
+                return {StatusCode::NotFound, "no character has the id " + std::to_string(message.character)};
+        }
+        client_.overlay = message.kind;
+        client_.overlayCharacter = message.character;
+        client_.overlayState = 0;  // Sends an overlay even while the world is paused.
+        return {};
+    }
+
+    Status operator()(const protocol::Commands& message) {
+        if (!session_.world) return noWorld();
+        auto bodies = parseCommandText(message.events, session_.def.limits);
+        if (!bodies.ok()) return bodies.status();
+        return submit(std::move(bodies).value());
+    }
+
+    Status operator()(const protocol::Attend& message) {
+        const std::size_t most = session_.def.limits.wholePoses;
+        if (message.count > most) return limitExceeded("whole poses asked for", message.count, most);
+        if (!std::isfinite(message.x) || !std::isfinite(message.y))
+            return invalidArgument("a spot to look at that is not finite");
+        client_.attention = {{message.x, message.y}, message.count};
+        return {};
+    }
+
+    Status operator()(const protocol::FrameAck& message) { return client_.frames.acknowledge(message.frame); }
+
+    Status operator()(const protocol::Ping& message) {
+        protocol::Pong pong;
+        pong.time = message.time;
+        client_.outbox.push_back(protocol::encode(pong));
+        return {};
+    }
+
+    Status operator()(const protocol::AskForecasts& message) {
+        if (!session_.world) return noWorld();
+        const SessionLimits& limits = session_.def.limits;
+        if (Status status = takeForecasts(message.asks.size()); !status.ok()) return status;
+        const auto answer = answerForecasts(*session_.world, message, limits);
+        if (!answer.ok()) return answer.status();
+        client_.outbox.push_back(protocol::encode(answer.value()));
+        return {};
+    }
+
+    Status operator()(const protocol::AskPlaces& message) {
+        if (!session_.world) return noWorld();
+        const SessionLimits& limits = session_.def.limits;
+        if (Status status = takeForecasts(message.asks.size()); !status.ok()) return status;
+        const auto answer = answerPlaces(*session_.world, message, limits);
+        if (!answer.ok()) return answer.status();
+        client_.outbox.push_back(protocol::encode(answer.value()));
+        return {};
+    }
+
+    Status operator()(const protocol::SetScheme& message) {
+        if (client_.steers && session_.world && !session_.player) {
+            if (Status status = submit(CommandBody{ReleaseClient{}}); !status.ok()) return status;
+        }
+        return client_.scheme.choose(message.name, client_.number);
+    }
+
+    Status operator()(const protocol::SetView& message) {
+        const auto view = groundViewOf(message);
+        if (!view.ok()) return view.status();
+        client_.scheme.setView(view.value(), session_.world ? &*session_.world : nullptr);
+        return {};
+    }
+
+    Status operator()(const protocol::Inputs& message) {
+        if (!session_.world) return noWorld();
+        if (session_.player) return replays();
+        if (Status status = checkInputs(message, session_.def.limits); !status.ok()) return status;
+        if (!client_.touches.take(session_.realTime, static_cast<double>(message.events.size())))
+            return tooManyTouches("inputs");
+        for (const protocol::RawInput& raw : message.events) {
+            const InputEvent event = inputOf(raw, stamp(client_.clock, raw.time));
+            if (Status status = client_.scheme.input(event, *session_.world); !status.ok()) return status;
+            client_.touchWaiting = std::max(client_.touchWaiting, raw.time);
+        }
+        session_.inputsWait = true;
+        session_.handCame();
+        return {};
+    }
+
+    Status operator()(const protocol::Edit& message) { return session_.edit(client_, message); }
+    Status operator()(const protocol::UndoEdit& message) { return session_.undoEdit(client_, message.redo); }
+
+    Status operator()(const protocol::EnterStudy&) { return noStudy(); }
+    Status operator()(const protocol::AnswerForm&) { return noStudy(); }
+    Status operator()(const protocol::DoInStudy&) { return noStudy(); }
+
+private:
+    static Status noStudy() {
+        return {StatusCode::Unsupported, "this is the studio; 'muster study run' serves the study"};
+    }
+    static Status replays() {
+        return {StatusCode::Unsupported, "a take is being replayed; load a scenario to steer"};
+    }
+    Status tooManyTouches(const std::string& what) const {
+        return {StatusCode::LimitExceeded,
+                "more than " + std::to_string(static_cast<int>(session_.def.limits.touchesPerSecond)) + " " +
+                    what + " a second"};
+    }
+    /// Counts questions about orders and places.
+    Status takeForecasts(std::size_t count) {
+        if (client_.forecasts.take(session_.realTime, static_cast<double>(count))) return {};
+        return {StatusCode::LimitExceeded,
+                "more than " + std::to_string(static_cast<int>(session_.def.limits.forecastsPerSecond)) +
+                    " forecasts a second"};
+    }
+    Status announced(Status status, const std::string& did) const {
+        if (status.ok()) session_.tellOthers(client_.number, did);
+        return status;
+    }
+    static Status noWorld() { return {StatusCode::NotFound, "there is no world yet"}; }
+    static Status noGroup(std::uint32_t id) {
+        return {StatusCode::NotFound, "no group has the id " + std::to_string(id)};
+    }
+
+    const GroupDef* groupDef(std::uint32_t id) const {
+        if (!session_.world) return nullptr;
+        const auto g = inspect::indexOfGroup(*session_.world, GroupId{id});
+        return g ? &inspect::groupDef(*session_.world, *g) : nullptr;
+    }
+
+    double stamp(TouchClock& clock, double pageTime) const {
+        const double now = session_.world ? session_.world->time() : 0.0;
+        return clock.stamp(pageTime, session_.realTime, now, session_.playing ? session_.speed : 0.0);
+    }
+
+    Status submit(CommandBody body) {
+        std::vector<CommandBody> bodies;
+        bodies.push_back(std::move(body));
+        return session_.act(client_, std::move(bodies));
+    }
+    Status submit(std::vector<CommandBody> bodies) { return session_.act(client_, std::move(bodies)); }
+
+    Session::Impl& session_;
+    SessionClient& client_;
+};
+
+}  // namespace
+
+void Session::receive(std::uint32_t client, std::span<const std::uint8_t> bytes) {
+    const auto found = impl_->clients.find(client);
+    if (found == impl_->clients.end()) return;
+    const auto message = protocol::decodeClient(bytes);
+    if (!message.ok()) {
+        impl_->notice(found->second, protocol::NoticeLevel::Error, "malformed", message.status().message());
+        return;
+    }
+    const Status status = impl_->handle(found->second, message.value());
+    if (status.ok()) return;
+    impl_->notice(found->second, protocol::NoticeLevel::Error, protocol::messageName(message.value()),
+                  status.message(), positionOf(message.value()));
+}
+
+Status Session::Impl::handle(SessionClient& client, const protocol::ClientMessage& message) {
+    if (!client.greeted && !std::holds_alternative<protocol::Hello>(message))
+        return invalidArgument("found no Hello yet, expected it first");
+    return std::visit(Handler(*this, client), message);
+}
+
+Status Session::Impl::submit(SessionClient& client, std::vector<CommandBody>& bodies, bool steers) {
+    if (!world) return {StatusCode::NotFound, "there is no world yet"};
+    if (player) return {StatusCode::Unsupported, "a take is being replayed; load a scenario to steer"};
+    // Lifting the fingers of a client that has left bypasses the limit; this happens once per client.
+    const bool released = bodies.size() == 1 && std::holds_alternative<ReleaseClient>(bodies.front());
+    if (!released && waitingCommands + bodies.size() > def.limits.waitingCommands) {
+        return {StatusCode::LimitExceeded, "more than " + std::to_string(def.limits.waitingCommands) +
+                                               " commands wait for the next step"};
+    }
+    for (CommandBody& body : bodies)
+        if (const Status status = directors.admit(client.number, body); !status.ok()) return status;
+    std::vector<Command> commands;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        commands.push_back({world->stepCount(), client.number,
+                            client.sequence + static_cast<std::uint32_t>(i) + 1, std::move(bodies[i])});
+        if (const Status status = validateCommand(commands.back()); !status.ok()) return status;
+    }
+    for (const Command& command : commands) {
+        const Status status = world->submit(command);
+        if (!status.ok()) return status;
+        log.command(command);
+        client.sequence = command.sequence;
+        client.steers = true;
+        ++waitingCommands;
+    }
+    if (!released && steers) handCame();
+    return {};
+}
+
+void Session::Impl::handCame() {
+    if (!waitsForHand) return;
+    waitsForHand = false;
+    playing = true;
+    touchState();
+}
+
+}  // namespace muster

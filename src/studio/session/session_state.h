@@ -1,0 +1,213 @@
+// The session's state, shared by the files that implement it.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/token_bucket.h"
+#include "muster/session.h"
+#include "studio/session/frames/frame_sender.h"
+#include "studio/session/frames/reach_overlay.h"
+#include "studio/session/history/place_editor.h"
+#include "studio/session/inbox/chosen_scheme.h"
+#include "studio/session/inbox/directors.h"
+#include "studio/session/inbox/pacer.h"
+#include "studio/session/inbox/protocol.h"
+#include "studio/session/inbox/touch_clock.h"
+#include "studio/session/takes/handover.h"
+#include "studio/session/takes/take_log.h"
+#include "studio/session/takes/take_player.h"
+
+namespace muster {
+
+/// A client of the session.
+struct SessionClient {
+    explicit SessionClient(const SessionLimits& limits)
+        : notices(limits.noticesPerSecond, limits.noticesPerSecond),
+          touches(limits.touchesPerSecond, limits.touchesPerSecond),
+          forecasts(limits.forecastsPerSecond, limits.forecastsPerSecond) {}
+
+    bool greeted = false;        ///< True after its Hello message.
+    std::uint32_t number = 0;    ///< Its number in commands; its id, until a take is taken up.
+    bool steers = false;         ///< True after it has given commands to this world.
+    std::uint32_t sequence = 0;  ///< Sequence number of its last command.
+    TouchClock clock;
+    TokenBucket notices;
+    TokenBucket touches;
+    TokenBucket forecasts;
+    /// Messages other than frames. The client's requests bound their number.
+    std::vector<MessageBytes> outbox;
+
+    FrameSender frames;                        ///< What the client knows of the world.
+    std::uint64_t sentState = 0;               ///< Session state that the last frame showed; 0 for none.
+    std::uint32_t sentTake = 0;                ///< Revision of the last TakeState sent; 0 for none.
+    std::uint32_t sentReady = 0;               ///< Steps in the last TakeReady sent.
+    double readyDue = 0.0;                     ///< Real time at which the next TakeReady is due [s].
+    std::optional<protocol::AskPath> path;     ///< The path of the take that it waits for.
+    std::uint32_t sentDirectors = 0;           ///< Revision of the directors sent; 0 for none.
+    std::uint32_t sentHistory = 0;             ///< Revision of the edits of the last EditHistory.
+    double frameDue = 0.0;                     ///< Real time when the next frame is due while playing [s].
+    std::vector<protocol::EventFrame> events;  ///< Events since the last frame.
+    Attention attention;                       ///< The point that the client looks at.
+    ChosenScheme scheme;                       ///< The control scheme that judges its inputs.
+    double touchWaiting = 0.0;                 ///< Newest page time among touches that wait for a step [s].
+    double touchShown = 0.0;  ///< Newest page time among touches that a step has applied [s].
+
+    protocol::OverlayKind overlay = protocol::OverlayKind::None;
+    std::uint32_t overlayCharacter = 0;
+    double overlayDue = 0.0;         ///< Real time at which the next overlay is due [s].
+    std::uint64_t overlayState = 0;  ///< Session state that the last overlay showed; 0 for none.
+    ReachVersion sentReach;          ///< What the last overlay of reach was made from.
+};
+
+/// The complete state of a session.
+struct Session::Impl {
+    explicit Impl(SessionDef sessionDef) : def(std::move(sessionDef)) {}
+
+    // Worlds (session.cpp).
+    Status begin(const std::string& worldName, const WorldDef& worldDef,
+                 std::unique_ptr<TakePlayer> taken = nullptr);
+    void beginWith(World begun, const std::string& worldName, const WorldDef& worldDef,
+                   std::unique_ptr<TakePlayer> taken = nullptr);
+    void forgetClients();
+    void beginMotion();
+    void warnOfClips(SessionClient& client);
+    void observeMotion();
+    Status restart();
+    Status beginAgain();
+    Status demonstrate();
+    /// True where the scenario carries touches that can be watched now.
+    bool canDemonstrate() const { return !player && !worldDef.gestures.empty() && def.loadGestures; }
+    bool demonstrating() const { return world && world->stepCount() < demonstratedUntil; }
+    void stepOnce();
+    void stepped();
+    void stepWorld();
+    void queueEvents();
+    void reportRejections();
+    void noticeEvents();
+    void warn();
+    void touchState() { ++state; }
+    /// True where a client waits for the next step. That step may come up to one time step early.
+    bool eager() const { return waitingCommands > 0 || inputsWait; }
+    /// Seconds of the world per second of real time.
+    double pace() const { return player ? speed * player->speed(*world) : speed; }
+
+    // Recording (session_takes.cpp).
+    void setRecording(bool on, SessionClient* client);
+    /// Records from that step on, at most the present one.
+    void beginRecording(std::uint32_t from, const std::string& title, SessionClient* client);
+    void beginFile(SessionClient* client);
+    void stopRecording(bool dropEmpty = false);
+    void reportLostFile();
+
+    // Replays (session_takes.cpp).
+    void stepReplay();
+    void seek();
+    void replayEnded();
+    void replayFailed(const Status& status);
+    void showStoredFrames();
+    Status takeAgain(bool keep, SessionClient& client);
+    void renumberClients(const Take& take);
+    /// Fingers of clients above `after` that are down at this step in the take let go.
+    void liftRecorded(const Take& take, std::uint32_t step, std::uint32_t after = 0);
+    void submitLayer();
+    Status editTake(const protocol::EditTake& message);
+    void touchTake() { ++takeRevision, touchState(); }
+    void sendTake(SessionClient& client);
+
+    // Handover (session_handover.cpp).
+    Status takeOverWorld(const Handover& handover);
+
+    // Paths of the open take (session_paths.cpp).
+    Status askPath(SessionClient& client, const protocol::AskPath& message);
+    Status changePath(const protocol::BendPath& message);
+    void sendPath(SessionClient& client);
+    void keepChanged();
+
+    // Clients (session_clients.cpp).
+    void greet(SessionClient& client, const std::string& called);
+    void notice(SessionClient& client, protocol::NoticeLevel level, const std::string& code,
+                const std::string& text, std::optional<Vec2> place = std::nullopt);
+    void noticeAll(protocol::NoticeLevel level, const std::string& code, const std::string& text,
+                   std::optional<Vec2> place = std::nullopt);
+    /// Tells everybody but one director what that one did.
+    void tellOthers(std::uint32_t id, const std::string& did);
+    void sendDirectors(SessionClient& client);
+    void buildFrame();
+    void sendFrame(SessionClient& client);
+    void sendOverlay(SessionClient& client);
+
+    // The place (session_place.cpp).
+    Status edit(SessionClient& client, const protocol::Edit& message);
+    Status undoEdit(SessionClient& client, bool redo);
+    Status act(SessionClient& client, std::vector<CommandBody> bodies);
+    void submitEdits();
+    void editsCarriedOut();
+    void sendHistory(SessionClient& client);
+
+    // Messages (session_messages.cpp).
+    Status handle(SessionClient& client, const protocol::ClientMessage& message);
+    /// `steers`: a world that waits for somebody to steer goes on.
+    Status submit(SessionClient& client, std::vector<CommandBody>& bodies, bool steers = true);
+    /// Gives the next step the commands of all control schemes.
+    void driveSchemes();
+    /// Somebody steers: a world that waits for that goes on.
+    void handCame();
+
+    SessionDef def;
+    std::map<std::uint32_t, SessionClient> clients;  // By client number.
+    std::uint32_t lastClient = kLastDemonstrator;
+    Directors directors;
+    PlaceEditor editor;
+    std::vector<PlaceEditor::Given> givenEdits;  // Edits of the step that is made.
+    std::uint32_t worldNumber = 0;               // Worlds that have begun.
+
+    std::string name;  // The scenario's name.
+    WorldDef worldDef;
+    std::string warning;  // The warnings about the scenario; empty for none.
+    // The error that made the characters play Muster's own clips instead of the scenario's.
+    Status clipsRead;
+    std::optional<World> world;
+    std::unique_ptr<TakePlayer> player;    // Of the take that is open; null otherwise.
+    std::vector<std::uint8_t> takenBytes;  // Its bytes.
+    std::uint32_t takeRevision = 1;        // It grows with every change of what TakeState tells.
+    // Recorded commands beneath a take that is directed again, by step, and the next of them.
+    std::vector<Command> layer;
+    std::size_t nextOfLayer = 0;
+    bool waitsForHand = false;  // True until somebody steers, which then plays.
+    // The step after the last touch of the demonstration; 0 for no demonstration.
+    std::uint32_t demonstratedUntil = 0;
+    TakeLog log;
+    bool fullReported = false;
+    std::size_t waitingCommands = 0;  // Commands submitted since the last step.
+    bool inputsWait = false;          // Inputs came since the last step that a control scheme judges.
+
+    double realTime = 0.0;  // Real time since the session began [s].
+    Pacer pacer;
+    bool playing = true;
+    std::int32_t singleSteps = 0;  // Single steps requested while paused.
+    double speed = 1.0;
+    // World time at which the recording began [s]; negative while not recording.
+    double recordedFrom = -1.0;
+    TakeAbout recordedAbout;           // What is said about the recording that runs or ran in this world.
+    bool recorded = false;             // True after a recording began in this world.
+    std::size_t recordedCommands = 0;  // Commands in the log when it began.
+
+    std::uint64_t state = 1;  // It grows with every step and every change that a frame shows.
+    std::uint32_t sceneRevision = 0;
+    std::uint64_t signature = 0;  // Signature of the scene with that revision.
+    MessageBytes sceneBytes;      // The Scene message with that revision.
+    FrameBuilder frames;
+    MotionFrames motion;
+    std::vector<Attention> attentions;             // Attention of all clients; working memory.
+    protocol::Frame frame;                         // The frame that all clients share; built on demand.
+    std::uint64_t frameState = 0;                  // Session state that `frame` shows.
+    std::vector<protocol::EventFrame> stepEvents;  // Working memory.
+
+    void refreshScene();
+};
+
+}  // namespace muster

@@ -1,0 +1,54 @@
+// Environments for tests of the static ground and of costs on it.
+#pragma once
+
+#include <doctest.h>
+
+#include <vector>
+
+#include "base/random.h"
+#include "engine/fields/cost/ground_level.h"
+#include "engine/ground/environment/environment.h"
+
+namespace muster::test {
+
+/// A box-shaped obstacle.
+inline ObstacleDef rectangle(double x0, double y0, double x1, double y1) {
+    ObstacleDef def;
+    def.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+    return def;
+}
+
+/// A patch of this travel speed, relative to running.
+inline PatchDef slowBox(double x0, double y0, double x1, double y1, double speed) {
+    PatchDef def;
+    def.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+    def.motion = 2;
+    def.speed = speed;
+    return def;
+}
+
+/// An environment without obstacles on a square of 2 x `half` metres.
+inline Environment squareWorld(double half) {
+    EnvironmentDef def;
+    def.box = {{-half, -half}, {half, half}};
+    Result<Environment> environment = Environment::create(def);
+    REQUIRE(environment.ok());
+    return std::move(environment).value();
+}
+
+/// The static ground of an environment for characters of radius 0.25 m.
+inline StaticGround groundOf(const Environment& environment) {
+    StaticGround ground;
+    ground.update(environment, 1.0, 0.25);
+    return ground;
+}
+
+/// A random point within `half` of the origin at which a character can stand.
+inline Vec2 freeSpot(const Environment& environment, Random& random, double half) {
+    for (;;) {
+        const Vec2 p{random.uniform(-half, half), random.uniform(-half, half)};
+        if (environment.distanceToObstacle(p) >= 0.27) return p;
+    }
+}
+
+}  // namespace muster::test

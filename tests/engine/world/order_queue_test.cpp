@@ -1,0 +1,270 @@
+// Queues of orders: what comes after what, what is skipped, and that nothing is lost.
+#include <doctest.h>
+
+#include "engine/world/scenes.h"
+
+using namespace muster;
+using namespace muster::testing;
+
+namespace {
+
+WorldDef yard() {
+    WorldDef def;
+    def.box = {{-30, -30}, {30, 30}};
+    GroupDef group;
+    group.count = 16;
+    def.groups.push_back(group);
+    return def;
+}
+
+struct Log {
+    std::vector<std::pair<EventKind, std::uint32_t>> entries;
+
+    void read(const World& world) {
+        for (const Event& e : world.events())
+            if (e.kind >= EventKind::OrderGiven && e.kind <= EventKind::OrderSkipped)
+                entries.emplace_back(e.kind, e.value);
+    }
+    int count(EventKind kind) const {
+        return static_cast<int>(
+            std::count_if(entries.begin(), entries.end(), [&](const auto& e) { return e.first == kind; }));
+    }
+    bool has(EventKind kind, std::uint32_t id) const {
+        return std::find(entries.begin(), entries.end(), std::pair{kind, id}) != entries.end();
+    }
+};
+
+void run(World& world, double seconds, Log& log) {
+    const auto steps = static_cast<int>(seconds / world.parameters().stepTime);
+    for (int s = 0; s < steps; ++s) {
+        world.step();
+        log.read(world);
+        REQUIRE(world.rejections().empty());
+    }
+}
+
+Vec2 centre(const World& world, std::size_t group = 0) {
+    Vec2 sum;
+    const GroupView view = world.group(group);
+    for (const std::int32_t i : view.members) sum += world.characters().position[i];
+    return sum / static_cast<double>(view.members.size());
+}
+
+}  // namespace
+
+TEST_CASE("queued orders are carried out one after the other") {
+    World world = World::create(yard()).value();
+    std::uint32_t n = 0;
+    const GroupId id = world.group(0).id;
+    Log log;
+    REQUIRE(give(world, n, GiveOrder{id, QueueMode::Replace, 0, Order::move({10, 0})}).ok());
+    REQUIRE(give(world, n, GiveOrder{id, QueueMode::Append, 0, Order::go({10, 10})}).ok());
+    REQUIRE(give(world, n, GiveOrder{id, QueueMode::Insert, 1, Order::face(1.5)}).ok());
+    world.step();
+    log.read(world);
+    REQUIRE(world.group(0).orders.size() == 3);
+    CHECK(world.group(0).orders[1].order.kind == OrderKind::Face);
+    REQUIRE_FALSE(world.group(0).way.empty());
+    CHECK(distance(world.group(0).way.back(), {10, 0}) < 1e-9);
+    run(world, 60, log);
+    CHECK(log.count(EventKind::OrderDone) == 3);
+    const std::vector<std::uint32_t> order{1, 3, 2};
+    std::vector<std::uint32_t> done;
+    for (const auto& [kind, value] : log.entries)
+        if (kind == EventKind::OrderDone) done.push_back(value);
+    CHECK(done == order);
+    CHECK(world.group(0).orders.empty());
+    CHECK(distance(centre(world), {10, 10}) < 0.5);
+}
+
+TEST_CASE("a queued target that cannot be reached is skipped; the last one is approached") {
+    WorldDef def = yard();
+    // A closed room.
+    for (const ObstacleDef& wall :
+         {block(10, 10, 20, 11), block(10, 19, 20, 20), block(10, 11, 11, 19), block(19, 11, 20, 19)})
+        def.obstacles.push_back(wall);
+    def.groups[0].orders = {Order::move({15, 15}), Order::move({-10, 5}), Order::move({15, 15})};
+    World world = World::create(def).value();
+    Log log;
+    run(world, 80, log);
+    CHECK(log.has(EventKind::OrderSkipped, 1));
+    CHECK(log.has(EventKind::OrderDone, 2));
+    CHECK(log.has(EventKind::OrderBegun, 3));
+    CHECK(log.has(EventKind::OrderDone, 3));
+    CHECK(distance(centre(world), {15, 15}) < 10.0);
+    CHECK(distance(centre(world), {15, 15}) > 5.0);
+    const OrderForecast inside = world.forecast(world.group(0).id, Order::move({15, 15}));
+    CHECK_FALSE(inside.arrives);
+    CHECK(std::isinf(inside.seconds));
+}
+
+TEST_CASE("a forecast tells way and time, and changes nothing") {
+    WorldDef def = yard();
+    def.obstacles.push_back(block(-2, -5, 2, 12));
+    def.groups[0].position = {-15, 0};
+    World world = World::create(def).value();
+    world.step();
+    const std::uint64_t hash = world.hash();
+    const Order order = Order::move({15, 0}, 0.0);
+    const OrderForecast forecast = world.forecast(world.group(0).id, order);
+    CHECK(world.hash() == hash);
+    REQUIRE(forecast.arrives);
+    CHECK(forecast.end == Vec2{15, 0});
+    REQUIRE(forecast.way.size() >= 3);
+    double way = 0.0;
+    for (std::size_t k = 1; k < forecast.way.size(); ++k)
+        way += distance(forecast.way[k - 1], forecast.way[k]);
+    CHECK(way > 30.0);
+    CHECK(way < 45.0);
+    std::uint32_t n = 0;
+    Log log;
+    REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, order}).ok());
+    double took = 0.0;
+    for (; log.count(EventKind::OrderDone) == 0 && took < 90.0; took += world.parameters().stepTime) {
+        world.step();
+        log.read(world);
+    }
+    CHECK(took > 0.7 * forecast.seconds);
+    CHECK(took < 1.4 * forecast.seconds);
+}
+
+TEST_CASE("a forecast counts slow ground") {
+    // A bog of 10 m right across, at 0.4 of the speed.
+    WorldDef def = yard();
+    PatchDef bog;
+    bog.polygon = {{-5, -30}, {5, -30}, {5, 30}, {-5, 30}};
+    bog.speed = 0.4;
+    def.patches.push_back(bog);
+    def.groups[0].position = {-18, 0};
+    World world = World::create(def).value();
+    world.step();
+    for (const Manner manner : {Manner::March, Manner::Free}) {
+        Order order = Order::move({18, 0}, 0.0);
+        order.manner = manner;
+        World copy = World::restore(world.snapshot()).value();
+        const double forecast = copy.forecast(copy.group(0).id, order).seconds;
+        std::uint32_t n = 0;
+        Log log;
+        REQUIRE(give(copy, n, GiveOrder{copy.group(0).id, QueueMode::Replace, 0, order}).ok());
+        while (log.count(EventKind::OrderDone) == 0 && copy.time() < 90.0) {
+            copy.step();
+            log.read(copy);
+        }
+        CAPTURE(static_cast<int>(manner));
+        CAPTURE(forecast);
+        CAPTURE(copy.time());
+        CHECK(forecast >
+              24.0);  // Dry: 36 m at 1.94 m/s; 10 m of bog at two fifths of that take 7.7 s longer.
+        CHECK(copy.time() > 0.75 * forecast);
+        CHECK(copy.time() < 1.3 * forecast);
+    }
+}
+
+TEST_CASE("a patrol goes round; hold, resume, cancel and stop") {
+    WorldDef def = yard();
+    def.groups[0].orders = {Order::move({6, 0}), Order::move({-6, 0})};
+    def.groups[0].patrols = true;
+    World world = World::create(def).value();
+    Log log;
+    run(world, 60, log);
+    CHECK(log.count(EventKind::OrderDone) >= 4);
+    CHECK(world.group(0).orders.size() == 2);
+    std::uint32_t n = 0;
+    const GroupId id = world.group(0).id;
+    REQUIRE(give(world, n, EditQueue{id, QueueEdit::Hold}).ok());
+    run(world, 2, log);
+    const Vec2 held = centre(world);
+    run(world, 3, log);
+    CHECK(distance(centre(world), held) < 0.2);
+    CHECK(world.group(0).held);
+    REQUIRE(give(world, n, EditQueue{id, QueueEdit::Resume}).ok());
+    run(world, 3, log);
+    CHECK(distance(centre(world), held) > 0.5);
+    REQUIRE(give(world, n, GiveOrder{id, QueueMode::Replace, 0, Order::go({25, 25})}).ok());
+    run(world, 3, log);
+    REQUIRE(give(world, n, EditQueue{id, QueueEdit::Stop}).ok());
+    const Vec2 stopped = centre(world);
+    run(world, 4, log);
+    CHECK(distance(centre(world), stopped) < 1.0);
+    CHECK(world.group(0).orders.empty());
+    REQUIRE(give(world, n, EditQueue{id, QueueEdit::Cancel, 77}).ok());
+    world.step();
+    CHECK(world.rejections().size() == 1);
+}
+
+TEST_CASE("fingers take over, and the order goes on from where they leave the mesh") {
+    World world = World::create(yard()).value();
+    std::uint32_t n = 0;
+    const GroupId id = world.group(0).id;
+    Log log;
+    REQUIRE(give(world, n, GiveOrder{id, QueueMode::Replace, 0, Order::move({20, 0})}).ok());
+    run(world, 2, log);
+    const Vec2 at = world.group(0).finalMesh[0];
+    REQUIRE(give(world, n, TouchDown{1, at, world.time(), id}).ok());
+    for (int s = 0; s < 120; ++s) {
+        REQUIRE(give(world, n, TouchMove{1, at + Vec2{0, 0.04 * s}, world.time()}).ok());
+        world.step();
+    }
+    CHECK(world.group(0).pose.position.y > 1.5);
+    CHECK(world.group(0).orders.size() == 1);
+    REQUIRE(give(world, n, TouchUp{1, world.time()}).ok());
+    run(world, 30, log);
+    CHECK(log.count(EventKind::OrderDone) == 1);
+    CHECK(distance(centre(world), {20, 0}) < 0.5);
+    REQUIRE(give(world, n, GiveOrder{id, QueueMode::Replace, 0, Order::move({-20, 0})}).ok());
+    REQUIRE(give(world, n, SetPose{id, {20, 5}, 0.0}).ok());
+    run(world, 10, log);
+    CHECK(world.group(0).orders.empty());
+    CHECK(distance(centre(world), {20, 5}) < 0.5);
+}
+
+TEST_CASE("one group follows another, and stops where that is gone") {
+    WorldDef def = yard();
+    GroupDef second;
+    second.count = 9;
+    second.position = {-12, 0};
+    def.groups.push_back(second);
+    World world = World::create(def).value();
+    std::uint32_t n = 0;
+    Log log;
+    REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::move({20, 15})}).ok());
+    REQUIRE(
+        give(world, n,
+             GiveOrder{world.group(1).id, QueueMode::Replace, 0, Order::follow(world.group(0).id, {-6, 0})})
+            .ok());
+    run(world, 40, log);
+    const Pose lead = world.group(0).pose;
+    CHECK(distance(centre(world, 1), lead.apply({-6, 0})) < 0.7);
+    REQUIRE(give(world, n, RemoveGroup{world.group(0).id}).ok());
+    run(world, 1, log);
+    CHECK(log.has(EventKind::OrderDone, 2));
+    REQUIRE(world.groupCount() == 1);
+    const GroupId self = world.group(0).id;
+    REQUIRE(give(world, n, GiveOrder{self, QueueMode::Replace, 0, Order::follow(self, {1, 0})}).ok());
+    world.step();
+    CHECK(world.rejections().size() == 1);
+}
+
+TEST_CASE("guards stand round a rectangle that moves") {
+    World world = World::create(yard()).value();
+    std::uint32_t n = 0;
+    Order order = Order::guard({5, 0}, {4, 3}, 0.0);
+    order.path.waypoints = {{0, {0, 0}, 0}, {8, {0, 0}, 0}, {20, {6, 6}, 0}};
+    Log log;
+    REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, order}).ok());
+    const auto onRim = [&](Vec2 middle) {
+        int count = 0;
+        for (const Vec2 p : world.characters().position) {
+            const Vec2 q = p - middle;
+            const double out = std::max(std::fabs(q.x) - 4.0, std::fabs(q.y) - 3.0);
+            if (std::fabs(out) < 0.5) ++count;
+        }
+        return count;
+    };
+    run(world, 12, log);
+    run(world, 20, log);
+    CHECK(onRim({11, 6}) == 16);
+    REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::move({0, 0})}).ok());
+    run(world, 30, log);
+    CHECK(world.groupDef(0).formation.kind == FormationKind::Square);
+}

@@ -1,0 +1,82 @@
+// Who camps follows a route of its own until it has arrived.
+#include <doctest.h>
+
+#include "engine/world/dragged_scenes.h"
+#include "engine/world/world_engine.h"
+
+using namespace muster;
+using namespace muster::testing;
+
+namespace {
+
+std::vector<OwnRoute>& routesOf(const World& world) {
+    return WorldAccess::of(world).state.ownRoutes;
+}
+
+// A scene in which rasters mislead somebody, up to the first step in which somebody has a route.
+World untilSomebodyCamps(DraggedScene& scene) {
+    World world = World::create(scene.def()).value();
+    while (routesOf(world).empty() && world.time() < DraggedScene::end() + 30.0) {
+        scene.act(world);
+        world.step();
+    }
+    return world;
+}
+
+}  // namespace
+
+TEST_CASE("routes lead to the places of those who camp, along the exact ground") {
+    DraggedScene scene(SceneFamily::Dense, 161);
+    World world = untilSomebodyCamps(scene);
+    REQUIRE(!routesOf(world).empty());
+    WorldState& state = WorldAccess::of(world).state;
+    for (int s = 0; s < 600; ++s) {
+        world.step();
+        for (const OwnRoute& route : state.ownRoutes) {
+            const auto at = std::find(state.characters.id.begin(), state.characters.id.end(),
+                                      route.character);
+            REQUIRE(at != state.characters.id.end());
+            const std::size_t i = at - state.characters.id.begin();
+            if (route.place != state.characters.place[i] || route.path.empty()) continue;
+            CHECK(distance(route.goal, state.groups[0].places.positions()[route.place]) < 1.0);
+            for (std::size_t k = 1; k < route.path.size(); ++k)
+                CHECK(state.environment.clearLine(route.path[k - 1], route.path[k],
+                                                  state.routes.ground().radius() - 1e-6));
+            CHECK(route.cost <=
+                  doctest::Approx(pathLength(route.path) +
+                                  distance(state.characters.position[i], route.path.front()) + 2.0 / 30));
+        }
+    }
+}
+
+TEST_CASE("a route ends once its character stays at its place") {
+    DraggedScene scene(SceneFamily::Dense, 161);
+    World world = untilSomebodyCamps(scene);
+    REQUIRE(!routesOf(world).empty());
+    for (int s = 0; s < 60 * 30 && !routesOf(world).empty(); ++s) {
+        scene.act(world);
+        world.step();
+    }
+    CHECK(routesOf(world).empty());
+}
+
+TEST_CASE("a world in which somebody follows a route is restored bit for bit") {
+    DraggedScene scene(SceneFamily::Dense, 161);
+    World world = untilSomebodyCamps(scene);
+    REQUIRE(!routesOf(world).empty());
+    World copy = World::restore(world.snapshot()).value();
+    CHECK(routesOf(copy).size() == routesOf(world).size());
+    for (int s = 0; s < 120; ++s) {
+        world.step();
+        copy.step();
+    }
+    CHECK(world.hash() == copy.hash());
+}
+
+TEST_CASE("a snapshot with routes out of order is refused") {
+    DraggedScene scene(SceneFamily::Dense, 161);
+    World world = untilSomebodyCamps(scene);
+    REQUIRE(!routesOf(world).empty());
+    routesOf(world).push_back(routesOf(world).front());
+    CHECK(!World::restore(world.snapshot()).ok());
+}

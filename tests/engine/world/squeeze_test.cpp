@@ -1,0 +1,355 @@
+// Formations before passages, and checkpoints that crowds pass.
+#include <doctest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "engine/world/scenes.h"
+#include "folders.h"
+
+using namespace muster;
+using namespace muster::testing;
+
+namespace {
+
+/// A wall across a floor of 60 m x 40 m with a gap of a given width, and 36 people in front of it.
+WorldDef gapScene(double gap) {
+    WorldDef def;
+    def.box = {{-30, -20}, {30, 20}};
+    def.obstacles.push_back(block(-1, -20, 1, -0.5 * gap));
+    def.obstacles.push_back(block(-1, 0.5 * gap, 1, 20));
+    GroupDef group;
+    group.count = 36;
+    group.formation.files = 9;
+    group.position = {-18, 0};
+    group.orders = {Order::move({18, 0})};
+    def.groups.push_back(group);
+    return def;
+}
+
+struct Passing {
+    int files = 99;  ///< Least on the way.
+    bool done = false;
+    double seconds = 0.0;
+    World world;
+};
+
+Passing pass(const WorldDef& def, double most = 150.0) {
+    Passing result{99, false, 0.0, World::create(def).value()};
+    World& world = result.world;
+    while (!result.done && world.time() < most) {
+        world.step();
+        const FormationDef formation = world.groupDef(0).formation;
+        result.files = std::min(result.files, formation.files);
+        for (const Event& e : world.events()) result.done = result.done || e.kind == EventKind::OrderDone;
+        REQUIRE(world.contacts().overlapPairs == 0);
+    }
+    result.seconds = world.time();
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("a formation narrows only as far as a gap asks, and restores itself behind it") {
+    for (const auto& [gap, least, most] :
+         {std::tuple{14.0, 9, 9}, std::tuple{6.0, 5, 6}, std::tuple{3.0, 2, 3}, std::tuple{1.2, 1, 1}}) {
+        CAPTURE(gap);
+        const Passing passing = pass(gapScene(gap));
+        MESSAGE("gap of " << gap << " m: " << passing.files << " files, " << passing.seconds << " s");
+        CHECK(passing.done);
+        CHECK(passing.files >= least);
+        CHECK(passing.files <= most);
+        CHECK(passing.world.groupDef(0).formation.files == 9);
+    }
+}
+
+TEST_CASE("who may not narrow takes the wide way, and keeps the shape where there is none") {
+    WorldDef def = gapScene(3.0);
+    def.groups[0].conduct.squeeze = 0.0;
+    Passing passing = pass(def);
+    CHECK(passing.done);
+    CHECK(passing.files == 9);
+    // Half of the width may go: four and a half of nine files are five.
+    def.groups[0].conduct.squeeze = 0.5;
+    passing = pass(def);
+    CHECK(passing.done);
+    CHECK(passing.files == 5);
+    // A gap of 12 m farther north.
+    def.groups[0].conduct.squeeze = 0.0;
+    def.obstacles[1] = block(-1, 1.5, 1, 7);
+    World world = World::create(def).value();
+    double north = 0.0;
+    for (int s = 0; s < 60 * 60 && !world.group(0).orders.empty(); ++s) {
+        world.step();
+        if (std::fabs(world.group(0).pose.position.x) < 1.0)
+            north = std::max(north, world.group(0).pose.position.y);
+    }
+    CHECK(north > 10.0);
+    CHECK(world.group(0).orders.empty());
+}
+
+TEST_CASE("trees on the way do not narrow a formation") {
+    WorldDef def = gapScene(3.0);
+    def.obstacles.clear();
+    for (const double y : {-3.0, 3.2, 7.0}) def.obstacles.push_back(tree({0, y}, 0.4));
+    const Passing passing = pass(def);
+    CHECK(passing.done);
+    CHECK(passing.files == 9);
+}
+
+TEST_CASE("a thin wall with a door narrows it") {
+    WorldDef def = gapScene(3.0);
+    def.obstacles = {block(-0.15, -20, 0.15, -1.5), block(-0.15, 1.5, 0.15, 20)};
+    const Passing passing = pass(def);
+    CHECK(passing.done);
+    CHECK(passing.files >= 2);
+    CHECK(passing.files <= 3);
+    CHECK(passing.world.groupDef(0).formation.files == 9);
+}
+
+TEST_CASE("checkpoints fire when the crowd passes, however it was ordered") {
+    for (const bool march : {false, true}) {
+        WorldDef def;
+        def.box = {{-25, -12}, {25, 12}};
+        GroupDef group;
+        group.count = 16;
+        group.position = {-15, 0};
+        group.orders = {march ? Order::move({15, 0}) : Order::go({15, 0})};
+        def.groups.push_back(group);
+        FormationCheckpointDef crowd;
+        crowd.position = {0, 0};
+        crowd.radius = 2.5;
+        crowd.formation.kind = FormationKind::Wedge;
+        FormationCheckpointDef mesh = crowd;
+        mesh.position = {15, 0};
+        mesh.trigger = CheckpointTrigger::Mesh;
+        mesh.formation.kind = FormationKind::Circle;
+        def.checkpoints = {crowd, mesh};
+        World world = World::create(def).value();
+        double crowdAt = -1.0, meshAt = -1.0, middle = 99.0;
+        for (int s = 0; s < 40 * 60; ++s) {
+            world.step();
+            for (const Event& e : world.events()) {
+                if (e.kind != EventKind::Passed) continue;
+                (e.value == 0 ? crowdAt : meshAt) = world.time();
+                if (e.value != 0) continue;
+                middle = 0.0;
+                for (const Vec2 p : world.characters().position) middle += p.x / 16.0;
+            }
+        }
+        CAPTURE(march);
+        CHECK(crowdAt > 3.0);
+        CHECK(std::fabs(middle) < 3.0);
+        // Poses of free orders jump: their mesh is there at once.
+        CHECK((march ? meshAt > crowdAt : meshAt < 1.0));
+    }
+}
+
+TEST_CASE("a checkpoint smaller than the crowd fires when the middle of the crowd is in it") {
+    WorldDef def;
+    def.box = {{-25, -12}, {25, 12}};
+    GroupDef group;
+    group.count = 100;
+    group.position = {-12, 0};
+    group.orders = {Order::move({14, 0})};
+    def.groups.push_back(group);
+    FormationCheckpointDef small;
+    small.radius = 0.8;
+    small.formation.kind = FormationKind::Line;
+    FormationCheckpointDef aside = small;
+    aside.position = {0, 3};
+    FormationCheckpointDef most = small;
+    most.position = {6, 0};
+    most.share = 0.6;
+    def.checkpoints = {small, aside, most};
+    World world = World::create(def).value();
+    std::vector<std::uint32_t> passed;
+    for (int s = 0; s < 30 * 60; ++s) {
+        world.step();
+        for (const Event& e : world.events()) {
+            if (e.kind != EventKind::Passed) continue;
+            passed.push_back(e.value);
+            Vec2 sum;
+            for (const Vec2 p : world.characters().position) sum += p;
+            CHECK(length(sum / 100.0) <= 0.8);
+        }
+    }
+    CHECK(passed == std::vector<std::uint32_t>{0});
+}
+
+TEST_CASE("a front of a given width: ranks and files take it up, other shapes keep theirs") {
+    for (const FormationKind kind :
+         {FormationKind::Square, FormationKind::Line, FormationKind::Column, FormationKind::Wedge}) {
+        CAPTURE(formationName(kind));
+        WorldDef def;
+        def.box = {{-25, -25}, {25, 25}};
+        GroupDef group;
+        group.count = 24;
+        group.formation.kind = kind;
+        group.position = {-10, 0};
+        group.orders = {Order::moveToLine({8, 4.5}, {8, -4.5})};
+        def.groups.push_back(group);
+        World world = World::create(def).value();
+        for (int s = 0; s < 40 * 60; ++s) world.step();
+        double low = 0.0, high = 0.0, foremost = -99.0;
+        for (const Vec2 p : world.characters().position) {
+            low = std::min(low, p.y);
+            high = std::max(high, p.y);
+            foremost = std::max(foremost, p.x);
+        }
+        if (kind == FormationKind::Wedge) {
+            CHECK(world.groupDef(0).formation.kind == kind);
+            continue;
+        }
+        // Nine metres hold ten files a metre apart.
+        CHECK(world.groupDef(0).formation.files == 10);
+        CHECK(high == doctest::Approx(4.5).epsilon(0.05));
+        CHECK(low == doctest::Approx(-4.5).epsilon(0.05));
+    }
+}
+
+TEST_CASE("whatever shape follows whatever shape on a march, places stay with the crowd") {
+    const std::vector<FormationKind> kinds{
+        FormationKind::Square, FormationKind::Line,   FormationKind::Column,   FormationKind::Wedge,
+        FormationKind::Ring,   FormationKind::Circle, FormationKind::Crescent, FormationKind::Pacman};
+    for (const FormationKind before : kinds) {
+        for (const FormationKind after : kinds) {
+            CAPTURE(formationName(before));
+            CAPTURE(formationName(after));
+            WorldDef def;
+            def.box = {{100, 80}, {170, 140}};
+            GroupDef group;
+            group.count = 60;
+            group.formation.kind = before;
+            group.position = {120, 100};
+            Order order = Order::move({145, 115});
+            order.formation = FormationDef{.kind = after};
+            group.orders = {Order::move({123, 100}), order};
+            def.groups.push_back(group);
+            World world = World::create(def).value();
+            double farthest = 0.0;
+            for (int s = 0; s < 15 * 60; ++s) {
+                world.step();
+                const GroupView view = world.group(0);
+                for (const Vec2 place : view.placePositions) {
+                    double nearest = 1e9;
+                    for (const Vec2 p : world.characters().position)
+                        nearest = std::min(nearest, distance(p, place));
+                    farthest = std::max(farthest, nearest);
+                }
+            }
+            CHECK(farthest < 2.5);
+        }
+    }
+}
+
+TEST_CASE("formations wider than the streets get through a town, however they turn") {
+    for (const Turn turn : {Turn::Wheel, Turn::Reverse, Turn::Keep}) {
+        for (const FormationKind kind : {FormationKind::Line, FormationKind::Square, FormationKind::Ring}) {
+            CAPTURE(static_cast<int>(turn));
+            CAPTURE(formationName(kind));
+            WorldDef def;
+            def.box = {{-50, -35}, {50, 35}};
+            // Three by four houses of 10 m to 16 m, on streets of 5 m; every second column is shifted.
+            for (int x = 0; x < 3; ++x)
+                for (int y = 0; y < 4; ++y) {
+                    const double left = -20.0 + 15.0 * x, low = -34.0 + 17.0 * y + (x % 2) * 6.0;
+                    def.obstacles.push_back(block(left, low, left + 10.0, std::min(34.0, low + 12.0)));
+                }
+            GroupDef group;
+            group.count = 60;
+            group.formation.kind = kind;
+            group.position = {-36, 0};
+            Order order = Order::move({36, 4}, 0.5);
+            order.turn = turn;
+            group.orders = {order};
+            def.groups.push_back(group);
+            World world = World::create(def).value();
+            bool done = false;
+            while (!done && world.time() < 360.0) {
+                world.step();
+                for (const Event& e : world.events()) done = done || e.kind == EventKind::OrderDone;
+                REQUIRE(world.contacts().worstPenetration < 0.1);
+            }
+            CHECK(done);
+        }
+    }
+}
+
+TEST_CASE("a free group follows a drawn way, and faces as that ends") {
+    WorldDef def;
+    def.box = {{-30, -25}, {30, 25}};
+    GroupDef group;
+    group.count = 30;
+    group.position = {-20, 0};
+    Order order = Order::go({20, 0});
+    order.route = {{-20, 18}, {20, 18}};
+    group.orders = {order};
+    def.groups.push_back(group);
+    World world = World::create(def).value();
+    bool done = false;
+    double high = 0.0, aside = 0.0;
+    while (!done && world.time() < 90.0) {
+        world.step();
+        for (const Event& e : world.events()) done = done || e.kind == EventKind::OrderDone;
+        Vec2 middle;
+        for (const Vec2 p : world.characters().position) middle += p / 30.0;
+        high = std::max(high, middle.y);
+        if (std::fabs(middle.x) < 12.0) aside = std::max(aside, std::fabs(middle.y - 18.0));
+    }
+    CHECK(done);
+    CHECK(high > 17.0);
+    CHECK(aside < 2.0);
+    CHECK(world.time() < 60.0);  // 76 m at 2 m/s, and the start.
+    CHECK(world.group(0).pose.rotation.s == doctest::Approx(-1.0).epsilon(0.01));
+}
+
+TEST_CASE("five orders over Berlin, one after the other") {
+    std::ifstream file(sourceFolder() + "/../shared/maps/Berlin_0_256.map", std::ios::binary);
+    std::stringstream text;
+    text << file.rdbuf();
+    if (text.str().empty()) {
+        MESSAGE("skipped: Berlin_0_256.map is not here");
+        return;
+    }
+    const auto map = parseMap(text.str());
+    REQUIRE(map.ok());
+    WorldDef def;
+    def.box = {{0, 0}, {256, 256}};
+    def.cell = 0.5;
+    def.map = MapGround{*map, {}};
+    GroupDef group;
+    group.count = 30;
+    def.groups.push_back(group);
+    // Free points far apart, by the map.
+    const auto freeNear = [&](Vec2 p) {
+        for (int reach = 0; reach < 60; ++reach)
+            for (int dy = -reach; dy <= reach; ++dy)
+                for (int dx = -reach; dx <= reach; ++dx) {
+                    const int x = static_cast<int>(p.x) + dx, y = static_cast<int>(p.y) + dy;
+                    bool open = true;
+                    for (int v = -3; v <= 3; ++v)
+                        for (int u = -3; u <= 3; ++u)
+                            open = open &&
+                                   map->cells[(map->height - 1 - (y + v)) * map->width + x + u] == '.';
+                    if (open) return Vec2{x + 0.5, y + 0.5};
+                }
+        return p;
+    };
+    def.groups[0].position = freeNear({60, 60});
+    for (const Vec2 p : {Vec2{90, 60}, Vec2{100, 100}, Vec2{60, 110}, Vec2{110, 60}, Vec2{60, 60}})
+        def.groups[0].orders.push_back(Order::move(freeNear(p)));
+    World world = World::create(def).value();
+    int done = 0, skipped = 0;
+    while (!world.group(0).orders.empty() && world.time() < 900.0) {
+        world.step();
+        for (const Event& e : world.events()) {
+            done += e.kind == EventKind::OrderDone ? 1 : 0;
+            skipped += e.kind == EventKind::OrderSkipped ? 1 : 0;
+        }
+    }
+    MESSAGE("five orders over Berlin took " << world.time() << " s");
+    CHECK(done == 5);
+    CHECK(skipped == 0);
+    CHECK(distance(world.group(0).pose.position, def.groups[0].orders.back().target) < 1.0);
+}

@@ -1,0 +1,93 @@
+#include "muster/views.h"
+
+#include <doctest.h>
+
+#include <string>
+
+#include "engine/world/scenes.h"
+
+using namespace muster;
+using namespace muster::testing;
+
+namespace {
+
+/// A disc and a block of which the latter moves 1 m/s along x, and a patch that stands still.
+WorldDef groundScene() {
+    WorldDef def = openFloor(9);
+    def.obstacles.push_back(tree({5, 5}, 1.0));
+    def.obstacles.push_back(block(0, -9, 2, -8));
+    def.obstacles.back().path.waypoints = {{0.0, {0, 0}, 0.0}, {10.0, {10, 0}, 0.0}};
+    def.patches.push_back(rectangle(-2, 6, 2, 8, 2));
+    return def;
+}
+
+}  // namespace
+
+TEST_CASE("the view of characters has one entry per character in every span") {
+    World world = World::create(openFloor(16)).value();
+    world.step();
+    const CharactersView view = world.characters();
+    CHECK(view.size() == 16);
+    for (const std::size_t size :
+         {view.group.size(), view.position.size(), view.velocity.size(), view.heading.size(),
+          view.place.size(), view.direction.size(), view.cost.size(), view.motion.size(), view.phase.size(),
+          view.motionTime.size(), view.patch.size()})
+        CHECK(size == 16);
+}
+
+TEST_CASE("the view of a group: definition, members, mesh and places") {
+    WorldDef def = openFloor(16);
+    def.groups[0].name = "Guards";
+    def.groups.push_back(def.groups[0]);
+    def.groups[1].position = {6, 0};
+    def.groups[1].count = 9;
+    World world = World::create(def).value();
+    world.step();
+    const GroupView group = world.group(1);
+    CHECK(group.name == "Guards");
+    CHECK(group.count == 9);
+    CHECK(group.formation == FormationKind::Square);
+    CHECK(world.groupDef(1).formation.spacing == def.groups[1].formation.spacing);
+    REQUIRE(group.members.size() == 9);
+    CHECK(group.members.front() == 16);
+    CHECK(group.placePositions.size() == 9);
+    CHECK(group.placeTargets.size() == 9);
+    CHECK(group.meshPlaces.size() == 9);
+    CHECK(group.finalMesh.size() == group.restMesh.size());
+    for (const Triangle& triangle : group.triangles)
+        for (const std::int32_t vertex : triangle) CHECK(std::cmp_less(vertex, group.restMesh.size()));
+    CHECK(distance(group.pose.position, {6, 0}) < 1e-9);
+}
+
+TEST_CASE("the view of an obstacle: where it stands now") {
+    World world = World::create(groundScene()).value();
+    for (int s = 0; s < 61; ++s) world.step();
+    REQUIRE(world.obstacleIds().size() == 2);
+    const ObstacleView disc = world.obstacle(world.obstacleIds()[0]);
+    CHECK(disc.outline.empty());
+    CHECK(disc.centre == Vec2{5, 5});
+    const ObstacleView moving = world.obstacle(world.obstacleIds()[1]);
+    CHECK(moving.def.polygon[0] == Vec2{0, -9});
+    CHECK(distance(moving.outline[0], {1, -9}) < 1e-9);
+    CHECK(distance(moving.centre, {2, -8.5}) < 1e-9);
+    CHECK_FALSE(world.obstacle(ObstacleId{99}).id);
+}
+
+TEST_CASE("the view of a patch, and of a patch that is not there") {
+    const World world = World::create(groundScene()).value();
+    REQUIRE(world.patchIds().size() == 1);
+    const PatchView patch = world.patch(world.patchIds()[0]);
+    CHECK(patch.def.motion == 2);
+    CHECK(patch.outline.size() == 4);
+    CHECK_FALSE(world.patch(PatchId{99}).id);
+}
+
+TEST_CASE("stages have names of their own") {
+    std::string all;
+    for (std::uint8_t stage = 0; stage < static_cast<std::uint8_t>(Stage::Count); ++stage) {
+        const std::string name = stageName(static_cast<Stage>(stage));
+        CHECK(all.find("|" + name + "|") == std::string::npos);
+        all += "|" + name + "|";
+    }
+    CHECK(std::string(stageName(Stage::Count)) == "none");
+}

@@ -1,0 +1,218 @@
+#include "base/text_file.h"
+#include "folders.h"
+#include "muster/scenario.h"
+
+#include <doctest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "base/archive.h"
+#include "engine/state/command_archive.h"
+#include "files/scenario/schema_validator.h"
+
+using namespace muster;
+
+namespace {
+
+constexpr double kStep = 1.0 / 60.0;
+
+std::string file(const std::string& events) {
+    return R"({"format":"muster-gestures","version":1,"events":[)" + events + "]}";
+}
+
+std::string failureOf(const std::string& events) {
+    const auto commands = parseGestures(file(events), "G.json", kStep);
+    return commands.ok() ? "" : commands.status().message();
+}
+
+std::vector<std::uint8_t> bytesOf(const std::vector<Command>& commands) {
+    Writer writer;
+    for (const Command& command : commands) encodeCommand(writer, command);
+    return writer.take();
+}
+
+}  // namespace
+
+TEST_CASE("touches become commands of the step that contains their time") {
+    const auto commands = parseGestures(file(R"({"t":1.25,"kind":"move","touch":1,"x":3,"y":4},
+        {"t":0,"kind":"down","touch":1,"x":1,"y":2,"group":2},
+        {"t":0.05,"kind":"up","touch":9,"client":3},
+        {"t":2,"kind":"cancel","touch":1})"),
+                                        "G", kStep);
+    REQUIRE_MESSAGE(commands.ok(), commands.status().message());
+    REQUIRE(commands->size() == 4);
+    const auto& down = std::get<TouchDown>((*commands)[0].body);
+    CHECK(down.position == Vec2{1, 2});
+    CHECK(down.group == GroupId{2});
+    CHECK((*commands)[0].step == 0);
+    CHECK((*commands)[0].client == 1);
+    CHECK((*commands)[1].step == 3);  // 0.05 s is exactly three steps, despite rounding.
+    CHECK((*commands)[1].client == 3);
+    CHECK((*commands)[2].step == 75);
+    CHECK(std::get<TouchMove>((*commands)[2].body).time == 1.25);
+    CHECK((*commands)[2].sequence == 1);
+    CHECK((*commands)[3].sequence == 2);
+}
+
+TEST_CASE("events of one step keep their order") {
+    const auto commands = parseGestures(file(R"({"t":0.016,"kind":"down","touch":1,"x":0,"y":0},
+        {"t":0.001,"kind":"formation","group":1,"formation":"wedge"})"),
+                                        "G", kStep);
+    REQUIRE(commands.ok());
+    CHECK(std::holds_alternative<TouchDown>((*commands)[0].body));
+    CHECK(std::get<SetFormation>((*commands)[1].body).formation.kind == FormationKind::Wedge);
+}
+
+TEST_CASE("every kind of command survives the file") {
+    FormationDef ring;
+    ring.kind = FormationKind::Ring;
+    ring.spacing = 1.0 / 3.0;
+    ObstacleDef disc;
+    disc.centre = {0.1, 0.2};
+    disc.radius = 0.7;
+    disc.path.waypoints = {{0, {0, 0}, 0}, {2, {1, 0}, 0}};
+    PatchDef patch;
+    patch.polygon = {{0, 0}, {1, 0}, {1, 1}};
+    patch.motion = 4;
+    GroupDef group;
+    group.count = 7;
+    Order order = Order::moveToLine({4, 3}, {4, -3});
+    order.route = {{0.1, 0.2}, {0.3, 1.0 / 3.0}};
+    order.formation = ring;
+    order.turn = Turn::Reverse;
+    order.pace = 1.1;
+    order.share = 0.7;
+    Order guard = Order::guard({1, 2}, {0.5, 0.25}, -0.3);
+    guard.path.waypoints = {{0, {0, 0}, 0}, {2, {1, 0}, 0}};
+    guard.character = 17;
+    const Body heavy{0.4, 1.2, 3.0, 5.0, 2.0, 3};
+    FormationCheckpointDef checkpoint;
+    checkpoint.position = {3, 4};
+    checkpoint.formation = ring;
+    checkpoint.once = false;
+    checkpoint.trigger = CheckpointTrigger::Mesh;
+    const std::vector<CommandBody> bodies = {
+        TouchDown{7, {1.5, -2.25}, 0.1, GroupId{2}},
+        TouchMove{7, {1, 2}, 0.1 + 0.2},
+        TouchUp{7, 0.5},
+        TouchCancel{7},
+        AddControl{GroupId{1}, ControlKind::Area, {4, 9, 2}, {{0, 0}, {1, 0}, {1, 1}}, 0.75},
+        PinControl{GroupId{1}, ControlId{3}, false},
+        RemoveControl{GroupId{1}, ControlId{3}},
+        ReleaseClient{},
+        SetFormation{GroupId{1}, ring},
+        SetCount{GroupId{1}, 50},
+        SetPose{GroupId{1}, {1, 2}, 0.3},
+        AddGroup{group},
+        RemoveGroup{GroupId{1}},
+        AddObstacle{disc},
+        ChangeObstacle{ObstacleId{4}, disc},
+        RemoveObstacle{ObstacleId{4}},
+        AddPatch{patch},
+        ChangePatch{PatchId{1}, patch},
+        RemovePatch{PatchId{1}},
+        SetParameter{"plan.exponent", 1.5},
+        GiveOrder{GroupId{2}, QueueMode::Insert, 3, order},
+        EditQueue{GroupId{2}, QueueEdit::Cancel, 12},
+        SetConduct{GroupId{2}, {Stance::Yield, 0.3, 0.2, true}},
+        AddCharacters{GroupId{2}, {{1, 2}, {3, 4}}, {heavy, Body{}}},
+        RemoveCharacters{{4, 4294967295u, 7}},
+        TransferCharacters{{9, 8}, GroupId{1}},
+        SplitGroup{GroupId{1}, SplitBy::Lasso, {}, {{0, 0}, {1, 0}, {1, 1}}, {}, false, PartShape::Smaller},
+        MergeGroups{{GroupId{3}, GroupId{1}}, PartShape::AsHeld},
+        SetBodies{{5, 6, 7}, {heavy, heavy, Body{}}},
+        SetRoles{GroupId{1}, {{RoleArea::Rim, 3}, {RoleArea::LeftFlank, 255}}},
+        SetDemands{GroupId{1}, {1.0, 0.5, 0.1 + 0.2}},
+        SetDriver{{3}, Driver::Outside},
+        WriteMotion{{3}, {{0.1, 0.2}}, {{1.0 / 3.0, 0}}},
+        AddItem{{{0.1, 2}, 0.75}},
+        ChangeItem{ItemId{3}, {{1, 2}, 0.75}},
+        RemoveItem{ItemId{3}},
+        AddCheckpoint{checkpoint, GroupId{2}},
+        ChangeCheckpoint{CheckpointId{5}, checkpoint, GroupId{}},
+        RemoveCheckpoint{CheckpointId{5}},
+        PlaceGroup{GroupId{1}, {1, 2}, 0.3},
+        NameGroup{GroupId{1}, "Gäste"},
+        ColourGroup{GroupId{1}, 0x0A5FD1},
+        ColourGroup{GroupId{2}, std::nullopt},
+        SetAppearance{GroupId{1}, BodyBuild::Narrow, std::nullopt},
+        SetAppearance{GroupId{2}, std::nullopt, MotionSet::Weary},
+        GiveOrder{GroupId{2}, QueueMode::Append, 0, guard},
+        GiveOrder{GroupId{2}, QueueMode::Replace, 0, Order::face(-1.5)},
+        GiveOrder{GroupId{2}, QueueMode::Replace, 0, Order::follow(GroupId{1}, {-2, 0.5})},
+        GiveOrder{GroupId{2}, QueueMode::Replace, 0, Order::go({5, 6})},
+        SplitGroup{GroupId{1}, SplitBy::Ids, {3, 4}, {}, {}, false, PartShape::AsHeld},
+        SplitGroup{GroupId{1}, SplitBy::Shares, {}, {}, {0.25, 0.75}, true, PartShape::AsHeld}};
+    std::set<std::size_t> kinds;
+    for (const CommandBody& body : bodies) kinds.insert(body.index());
+    REQUIRE(kinds.size() == std::variant_size_v<CommandBody>);
+    std::vector<Command> commands;
+    std::uint32_t next[3] = {0, 0, 0};
+    for (std::uint32_t i = 0; i < bodies.size(); ++i)
+        commands.push_back({100 + i / 2, i % 2, next[i % 2]++, bodies[i]});
+    const std::string text = writeGestures(commands, kStep);
+    const auto back = parseGestures(text, "G", kStep);
+    REQUIRE_MESSAGE(back.ok(), back.status().message());
+    CHECK(bytesOf(*back) == bytesOf(commands));
+    const auto conforms = testing::breaks(testing::Json::parse(gesturesSchema()), testing::Json::parse(text));
+    CHECK(conforms == "");
+}
+
+TEST_CASE("errors are reported by field") {
+    CHECK(failureOf(R"({"kind":"up","touch":1})").find("G.json: $.events[0]: found no \"t\"") == 0);
+    CHECK(failureOf(R"({"t":-1,"kind":"up","touch":1})").find("$.events[0].t:") != std::string::npos);
+    CHECK(failureOf(R"({"t":1,"kind":"poke","touch":1})").find("$.events[0].kind:") != std::string::npos);
+    CHECK(failureOf(R"({"t":1,"kind":"down","touch":1,"x":0})").find("no \"y\"") != std::string::npos);
+    CHECK(failureOf(R"({"t":1,"kind":"up","touch":1,"x":0})").find("unknown key \"x\"") != std::string::npos);
+    CHECK(failureOf(R"({"t":1,"kind":"up","touch":1.5})").find("$.events[0].touch:") != std::string::npos);
+    CHECK(failureOf(R"({"t":1,"kind":"formation","group":1,"formation":"blob"})")
+              .find("$.events[0].formation.kind:") != std::string::npos);
+    CHECK(failureOf(R"({"t":1,"kind":"parameter","name":"plan.exponent","value":0})").find("$.events[0]") !=
+          std::string::npos);
+    CHECK(!parseGestures("{}", "G", kStep).ok());
+    CHECK(!parseGestures(R"({"format":"muster-scenario","version":1,"events":[]})", "G", kStep).ok());
+}
+
+TEST_CASE("a scenario's gestures lie in its folder or below, and are read for its step time") {
+    const auto folder = std::filesystem::temp_directory_path() / "muster_scenario_gestures_test";
+    std::filesystem::create_directories(folder / "touches");
+    const std::string scenario = (folder / "s.json").string();
+    REQUIRE(
+        writeTextFile((folder / "touches/a.json").string(),
+                      R"({"format":"muster-gestures","version":1,"events":[{"t":1,"kind":"up","touch":3}]})")
+            .ok());
+    WorldDef def;
+    def.parameters.stepTime = 0.25;
+    CHECK(loadScenarioGestures(scenario, def)->empty());
+    def.gestures = "touches/a.json";
+    const auto commands = loadScenarioGestures(scenario, def);
+    REQUIRE_MESSAGE(commands.ok(), commands.status().message());
+    REQUIRE(commands->size() == 1);
+    CHECK(commands->front().step == 4);
+    def.gestures = "touches/..named.json";
+    auto failed = loadScenarioGestures(scenario, def);
+    CHECK(failed.status().code() == StatusCode::IoError);
+    CHECK(failed.status().message().rfind(scenario + ": $.gestures: ", 0) == 0);
+    def.gestures = "touches/../touches/a.json";
+    failed = loadScenarioGestures(scenario, def);
+    CHECK(failed.status().code() == StatusCode::InvalidArgument);
+    CHECK(failed.status().message().find("$.gestures: found the text") != std::string::npos);
+    std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("shipped gestures are valid, one file per scenario") {
+    int count = 0;
+    const std::string folder = sourceFolder() + "/scenarios/gestures";
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        CAPTURE(entry.path().string());
+        const auto commands = loadGestures(entry.path().string(), kStep);
+        REQUIRE_MESSAGE(commands.ok(), commands.status().message());
+        CHECK(commands->size() > 10);
+        CHECK(std::filesystem::exists(entry.path().parent_path().parent_path() / entry.path().filename()));
+        ++count;
+    }
+    CHECK(count >= 6);
+}

@@ -1,0 +1,97 @@
+// What is said about a take: title, part and speeds.
+#include <doctest.h>
+
+#include <cmath>
+
+#include "files/take/take_about.h"
+#include "files/take/take_encoder.h"
+
+using namespace muster;
+
+namespace {
+
+WorldDef floorDef() {
+    WorldDef def;
+    def.name = "Floor";
+    def.box = {{-5, -5}, {5, 5}};
+    def.groups.resize(1);
+    def.groups[0].count = 4;
+    return def;
+}
+
+void append(std::vector<std::uint8_t>& bytes, const std::vector<std::uint8_t>& record) {
+    bytes.insert(bytes.end(), record.begin(), record.end());
+}
+
+}  // namespace
+
+TEST_CASE("What is said about a take comes back, and the last word counts, also after the end") {
+    TakeAbout first;
+    first.from = 12;
+    TakeAbout last;
+    last.title = "Rain \"and\" wind";
+    last.from = 30;
+    last.to = 55;
+    last.speeds = {{0.1, 0.25, 0.5, 0.05}, {0.5, 0.9, 2.0, 0.0}};
+    auto bytes = TakeEncoder::begin(floorDef());
+    append(bytes, TakeEncoder::about(first));
+    CHECK(parseTake(bytes, "a")->about == first);
+    append(bytes, TakeEncoder::end({60, 7}));
+    append(bytes, TakeEncoder::about(last));
+    const auto take = parseTake(bytes, "a");
+    REQUIRE_MESSAGE(take.ok(), take.status().message());
+    CHECK(take->about == last);
+    CHECK(take->finished);
+    append(bytes, TakeEncoder::mark({120, 7}));
+    CHECK(parseTake(bytes, "a").status().code() == StatusCode::Corrupt);
+}
+
+TEST_CASE("The part of a take lies in it and holds a step") {
+    TakeAbout about;
+    CHECK(about.firstStep(100) == 0);
+    CHECK(about.lastStep(100) == 100);
+    about.from = 40;
+    about.to = 60;
+    CHECK(about.firstStep(100) == 40);
+    CHECK(about.lastStep(100) == 60);
+    CHECK(about.firstStep(50) == 40);
+    CHECK(about.lastStep(50) == 50);
+    CHECK(about.firstStep(30) == 29);
+    CHECK(about.lastStep(30) == 30);
+    CHECK(about.firstStep(0) == 0);
+    CHECK(about.lastStep(0) == 0);
+}
+
+TEST_CASE("Speeds ease in and out, and are continuous") {
+    TakeAbout about;
+    about.speeds = {{1.0, 3.0, 0.25, 0.5}, {4.0, 5.0, 4.0, 0.0}};
+    REQUIRE(about.check().ok());
+    CHECK(about.speedAt(0.5) == 1.0);
+    CHECK(about.speedAt(2.0) == 0.25);
+    CHECK(about.speedAt(1.25) == doctest::Approx(0.625));
+    CHECK(about.speedAt(4.5) == 4.0);
+    CHECK(about.speedAt(5.0) == 1.0);
+    for (double t = 0.0; t < 3.5; t += 0.001)
+        CHECK(std::fabs(about.speedAt(t + 0.001) - about.speedAt(t)) < 0.005);
+}
+
+TEST_CASE("Unknown words are ignored, wrong ones named") {
+    CHECK(readTakeAbout("{}", "a").value() == TakeAbout{});
+    CHECK(readTakeAbout("{\"mood\": [1]}", "a").ok());
+    const auto refused = [](const char* text, const char* words) {
+        const auto read = readTakeAbout(text, "a");
+        REQUIRE_FALSE(read.ok());
+        INFO(read.status().message());
+        CHECK(read.status().message().find(words) != std::string::npos);
+    };
+    refused("[]", "expected an object");
+    refused("{\"title\": 3}", "title");
+    refused("{\"from\": -1}", "from");
+    refused("{\"from\": 1.5}", "from");
+    refused("{\"to\": 5000000000}", "to");
+    refused("{\"from\": 9, \"to\": 9}", "to");
+    refused("{\"speeds\": 1}", "speeds");
+    refused("{\"speeds\": [1]}", "speeds");
+    refused("{\"speeds\": [{\"from\": 0, \"to\": \"x\"}]}", "to");
+    refused("{\"speeds\": [{\"from\": 0, \"to\": 1, \"speed\": 0.01}]}", "speed");
+}

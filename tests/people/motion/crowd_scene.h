@@ -1,0 +1,57 @@
+// Worlds for tests of motion, and one way to run them.
+#pragma once
+
+#include <functional>
+
+#include "muster/motion.h"
+#include "muster/world.h"
+#include "people/motion/motion_report.h"
+
+namespace muster::testing {
+
+/// A wide floor with one square crowd at the origin.
+inline WorldDef field(std::int32_t count) {
+    WorldDef def;
+    def.box = {{-16, -16}, {30, 16}};
+    GroupDef group;
+    group.name = "crowd";
+    group.count = count;
+    group.jitter = 0.1;
+    def.groups.push_back(group);
+    return def;
+}
+
+/// A finger that takes the crowd by one point and carries it over, beginning at the world's time.
+inline void carry(World& world, Vec2 from, Vec2 to) {
+    std::uint32_t sequence = 1000;
+    const auto submit = [&](CommandBody body, std::uint32_t step) {
+        Command command;
+        command.step = step;
+        command.sequence = ++sequence;
+        command.body = std::move(body);
+        const Status status = world.submit(command);
+        MUSTER_ASSERT(status.ok());
+    };
+    const std::uint32_t start = world.stepCount() + 60;
+    const double dt = world.parameters().stepTime;
+    submit(TouchDown{1, from, start * dt, {}}, start);
+    const int moves = static_cast<int>(distance(from, to) / 0.04);
+    for (int k = 1; k <= moves; ++k)
+        submit(TouchMove{1, lerp(from, to, static_cast<double>(k) / moves), (start + k) * dt},
+               start + static_cast<std::uint32_t>(k));
+    submit(TouchUp{1, (start + moves + 10) * dt}, start + static_cast<std::uint32_t>(moves) + 10);
+}
+
+/// Steps world and motion for some time [s], observed.
+inline void run(World& world, CrowdMotion& motion, MotionReport& report, double seconds,
+                const std::function<void()>& look = {}) {
+    const double end = world.time() + seconds;
+    while (world.time() < end - 1e-9) {
+        world.step();
+        motion.update(world);
+        report.observe(world, motion);
+        if (look) look();
+    }
+}
+
+}  // namespace muster::testing

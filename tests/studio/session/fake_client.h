@@ -1,0 +1,156 @@
+// A client without a browser: it exchanges bytes with a session and records what it receives.
+#pragma once
+
+#include <doctest.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "muster/session.h"
+#include "studio/session/inbox/protocol.h"
+#include "studio/session/page_decoder.h"
+
+namespace muster::testing {
+
+/// A floor of 24 m with 16 characters in the middle.
+inline WorldDef smallFloor() {
+    WorldDef def;
+    def.name = "Small floor";
+    def.box = {{-12, -12}, {12, 12}};
+    GroupDef group;
+    group.count = 16;
+    def.groups.push_back(group);
+    return def;
+}
+
+inline SessionDef sessionDef() {
+    SessionDef def;
+    def.version = "test";
+    def.scenarios = {{"small", "Small floor", "", 16}, {"broken", "Broken", "", 0}};
+    def.loadScenario = [](const std::string& name) -> Result<WorldDef> {
+        if (name == "small") return smallFloor();
+        return Status(StatusCode::ParseError, "broken.json: found nothing, expected a scenario");
+    };
+    return def;
+}
+
+/// One client of a session.
+class FakeClient {
+public:
+    explicit FakeClient(Session& session, bool greet = true, const std::string& name = "fake")
+        : session_(session), id(session.connect()) {
+        if (greet) send(protocol::Hello{name});
+    }
+
+    template <class Message>
+    void send(const Message& message) {
+        sendBytes(protocol::encode(message));
+    }
+    void sendBytes(const std::vector<std::uint8_t>& bytes) { session_.receive(id, bytes); }
+
+    /// Takes all waiting messages; acknowledges frames where `acknowledge` is set.
+    void poll(bool acknowledge = true) {
+        std::vector<MessageBytes> messages;
+        session_.outgoing(id, messages);
+        for (const MessageBytes& bytes : messages) {
+            const auto message = protocol::decodeServer(bytes);
+            REQUIRE_MESSAGE(message.ok(), message.status().message());
+            take(message.value(), acknowledge);
+        }
+    }
+
+    /// Makes one touch event.
+    static protocol::TouchEvent touch(protocol::TouchPhase phase, Vec2 p, double time,
+                                      std::uint32_t finger = 1) {
+        return {phase, finger, p.x, p.y, time, 0};
+    }
+    void touchAt(protocol::TouchPhase phase, Vec2 p, double time, std::uint32_t finger = 1) {
+        protocol::Touches touches;
+        touches.events.push_back(touch(phase, p, time, finger));
+        send(touches);
+    }
+
+    /// The text of the newest notice with that code; empty for none.
+    std::string noticed(const std::string& code) const {
+        for (auto i = notices.rbegin(); i != notices.rend(); ++i)
+            if (i->code == code) return i->text;
+        return {};
+    }
+
+private:
+    void take(const protocol::ServerMessage& message, bool acknowledge) {
+        if (const auto* m = std::get_if<protocol::Welcome>(&message)) welcome = *m;
+        if (const auto* m = std::get_if<protocol::Scene>(&message)) scenes.push_back(*m);
+        if (const auto* m = std::get_if<protocol::GroupMesh>(&message)) {
+            meshes.push_back(*m);
+            decoder_.take(*m);
+        }
+        if (const auto* m = std::get_if<protocol::Motions>(&message)) {
+            if (motions.empty()) framesBeforeMotions = frames.size();
+            motions.push_back(*m);
+        }
+        if (const auto* m = std::get_if<protocol::Overlay>(&message)) overlays.push_back(*m);
+        if (const auto* m = std::get_if<protocol::Notice>(&message)) notices.push_back(*m);
+        if (const auto* m = std::get_if<protocol::Forecasts>(&message)) forecasts.push_back(*m);
+        if (const auto* m = std::get_if<protocol::Places>(&message)) places.push_back(*m);
+        if (const auto* m = std::get_if<protocol::Marks>(&message)) marks.push_back(*m);
+        if (const auto* m = std::get_if<protocol::Pong>(&message)) pongs.push_back(*m);
+        if (const auto* m = std::get_if<protocol::Directors>(&message)) directors.push_back(*m);
+        if (const auto* m = std::get_if<protocol::TakeState>(&message)) takes.push_back(*m);
+        if (const auto* m = std::get_if<protocol::EditHistory>(&message)) history = *m;
+        if (const auto* m = std::get_if<protocol::TakePath>(&message)) path = *m;
+        if (const auto* m = std::get_if<protocol::TakeReady>(&message)) ready = m->steps;
+        if (const auto* m = std::get_if<protocol::TakeKept>(&message)) kept.push_back(*m);
+        if (const auto* m = std::get_if<protocol::Frame>(&message)) {
+            frames.push_back(*m);
+            page = decoder_.take(*m);
+            if (acknowledge) send(protocol::FrameAck{m->frame});
+        }
+    }
+
+    Session& session_;
+    PageDecoder decoder_;
+
+public:
+    std::uint32_t id;
+    std::optional<protocol::Welcome> welcome;
+    std::vector<protocol::Scene> scenes;
+    std::vector<protocol::GroupMesh> meshes;
+    std::vector<protocol::Frame> frames;
+    PageFrame page;  ///< The newest frame, decoded.
+    std::vector<protocol::Motions> motions;
+    std::size_t framesBeforeMotions = 0;
+    std::vector<protocol::Overlay> overlays;
+    std::vector<protocol::Notice> notices;
+    std::vector<protocol::Forecasts> forecasts;
+    std::vector<protocol::Places> places;
+    std::vector<protocol::Marks> marks;
+    std::vector<protocol::Pong> pongs;
+    std::vector<protocol::Directors> directors;
+    std::vector<protocol::TakeState> takes;
+    protocol::EditHistory history;  ///< The newest.
+    std::optional<protocol::TakePath> path;
+    std::uint32_t ready = 0;  ///< Steps of the last TakeReady.
+    std::vector<protocol::TakeKept> kept;
+};
+
+/// A session that has loaded the small floor.
+inline Session startedSession(SessionDef def = sessionDef()) {
+    Session session(std::move(def));
+    const Status status = session.load("small", smallFloor());
+    REQUIRE_MESSAGE(status.ok(), status.message());
+    return session;
+}
+
+/// Lets `seconds` of real time pass in 60 updates per second.
+inline void run(Session& session, double seconds, const std::vector<FakeClient*>& clients = {}) {
+    const int looks = static_cast<int>(seconds * 60.0 + 0.5);
+    for (int i = 0; i < looks; ++i) {
+        session.elapse(1.0 / 60.0);
+        while (session.stepDue()) session.step();
+        for (FakeClient* client : clients) client->poll();
+    }
+}
+
+}  // namespace muster::testing

@@ -1,0 +1,122 @@
+// The body of a whole group, changed while a place is made.
+#include <doctest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "json/json.h"
+#include "muster/scenario.h"
+#include "studio/session/fake_client.h"
+
+using namespace muster;
+using namespace muster::testing;
+
+namespace {
+
+struct Desk {
+    Session session = startedSession();
+    FakeClient client{session};
+
+    void edit(const std::string& events, std::uint32_t gesture = 0) {
+        client.send(protocol::Edit{"Body", gesture, "[" + events + "]"});
+        run(session, 0.1, {&client});
+    }
+    void undo() {
+        client.send(protocol::UndoEdit{false});
+        run(session, 0.1, {&client});
+    }
+    std::span<const Body> bodies() const { return session.world()->characters().body; }
+    bool all(auto test) const { return std::ranges::all_of(bodies(), test); }
+    /// The first group in the newest scene, as the place has it.
+    Json start() {
+        run(session, 0.1, {&client});
+        auto scene = parseJson(client.scenes.back().json, "scene");
+        REQUIRE(scene.ok());
+        return *(*scene->find("groups"))[0].find("start");
+    }
+};
+
+std::string radius(const std::string& metres) {
+    return R"({"kind":"groupBody","group":1,"body":{"radius":)" + metres + "}}";
+}
+
+}  // namespace
+
+TEST_CASE("all of a group get a number of their body, and all other numbers stay") {
+    Desk desk;
+    const std::uint32_t first = desk.session.world()->characters().id[0];
+    desk.edit(R"({"kind":"bodies","ids":[)" + std::to_string(first) +
+              R"(],"bodies":[{"mass":3,"class":2}]})");
+    desk.edit(radius("0.3"));
+    CHECK(desk.all([](const Body& body) { return body.radius == 0.3; }));
+    CHECK(desk.bodies()[0].mass == 3.0);
+    CHECK(desk.bodies()[0].unitClass == 2);
+    CHECK(desk.bodies()[1].mass == 1.0);
+    desk.edit(R"({"kind":"groupBody","group":1,"body":{"maxSpeed":1.2,"class":1}})");
+    CHECK(desk.all([](const Body& body) { return body.maxSpeed == 1.2 && body.unitClass == 1; }));
+    CHECK(desk.bodies()[0].mass == 3.0);
+    desk.undo();
+    CHECK(desk.bodies()[0].unitClass == 2);
+    CHECK(desk.bodies()[1].maxSpeed == 0.0);
+    CHECK(desk.all([](const Body& body) { return body.radius == 0.3; }));
+    CHECK(desk.client.notices.empty());
+}
+
+TEST_CASE("a slider that is dragged is one step of the history") {
+    Desk desk;
+    for (const char* metres : {"0.2", "0.26", "0.31", "0.4"}) desk.edit(radius(metres), 7);
+    CHECK(desk.client.history.undo == 1);
+    CHECK(desk.all([](const Body& body) { return body.radius == 0.4; }));
+    desk.edit(radius("0.5"), 8);
+    CHECK(desk.client.history.undo == 2);
+    desk.undo();
+    CHECK(desk.all([](const Body& body) { return body.radius == 0.4; }));
+    desk.undo();
+    CHECK(desk.all([](const Body& body) { return body.radius == 0.0; }));
+    CHECK(desk.client.history.undo == 0);
+}
+
+TEST_CASE("the scene tells what all in a group have in common, and the file keeps it") {
+    Desk desk;
+    CHECK(desk.start().find("body")->find("radius")->number() == 0.25);
+    CHECK(desk.start().find("body")->find("maxSpeed")->number() == 2.0);
+    CHECK(desk.start().find("body")->find("class")->number() == 0.0);
+    const std::uint32_t first = desk.session.world()->characters().id[0];
+    desk.edit(R"({"kind":"bodies","ids":[)" + std::to_string(first) + R"(],"bodies":[{"class":2}]})");
+    CHECK(desk.start().find("body")->find("class") == nullptr);
+    desk.edit(R"({"kind":"groupBody","group":1,"body":{"radius":0.3,"maxSpeed":1.5,"class":4}})");
+    desk.edit(R"({"kind":"roles","group":1,"roles":[{"area":"rim","class":4}]})");
+    CHECK(desk.start().find("body")->find("radius")->number() == 0.3);
+    CHECK(desk.start().find("body")->find("class")->number() == 4.0);
+    REQUIRE(desk.start().find("roles")->size() == 1);
+    CHECK((*desk.start().find("roles"))[0].find("area")->text() == "rim");
+    const auto saved = parseScenario(*desk.session.scenario(), "saved.json", "");
+    REQUIRE(saved.ok());
+    REQUIRE(saved->groups[0].bodies.size() == 1);
+    CHECK(saved->groups[0].bodies[0].radius == 0.3);
+    CHECK(saved->groups[0].bodies[0].unitClass == 4);
+    CHECK(saved->groups[0].roles.size() == 1);
+}
+
+TEST_CASE("bad bodies of groups are answered by one sentence and change nothing") {
+    Desk desk;
+    const auto refused = [&](const std::string& events) {
+        desk.client.notices.clear();
+        desk.edit(events);
+        run(desk.session, 1.0, {&desk.client});
+        REQUIRE(desk.client.notices.size() == 1);
+        return desk.client.notices[0].text;
+    };
+    const auto says = [&](const std::string& events, const char* what) {
+        CHECK(refused(events).find(what) != std::string::npos);
+    };
+    says(radius("7"), "radius");
+    says(radius("0.01"), "radius");
+    says(R"({"kind":"groupBody","group":9,"body":{"radius":0.3}})", "a group with people in it");
+    says(R"({"kind":"groupBody","group":1})", "body");
+    says(R"({"kind":"groupBody","group":1,"body":{"width":0.3}})", "width");
+    says(radius("0.3") + "," + radius("0.4"), "one for each group");
+    says(radius("0.3") + R"(,{"kind":"nameGroup","group":1,"name":"A"})", "found");
+    CHECK(desk.all([](const Body& body) { return body == Body{}; }));
+    CHECK(desk.client.history.undo == 0);
+}

@@ -1,0 +1,445 @@
+// Making a place: edits by messages, undo, the file, and what can be reached.
+#include <doctest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "muster/scenario.h"
+#include "muster/take.h"
+#include "studio/session/fake_client.h"
+
+using namespace muster;
+using namespace muster::testing;
+
+namespace {
+
+constexpr const char* kBox =
+    R"({"kind":"obstacle","definition":{"name":"Box","polygon":[[3,-1],[5,-1],[5,1],[3,1]],"height":2}})";
+
+/// A session with one greeted director.
+struct Desk {
+    Session session = startedSession();
+    FakeClient client{session};
+
+    void edit(const std::string& events, const std::string& label = "Edit", std::uint32_t gesture = 0) {
+        client.send(protocol::Edit{label, gesture, "[" + events + "]"});
+        settle();
+    }
+    void undo(bool redo = false) {
+        client.send(protocol::UndoEdit{redo});
+        settle();
+    }
+    void settle() { run(session, 0.1, {&client}); }
+    const World& world() const { return *session.world(); }
+    std::size_t obstacles() const { return world().obstacleIds().size(); }
+    ObstacleDef obstacle(std::size_t k) const { return world().obstacle(world().obstacleIds()[k]).def; }
+    void restart() {
+        client.send(protocol::Playback{protocol::PlaybackAction::Restart});
+        settle();
+    }
+    WorldDef saved() const {
+        const auto text = session.scenario();
+        REQUIRE(text.ok());
+        const auto def = parseScenario(*text, "saved.json", "");
+        REQUIRE_MESSAGE(def.ok(), def.status().message());
+        return *def;
+    }
+};
+
+std::uint64_t hashAfter(const WorldDef& def, int steps) {
+    auto world = World::create(def);
+    REQUIRE_MESSAGE(world.ok(), world.status().message());
+    for (int i = 0; i < steps; ++i) world->step();
+    return world->hash();
+}
+
+}  // namespace
+
+TEST_CASE("an edit adds an obstacle, and undo and redo take it away and back") {
+    Desk desk;
+    desk.edit(kBox, "Add box");
+    REQUIRE(desk.obstacles() == 1);
+    CHECK(desk.client.history.undo == 1);
+    CHECK(desk.client.history.undoLabel == "Add box");
+    CHECK(desk.client.history.edited);
+    desk.undo();
+    CHECK(desk.obstacles() == 0);
+    CHECK(desk.client.history.undo == 0);
+    CHECK(desk.client.history.redoLabel == "Add box");
+    desk.undo(true);
+    REQUIRE(desk.obstacles() == 1);
+    CHECK(desk.obstacle(0).name == "Box");
+    desk.undo(true);
+    CHECK(desk.client.noticed("UndoEdit") == "nothing to do again");
+}
+
+TEST_CASE("undo follows a thing whose id changes when it comes back") {
+    Desk desk;
+    desk.edit(kBox);
+    const std::uint32_t first = desk.world().obstacleIds()[0].value;
+    const std::string id = std::to_string(first);
+    desk.edit(R"({"kind":"changeObstacle","id":)" + id +
+              R"(,"definition":{"name":"Moved","polygon":[[4,-1],[6,-1],[6,1],[4,1]]}})");
+    desk.edit(R"({"kind":"removeObstacle","id":)" + id + "}");
+    CHECK(desk.obstacles() == 0);
+    desk.undo();
+    REQUIRE(desk.obstacles() == 1);
+    CHECK(desk.world().obstacleIds()[0].value != first);
+    CHECK(desk.obstacle(0).name == "Moved");
+    desk.undo();
+    CHECK(desk.obstacle(0).name == "Box");
+    desk.undo();
+    CHECK(desk.obstacles() == 0);
+    for (int i = 0; i < 3; ++i) desk.undo(true);
+    CHECK(desk.obstacles() == 0);
+    desk.undo();
+    CHECK(desk.obstacle(0).name == "Moved");
+    CHECK(desk.client.noticed("rejected").empty());
+}
+
+TEST_CASE("edits of one gesture are taken back together") {
+    Desk desk;
+    desk.edit(kBox);
+    const std::string id = std::to_string(desk.world().obstacleIds()[0].value);
+    for (int k = 1; k <= 5; ++k) {
+        const std::string x = std::to_string(k);
+        desk.edit(R"({"kind":"changeObstacle","id":)" + id + R"(,"definition":{"centre":[)" + x +
+                      R"(,0],"radius":1}})",
+                  "Move", 7);
+    }
+    CHECK(desk.client.history.undo == 2);
+    CHECK(desk.obstacle(0).centre.x == 5.0);
+    desk.undo();
+    CHECK(desk.obstacle(0).name == "Box");
+    desk.undo(true);
+    CHECK(desk.obstacle(0).centre.x == 5.0);
+}
+
+TEST_CASE("two drags in a row are two steps, however fast they follow each other") {
+    Desk desk;
+    desk.edit(kBox);
+    const std::string id = std::to_string(desk.world().obstacleIds()[0].value);
+    // Nothing is carried out between them.
+    for (const auto& [x, gesture] : {std::pair{1, 7u}, {2, 7u}, {3, 8u}, {4, 8u}})
+        desk.client.send(protocol::Edit{"Move", gesture,
+                                        R"([{"kind":"changeObstacle","id":)" + id +
+                                            R"(,"definition":{"centre":[)" + std::to_string(x) +
+                                            R"(,0],"radius":1}}])"});
+    desk.settle();
+    CHECK(desk.obstacle(0).centre.x == 4.0);
+    CHECK(desk.client.history.undo == 3);
+    desk.undo();
+    CHECK(desk.obstacle(0).centre.x == 2.0);
+    desk.undo();
+    CHECK(desk.obstacle(0).name == "Box");
+    for (int k = 0; k < 2; ++k) desk.undo(true);
+    CHECK(desk.obstacle(0).centre.x == 4.0);
+    CHECK(desk.client.noticed("rejected").empty());
+}
+
+TEST_CASE("an edit of a drag takes the place of one that still waits") {
+    Desk desk;
+    desk.client.send(protocol::Playback{protocol::PlaybackAction::Pause});
+    desk.settle();
+    const std::uint32_t before = desk.world().stepCount();
+    for (int k = 1; k <= 300; ++k)
+        desk.client.send(protocol::Edit{
+            "Move", 7,
+            R"([{"kind":"placeGroup","group":1,"x":)" + std::to_string(0.01 * k) + R"(,"y":1,"angle":0}])"});
+    desk.settle();
+    CHECK(desk.world().stepCount() == before + 1);
+    CHECK(desk.world().group(0).pose.position.x == doctest::Approx(3.0));
+    CHECK(desk.client.history.undo == 1);
+    CHECK(desk.client.notices.empty());
+}
+
+TEST_CASE("a drag that leads back leaves nothing to take back") {
+    Desk desk;
+    const Vec2 at = desk.world().group(0).pose.position;
+    const auto drag = [&](double x) {
+        desk.edit(R"({"kind":"placeGroup","group":1,"x":)" + std::to_string(x) + R"(,"y":)" +
+                      std::to_string(at.y) + R"(,"angle":0})",
+                  "Move", 7);
+    };
+    drag(at.x + 1.0);
+    CHECK(desk.client.history.undo == 1);
+    drag(at.x);
+    CHECK(desk.client.history.undo == 0);
+    drag(at.x + 2.0);
+    CHECK(desk.client.history.undo == 1);
+    desk.undo();
+    CHECK(desk.world().group(0).pose.position == at);
+}
+
+TEST_CASE("what was added and moved in one gesture comes back where it was moved to") {
+    Desk desk;
+    desk.edit(R"({"kind":"item","definition":{"position":[1,1]}})", "Draw", 9);
+    const std::string id = std::to_string(desk.world().itemIds()[0].value);
+    desk.edit(R"({"kind":"changeItem","id":)" + id + R"(,"definition":{"position":[2,2]}})", "Draw", 9);
+    desk.undo();
+    CHECK(desk.world().items().empty());
+    desk.undo(true);
+    REQUIRE(desk.world().items().size() == 1);
+    CHECK(desk.world().items()[0].position == Vec2{2, 2});
+    CHECK(desk.client.noticed("rejected").empty());
+}
+
+TEST_CASE("two hundred and more steps can be taken back and made again") {
+    Desk desk;
+    for (int k = 0; k < 250; ++k) {
+        const std::string x = std::to_string(-10.0 + 0.05 * k);
+        desk.edit(R"({"kind":"item","definition":{"position":[)" + x + R"(,3],"radius":0.2}})");
+    }
+    REQUIRE(desk.world().items().size() == 250);
+    for (int k = 0; k < 250; ++k) desk.undo();
+    CHECK(desk.world().items().empty());
+    for (int k = 0; k < 250; ++k) desk.undo(true);
+    CHECK(desk.world().items().size() == 250);
+    CHECK(desk.world().items()[249].position.x == doctest::Approx(-10.0 + 0.05 * 249));
+}
+
+TEST_CASE("a paused world makes one step for each edit") {
+    Desk desk;
+    desk.client.send(protocol::Playback{protocol::PlaybackAction::Pause});
+    desk.settle();
+    const std::uint32_t before = desk.world().stepCount();
+    desk.edit(kBox);
+    desk.edit(R"({"kind":"item","definition":{"position":[1,1]}})");
+    desk.undo();
+    CHECK(desk.world().stepCount() == before + 3);
+    CHECK(desk.obstacles() == 1);
+    CHECK(desk.world().items().empty());
+}
+
+TEST_CASE("each director takes back their own edits") {
+    Desk desk;
+    FakeClient other(desk.session);
+    desk.edit(kBox, "Mine");
+    other.send(protocol::Edit{"Theirs", 0, R"([{"kind":"item","definition":{"position":[1,1]}}])"});
+    run(desk.session, 0.1, {&desk.client, &other});
+    CHECK(desk.client.history.undoLabel == "Mine");
+    CHECK(other.history.undoLabel == "Theirs");
+    desk.undo();
+    CHECK(desk.obstacles() == 0);
+    CHECK(desk.world().items().size() == 1);
+}
+
+TEST_CASE("restart begins with the edited place, and undo goes on") {
+    Desk desk;
+    desk.edit(R"({"kind":"item","definition":{"position":[1,1]}})");
+    desk.edit(kBox, "Add box");
+    desk.edit(R"({"kind":"removeItem","id":1})");
+    desk.edit(R"({"kind":"item","definition":{"position":[2,2]}})");
+    desk.restart();
+    CHECK(desk.obstacles() == 1);
+    REQUIRE(desk.world().items().size() == 1);
+    CHECK(desk.world().itemIds()[0].value == 1);
+    desk.undo();
+    CHECK(desk.world().items().empty());
+    desk.undo();
+    REQUIRE(desk.world().items().size() == 1);
+    CHECK(desk.world().items()[0].position == Vec2{1, 1});
+    desk.undo();
+    CHECK(desk.obstacles() == 0);
+    CHECK(desk.client.noticed("rejected").empty());
+}
+
+TEST_CASE("a colour is one step of undo, shown in the scene and kept by the place") {
+    Desk desk;
+    const auto shown = [&] {
+        const std::string& scene = desk.client.scenes.back().json;
+        const std::size_t at = scene.find("chosenColour");
+        return at == std::string::npos ? "" : scene.substr(at + 15, 7);
+    };
+    desk.edit(R"({"kind":"colourGroup","group":1,"colour":"#D60EA8"})", "Colour");
+    CHECK(desk.world().group(0).colour == 0xD60EA8u);
+    CHECK(shown() == "#d60ea8");
+    CHECK(desk.client.history.undo == 1);
+    desk.edit(R"({"kind":"colourGroup","group":1,"colour":"#05536d"})", "Colour");
+    CHECK(shown() == "#05536d");
+    CHECK(desk.saved().groups[0].colour == 0x05536Du);
+    desk.restart();
+    CHECK(desk.world().group(0).colour == 0x05536Du);
+    desk.undo();
+    CHECK(shown() == "#d60ea8");
+    desk.undo();
+    CHECK(shown().empty());
+    CHECK_FALSE(desk.saved().groups[0].colour);
+    desk.undo(true);
+    CHECK(shown() == "#d60ea8");
+    desk.edit(R"({"kind":"removeGroup","group":1})");
+    desk.undo();
+    CHECK(desk.world().group(0).colour == 0xD60EA8u);
+    desk.edit(R"({"kind":"colourGroup","group":1,"colour":"red"})");
+    CHECK(desk.client.history.undo == 1);
+}
+
+TEST_CASE("an appearance is one step of undo, shown in the scene and kept by the place") {
+    Desk desk;
+    const auto shows = [&](const char* text) {
+        return desk.client.scenes.back().json.find(text) != std::string::npos;
+    };
+    desk.edit(R"({"kind":"appearance","group":1,"build":"narrow","motions":"march"})", "Motion set");
+    CHECK(desk.world().group(0).motions == MotionSet::March);
+    CHECK(shows(R"("build":"narrow")"));
+    CHECK(shows(R"("motions":"march")"));
+    CHECK(desk.client.history.undo == 1);
+    desk.edit(R"({"kind":"appearance","group":1,"motions":"weary"})", "Motion set");
+    CHECK_FALSE(shows(R"("build")"));
+    CHECK(desk.saved().groups[0].motions == MotionSet::Weary);
+    CHECK_FALSE(desk.saved().groups[0].build);
+    desk.restart();
+    CHECK(desk.world().group(0).motions == MotionSet::Weary);
+    desk.undo();
+    CHECK(desk.world().group(0).build == BodyBuild::Narrow);
+    desk.undo();
+    CHECK_FALSE(shows(R"("motions")"));
+    desk.undo(true);
+    CHECK(shows(R"("motions":"march")"));
+    desk.edit(R"({"kind":"appearance","group":1,"motions":"hop"})");
+    CHECK(desk.client.history.undo == 1);
+}
+
+TEST_CASE("the saved place plays to the hash of the studio") {
+    Desk desk;
+    desk.edit(kBox);
+    desk.edit(
+        R"({"kind":"patch","definition":{"name":"Net","polygon":[[-6,-4],[-2,-4],[-2,4],[-6,4]],"motion":3}})");
+    desk.edit(
+        R"({"kind":"checkpoint","definition":{"position":[8,0],"radius":2,"formation":"wedge"},"group":1})");
+    desk.edit(R"({"kind":"group","definition":{"name":"Second","count":9,"position":[-8,-8]}})");
+    desk.edit(
+        R"({"kind":"placeGroup","group":1,"x":-8,"y":4,"angle":0.5},{"kind":"nameGroup","group":1,"name":"First"})");
+    desk.edit(R"({"kind":"colourGroup","group":1,"colour":"#05536d"})");
+    desk.edit(R"({"kind":"appearance","group":1,"build":"broad"})");
+    desk.edit(R"({"kind":"count","group":1,"count":12})");
+    desk.edit(R"({"kind":"parameter","name":"character.speed","value":2.5})");
+    const WorldDef saved = desk.saved();
+    REQUIRE(saved.groups.size() == 2);
+    CHECK(saved.groups[0].name == "First");
+    CHECK(saved.groups[0].count == 12);
+    CHECK(saved.groups[0].position == Vec2{-8, 4});
+    REQUIRE(saved.checkpoints.size() == 1);
+    CHECK(saved.checkpoints[0].group == 0);
+    desk.client.send(protocol::Playback{protocol::PlaybackAction::Restart});
+    desk.client.send(protocol::Playback{protocol::PlaybackAction::Pause});
+    for (int k = 0; k < 60; ++k) {
+        desk.client.send(protocol::Playback{protocol::PlaybackAction::SingleStep});
+        desk.settle();
+    }
+    CHECK(desk.world().stepCount() == 60);
+    CHECK(desk.world().hash() == hashAfter(saved, 60));
+}
+
+TEST_CASE("an unedited scenario is saved as it was") {
+    Desk desk;
+    CHECK_FALSE(desk.client.history.edited);
+    CHECK(*desk.session.scenario() == writeScenario(smallFloor()));
+}
+
+TEST_CASE("a map stays a map while nothing of it is changed") {
+    Session session = startedSession();
+    const char* text = R"({"format":"muster-scenario","version":1,"box":[[0,0],[16,16]],
+        "groups":[{"count":4,"position":[3,3]}],
+        "map":{"rows":["........","........","....@@..","....@@..","........","........","........","........"],"metresPerCell":2}})";
+    const Status opened = session.openScenario("small map", text);
+    if (!opened.ok()) MESSAGE(opened.message());
+    REQUIRE(opened.ok());
+    CHECK(session.scenarioName() == "smallmap.json");
+    FakeClient client(session);
+    client.send(protocol::Edit{
+        "Add", 0,
+        std::string("[") + R"({"kind":"obstacle","definition":{"centre":[3,12],"radius":1}})" + "]"});
+    run(session, 0.1, {&client});
+    auto saved = parseScenario(*session.scenario(), "saved.json", "");
+    REQUIRE(saved.ok());
+    CHECK(saved->map.has_value());
+    CHECK(saved->obstacles.size() == 1);
+    const std::string id = std::to_string(session.world()->obstacleIds()[0].value);
+    client.send(protocol::Edit{"Remove", 0, R"([{"kind":"removeObstacle","id":)" + id + "}]"});
+    run(session, 0.1, {&client});
+    saved = parseScenario(*session.scenario(), "saved.json", "");
+    REQUIRE(saved.ok());
+    CHECK_FALSE(saved->map.has_value());
+    CHECK(saved->obstacles.size() == session.world()->obstacleIds().size());
+}
+
+TEST_CASE("takes hold edits and undo, and replay to the same hash") {
+    Desk desk;
+    desk.edit(kBox);
+    desk.edit(R"({"kind":"item","definition":{"position":[1,1]}})");
+    desk.undo();
+    desk.edit(R"({"kind":"placeGroup","group":1,"x":-6,"y":0})");
+    run(desk.session, 1.0, {&desk.client});
+    const auto bytes = desk.session.take();
+    REQUIRE(bytes.ok());
+    const auto take = parseTake(*bytes, "take");
+    REQUIRE_MESSAGE(take.ok(), take.status().message());
+    const auto played = replayTake(*take);
+    CHECK_MESSAGE(played.ok(), played.status().message());
+}
+
+TEST_CASE("bad edits are answered by one sentence and change nothing") {
+    Desk desk;
+    const auto refused = [&](const std::string& events) {
+        desk.client.notices.clear();
+        desk.edit(events);
+        run(desk.session, 1.0, {&desk.client});
+        REQUIRE(desk.client.notices.size() == 1);
+        return desk.client.notices[0].text;
+    };
+    CHECK(refused("").find("at least one") != std::string::npos);
+    CHECK(refused(R"({"kind":"move","group":1,"x":0,"y":0})").find("expected a change of the place") !=
+          std::string::npos);
+    CHECK(refused(R"({"kind":"removeObstacle","id":77})").find("no obstacle has the id 77") !=
+          std::string::npos);
+    CHECK(refused(R"({"kind":"item","definition":{"position":[1,1],"radius":-1}})").find("radius") !=
+          std::string::npos);
+    CHECK(refused(R"({"kind":"count","group":1,"count":199999})").find("characters") != std::string::npos);
+    CHECK(refused(R"({"kind":"checkpoint","definition":{"position":[0,0],"formation":"square"},"group":9})")
+              .find("no group has the id 9") != std::string::npos);
+    CHECK(refused(R"({"kind":"nameGroup","group":1,"name":"A"},{"kind":"nameGroup","group":1,"name":"B"})")
+              .find("expected each once") != std::string::npos);
+    CHECK(desk.client.history.undo == 0);
+    CHECK(desk.obstacles() == 0);
+    desk.undo();
+    CHECK(desk.client.noticed("UndoEdit") == "nothing to take back");
+}
+
+TEST_CASE("a bad scenario is refused and the place stays") {
+    Desk desk;
+    desk.edit(kBox);
+    const Status status = desk.session.openScenario("x", "{\"format\": 1}");
+    CHECK_FALSE(status.ok());
+    CHECK(status.message().find("x.json") == 0);
+    CHECK(desk.obstacles() == 1);
+    CHECK(desk.client.history.undo == 1);
+}
+
+TEST_CASE("the overlay of reach tells what is closed off, and gaps") {
+    Desk desk;
+    desk.client.send(protocol::SetOverlay{protocol::OverlayKind::Reach, 0});
+    desk.settle();
+    REQUIRE(desk.client.overlays.size() == 1);
+    const auto count = [&](float value) {
+        const auto& values = desk.client.overlays.back().values;
+        return std::count(values.begin(), values.end(), value);
+    };
+    CHECK(count(1.0f) == 0);
+    CHECK(desk.client.overlays.back().gaps.empty());
+    // Four walls round (8, 8), with a gap of 0.2 m at one corner.
+    const auto wall = [](const char* polygon) {
+        return std::string(R"({"kind":"obstacle","definition":{"polygon":)") + polygon + "}}";
+    };
+    desk.edit(wall("[[5,5],[11,5],[11,5.5],[5,5.5]]") + "," + wall("[[5,10.5],[11,10.5],[11,11],[5,11]]") +
+              "," + wall("[[5,5.7],[5.5,5.7],[5.5,10.5],[5,10.5]]") + "," +
+              wall("[[10.5,5.5],[11,5.5],[11,10.5],[10.5,10.5]]"));
+    run(desk.session, 0.5, {&desk.client});
+    REQUIRE(desk.client.overlays.size() == 2);
+    const double cell = desk.client.overlays.back().cell;
+    CHECK(static_cast<double>(count(1.0f)) * cell * cell == doctest::Approx(4.5 * 4.5).epsilon(0.25));
+    REQUIRE(desk.client.overlays.back().gaps.size() == 3);
+    CHECK(desk.client.overlays.back().gaps[2] == doctest::Approx(0.2).epsilon(0.01));
+    run(desk.session, 1.0, {&desk.client});
+    CHECK(desk.client.overlays.size() == 2);
+}

@@ -1,0 +1,544 @@
+// Undo of what directs groups: orders, shapes, conduct, splits and merges, in one history with edits of the
+// place.
+#include <doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "muster/take.h"
+#include "studio/session/fake_client.h"
+
+using namespace muster;
+using namespace muster::testing;
+
+namespace {
+
+WorldDef twoGroups() {
+    WorldDef def = smallFloor();
+    def.box = {{-30, -30}, {30, 30}};
+    def.groups[0].name = "Blue";
+    GroupDef other = def.groups[0];
+    other.name = "Orange";
+    other.colour = 0x440E93u;
+    other.count = 9;
+    other.formation.kind = FormationKind::Wedge;
+    other.position = {10, 8};
+    other.conduct.cohesion = 0.25;
+    def.groups.push_back(other);
+    return def;
+}
+
+/// A session with one greeted director and two groups.
+struct Desk {
+    Session session{sessionDef()};
+    FakeClient client{session};
+
+    Desk() {
+        REQUIRE(session.load("two", twoGroups()).ok());
+        settle();
+    }
+    void settle(double seconds = 0.2) { run(session, seconds, {&client}); }
+    void act(const std::string& events) {
+        client.send(protocol::Commands{"[" + events + "]"});
+        settle();
+    }
+    void move(double x, double y, const std::string& more = "") {
+        act(R"({"kind":"move","group":1,"x":)" + std::to_string(x) + R"(,"y":)" + std::to_string(y) + more +
+            "}");
+    }
+    void undo(bool redo = false) {
+        client.send(protocol::UndoEdit{redo});
+        settle();
+    }
+    const World& world() const { return *session.world(); }
+    GroupView group(std::size_t g = 0) const { return world().group(g); }
+    /// Where the orders of the first group lead, in their order.
+    std::vector<double> targets() const {
+        std::vector<double> xs;
+        for (const QueuedOrder& order : group().orders) xs.push_back(order.order.target.x);
+        return xs;
+    }
+    /// What the world or the session refused.
+    std::string trouble() const {
+        return client.noticed("rejected") + client.noticed("Edit") + client.noticed("UndoEdit");
+    }
+    const protocol::EditHistory& history() const { return client.history; }
+    void replays() const {
+        const auto bytes = session.take();
+        REQUIRE(bytes.ok());
+        const auto take = parseTake(*bytes, "take");
+        REQUIRE_MESSAGE(take.ok(), take.status().message());
+        const auto played = replayTake(*take);
+        CHECK_MESSAGE(played.ok(), played.status().message());
+    }
+};
+
+using Xs = std::vector<double>;
+
+const std::string kAppend = R"(,"mode":"append")";
+
+}  // namespace
+
+TEST_CASE("the undo of a first order stops the group, and redo sends it on") {
+    Desk desk;
+    desk.move(20, 0);
+    CHECK(desk.history().undoLabel == "Move");
+    desk.settle(1.0);
+    desk.undo();
+    CHECK(desk.group().orders.empty());
+    CHECK(desk.history().undo == 0);
+    CHECK(desk.history().redoLabel == "Move");
+    desk.settle(3.0);
+    const Vec2 stood = desk.group().pose.position;
+    CHECK(stood.x < 10.0);
+    desk.settle(1.0);
+    CHECK(distance(desk.group().pose.position, stood) < 1e-9);
+    desk.undo(true);
+    CHECK(desk.targets() == Xs{20});
+    desk.settle(1.0);
+    CHECK(desk.group().pose.position.x > stood.x + 0.5);
+    // The order has a new id, which the history knows.
+    desk.undo();
+    CHECK(desk.group().orders.empty());
+    CHECK(desk.trouble().empty());
+    desk.replays();
+}
+
+TEST_CASE("orders come back one by one, in their places") {
+    Desk desk;
+    desk.move(20, 0);
+    desk.move(10, 5, kAppend);
+    desk.move(5, 5, R"(,"mode":"insert","index":1)");
+    CHECK(desk.targets() == Xs{20, 5, 10});
+    const std::uint32_t first = desk.group().orders[0].id;
+    const std::string second = std::to_string(desk.group().orders[1].id);
+    desk.act(R"({"kind":"queue","group":1,"edit":"cancel","order":)" + second + "}");
+    CHECK(desk.targets() == Xs{20, 10});
+    desk.move(-20, 0);
+    CHECK(desk.history().undo == 5);
+    desk.undo();
+    CHECK(desk.targets() == Xs{20, 10});
+    CHECK(desk.history().redoLabel == "Move");
+    desk.undo();
+    CHECK(desk.targets() == Xs{20, 5, 10});
+    CHECK(desk.history().redoLabel == "Cancel order");
+    desk.undo();
+    CHECK(desk.targets() == Xs{20, 10});
+    desk.undo();
+    CHECK(desk.targets() == Xs{20});
+    CHECK(desk.group().orders[0].id != first);
+    desk.undo();
+    CHECK(desk.targets().empty());
+    for (int k = 0; k < 5; ++k) desk.undo(true);
+    CHECK(desk.targets() == Xs{-20});
+    for (int k = 0; k < 2; ++k) desk.undo();
+    CHECK(desk.targets() == Xs{20, 5, 10});
+    CHECK(desk.trouble().empty());
+    desk.replays();
+}
+
+TEST_CASE("an order that is done is not given again, and its undo passes over it") {
+    Desk desk;
+    desk.act(R"({"kind":"conduct","group":1,"cohesion":1})");
+    desk.move(4, 0);
+    desk.move(25, 0, kAppend);
+    desk.settle(12.0);
+    REQUIRE(desk.targets() == Xs{25});
+    desk.undo();
+    CHECK(desk.targets().empty());
+    desk.undo();  // Of the first order nothing is left.
+    CHECK(desk.history().undo == 0);
+    CHECK(desk.history().redoLabel == "Cohesion");
+    CHECK(desk.group().conduct.cohesion == 0.0);
+    CHECK(desk.trouble().empty());
+}
+
+TEST_CASE("stop, hold and patrol are taken back") {
+    Desk desk;
+    desk.move(20, 0);
+    desk.move(20, 10, kAppend);
+    for (const char* edit : {"patrol", "hold", "stop"})
+        desk.act(R"({"kind":"queue","group":1,"edit":")" + std::string(edit) + R"("})");
+    CHECK(desk.targets().empty());
+    desk.undo();
+    CHECK(desk.targets() == Xs{20, 20});
+    CHECK(desk.group().held);
+    CHECK(desk.group().patrols);
+    desk.undo();
+    CHECK_FALSE(desk.group().held);
+    CHECK(desk.history().redoLabel == "Hold");
+    desk.undo();
+    CHECK_FALSE(desk.group().patrols);
+    CHECK(desk.targets() == Xs{20, 20});
+}
+
+TEST_CASE("a shape is taken back, also one that an order gave") {
+    Desk desk;
+    desk.act(R"({"kind":"formation","group":1,"formation":"ring"})");
+    desk.client.send(protocol::SetFormation{1, "wedge"});
+    desk.settle();
+    CHECK(desk.history().undoLabel == "Change shape");
+    desk.undo();
+    CHECK(desk.group().formation == FormationKind::Ring);
+    desk.undo();
+    CHECK(desk.group().formation == FormationKind::Square);
+    desk.undo(true);
+    CHECK(desk.group().formation == FormationKind::Ring);
+    desk.act(R"({"kind":"guard","group":1,"x":2,"y":0,"halfSize":[3,3]})");
+    CHECK(desk.group().formation == FormationKind::Points);
+    CHECK(desk.history().undoLabel == "Guard");
+    desk.undo();
+    CHECK(desk.group().formation == FormationKind::Ring);
+    CHECK(desk.group().orders.empty());
+    CHECK(desk.trouble().empty());
+    desk.replays();
+}
+
+TEST_CASE("a slider is one step, and each choice another") {
+    Desk desk;
+    for (int k = 1; k <= 8; ++k)
+        desk.act(R"({"kind":"conduct","group":1,"cohesion":0.)" + std::to_string(k) + "}");
+    CHECK(desk.history().undo == 1);
+    CHECK(desk.history().undoLabel == "Cohesion");
+    desk.act(R"({"kind":"conduct","group":1,"cohesion":0.8,"stance":"hold"})");
+    CHECK(desk.history().undo == 2);
+    desk.settle(3.0);
+    desk.act(R"({"kind":"conduct","group":1,"cohesion":0.5,"stance":"hold"})");
+    CHECK(desk.history().undo == 3);
+    desk.undo();
+    CHECK(desk.group().conduct.cohesion == 0.8);
+    desk.undo();
+    CHECK(desk.group().conduct.stance == Stance::Normal);
+    CHECK(desk.group().conduct.cohesion == 0.8);
+    desk.undo();
+    CHECK(desk.group().conduct.cohesion == 0.0);
+    desk.undo(true);
+    CHECK(desk.group().conduct.cohesion == 0.8);
+}
+
+TEST_CASE("parameters that are set at once are one step") {
+    Desk desk;
+    const double reach = desk.world().parameters().input.reach;
+    const double exponent = desk.world().parameters().plan.exponent;
+    desk.client.send(protocol::SetParameter{"plan.exponent", 1.0});
+    desk.client.send(protocol::SetParameter{"input.reach", 2.5});
+    desk.settle();
+    CHECK(desk.history().undo == 1);
+    desk.undo();
+    CHECK(desk.world().parameters().input.reach == reach);
+    CHECK(desk.world().parameters().plan.exponent == exponent);
+    desk.undo(true);
+    CHECK(desk.world().parameters().input.reach == 2.5);
+    CHECK(desk.world().parameters().plan.exponent == 1.0);
+}
+
+TEST_CASE("the undo of a split joins the parts, and redo divides the same people") {
+    Desk desk;
+    desk.move(20, 0);
+    desk.act(R"({"kind":"split","group":1,"by":"line","points":[[-9,0.1],[9,0.1]],"shape":"asHeld"})");
+    REQUIRE(desk.world().groupCount() == 3);
+    CHECK(desk.history().undoLabel == "Split");
+    const std::int32_t left = desk.group(2).count;
+    const GroupId part = desk.group(2).id;
+    desk.act(R"({"kind":"conduct","group":)" + std::to_string(part.value) + R"(,"squeeze":0})");
+    desk.undo();
+    desk.undo();
+    REQUIRE(desk.world().groupCount() == 2);
+    CHECK(desk.group().count == 16);
+    CHECK(desk.group().formation == FormationKind::Square);
+    REQUIRE(desk.group().orders.size() == 1);
+    CHECK(desk.group().orders[0].order.target == Vec2{20, 0});
+    desk.undo(true);
+    REQUIRE(desk.world().groupCount() == 3);
+    CHECK(desk.group(2).count == left);
+    CHECK(desk.group(2).id != part);
+    desk.undo(true);  // The conduct of the part, which has a new id.
+    CHECK(desk.group(2).conduct.squeeze == 0.0);
+    for (int k = 0; k < 3; ++k) desk.undo();
+    CHECK(desk.world().groupCount() == 2);
+    CHECK(desk.group().orders.empty());
+    CHECK(desk.trouble().empty());
+    desk.replays();
+}
+
+TEST_CASE("a split into several parts is taken back and done again") {
+    Desk desk;
+    desk.act(R"({"kind":"split","group":1,"by":"shares","shares":[1,1,2]})");
+    REQUIRE(desk.world().groupCount() == 4);
+    desk.undo();
+    REQUIRE(desk.world().groupCount() == 2);
+    CHECK(desk.group().formation == FormationKind::Square);
+    desk.undo(true);
+    REQUIRE(desk.world().groupCount() == 4);
+    CHECK(desk.group(0).count == 4);
+    CHECK(desk.group(2).count == 4);
+    CHECK(desk.group(3).count == 8);
+    CHECK(desk.group(2).name == "Blue 2");
+    CHECK(desk.group(3).name == "Blue 3");
+    desk.undo();
+    CHECK(desk.world().groupCount() == 2);
+    CHECK(desk.trouble().empty());
+}
+
+TEST_CASE("the undo of a merge brings the group back with all that it was") {
+    Desk desk;
+    desk.move(20, 0);
+    desk.act(R"({"kind":"move","group":2,"x":-20,"y":8},{"kind":"queue","group":2,"edit":"patrol"})");
+    CHECK(desk.history().undoLabel == "Change orders");
+    desk.act(R"({"kind":"merge","groups":[1,2]})");
+    REQUIRE(desk.world().groupCount() == 1);
+    CHECK(desk.history().undoLabel == "Merge");
+    desk.settle(1.0);
+    desk.undo();
+    REQUIRE(desk.world().groupCount() == 2);
+    CHECK(desk.group(0).count == 16);
+    CHECK(desk.group(0).formation == FormationKind::Square);
+    CHECK(desk.targets() == Xs{20});
+    CHECK(desk.group(0).orders[0].order.target == Vec2{20, 0});
+    const GroupView back = desk.group(1);
+    CHECK(back.name == "Orange");
+    CHECK(back.colour == 0x440E93u);
+    CHECK(back.count == 9);
+    CHECK(back.formation == FormationKind::Wedge);
+    CHECK(back.conduct.cohesion == 0.25);
+    CHECK(back.patrols);
+    REQUIRE(back.orders.size() == 1);
+    CHECK(back.orders[0].order.target == Vec2{-20, 8});
+    // Its orders can be taken back although the group has another id.
+    desk.undo();
+    CHECK(desk.group(1).orders.empty());
+    CHECK_FALSE(desk.group(1).patrols);
+    for (int k = 0; k < 2; ++k) desk.undo(true);
+    CHECK(desk.world().groupCount() == 1);
+    desk.undo();
+    CHECK(desk.world().groupCount() == 2);
+    CHECK(desk.trouble().empty());
+    desk.replays();
+}
+
+TEST_CASE("people who come, leave or change groups are taken back") {
+    Desk desk;
+    const std::size_t all = desk.world().characters().id.size();
+    const std::uint32_t id = desk.world().characters().id[3];
+    const std::string one = std::to_string(id);
+    desk.act(R"({"kind":"transfer","ids":[)" + one + R"(],"group":2})");
+    CHECK(desk.group(1).count == 10);
+    desk.undo();
+    CHECK(desk.group(0).count == 16);
+    CHECK(desk.group(1).count == 9);
+    desk.act(R"({"kind":"leave","ids":[)" + one + "]}");
+    CHECK(desk.world().characters().id.size() == all - 1);
+    desk.undo();
+    CHECK(desk.group(0).count == 16);
+    desk.undo(true);
+    CHECK(desk.group(0).count == 15);
+    desk.act(R"({"kind":"join","group":2,"positions":[[15,15],[17,15]]})");
+    CHECK(desk.group(1).count == 11);
+    desk.undo();
+    CHECK(desk.group(1).count == 9);
+    desk.client.send(protocol::SetCount{1, 4});
+    desk.settle();
+    CHECK(desk.history().undoLabel == "People");
+    desk.undo();
+    CHECK(desk.group(0).count == 15);
+    CHECK(desk.trouble().empty());
+    desk.replays();
+}
+
+TEST_CASE("each director takes back their own acts") {
+    Desk desk;
+    FakeClient other(desk.session, true, "other");
+    desk.move(20, 0);
+    other.send(protocol::Commands{R"([{"kind":"move","group":2,"x":-20,"y":0}])"});
+    desk.settle();
+    other.poll();
+    CHECK(other.history.undo == 1);
+    desk.undo();
+    CHECK(desk.group(0).orders.empty());
+    CHECK(desk.group(1).orders.size() == 1);
+    desk.undo();
+    CHECK(desk.client.noticed("UndoEdit") == "nothing to take back");
+    CHECK(desk.group(1).orders.size() == 1);
+    // What another director has ordered since stays.
+    desk.move(15, 0);
+    other.send(protocol::Commands{R"([{"kind":"move","group":1,"x":-15,"y":0}])"});
+    desk.settle();
+    desk.undo();
+    CHECK(desk.targets() == Xs{-15});
+    other.send(protocol::UndoEdit{false});
+    desk.settle();
+    CHECK(desk.targets() == Xs{15});
+}
+
+TEST_CASE("a paused world tells what is taken back at once and makes no step for it") {
+    Desk desk;
+    desk.move(20, 0);
+    desk.client.send(protocol::Playback{protocol::PlaybackAction::Pause});
+    desk.settle();
+    const std::uint32_t steps = desk.world().stepCount();
+    desk.move(5, 5, kAppend);
+    desk.move(-5, 5, kAppend);
+    CHECK(desk.history().undo == 3);
+    desk.undo();
+    desk.undo();
+    desk.undo();
+    CHECK(desk.history().undo == 0);
+    CHECK(desk.history().redo == 3);
+    desk.undo();
+    CHECK(desk.client.noticed("UndoEdit") == "nothing to take back");
+    desk.undo(true);
+    CHECK(desk.history().undo == 1);
+    CHECK(desk.world().stepCount() == steps);
+    desk.client.send(protocol::Playback{protocol::PlaybackAction::Play});
+    desk.settle();
+    CHECK(desk.targets() == Xs{20});
+    CHECK(desk.history().undo == 1);
+    CHECK(desk.history().redo == 2);
+    desk.replays();
+}
+
+TEST_CASE("acts and edits of the place are one history") {
+    Desk desk;
+    const std::string
+        edit = R"([{"kind":"obstacle","definition":{"name":"Box","centre":[20,20],"radius":1}}])";
+    desk.move(20, 0);
+    desk.client.send(protocol::Edit{"Add disc", 0, edit});
+    desk.settle();
+    desk.act(R"({"kind":"formation","group":1,"formation":"ring"})");
+    CHECK(desk.history().undo == 3);
+    desk.undo();
+    CHECK(desk.history().undoLabel == "Add disc");
+    desk.undo();
+    CHECK(desk.world().obstacleIds().empty());
+    CHECK(desk.targets() == Xs{20});
+    CHECK(desk.history().undoLabel == "Move");
+    desk.undo(true);
+    CHECK(desk.world().obstacleIds().size() == 1);
+    // A new beginning undoes what was done to groups, and keeps the place.
+    desk.client.send(protocol::Playback{protocol::PlaybackAction::Restart});
+    desk.settle();
+    CHECK(desk.history().undo == 1);
+    CHECK(desk.history().redo == 0);
+    desk.undo();
+    CHECK(desk.world().obstacleIds().empty());
+}
+
+TEST_CASE("a group that was added is taken back, and the place is not edited by acts") {
+    Desk desk;
+    desk.act(R"({"kind":"group","definition":{"name":"Guests","count":5,"position":[-15,-15]}})");
+    REQUIRE(desk.world().groupCount() == 3);
+    CHECK(desk.history().undoLabel == "Add group");
+    CHECK_FALSE(desk.history().edited);
+    desk.undo();
+    CHECK(desk.world().groupCount() == 2);
+    desk.undo(true);
+    REQUIRE(desk.world().groupCount() == 3);
+    CHECK(desk.group(2).name == "Guests");
+    desk.undo();
+    CHECK(desk.world().groupCount() == 2);
+}
+
+TEST_CASE("what is refused, and what fingers do, is no step") {
+    Desk desk;
+    desk.act(R"({"kind":"queue","group":1,"edit":"cancel","order":77})");
+    desk.act(R"({"kind":"formation","group":9,"formation":"ring"})");
+    desk.client.touchAt(protocol::TouchPhase::Down, {0, 0}, 1.0);
+    desk.settle();
+    desk.client.touchAt(protocol::TouchPhase::Up, {0, 0}, 1.2);
+    desk.settle();
+    CHECK(desk.history().undo == 0);
+    desk.undo();
+    CHECK(desk.client.noticed("UndoEdit") == "nothing to take back");
+}
+
+TEST_CASE("orders for several groups in one message are one step") {
+    Desk desk;
+    desk.act(R"({"kind":"move","group":1,"x":20,"y":0},{"kind":"move","group":2,"x":-20,"y":0})");
+    CHECK(desk.history().undo == 1);
+    desk.undo();
+    CHECK(desk.group(0).orders.empty());
+    CHECK(desk.group(1).orders.empty());
+    desk.undo(true);
+    CHECK(desk.group(0).orders.size() == 1);
+    CHECK(desk.group(1).orders.size() == 1);
+}
+
+TEST_CASE("pose and pin are taken back") {
+    Desk desk;
+    desk.move(20, 0);
+    desk.act(R"({"kind":"pose","group":1,"x":-12,"y":-12,"angle":1.5})");
+    CHECK(desk.targets().empty());
+    desk.undo();
+    CHECK(desk.targets() == Xs{20});
+    CHECK(desk.group().pose.position.x > -5.0);
+    desk.undo(true);
+    CHECK(desk.targets().empty());
+    CHECK(distance(desk.group().pose.position, Vec2{-12, -12}) < 1e-9);
+    desk.client.touchAt(protocol::TouchPhase::Down, {-12, -12}, 1.0);
+    desk.settle();
+    REQUIRE(desk.group().controls.size() == 1);
+    desk.client.send(protocol::PinControl{1, desk.group().controls[0].id.value, true});
+    desk.settle();
+    CHECK(desk.history().undoLabel == "Pin");
+    CHECK(desk.group().controls[0].pinned);
+    desk.undo();
+    CHECK_FALSE(desk.group().controls[0].pinned);
+    CHECK(desk.trouble().empty());
+}
+
+TEST_CASE("a history keeps a thousand steps") {
+    Desk desk;
+    for (int k = 0; k < 1003; ++k)
+        desk.client.send(protocol::Commands{R"([{"kind":"formation","group":1,"formation":")" +
+                                            std::string(k % 2 == 0 ? "ring" : "square") + R"("}])"});
+    desk.settle();
+    CHECK(desk.history().undo == 1000);
+    desk.undo();
+    CHECK(desk.group().formation == FormationKind::Square);
+}
+
+TEST_CASE("random acts of two directors with undo between them replay to the same hash") {
+    Desk desk;
+    FakeClient other(desk.session, true, "other");
+    std::uint32_t seed = 7;
+    const auto draw = [&](std::uint32_t n) {
+        return (seed = seed * 1664525u + 1013904223u, (seed >> 16) % n);
+    };
+    for (int k = 0; k < 250; ++k) {
+        FakeClient& who = draw(2) == 0 ? desk.client : other;
+        const std::size_t g = draw(static_cast<std::uint32_t>(desk.world().groupCount()));
+        const std::string id = std::to_string(desk.group(g).id.value);
+        const std::string group = R"(,"group":)" + id;
+        const std::string x = std::to_string(static_cast<int>(draw(40)) - 20);
+        const std::string last = std::to_string(desk.group(desk.world().groupCount() - 1).id.value);
+        switch (draw(9)) {
+            case 0:
+                who.send(protocol::Commands{R"([{"kind":"move")" + group + R"(,"y":3,"x":)" + x + "}]"});
+                break;
+            case 1:
+                who.send(protocol::Commands{R"([{"kind":"move","mode":"append")" + group + R"(,"y":3,"x":)" +
+                                            x + "}]"});
+                break;
+            case 2:
+                who.send(protocol::Commands{R"([{"kind":"queue","edit":"stop")" + group + "}]"});
+                break;
+            case 3:
+                who.send(protocol::Commands{R"([{"kind":"formation","formation":"ring")" + group + "}]"});
+                break;
+            case 4:
+                who.send(
+                    protocol::Commands{R"([{"kind":"split","by":"shares","shares":[1,1])" + group + "}]"});
+                break;
+            case 5:
+                if (id != last)
+                    who.send(protocol::Commands{R"([{"kind":"merge","groups":[)" + id + "," + last + "]}]"});
+                break;
+            default:
+                who.send(protocol::UndoEdit{draw(4) == 0});
+        }
+        run(desk.session, draw(3) == 0 ? 0.0 : 0.1, {&desk.client, &other});
+    }
+    CHECK(desk.group(0).count > 0);
+    CHECK(desk.world().characters().id.size() == 25);
+    desk.replays();
+}
