@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "base/maths.h"
+#include "engine/fields/cost/cost_scene.h"
 #include "engine/fields/cost/distant_clearance.h"
 #include "engine/fields/cost/ground_scene.h"
 
@@ -11,10 +12,6 @@ using namespace muster;
 using namespace muster::test;
 
 namespace {
-
-bool same(const CellCost& a, const CellCost& b) {
-    return std::memcmp(&a, &b, sizeof(CellCost)) == 0;
-}
 
 bool same(const WallNode& a, const WallNode& b, std::int32_t cell) {
     return b.cell == cell && a.x == b.x && a.y == b.y && a.normalX == b.normalX && a.normalY == b.normalY &&

@@ -7,10 +7,12 @@
 
 #include "base/maths.h"
 #include "base/random.h"
+#include "engine/fields/cost/cost_scene.h"
 #include "engine/fields/cost/discomfort.h"
 #include "engine/fields/cost/unit_cost_builder.h"
 
 using namespace muster;
+using namespace muster::test;
 
 namespace {
 
@@ -35,10 +37,6 @@ bool same(const UnitCost& a, const UnitCost& b) {
            a.nodes.size() == b.nodes.size() &&
            (a.nodes.empty() ||
             std::memcmp(a.nodes.data(), b.nodes.data(), a.nodes.size() * sizeof(WallNode)) == 0);
-}
-
-bool same(const CellCost& a, const CellCost& b) {
-    return std::memcmp(&a, &b, sizeof(CellCost)) == 0;
 }
 
 // Checks the ground cost of a builder, its dynamic cells and its changes since `before`.
