@@ -49,6 +49,8 @@ if(MSVC)
     target_compile_options(muster_warnings INTERFACE /W3)
 else()
     target_compile_options(muster_warnings INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion)
+    # Sources that are compiled together are headers to g++, which does not expect anonymous namespaces there.
+    target_compile_options(muster_warnings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endif()
 
 if(MUSTER_SANITIZE)
@@ -139,6 +141,9 @@ function(muster_compile_quickly target)
     if(COMPILE_LIGHTLY AND NOT EMSCRIPTEN AND NOT MSVC)
         set(kind light)
         set(options $<$<NOT:$<CONFIG:Debug>>:-O1>)
+        # g++ 12 warns of strings that it has half inlined.
+        list(APPEND options $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds> $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+            $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
         target_compile_options(${target} PRIVATE ${options})
     endif()
     if(NOT MUSTER_PRECOMPILE OR EMSCRIPTEN OR MSVC)
