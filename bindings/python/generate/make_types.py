@@ -17,7 +17,7 @@ HEADERS = (
 ).split()
 # What has a Python class of its own, or none.
 LEFT_OUT = {
-    "TriangleMesh", "CharactersView", "GroupView", "ObstacleView", "PatchView", "Stage", "StageTimes", "Rejection", "Take",
+    "TriangleMesh", "CharactersView", "GroupView", "ObstacleView", "PatchView", "StageTimes", "Rejection", "Take",
     "TakeFrame", "ReplayFrom",
 }  # fmt: skip
 RENAMED = {"def": "placement", "from": "from_"}
