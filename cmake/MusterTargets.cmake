@@ -143,6 +143,7 @@ function(muster_compile_quickly target)
         set(options $<$<NOT:$<CONFIG:Debug>>:-O1>)
         # g++ 12 warns of strings that it has half inlined.
         list(APPEND options $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds> $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+            $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
             $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
         target_compile_options(${target} PRIVATE ${options})
     endif()
