@@ -5,7 +5,7 @@
 //
 // It prints lines "part NAME" and "cpp/SUITE", or the one line "everything". A file that no rule knows concerns everything.
 import { execFileSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -97,10 +97,9 @@ export class Graph {
   /** The targets that a file is a part of: a header is a part of all that have sources in its folder or, where none has, in the
    * nearest folder above. */
   owners(file) {
-    if (!isSource(file)) return this.files.get(file) ?? new Set();
-    if (this.files.has(file)) return this.files.get(file);
+    if (!isSource(file) || this.files.has(file)) return new Set(this.files.get(file));
     for (let folder = dirname(file); folder !== '.'; folder = dirname(folder))
-      if (this.folders.has(folder)) return this.folders.get(folder);
+      if (this.folders.has(folder)) return new Set(this.folders.get(folder));
     return new Set();
   }
 
@@ -112,10 +111,26 @@ export class Graph {
   }
 }
 
+/** Who includes a header of the tests, which all tests may: by its path, the files that name it. */
+let testIncludes = null;
+function includersOf(header) {
+  if (!testIncludes) {
+    testIncludes = new Map();
+    const files = execFileSync('git', ['ls-files', '-z', '--cached', '--others', '--exclude-standard', 'tests/*.h', 'tests/*.cpp'], { cwd: root, encoding: 'utf8' });
+    for (const file of files.split('\0').filter((name) => name && existsSync(join(root, name))))
+      for (const [, path] of readFileSync(join(root, file), 'utf8').matchAll(/^#include "([^"]+)"/gm))
+        for (const one of [join('tests', path), join(dirname(file), path)]) testIncludes.set(one, [...(testIncludes.get(one) ?? []), file]);
+  }
+  const found = new Set([header]);
+  for (const one of found) for (const includer of testIncludes.get(one) ?? []) found.add(includer);
+  return found;
+}
+
 /** Parts and suites that a file concerns, and its targets; null where it concerns everything. */
 export function affectedBy(graph, file) {
   const rule = kRules.find(([pattern]) => pattern.test(file));
   const owners = graph.owners(file);
+  if (/^tests\/.*\.h$/.test(file)) for (const one of includersOf(file)) for (const owner of graph.owners(one)) owners.add(owner);
   if (rule?.[1] === null || (!rule && owners.size === 0)) return null;
   const ruled = typeof rule?.[1] === 'function' ? rule[1](file) : (rule?.[1] ?? []);
   const parts = new Set(['style', ...ruled.filter((name) => !name.startsWith('cpp/'))]);

@@ -1,7 +1,7 @@
 // scripts/affected.mjs errs on the safe side: its answers against all tracked files, and against what the compiler and the linker of a
 // build say. Usage: check.mjs BUILD
 import { execFileSync } from 'node:child_process';
-import { existsSync } from 'node:fs';
+import { existsSync, realpathSync } from 'node:fs';
 import { isAbsolute, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { affectedBy, readGraph } from '../../scripts/affected.mjs';
@@ -47,7 +47,7 @@ let object = '';
 function fileOf(path) {
   if (!real.has(path)) {
     const whole = isAbsolute(path) ? path : join(root, build, path);
-    real.set(path, existsSync(whole) ? relative(root, run('realpath', whole).trim()) : '');
+    real.set(path, existsSync(whole) ? relative(root, realpathSync(whole)) : '');
   }
   return real.get(path);
 }

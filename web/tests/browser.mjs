@@ -1,7 +1,7 @@
 // The studio in a real browser: node tests/browser.mjs [--all] [--only WORD] (MUSTER=path names the program)
 //
-//     always      each case in the first of its sizes, `everySize` ones in all: what a push may break
-//     --all       each case in all of its sizes: a release
+//     always      each case in the first of its sizes, `everySize` ones in all, `release` ones in none: what a push may break
+//     --all       all cases in all of their sizes: a release
 import * as build from './cases/build.mjs';
 import * as buildCorners from './cases/build_corners.mjs';
 import * as camera from './cases/camera.mjs';
@@ -44,7 +44,7 @@ const kTablets = ['desktop', 'landscape', 'portrait'];
 
 /** Name, test, sizes, and options of the page. `room`: zoomed out, to have room to drag; `shared`: one page serves all such
  * cases of a size; `counts`: calls of WebGL are counted; a `scenario` gets a server of its own; `bare`: the test starts its own
- * servers and pages; `everySize`: what it looks at depends on the size of the screen most. */
+ * servers and pages; `everySize`: what it looks at depends on the size of the screen most; `release`: it takes long and seldom fails alone. */
 const kCases = [
   ['latency', session.latency, ['desktop'], {}],
   ['point', touch.pointDrag, kTablets, { room: true, shared: true }],
@@ -112,7 +112,7 @@ const kCases = [
       `camera: watched crowd of ${scenario.replace(/.*\/|\.json/g, '')}`,
       camera.watchedCrowd,
       ['desktop', 'phone'],
-      { scenario },
+      { scenario, release: scenario.includes('paper') },
     ],
   ),
   [
@@ -129,7 +129,7 @@ const kCases = [
     'limits: editing a thousand',
     limits.editingThousand,
     ['wide'],
-    { touch: false, scenario: 'web/tests/scenarios/thousand.json' },
+    { touch: false, scenario: 'web/tests/scenarios/thousand.json', release: true },
   ],
   [
     'market square',
@@ -206,7 +206,7 @@ const kCases = [
     'ten thousand people',
     people.budgetsOfMany,
     ['desktop', 'portrait'],
-    { search: '?quality=full&stats', counts: true, made: { count: 10000, near: 100 } },
+    { search: '?quality=full&stats', counts: true, made: { count: 10000, near: 100 }, release: true },
   ],
   ['growing crowd', scenarios.growingCrowd, ['desktop'], { scenario: 'scenarios/open.json' }],
   ['two groups', scenarios.twoGroups, ['desktop'], { scenario: 'web/tests/scenarios/two-groups.json', room: true }],
@@ -226,7 +226,7 @@ const kCases = [
   ['takes: life of a take', takes.life, ['desktop', 'phone'], { scenario: 'web/tests/scenarios/hundred.json' }],
   ['takes: scrub and trim', takes.scrubAndTrim, ['landscape', 'phone'], { scenario: 'scenarios/open.json' }],
   ['takes: again and on top', takes.againAndOnTop, ['desktop'], { scenario: 'web/tests/scenarios/two-groups.json' }],
-  ['takes: film camera', film.filmCamera, ['desktop', 'portrait', 'phone'], { scenario: 'scenarios/open.json' }],
+  ['takes: film camera', film.filmCamera, ['desktop', 'portrait', 'phone'], { scenario: 'scenarios/open.json', release: true }],
   [
     'paths: by finger',
     (studio) => paths.path(studio, false),
@@ -290,7 +290,11 @@ const kCases = [
 
 const at = process.argv.indexOf('--only');
 const only = at > 0 ? process.argv[at + 1] : '';
-const allSizes = process.argv.includes('--all');
+const everything = process.argv.includes('--all');
+const sizesNow = (sizes, { release, everySize }) => {
+  if (everything || everySize) return sizes;
+  return release ? [] : sizes.slice(0, 1);
+};
 let server = await startStudio();
 const browser = await openChromium();
 let passed = 0;
@@ -382,7 +386,7 @@ async function runCase(one) {
 const all = kCases
   .filter(([name]) => name.includes(only))
   .flatMap(([name, test, sizes, options]) =>
-    sizes.slice(0, allSizes || options.everySize ? sizes.length : 1).map((size) => ({ name, test, size, options })),
+    sizesNow(sizes, options).map((size) => ({ name, test, size, options })),
   );
 // Those that share a page follow each other.
 const key = ({ size, options }) => `${options.touch === false ? 1 : 0} ${size}`;

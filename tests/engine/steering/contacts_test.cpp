@@ -8,7 +8,7 @@ using namespace muster;
 
 namespace {
 
-Environment emptyWorld(double half) {
+Environment emptyFloor(double half) {
     EnvironmentDef def;
     def.box = {{-half, -half}, {half, half}};
     return Environment::create(def).value();
@@ -17,7 +17,7 @@ Environment emptyWorld(double half) {
 }  // namespace
 
 TEST_CASE("coincident characters are separated to a diameter, symmetrically") {
-    Environment environment = emptyWorld(10);
+    Environment environment = emptyFloor(10);
     environment.setTime(0.0);
     std::vector<Vec2> positions{{1, 1}, {1, 1}};
     Contacts contacts;
@@ -28,7 +28,7 @@ TEST_CASE("coincident characters are separated to a diameter, symmetrically") {
 }
 
 TEST_CASE("characters that do not touch stay where they are, bit for bit") {
-    Environment environment = emptyWorld(10);
+    Environment environment = emptyFloor(10);
     environment.setTime(0.0);
     std::vector<Vec2> positions{{0, 0}, {0.51, 0}, {3, 3}};
     const std::vector<Vec2> before = positions;
@@ -39,7 +39,7 @@ TEST_CASE("characters that do not touch stay where they are, bit for bit") {
 
 TEST_CASE("a crowd dropped at random ends without overlap and outside obstacles") {
     Random random(6);
-    Environment environment = emptyWorld(12);
+    Environment environment = emptyFloor(12);
     ObstacleDef block;
     block.polygon = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
     REQUIRE(environment.addObstacle(block).ok());
@@ -61,7 +61,7 @@ TEST_CASE("a crowd dropped at random ends without overlap and outside obstacles"
 }
 
 TEST_CASE("overlaps that cannot be resolved are reported") {
-    Environment environment = emptyWorld(0.6);
+    Environment environment = emptyFloor(0.6);
     environment.setTime(0.0);
     std::vector<Vec2> positions(12, Vec2{0, 0});
     for (std::size_t i = 0; i < positions.size(); ++i) positions[i].x = 0.01 * static_cast<double>(i);
@@ -73,7 +73,7 @@ TEST_CASE("overlaps that cannot be resolved are reported") {
 }
 
 TEST_CASE("overlaps caused by corrections are resolved, and reported where they remain") {
-    Environment environment = emptyWorld(10);
+    Environment environment = emptyFloor(10);
     ObstacleDef wall;
     wall.polygon = {{-3, -3}, {0.15, -3}, {0.15, 3}, {-3, 3}};
     REQUIRE(environment.addObstacle(wall).ok());
@@ -93,7 +93,7 @@ TEST_CASE("overlaps caused by corrections are resolved, and reported where they 
 }
 
 TEST_CASE("contacts are the same for any number of threads") {
-    Environment environment = emptyWorld(40);
+    Environment environment = emptyFloor(40);
     Random random(9);
     for (int k = 0; k < 30; ++k) {
         ObstacleDef tree;
@@ -120,7 +120,7 @@ TEST_CASE("contacts are the same for any number of threads") {
 
 TEST_CASE("contacts move nobody out of its reach, and a crowd that presses stays apart") {
     Random random(11);
-    Environment environment = emptyWorld(12);
+    Environment environment = emptyFloor(12);
     ObstacleDef block;
     block.polygon = {{-1, -2}, {1, -2}, {1, 2}, {-1, 2}};
     REQUIRE(environment.addObstacle(block).ok());
@@ -145,7 +145,7 @@ TEST_CASE("contacts move nobody out of its reach, and a crowd that presses stays
 }
 
 TEST_CASE("an obstacle put on a character lets it walk out, a moving one pushes it") {
-    Environment environment = emptyWorld(10);
+    Environment environment = emptyFloor(10);
     ObstacleDef block;
     block.polygon = {{-1, -3}, {1, -3}, {1, 3}, {-1, 3}};
     const ObstacleId id = environment.addObstacle(block).value();
@@ -172,7 +172,7 @@ TEST_CASE("an obstacle put on a character lets it walk out, a moving one pushes 
 
 TEST_CASE("a body passes a gap that is a hair narrower than itself, and no narrower one") {
     for (const double width : {0.4985, 0.495}) {
-        Environment environment = emptyWorld(10);
+        Environment environment = emptyFloor(10);
         for (const double side : {-1.0, 1.0}) {
             ObstacleDef disc;
             disc.centre = {0.0, side * (1.0 + 0.5 * width)};

@@ -12,7 +12,7 @@ namespace muster::test {
 inline constexpr float kInfinity = kUnreachableCost;
 
 /// Bit by bit.
-inline bool same(const CellCost& a, const CellCost& b) {
+inline bool sameCost(const CellCost& a, const CellCost& b) {
     return std::memcmp(&a, &b, sizeof(CellCost)) == 0;
 }
 

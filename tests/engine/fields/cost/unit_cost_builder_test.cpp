@@ -48,9 +48,9 @@ void checkGround(const UnitCostBuilder& used, const UnitCostBuilder& bare,
     for (const std::int32_t cell : used.groundChanges()) ++changed[cell];
     bool all = true, any = false;
     for (std::size_t k = 0; k < dynamic.size(); ++k) {
-        all = all && same(used.groundCost()[k], bare.groundCost()[k]) && dynamic[k] <= 1 && changed[k] <= 1;
-        all = all && (dynamic[k] == 1) == !same(used.cost().cells[k], used.groundCost()[k]);
-        const bool differs = before.size() != dynamic.size() || !same(before[k], used.groundCost()[k]);
+        all = all && sameCost(used.groundCost()[k], bare.groundCost()[k]) && dynamic[k] <= 1 && changed[k] <= 1;
+        all = all && (dynamic[k] == 1) == !sameCost(used.cost().cells[k], used.groundCost()[k]);
+        const bool differs = before.size() != dynamic.size() || !sameCost(before[k], used.groundCost()[k]);
         all = all && (changed[k] == 1 || !differs);
         any = any || differs;
     }
