@@ -1,6 +1,6 @@
 #include "engine/ground/environment/environment.h"
 #include "engine/ground/environment/obstacle_piece.h"
-#include "files/export/jupedsim.h"
+#include "files/export/formats.h"
 
 #if MUSTER_SQLITE
 #include <algorithm>
