@@ -1,5 +1,5 @@
-// Queries of polygons in the ground plane: exact signs of determinants, and mean-value coordinates (Floater 2003;
-// Hormann and Floater 2006).
+// Queries of polygons in the ground plane: exact signs of determinants, and mean-value coordinates (Floater
+// 2003; Hormann and Floater 2006).
 #pragma once
 
 #include <optional>

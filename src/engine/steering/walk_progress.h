@@ -1,5 +1,5 @@
-// How a character gets on with its way, in the words of the specification's section 8, and what it costs it that
-// others bar its way.
+// How a character gets on with its way, in the words of the specification's section 8, and what it costs it
+// that others bar its way.
 #pragma once
 
 #include <cstdint>
