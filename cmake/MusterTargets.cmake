@@ -49,6 +49,8 @@ if(MSVC)
     target_compile_options(muster_warnings INTERFACE /W3)
 else()
     target_compile_options(muster_warnings INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion)
+    # Sources that are compiled together are headers to g++, which does not expect anonymous namespaces there.
+    target_compile_options(muster_warnings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endif()
 
 if(MUSTER_SANITIZE)
@@ -111,6 +113,50 @@ function(muster_headers name folder)
     endforeach()
 endfunction()
 
+# Headers of the standard library, compiled once for all targets that are optimised alike. Each source includes what it needs
+# all the same.
+if(MUSTER_PRECOMPILE AND CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache$")
+    # ccache looks at what uses a precompiled header only if it is told that it may.
+    set(CMAKE_CXX_COMPILER_LAUNCHER
+        ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CMAKE_CXX_COMPILER_LAUNCHER})
+endif()
+
+# muster_precompiled(kind option...): the library whose precompiled header targets of that kind use.
+function(muster_precompiled kind)
+    add_library(muster_precompiled_${kind} OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
+    set_target_properties(muster_precompiled_${kind} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_link_libraries(muster_precompiled_${kind} PRIVATE muster_flags muster_warnings)
+    target_compile_options(muster_precompiled_${kind} PRIVATE ${ARGN})
+    target_precompile_headers(muster_precompiled_${kind} PRIVATE <algorithm> <array> <cmath> <cstdint> <functional> <map> <memory>
+        <optional> <span> <string> <utility> <variant> <vector>)
+endfunction()
+
+# muster_compile_quickly(target [LIGHTLY]): compiles a library of Muster's in little time. LIGHTLY: it is optimised little,
+# because no step runs in it.
+function(muster_compile_quickly target)
+    cmake_parse_arguments(COMPILE "LIGHTLY" "" "" ${ARGN})
+    muster_compile_together(${target})
+    set(kind full)
+    set(options "")
+    if(COMPILE_LIGHTLY AND NOT EMSCRIPTEN AND NOT MSVC)
+        set(kind light)
+        set(options $<$<NOT:$<CONFIG:Debug>>:-O1>)
+        # g++ 12 warns of strings that it has half inlined.
+        list(APPEND options $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds> $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+            $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
+            $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+        target_compile_options(${target} PRIVATE ${options})
+    endif()
+    if(NOT MUSTER_PRECOMPILE OR EMSCRIPTEN OR MSVC)
+        return()
+    endif()
+    if(NOT TARGET muster_precompiled_${kind})
+        muster_precompiled(${kind} ${options})
+    endif()
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_precompile_headers(${target} REUSE_FROM muster_precompiled_${kind})
+endfunction()
+
 # muster_compile_together(target): compiles the sources of this target many at a time (a unity build), which takes a third of
 # the time: most of what a source includes is the same in all of them. Whoever edits one source often configures with
 # MUSTER_COMPILE_TOGETHER=OFF (the preset dev).
@@ -124,7 +170,7 @@ endfunction()
 # folder of bindings/. Its name is the last part of the path; HEADERS are those of include/muster that it implements. No module
 # lies in the folder of another.
 function(muster_module path)
-    cmake_parse_arguments(MODULE "" "" "HEADERS;USES" ${ARGN})
+    cmake_parse_arguments(MODULE "LIGHTLY" "" "HEADERS;USES" ${ARGN})
     get_filename_component(name ${path} NAME)
     if(NOT MUSTER_COMPONENT IN_LIST MUSTER_COMPONENTS)
         return()
@@ -160,7 +206,11 @@ function(muster_module path)
     target_compile_features(muster_${name} PUBLIC cxx_std_20)
     target_link_libraries(muster_${name} PRIVATE $<BUILD_INTERFACE:muster_${name}_inside>
         $<BUILD_INTERFACE:muster_flags> $<BUILD_INTERFACE:muster_warnings> $<BUILD_INTERFACE:muster_eigen>)
-    muster_compile_together(muster_${name})
+    set(lightly "")
+    if(MODULE_LIGHTLY)
+        set(lightly LIGHTLY)
+    endif()
+    muster_compile_quickly(muster_${name} ${lightly})
     foreach(used ${MODULE_USES})
         if(NOT TARGET muster_${used})
             message(FATAL_ERROR "module ${path} uses ${used}, which is not built before it")
@@ -207,6 +257,6 @@ endfunction()
 # muster_compile_fast(source...): optimises these sources little in builds that optimise. For large template libraries in code
 # that takes no time to run; in the folder of the target that compiles them.
 function(muster_compile_fast)
-    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS
+    set_source_files_properties(${ARGN} PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS
         "$<$<NOT:$<CONFIG:Debug>>:-O1>;$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-restrict>")
 endfunction()

@@ -40,8 +40,8 @@ struct Row {
     double max = 0.0;        ///< Longest step [ms].
     double cold = 0.0;       ///< The first step, which makes the first plan [ms].
     double wallP95 = 0.0;    ///< 95th percentile of wall time [ms].
-    std::array<double, static_cast<std::size_t>(Stage::Count)> stages{};  ///< Mean wall time [ms].
-    double swaps = 0.0;             ///< Changes of place per character and second.
+    std::array<double, kStageCount> stages{};  ///< Mean wall time [ms].
+    double swaps = 0.0;                        ///< Changes of place per character and second.
     double lagMean = 0.0;           ///< Distance of characters to their places, mean of all steps [m].
     double arrived = 1.0;           ///< Share within 0.5 m of its place at the end.
     std::int64_t allocations = -1;  ///< Allocations in steps after warm-up; -1 where not counted.

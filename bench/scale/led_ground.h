@@ -26,10 +26,10 @@ struct LedGroundRow {
     double arrived = 0.0;     ///< Time when all stood at their places [s]; negative where they did not.
     std::size_t missing = 0;  ///< Characters that are not at their places at the end.
     double p50 = 0.0, p95 = 0.0, p99 = 0.0, most = 0.0;
-    std::array<double, static_cast<std::size_t>(Stage::Count)> stages{};  ///< Mean wall time of each [ms].
-    std::int64_t swaps = 0;                                               ///< Changes of places.
-    double memory = 0.0;                                                  ///< Peak [MB].
-    std::uint64_t hash = 0;                                               ///< Of the world at the end.
+    std::array<double, kStageCount> stages{};  ///< Mean wall time of each [ms].
+    std::int64_t swaps = 0;                    ///< Changes of places.
+    double memory = 0.0;                       ///< Peak [MB].
+    std::uint64_t hash = 0;                    ///< Of the world at the end.
 };
 
 /// Leads the group along the shortest way between the two ends of the map's largest region. Fails where the

@@ -182,8 +182,8 @@ std::string stagesOf(const StageTimes& times) {
     for (std::size_t k = 0; k < times.milliseconds.size(); ++k) {
         if (times.milliseconds[k] < 0.5) continue;
         char part[64];
-        std::snprintf(part, sizeof(part), "%s%s %.1f", text.empty() ? "" : ", ",
-                      stageName(static_cast<Stage>(k)), times.milliseconds[k]);
+        std::snprintf(part, sizeof(part), "%s%s %.1f", text.empty() ? "" : ", ", stepStages()[k].name,
+                      times.milliseconds[k]);
         text += part;
     }
     return text;

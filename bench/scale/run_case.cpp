@@ -18,7 +18,7 @@ constexpr std::uint32_t kLookEvery = 30;  // Steps between checks whether the cr
 struct Watch {
     std::vector<double> cpu;   // Per step [ms].
     std::vector<double> wall;  // Per step [ms].
-    std::array<double, static_cast<std::size_t>(Stage::Count)> stages{};
+    std::array<double, kStageCount> stages{};
     std::int64_t allocations = 0;
     std::uint64_t swaps = 0;
     double lag = 0.0;

@@ -1,9 +1,13 @@
 // Commands: the changes of a world, serialisable and stamped with a step.
 #pragma once
 
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -239,14 +243,34 @@ struct SetParameter {
     }
 };
 
-/// The body of a command. The order of alternatives is part of the file format: append only.
-using CommandBody = std::variant<
+/// Every kind of change. The order of alternatives is part of the file format: append only.
+using CommandKinds = std::variant<
     TouchDown, TouchMove, TouchUp, TouchCancel, AddControl, PinControl, RemoveControl, ReleaseClient,
     SetFormation, SetCount, SetPose, AddGroup, RemoveGroup, AddObstacle, ChangeObstacle, RemoveObstacle,
     AddPatch, ChangePatch, RemovePatch, SetParameter, GiveOrder, EditQueue, SetConduct, AddCharacters,
     RemoveCharacters, TransferCharacters, SplitGroup, MergeGroups, SetBodies, SetRoles, SetDemands, SetDriver,
     WriteMotion, AddItem, ChangeItem, RemoveItem, AddCheckpoint, ChangeCheckpoint, RemoveCheckpoint,
     PlaceGroup, NameGroup, ColourGroup, SetAppearance>;
+
+/// The body of a command: one of its kinds, for std::visit, std::get_if and the like. Copying, moving and
+/// destroying are compiled once in the library, since each of them takes one function for each kind.
+class CommandBody : public CommandKinds {
+public:
+    CommandBody() : CommandKinds(std::in_place_index<0>) {}
+    /// Holds this kind.
+    template <class Kind>
+        requires(!std::derived_from<std::remove_cvref_t<Kind>, CommandBody> &&
+                 std::constructible_from<CommandKinds, Kind>)
+    CommandBody(Kind&& kind) : CommandKinds(std::forward<Kind>(kind)) {}
+    /// Holds the kind of that index.
+    template <std::size_t Index>
+    explicit CommandBody(std::in_place_index_t<Index> kind) : CommandKinds(kind) {}
+    CommandBody(const CommandBody& other);
+    CommandBody(CommandBody&& other) noexcept;
+    CommandBody& operator=(const CommandBody& other);
+    CommandBody& operator=(CommandBody&& other) noexcept;
+    ~CommandBody();
+};
 
 /// A change of a world, with its step and sender. Commands apply in the order of (step, client, sequence).
 struct Command {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -20,30 +21,24 @@
 
 namespace muster {
 
-/// The stages of a step, in order.
-enum class Stage : std::uint8_t {
-    Commands,
-    Orders,
-    Controls,
-    UserMesh,
-    FinalMesh,
-    Places,
-    DensityAndCost,
-    Plan,
-    Steering,
-    Contacts,
-    Patches,
-    Events,
-    Count
+/// Number of stages of a step.
+inline constexpr std::size_t kStageCount = 41;
+
+/// A stage of the step.
+struct StageInfo {
+    const char* name = "";    ///< "commands", "orders", "controls"...
+    const char* reads = "";   ///< What it reads of the state and of the stages before it.
+    const char* writes = "";  ///< What it writes.
+    const char* about = "";   ///< What it does, in one sentence.
 };
-/// The name of a stage: "commands", "orders", "controls"...
-const char* stageName(Stage stage);
+/// The stages of a step, in their order.
+std::span<const StageInfo, kStageCount> stepStages();
 
 /// Wall time of the last step by stage; it is not part of the state. WebAssembly times the stages of every
 /// eighth step only.
 struct StageTimes {
-    std::array<double, static_cast<std::size_t>(Stage::Count)>
-        milliseconds{};  ///< Time of each stage [ms], indexed by Stage.
+    std::array<double, kStageCount>
+        milliseconds{};  ///< Time of each stage [ms], in the order of stepStages().
     double total = 0.0;  ///< Time of the whole step [ms].
 };
 

@@ -260,8 +260,8 @@ inline constexpr std::tuple kCommandMembers{
     &MusterCommandBody::removeCheckpoint, &MusterCommandBody::placeGroup,
     &MusterCommandBody::nameGroup,        &MusterCommandBody::colourGroup,
     &MusterCommandBody::setAppearance};
-static_assert(std::tuple_size_v<decltype(kCommandMembers)> == std::variant_size_v<CommandBody> &&
-              std::variant_size_v<CommandBody> == MUSTER_COMMAND_COUNT);
+static_assert(std::tuple_size_v<decltype(kCommandMembers)> == std::variant_size_v<CommandKinds> &&
+              std::variant_size_v<CommandKinds> == MUSTER_COMMAND_COUNT);
 
 /// The body of kind I.
 template <std::size_t I, class M>

@@ -17,7 +17,7 @@ HEADERS = (
 ).split()
 # What has a Python class of its own, or none.
 LEFT_OUT = {
-    "TriangleMesh", "CharactersView", "GroupView", "ObstacleView", "PatchView", "Stage", "StageTimes", "Rejection", "Take",
+    "TriangleMesh", "CharactersView", "GroupView", "ObstacleView", "PatchView", "StageTimes", "Rejection", "Take",
     "TakeFrame", "ReplayFrom",
 }  # fmt: skip
 RENAMED = {"def": "placement", "from": "from_"}
@@ -199,9 +199,9 @@ def in_order(things: list[Struct | Enumeration], commands: list[str]) -> list[St
 
 def command_names(header: Path) -> list[str]:
     """The commands, in the order of the variant."""
-    found = re.search(r"using CommandBody = std::variant<([^>]+)>", header.read_text(encoding="utf-8"))
+    found = re.search(r"using CommandKinds = std::variant<([^>]+)>", header.read_text(encoding="utf-8"))
     if not found:
-        raise HeaderError(f"{header.name}: found no CommandBody, expected a variant of that name")
+        raise HeaderError(f"{header.name}: found no CommandKinds, expected a variant of that name")
     return [name.strip() for name in found[1].split(",")]
 
 

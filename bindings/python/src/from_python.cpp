@@ -180,7 +180,7 @@ void FromPython::read(py::handle from, Parameters& into) {
 
 template <std::size_t I>
 bool FromPython::readAlternative(py::handle from, CommandBody& into) {
-    using T = std::variant_alternative_t<I, CommandBody>;
+    using T = std::variant_alternative_t<I, CommandKinds>;
     if (!py::isinstance(from, classOf<T>())) return false;
     readFields(from, into.emplace<I>());
     return true;
@@ -190,7 +190,7 @@ void FromPython::read(py::handle from, CommandBody& into) {
     const bool known = [&]<std::size_t... I>(std::index_sequence<I...>) {
         return (readAlternative<I>(from, into) || ...);
     }
-    (std::make_index_sequence<std::variant_size_v<CommandBody>>());
+    (std::make_index_sequence<std::variant_size_v<CommandKinds>>());
     if (!known) fail(from, "a command, as muster.TouchDown or muster.GiveOrder");
 }
 

@@ -33,9 +33,9 @@ py::object toPython(const std::array<double, 3>& value) {
     return py::make_tuple(value[0], value[1], value[2]);
 }
 
-py::object toPython(const std::array<double, static_cast<std::size_t>(Stage::Count)>& value) {
+py::object toPython(const std::array<double, kStageCount>& value) {
     py::dict times;
-    for (std::size_t i = 0; i < value.size(); ++i) times[stageName(static_cast<Stage>(i))] = value[i];
+    for (std::size_t i = 0; i < value.size(); ++i) times[stepStages()[i].name] = value[i];
     return times;
 }
 

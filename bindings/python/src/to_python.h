@@ -25,7 +25,7 @@ py::object toPython(const Parameters& value);
 py::object toPython(const EventCounts& value);
 py::object toPython(const std::array<double, 3>& value);
 /// A dict of milliseconds by the names of stages.
-py::object toPython(const std::array<double, static_cast<std::size_t>(Stage::Count)>& value);
+py::object toPython(const std::array<double, kStageCount>& value);
 py::object toPython(const CommandBody& value);
 inline py::object toPython(bool value) {
     return py::bool_(value);

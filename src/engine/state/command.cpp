@@ -36,12 +36,12 @@ constexpr auto kNames = std::to_array<const char*>({"TouchDown",        "TouchMo
                                                     "RemoveCheckpoint", "PlaceGroup",
                                                     "NameGroup",        "ColourGroup",
                                                     "SetAppearance"});
-static_assert(kNames.size() == std::variant_size_v<CommandBody>);
+static_assert(kNames.size() == std::variant_size_v<CommandKinds>);
 
 /// Makes the alternative with that index; false where there is none.
 template <std::size_t Index = 0>
 bool emplaceBody(CommandBody& body, std::size_t index) {
-    if constexpr (Index < std::variant_size_v<CommandBody>) {
+    if constexpr (Index < std::variant_size_v<CommandKinds>) {
         if (index != Index) return emplaceBody<Index + 1>(body, index);
         body.emplace<Index>();
         return true;
@@ -231,6 +231,12 @@ Result<Command> decodeCommand(Reader& reader) {
     if (!valid.ok()) return Status(StatusCode::ParseError, valid.message());
     return command;
 }
+
+CommandBody::CommandBody(const CommandBody& other) = default;
+CommandBody::CommandBody(CommandBody&& other) noexcept = default;
+CommandBody& CommandBody::operator=(const CommandBody& other) = default;
+CommandBody& CommandBody::operator=(CommandBody&& other) noexcept = default;
+CommandBody::~CommandBody() = default;
 
 std::vector<std::uint8_t> encodeCommand(const Command& command) {
     Writer writer;

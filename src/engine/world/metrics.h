@@ -30,17 +30,17 @@ struct RunFigures {
     double worstPenetration = 0.0;     ///< Share of the mean diameter.
     double
         topSpeedRatio = 0.0;  ///< Largest displacement of a step, in steps at own top speed on that ground.
-    double swapsPerCharacterPerSecond = 0.0;  ///< Changes of place without a command.
-    WalkTotals planned;                       ///< Paths to the places by the last plan, all groups.
-    WalkTotals walked;                        ///< Paths walked by those still there.
-    double lagP95 = 0.0;                      ///< Distance to the place at the end, p95 [m].
-    std::int32_t unmatched = 0;               ///< At the end.
-    std::int32_t collected = 0;               ///< Items.
-    EventCounts events{};                     ///< Of the whole run, by kind.
-    double stepP50 = 0.0;                     ///< [ms]
-    double stepP95 = 0.0;                     ///< [ms]
-    double stepMax = 0.0;                     ///< [ms]
-    std::array<double, static_cast<std::size_t>(Stage::Count)> stageMean{};  ///< [ms] by Stage.
+    double swapsPerCharacterPerSecond = 0.0;      ///< Changes of place without a command.
+    WalkTotals planned;                           ///< Paths to the places by the last plan, all groups.
+    WalkTotals walked;                            ///< Paths walked by those still there.
+    double lagP95 = 0.0;                          ///< Distance to the place at the end, p95 [m].
+    std::int32_t unmatched = 0;                   ///< At the end.
+    std::int32_t collected = 0;                   ///< Items.
+    EventCounts events{};                         ///< Of the whole run, by kind.
+    double stepP50 = 0.0;                         ///< [ms]
+    double stepP95 = 0.0;                         ///< [ms]
+    double stepMax = 0.0;                         ///< [ms]
+    std::array<double, kStageCount> stageMean{};  ///< [ms] by Stage.
 };
 
 /// Watches a world and never changes it.
@@ -76,7 +76,7 @@ private:
     std::uint32_t samplePeriod_ = 60;  // Steps in a second.
     bool still_ = true;                // Nothing moved on a path and no command was given.
     std::vector<float> stepTimes_;
-    std::array<double, static_cast<std::size_t>(Stage::Count)> stageSum_{};
+    std::array<double, kStageCount> stageSum_{};
     EventCounts events_{};
     double characterSeconds_ = 0.0;
     std::int32_t overlapPairsMax_ = 0;

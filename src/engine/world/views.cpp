@@ -28,13 +28,6 @@ OrderForecast forecastOf(WorldEngine& engine, GroupId group, const Order& order,
 
 }  // namespace
 
-const char* stageName(Stage stage) {
-    constexpr const char* kStageNames[] = {"commands",   "orders",   "controls",         "user mesh",
-                                           "final mesh", "places",   "density and cost", "plan",
-                                           "steering",   "contacts", "patches",          "events"};
-    return stage < Stage::Count ? kStageNames[static_cast<std::size_t>(stage)] : "none";
-}
-
 std::uint32_t World::stepCount() const {
     return engine_->state.stepCount;
 }

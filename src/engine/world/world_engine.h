@@ -27,11 +27,13 @@ struct WorldEngine {
     std::vector<Rejection> rejections;  ///< Of the last step.
     ContactReport contactReport;        ///< After the last step.
     StageTimes times;                   ///< Of the last step.
+    std::int32_t move = 0;              ///< Part of the step that is being made, from 0.
 
     OrderStage orders;
     PlaceStage places;
     CostStage cost;
     WayStage ways;
+    GroupMembers members;
     PlanStage plans;
     SteeringStage steering;
     ContactStage contacts;
@@ -43,6 +45,11 @@ struct WorldEngine {
 
     /// One time step (step.cpp).
     void step();
+    /// Length of the moves into which a step is divided [s].
+    double moveTime() const {
+        const double stepTime = state.parameters.stepTime;
+        return stepTime / movesOf(stepTime);
+    }
     /// Prepares to go on from a state that was just read, with the memory that the stages have. No background
     /// work may be running.
     void goOnFromState() {

@@ -58,7 +58,7 @@ constexpr const char* kKinds[] = {"down",
                                   "nameGroup",
                                   "colourGroup",
                                   "appearance"};
-static_assert(std::size(kKinds) == std::variant_size_v<CommandBody>);
+static_assert(std::size(kKinds) == std::variant_size_v<CommandKinds>);
 
 /// An event of the file: a command with its time.
 struct Event {
@@ -75,7 +75,7 @@ std::string kindOf(const CommandBody& body) {
 /// Makes the variant's alternative of that index.
 template <std::size_t Index = 0>
 void emplaceBody(CommandBody& body, std::size_t index) {
-    if constexpr (Index < std::variant_size_v<CommandBody>) {
+    if constexpr (Index < std::variant_size_v<CommandKinds>) {
         if (index == Index) {
             body.emplace<Index>();
         } else {

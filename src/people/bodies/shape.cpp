@@ -10,7 +10,7 @@ const Shape& broadShape() {
         Section{0.918f, 0.162f, 0.095f, 0.116f},
         Section{0.945f, 0.148f, 0.088f, 0.096f, true},
     };
-    static constexpr std::array kShirt{
+    static constexpr std::array kShirtRings{
         Section{0.905f, 0.181f, 0.113f, 0.138f, true}, Section{0.960f, 0.175f, 0.114f, 0.126f},
         Section{1.030f, 0.165f, 0.113f, 0.108f, true}, Section{1.100f, 0.163f, 0.114f, 0.101f},
         Section{1.170f, 0.169f, 0.120f, 0.106f},       Section{1.245f, 0.179f, 0.129f, 0.117f},
@@ -59,7 +59,7 @@ const Shape& broadShape() {
         Section{1.680f, 0.078f, 0.102f, 0.089f, true}, Section{1.712f, 0.067f, 0.085f, 0.075f},
         Section{1.733f, 0.043f, 0.056f, 0.048f},
     };
-    static const Shape kShape{kPelvis, kShirt, kLeg,   kSleeve, kArm,   kNeck, kHead, 6,   8,
+    static const Shape kShape{kPelvis, kShirtRings, kLeg,   kSleeve, kArm,   kNeck, kHead, 6,   8,
                               0.055f,  0.795f, 1.605f, 1.525f,  0.013f, false, 1.0f,  1.0f};
     return kShape;
 }
@@ -70,7 +70,7 @@ const Shape& narrowShape() {
         Section{0.918f, 0.164f, 0.090f, 0.120f},
         Section{0.945f, 0.148f, 0.084f, 0.098f, true},
     };
-    static constexpr std::array kShirt{
+    static constexpr std::array kShirtRings{
         Section{0.915f, 0.183f, 0.107f, 0.142f, true}, Section{0.965f, 0.172f, 0.107f, 0.124f},
         Section{1.035f, 0.150f, 0.102f, 0.099f, true}, Section{1.105f, 0.139f, 0.099f, 0.086f},
         Section{1.170f, 0.142f, 0.108f, 0.088f},       Section{1.240f, 0.153f, 0.134f, 0.097f},
@@ -119,7 +119,7 @@ const Shape& narrowShape() {
         Section{1.680f, 0.076f, 0.101f, 0.088f, true}, Section{1.712f, 0.065f, 0.084f, 0.074f},
         Section{1.733f, 0.042f, 0.055f, 0.047f},
     };
-    static const Shape kShape{kPelvis, kShirt, kLeg,   kSleeve, kArm,   kNeck, kHead, 6,   8,
+    static const Shape kShape{kPelvis, kShirtRings, kLeg,   kSleeve, kArm,   kNeck, kHead, 6,   8,
                               0.055f,  0.795f, 1.630f, 1.545f,  0.014f, true,  0.88f, 0.9f};
     return kShape;
 }

@@ -129,7 +129,7 @@ TEST_CASE("the bytes that are hashed of a group without a colour are those of ve
 
 TEST_CASE("every kind of command is valid and survives its bytes") {
     const auto commands = everyCommand();
-    REQUIRE(commands.size() == std::variant_size_v<CommandBody>);
+    REQUIRE(commands.size() == std::variant_size_v<CommandKinds>);
     for (std::size_t i = 0; i < commands.size(); ++i) {
         CAPTURE(commandName(commands[i]));
         CHECK(commands[i].body.index() == i);

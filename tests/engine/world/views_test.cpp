@@ -2,9 +2,13 @@
 
 #include <doctest.h>
 
+#include <fstream>
+#include <set>
+#include <sstream>
 #include <string>
 
 #include "engine/world/scenes.h"
+#include "folders.h"
 
 using namespace muster;
 using namespace muster::testing;
@@ -82,12 +86,25 @@ TEST_CASE("the view of a patch, and of a patch that is not there") {
     CHECK_FALSE(world.patch(PatchId{99}).id);
 }
 
-TEST_CASE("stages have names of their own") {
-    std::string all;
-    for (std::uint8_t stage = 0; stage < static_cast<std::uint8_t>(Stage::Count); ++stage) {
-        const std::string name = stageName(static_cast<Stage>(stage));
-        CHECK(all.find("|" + name + "|") == std::string::npos);
-        all += "|" + name + "|";
+TEST_CASE("stages have names of their own, and say what they read, write and do") {
+    std::set<std::string> names;
+    for (const StageInfo& stage : stepStages()) {
+        CAPTURE(stage.name);
+        CHECK(names.insert(stage.name).second);
+        CHECK(std::string(stage.reads) != "");
+        CHECK(std::string(stage.writes) != "");
+        CHECK(std::string(stage.about).back() == '.');
     }
-    CHECK(std::string(stageName(Stage::Count)) == "none");
+}
+
+TEST_CASE("the page on the architecture shows the table of stages") {
+    std::string table = "| stage | reads | writes | what it does |\n| --- | --- | --- | --- |\n";
+    for (const StageInfo& stage : stepStages())
+        table += std::string("| ") + stage.name + " | " + stage.reads + " | " + stage.writes + " | " +
+                 stage.about + " |\n";
+    std::ifstream file(sourceFolder() + "/docs/architecture.md");
+    std::stringstream page;
+    page << file.rdbuf();
+    INFO("The table as it should be:\n" << table);
+    CHECK(page.str().find(table) != std::string::npos);
 }

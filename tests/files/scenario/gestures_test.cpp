@@ -148,7 +148,7 @@ TEST_CASE("every kind of command survives the file") {
         SplitGroup{GroupId{1}, SplitBy::Shares, {}, {}, {0.25, 0.75}, true, PartShape::AsHeld}};
     std::set<std::size_t> kinds;
     for (const CommandBody& body : bodies) kinds.insert(body.index());
-    REQUIRE(kinds.size() == std::variant_size_v<CommandBody>);
+    REQUIRE(kinds.size() == std::variant_size_v<CommandKinds>);
     std::vector<Command> commands;
     std::uint32_t next[3] = {0, 0, 0};
     for (std::uint32_t i = 0; i < bodies.size(); ++i)

@@ -13,21 +13,6 @@ constexpr double kStandingPlaces = 0.1;  // Places that move slower stand [m/s].
 constexpr double kDrawnFor = 0.25;       // A way that is not drawn further for this long is whole [s].
 constexpr double kStuckEvery = 0.5;      // Time between looks for who is stuck [s].
 
-void collectItems(WorldState& state, std::vector<Event>& events) {
-    const Characters& characters = state.characters;
-    const std::vector<ItemDef>& items = state.items;
-    for (std::size_t k = 0; k < items.size(); ++k) {
-        if (state.collected[k] != 0) continue;
-        for (std::size_t i = 0; i < characters.size(); ++i) {
-            if (distance(characters.position[i], items[k].position) > items[k].radius) continue;
-            state.collected[k] = 1;
-            events.push_back(
-                {EventKind::Collect, characters.id[i], static_cast<std::uint32_t>(k), items[k].position});
-            break;
-        }
-    }
-}
-
 /// Notes who of a group is in a checkpoint. True once the share of it has been there since it was last left,
 /// and where the middle of the group is in it and the share is at most a half.
 bool crowdPasses(const WorldState& state, const Group& group, const FormationCheckpointDef& checkpoint,
@@ -70,66 +55,6 @@ bool passes(WorldState& state, Group& group, std::size_t index, std::uint8_t& fl
     const bool comes = passed && (flags & 1) == 0;
     flags = static_cast<std::uint8_t>((flags & 2) | ((inside && (flags & 1) != 0) || comes ? 1 : 0));
     return comes;
-}
-
-void meetCheckpoints(WorldState& state, std::vector<Event>& events) {
-    const std::vector<FormationCheckpointDef>& checkpoints = state.checkpoints;
-    for (std::size_t c = 0; c < checkpoints.size(); ++c) {
-        const FormationCheckpointDef& checkpoint = checkpoints[c];
-        for (std::size_t g = 0; g < state.groups.size(); ++g) {
-            Group& group = state.groups[g];
-            if (state.checkpointGroups[c] && state.checkpointGroups[c] != group.id) continue;
-            std::uint8_t& flags = state.checkpointState[g * checkpoints.size() + c];
-            if (!passes(state, group, c, flags)) continue;
-            flags |= 2;
-            const auto value = static_cast<std::uint32_t>(c);
-            events.push_back({EventKind::Passed, group.id.value, value, checkpoint.position});
-            if (!changeFormation(state, group, checkpoint.formation, group.def.count).ok()) continue;
-            group.orders.own.reset();
-            group.orders.files = 0;
-            events.push_back({EventKind::FormationChange, group.id.value, value, checkpoint.position});
-        }
-    }
-}
-
-// Places wait for slow ground themselves, so that the lag counts from their goals.
-void measureLag(WorldState& state) {
-    const Characters& characters = state.characters;
-    for (Group& group : state.groups) {
-        double sum = 0.0;
-        std::int32_t matched = 0;
-        for (const std::int32_t i : group.members) {
-            if (characters.place[i] < 0) continue;
-            sum += distance(characters.position[i], group.places.reachableTargets()[characters.place[i]]);
-            ++matched;
-        }
-        group.meanLag = matched > 0 ? sum / matched : 0.0;
-    }
-}
-
-void watchWalks(WorldState& state, const SharedPlaces& shared) {
-    Characters& c = state.characters;
-    const std::uint32_t stayed = stepsIn(state, kStayedFor);
-    for (std::size_t i = 0; i < c.size(); ++i) {
-        WalkProgress& walk = c.walk[i];
-        if (distance(c.position[i], walk.anchor) >= kStuckMove) {
-            walk.anchor = c.position[i];
-            walk.movedAt = state.stepCount;
-            walk.stuckRaised = false;
-        }
-        const bool stays = walk.within && state.stepCount - walk.since >= stayed;
-        if (stays || distance(c.position[i], walk.camp) >= kCampReach) {
-            walk.camp = c.position[i];
-            walk.campedAt = state.stepCount;
-        }
-        const std::int32_t place = c.place[i];
-        const bool within = place >= 0 &&
-                            distance(c.position[i], state.groups[c.group[i]].places.positions()[place]) <=
-                                kArrivedReach + shared.room(i);
-        if (within == walk.within) continue;
-        walk.within = within;
-        walk.since = state.stepCount;
-    }
 }
 
 /// True while fingers' ways are still to be followed, or a control that was let go ends.
@@ -195,24 +120,101 @@ void watchOrder(WorldState& state, Group& group, std::vector<Event>& events) {
 
 }  // namespace
 
-void EventStage::run(WorldState& state, std::span<const MotionEvent> changes, std::vector<Event>& events) {
+void raiseMotionEvents(const WorldState& state, std::span<const MotionEvent> changes,
+                       std::vector<Event>& events) {
     const Characters& characters = state.characters;
     events.reserve(characters.size() + 4 * state.groups.size() + state.items.size());
-    standstill_.reserve(characters);
     for (const MotionEvent& change : changes) {
         // The first kinds of both lists correspond one to one.
         const auto kind = static_cast<EventKind>(change.change);
         const std::int32_t i = change.character;
         events.push_back({kind, characters.id[i], change.value, characters.position[i]});
     }
-    collectItems(state, events);
-    meetCheckpoints(state, events);
-    measureLag(state);
+}
+
+void collectItems(WorldState& state, std::vector<Event>& events) {
+    const Characters& characters = state.characters;
+    const std::vector<ItemDef>& items = state.items;
+    for (std::size_t k = 0; k < items.size(); ++k) {
+        if (state.collected[k] != 0) continue;
+        for (std::size_t i = 0; i < characters.size(); ++i) {
+            if (distance(characters.position[i], items[k].position) > items[k].radius) continue;
+            state.collected[k] = 1;
+            events.push_back(
+                {EventKind::Collect, characters.id[i], static_cast<std::uint32_t>(k), items[k].position});
+            break;
+        }
+    }
+}
+
+void meetCheckpoints(WorldState& state, std::vector<Event>& events) {
+    const std::vector<FormationCheckpointDef>& checkpoints = state.checkpoints;
+    for (std::size_t c = 0; c < checkpoints.size(); ++c) {
+        const FormationCheckpointDef& checkpoint = checkpoints[c];
+        for (std::size_t g = 0; g < state.groups.size(); ++g) {
+            Group& group = state.groups[g];
+            if (state.checkpointGroups[c] && state.checkpointGroups[c] != group.id) continue;
+            std::uint8_t& flags = state.checkpointState[g * checkpoints.size() + c];
+            if (!passes(state, group, c, flags)) continue;
+            flags |= 2;
+            const auto value = static_cast<std::uint32_t>(c);
+            events.push_back({EventKind::Passed, group.id.value, value, checkpoint.position});
+            if (!changeFormation(state, group, checkpoint.formation, group.def.count).ok()) continue;
+            group.orders.own.reset();
+            group.orders.files = 0;
+            events.push_back({EventKind::FormationChange, group.id.value, value, checkpoint.position});
+        }
+    }
+}
+
+// Places wait for slow ground themselves, so that the lag counts from their goals.
+void measureLags(WorldState& state) {
+    const Characters& characters = state.characters;
+    for (Group& group : state.groups) {
+        double sum = 0.0;
+        std::int32_t matched = 0;
+        for (const std::int32_t i : group.members) {
+            if (characters.place[i] < 0) continue;
+            sum += distance(characters.position[i], group.places.reachableTargets()[characters.place[i]]);
+            ++matched;
+        }
+        group.meanLag = matched > 0 ? sum / matched : 0.0;
+    }
+}
+
+void EventStage::watchWalks(WorldState& state) {
     shared_.find(state);
-    watchWalks(state, shared_);
+    Characters& c = state.characters;
+    const std::uint32_t stayed = stepsIn(state, kStayedFor);
+    for (std::size_t i = 0; i < c.size(); ++i) {
+        WalkProgress& walk = c.walk[i];
+        if (distance(c.position[i], walk.anchor) >= kStuckMove) {
+            walk.anchor = c.position[i];
+            walk.movedAt = state.stepCount;
+            walk.stuckRaised = false;
+        }
+        const bool stays = walk.within && state.stepCount - walk.since >= stayed;
+        if (stays || distance(c.position[i], walk.camp) >= kCampReach) {
+            walk.camp = c.position[i];
+            walk.campedAt = state.stepCount;
+        }
+        const std::int32_t place = c.place[i];
+        const bool within = place >= 0 &&
+                            distance(c.position[i], state.groups[c.group[i]].places.positions()[place]) <=
+                                kArrivedReach + shared_.room(i);
+        if (within == walk.within) continue;
+        walk.within = within;
+        walk.since = state.stepCount;
+    }
+}
+
+void EventStage::watchOrders(WorldState& state, std::vector<Event>& events) {
     for (Group& group : state.groups) watchOrder(state, group, events);
+}
+
+void EventStage::watchStandstill(WorldState& state, std::vector<Event>& events) {
+    standstill_.reserve(state.characters);
     if (state.stepCount % stepsIn(state, kStuckEvery) == 0) standstill_.raise(state, events);
-    movingGates_.raise(state, events);
 }
 
 }  // namespace muster

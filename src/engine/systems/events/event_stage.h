@@ -1,4 +1,4 @@
-// The stage of events: motion changes, items, checkpoints, how orders get on, and the lag of every group.
+// The stages of events: motion changes, items, checkpoints, how orders get on, and the lag of every group.
 #pragma once
 
 #include <span>
@@ -13,12 +13,29 @@
 
 namespace muster {
 
-/// Raises the events of a step.
+/// Appends the changes of motion of a step to `events`, and makes room for the events that follow.
+void raiseMotionEvents(const WorldState& state, std::span<const MotionEvent> changes,
+                       std::vector<Event>& events);
+/// Collects the items that somebody has come to.
+void collectItems(WorldState& state, std::vector<Event>& events);
+/// Changes the formations of groups that pass a checkpoint.
+void meetCheckpoints(WorldState& state, std::vector<Event>& events);
+/// Writes the mean lag of every group behind its places (SPEC U6).
+void measureLags(WorldState& state);
+
+/// Watches how characters and orders get on.
 class EventStage {
 public:
-    /// Collects items, changes formations at checkpoints, measures lags, watches orders, and appends what
-    /// happened to `events`.
-    void run(WorldState& state, std::span<const MotionEvent> changes, std::vector<Event>& events);
+    // Called once in each step, in this order.
+
+    /// Writes how each character gets on with its walk.
+    void watchWalks(WorldState& state);
+    /// Raises arrivals, and who has no way.
+    void watchOrders(WorldState& state, std::vector<Event>& events);
+    /// Raises who is stuck; from time to time.
+    void watchStandstill(WorldState& state, std::vector<Event>& events);
+    /// Raises whose way moving obstacles cut off, and when it is free again.
+    void watchGates(WorldState& state, std::vector<Event>& events) { movingGates_.raise(state, events); }
 
 private:
     SharedPlaces shared_;

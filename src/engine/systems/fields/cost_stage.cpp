@@ -21,12 +21,15 @@ void CostStage::reset(WorldState& state) {
     for (const auto& own : classes_) own.second->begin();
 }
 
-void CostStage::run(WorldState& state) {
+void CostStage::splatDensity(WorldState& state) {
     const Parameters::Density& def = state.parameters.density;
     if (&state != state_ || def.cell != def_.cell || def.lambda != def_.lambda) reset(state);
     density_.splat(state.characters.position, state.characters.velocity);
     unitCostBuilt_ = dynamicCostBuilt_ = false;
     for (const auto& own : classes_) own.second->begin();
+}
+
+void CostStage::updateUnitCost() {
     if (unitCostUnread_ >= kUnreadSteps) return;
     ++unitCostUnread_;
     buildUnitCost();

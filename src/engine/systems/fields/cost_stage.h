@@ -19,7 +19,9 @@ public:
     void reset(WorldState& state);
     /// Computes the density; costs of the last step are out of date then. The state must outlive the next
     /// call.
-    void run(WorldState& state);
+    void splatDensity(WorldState& state);
+    /// Updates the unit cost while somebody has asked for it lately.
+    void updateUnitCost();
 
     /// Density and average velocity by the last run.
     const DensityField& density() const { return density_; }

@@ -374,7 +374,6 @@ void OrderStage::run(WorldState& state, ThreadPool& pool, std::vector<Event>& ev
     budget_ = divided ? 0 : kCellsPerStep;
     ways_.update(state);
     avoidance_.begin();
-    followPeople(state);
     for (Group& group : state.groups) {
         avoids_ = false;
         runQueue(state, group, pool, events);

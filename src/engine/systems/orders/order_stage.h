@@ -19,6 +19,8 @@ class OrderStage {
 public:
     /// Takes a new or restored state; call before its first step.
     void reset(const WorldState& state) { ways_.update(state); }
+    /// Moves the formations of groups without places with their people.
+    static void followPeople(WorldState& state);
     /// One step of all queues; appends what happened to `events`.
     void run(WorldState& state, ThreadPool& pool, std::vector<Event>& events);
     /// What would come of an order; `from`: where an order before it would have brought the formation, null
@@ -47,7 +49,6 @@ private:
     Outcome follow(WorldState& state, Group& group, const MarchDef& def);
     Outcome guard(WorldState& state, Group& group);
     Outcome gather(WorldState& state, Group& group);
-    static void followPeople(WorldState& state);
     bool isDone(const WorldState& state, Group& group);
     std::int32_t regionOf(WorldState& state, const Group& group);
     static Lead leadOf(const WorldState& state, const Order& order);

@@ -237,16 +237,24 @@ void WayStage::decide(WorldState& state, ThreadPool& pool) {
     state.waysChosenAt = state.stepCount;
 }
 
-void WayStage::run(WorldState& state, PlanCosts& costs, ThreadPool& pool) {
+void WayStage::leavePassages(WorldState& state, PlanCosts& costs, ThreadPool& pool) {
     for (GroupWays& ways : groups_) ways.clear();
+    waits_ = false;
     if (groundChanged(state) || !state.parameters.plan.waits) clear(state);
     if (!state.parameters.plan.waits || state.environment.obstacleIds().empty()) return;
     const StaticGround& ground = costs.staticGround();
     if (ground.open()) return;
+    waits_ = true;
     fields_.update(ground, state.passages);
     if (!state.passages.empty()) dropPassed(state, pool);
-    decide(state, pool);
-    if (state.passages.empty()) return;
+}
+
+void WayStage::chooseWays(WorldState& state, ThreadPool& pool) {
+    if (waits_) decide(state, pool);
+}
+
+void WayStage::prepareWays(const WorldState& state, ThreadPool& pool) {
+    if (!waits_ || state.passages.empty()) return;
     groups_.resize(state.groups.size());
     for (std::size_t g = 0; g < groups_.size(); ++g)
         groups_[g].prepare(state, fields_, state.groups[g], reach_, pool);

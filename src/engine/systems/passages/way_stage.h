@@ -1,4 +1,4 @@
-// The stage of ways: who goes through which passage where more come than pass (SPEC A8).
+// The stages of ways: who goes through which passage where more come than pass (SPEC A8).
 #pragma once
 
 #include <cstdint>
@@ -24,8 +24,15 @@ class WayStage {
 public:
     /// Takes a new or restored state; call before its first step. Fields that still hold are kept.
     void reset(const WorldState& state);
-    /// Writes passages and chosen ways; what follows from them is ready for the rest of the step.
-    void run(WorldState& state, PlanCosts& costs, ThreadPool& pool);
+
+    // Called once in each step, in this order.
+
+    /// Forgets passages where the ground has changed, and takes the ways of those who have passed.
+    void leavePassages(WorldState& state, PlanCosts& costs, ThreadPool& pool);
+    /// Writes passages and chosen ways, where that is due.
+    void chooseWays(WorldState& state, ThreadPool& pool);
+    /// Prepares what plans and steering ask of the chosen ways in this step.
+    void prepareWays(const WorldState& state, ThreadPool& pool);
 
     /// The ways of a group, for its plan. Valid until the next run.
     PlannedWays waysOf(std::size_t group) const;
@@ -51,6 +58,7 @@ private:
 
     static constexpr std::size_t kMaxPassages = 12;  // Of all groups together.
 
+    bool waits_ = false;  // In this step somebody may have to wait before a passage.
     // What walks depend on, as it was in the last step.
     std::uint64_t staticVersion_ = 0;
     double radius_ = 0.0, openCost_ = 0.0;

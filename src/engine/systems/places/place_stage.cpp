@@ -7,20 +7,38 @@
 
 namespace muster {
 
-void PlaceStage::run(WorldState& state, ThreadPool& pool) {
-    const PlaceDef usual = placeDef(state.parameters);
+void refreshRoutes(WorldState& state) {
     state.refreshRoutes();
-    for (std::size_t g = 0; g < state.groups.size(); ++g) {
-        Group& group = state.groups[g];
-        RouteGraph& routes = state.refreshRoutes(group.groundClass);
-        const PlaceDef def = placeDefOf(state, group, usual);
-        group.mesh.placePositions(targets_);
-        room_.run(state, group, targets_);
-        spacing_.settle(state, g, targets_);
+    for (const Group& group : state.groups) state.refreshRoutes(group.groundClass);
+}
+
+void PlaceStage::readTargets(const WorldState& state) {
+    targets_.resize(state.groups.size());
+    for (std::size_t g = 0; g < targets_.size(); ++g) state.groups[g].mesh.placePositions(targets_[g]);
+}
+
+void PlaceStage::makeRoom(WorldState& state) {
+    for (std::size_t g = 0; g < targets_.size(); ++g) room_.run(state, state.groups[g], targets_[g]);
+}
+
+void PlaceStage::keepApart(WorldState& state) {
+    for (std::size_t g = 0; g < targets_.size(); ++g) spacing_.settle(state, g, targets_[g]);
+}
+
+void PlaceStage::findRegions(WorldState& state) {
+    const auto isUsed = [](std::int32_t count) { return count > 0; };
+    for (Group& group : state.groups) {
         group.region = mainRegion(state, group, regionCounts_);
-        const auto isUsed = [](std::int32_t count) { return count > 0; };
         group.split = std::count_if(regionCounts_.begin(), regionCounts_.end(), isUsed) > 1;
-        group.places.advance(def, targets_, routes, group.region, state.parameters.stepTime, &pool);
+    }
+}
+
+void PlaceStage::advance(WorldState& state, ThreadPool& pool) {
+    const PlaceDef usual = placeDef(state.parameters);
+    for (std::size_t g = 0; g < targets_.size(); ++g) {
+        Group& group = state.groups[g];
+        group.places.advance(placeDefOf(state, group, usual), targets_[g], state.routesOf(group),
+                             group.region, state.parameters.stepTime, &pool);
     }
 }
 

@@ -1,4 +1,4 @@
-// The stage of places: they travel towards their points on the final meshes (SPEC M5).
+// The stages of places: they travel towards their points on the final meshes (SPEC M5).
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,27 @@
 
 namespace muster {
 
-/// Moves the places of all groups.
+/// Brings the routes of all classes of ground in use up to date.
+void refreshRoutes(WorldState& state);
+
+/// Moves the places of all groups. Its functions are called once in each step, in this order.
 class PlaceStage {
 public:
-    /// Writes places, and the region of each group.
-    void run(WorldState& state, ThreadPool& pool);
+    /// Reads the targets of places from the final meshes.
+    void readTargets(const WorldState& state);
+    /// Moves targets as far apart as large bodies need it.
+    void makeRoom(WorldState& state);
+    /// Shifts the targets of groups that rest on the spot of others.
+    void keepApart(WorldState& state);
+    /// Writes the region of each group, and whether it stands in several.
+    void findRegions(WorldState& state);
+    /// Moves places towards their targets, over ground that their group can reach.
+    void advance(WorldState& state, ThreadPool& pool);
 
 private:
     BodyRoom room_;
     GroupSpacing spacing_;
-    std::vector<Vec2> targets_;               // Points of one group's final mesh [m].
+    std::vector<std::vector<Vec2>> targets_;  // Of each group's places [m].
     std::vector<std::int32_t> regionCounts_;  // Members of one group by region.
 };
 

@@ -41,10 +41,10 @@ void PlanStage::reserve(WorldState& state, PlanCosts& costs) {
 }
 
 // Marks who stands on ground that is cut off from where most of the group is; empty where nobody does.
-void PlanStage::findConnected(const WorldState& state, const Group& group) {
+void PlanStage::findConnected(const WorldState& state, const Group& group, std::span<const Vec2> positions) {
     connected_.clear();
     if (!group.split) return;
-    for (const Vec2 p : members_.positions()) {
+    for (const Vec2 p : positions) {
         const std::int32_t label = state.routesOf(group).region(p);
         connected_.push_back(label < 0 || group.region < 0 || label == group.region ? 1 : 0);
     }
@@ -103,10 +103,9 @@ void PlanStage::gatherAmounts(const WorldState& state, const Group& group) {
     demand_.clear();
 }
 
-void PlanStage::start(const WorldState& state, PlanCosts& costs, const PlannedWays& ways, Group& group) {
+void PlanStage::start(const WorldState& state, PlanCosts& costs, const PlannedWays& ways, Group& group,
+                      const MemberArrays& members) {
     const PlanMode mode = state.parameters.plan.mode;
-    members_.gather(state.characters, group);
-    std::vector<std::int32_t>& incumbent = members_.places();
     PlanDef def = planDef(state.parameters);
     group.reassigns = mode == PlanMode::Transport || (mode == PlanMode::AssignedOnce && !group.assigned);
     def.reassign = group.reassigns;
@@ -116,18 +115,19 @@ void PlanStage::start(const WorldState& state, PlanCosts& costs, const PlannedWa
         def.firstPlanRank = firstPlanRank_++;
     }
     // Who lost its place because that was not usable gets it back.
+    incumbent_.assign(members.places().begin(), members.places().end());
     if (mode == PlanMode::Fixed)
-        std::iota(incumbent.begin(), incumbent.end(), 0);
+        std::iota(incumbent_.begin(), incumbent_.end(), 0);
     else if (!group.reassigns)
         std::copy_n(group.lastAssignment.begin(), std::min(group.lastAssignment.size(), group.members.size()),
-                    incumbent.begin());
+                    incumbent_.begin());
     PlanInput input;
-    input.characters = members_.positions();
+    input.characters = members.positions();
     input.places = group.places.positions();
     input.usable = group.places.fit();
-    input.incumbent = incumbent;
+    input.incumbent = incumbent_;
     input.costs = &costs.ofClass(group.groundClass);
-    findConnected(state, group);
+    findConnected(state, group, members.positions());
     input.connected = connected_;
     gatherWaits(state, group);
     input.barred = barred_;
@@ -148,7 +148,8 @@ void PlanStage::start(const WorldState& state, PlanCosts& costs, const PlannedWa
     (void)status;
 }
 
-void PlanStage::finish(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events) {
+void PlanStage::finish(WorldState& state, Group& group, MemberArrays& members, ThreadPool& pool,
+                       std::vector<Event>& events) {
     const Status status = group.plan->finish(pool, result_);
     MUSTER_ASSERT(status.ok());
     (void)status;
@@ -157,20 +158,18 @@ void PlanStage::finish(WorldState& state, Group& group, ThreadPool& pool, std::v
     group.walk = {};
     for (const double cost : result_.cost) group.walk.add(cost);
     Characters& characters = state.characters;
-    incumbent_.clear();
-    for (const std::int32_t i : group.members) incumbent_.push_back(characters.place[i]);
-    std::vector<std::int32_t>& places = members_.places();
-    findMainPlaces(result_.flows, incumbent_, places);
-    if (group.reassigns) group.lastAssignment = places;
+    findMainPlaces(result_.flows, members.places(), places_);
+    if (group.reassigns) group.lastAssignment = places_;
     for (std::size_t k = 0; k < group.members.size(); ++k) {
         const std::int32_t i = group.members[k];
-        const std::int32_t place = places[k];
+        const std::int32_t place = places_[k];
         if (place == characters.place[i]) continue;
         if (!result_.first && !group.planNow && place >= 0 && characters.place[i] >= 0)
             events.push_back({EventKind::Swap, characters.id[i], static_cast<std::uint32_t>(place),
                               characters.position[i]});
         characters.place[i] = place;
     }
+    members.setPlaces(places_);
     group.provisional = result_.provisional;
     group.assigned = !result_.provisional;
     group.planNow = false;
@@ -203,7 +202,8 @@ void PlanStage::launch(ThreadPool& pool) {
 }
 
 // Does the next share of a pending plan.
-void PlanStage::advance(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events) {
+void PlanStage::advance(WorldState& state, Group& group, MemberArrays& members, ThreadPool& pool,
+                        std::vector<Event>& events) {
     Assigner& plan = *group.plan;
     plan.advance(group.slice, group.slices, pool);
     if (++group.slice < group.slices) return;
@@ -211,7 +211,7 @@ void PlanStage::advance(WorldState& state, Group& group, ThreadPool& pool, std::
     if (plan.worksInBackground() && !group.planNow)
         background_.push_back(&plan);
     else
-        finish(state, group, pool, events);
+        finish(state, group, members, pool, events);
 }
 
 // The first plans of large groups do not fall on one step.
@@ -223,13 +223,18 @@ bool PlanStage::waitsForFirstPlan(const WorldState& state, const Group& group) {
     return false;
 }
 
-void PlanStage::run(WorldState& state, PlanCosts& costs, WayStage& ways, ThreadPool& pool,
-                    std::vector<Event>& events) {
+void PlanStage::endBackgroundWork(ThreadPool& pool) {
     pool.wait();
     background_.clear();
+}
+
+void PlanStage::takePlaces(WorldState& state) {
     without_.clear();
     for (Group& group : state.groups) without_.push_back(goesWithout(state, group) ? 1 : 0);
-    ways.run(state, costs, pool);
+}
+
+void PlanStage::run(WorldState& state, PlanCosts& costs, const WayStage& ways, GroupMembers& members,
+                    ThreadPool& pool, std::vector<Event>& events) {
     const auto isWithout = [&](const Group& group) { return without_[&group - state.groups.data()] != 0; };
     firstPlans_ = static_cast<std::int32_t>(
         std::count_if(state.groups.begin(), state.groups.end(), [&](const Group& group) {
@@ -244,10 +249,10 @@ void PlanStage::run(WorldState& state, PlanCosts& costs, WayStage& ways, ThreadP
         Group& group = state.groups[g];
         if (group.members.empty() || without_[g] != 0) continue;
         const bool worked = group.plan->pending() && group.slice >= group.slices;
-        if (worked && !group.planNow) finish(state, group, pool, events);
+        if (worked && !group.planNow) finish(state, group, members.of(g), pool, events);
         if (group.planNow && waitsForFirstPlan(state, group)) continue;
-        if (isDue(state, g)) start(state, costs, ways.waysOf(g), group);
-        if (group.plan->pending()) advance(state, group, pool, events);
+        if (isDue(state, g)) start(state, costs, ways.waysOf(g), group, members.of(g));
+        if (group.plan->pending()) advance(state, group, members.of(g), pool, events);
     }
     launch(pool);
 }

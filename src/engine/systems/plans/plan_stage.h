@@ -1,4 +1,4 @@
-// The stage of plans: who goes to which place (SPEC A1 to A3).
+// The stages of plans: who goes to which place (SPEC A1 to A3).
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include "engine/assignment/planning/plan.h"
 #include "engine/state/world_state.h"
 #include "engine/systems/passages/way_stage.h"
-#include "engine/systems/steering/member_arrays.h"
+#include "engine/systems/plans/group_members.h"
 #include "muster/event.h"
 
 namespace muster {
@@ -20,20 +20,29 @@ class PlanStage {
 public:
     /// Allocates memory for the first plans of a new world.
     void reserve(WorldState& state, PlanCosts& costs);
-    /// Has the ways chosen first, after all background work. Writes places of characters, and appends Swap
-    /// events to `events`.
-    void run(WorldState& state, PlanCosts& costs, WayStage& ways, ThreadPool& pool,
-             std::vector<Event>& events);
+
+    // Called once in each step, in this order.
+
+    /// Waits until the work of the last step is done.
+    void endBackgroundWork(ThreadPool& pool);
+    /// Takes the places of groups that go by a field; a new plan is made when places count again.
+    void takePlaces(WorldState& state);
+    /// Writes places of characters and of `members`, and appends Swap events to `events`.
+    void run(WorldState& state, PlanCosts& costs, const WayStage& ways, GroupMembers& members,
+             ThreadPool& pool, std::vector<Event>& events);
 
 private:
-    void start(const WorldState& state, PlanCosts& costs, const PlannedWays& ways, Group& group);
-    void advance(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
-    void finish(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
+    void start(const WorldState& state, PlanCosts& costs, const PlannedWays& ways, Group& group,
+               const MemberArrays& members);
+    void advance(WorldState& state, Group& group, MemberArrays& members, ThreadPool& pool,
+                 std::vector<Event>& events);
+    void finish(WorldState& state, Group& group, MemberArrays& members, ThreadPool& pool,
+                std::vector<Event>& events);
     bool waitsForFirstPlan(const WorldState& state, const Group& group);
     bool goesWithout(WorldState& state, Group& group);
     void gatherWaits(const WorldState& state, const Group& group);
     void gatherSlowness(const WorldState& state, const Group& group);
-    void findConnected(const WorldState& state, const Group& group);
+    void findConnected(const WorldState& state, const Group& group, std::span<const Vec2> positions);
     void findClasses(const WorldState& state, Group& group);
     void gatherAmounts(const WorldState& state, const Group& group);
     void launch(ThreadPool& pool);
@@ -44,7 +53,6 @@ private:
     std::int32_t firstPlanRank_ = 0;     // Those of them that came before in this step.
     std::size_t firstCharacters_ = 0;    // Characters of the first plans that were made in this step.
     std::vector<std::uint8_t> without_;  // By group: 1 where its members have no places.
-    MemberArrays members_;
     std::vector<std::uint8_t> connected_;
     std::vector<std::int32_t> barred_;  // Of one group's members, as in PlanInput.
     std::vector<float> wait_;
@@ -52,6 +60,7 @@ private:
     std::vector<std::uint8_t> class_;      // Of one group's members; empty without roles.
     std::vector<double> supply_, demand_;  // Of one group; both empty where all are 1.
     std::vector<std::int32_t> incumbent_;  // Of one group's members, -1 for none.
+    std::vector<std::int32_t> places_;     // The same, by the new plan.
     PlanResult result_;
 };
 

@@ -18,7 +18,7 @@ std::int32_t movesOf(double stepTime) {
     return static_cast<std::int32_t>(std::max(1.0, std::ceil(stepTime * kMostMoves - 1e-9)));
 }
 
-ContactReport ContactStage::correct(WorldState& state, SteeringStage& steering, double dt, ThreadPool& pool) {
+ContactReport ContactStage::run(WorldState& state, SteeringStage& steering, double dt, ThreadPool& pool) {
     Characters& characters = state.characters;
     NextMotion& next = steering.next();
     const CrowdBodies& bodies = steering.bodies();
@@ -34,19 +34,6 @@ ContactReport ContactStage::correct(WorldState& state, SteeringStage& steering, 
         const Vec2 moved = (next.position[i] - characters.position[i]) / dt;
         characters.velocity[i] = clampLength(moved, length(next.velocity[i]));
         characters.position[i] = next.position[i];
-    }
-    return report;
-}
-
-ContactReport ContactStage::run(WorldState& state, SteeringStage& steering, ThreadPool& pool) {
-    const std::int32_t moves = movesOf(state.parameters.stepTime);
-    const double dt = state.parameters.stepTime / moves;
-    ContactReport report = correct(state, steering, dt, pool);
-    for (std::int32_t k = 1; k < moves; ++k) {
-        // Moving obstacles go on too: the clock of the environment ends within the step.
-        state.environment.setTime(state.time() + k * dt);
-        steering.move(state, dt, pool);
-        report = correct(state, steering, dt, pool);
     }
     return report;
 }

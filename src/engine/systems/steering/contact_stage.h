@@ -17,13 +17,11 @@ std::int32_t movesOf(double stepTime);
 /// Corrects the next motion and makes it the present one.
 class ContactStage {
 public:
-    /// Writes positions, velocities and headings of characters after all parts of the step, the first of
-    /// which steering has made; returns the contacts that are left.
-    ContactReport run(WorldState& state, SteeringStage& steering, ThreadPool& pool);
+    /// Writes positions, velocities and headings of characters after a move of `dt` [s] that steering has
+    /// made; returns the contacts that are left.
+    ContactReport run(WorldState& state, SteeringStage& steering, double dt, ThreadPool& pool);
 
 private:
-    ContactReport correct(WorldState& state, SteeringStage& steering, double dt, ThreadPool& pool);
-
     Contacts contacts_;
     std::vector<double> reach_;  // Of each character in a step [m].
 };

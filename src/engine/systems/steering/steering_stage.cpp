@@ -14,73 +14,90 @@ constexpr double kWaitingDistance = 2.0;  // The unmatched stop this far from th
 }  // namespace
 
 // The unmatched come as near as the nearest usable place, and wait there where the line to it is clear.
-void SteeringStage::directUnmatched(const WorldState& state, const Group& group) {
-    const std::span<const Vec2> positions = members_.positions();
-    std::vector<std::int32_t>& places = members_.places();
+void SteeringStage::directUnmatched(const WorldState& state, const Group& group,
+                                    const MemberArrays& members) {
+    const std::span<const Vec2> positions = members.positions();
+    towards_.assign(members.places().begin(), members.places().end());
     for (std::size_t k = 0; k < positions.size(); ++k) {
-        if (places[k] >= 0) continue;
+        if (towards_[k] >= 0) continue;
         const std::int32_t place = group.plan->waitingPlace(static_cast<std::int32_t>(k));
         if (place < 0) continue;
         const Vec2 target = group.places.positions()[place];
         const bool arrived = distance(positions[k], target) < kWaitingDistance &&
                              state.environment.clearLine(positions[k], target, 0.0);
-        if (!arrived) places[k] = place;
+        if (!arrived) towards_[k] = place;
     }
 }
 
-void SteeringStage::guide(WorldState& state, std::size_t index, PlanCosts& costs, const WayStage& ways,
-                          ThreadPool& pool) {
-    Group& group = state.groups[index];
-    const std::size_t count = group.members.size();
-    if (count == 0) return;
-    if (Gathering* const gathering = state.continuum.find(group.id)) {
-        gather(state, group, *gathering);
-        return;
-    }
-    members_.gather(state.characters, group);
-    directions_.resize(count);
-    costs_.resize(count);
-    directUnmatched(state, group);
-    const GuidanceInput input{members_.positions(), members_.places(), group.places.positions(),
-                              &costs.ofClass(group.groundClass), state.parameters.character.directReach};
-    group.plan->guide(input, pool, directions_, costs_);
-    const Vec2 facing = group.orders.march.front(group.mesh.pose());
-    Characters& characters = state.characters;
-    for (std::size_t k = 0; k < count; ++k) {
-        const std::int32_t i = group.members[k];
-        const std::int32_t place = characters.place[i];
-        characters.direction[i] = directions_[k];
-        facing_[i] = facing;
-        characters.cost[i] = place >= 0 ? costs_[k] : std::numeric_limits<double>::infinity();
-        placePosition_[i] = place >= 0 ? group.places.positions()[place] : characters.position[i];
-        placeVelocity_[i] = place >= 0 ? group.places.velocities()[place] : Vec2{};
-        if (!ways.guide(state, index, k, place, characters.direction[i], characters.cost[i])) continue;
-        // Its place is behind the passage, however near it is in a straight line.
-        placePosition_[i] = characters.position[i] + characters.direction[i] * kFarAhead;
-        placeVelocity_[i] = {};
-    }
-}
-
-// Members without places.
-void SteeringStage::gather(WorldState& state, const Group& group, Gathering& gathering) {
-    continuum_.guide(state, group, gathering);
-    const Vec2 facing = group.orders.march.front(group.mesh.pose());
-    for (const std::int32_t i : group.members) {
-        facing_[i] = facing;
-        placePosition_[i] = state.characters.direction[i] == Vec2{} ? state.characters.position[i]
-                                                                    : gathering.target;
-        placeVelocity_[i] = {};
-    }
-}
-
-// How firmly groups stand, and what everybody is.
 void SteeringStage::resolveBodies(const WorldState& state) {
+    const std::size_t count = state.characters.size();
+    for (auto* array :
+         {&placePosition_, &placeVelocity_, &facing_, &next_.position, &next_.velocity, &next_.heading})
+        array->resize(count);
     firmness_.clear();
     for (const Group& group : state.groups) {
         const Stance stance = group.def.conduct.stance;
         firmness_.push_back(stance == Stance::Hold ? 2 : stance == Stance::Normal ? 1 : 0);
     }
     bodies_.resolve(state.parameters.character, state.characters, firmness_);
+}
+
+void SteeringStage::descendFields(WorldState& state, PlanCosts& costs) {
+    continuum_.begin(state, costs);
+    for (const Group& group : state.groups) {
+        Gathering* const gathering = state.continuum.find(group.id);
+        if (gathering == nullptr || group.members.empty()) continue;
+        continuum_.guide(state, group, *gathering);
+        const Vec2 facing = group.orders.march.front(group.mesh.pose());
+        for (const std::int32_t i : group.members) {
+            facing_[i] = facing;
+            placePosition_[i] = state.characters.direction[i] == Vec2{} ? state.characters.position[i]
+                                                                        : gathering->target;
+            placeVelocity_[i] = {};
+        }
+    }
+}
+
+void SteeringStage::guide(WorldState& state, PlanCosts& costs, const GroupMembers& members,
+                          ThreadPool& pool) {
+    for (std::size_t g = 0; g < state.groups.size(); ++g) {
+        Group& group = state.groups[g];
+        const std::size_t count = group.members.size();
+        if (count == 0 || state.continuum.find(group.id) != nullptr) continue;
+        directions_.resize(count);
+        costs_.resize(count);
+        directUnmatched(state, group, members.of(g));
+        const GuidanceInput input{members.of(g).positions(), towards_, group.places.positions(),
+                                  &costs.ofClass(group.groundClass), state.parameters.character.directReach};
+        group.plan->guide(input, pool, directions_, costs_);
+        const Vec2 facing = group.orders.march.front(group.mesh.pose());
+        Characters& characters = state.characters;
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::int32_t i = group.members[k];
+            const std::int32_t place = characters.place[i];
+            characters.direction[i] = directions_[k];
+            facing_[i] = facing;
+            characters.cost[i] = place >= 0 ? costs_[k] : std::numeric_limits<double>::infinity();
+            placePosition_[i] = place >= 0 ? group.places.positions()[place] : characters.position[i];
+            placeVelocity_[i] = place >= 0 ? group.places.velocities()[place] : Vec2{};
+        }
+    }
+}
+
+void SteeringStage::guideToPassages(WorldState& state, const WayStage& ways) {
+    Characters& characters = state.characters;
+    for (std::size_t g = 0; g < state.groups.size(); ++g) {
+        const Group& group = state.groups[g];
+        if (ways.waysOf(g).way.empty() || state.continuum.find(group.id) != nullptr) continue;
+        for (std::size_t k = 0; k < group.members.size(); ++k) {
+            const std::int32_t i = group.members[k];
+            if (!ways.guide(state, g, k, characters.place[i], characters.direction[i], characters.cost[i]))
+                continue;
+            // Its place is behind the passage, however near it is in a straight line.
+            placePosition_[i] = characters.position[i] + characters.direction[i] * kFarAhead;
+            placeVelocity_[i] = {};
+        }
+    }
 }
 
 void SteeringStage::setPaces(const WorldState& state) {
@@ -92,33 +109,20 @@ void SteeringStage::setPaces(const WorldState& state) {
     }
 }
 
-void SteeringStage::run(WorldState& state, PlanCosts& costs, const WayStage& ways, double dt,
-                        ThreadPool& pool) {
-    const std::size_t count = state.characters.size();
-    for (auto* array :
-         {&placePosition_, &placeVelocity_, &facing_, &next_.position, &next_.velocity, &next_.heading})
-        array->resize(count);
-    resolveBodies(state);
-    continuum_.begin(state, costs);
-    for (std::size_t g = 0; g < state.groups.size(); ++g) guide(state, g, costs, ways, pool);
-    ownRoutes_.run(state);
-    setPaces(state);
-    goRound_.run(state, bodies_, placePosition_);
-    move(state, dt, pool);
-}
-
-void SteeringStage::move(WorldState& state, double dt, ThreadPool& pool) {
+void SteeringStage::steer(WorldState& state, double dt, ThreadPool& pool) {
     Characters& characters = state.characters;
     const SteeringInput input{placePosition_, placeVelocity_, facing_, characters.wait, pace_};
     steering_.run(bodies_, characters, input, state.environment, dt, next_.velocity, next_.heading, &pool);
     characters.wanted.assign(steering_.preferred().begin(), steering_.preferred().end());
-    shared_.find(state);
-    updateWaits({kTouching, state.parameters.character.maxSpeed, shared_.rooms()}, characters, bodies_,
-                steering_.neighbours(), dt, characters.wait);
     for (std::size_t i = 0; i < characters.size(); ++i) {
         next_.position[i] = characters.position[i];
         if (!bodies_.isFixed(i)) next_.position[i] += next_.velocity[i] * dt;
     }
+}
+
+void SteeringStage::countWaits(WorldState& state, double dt) {
+    updateWaits({kTouching, state.parameters.character.maxSpeed, shared_.rooms()}, state.characters, bodies_,
+                steering_.neighbours(), dt, state.characters.wait);
 }
 
 }  // namespace muster

@@ -31,23 +31,17 @@ constexpr double kGrowthExact = 1.5, kGrowthFast = 0.9;
 constexpr double kReference = 100.0;  // Characters in the scenario as it ships.
 constexpr Vec2 kStart{-4.0, 0.0};     // In the middle of the trees [m].
 
-/// Stages of a step as the chart shows them.
+/// Stages of a step as the chart shows them: those from the first to the last.
 struct Part {
     const char* name;
     const char* title;
-    std::uint32_t stages;  // Bits.
+    std::string_view first, last;
 };
-constexpr std::uint32_t bit(Stage stage) {
-    return 1u << static_cast<std::uint32_t>(stage);
-}
 constexpr Part kParts[] = {
-    {"plan", "plan", bit(Stage::Plan)},
-    {"density", "density and cost", bit(Stage::DensityAndCost)},
-    {"mesh", "controls, meshes and places",
-     bit(Stage::Commands) | bit(Stage::Controls) | bit(Stage::UserMesh) | bit(Stage::FinalMesh) |
-         bit(Stage::Places)},
-    {"crowd", "steering, contacts, patches, events",
-     bit(Stage::Steering) | bit(Stage::Contacts) | bit(Stage::Patches) | bit(Stage::Events)},
+    {"plan", "plan", "background", "plans"},
+    {"density", "density and cost", "density", "unit cost"},
+    {"mesh", "controls, meshes and places", "commands", "places"},
+    {"crowd", "steering, contacts, patches, events", "bodies", "gates"},
 };
 
 /// Changes the scene to another number of people: it keeps the people per square metre of ground and the
@@ -87,13 +81,17 @@ void enlarge(ExperimentTrial& trial, std::int32_t count) {
 
 /// Mean milliseconds of a step, by stage and in all.
 struct StepCost {
-    std::array<double, static_cast<std::size_t>(Stage::Count)> stage{};
+    std::array<double, kStageCount> stage{};
     double total = 0.0;
 
     double of(const Part& part) const {
         double sum = 0.0;
-        for (std::size_t s = 0; s < stage.size(); ++s)
-            if ((part.stages & (1u << s)) != 0) sum += stage[s];
+        bool inside = false;
+        for (std::size_t s = 0; s < stage.size(); ++s) {
+            inside = inside || stepStages()[s].name == part.first;
+            if (inside) sum += stage[s];
+            inside = inside && stepStages()[s].name != part.last;
+        }
         return sum;
     }
 };

@@ -13,7 +13,7 @@ constexpr double kCutBeyond = 1.2;    // A cut begins and ends so far beyond the
 constexpr double kLaterShare = 1.4;   // What is decided later takes so many times as long as it would now.
 constexpr double kLoosest = 1.25;     // A front collects all before it up to this spacing, in spacings.
 constexpr double kLaneMargin = 1.0;   // A lane goes on so far behind its last item [m].
-constexpr std::size_t kLeftOver = 3;  // So few items may be left for later.
+constexpr std::size_t kLeftForLater = 3;  // So few items may be left for later.
 
 double median(std::vector<double> values, double share) {
     std::sort(values.begin(), values.end());
@@ -219,7 +219,7 @@ std::optional<PlannedPart> Planner::staged(const PlannedPart& sweep,
     std::vector<std::int32_t> beyond;
     for (const std::int32_t i : open)
         if (dot(tours_->items()[i] - stage, sweep.along) > -kLaneMargin) beyond.push_back(i);
-    if (beyond.size() + kLeftOver < open.size()) return std::nullopt;
+    if (beyond.size() + kLeftForLater < open.size()) return std::nullopt;
     std::vector<Vec2> there = sweep.part.positions;
     for (Vec2& p : there) p += stage - sweep.part.centre;
     const PlannedPart rest = bestSweep(seenPart(sweep.part.ids, there), beyond, kLoosest);

@@ -7,7 +7,7 @@ namespace muster::statistics {
 namespace {
 
 constexpr int kMostValues = 2000;
-constexpr double kEnough = 1e-11;
+constexpr double kSpreadEnough = 1e-11;
 
 struct Corner {
     std::vector<double> at;
@@ -77,7 +77,7 @@ std::vector<double> leastBySimplex(const Function& value, const std::vector<doub
     while (values < kMostValues) {
         std::stable_sort(corners.begin(), corners.end(),
                          [](const Corner& a, const Corner& b) { return a.value < b.value; });
-        if (corners.back().value - corners.front().value <= kEnough * (1.0 + std::abs(corners.front().value)))
+        if (corners.back().value - corners.front().value <= kSpreadEnough * (1.0 + std::abs(corners.front().value)))
             break;
         advance(counted, corners);
     }

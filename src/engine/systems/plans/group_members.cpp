@@ -1,4 +1,4 @@
-#include "engine/systems/steering/member_arrays.h"
+#include "engine/systems/plans/group_members.h"
 
 namespace muster {
 
@@ -17,6 +17,11 @@ void MemberArrays::gather(const Characters& characters, const Group& group) {
         places_[k] = characters.place[i];
     }
     positions_ = gathered_;
+}
+
+void GroupMembers::gather(const WorldState& state) {
+    groups_.resize(state.groups.size());
+    for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g].gather(state.characters, state.groups[g]);
 }
 
 }  // namespace muster
