@@ -9,7 +9,6 @@
 
 #include "base/bounds.h"
 #include "engine/state/layer_defs.h"
-#include "engine/state/place_matching.h"
 
 namespace muster {
 namespace {

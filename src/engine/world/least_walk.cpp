@@ -1,11 +1,11 @@
-#include "engine/world/least_walk.h"
-
 #include <cmath>
 #include <vector>
 
 #include "engine/assignment/transport/dense/transportation_problem.h"
 #include "engine/fields/cost/unit_cost_builder.h"
 #include "engine/fields/eikonal/eikonal_solver.h"
+#include "engine/ground/environment/environment.h"
+#include "engine/world/metrics.h"
 
 namespace muster {
 namespace {

@@ -4,7 +4,7 @@
 #include "engine/geometry/free_area.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/ground/environment/obstacle_piece.h"
-#include "files/export/jupedsim.h"
+#include "files/export/formats.h"
 
 namespace muster {
 namespace {

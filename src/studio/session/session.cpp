@@ -2,8 +2,7 @@
 
 #include "muster/own_clips.h"
 #include "muster/scenario.h"
-#include "studio/session/frames/event_notices.h"
-#include "studio/session/frames/notice_position.h"
+#include "studio/session/frames/notices.h"
 #include "studio/session/frames/scene_json.h"
 #include "studio/session/session_state.h"
 

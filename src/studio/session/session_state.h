@@ -10,7 +10,7 @@
 #include "base/token_bucket.h"
 #include "muster/session.h"
 #include "studio/session/frames/frame_sender.h"
-#include "studio/session/frames/reach_overlay.h"
+#include "studio/session/frames/overlay.h"
 #include "studio/session/history/place_editor.h"
 #include "studio/session/inbox/chosen_scheme.h"
 #include "studio/session/inbox/directors.h"

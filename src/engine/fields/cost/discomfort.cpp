@@ -1,4 +1,4 @@
-#include "engine/fields/cost/discomfort.h"
+#include "engine/fields/cost/dynamic_cost.h"
 
 #include <algorithm>
 #include <cmath>

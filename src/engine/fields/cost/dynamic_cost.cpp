@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "engine/fields/cost/crowd_speed.h"
-#include "engine/fields/cost/discomfort.h"
 
 namespace muster {
 namespace {

@@ -7,12 +7,14 @@
 
 #include "base/bilinear.h"
 #include "base/cell_set.h"
+#include "base/grid.h"
 #include "base/sparse_raster.h"
 #include "base/summed_area_table.h"
 #include "engine/fields/cost/density.h"
 #include "engine/fields/cost/static_ground.h"
 #include "engine/fields/cost/unit_cost.h"
 #include "engine/ground/environment/environment.h"
+#include "engine/ground/environment/obstacle_piece.h"
 
 namespace muster {
 
@@ -145,5 +147,14 @@ private:
     std::vector<Cell> blockedCells_;  // These cells.
     Bounds blockedBounds_;
 };
+
+/// Discomfort g of one obstacle piece at one point: gain (1 - t / time) (1 - d(t) / range), the maximum over
+/// the predicted times t, with d the distance to the piece moved by t; 0 where d exceeds the range at all
+/// times. `precision` is that of the time of the maximum, relative to the time predicted.
+double discomfortAt(const UnitCostDef& def, const ObstaclePiece& piece, Vec2 p, double precision = 1e-9);
+
+/// Raises `discomfort` on the cells in reach of this piece, and appends those that had none to `cells`.
+void addDiscomfort(const UnitCostDef& def, const ObstaclePiece& piece, const Grid& grid,
+                   std::vector<float>& discomfort, std::vector<std::int32_t>& cells);
 
 }  // namespace muster

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "engine/fields/cost/crowd_speed.h"
-#include "engine/fields/cost/discomfort.h"
+#include "engine/fields/cost/dynamic_cost.h"
 #include "engine/fields/cost/ground_cost.h"
 #include "muster/assert.h"
 

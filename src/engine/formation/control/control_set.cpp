@@ -4,8 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/formation/control/supplementary_points.h"
-#include "engine/formation/control/trajectory.h"
+#include "engine/formation/control/control_points.h"
 
 namespace muster {
 namespace {

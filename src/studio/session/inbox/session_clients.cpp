@@ -2,8 +2,7 @@
 #include <algorithm>
 
 #include "studio/session/frames/overlay.h"
-#include "studio/session/frames/reach_overlay.h"
-#include "studio/session/inbox/raw_inputs.h"
+#include "studio/session/inbox/chosen_scheme.h"
 #include "studio/session/session_state.h"
 
 namespace muster {
