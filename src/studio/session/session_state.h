@@ -64,7 +64,7 @@ struct SessionClient {
     ReachVersion sentReach;          ///< What the last overlay of reach was made from.
 
     bool watchesStages = false;    ///< It wants to know how long the stages of steps take.
-    std::uint32_t sentStages = 0;  ///< Revision of the last StageTimes sent.
+    std::uint32_t sentStages = 0;  ///< Revision of the last StageTimes that it has or does not need.
 };
 
 /// The complete state of a session.

@@ -64,7 +64,7 @@ TEST_CASE("Who watches no longer gets no more times, and others still do") {
     second.send(protocol::WatchStages{false});
     makeSteps(session, 90, {&first, &second});
     CHECK(second.stageTimes.size() == 2);
-    // What nobody watched is in no mean, and what was told before does not come again.
+    // What nobody watched is in no mean, and what was sent before does not come again.
     first.send(protocol::WatchStages{true});
     makeSteps(session, 59, {&first, &second});
     CHECK(first.stageTimes.size() == 1);
@@ -128,7 +128,7 @@ TEST_CASE("Times of stages are the same after encoding and decoding, and refused
     CHECK(times.stages[0].about == "Applies the commands.");
     CHECK(times.stages[1].milliseconds == 0.5f);
     CHECK(protocol::encode(times) == bytes);
-    // Number, step, total and the number of stages; the same bytes stand in web/src/protocol/messages.test.ts.
+    // Number, step, total and the number of stages, as in web/src/protocol/messages.test.ts.
     CHECK(std::vector(bytes.begin(), bytes.begin() + 13) ==
           std::vector<std::uint8_t>{0x13, 60, 0, 0, 0, 0, 0, 0x40, 0x3F, 2, 0, 0, 0});
     for (std::size_t length = 0; length < bytes.size(); ++length)

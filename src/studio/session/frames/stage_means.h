@@ -1,4 +1,4 @@
-// How long the stages of a step take, as clients are told that watch them.
+// How long the stages of a step take, for clients that watch them.
 #pragma once
 
 #include <array>
