@@ -20,7 +20,6 @@ export NODE_PATH=/usr/share/nodejs
 mkdir -p "$build/deps"
 ln -sfn /usr/include/eigen3 "$build/deps/eigen3"
 ln -sfn /usr/include/nlohmann "$build/deps/nlohmann"
-ln -sfn /usr/include/boost "$build/deps/boost"
 if [ ! -f "$build/build.ninja" ]; then
     emcmake cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=50 \
         -DMUSTER_BUILD_APPS=OFF -DMUSTER_BUILD_TESTS=OFF -DMUSTER_BUILD_SCALE=OFF -DMUSTER_BUILD_HASHES=ON -DMUSTER_BUILD_ENGINE=ON \

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "files/take/take_about.h"
+#include "files/take/take_format.h"
 #include "http_answers.h"
 #include "json/json.h"
 

@@ -8,8 +8,7 @@
 
 #include "lab_commands.h"
 #include "motion_bodies.h"
-#include "motion_measure.h"
-#include "motion_strip.h"
+#include "motion_parts.h"
 #include "muster/own_clips.h"
 #include "people/clips/clip_files.h"
 #include "people/clips/motion_facts.h"

@@ -1,5 +1,5 @@
 // muster motion --measure
-#include "motion_measure.h"
+#include "motion_parts.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,4 +1,4 @@
-#include "motion_strip.h"
+#include "motion_parts.h"
 
 #include <filesystem>
 

@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "lab/study/report/study_export.h"
+#include "lab/study/report/study_report.h"
 #include "lab_commands.h"
 #include "report.h"
 

@@ -13,7 +13,7 @@
 #include "lab/study/statistics/describe.h"
 #include "lab_commands.h"
 #include "report.h"
-#include "slurm_job.h"
+#include "sweep_parts.h"
 
 namespace muster {
 namespace {

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/text_file.h"
-#include "slurm_job.h"
 
 namespace muster {
 namespace {

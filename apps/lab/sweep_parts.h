@@ -2,6 +2,7 @@
 // collected.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -51,5 +52,18 @@ Result<SweepResults> collectSweep(const std::string& folder, SweepPlan& plan);
 /// into `folder`.
 std::string slurmScript(const SweepPlan& plan, const std::string& program, const std::string& scenarios,
                         const std::string& folder);
+
+/// The first lines of a job array of so many tasks, each on one core. `about` are comments, each line with
+/// its
+/// "# " and its end.
+inline std::string slurmHead(const std::string& about, const std::string& name, std::size_t tasks) {
+    std::string text = "#!/bin/bash\n" + about;
+    text += "#SBATCH --job-name=" + name + "\n";
+    text += "#SBATCH --array=0-" + std::to_string(tasks - 1) + "\n";
+    text +=
+        "#SBATCH --ntasks=1\n"
+        "#SBATCH --cpus-per-task=1\n";
+    return text;
+}
 
 }  // namespace muster

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <new>
 
-#include "bindings/c/c_world/host_memory.h"
+#include "bindings/c/c_world/memory.h"
 
 using muster::c_api::releaseToHost;
 using muster::c_api::takeFromHost;

@@ -52,7 +52,6 @@ class MusterConan(ConanFile):
             self.requires("nlohmann_json/3.11.3", visible=False)
         if self.options.jupedsim:
             self.requires("sqlite3/3.45.3")
-            self.requires("boost/1.84.0", visible=False, options={"header_only": True})
 
     def built(self):
         """The components of this build, in order."""

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "base/bits.h"
+#include "base/maths.h"
 
 namespace muster {
 

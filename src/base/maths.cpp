@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <limits>
 
-#include "base/bits.h"
-
 namespace muster {
 namespace {
 

@@ -1,5 +1,8 @@
-// Elementary functions that give the same bits on every machine (libm's do not).
+// Elementary functions that give the same bits on every machine (libm's do not), and the bits of numbers.
 #pragma once
+
+#include <cstring>
+#include <type_traits>
 
 namespace muster {
 
@@ -17,5 +20,15 @@ double exponential(double x);
 double logarithm(double x);
 /// `base` >= 0 to the power `exponent`; exact products for exponents 1, 2, 3 and 4.
 double power(double base, double exponent);
+
+/// std::bit_cast, which the standard library of Emscripten does not have yet.
+template <class To, class From>
+To bitCast(const From& from) {
+    static_assert(sizeof(To) == sizeof(From) && std::is_trivially_copyable_v<To> &&
+                  std::is_trivially_copyable_v<From>);
+    To to;
+    std::memcpy(&to, &from, sizeof(To));
+    return to;
+}
 
 }  // namespace muster

@@ -130,4 +130,7 @@ std::string jsonText(std::string_view text);
 /// What a value is, for messages: `the text "abc"`, `the number 3`, `an array of 4`, `an object`...
 std::string describeJson(const Json& value);
 
+/// The shortest text that reads back to the same bits; "null" for what is not finite, which JSON cannot hold.
+std::string jsonRealText(double value);
+
 }  // namespace muster

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "json/json.h"
-#include "json/json_number.h"
 
 namespace muster {
 namespace {

@@ -1,6 +1,5 @@
 // Writing JSON.
 #include "json/json.h"
-#include "json/json_number.h"
 
 namespace muster {
 namespace {

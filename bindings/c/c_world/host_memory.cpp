@@ -1,4 +1,4 @@
-#include "bindings/c/c_world/host_memory.h"
+#include "bindings/c/c_world/memory.h"
 
 #include <algorithm>
 #include <atomic>

@@ -5,8 +5,6 @@
 #include <cstring>
 #include <new>
 
-#include "bindings/c/c_world/host_memory.h"
-
 namespace muster::c_api {
 namespace {
 

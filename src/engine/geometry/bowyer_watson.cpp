@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/geometry/predicates.h"
+#include "engine/geometry/polygon.h"
 
 namespace muster {
 

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "engine/geometry/polygon.h"
-#include "engine/geometry/predicates.h"
 
 namespace muster {
 namespace {

@@ -1,9 +1,9 @@
-#include "engine/geometry/convex_decomposition.h"
+#include "engine/geometry/triangulation.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "engine/geometry/predicates.h"
+#include "engine/geometry/polygon.h"
 
 namespace muster {
 namespace {

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "engine/geometry/bowyer_watson.h"
-#include "engine/geometry/predicates.h"
+#include "engine/geometry/polygon.h"
 #include "engine/geometry/triangulation.h"
 
 namespace muster {

@@ -1,4 +1,4 @@
-#include "engine/geometry/mean_value.h"
+#include "engine/geometry/polygon.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/geometry/predicates.h"
-
 namespace muster {
 namespace {
 

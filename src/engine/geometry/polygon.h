@@ -1,4 +1,5 @@
-// Queries of polygons in the ground plane.
+// Queries of polygons in the ground plane: exact signs of determinants, and mean-value coordinates (Floater
+// 2003; Hormann and Floater 2006).
 #pragma once
 
 #include <optional>
@@ -8,6 +9,7 @@
 #include "base/bounds.h"
 #include "muster/geometry.h"
 #include "muster/status.h"
+#include "muster/vec2.h"
 
 namespace muster {
 
@@ -45,5 +47,15 @@ Polygon convexHull(std::span<const Vec2> points);
 /// InvalidArgument, naming edges or corners, where fewer than three distinct corners remain, the area is
 /// under 1e-9 m^2, a coordinate is not finite, or edges cross.
 Result<Polygon> cleanPolygon(std::span<const Vec2> polygon);
+
+/// 1 where a, b, c turn left, -1 where they turn right, 0 where they lie exactly on one line.
+int orientation(Vec2 a, Vec2 b, Vec2 c);
+
+/// 1 where `d` lies inside the circle through the left-turning a, b, c, -1 outside, 0 exactly on it.
+int inCircle(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
+
+/// Writes to `weights` (one per corner, sum 1) the mean-value coordinates of `p` in the polygon:
+/// sum of weights times corners gives `p`. Exact on corners and edges. At least three corners.
+void meanValueCoordinates(std::span<const Vec2> polygon, Vec2 p, std::span<double> weights);
 
 }  // namespace muster

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "engine/geometry/bowyer_watson.h"
-#include "engine/geometry/predicates.h"
+#include "engine/geometry/polygon.h"
 
 namespace muster {
 namespace {

@@ -1,4 +1,4 @@
-// Triangle meshes from outlines.
+// Triangle meshes from outlines, and the convex parts of polygons (Hertel and Mehlhorn 1983).
 #pragma once
 
 #include <array>
@@ -32,5 +32,10 @@ std::vector<std::vector<std::int32_t>> boundaryLoops(const TriangleMesh& mesh);
 
 /// The mesh point nearest to `p` for these vertex positions (inside: the triangle that holds it).
 MeshPoint locate(const std::vector<Triangle>& triangles, const std::vector<Vec2>& vertices, Vec2 p);
+
+/// Cuts a simple polygon into few convex parts that cover it exactly and do not overlap, by ear clipping and
+/// merging of triangles across shared diagonals. A convex polygon is returned as one part. Fails where
+/// cleanPolygon() fails.
+Result<std::vector<Polygon>> decomposeConvex(std::span<const Vec2> polygon);
 
 }  // namespace muster

@@ -1,4 +1,4 @@
-#include "engine/passages/gap_search.h"
+#include "engine/passages/passage.h"
 
 #include <algorithm>
 #include <cmath>

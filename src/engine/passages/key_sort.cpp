@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "base/bits.h"
+#include "base/maths.h"
 
 namespace muster {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/infinite_cost.h"
-#include "engine/passages/gap_search.h"
+#include "engine/passages/passage.h"
 
 namespace muster {
 namespace {

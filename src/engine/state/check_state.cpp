@@ -1,4 +1,4 @@
-#include "engine/state/check_state.h"
+#include "engine/state/world_archive.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "engine/assignment/planning/plan_validation.h"
+#include "engine/assignment/planning/assigner.h"
 #include "engine/passages/way_number.h"
 #include "engine/state/validation.h"
 

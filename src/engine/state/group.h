@@ -13,12 +13,38 @@
 #include "engine/state/order_progress.h"
 #include "engine/state/order_queue.h"
 #include "engine/state/place_classes.h"
-#include "engine/state/place_room.h"
-#include "engine/state/settling.h"
+#include "muster/vec2.h"
 #include "muster/walk_totals.h"
 #include "muster/world_def.h"
 
 namespace muster {
+
+/// How far the places of a group stand off their formation, because some who hold them are large. Empty where
+/// all are alike.
+struct PlaceRoom {
+    std::uint64_t key = 0;     ///< Hash of what `wanted` was found for.
+    std::vector<Vec2> wanted;  ///< Of each place, in the axes of the rest shape [m].
+    std::vector<Vec2> given;   ///< The same now; it goes towards `wanted` [m].
+
+    /// Lets an archive read or write it.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(key, wanted, given);
+    }
+};
+
+/// Whether the mesh of a group rests, and how far beside it its places settle.
+struct Settling {
+    Vec2 centre;                  ///< Mean of its targets in the last step [m].
+    std::uint32_t restSteps = 0;  ///< Steps for which that has not moved.
+    Vec2 shift;                   ///< Shift of its targets, out of those of other groups [m].
+
+    /// Lets an archive read or write it.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(centre, restSteps, shift);
+    }
+};
 
 /// A group: its mesh, the controls on it, its places and its plan.
 struct Group {

@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "engine/ground/environment/environment.h"
-#include "engine/state/number_text.h"
+#include "engine/state/validation_parts.h"
 
 namespace muster {
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/state/place_matching.h"
+#include "engine/state/reform.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "engine/state/snapshot_format.h"
+#include "engine/state/world_archive.h"
 
 #include <algorithm>
 #include <array>

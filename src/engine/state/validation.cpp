@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "engine/geometry/polygon.h"
-#include "engine/state/number_text.h"
 #include "engine/state/validation_parts.h"
 #include "muster/parameter_table.h"
 

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "engine/state/number_text.h"
 #include "engine/state/validation.h"
 
 namespace muster {

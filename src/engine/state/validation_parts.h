@@ -1,8 +1,10 @@
-// Checks of single values, which validations are made of.
+// Checks of single values, which validations are made of, and numbers in messages.
 #pragma once
 
+#include <cstdio>
 #include <initializer_list>
 #include <span>
+#include <string>
 
 #include "muster/obstacle.h"
 #include "muster/status.h"
@@ -20,5 +22,12 @@ Status arePlaces(const char* what, std::span<const Vec2> points);
 Status isPath(const TimedPath& path);
 /// The first failure of several checks.
 Status first(std::initializer_list<Status> checks);
+
+/// A number as people write it.
+inline std::string numberText(double value) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof(buffer), "%.6g", value);
+    return buffer;
+}
 
 }  // namespace muster

@@ -1,10 +1,13 @@
 #include "engine/state/world_archive.h"
 
+#include <utility>
+
 #include "engine/state/command_archive.h"
 #include "engine/state/group_edits.h"
 #include "muster/parameter_table.h"
 
 namespace muster {
+
 namespace {
 
 void archive(Writer& writer, Environment& environment) {
@@ -136,6 +139,20 @@ void loadState(Reader& reader, WorldState& state, ThreadPool& pool) {
 
 void hashState(Hasher& hasher, WorldState& state) {
     archiveState(hasher, state, nullptr);
+}
+
+void keepCaches(WorldState& earlier, WorldState& later) {
+    earlier.environment.keepCachesOf(later.environment);
+    // Where the environment has become another the next update makes routes from scratch.
+    earlier.routes = std::move(later.routes);
+    earlier.classRoutes = std::move(later.classRoutes);
+    for (Group& group : earlier.groups) {
+        Group* const before = later.findGroup(group.id);
+        if (before == nullptr) continue;
+        group.mesh.keepCachesOf(before->mesh);
+        // Fields of another class of ground are of other walls.
+        if (group.groundClass == before->groundClass) group.plan->keepFieldsOf(*before->plan);
+    }
 }
 
 }  // namespace muster

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/steering/place_wait.h"
 #include "engine/steering/walk_progress.h"
 #include "muster/characters.h"
 #include "muster/unit.h"

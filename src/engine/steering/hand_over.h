@@ -6,7 +6,7 @@
 
 #include "base/neighbour_list.h"
 #include "engine/steering/crowd_bodies.h"
-#include "engine/steering/place_wait.h"
+#include "engine/steering/walk_progress.h"
 
 namespace muster {
 

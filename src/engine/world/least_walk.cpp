@@ -1,11 +1,11 @@
-#include "engine/world/least_walk.h"
-
 #include <cmath>
 #include <vector>
 
 #include "engine/assignment/transport/dense/transportation_problem.h"
 #include "engine/fields/cost/unit_cost_builder.h"
 #include "engine/fields/eikonal/eikonal_solver.h"
+#include "engine/ground/environment/environment.h"
+#include "engine/world/metrics.h"
 
 namespace muster {
 namespace {
@@ -27,14 +27,14 @@ bool geodesics(const Environment& environment, double radius, std::span<const Ve
                std::span<const Vec2> places, std::vector<double>& lengths) {
     const auto bare = withoutPatches(environment);
     if (!bare.ok()) return false;
-    UnitCostDef def;
-    def.alpha = 1.0;
-    def.beta = 0.0;
-    def.density = false;
-    def.discomfort = false;
+    Parameters parameters;
+    parameters.cost.alpha = 1.0;
+    parameters.cost.beta = 0.0;
+    parameters.density.enabled = false;
+    parameters.discomfort.enabled = false;
     UnitCost cost;
     UnitCostBuilder builder;
-    builder.build(def, *bare, DensityField(environment.def().box, {}), radius, cost);
+    builder.build(parameters, *bare, DensityField(environment.def().box, {}), radius, cost);
     EikonalSolver solver;
     CostField field;
     for (std::size_t j = 0; j < places.size(); ++j) {

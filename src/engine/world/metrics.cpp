@@ -7,7 +7,6 @@
 #include "engine/formation/places/place_tracker.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
-#include "engine/world/least_walk.h"
 #include "muster/control.h"
 
 namespace muster {

@@ -3,12 +3,15 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/steering/walk_progress.h"
 #include "muster/world.h"
 
 namespace muster {
+
+class Environment;
 
 /// Number of events by kind.
 using EventCounts = std::array<std::uint64_t, static_cast<std::size_t>(EventKind::Count)>;
@@ -80,5 +83,10 @@ private:
     double worstPenetration_ = 0.0;
     double topSpeedRatio_ = 0.0;
 };
+
+/// Least sum of geodesic lengths that takes every start to a place of its own [m], round obstacles and
+/// regardless of patches; -1 where somebody cannot get there.
+double leastWalk(const Environment& environment, double radius, std::span<const Vec2> starts,
+                 std::span<const Vec2> places);
 
 }  // namespace muster

@@ -6,8 +6,8 @@
 
 #include "engine/ground/routes/route_search.h"
 #include "engine/state/validation.h"
-#include "engine/world/forecast_from.h"
 #include "engine/world/inspect.h"
+#include "engine/world/studio_access.h"
 #include "engine/world/world_engine.h"
 #include "muster/world.h"
 

@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "engine/state/check_state.h"
 #include "engine/state/group_edits.h"
-#include "engine/state/keep_caches.h"
-#include "engine/state/snapshot_format.h"
 #include "engine/state/validation.h"
 #include "engine/state/world_archive.h"
 #include "engine/world/world_engine.h"

@@ -1,4 +1,4 @@
-#include "files/export/bvh_export.h"
+#include "files/export/formats.h"
 
 #include <cerrno>
 #include <cstdio>

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "base/colour_text.h"
+#include "base/appearance_text.h"
 
 namespace muster {
 namespace {

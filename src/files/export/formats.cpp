@@ -2,14 +2,6 @@
 
 #include <array>
 
-#include "files/export/bvh_export.h"
-#include "files/export/gltf_export.h"
-#include "files/export/joint_list.h"
-#include "files/export/jupedsim.h"
-#include "files/export/player/player_export.h"
-#include "files/export/trajectory_text.h"
-#include "files/export/usd_export.h"
-
 namespace muster {
 
 namespace {

@@ -4,7 +4,7 @@
 
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
-#include "files/export/gltf_export.h"
+#include "files/export/formats.h"
 #include "files/export/gltf_people.h"
 #include "files/export/scene_camera.h"
 

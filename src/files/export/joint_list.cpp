@@ -1,4 +1,4 @@
-#include "files/export/joint_list.h"
+#include "files/export/formats.h"
 
 #include <cstdio>
 

@@ -1,4 +1,4 @@
-#include "files/export/jupedsim.h"
+#include "files/export/formats.h"
 
 #include <array>
 #include <cstdio>

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/maths.h"
-#include "engine/geometry/convex_decomposition.h"
+#include "engine/geometry/triangulation.h"
 
 namespace muster {
 const FinishLook& finishLook(Finish finish) {

@@ -1,4 +1,4 @@
-#include "files/export/trajectory_text.h"
+#include "files/export/formats.h"
 
 #include <cstdio>
 

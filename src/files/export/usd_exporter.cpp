@@ -5,8 +5,8 @@
 #include "base/maths.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
+#include "files/export/formats.h"
 #include "files/export/scene_camera.h"
-#include "files/export/usd_export.h"
 #include "files/export/usd_text.h"
 
 namespace muster {

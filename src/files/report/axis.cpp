@@ -1,4 +1,4 @@
-#include "files/report/axis.h"
+#include "files/report/chart_parts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "files/report/marks.h"
+#include "files/report/chart_parts.h"
 
 #include "files/report/markup.h"
 

@@ -1,4 +1,4 @@
-// Text and numbers as the report writes them.
+// Text and numbers as the report writes them, its style sheet, and pictures as elements.
 #pragma once
 
 #include <string>
@@ -36,5 +36,22 @@ std::string withUnit(const std::string& number, std::string_view unit);
 std::string counted(std::size_t number, std::string_view one, std::string_view several);
 /// A number for an SVG attribute, with at most two decimals; 0 if it is not finite.
 std::string svgNumber(double value);
+
+/// The studio's colours and letters, for screens, phones, dark surroundings and A4.
+std::string pageStyle();
+
+/// Size of a picture by its root element [px]; 0 without a picture.
+struct PictureSize {
+    double width = 0.0;
+    double height = 0.0;
+};
+
+/// Reads width and height, or else those of the viewBox.
+PictureSize pictureSize(const std::string& svg);
+
+/// The picture as an <svg> element with `attributes` (` x="3"`...) in place of its own position and size. Ids
+/// and references to them get the prefix, so that pictures in one document have different ids. Empty
+/// for no picture.
+std::string nestedPicture(const std::string& svg, const std::string& attributes, const std::string& prefix);
 
 }  // namespace muster

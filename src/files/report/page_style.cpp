@@ -1,6 +1,6 @@
 // The report's style sheet: the studio's colours and letters, for screens, phones, dark surroundings and A4.
-#include "files/report/page_style.h"
-#include "files/report/marks.h"
+#include "files/report/chart_parts.h"
+#include "files/report/markup.h"
 
 namespace muster {
 namespace {

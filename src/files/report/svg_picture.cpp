@@ -1,10 +1,8 @@
-#include "files/report/svg_picture.h"
+#include "files/report/markup.h"
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-
-#include "files/report/markup.h"
 
 namespace muster {
 namespace {

@@ -1,11 +1,13 @@
 // The fields of all objects in scenario and gesture files, described once for loading, saving and the schema.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/state/validation.h"
 #include "files/scenario/describe_units.h"
+#include "files/scenario/fields.h"
 #include "muster/parameter_table.h"
 #include "muster/world_def.h"
 
@@ -108,5 +110,13 @@ void describeParameters(Visitor& v, Parameters& parameters) {
         if constexpr (Visitor::kReading) info.set(parameters, value);
     }
 }
+
+/// The box that the map covers.
+Box mapBox(const MapGround& map);
+
+/// Each returns true where a map was read or written.
+bool describeMap(FieldReader& v, std::optional<MapGround>& map, const std::string& folder);
+bool describeMap(FieldWriter& v, std::optional<MapGround>& map, const std::string& folder);
+bool describeMap(FieldSchema& v, std::optional<MapGround>& map, const std::string& folder);
 
 }  // namespace muster

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "base/appearance_words.h"
+#include "base/appearance_text.h"
 #include "files/scenario/describe_shapes.h"
 #include "muster/world_def.h"
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "base/colour_text.h"
+#include "base/appearance_text.h"
 #include "files/scenario/fields.h"
 
 namespace muster {

@@ -1,6 +1,6 @@
 #include "files/scenario/fields.h"
 
-#include "base/colour_text.h"
+#include "base/appearance_text.h"
 
 namespace muster {
 

@@ -1,4 +1,4 @@
-#include "files/scenario/map_field.h"
+#include "files/scenario/describe.h"
 
 #include "base/text_file.h"
 #include "muster/scenario.h"

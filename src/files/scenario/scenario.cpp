@@ -4,7 +4,6 @@
 #include "files/scenario/clip_field.h"
 #include "files/scenario/describe.h"
 #include "files/scenario/gestures_field.h"
-#include "files/scenario/map_field.h"
 #include "muster/parameter_table.h"
 
 namespace muster {

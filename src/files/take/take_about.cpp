@@ -1,4 +1,4 @@
-#include "files/take/take_about.h"
+#include "files/take/take_format.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,6 @@
 #include <cstring>
 
 #include "engine/state/command_archive.h"
-#include "files/take/take_about.h"
 #include "files/take/take_encoder.h"
 #include "files/take/take_format.h"
 #include "files/take/take_frames.h"

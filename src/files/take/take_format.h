@@ -1,9 +1,14 @@
-// Layout of take files, shared by encoder and reader (docs/take-format.md).
+// Layout of take files, shared by encoder and reader, and what is said about a take, as text
+// (docs/take-format.md).
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string>
+
+#include "muster/take.h"
 
 namespace muster {
 
@@ -25,5 +30,11 @@ enum class RecordKind : std::uint8_t {
     About = 6,     ///< JSON text; the last one counts.
     Frames = 7,    ///< As packFrames() writes them.
 };
+
+/// The JSON text of an about record.
+std::string writeTakeAbout(const TakeAbout& about);
+/// Reads one back. Unknown keys are ignored, so that later versions may add some. Fails with ParseError, or
+/// as TakeAbout::check() does.
+Result<TakeAbout> readTakeAbout(std::string_view text, const std::string& sourceName);
 
 }  // namespace muster

@@ -2,7 +2,6 @@
 
 #include "base/text_file.h"
 #include "engine/state/command_archive.h"
-#include "files/take/take_about.h"
 #include "files/take/take_format.h"
 #include "files/take/take_frames.h"
 #include "muster/scenario.h"

@@ -1,10 +1,14 @@
-// A software raster: anti-aliased polygons by exact horizontal and sampled vertical coverage.
+// A software raster: anti-aliased polygons by exact horizontal and sampled vertical coverage; and text as
+// polygons.
 #pragma once
 
 #include <cstdint>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include "engine/geometry/polygon.h"
 #include "lab/picture/debug_draw.h"
 
 namespace muster {
@@ -56,5 +60,13 @@ std::vector<std::uint8_t> encodePng(std::int32_t width, std::int32_t height, std
 /// Bilinear interpolation of a raster at (u, v) [samples]; edge samples repeat.
 Colour sampleRaster(std::int32_t width, std::int32_t height, std::span<const Colour> colours, double u,
                     double v);
+
+/// Converts UTF-8 text to the characters that can be drawn, ASCII 32 to 126: Latin letters without
+/// diacritics, "?" for each other code point and for invalid bytes.
+std::string plainLetters(std::string_view words);
+
+/// Appends the strokes of a line of text, in plain letters, that starts at x = 0 and is centred on y = 0
+/// [px], y downwards; 200 letters at most. Returns its width [px].
+double letterLoops(std::string_view words, double size, std::vector<std::vector<Vec2>>& loops);
 
 }  // namespace muster

@@ -5,7 +5,7 @@
 #include "engine/geometry/polygon.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
-#include "lab/picture/letters.h"
+#include "lab/picture/canvas.h"
 #include "lab/picture/theme.h"
 
 namespace muster {

@@ -1,4 +1,4 @@
-#include "lab/picture/letters.h"
+#include "lab/picture/canvas.h"
 
 namespace muster {
 namespace {

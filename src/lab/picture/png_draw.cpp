@@ -3,7 +3,6 @@
 
 #include "lab/picture/canvas.h"
 #include "lab/picture/debug_draw.h"
-#include "lab/picture/letters.h"
 
 namespace muster {
 namespace {

@@ -1,6 +1,5 @@
 // The only file that includes the stb headers.
 #include "lab/picture/canvas.h"
-#include "lab/picture/letters.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"

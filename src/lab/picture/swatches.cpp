@@ -1,4 +1,4 @@
-#include "lab/picture/swatches.h"
+#include "lab/picture/theme.h"
 
 #include <array>
 

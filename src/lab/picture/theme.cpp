@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lab/picture/swatches.h"
-
 namespace muster {
 namespace {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "lab/picture/debug_draw.h"
 #include "lab/picture/picture.h"
@@ -60,5 +61,8 @@ void drawCharacters(const Pen& pen);
 void drawPotentialField(const Pen& pen);
 void drawCostField(const Pen& pen);
 void drawDensity(const Pen& pen);
+
+/// How a chosen colour, 0xRRGGBB, looks on a dark background: the other of its pair; other colours stay.
+std::uint32_t darkSwatch(std::uint32_t colour);
 
 }  // namespace muster

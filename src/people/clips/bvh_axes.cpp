@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "people/clips/forward.h"
-#include "people/clips/joint_roles.h"
+#include "people/clips/retarget.h"
 
 namespace muster {
 namespace {

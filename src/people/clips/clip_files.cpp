@@ -3,7 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "base/appearance_words.h"
+#include "base/appearance_text.h"
 #include "base/text_file.h"
 #include "json/json.h"
 #include "muster/clip.h"

@@ -1,4 +1,4 @@
-#include "people/clips/joint_roles.h"
+#include "people/clips/retarget.h"
 
 #include <algorithm>
 #include <string>

@@ -1,4 +1,4 @@
-#include "people/clips/rest_alignment.h"
+#include "people/clips/retarget.h"
 
 #include <cmath>
 #include <vector>

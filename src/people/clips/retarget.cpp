@@ -7,7 +7,6 @@
 #include "base/maths.h"
 #include "people/clips/forward.h"
 #include "people/clips/hips_path.h"
-#include "people/clips/rest_alignment.h"
 
 namespace muster {
 namespace {

@@ -1,13 +1,37 @@
-// Retargets motions of other skeletons to Muster's skeleton.
+// Retargets motions of other skeletons to Muster's skeleton: finds the joints of the other one, and aligns
+// the rest poses.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "muster/clip.h"
-#include "people/clips/joint_roles.h"
 
 namespace muster {
+
+/// Index of the joint in each role; -1 for none.
+using RoleJoints = std::array<std::int32_t, kJointCount>;
+
+/// Finds roles by the joint names of CMU, DeepMimic, Mixamo, Biped, Rokoko, Blender and many other skeletons,
+/// and by the hierarchy.
+RoleJoints findRoles(std::span<const BvhJoint> joints);
+
+/// Fails with Unsupported if hips, legs or feet are missing; the message names the missing joints.
+Status hasBody(const RoleJoints& roles);
+
+/// For each role, the rotation from the direction of Muster's bone in its rest pose to that of the file's
+/// bone in its own rest pose.
+using RestAlignment = std::array<Quat, kJointCount>;
+
+/// Aligns limbs by the shortest arc between bone directions and feet by their heading, since soles are flat
+/// in rest poses. The trunk is aligned only if it differs by more than physique explains.
+RestAlignment restAlignment(const BvhMotion& motion, const RoleJoints& roles);
+
+/// Leg length of Muster's skeleton divided by that of the file, from hip joint to ankle.
+float legScale(const BvhMotion& motion, const RoleJoints& roles);
 
 /// Options of retargeting.
 struct RetargetOptions {

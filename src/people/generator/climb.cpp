@@ -1,4 +1,4 @@
-#include "people/generator/climb.h"
+#include "people/generator/other_clips.h"
 
 #include "people/generator/clip_maker.h"
 #include "people/generator/gait.h"

@@ -2,7 +2,6 @@
 
 #include "people/generator/crawl.h"
 #include "people/generator/key_poses.h"
-#include "people/generator/low_transitions.h"
 #include "people/generator/transitions.h"
 
 namespace muster::generator {

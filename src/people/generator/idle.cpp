@@ -1,4 +1,4 @@
-#include "people/generator/idle.h"
+#include "people/generator/other_clips.h"
 
 #include "base/maths.h"
 #include "people/generator/clip_maker.h"

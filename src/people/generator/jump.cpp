@@ -1,4 +1,4 @@
-#include "people/generator/jump.h"
+#include "people/generator/other_clips.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
-#include "people/generator/manners.h"
+#include "people/generator/other_clips.h"
 
 #include <string>
 
-#include "base/appearance_words.h"
+#include "base/appearance_text.h"
 #include "people/generator/clip_maker.h"
 #include "people/generator/gait.h"
 

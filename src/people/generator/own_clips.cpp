@@ -1,13 +1,8 @@
 #include "muster/own_clips.h"
 
-#include "people/generator/climb.h"
 #include "people/generator/crawl.h"
 #include "people/generator/gait.h"
-#include "people/generator/idle.h"
-#include "people/generator/jump.h"
-#include "people/generator/low_transitions.h"
-#include "people/generator/manners.h"
-#include "people/generator/swim.h"
+#include "people/generator/other_clips.h"
 #include "people/generator/transitions.h"
 
 namespace muster {

@@ -1,4 +1,4 @@
-#include "people/generator/swim.h"
+#include "people/generator/other_clips.h"
 
 #include <cmath>
 

@@ -1,6 +1,5 @@
 #include "people/generator/key_poses.h"
-#include "people/generator/low_transitions.h"
-#include "people/generator/swim.h"
+#include "people/generator/other_clips.h"
 #include "people/generator/transitions.h"
 
 namespace muster::generator {

@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "people/generator/low_transitions.h"
 #include "people/generator/transitions.h"
 
 namespace muster::generator {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/maths.h"
-#include "people/generator/idle.h"
+#include "people/generator/other_clips.h"
 
 namespace muster::generator {
 namespace {

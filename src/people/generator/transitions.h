@@ -1,8 +1,13 @@
-// Transition clips between gaits, standing and turning on the spot.
+// Transition clips between gaits, standing and turning on the spot, and to motions that use the hands:
+// crawling and swimming.
 #pragma once
 
+#include <vector>
+
+#include "muster/clip.h"
 #include "people/generator/clip_maker.h"
 #include "people/generator/gait.h"
+#include "people/generator/leg_track.h"
 
 namespace muster::generator {
 
@@ -29,5 +34,14 @@ std::function<double(double)> changingSpeed(double from, double to, double begin
 
 /// Adds "start", "start-walk", "stop", "stop-walk", "turn-left", "turn-right", "duck-enter" and "duck-exit".
 void addTransitions(std::vector<Clip>& clips);
+
+/// The same step moved to `begin` [s], outside the clip, for a leg that comes from or goes to another motion
+/// than a step.
+Step stepOutside(Step step, double begin);
+
+/// Adds "crawl-enter" and "crawl-exit".
+void addCrawlTransitions(std::vector<Clip>& clips);
+/// Adds "swim-enter" and "swim-exit".
+void addSwimTransitions(std::vector<Clip>& clips);
 
 }  // namespace muster::generator

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "people/motion/sole.h"
+#include "people/motion/limb_lock.h"
 
 namespace muster {
 namespace {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/maths.h"
-#include "people/motion/sole.h"
 
 namespace muster {
 namespace {

@@ -1,9 +1,17 @@
 // Foot lock: fixes a foot or hand at its contact point while the contact lasts (docs/method/motion.md).
 #pragma once
 
+#include "muster/quat.h"
 #include "people/motion/body.h"
 
 namespace muster {
+
+/// The lower one of heel and ball of a foot with this rotation, relative to the ankle in the foot's own frame
+/// [m].
+inline Vec3 touchingPoint(Quat rotation) {
+    constexpr Vec3 kHeel{-0.05f, 0.0f, -0.08f}, kBall{0.13f, 0.0f, -0.08f};
+    return rotate(rotation, kHeel).z < rotate(rotation, kBall).z - 0.002f ? kHeel : kBall;
+}
 
 /// Anchors higher than this lie on an obstacle, which does not scale with the body [m].
 inline constexpr float kFixedHeight = 0.3f;

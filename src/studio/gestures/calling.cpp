@@ -1,4 +1,4 @@
-#include "studio/gestures/calling.h"
+#include "studio/gestures/group_lookup.h"
 
 #include <limits>
 

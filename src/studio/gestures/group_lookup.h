@@ -1,4 +1,5 @@
-// Which formations and characters lie under a pointer.
+// Which formations and characters lie under a pointer, and who comes where somebody is called to
+// (docs/method/gestures.md).
 #pragma once
 
 #include <cstdint>
@@ -28,5 +29,10 @@ std::vector<std::uint32_t> membersOf(const World& world, std::int32_t index);
 Vec2 middleOf(const World& world, std::int32_t index);
 /// The four corners on the ground of a box on the screen; fewer where the camera sees none.
 std::vector<Vec2> cornersOf(const GroundView& view, Vec2 from, Vec2 to);
+
+/// Id of the character that is nearest to a point [m]; a way that an obstacle bars counts twice. Who is alone
+/// and still on the way to an order does not turn round. None where nobody is left. Of two that are as near
+/// the one with the smaller id comes.
+std::optional<std::uint32_t> whoComes(const World& world, Vec2 to);
 
 }  // namespace muster

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "studio/gestures/calling.h"
 #include "studio/gestures/ground_strokes.h"
 #include "studio/gestures/group_lookup.h"
 #include "studio/gestures/reaches.h"

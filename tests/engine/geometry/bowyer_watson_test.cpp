@@ -7,7 +7,6 @@
 
 #include "base/random.h"
 #include "engine/geometry/polygon.h"
-#include "engine/geometry/predicates.h"
 
 using namespace muster;
 

@@ -1,4 +1,4 @@
-#include "engine/geometry/convex_decomposition.h"
+#include "engine/geometry/triangulation.h"
 
 #include <doctest.h>
 

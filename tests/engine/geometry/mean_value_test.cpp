@@ -1,11 +1,10 @@
-#include "engine/geometry/mean_value.h"
+#include "engine/geometry/polygon.h"
 
 #include <doctest.h>
 
 #include <cmath>
 
 #include "base/random.h"
-#include "engine/geometry/polygon.h"
 
 using namespace muster;
 

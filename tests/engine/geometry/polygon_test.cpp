@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "base/random.h"
-#include "engine/geometry/predicates.h"
 
 using namespace muster;
 

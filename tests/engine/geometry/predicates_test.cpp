@@ -1,4 +1,4 @@
-#include "engine/geometry/predicates.h"
+#include "engine/geometry/polygon.h"
 
 #include <doctest.h>
 

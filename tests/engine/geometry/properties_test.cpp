@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "base/maths.h"
-#include "engine/geometry/convex_decomposition.h"
-#include "engine/geometry/mean_value.h"
+#include "engine/geometry/polygon.h"
 #include "engine/geometry/triangulation.h"
 
 using namespace muster;

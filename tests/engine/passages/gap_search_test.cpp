@@ -1,7 +1,7 @@
 // Passages with their exact width.
 #include <doctest.h>
 
-#include "engine/passages/gap_search.h"
+#include "engine/passages/passage.h"
 #include "engine/passages/passage_scene.h"
 
 using namespace muster;

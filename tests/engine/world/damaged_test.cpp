@@ -1,7 +1,7 @@
 // Snapshots with flipped bits and cut ends: refused, or good enough to go on from; never a crash.
 #include <doctest.h>
 
-#include "engine/state/snapshot_format.h"
+#include "engine/state/world_archive.h"
 #include "engine/world/scenes.h"
 
 using namespace muster;

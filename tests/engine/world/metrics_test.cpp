@@ -4,8 +4,6 @@
 
 #include <cmath>
 
-#include "engine/world/least_walk.h"
-
 using namespace muster;
 
 namespace {

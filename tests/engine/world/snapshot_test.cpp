@@ -1,7 +1,7 @@
 // All that influences a later step is in the snapshot; nothing depends on threads.
 #include <doctest.h>
 
-#include "engine/state/snapshot_format.h"
+#include "engine/state/world_archive.h"
 #include "engine/world/scenes.h"
 
 using namespace muster;

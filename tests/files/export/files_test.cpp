@@ -10,7 +10,6 @@
 #include "engine/ground/environment/environment.h"
 #include "files/export/export_fixture.h"
 #include "files/export/formats.h"
-#include "files/export/jupedsim.h"
 #include "people/clips/retarget.h"
 
 #if __has_include(<sqlite3.h>)

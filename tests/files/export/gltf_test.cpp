@@ -4,7 +4,7 @@
 #include <set>
 
 #include "engine/geometry/polygon.h"
-#include "files/export/gltf_export.h"
+#include "files/export/formats.h"
 #include "files/export/gltf_reader.h"
 #include "files/export/pretend_take.h"
 #include "people/bodies/body.h"

@@ -25,7 +25,7 @@ for scenario in woodland cars course open; do
         echo "skipped: $scenario: the validator is not there (npm ci in web/)"
         continue
     fi
-    if node "$root/tests/io/export/check_glb.mjs" "$root/web/node_modules" "$name.glb" "$name.json" >"$out/log" 2>&1; then
+    if node "$root/tests/files/export/check_glb.mjs" "$root/web/node_modules" "$name.glb" "$name.json" >"$out/log" 2>&1; then
         passed=$((passed + 1))
         echo "measured: $scenario: $(sed -n 's/^ok \(.* joints .*\)$/\1/p' "$out/log")"
     else

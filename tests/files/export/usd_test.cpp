@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include "base/text_file.h"
+#include "files/export/formats.h"
 #include "files/export/pretend_take.h"
-#include "files/export/usd_export.h"
 #include "files/export/usd_text.h"
 
 using namespace muster;

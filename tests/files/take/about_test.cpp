@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "files/take/take_about.h"
 #include "files/take/take_encoder.h"
+#include "files/take/take_format.h"
 
 using namespace muster;
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/random.h"
-#include "lab/picture/letters.h"
+#include "lab/picture/canvas.h"
 
 using namespace muster;
 

@@ -1,4 +1,4 @@
-#include "lab/reproduce/experiments/bottleneck.h"
+#include "lab/reproduce/experiments/change_watch.h"
 
 #include <doctest.h>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Axes, charts and strip plots.
-#include "lab/reproduce/report/chart.h"
+#include "lab/reproduce/report/drawings.h"
 
 #include <doctest.h>
 
@@ -10,10 +10,8 @@
 #include <limits>
 #include <set>
 
-#include "files/report/axis.h"
-#include "files/report/marks.h"
+#include "files/report/chart_parts.h"
 #include "lab/picture/xml.h"
-#include "lab/reproduce/report/strip_plot.h"
 
 using namespace muster;
 using muster::testing::Element;

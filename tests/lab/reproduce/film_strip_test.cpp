@@ -1,12 +1,12 @@
 // Film strips and the pictures in them.
-#include "lab/reproduce/report/film_strip.h"
+#include "lab/reproduce/report/drawings.h"
 
 #include <doctest.h>
 
 #include <map>
 #include <set>
 
-#include "files/report/svg_picture.h"
+#include "files/report/markup.h"
 #include "lab/picture/xml.h"
 #include "lab/reproduce/fake.h"
 

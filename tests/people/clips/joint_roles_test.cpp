@@ -1,8 +1,7 @@
-#include "people/clips/joint_roles.h"
+#include "people/clips/retarget.h"
 
 #include <doctest.h>
 
-#include "people/clips/retarget.h"
 #include "people/clips/samples.h"
 
 using namespace muster;

@@ -5,7 +5,7 @@
 
 #include "people/generator/crawl.h"
 #include "people/generator/measure.h"
-#include "people/generator/swim.h"
+#include "people/generator/other_clips.h"
 
 using namespace muster;
 using namespace muster::generator;

@@ -1,5 +1,5 @@
 // Two taps where nobody stands call whoever is nearest.
-#include "studio/gestures/calling.h"
+#include "studio/gestures/group_lookup.h"
 
 #include "studio/gestures/driven_world.h"
 

@@ -1,5 +1,5 @@
 // The studio says how orders get on.
-#include "studio/session/frames/event_notices.h"
+#include "studio/session/frames/notices.h"
 
 #include <algorithm>
 

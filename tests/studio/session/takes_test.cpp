@@ -10,8 +10,8 @@
 #include "muster/take.h"
 #include "studio/session/fake_client.h"
 #include "studio/session/memory_shelf.h"
-#include "studio/session/takes/take_marks.h"
 #include "studio/session/takes/take_moments.h"
+#include "studio/session/takes/take_player.h"
 
 using namespace muster;
 using namespace muster::testing;

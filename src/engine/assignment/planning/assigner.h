@@ -52,7 +52,8 @@ struct PlanResult {
     bool provisional = false;
     /// True where it was made from nothing, so that its changes of places are no exchanges.
     bool first = false;
-    /// Number of characters whose place (engine/assignment/planning/main_places.h) differs from the incumbent.
+    /// Number of characters whose place (engine/assignment/planning/main_places.h) differs from the
+    /// incumbent.
     std::int32_t reassigned = 0;
 };
 
@@ -81,5 +82,17 @@ public:
     /// else; the costs must not change.
     virtual void workInBackground() {}
 };
+
+/// Refuses what Assigner::start() must refuse, with InvalidArgument and the value that is wrong. The costs
+/// are not looked at.
+Status validatePlan(const PlanDef& def, const PlanInput& input);
+/// Refuses a unit cost that does not fill its grid, with InvalidArgument.
+Status validateUnitCost(const UnitCost& cost);
+
+/// Copies a span into a vector, which keeps its memory.
+template <class T>
+void copySpan(std::span<const T> from, std::vector<T>& to) {
+    to.assign(from.begin(), from.end());
+}
 
 }  // namespace muster

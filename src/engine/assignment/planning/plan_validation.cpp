@@ -1,4 +1,4 @@
-#include "engine/assignment/planning/plan_validation.h"
+#include "engine/assignment/planning/assigner.h"
 
 #include <cmath>
 #include <string>

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/fields/cost/thin_wall.h"
+#include "engine/fields/cost/ground_node.h"
 
 namespace muster {
 namespace {

@@ -86,4 +86,12 @@ private:
     std::vector<PseudoSource> sources_;    // Index 0 is none.
 };
 
+/// Traces the path from `from` to the field's source in steps of `step` [m], > 0, and writes its points, both
+/// ends included. `path` is empty where the field does not reach `from`. Always ends; returns true where the
+/// source was reached.
+bool tracePath(const CostField& field, Vec2 from, double step, std::vector<Vec2>& path);
+
+/// Length of a polyline [m].
+double pathLength(const std::vector<Vec2>& path);
+
 }  // namespace muster

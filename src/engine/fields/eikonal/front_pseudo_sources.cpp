@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/fields/cost/thin_wall.h"
+#include "engine/fields/cost/ground_node.h"
 #include "engine/fields/eikonal/front.h"
 
 namespace muster {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/bits.h"
+#include "base/maths.h"
 #include "engine/fields/cost/unit_cost.h"
 #include "engine/fields/eikonal/pseudo_source.h"
 

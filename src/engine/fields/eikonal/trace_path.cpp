@@ -1,4 +1,4 @@
-#include "engine/fields/eikonal/trace_path.h"
+#include "engine/fields/eikonal/cost_field.h"
 
 #include <cmath>
 

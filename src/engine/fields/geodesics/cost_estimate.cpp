@@ -4,9 +4,8 @@
 #include <cmath>
 
 #include "base/infinite_cost.h"
-#include "engine/fields/geodesics/dynamic_detour.h"
 #include "engine/fields/geodesics/geodesics_impl.h"
-#include "engine/fields/geodesics/refracted_path.h"
+#include "engine/fields/geodesics/one_vertex_paths.h"
 
 namespace muster {
 namespace {

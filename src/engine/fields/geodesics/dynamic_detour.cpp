@@ -1,4 +1,4 @@
-#include "engine/fields/geodesics/dynamic_detour.h"
+#include "engine/fields/geodesics/one_vertex_paths.h"
 
 #include <algorithm>
 

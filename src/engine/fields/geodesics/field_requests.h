@@ -1,12 +1,23 @@
 // Requests for cost fields, made by concurrent queries and served in a later phase.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
-#include "base/relaxed_atomic.h"
-
 namespace muster {
+
+/// Stores a value that several threads may store at once, with no order among them. Nobody may read the
+/// variable meanwhile.
+template <class T>
+void storeRelaxed(T& variable, T value) {
+#ifdef __cpp_lib_atomic_ref
+    std::atomic_ref<T>(variable).store(value, std::memory_order_relaxed);
+#else
+    // The standard library of the WebAssembly build has no std::atomic_ref.
+    __atomic_store_n(&variable, value, __ATOMIC_RELAXED);
+#endif
+}
 
 /// One request per place. In the query phase several threads add requests at once and nobody reads them; in
 /// the update phase one thread reads them and lets them expire. A request expires when it has not been

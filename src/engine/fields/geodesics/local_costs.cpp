@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/infinite_cost.h"
-#include "engine/fields/geodesics/dynamic_detour.h"
+#include "engine/fields/geodesics/one_vertex_paths.h"
 
 namespace muster {
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/fields/geodesics/refracted_path.h"
+#include "engine/fields/geodesics/one_vertex_paths.h"
 
 #include <algorithm>
 #include <cmath>

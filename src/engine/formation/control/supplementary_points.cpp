@@ -1,9 +1,9 @@
-#include "engine/formation/control/supplementary_points.h"
+#include "engine/formation/control/control_points.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "engine/geometry/mean_value.h"
+#include "engine/geometry/polygon.h"
 #include "engine/geometry/triangulation.h"
 
 namespace muster {

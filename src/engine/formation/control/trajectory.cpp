@@ -1,4 +1,4 @@
-#include "engine/formation/control/trajectory.h"
+#include "engine/formation/control/control_points.h"
 
 #include <algorithm>
 #include <cmath>

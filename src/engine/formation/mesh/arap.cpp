@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "engine/formation/mesh/complex.h"
 #include "engine/formation/mesh/mesh_components.h"
 #include "engine/formation/mesh/rigid_fit.h"
 #include "engine/formation/mesh/sparse_ldlt.h"

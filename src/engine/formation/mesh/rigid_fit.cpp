@@ -1,6 +1,5 @@
 #include "engine/formation/mesh/rigid_fit.h"
 
-#include "engine/formation/mesh/complex.h"
 #include "muster/assert.h"
 
 namespace muster {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/archive.h"
-#include "engine/geometry/convex_decomposition.h"
+#include "engine/geometry/triangulation.h"
 #include "engine/ground/environment/environment_impl.h"
 
 namespace muster {

@@ -4,11 +4,13 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "files/export/exporter.h"
 #include "files/export/player/range_encoder.h"
+#include "people/bodies/body.h"
 
 namespace muster {
 
@@ -93,5 +95,10 @@ private:
     std::map<std::uint32_t, NumberModel> nextClip_;  ///< By the clip before.
     NumberModel thingPlace_, thingAngle_;
 };
+
+/// The skeleton, then for each kind of body that `track` has seen its fine and its coarse mesh.
+std::string playerBodies(const CrowdTrack& track);
+/// The poses of clips, in their order.
+std::string playerClips(const ClipLibrary& library, std::span<const PlayedClip> clips);
 
 }  // namespace muster

@@ -1,4 +1,4 @@
-#include "files/export/player/figures.h"
+#include "files/export/player/crowd_track.h"
 
 #include <algorithm>
 #include <array>

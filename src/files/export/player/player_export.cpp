@@ -1,4 +1,4 @@
-#include "files/export/player/player_export.h"
+#include "files/export/formats.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,13 +6,12 @@
 #include <optional>
 #include <vector>
 
-#include "base/colour_text.h"
+#include "base/appearance_text.h"
 #include "base/output_file.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
 #include "files/export/character_look.h"
 #include "files/export/player/crowd_track.h"
-#include "files/export/player/figures.h"
 #include "files/export/player/player_format.h"
 #include "files/export/player/scene_record.h"
 #include "files/export/scene_camera.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "engine/geometry/convex_decomposition.h"
 #include "engine/geometry/triangulation.h"
 #include "files/export/player/player_format.h"
 

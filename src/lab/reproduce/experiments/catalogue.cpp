@@ -1,4 +1,4 @@
-#include "lab/reproduce/experiments/catalogue.h"
+#include "lab/reproduce/experiments/experiment.h"
 
 namespace muster {
 

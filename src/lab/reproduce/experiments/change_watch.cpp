@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "engine/world/metrics.h"
-#include "lab/reproduce/experiments/bottleneck.h"
 
 namespace muster {
 namespace {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "muster/vec2.h"
 #include "muster/world.h"
 
 namespace muster {
@@ -54,5 +56,9 @@ private:
     std::vector<Vec2> spot_;
     std::vector<FormationChangeRecord> done_;
 };
+
+/// The value of the bottleneck assignment by straight distances: the smallest d such that every start can
+/// have a place of its own at most d away [m]. 0 without starts; -1 where there are fewer places than starts.
+double bottleneckWalk(std::span<const Vec2> starts, std::span<const Vec2> places);
 
 }  // namespace muster

@@ -1,4 +1,5 @@
-// One experiment of the paper: what is run, what is measured, what must be seen (SPEC section 6).
+// One experiment of the paper: what is run, what is measured, what must be seen (SPEC section 6); and the
+// makers of all experiments, one per file.
 #pragma once
 
 #include <cstdint>
@@ -93,5 +94,18 @@ public:
 
 /// All experiments in their order: X1 to X11, X13.
 std::vector<std::unique_ptr<Experiment>> paperExperiments();
+
+std::unique_ptr<Experiment> makeControlsExperiment();    ///< X1
+std::unique_ptr<Experiment> makeHalvesExperiment();      ///< X2
+std::unique_ptr<Experiment> makeMetricExperiment();      ///< X3
+std::unique_ptr<Experiment> makeWoodlandExperiment();    ///< X4
+std::unique_ptr<Experiment> makeTrafficExperiment();     ///< X5
+std::unique_ptr<Experiment> makeCourseExperiment();      ///< X6
+std::unique_ptr<Experiment> makeThreePathsExperiment();  ///< X7
+std::unique_ptr<Experiment> makeCongestionExperiment();  ///< X8
+std::unique_ptr<Experiment> makeShapesExperiment();      ///< X9
+std::unique_ptr<Experiment> makePacmanExperiment();      ///< X10
+std::unique_ptr<Experiment> makeTransportExperiment();   ///< X11
+std::unique_ptr<Experiment> makeScaleExperiment();       ///< X13
 
 }  // namespace muster

@@ -1,4 +1,4 @@
-#include "lab/reproduce/experiments/hand_jitter.h"
+#include "lab/reproduce/experiments/trial.h"
 
 #include <algorithm>
 

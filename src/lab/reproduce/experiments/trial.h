@@ -11,6 +11,7 @@
 #include "engine/world/metrics.h"
 #include "lab/picture/picture.h"
 #include "lab/reproduce/experiments/experiment.h"
+#include "muster/command.h"
 #include "muster/status.h"
 #include "muster/world.h"
 
@@ -75,5 +76,10 @@ private:
     PictureDef picture_;
     std::vector<FilmFrame> frames_;
 };
+
+/// Shifts the drawing of all fingers by one vector that the seed chooses, each component up to `amount`
+/// [m] >= 0. The shift grows over two seconds from the first touch, so that nothing jumps. The points where
+/// fingers go down do not change.
+void jitterHand(std::vector<Command>& commands, std::uint64_t seed, double amount);
 
 }  // namespace muster

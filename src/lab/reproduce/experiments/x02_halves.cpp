@@ -4,8 +4,8 @@
 #include "base/random.h"
 #include "engine/formation/mesh/formation_mesh.h"
 #include "engine/world/inspect.h"
-#include "lab/reproduce/experiments/catalogue.h"
 #include "lab/reproduce/experiments/distortion.h"
+#include "lab/reproduce/experiments/experiment.h"
 #include "lab/reproduce/experiments/trial.h"
 
 namespace muster {

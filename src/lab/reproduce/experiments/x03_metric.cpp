@@ -1,7 +1,7 @@
 // X3 (paper fig. 5): geodesic against Euclidean costs in the assignment.
 #include <cmath>
 
-#include "lab/reproduce/experiments/catalogue.h"
+#include "lab/reproduce/experiments/experiment.h"
 #include "lab/reproduce/experiments/trial.h"
 
 namespace muster {

@@ -6,9 +6,8 @@
 
 #include "base/random.h"
 #include "lab/reproduce/experiments/car_watch.h"
-#include "lab/reproduce/experiments/catalogue.h"
 #include "lab/reproduce/experiments/encounter_watch.h"
-#include "lab/reproduce/experiments/hand_jitter.h"
+#include "lab/reproduce/experiments/experiment.h"
 #include "lab/reproduce/experiments/trial.h"
 
 namespace muster {

@@ -3,10 +3,9 @@
 #include <array>
 #include <cmath>
 
-#include "lab/reproduce/experiments/catalogue.h"
 #include "lab/reproduce/experiments/encounter_watch.h"
+#include "lab/reproduce/experiments/experiment.h"
 #include "lab/reproduce/experiments/ground_watch.h"
-#include "lab/reproduce/experiments/hand_jitter.h"
 #include "lab/reproduce/experiments/trial.h"
 
 namespace muster {

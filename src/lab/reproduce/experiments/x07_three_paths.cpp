@@ -4,9 +4,8 @@
 
 #include "engine/formation/places/place_tracker.h"
 #include "engine/world/inspect.h"
-#include "lab/reproduce/experiments/catalogue.h"
+#include "lab/reproduce/experiments/experiment.h"
 #include "lab/reproduce/experiments/ground_watch.h"
-#include "lab/reproduce/experiments/hand_jitter.h"
 #include "lab/reproduce/experiments/lane_watch.h"
 #include "lab/reproduce/experiments/trial.h"
 

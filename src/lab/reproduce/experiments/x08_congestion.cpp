@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lab/reproduce/experiments/catalogue.h"
+#include "lab/reproduce/experiments/experiment.h"
 #include "lab/reproduce/experiments/lane_watch.h"
 #include "lab/reproduce/experiments/trial.h"
 

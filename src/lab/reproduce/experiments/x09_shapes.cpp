@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "base/random.h"
-#include "lab/reproduce/experiments/catalogue.h"
 #include "lab/reproduce/experiments/change_watch.h"
+#include "lab/reproduce/experiments/experiment.h"
 #include "lab/reproduce/experiments/samples.h"
 #include "lab/reproduce/experiments/trial.h"
 

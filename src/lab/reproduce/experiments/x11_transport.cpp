@@ -1,8 +1,7 @@
 // X11 (paper fig. 10): a dense square parts round an obstacle and merges: transport against fixed places.
 #include <cmath>
 
-#include "lab/reproduce/experiments/catalogue.h"
-#include "lab/reproduce/experiments/hand_jitter.h"
+#include "lab/reproduce/experiments/experiment.h"
 #include "lab/reproduce/experiments/trial.h"
 
 namespace muster {

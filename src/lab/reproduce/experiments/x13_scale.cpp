@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "lab/reproduce/experiments/catalogue.h"
+#include "lab/reproduce/experiments/experiment.h"
 #include "lab/reproduce/experiments/trial.h"
 
 namespace muster {

@@ -1,10 +1,9 @@
-#include "lab/reproduce/report/film_strip.h"
+#include "lab/reproduce/report/drawings.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "files/report/markup.h"
-#include "files/report/svg_picture.h"
 
 namespace muster {
 namespace {

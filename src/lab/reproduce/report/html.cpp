@@ -1,6 +1,5 @@
 // The report's page.
 #include "files/report/markup.h"
-#include "files/report/page_style.h"
 #include "lab/reproduce/report/html_parts.h"
 #include "lab/reproduce/reproduce.h"
 

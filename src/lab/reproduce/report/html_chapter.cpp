@@ -3,11 +3,8 @@
 #include <cmath>
 
 #include "files/report/markup.h"
-#include "files/report/svg_picture.h"
-#include "lab/reproduce/report/chart.h"
-#include "lab/reproduce/report/film_strip.h"
+#include "lab/reproduce/report/drawings.h"
 #include "lab/reproduce/report/html_parts.h"
-#include "lab/reproduce/report/strip_plot.h"
 
 namespace muster {
 namespace {

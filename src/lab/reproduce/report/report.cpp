@@ -5,7 +5,7 @@
 #include "base/text_file.h"
 #include "files/report/markup.h"
 #include "json/json.h"
-#include "lab/reproduce/report/film_strip.h"
+#include "lab/reproduce/report/drawings.h"
 #include "lab/reproduce/reproduce.h"
 #include "muster/scenario.h"
 

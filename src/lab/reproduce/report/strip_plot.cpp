@@ -1,10 +1,9 @@
-#include "lab/reproduce/report/strip_plot.h"
+#include "lab/reproduce/report/drawings.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "files/report/axis.h"
-#include "files/report/marks.h"
+#include "files/report/chart_parts.h"
 #include "files/report/markup.h"
 #include "lab/reproduce/experiments/samples.h"
 

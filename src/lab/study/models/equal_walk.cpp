@@ -1,4 +1,4 @@
-#include "lab/study/models/equal_walk.h"
+#include "lab/study/models/model_trial.h"
 
 #include <vector>
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lab/study/models/operator_model.h"
+#include "muster/status.h"
 
 namespace muster {
 
@@ -25,5 +26,10 @@ struct ModelTrial {
 /// Runs a trial to its end. Items, and the chance of the model, depend on the seed alone, so that trials of
 /// two schemes with one seed are a pair. Fails where a name is unknown.
 Result<ModelTrial> runModelTrial(const TrialDef& def, const std::string& setting);
+
+/// Time from the last event of one order until the middle of the crowd has gone 20 m straight over open
+/// ground [s], towards a point 25 m away. Fails where the scheme is unknown or the crowd does not get there
+/// within a minute.
+Result<double> equalWalkSeconds(const std::string& scheme, std::int32_t crowd);
 
 }  // namespace muster

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "lab/study/models/operator_model.h"
-#include "lab/study/models/planner_rules.h"
+#include "lab/study/models/planner.h"
 
 namespace muster {
 namespace {

@@ -6,9 +6,9 @@
 #include <numeric>
 
 #include "base/maths.h"
-#include "lab/study/models/planner_rules.h"
 
 namespace muster {
+
 namespace {
 
 constexpr double kPackedRadius = 0.28;  // Of those who gather, times the root of their number [m].
@@ -223,6 +223,19 @@ PlannedPart Planner::next(const SeenPart& part, std::span<const std::int32_t> op
     lead(planned,
          tours_->tour(part.centre, open, def_.parameters.routeDetour * 2.0 * chance.uniform(), chance));
     return planned;
+}
+
+Repertoire repertoireOf(const SchemeDef& def) {
+    Repertoire r;
+    r.touch = def.kind == SchemeKind::Touch;
+    r.draws = def.kind == SchemeKind::Touch || def.kind == SchemeKind::MouseMesh;
+    r.queues = def.kind == SchemeKind::MouseFull;
+    r.divides = r.draws ? def.splits : true;
+    r.spreads = r.touch && def.shapes && !def.oneFinger;
+    r.calls = r.touch && def.splits && def.calls;
+    r.keepsShape = r.draws || def.movement == SchemeMovement::Free;
+    r.keepsGroups = def.kind == SchemeKind::MouseFull;
+    return r;
 }
 
 }  // namespace muster

@@ -3,17 +3,41 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "lab/study/models/motor.h"
-#include "lab/study/models/repertoire.h"
 #include "lab/study/models/tour.h"
+#include "studio/gestures/control_scheme.h"
 
 namespace muster {
+
+inline constexpr double kInfinite = std::numeric_limits<double>::infinity();
+inline constexpr double kTargetMetres = 1.0;  // What is aimed at is as large as an item's reach [m].
+inline constexpr double kBetweenTaps = 0.15;  // Between two taps on one spot [s].
+inline constexpr double kTakenMargin = 0.55;  // A loop is drawn so far round those whom it takes out [m].
+inline constexpr std::array<double, 4> kWidths{8.0, 12.0, 16.0, 20.0};
+
+/// What can be done with a scheme.
+struct Repertoire {
+    bool touch = false;        ///< Fingers, else a mouse.
+    bool draws = false;        ///< A stroke is a way that a formation follows to its end.
+    bool queues = false;       ///< Points can be added behind those that are not reached yet.
+    bool divides = false;      ///< Parts can be sent apart.
+    bool spreads = false;      ///< Two fingers set a formation's width and draw two ways at once.
+    bool calls = false;        ///< Two taps call whoever is nearest.
+    bool keepsShape = false;   ///< Those who are sent keep about their places beside each other; else they
+                               ///< gather.
+    bool keepsGroups = false;  ///< A digit brings a selection back.
+};
+
+/// The repertoire of a scheme.
+Repertoire repertoireOf(const SchemeDef& def);
 
 /// A part of the crowd as it is seen.
 struct SeenPart {

@@ -6,8 +6,6 @@
 #include <cstdio>
 #include <numeric>
 
-#include "lab/study/models/planner_rules.h"
-
 namespace muster {
 namespace {
 

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "lab/study/models/planner_rules.h"
-
 namespace muster {
 namespace {
 

@@ -6,7 +6,7 @@
 namespace muster {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kNoWay = std::numeric_limits<double>::infinity();
 constexpr double kNarrow = 0.3;  // A way is narrow for a front that finds less of its width.
 constexpr double kSample = 0.5;  // Fronts are looked at every so far [m].
 constexpr double kSlack = 0.01;  // So that a line along a margin is clear [m].
@@ -75,7 +75,7 @@ SeenGround::Narrow SeenGround::narrowest(Vec2 a, Vec2 b, double width) const {
 // Floyd and Warshall.
 void SeenGround::joinCorners() {
     const std::size_t n = corners_.size();
-    lengths_.assign(n * n, kInfinite);
+    lengths_.assign(n * n, kNoWay);
     next_.assign(n * n, -1);
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < n; ++j) {
@@ -110,7 +110,7 @@ bool SeenGround::clear(Vec2 a, Vec2 b) const {
 SeenGround::Best SeenGround::best(Vec2 a, Vec2 b) const {
     if (clear(a, b)) return {muster::distance(a, b), -1, -1};
     const std::size_t n = corners_.size();
-    Best best{kInfinite, -1, -1};
+    Best best{kNoWay, -1, -1};
     for (std::size_t j = 0; j < n; ++j) {
         if (!clear(corners_[j], b)) continue;
         const double after = muster::distance(corners_[j], b);

@@ -1,8 +1,7 @@
 // Box plots and plans.
 #include <algorithm>
 
-#include "files/report/axis.h"
-#include "files/report/marks.h"
+#include "files/report/chart_parts.h"
 #include "files/report/markup.h"
 #include "lab/study/report/study_parts.h"
 

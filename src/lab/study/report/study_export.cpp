@@ -1,4 +1,4 @@
-#include "lab/study/report/study_export.h"
+#include "lab/study/report/study_report.h"
 
 #include <cinttypes>
 #include <cmath>

@@ -4,8 +4,8 @@
 
 #include "files/report/markup.h"
 #include "lab/study/report/study_parts.h"
+#include "lab/study/statistics/describe.h"
 #include "lab/study/statistics/mixed_model.h"
-#include "lab/study/statistics/questionnaires.h"
 #include "lab/study/statistics/rank_tests.h"
 
 namespace muster {

@@ -6,7 +6,6 @@
 
 #include "base/text_file.h"
 #include "files/report/markup.h"
-#include "files/report/page_style.h"
 #include "json/json.h"
 #include "lab/study/report/study_parts.h"
 

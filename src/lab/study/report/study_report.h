@@ -1,4 +1,4 @@
-// The report of the study.
+// The report of the study, and its tables as CSV (RFC 4180) with a codebook.
 #pragma once
 
 #include <string>
@@ -10,5 +10,16 @@ namespace muster {
 /// Writes report.html and results.json into a folder, which is made where it is missing. `version` is that of
 /// Muster. The same database gives the same bytes.
 Status writeStudyReport(StudyStore& store, const std::string& folder, const std::string& version);
+
+/// A field of a CSV file: in quotes where it holds commas, quotes or line breaks.
+std::string csvField(const std::string& text);
+/// "models", "people", "test".
+const char* kindName(RunKind kind);
+/// "running", "complete", "broken-off".
+const char* stateName(RunState state);
+
+/// Writes runs.csv, trials.csv, inputs.csv, decisions.csv, answers.csv, codebook.csv and codebook.md into a
+/// folder, which is made where it is missing.
+Status exportStudy(StudyStore& store, const std::string& folder);
 
 }  // namespace muster

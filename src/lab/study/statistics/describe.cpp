@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "base/random.h"
-#include "lab/study/statistics/distributions.h"
+#include "lab/study/statistics/numerics.h"
 
 namespace muster::statistics {
 namespace {

@@ -1,4 +1,4 @@
-// Medians, quantiles and their ratios.
+// Medians, quantiles and their ratios, and scores of published questionnaires.
 #pragma once
 
 #include <cstdint>
@@ -41,5 +41,18 @@ Estimate ratioOfMedians(std::span<const double> a, std::span<const double> b, st
 
 /// Adjusted p-values of several tests (Holm 1979), in the order given.
 std::vector<double> holm(std::span<const double> p);
+
+/// System Usability Scale (Brooke 1996): ten answers from 1 to 5, in its order; 0 to 100. NaN for others.
+double susScore(std::span<const double> answers);
+/// Raw NASA-TLX (Hart 2006): mean of six scales from 0 to 100. NaN for others.
+double rawTlx(std::span<const double> answers);
+
+/// Short User Experience Questionnaire (Schrepp, Hinderks & Thomaschewski 2017), from -3 to 3.
+struct UeqShort {
+    double pragmatic = 0.0;  ///< Mean of items 1 to 4.
+    double hedonic = 0.0;    ///< Mean of items 5 to 8.
+};
+/// Eight answers from 1 to 7, in its order, coded as -3 to 3. NaN for others.
+UeqShort ueqShort(std::span<const double> answers);
 
 }  // namespace muster::statistics

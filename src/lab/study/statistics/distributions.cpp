@@ -1,4 +1,4 @@
-#include "lab/study/statistics/distributions.h"
+#include "lab/study/statistics/numerics.h"
 
 #include <cmath>
 #include <initializer_list>

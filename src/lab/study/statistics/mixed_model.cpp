@@ -7,8 +7,7 @@
 #include <map>
 #include <set>
 
-#include "lab/study/statistics/distributions.h"
-#include "lab/study/statistics/simplex.h"
+#include "lab/study/statistics/numerics.h"
 
 namespace muster::statistics {
 namespace {

@@ -1,4 +1,4 @@
-#include "lab/study/statistics/questionnaires.h"
+#include "lab/study/statistics/describe.h"
 
 #include <cstddef>
 #include <limits>

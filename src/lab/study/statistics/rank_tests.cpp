@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "lab/study/statistics/distributions.h"
+#include "lab/study/statistics/numerics.h"
 
 namespace muster::statistics {
 namespace {

@@ -1,4 +1,4 @@
-#include "lab/study/statistics/simplex.h"
+#include "lab/study/statistics/numerics.h"
 
 #include <algorithm>
 #include <cmath>

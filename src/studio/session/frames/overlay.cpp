@@ -9,7 +9,6 @@
 #include "engine/fields/cost/unit_cost.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
-#include "studio/session/frames/reach_overlay.h"
 
 namespace muster {
 namespace {

@@ -1,4 +1,4 @@
-#include "studio/session/frames/reach_overlay.h"
+#include "studio/session/frames/overlay.h"
 
 #include <algorithm>
 #include <vector>
@@ -6,7 +6,6 @@
 #include "base/grid.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
-#include "studio/session/frames/overlay.h"
 
 namespace muster {
 namespace {

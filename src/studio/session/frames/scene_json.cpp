@@ -1,6 +1,6 @@
 #include "studio/session/frames/scene_json.h"
 
-#include "base/colour_text.h"
+#include "base/appearance_text.h"
 #include "base/hash.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"

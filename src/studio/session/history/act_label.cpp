@@ -1,9 +1,9 @@
-#include "studio/session/history/act_label.h"
+#include "studio/session/history/place_editor.h"
 
 #include <algorithm>
 
 #include "engine/world/inspect.h"
-#include "studio/session/inbox/command_kinds.h"
+#include "studio/session/inbox/command_text.h"
 
 namespace muster {
 namespace {

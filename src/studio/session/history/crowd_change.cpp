@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "engine/world/inspect.h"
-#include "studio/session/history/division.h"
 #include "studio/session/history/place_edit.h"
 
 namespace muster {

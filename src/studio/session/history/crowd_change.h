@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "muster/command.h"
+#include "muster/event.h"
 #include "muster/world.h"
 
 namespace muster {
@@ -92,5 +94,14 @@ void renameGroup(CrowdChange& crowdChange, GroupId from, GroupId to);
 
 /// What adds, removes or transfers characters, with what takes it back in the world as it is.
 CrowdChange memberChange(const CommandBody& body, const World& world);
+
+/// The change of the crowd of a command that is about to divide or join groups.
+DivisionChange divisionOf(const CommandBody& asked, const World& world);
+/// Adds the commands that divide or join. Adds none where too few of the groups are left.
+void divisionCommands(DivisionChange& crowdChange, const World& world, CrowdCommands& commands);
+/// The groups that came when the step divided one for this change of the crowd. Takes their events out.
+std::vector<GroupId> takeNewParts(const DivisionChange& crowdChange, std::vector<Event>& added);
+/// Adds what makes new groups what they were before they were joined.
+void partsComeBack(const DivisionChange& crowdChange, const World& world, CrowdCommands& commands);
 
 }  // namespace muster

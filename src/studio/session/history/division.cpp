@@ -1,4 +1,4 @@
-#include "studio/session/history/division.h"
+#include "studio/session/history/crowd_change.h"
 
 #include <algorithm>
 #include <utility>

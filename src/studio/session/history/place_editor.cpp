@@ -4,7 +4,7 @@
 #include <tuple>
 #include <utility>
 
-#include "studio/session/history/place_join.h"
+#include "studio/session/history/place_edit.h"
 
 namespace muster {
 namespace {

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "muster/command.h"
+#include "muster/world.h"
 #include "studio/session/history/place.h"
 #include "studio/session/history/place_edit.h"
 #include "studio/session/inbox/protocol.h"
@@ -126,5 +128,12 @@ private:
     std::uint32_t lastUnnamed_ = kUnnamedOrders;
     std::uint32_t revision_ = 1;
 };
+
+/// True where the command can be taken back. Fingers cannot: what they move is moved.
+bool canTakeBack(const CommandBody& body);
+/// What the commands of one message do: "Move", "Change shape".
+std::string actLabel(std::span<const CommandBody> bodies, const World& world);
+/// True for what a slider sends, again and again.
+bool isContinuous(const CommandBody& body);
 
 }  // namespace muster

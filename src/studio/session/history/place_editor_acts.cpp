@@ -3,11 +3,10 @@
 #include <utility>
 
 #include "engine/world/inspect.h"
-#include "studio/session/history/act_label.h"
-#include "studio/session/history/division.h"
+#include "studio/session/history/crowd_change.h"
+#include "studio/session/history/place_edit.h"
 #include "studio/session/history/place_editor.h"
-#include "studio/session/history/place_join.h"
-#include "studio/session/inbox/command_kinds.h"
+#include "studio/session/inbox/command_text.h"
 
 namespace muster {
 namespace {

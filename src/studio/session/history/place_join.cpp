@@ -1,4 +1,4 @@
-#include "studio/session/history/place_join.h"
+#include "studio/session/history/place_edit.h"
 
 #include <algorithm>
 #include <utility>

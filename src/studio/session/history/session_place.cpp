@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "muster/scenario.h"
-#include "studio/session/history/act_label.h"
 #include "studio/session/history/group_body.h"
+#include "studio/session/history/place_editor.h"
 #include "studio/session/inbox/command_text.h"
 #include "studio/session/session_state.h"
 

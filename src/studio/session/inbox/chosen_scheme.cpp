@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "studio/session/inbox/raw_inputs.h"
-
 namespace muster {
 
 Status ChosenScheme::choose(const std::string& name, std::uint32_t client) {

@@ -5,7 +5,6 @@
 #include <variant>
 
 #include "muster/scenario.h"
-#include "studio/session/inbox/command_kinds.h"
 
 namespace muster {
 namespace {

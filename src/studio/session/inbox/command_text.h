@@ -1,4 +1,5 @@
-// Orders and changes of units as clients send them: events in the words of gesture files.
+// Orders and changes of units as clients send them: events in the words of gesture files; and kinds of
+// commands.
 #pragma once
 
 #include <string_view>
@@ -15,5 +16,11 @@ namespace muster {
 Result<std::vector<CommandBody>> parseCommandText(std::string_view text, const SessionLimits& limits);
 /// The same for edits of the place: what stands and lies in it, and its groups.
 Result<std::vector<CommandBody>> parseEditText(std::string_view text, const SessionLimits& limits);
+
+/// True where the command is of one of these kinds.
+template <class... Kinds>
+bool isOneOf(const CommandBody& body) {
+    return (std::holds_alternative<Kinds>(body) || ...);
+}
 
 }  // namespace muster

@@ -1,4 +1,4 @@
-#include "studio/session/inbox/forecasts.h"
+#include "studio/session/inbox/answers.h"
 
 #include <cmath>
 #include <optional>
@@ -8,7 +8,7 @@
 
 #include "base/maths.h"
 #include "engine/state/validation.h"
-#include "engine/world/forecast_from.h"
+#include "engine/world/studio_access.h"
 #include "muster/views.h"
 #include "studio/session/inbox/command_text.h"
 

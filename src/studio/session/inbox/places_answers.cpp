@@ -1,4 +1,4 @@
-#include "studio/session/inbox/places_answers.h"
+#include "studio/session/inbox/answers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "base/maths.h"
 #include "engine/state/validation.h"
 #include "engine/world/inspect.h"
-#include "engine/world/stand_forecast.h"
+#include "engine/world/studio_access.h"
 #include "muster/views.h"
 #include "studio/session/inbox/command_text.h"
 

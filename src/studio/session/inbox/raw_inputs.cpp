@@ -1,4 +1,4 @@
-#include "studio/session/inbox/raw_inputs.h"
+#include "studio/session/inbox/chosen_scheme.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,11 +6,10 @@
 #include "engine/state/validation.h"
 #include "engine/world/inspect.h"
 #include "muster/parameter_table.h"
-#include "studio/session/frames/notice_position.h"
+#include "studio/session/frames/notices.h"
+#include "studio/session/inbox/answers.h"
+#include "studio/session/inbox/chosen_scheme.h"
 #include "studio/session/inbox/command_text.h"
-#include "studio/session/inbox/forecasts.h"
-#include "studio/session/inbox/places_answers.h"
-#include "studio/session/inbox/raw_inputs.h"
 #include "studio/session/session_state.h"
 
 namespace muster {
@@ -231,6 +230,12 @@ public:
         client_.overlay = message.kind;
         client_.overlayCharacter = message.character;
         client_.overlayState = 0;  // Sends an overlay even while the world is paused.
+        return {};
+    }
+
+    Status operator()(const protocol::WatchStages& message) {
+        client_.watchesStages = message.on;
+        client_.sentStages = session_.stages.revision();  // What it hears of comes after this.
         return {};
     }
 

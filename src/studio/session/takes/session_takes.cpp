@@ -3,7 +3,7 @@
 #include <map>
 #include <set>
 
-#include "engine/world/take_up.h"
+#include "engine/world/studio_access.h"
 #include "files/take/take_encoder.h"
 #include "muster/take.h"
 #include "studio/session/frames/scene_json.h"

@@ -1,4 +1,4 @@
-#include "studio/session/takes/take_marks.h"
+#include "studio/session/takes/take_player.h"
 
 #include <algorithm>
 #include <map>

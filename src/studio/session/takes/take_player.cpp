@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "studio/session/takes/take_marks.h"
-
 namespace muster {
 namespace {
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "files/take/replayer.h"
 #include "files/take/take_frames.h"
@@ -105,5 +106,9 @@ private:
     FrameRecorder frames_;  // Of a take whose marks are made.
     std::vector<protocol::TakeMark> marks_;
 };
+
+/// Touches with their lengths, orders, other commands and events, in ascending order of steps; at most 2,000.
+/// Of more, later ones of the same kind and label within a quarter of a second are left out, then the rest.
+std::vector<protocol::TakeMark> takeMarks(const Take& take);
 
 }  // namespace muster

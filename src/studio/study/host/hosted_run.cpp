@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "studio/session/inbox/raw_inputs.h"
-#include "studio/study/host/trial_facts.h"
+#include "studio/session/inbox/chosen_scheme.h"
+#include "studio/study/host/trial_screen.h"
 
 namespace muster {
 namespace {

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "base/token_bucket.h"
-#include "studio/session/inbox/raw_inputs.h"
-#include "studio/study/host/trial_facts.h"
+#include "studio/session/inbox/chosen_scheme.h"
+#include "studio/study/host/trial_screen.h"
 
 namespace muster {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "studio/session/inbox/raw_inputs.h"
-#include "studio/study/host/trial_facts.h"
+#include "studio/session/inbox/chosen_scheme.h"
+#include "studio/study/host/trial_screen.h"
 
 namespace muster {
 namespace {

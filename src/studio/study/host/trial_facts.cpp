@@ -1,4 +1,4 @@
-#include "studio/study/host/trial_facts.h"
+#include "studio/study/host/trial_screen.h"
 
 #include "studio/gestures/control_scheme.h"
 

@@ -1,10 +1,14 @@
-// The picture of a trial's world for those who watch it.
+// The picture of a trial's world for those who watch it, and what a page learns of a trial and of a form.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "studio/session/frames/frame_sender.h"
+#include "studio/session/inbox/protocol.h"
+#include "studio/study/runs/forms.h"
+#include "studio/study/runs/plan.h"
+#include "studio/study/store/records.h"
 #include "studio/study/trial/trial.h"
 
 namespace muster {
@@ -37,5 +41,14 @@ private:
     std::uint64_t signature_ = 0;
     MessageBytes scene_;
 };
+
+/// Fills in what a trial is of: environment, control, items, limit.
+void describeTrial(const TrialDef& def, protocol::StudyState& state);
+/// How a stored trial ended.
+protocol::TrialEnd endOf(const StudyTrial& trial);
+/// A form as a message; `scheme` is the control that it is about, or empty.
+protocol::StudyForm formOf(const Form& form, const std::string& scheme);
+/// The answers of a message, about that control.
+std::vector<StudyAnswer> answersOf(const protocol::AnswerForm& message, const std::string& scheme);
 
 }  // namespace muster

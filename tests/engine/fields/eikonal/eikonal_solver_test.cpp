@@ -8,7 +8,7 @@
 
 #include "base/random.h"
 #include "engine/fields/cost/cost_scene.h"
-#include "engine/fields/eikonal/trace_path.h"
+#include "engine/fields/eikonal/cost_field.h"
 
 using namespace muster;
 using namespace muster::test;

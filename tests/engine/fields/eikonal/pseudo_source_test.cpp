@@ -6,9 +6,9 @@
 
 #include "base/random.h"
 #include "engine/fields/cost/ground_cost.h"
+#include "engine/fields/eikonal/cost_field.h"
 #include "engine/fields/eikonal/eikonal_solver.h"
 #include "engine/fields/eikonal/geodesic_oracle.h"
-#include "engine/fields/eikonal/trace_path.h"
 
 using namespace muster;
 using muster::test::GeodesicOracle;

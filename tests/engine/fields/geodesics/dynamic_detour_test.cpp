@@ -1,5 +1,5 @@
 // Detours around moving obstacles, against cost fields of a fine ground.
-#include "engine/fields/geodesics/dynamic_detour.h"
+#include "engine/fields/geodesics/one_vertex_paths.h"
 
 #include <doctest.h>
 

@@ -1,5 +1,5 @@
 // Refracted paths over ground of two unit costs, against the law of refraction.
-#include "engine/fields/geodesics/refracted_path.h"
+#include "engine/fields/geodesics/one_vertex_paths.h"
 
 #include <doctest.h>
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lab/study/models/equal_walk.h"
+#include "lab/study/models/model_trial.h"
 #include "studio/gestures/control_scheme.h"
 #include "studio/study/trial/environment.h"
 

@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "json/json.h"
-#include "lab/study/report/study_export.h"
 #include "lab/study/report/study_report.h"
 
 using namespace muster;

@@ -69,7 +69,7 @@ Values reckoned(const std::vector<MixedRow>& rows, const std::map<std::string, s
         differences << '\n';
     }
     differences.close();
-    const std::string command = "Rscript '" + sourceFolder() + "/tests/study/reckoning/reckon.R' '" +
+    const std::string command = "Rscript '" + sourceFolder() + "/tests/lab/study/reckoning/reckon.R' '" +
                                 (folder / "trials.csv").string() + "' '" +
                                 (folder / "differences.csv").string() + "' >'" +
                                 (folder / "values").string() + "'";

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "lab/study/statistics/distributions.h"
+#include "lab/study/statistics/describe.h"
 #include "lab/study/statistics/made_tables.h"
-#include "lab/study/statistics/questionnaires.h"
+#include "lab/study/statistics/numerics.h"
 #include "lab/study/statistics/rank_tests.h"
 
 using namespace muster;

@@ -63,7 +63,7 @@ describe('swatches', () => {
   });
 
   it('are those of the pictures that the program draws, and of the style sheet', () => {
-    const program = readFileSync(new URL('../../../../src/picture/swatches.cpp', import.meta.url), 'utf8');
+    const program = readFileSync(new URL('../../../../src/lab/picture/swatches.cpp', import.meta.url), 'utf8');
     const pairs = [...program.matchAll(/\{0x(\w{6}), 0x(\w{6})\}/g)].map(([, light, dark]) => [
       `#${light}`,
       `#${dark}`,

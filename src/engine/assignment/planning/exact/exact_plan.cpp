@@ -5,8 +5,8 @@
 
 #include "base/infinite_cost.h"
 #include "base/maths.h"
+#include "engine/assignment/planning/assigner.h"
 #include "engine/assignment/planning/main_places.h"
-#include "engine/assignment/planning/plan_validation.h"
 
 namespace muster {
 

@@ -6,9 +6,8 @@
 #include <utility>
 
 #include "base/infinite_cost.h"
-#include "engine/assignment/planning/copy_span.h"
+#include "engine/assignment/planning/assigner.h"
 #include "engine/assignment/planning/exact/unit_cost_archive.h"
-#include "engine/assignment/planning/plan_validation.h"
 
 namespace muster {
 namespace {

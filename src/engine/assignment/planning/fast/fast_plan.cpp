@@ -6,8 +6,7 @@
 
 #include "base/infinite_cost.h"
 #include "base/maths.h"
-#include "engine/assignment/planning/copy_span.h"
-#include "engine/assignment/planning/plan_validation.h"
+#include "engine/assignment/planning/assigner.h"
 #include "engine/fields/cost/ground_level.h"
 
 namespace muster {

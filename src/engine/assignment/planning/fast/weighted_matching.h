@@ -14,7 +14,8 @@ struct MatchingProblem;
 
 /// The flows that hold, and a transport that follows the optimum. What differs between them falls into
 /// exchanges, of which those are committed that gain enough, as in the exact plan; flows that are not touched
-/// stay. Characters walk to their main places (engine/assignment/planning/main_places.h, docs/method/roles.md).
+/// stay. Characters walk to their main places (engine/assignment/planning/main_places.h,
+/// docs/method/roles.md).
 class WeightedMatching {
 public:
     /// Forgets everything.

@@ -1,0 +1,60 @@
+#include "engine/world/studio_access.h"
+
+#include <cmath>
+
+#include "engine/formation/shapes/formation.h"
+#include "engine/ground/environment/environment.h"
+#include "engine/state/validation.h"
+#include "engine/world/world_engine.h"
+
+namespace muster {
+
+std::vector<PlaceBar> barsOf(const World& world, GroupId group, std::span<const Vec2> places) {
+    WorldEngine& engine = WorldAccess::of(world);
+    engine.finishBackgroundWork();
+    std::vector<PlaceBar> bars(places.size(), PlaceBar::None);
+    const Group* const found = engine.state.findGroup(group);
+    if (found == nullptr) return bars;
+    const RouteGraph& routes = engine.state.refreshRoutes(found->groundClass);
+    std::vector<std::int32_t> counts;
+    const std::int32_t region = mainRegion(engine.state, *found, counts);
+    const Environment& environment = engine.state.environment;
+    const Grid& grid = environment.grid();
+    const auto clearance = environment.staticClearance();
+    // The clearance of a cell's centre is off by at most half the cell's diagonal.
+    const double least = routes.radius() - 0.5 * std::sqrt(2.0) * grid.cell;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const Vec2 p = places[k];
+        const Cell cell = grid.nearestCell(p);
+        const std::int32_t label = routes.region(p);
+        if (!environment.def().box.contains(p) || label < 0 ||
+            clearance[static_cast<std::size_t>(grid.index(cell))] < least)
+            bars[k] = PlaceBar::Obstacle;
+        else if (region >= 0 && label != region)
+            bars[k] = PlaceBar::CutOff;
+    }
+    return bars;
+}
+
+Result<std::vector<Vec2>> placesAt(const World& world, GroupId group, const FormationDef& formation,
+                                   const Pose& at) {
+    const Group* const found = WorldAccess::of(world).state.findGroup(group);
+    if (found == nullptr) return Status(StatusCode::NotFound, "there is no such group");
+    if (Status status = validateFormation(formation); !status.ok()) return status;
+    if (found->def.count < 1) return std::vector<Vec2>{};
+    const Result<Formation> made = makeFormation(formation, found->def.count);
+    if (!made.ok()) return made.status();
+    std::vector<Vec2> places;
+    for (const MeshPoint& place : made->places)
+        places.push_back(at.apply(place.position(made->mesh.triangles, made->mesh.vertices)));
+    return places;
+}
+
+std::size_t dropWaitingCommands(World& world) {
+    std::vector<Command>& queue = WorldAccess::of(world).state.queue;
+    const std::size_t dropped = queue.size();
+    queue.clear();
+    return dropped;
+}
+
+}  // namespace muster
