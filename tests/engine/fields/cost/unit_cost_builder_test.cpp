@@ -7,8 +7,7 @@
 
 #include "base/maths.h"
 #include "base/random.h"
-#include "engine/fields/cost/cost_scene.h"
-#include "engine/fields/cost/dynamic_cost.h"
+#include "engine/fields/cost/discomfort.h"
 #include "engine/fields/cost/unit_cost_builder.h"
 
 using namespace muster;
@@ -69,10 +68,9 @@ TEST_CASE("open ground costs alpha + beta, walls and the edge of the world are i
     Environment environment = makeEnvironment();
     REQUIRE(environment.addObstacle(block(-2, -2, 2, 2)).ok());
     environment.setTime(0.0);
-    Parameters parameters;
     UnitCost cost;
     UnitCostBuilder builder;
-    builder.build(def, environment, DensityField(environment.def().box, {}), 0.25, cost);
+    builder.build({}, environment, DensityField(environment.def().box, {}), 0.25, cost);
     const CellCost& open = at(cost, {5.1, 5.1});
     CHECK(open.east == 1.0f);
     CHECK(open.south == 1.0f);
