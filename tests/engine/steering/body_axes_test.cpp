@@ -58,7 +58,7 @@ struct Crowd {
         for (int k = 0; k < steps; ++k) {
             BodyAxes axes;
             axes.resolve(environment, now, place, still);
-            contacts.resolve({0.25, 16}, environment, now.position, nullptr, nullptr, {}, &bodies, &axes);
+            contacts.resolve({16}, {}, environment, now.position, nullptr, nullptr, {}, &bodies, &axes);
         }
     }
 };

@@ -13,6 +13,7 @@
 #include "engine/fields/cost/static_ground.h"
 #include "engine/fields/cost/unit_cost.h"
 #include "engine/ground/environment/environment.h"
+#include "muster/parameters.h"
 
 namespace muster {
 
@@ -26,7 +27,7 @@ public:
     /// Allocates for these ground cells and density cells and sets the cost to zero everywhere.
     void reset(const Grid& ground, const Grid& density);
     /// Computes the cost of this crowd and these moving things for characters of `radius` [m].
-    void update(const UnitCostDef& def, const Environment& environment, const DensityField& density,
+    void update(const Parameters& parameters, const Environment& environment, const DensityField& density,
                 double radius);
     /// Integral of the relative cost along the straight line from `a` to `b` [m]. Multiplied by a uniform
     /// unit cost of the static ground it is a cost.
@@ -90,11 +91,11 @@ private:
     };
 
     void clear();
-    void addCrowd(const UnitCostDef& def, const DensityField& density, const Environment& environment);
-    void evaluateCrowd(const UnitCostDef& def, const DensityField& density, const Environment& environment,
-                       std::int32_t cell);
+    void addCrowd(const Parameters& parameters, const DensityField& density, const Environment& environment);
+    void evaluateCrowd(const Parameters& parameters, const DensityField& density,
+                       const Environment& environment, std::int32_t cell);
     void setCrowdCost(std::int32_t cell, const CellCost& value);
-    void addDiscomfortOf(const UnitCostDef& def, const ObstaclePiece& piece);
+    void addDiscomfortOf(const Parameters& parameters, const ObstaclePiece& piece);
     void addMovingPatches(const Environment& environment, const CellRect& area);
     void addMovingObstacles(const Environment& environment, double radius);
     void setMovingCost(Cell cell, float value);
