@@ -140,7 +140,7 @@ function(muster_compile_quickly target)
     set(options "")
     if(COMPILE_LIGHTLY AND NOT EMSCRIPTEN AND NOT MSVC)
         set(kind light)
-        set(options $<$<NOT:$<CONFIG:Debug>>:-O1>)
+        set(options $<$<NOT:$<CONFIG:Debug>>:-O2>)
         # g++ 12 warns of strings that it has half inlined.
         list(APPEND options $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds> $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
             $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
@@ -162,7 +162,7 @@ endfunction()
 # MUSTER_COMPILE_TOGETHER=OFF (the preset dev).
 function(muster_compile_together target)
     if(MUSTER_COMPILE_TOGETHER AND NOT CMAKE_UNITY_BUILD)
-        set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
+        set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 24)
     endif()
 endfunction()
 

@@ -1,6 +1,5 @@
 #include "scale/fine_ground.h"
 #include "engine/ground/environment/environment.h"
-#include "engine/state/layer_defs.h"
 #include "engine/world/inspect.h"
 
 namespace muster::scale {
@@ -26,8 +25,7 @@ Result<FineGround> FineGround::create(const World& world, double factor) {
 const UnitCost& FineGround::update(const World& world) {
     environment_.setTime(inspect::environment(world).time());
     density_.splat(world.characters().position, world.characters().velocity);
-    builder_.build(unitCostDef(world.parameters()), environment_, density_,
-                   world.parameters().character.radius, cost_);
+    builder_.build(world.parameters(), environment_, density_, world.parameters().character.radius, cost_);
     return cost_;
 }
 

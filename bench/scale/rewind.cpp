@@ -13,7 +13,7 @@ namespace muster::scale {
 namespace {
 
 constexpr std::int32_t kSteps = 8;         // Of a window.
-constexpr std::int32_t kUnmeasured = 120;  // Steps that are not measured.
+constexpr std::int32_t kFirstSteps = 120;  // Steps that are not measured.
 constexpr std::int32_t kEditAt = 3;        // Step of a window with an edit.
 
 /// What is measured of each window [ms].
@@ -114,7 +114,7 @@ Result<RewindRow> measureRewind(const RewindDef& def) {
     Times times;
     std::size_t bytes = 0;
     const auto steps = static_cast<std::uint32_t>(def.seconds / world->parameters().stepTime);
-    while (world->stepCount() < kUnmeasured) {
+    while (world->stepCount() < kFirstSteps) {
         if (const Result<double> warm = window({def.scene, def.seconds, false}, *world, drag); !warm.ok())
             return warm.status();
     }

@@ -36,9 +36,10 @@ struct Parameters {
 
     /// Control points (SPEC U4, U5).
     struct Control {
-        double speed = 1.6;       ///< Top speed of control points [m/s], 0.01 to 100.
-        double clockRate = 4.0;   ///< Largest number of drawing seconds followed per second, 1 to 100.
-        double softWeight = 6.0;  ///< Weight of supplementary points against stiffness, 1e-6 to 1e6.
+        double speed = 1.6;      ///< Top speed of control points [m/s], 0.01 to 100.
+        double clockRate = 4.0;  ///< Largest number of drawing seconds followed per second, 1 to 100.
+        /// Weight of supplementary points against the mesh's own stiffness, 1e-6 to 1e6.
+        double softWeight = 6.0;
     };
 
     /// The opposing force: the mesh waits for a crowd that falls behind (SPEC U6).
@@ -64,7 +65,7 @@ struct Parameters {
 
     /// Travelling places (SPEC M5).
     struct Place {
-        double speed = 2.0;       ///< Top speed in the open [m/s], 0.01 to 100.
+        double speed = 2.0;       ///< Top speed [m/s], 0.01 to 100; multiplied by the ground's travel speed.
         double clearance = 0.02;  ///< Distance to obstacles beyond the characters' radius [m], 0 to 1.5.
     };
 
@@ -91,7 +92,7 @@ struct Parameters {
         bool enabled = true;  ///< False: moving obstacles do not raise the unit cost.
         double time = 1.5;    ///< Time over which obstacles are predicted [s], 0 to 60.
         double range = 1.0;   ///< Reach beyond the swept surface [m], 0.01 to 100.
-        double gain = 8.0;    ///< Discomfort on the surface that the obstacle sweeps, 0 to 1000.
+        double gain = 8.0;    ///< Largest discomfort: at the obstacle itself, now; 0 to 1000.
     };
 
     /// Planning: the assignment of places (SPEC A1).

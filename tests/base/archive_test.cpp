@@ -45,7 +45,7 @@ Outer sample() {
     return o;
 }
 
-std::vector<std::uint8_t> bytesOf(Outer o) {
+std::vector<std::uint8_t> archived(Outer o) {
     Writer writer;
     writer(o);
     return writer.take();
@@ -60,7 +60,7 @@ std::uint64_t hashOf(Outer o) {
 }  // namespace
 
 TEST_CASE("what is written reads back, byte for byte the same again") {
-    const auto bytes = bytesOf(sample());
+    const auto bytes = archived(sample());
     Reader reader(bytes);
     Outer back;
     reader(back);
@@ -69,12 +69,12 @@ TEST_CASE("what is written reads back, byte for byte the same again") {
     CHECK(back.text == "places");
     CHECK(back.inner[0].points[1] == Vec2{3, 4});
     CHECK(*back.maybe == 1ull << 60);
-    CHECK(bytesOf(back) == bytes);
+    CHECK(archived(back) == bytes);
     CHECK(hashOf(back) == hashOf(sample()));
 }
 
 TEST_CASE("any torn prefix is refused and never read beyond") {
-    const auto bytes = bytesOf(sample());
+    const auto bytes = archived(sample());
     for (std::size_t size = 0; size < bytes.size(); ++size) {
         Reader reader(std::span<const std::uint8_t>(bytes).first(size));
         Outer back;

@@ -21,7 +21,7 @@ template <class T>
 }
 
 template <class T>
-std::vector<std::uint8_t> bytesOf(T value) {
+std::vector<std::uint8_t> encoded(T value) {
     Writer writer;
     writeTo(writer, value);
     return writer.take();
@@ -30,13 +30,13 @@ std::vector<std::uint8_t> bytesOf(T value) {
 /// Reads back what it writes, and writes the same again.
 template <class T>
 T roundTrip(T value) {
-    const auto bytes = bytesOf(value);
+    const auto bytes = encoded(value);
     Reader reader(bytes);
     T back{};
     reader(back);
     CHECK(reader.ok());
     CHECK(reader.remaining() == 0);
-    CHECK(bytesOf(back) == bytes);
+    CHECK(encoded(back) == bytes);
     for (std::size_t size = 0; size < bytes.size(); ++size) {
         Reader torn{std::span<const std::uint8_t>(bytes).first(size)};
         T rest{};
@@ -51,7 +51,7 @@ void roundTripLimits() {
     for (const T value : {std::numeric_limits<T>::min(), std::numeric_limits<T>::lowest(), T{0}, T{1},
                           std::numeric_limits<T>::max()}) {
         CHECK(roundTrip(value) == value);
-        CHECK(bytesOf(value).size() == sizeof(T));
+        CHECK(encoded(value).size() == sizeof(T));
     }
 }
 
@@ -106,15 +106,15 @@ TEST_CASE("numbers that are none come back bit for bit") {
 }
 
 TEST_CASE("the bytes are little-endian with lengths of 32 bits") {
-    CHECK(bytesOf(std::uint32_t{0x01020304}) == std::vector<std::uint8_t>{4, 3, 2, 1});
-    CHECK(bytesOf(std::string("hi")) == std::vector<std::uint8_t>{2, 0, 0, 0, 'h', 'i'});
-    CHECK(bytesOf(std::vector<std::int16_t>{-2}) == std::vector<std::uint8_t>{1, 0, 0, 0, 0xfe, 0xff});
-    CHECK(bytesOf(true) == std::vector<std::uint8_t>{1});
-    CHECK(bytesOf(1.0) == std::vector<std::uint8_t>{0, 0, 0, 0, 0, 0, 0xf0, 0x3f});
-    CHECK(bytesOf(std::optional<std::uint8_t>{9}) == std::vector<std::uint8_t>{1, 9});
-    CHECK(bytesOf(std::optional<std::uint8_t>{}) == std::vector<std::uint8_t>{0});
-    CHECK(bytesOf(std::array<std::uint8_t, 3>{1, 2, 3}) == std::vector<std::uint8_t>{1, 2, 3});
-    CHECK(bytesOf(GroupId{258}) == std::vector<std::uint8_t>{2, 1, 0, 0});
+    CHECK(encoded(std::uint32_t{0x01020304}) == std::vector<std::uint8_t>{4, 3, 2, 1});
+    CHECK(encoded(std::string("hi")) == std::vector<std::uint8_t>{2, 0, 0, 0, 'h', 'i'});
+    CHECK(encoded(std::vector<std::int16_t>{-2}) == std::vector<std::uint8_t>{1, 0, 0, 0, 0xfe, 0xff});
+    CHECK(encoded(true) == std::vector<std::uint8_t>{1});
+    CHECK(encoded(1.0) == std::vector<std::uint8_t>{0, 0, 0, 0, 0, 0, 0xf0, 0x3f});
+    CHECK(encoded(std::optional<std::uint8_t>{9}) == std::vector<std::uint8_t>{1, 9});
+    CHECK(encoded(std::optional<std::uint8_t>{}) == std::vector<std::uint8_t>{0});
+    CHECK(encoded(std::array<std::uint8_t, 3>{1, 2, 3}) == std::vector<std::uint8_t>{1, 2, 3});
+    CHECK(encoded(GroupId{258}) == std::vector<std::uint8_t>{2, 1, 0, 0});
 }
 
 TEST_CASE("containers in containers come back") {
@@ -133,7 +133,7 @@ TEST_CASE("containers in containers come back") {
 }
 
 TEST_CASE("reading replaces what stood there before") {
-    const auto bytes = bytesOf(Node{"new", {}, {}});
+    const auto bytes = encoded(Node{"new", {}, {}});
     Node node{"old", {{"child", {}, {}}}, std::vector<Vec2>{{1, 2}}};
     Reader reader(bytes);
     reader(node);
@@ -151,7 +151,7 @@ TEST_CASE("flags other than 0 and 1 are refused, as is what a type itself refuse
     maybes(maybe);
     CHECK_FALSE(maybes.ok());
     CHECK_FALSE(maybe.has_value());
-    const auto odd = bytesOf(std::vector<std::int32_t>{2, 3, 4});
+    const auto odd = encoded(std::vector<std::int32_t>{2, 3, 4});
     std::vector<Even> evens;
     Reader reader(odd);
     reader(evens);
@@ -176,7 +176,7 @@ TEST_CASE("after a failure everything reads as zero") {
 
 TEST_CASE("a count of things without bytes to hold them ends the reading, not the memory") {
     for (const std::uint32_t count : {0xffffffffu, 0x10000000u, 5u}) {
-        auto bytes = bytesOf(count);
+        auto bytes = encoded(count);
         bytes.resize(8);
         std::vector<Node> nodes;
         Reader reader(bytes);

@@ -6,21 +6,12 @@
 #include <cmath>
 #include <vector>
 
-#include "base/random.h"
+#include "base/random_grids.h"
 
 using namespace muster;
+using namespace muster::test;
 
 namespace {
-
-Grid randomGrid(Random& random) {
-    const Vec2 corner{random.uniform(-500, 500), random.uniform(-500, 500)};
-    const Vec2 size{random.uniform(0.01, 60), random.uniform(0.01, 60)};
-    return Grid::covering({corner, corner + size}, random.uniform(0.05, 4.0));
-}
-
-Vec2 pointIn(const Box& box, Random& random) {
-    return {random.uniform(box.min.x, box.max.x), random.uniform(box.min.y, box.max.y)};
-}
 
 double interpolate(const Grid& grid, const std::vector<double>& values, Vec2 p) {
     const BilinearStencil stencil = bilinearStencil(grid, p);
@@ -54,7 +45,7 @@ TEST_CASE("bilinear interpolation reproduces linear functions and stays inside")
 TEST_CASE("bilinear weights are a share of one, in the cells that surround the point") {
     Random random(14);
     for (int i = 0; i < 500; ++i) {
-        const Grid grid = randomGrid(random);
+        const Grid grid = coveringGrid(random);
         const Vec2 p = pointIn(grid.box().grown(3.0), random);
         const BilinearStencil stencil = bilinearStencil(grid, p);
         double sum = 0.0;
@@ -113,7 +104,7 @@ TEST_CASE("one row, one column: the other axis still interpolates") {
 TEST_CASE("a locator gives the stencil of the same point") {
     Random random(17);
     for (int i = 0; i < 500; ++i) {
-        const Grid grid = randomGrid(random);
+        const Grid grid = coveringGrid(random);
         const BilinearLocator locator(grid);
         const Vec2 p = pointIn(grid.box().grown(3.0), random);
         const BilinearStencil stencil = bilinearStencil(grid, p);

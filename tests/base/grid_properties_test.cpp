@@ -7,23 +7,10 @@
 
 #include "base/archive.h"
 #include "base/grid.h"
-#include "base/random.h"
+#include "base/random_grids.h"
 
 using namespace muster;
-
-namespace {
-
-Grid randomGrid(Random& random) {
-    const Vec2 corner{random.uniform(-500, 500), random.uniform(-500, 500)};
-    const Vec2 size{random.uniform(0.01, 60), random.uniform(0.01, 60)};
-    return Grid::covering({corner, corner + size}, random.uniform(0.05, 4.0));
-}
-
-Vec2 pointIn(const Box& box, Random& random) {
-    return {random.uniform(box.min.x, box.max.x), random.uniform(box.min.y, box.max.y)};
-}
-
-}  // namespace
+using namespace muster::test;
 
 TEST_CASE("a grid covers its box, and one row or column fewer would not") {
     Random random(11);
@@ -42,7 +29,7 @@ TEST_CASE("a grid covers its box, and one row or column fewer would not") {
 TEST_CASE("index and cell are inverse, and the centre of a cell lies in it") {
     Random random(12);
     for (int i = 0; i < 200; ++i) {
-        const Grid grid = randomGrid(random);
+        const Grid grid = coveringGrid(random);
         const auto index = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(grid.count())));
         const Cell cell = grid.at(index);
         CHECK(grid.contains(cell));
@@ -72,7 +59,7 @@ TEST_CASE("the cell of a point is the one with the nearest centre") {
 TEST_CASE("the nearest cell is that of the point moved into the grid, on edges too") {
     Random random(21);
     for (int i = 0; i < 500; ++i) {
-        const Grid grid = randomGrid(random);
+        const Grid grid = coveringGrid(random);
         Vec2 p = pointIn(grid.box().grown(3.0), random);
         // Some lie just on the edge of a cell, or far away.
         if (i % 3 == 0)
@@ -97,7 +84,7 @@ TEST_CASE("cells on the negative side are not rounded towards zero") {
 
 TEST_CASE("a grid survives an archive") {
     Random random(16);
-    Grid grid = randomGrid(random), back;
+    Grid grid = coveringGrid(random), back;
     Writer writer;
     writer(grid);
     Reader reader(writer.bytes());

@@ -10,7 +10,7 @@ using namespace muster;
 
 namespace {
 
-Grid randomGrid(Random& random) {
+Grid smallGrid(Random& random) {
     return {{random.uniform(-5, 5), random.uniform(-5, 5)},
             random.uniform(0.1, 2.0),
             static_cast<std::int32_t>(1 + random.below(25)),
@@ -41,7 +41,7 @@ private:
 TEST_CASE("the nearest cell with a property is that of brute force, from inside and outside the grid") {
     Random random(41);
     for (int round = 0; round < 400; ++round) {
-        const Grid grid = randomGrid(random);
+        const Grid grid = smallGrid(random);
         std::vector<char> good(grid.count());
         const double share = random.below(4) == 0 ? 0.0 : random.uniform(0.0, 0.2);
         for (char& g : good) g = random.uniform() < share ? 1 : 0;
@@ -78,7 +78,7 @@ TEST_CASE("components are those of disjoint sets, numbered by their first cells"
     Random random(43);
     std::vector<std::int32_t> stack;
     for (int round = 0; round < 200; ++round) {
-        const Grid grid = randomGrid(random);
+        const Grid grid = smallGrid(random);
         std::vector<std::int32_t> before(grid.count());
         const double share = random.uniform();
         for (std::int32_t& label : before)

@@ -136,11 +136,11 @@ TEST_CASE("vectors: products, turns, limits and boxes") {
         CHECK((box.clamp(a) == a) == box.contains(a));
         CHECK(box.grown(9.0).contains(a));
     }
-    CHECK(normalized({1e-13, 0}, {0, 1}) == Vec2{0, 1});
+    CHECK(normalized(Vec2{1e-13, 0}, Vec2{0, 1}) == Vec2{0, 1});
     CHECK(clampLength({0.3, 0.4}, 0.5) == Vec2{0.3, 0.4});
     CHECK(lerp({1, 2}, {3, 6}, 0.25) == Vec2{1.5, 3});
-    CHECK_FALSE(isFinite({kNan, 0}));
-    CHECK_FALSE(isFinite({0, kInfinity}));
+    CHECK_FALSE(isFinite(Vec2{kNan, 0}));
+    CHECK_FALSE(isFinite(Vec2{0, kInfinity}));
 }
 
 TEST_CASE("streams of random numbers differ by seed and keep to their bounds") {

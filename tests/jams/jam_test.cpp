@@ -36,14 +36,14 @@ TEST_CASE("short random jams come near the quickest flow") {
         CHECK(overBound("jam", randomJam(seed)) <= kOverBound);
 }
 
-// On request: jams_tests --no-skip --test-case="the three jams*"
+// On request: engine_tests --no-skip --test-case="the three jams*"
 TEST_CASE("the three jams come near the quickest flow" * doctest::skip()) {
     const char* names[] = {"J1", "J2", "J3"};
     for (int k = 0; k < 3; ++k)
         if (const auto scene = jamFile(k)) CHECK(overBound(names[k], *scene) <= kOverBound);
 }
 
-// On request: jams_tests --no-skip --test-case="opening a passage*"
+// On request: engine_tests --no-skip --test-case="opening a passage*"
 TEST_CASE("opening a passage delays the last arrival by at most 3 %" * doctest::skip()) {
     for (std::uint64_t seed = 1; seed <= kRandomJams; ++seed) {
         const JamScene scene = randomJam(seed);
@@ -59,7 +59,7 @@ TEST_CASE("opening a passage delays the last arrival by at most 3 %" * doctest::
     }
 }
 
-// On request, to look at them: JAMS=FOLDER jams_tests --no-skip --test-case="random jams as files"
+// On request, to look at them: JAMS=FOLDER engine_tests --no-skip --test-case="random jams as files"
 TEST_CASE("random jams as files" * doctest::skip()) {
     const char* folder = std::getenv("JAMS");
     REQUIRE(folder != nullptr);
@@ -71,7 +71,7 @@ TEST_CASE("random jams as files" * doctest::skip()) {
     }
 }
 
-// On request: jams_tests --no-skip --test-case="twenty random jams*"
+// On request: engine_tests --no-skip --test-case="twenty random jams*"
 TEST_CASE("twenty random jams come near the quickest flow" * doctest::skip()) {
     for (std::uint64_t seed = 1; seed <= kRandomJams; ++seed) {
         char name[16];

@@ -2,20 +2,14 @@
 // installed, PROGRAM the native program; SHOTS, where it is given, gets pictures of the samples.
 import { execFileSync } from 'node:child_process';
 import { cpSync, mkdirSync, readFileSync, readdirSync, symlinkSync, writeFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { join } from 'node:path';
+import { openChromium } from '../../web/tests/support/chromium.mjs';
 import { serve } from '../../web/tests/support/plain_server.mjs';
 import { assert, native, place, references, root, runAll, test } from './checks.mjs';
 
-const web = createRequire(join(root, 'web/package.json'));
-const { chromium } = web('playwright-core');
-const kFlags = ['--no-sandbox', '--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'];
 const kRuns = references.filter(({ name, plan }) => plan === 'fast' && /x01|x02|x03|x08|x11|^corridor$/.test(name));
 
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-  args: kFlags,
-});
+const browser = await openChromium();
 
 /** Opens a folder's page, and expects it to complain of nothing. */
 async function withPage(folder, file, action) {

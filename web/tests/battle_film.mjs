@@ -1,11 +1,9 @@
 // A battle as the page shows it, one picture every few seconds: node tests/battle_film.mjs [--out FOLDER]
 // [--scenario FILE] [--seconds 60] [--every 5] [--size desktop] [--scheme dark] [--queues]. Its orders come from its gestures file.
 import { mkdirSync } from 'node:fs';
-import { chromium } from 'playwright-core';
+import { openChromium } from './support/chromium.mjs';
 import { startStudio } from './support/server.mjs';
 import { StudioPage } from './support/studio_page.mjs';
-
-const kFlags = ['--no-sandbox', '--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'];
 
 function option(name, fallback) {
   const at = process.argv.indexOf(`--${name}`);
@@ -39,7 +37,7 @@ function lookAtQueues() {
 }
 
 const server = await startStudio({ scenario: option('scenario', 'scenarios/battle.json'), port: 18380 });
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: kFlags });
+const browser = await openChromium();
 try {
   const studio = await StudioPage.open(browser, `${server.url}?quality=full`, { size, colorScheme, touch: false });
   const revision = await studio.page.evaluate(() => globalThis.__muster.frame.sceneRevision);

@@ -1,5 +1,7 @@
-// The studio in a real browser: node tests/browser.mjs [--only WORD] (MUSTER=path names the program)
-import { chromium } from 'playwright-core';
+// The studio in a real browser: node tests/browser.mjs [--all] [--only WORD] (MUSTER=path names the program)
+//
+//     always      each case in the first of its sizes, `everySize` ones in all, `release` ones in none: what a push may break
+//     --all       all cases in all of their sizes: a release
 import * as build from './cases/build.mjs';
 import * as buildCorners from './cases/build_corners.mjs';
 import * as camera from './cases/camera.mjs';
@@ -31,18 +33,18 @@ import * as paths from './cases/path.mjs';
 import * as takes from './cases/takes.mjs';
 import * as touch from './cases/touch.mjs';
 import * as undo from './cases/undo.mjs';
+import { openChromium } from './support/chromium.mjs';
 import { startMadeCrowd } from './support/made_crowd.mjs';
 import { kPort, startStudio } from './support/server.mjs';
 import { StudioPage } from './support/studio_page.mjs';
 
-const kFlags = ['--no-sandbox', '--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'];
 /** The open place, with room to build. */
 const kOpen = { scenario: 'scenarios/open.json', room: true };
 const kTablets = ['desktop', 'landscape', 'portrait'];
 
 /** Name, test, sizes, and options of the page. `room`: zoomed out, to have room to drag; `shared`: one page serves all such
  * cases of a size; `counts`: calls of WebGL are counted; a `scenario` gets a server of its own; `bare`: the test starts its own
- * servers and pages. */
+ * servers and pages; `everySize`: what it looks at depends on the size of the screen most; `release`: it takes long and seldom fails alone. */
 const kCases = [
   ['latency', session.latency, ['desktop'], {}],
   ['point', touch.pointDrag, kTablets, { room: true, shared: true }],
@@ -110,7 +112,7 @@ const kCases = [
       `camera: watched crowd of ${scenario.replace(/.*\/|\.json/g, '')}`,
       camera.watchedCrowd,
       ['desktop', 'phone'],
-      { scenario },
+      { scenario, release: scenario.includes('paper') },
     ],
   ),
   [
@@ -127,7 +129,7 @@ const kCases = [
     'limits: editing a thousand',
     limits.editingThousand,
     ['wide'],
-    { touch: false, scenario: 'web/tests/scenarios/thousand.json' },
+    { touch: false, scenario: 'web/tests/scenarios/thousand.json', release: true },
   ],
   [
     'market square',
@@ -177,7 +179,7 @@ const kCases = [
     'nothing overlaps',
     findings.nothingOverlaps,
     ['wide', 'landscape', 'portrait', 'phone'],
-    { scenario: 'scenarios/paper/x03-long-house.json' },
+    { scenario: 'scenarios/paper/x03-long-house.json', everySize: true },
   ],
   ['build: by mouse', build.byMouse, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],
   ['build: corners', buildCorners.cornersAndGuides, ['desktop', 'portrait', 'phone'], kOpen],
@@ -204,7 +206,7 @@ const kCases = [
     'ten thousand people',
     people.budgetsOfMany,
     ['desktop', 'portrait'],
-    { search: '?quality=full&stats', counts: true, made: { count: 10000, near: 100 } },
+    { search: '?quality=full&stats', counts: true, made: { count: 10000, near: 100 }, release: true },
   ],
   ['growing crowd', scenarios.growingCrowd, ['desktop'], { scenario: 'scenarios/open.json' }],
   ['two groups', scenarios.twoGroups, ['desktop'], { scenario: 'web/tests/scenarios/two-groups.json', room: true }],
@@ -224,7 +226,7 @@ const kCases = [
   ['takes: life of a take', takes.life, ['desktop', 'phone'], { scenario: 'web/tests/scenarios/hundred.json' }],
   ['takes: scrub and trim', takes.scrubAndTrim, ['landscape', 'phone'], { scenario: 'scenarios/open.json' }],
   ['takes: again and on top', takes.againAndOnTop, ['desktop'], { scenario: 'web/tests/scenarios/two-groups.json' }],
-  ['takes: film camera', film.filmCamera, ['desktop', 'portrait', 'phone'], { scenario: 'scenarios/open.json' }],
+  ['takes: film camera', film.filmCamera, ['desktop', 'portrait', 'phone'], { scenario: 'scenarios/open.json', release: true }],
   [
     'paths: by finger',
     (studio) => paths.path(studio, false),
@@ -274,9 +276,9 @@ const kCases = [
     { touch: false, scenario: 'scenarios/open.json' },
   ],
   ['a page that hangs', session.stalledPage, ['desktop'], {}],
-  ['first visit', look.firstVisit, [...kTablets, 'phone', 'narrow'], { hint: true }],
-  ['layout', look.layout, [...kTablets, 'phone', 'narrow', 'zoomed'], {}],
-  ['access', look.accessible, [...kTablets, 'phone', 'zoomed'], {}],
+  ['first visit', look.firstVisit, [...kTablets, 'phone', 'narrow'], { hint: true, everySize: true }],
+  ['layout', look.layout, [...kTablets, 'phone', 'narrow', 'zoomed'], { everySize: true }],
+  ['access', look.accessible, [...kTablets, 'phone', 'zoomed'], { everySize: true }],
   ['lost and found', session.lostAndFound, ['landscape'], {}],
   ['control schemes by mouse', schemes.byMouse, ['desktop'], { touch: false, room: true }],
   ['control schemes by touch', schemes.byTouch, ['landscape', 'phone'], { room: true }],
@@ -288,8 +290,13 @@ const kCases = [
 
 const at = process.argv.indexOf('--only');
 const only = at > 0 ? process.argv[at + 1] : '';
+const everything = process.argv.includes('--all');
+const sizesNow = (sizes, { release, everySize }) => {
+  if (everything || everySize) return sizes;
+  return release ? [] : sizes.slice(0, 1);
+};
 let server = await startStudio();
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: kFlags });
+const browser = await openChromium();
 let passed = 0;
 const failed = [];
 const again = [];
@@ -378,7 +385,9 @@ async function runCase(one) {
 
 const all = kCases
   .filter(([name]) => name.includes(only))
-  .flatMap(([name, test, sizes, options]) => sizes.map((size) => ({ name, test, size, options })));
+  .flatMap(([name, test, sizes, options]) =>
+    sizesNow(sizes, options).map((size) => ({ name, test, size, options })),
+  );
 // Those that share a page follow each other.
 const key = ({ size, options }) => `${options.touch === false ? 1 : 0} ${size}`;
 const together = all.filter(({ options }) => options.shared).sort((a, b) => key(a).localeCompare(key(b)));

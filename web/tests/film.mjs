@@ -1,12 +1,11 @@
 // Film strips of the paper's experiments from the real page: node tests/film.mjs [--only WORD] [--out FOLDER]
 // Six moments each, side by side, into docs/pictures. Takes minutes where there is no GPU.
 import { fileURLToPath } from 'node:url';
-import { chromium } from 'playwright-core';
+import { openChromium } from './support/chromium.mjs';
 import { writeStrip } from './support/film_strip.mjs';
 import { startStudio } from './support/server.mjs';
 import { kSizes, StudioPage } from './support/studio_page.mjs';
 
-const kFlags = ['--no-sandbox', '--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'];
 /** A moment as it is drawn, and in the strip [px]. */
 const kTaken = { width: 592, height: 760 };
 const kTile = { width: 296, height: 380, gap: 4 };
@@ -116,7 +115,7 @@ async function film(browser, one, folder) {
 
 const folder = option('out', fileURLToPath(new URL('../../docs/pictures', import.meta.url)));
 kSizes.film = kTaken;
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: kFlags });
+const browser = await openChromium();
 try {
   for (const one of kFilms) if (one.name.includes(option('only', ''))) await film(browser, one, folder);
 } finally {

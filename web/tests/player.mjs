@@ -3,13 +3,12 @@
 //     node tests/player.mjs FOLDER [--only 'name'] [--shots FOLDER]
 import { cpSync, existsSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
-import { chromium } from 'playwright-core';
 import * as files from './cases/player_files.mjs';
 import * as pages from './cases/player_pages.mjs';
 import * as trouble from './cases/player_trouble.mjs';
+import { openChromium } from './support/chromium.mjs';
 import { serve } from './support/plain_server.mjs';
 
-const kFlags = ['--no-sandbox', '--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'];
 const kDesktop = { viewport: { width: 840, height: 640 } };
 const kPhone = { viewport: { width: 390, height: 780 }, deviceScaleFactor: 1.5, hasTouch: true, isMobile: true };
 
@@ -64,7 +63,7 @@ const script = new URL('../dist/player/muster-player.js', import.meta.url).pathn
 cpSync(script, join(folder, 'muster-player.js'));
 writeFileSync(join(folder, 'plain.html'), pages.kPlain);
 const host = { shots: option('--shots'), ...(await serve(folder)) };
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: kFlags });
+const browser = await openChromium();
 let [passed, failed] = [0, 0];
 for (const [name, test, options] of kCases) {
   if (!name.includes(option('--only'))) continue;

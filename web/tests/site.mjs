@@ -1,17 +1,16 @@
 // The studio without a server: a folder of `muster site`, served by another web server, in Chromium. Usage:
 //     node tests/site.mjs FOLDER [--only 'name']
-import { mkdtempSync } from 'node:fs';
+import { existsSync, mkdtempSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
-import { chromium } from 'playwright-core';
 import * as build from './cases/build.mjs';
 import * as site from './cases/site.mjs';
 import * as standby from './cases/standby.mjs';
 import * as takes from './cases/takes.mjs';
+import { openChromium } from './support/chromium.mjs';
 import { serve } from './support/plain_server.mjs';
 import { StudioPage } from './support/studio_page.mjs';
 
-const kFlags = ['--no-sandbox', '--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'];
 /** Scenarios stand in the address; the first one is that of the site. */
 const kOpen = '#scenario=open';
 
@@ -77,11 +76,12 @@ const only = at > 0 ? process.argv[at + 1] : '';
 const server = await serve(resolve(folder));
 server.engine = join(resolve(folder), 'engine');
 server.empty = mkdtempSync(join(tmpdir(), 'muster-no-engine-'));
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: kFlags });
+const browser = await openChromium();
 let [passed, failed] = [0, 0];
 for (const [name, test, sizes, options] of kCases)
   for (const size of sizes) {
     if (!name.includes(only)) continue;
+    if (name === 'threads' && !existsSync(join(server.engine, 'muster-engine-threads.wasm'))) continue;
     if (await runCase(browser, server, { name, test, size, options })) passed += 1;
     else failed += 1;
   }

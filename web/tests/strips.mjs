@@ -1,7 +1,7 @@
 // Film strips of an animator's jobs, by real mouse and fingers: node tests/strips.mjs --out FOLDER [--only JOB] [--size SIZE]
 // Six moments of each job side by side, on a desktop, a tablet and a phone. --each writes every moment in full size, too.
 import { mkdirSync, writeFileSync } from 'node:fs';
-import { chromium } from 'playwright-core';
+import { openChromium } from './support/chromium.mjs';
 import { writeStrip } from './support/film_strip.mjs';
 import { Hand } from './support/hand.mjs';
 import { startStudio } from './support/server.mjs';
@@ -13,7 +13,6 @@ import * as firstVisit from './strips/first_visit.mjs';
 import * as places from './strips/places.mjs';
 import * as takes from './strips/takes.mjs';
 
-const kFlags = ['--no-sandbox', '--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'];
 const kJobs = { 'first-visit': firstVisit, place: places, crowd: crowds, direct, takes, directors };
 /** Name of the size, whether it is touched, and width of a moment in the strip [px]. */
 const kDevices = [
@@ -62,7 +61,7 @@ async function strip(browser, name, job, [size, touch, width]) {
   console.log(`${name} (${size})`);
 }
 
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: kFlags });
+const browser = await openChromium();
 const failed = [];
 try {
   for (const [name, job] of Object.entries(kJobs).filter(([one]) => one.includes(option('only', ''))))

@@ -3,12 +3,11 @@
 import { mkdirSync, mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { chromium } from 'playwright-core';
+import { openChromium } from './support/chromium.mjs';
 import { readCsv } from './support/csv.mjs';
 import { runProgram, startStudy } from './support/server.mjs';
 import { StudyPerson, kStage } from './support/study_person.mjs';
 
-const kFlags = ['--no-sandbox', '--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'];
 const kTitles = {
   'single-block': 'Single Block',
   corridor: 'Corridor',
@@ -142,7 +141,7 @@ async function strip(browser, title, rows, times, file) {
 }
 
 const trials = storedTrials();
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: kFlags });
+const browser = await openChromium();
 try {
   for (const [environment, title] of Object.entries(kTitles)) {
     const pair = pairOf(trials, environment);

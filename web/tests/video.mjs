@@ -3,11 +3,10 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { dirname } from 'node:path';
-import { chromium } from 'playwright-core';
+import { openChromium } from './support/chromium.mjs';
 import { startStudio } from './support/server.mjs';
 import { StudioPage } from './support/studio_page.mjs';
 
-const kFlags = ['--no-sandbox', '--use-gl=angle', '--use-angle=gl-egl', '--ignore-gpu-blocklist'];
 const kSeconds = 10;
 
 function option(name, fallback) {
@@ -47,7 +46,7 @@ async function keepView(studio, step) {
 }
 
 const server = await startStudio({ scenario: option('scenario', 'scenarios/course.json') });
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: kFlags });
+const browser = await openChromium();
 const studio = await StudioPage.open(browser, server.url, { size: 'desktop', touch: false });
 try {
   await recordUntil(studio, from + kSeconds + 0.5);

@@ -48,10 +48,10 @@ double meanRadius(const WorldState& state, const Group& group) {
     return alike ? usual.radius : sum / static_cast<double>(group.members.size());
 }
 
-PlaceDef placeDefOf(const WorldState& state, const Group& group, PlaceDef usual) {
-    usual.radius = groundRadius(state.parameters.character.radius, group.groundClass);
-    usual.separation = 2.0 * meanRadius(state, group);
-    return usual;
+PlaceDef placeDefOf(const WorldState& state, const Group& group) {
+    const Parameters& parameters = state.parameters;
+    return {groundRadius(parameters.character.radius, group.groundClass), parameters.place.clearance,
+            parameters.place.speed, 2.0 * meanRadius(state, group)};
 }
 
 void updateGroundClasses(WorldState& state, ThreadPool& pool) {

@@ -17,8 +17,8 @@ double groundRadius(double usual, std::int32_t groundClass);
 std::int32_t groundClassFor(const WorldState& state, const Group& group);
 /// Mean radius of a group's members [m]; the usual one where there are none.
 double meanRadius(const WorldState& state, const Group& group);
-/// How the places of a group travel, by that of usual groups.
-PlaceDef placeDefOf(const WorldState& state, const Group& group, PlaceDef usual);
+/// How the places of a group travel: with room for its members.
+PlaceDef placeDefOf(const WorldState& state, const Group& group);
 /// Gives groups whose largest member has become another one their class. Their plans, which are bound to the
 /// ground of their class, begin again. Waits for background work before that.
 void updateGroundClasses(WorldState& state, ThreadPool& pool);

@@ -8,7 +8,6 @@
 #include "base/neighbour_list.h"
 #include "engine/formation/shapes/formation.h"
 #include "engine/state/ground_class.h"
-#include "engine/state/layer_defs.h"
 #include "engine/state/reform.h"
 #include "engine/state/standing_room.h"
 #include "engine/state/validation.h"
@@ -153,7 +152,7 @@ bool anyInside(const WorldState& state) {
 void partAtStart(WorldState& state) {
     CrowdBodies bodies;
     bodies.resolve(state.parameters.character, state.characters, {});
-    Contacts().resolve({state.parameters.character.radius, kStartIterations}, state.environment,
+    Contacts().resolve({kStartIterations}, state.parameters.character, state.environment,
                        state.characters.position, nullptr, nullptr, {}, &bodies);
 }
 
@@ -173,8 +172,7 @@ void resetPlaces(WorldState& state, Group& group, const std::vector<Vec2>& targe
     std::vector<std::int32_t> counts;
     const std::int32_t before = std::exchange(group.groundClass, groundClassFor(state, group));
     RouteGraph& routes = state.refreshRoutes(group.groundClass);
-    group.places.reset(placeDefOf(state, group, placeDef(state.parameters)), targets, routes,
-                       mainRegion(state, group, counts));
+    group.places.reset(placeDefOf(state, group), targets, routes, mainRegion(state, group, counts));
     group.groundClass = before;  // Until updateGroundClasses() exchanges its plan.
 }
 
@@ -310,7 +308,7 @@ Status changeFormation(WorldState& state, Group& group, const FormationDef& def,
     group.def.formation = def;
     group.def.count = count;
     if (!group.def.demands.empty()) group.def.demands.resize(static_cast<std::size_t>(count), 1.0);
-    group.controls.rebind(controlDef(state.parameters), group.mesh.formation().mesh, group.mesh.userMesh());
+    group.controls.rebind(group.mesh.formation().mesh, group.mesh.userMesh());
     std::vector<Vec2> targets;
     group.mesh.placePositions(targets);
     resetPlaces(state, group, targets);

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "base/bounds.h"
-#include "engine/state/layer_defs.h"
 
 namespace muster {
 namespace {
@@ -358,8 +357,7 @@ void applyReform(WorldState& state, Group& group, Reform reform, const Formation
         const Status changed = group.mesh.changeFrom(mesh, reform.formation);
         MUSTER_ASSERT(changed.ok());
         (void)changed;
-        group.controls.rebind(controlDef(state.parameters), group.mesh.formation().mesh,
-                              group.mesh.userMesh());
+        group.controls.rebind(group.mesh.formation().mesh, group.mesh.userMesh());
     }
     takePlaces(state, group, reform);
     group.plan->forget();

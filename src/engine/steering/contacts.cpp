@@ -232,12 +232,11 @@ bool Contacts::outdatedByCorrections(std::span<const Vec2> positions) {
     return false;
 }
 
-ContactReport Contacts::resolve(const ContactDef& def, const Environment& environment,
-                                std::span<Vec2> positions, const NeighbourList* neighbours, ThreadPool* pool,
+ContactReport Contacts::resolve(const Parameters::Contact& def, const Parameters::Character& usual,
+                                const Environment& environment, std::span<Vec2> positions,
+                                const NeighbourList* neighbours, ThreadPool* pool,
                                 const ContactBounds& bounds, const CrowdBodies* bodies,
                                 const BodyAxes* axes) {
-    Parameters::Character usual;
-    usual.radius = def.radius;
     alike_.reset(usual);
     bodies_ = bodies != nullptr ? bodies : &alike_;
     axes_ = axes != nullptr && !axes->none() ? axes : nullptr;

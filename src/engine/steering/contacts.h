@@ -17,14 +17,6 @@
 
 namespace muster {
 
-/// How contacts are resolved.
-struct ContactDef {
-    /// Of a character [m], above 0, where no bodies are given.
-    double radius = Parameters::Character{}.radius;
-    /// Most Gauss-Seidel iterations over all contacts, 1 or more.
-    std::int32_t iterations = Parameters::Contact{}.iterations;
-};
-
 /// Where the step began, and how far characters can walk in it, one entry per character; empty for no bounds.
 struct ContactBounds {
     std::span<const Vec2> from;     ///< [m]
@@ -39,10 +31,11 @@ public:
     /// reach of `bounds`, except who is pushed by a moving obstacle, and no pair gets deeper than 9 % of its
     /// mean diameter that was not before, except where an obstacle came over one of the two, or one is fixed.
     /// `neighbours`, if given, is used as long as it is valid, which saves a search; it must list pairs
-    /// nearer than the largest diameter or farther. `bodies`, if given, are those of all characters: who is
-    /// fixed is not moved, not by obstacles either. `axes`, if given, keep those who lie apart as well, as
-    /// far as the rest allows.
-    ContactReport resolve(const ContactDef& def, const Environment& environment, std::span<Vec2> positions,
+    /// nearer than the largest diameter or farther. `bodies`, if given, are those of all characters, who are
+    /// all alike by `usual` otherwise: who is fixed is not moved, not by obstacles either. `axes`, if given,
+    /// keep those who lie apart as well, as far as the rest allows.
+    ContactReport resolve(const Parameters::Contact& def, const Parameters::Character& usual,
+                          const Environment& environment, std::span<Vec2> positions,
                           const NeighbourList* neighbours = nullptr, ThreadPool* pool = nullptr,
                           const ContactBounds& bounds = {}, const CrowdBodies* bodies = nullptr,
                           const BodyAxes* axes = nullptr);

@@ -27,14 +27,14 @@ bool geodesics(const Environment& environment, double radius, std::span<const Ve
                std::span<const Vec2> places, std::vector<double>& lengths) {
     const auto bare = withoutPatches(environment);
     if (!bare.ok()) return false;
-    UnitCostDef def;
-    def.alpha = 1.0;
-    def.beta = 0.0;
-    def.density = false;
-    def.discomfort = false;
+    Parameters parameters;
+    parameters.cost.alpha = 1.0;
+    parameters.cost.beta = 0.0;
+    parameters.density.enabled = false;
+    parameters.discomfort.enabled = false;
     UnitCost cost;
     UnitCostBuilder builder;
-    builder.build(def, *bare, DensityField(environment.def().box, {}), radius, cost);
+    builder.build(parameters, *bare, DensityField(environment.def().box, {}), radius, cost);
     EikonalSolver solver;
     CostField field;
     for (std::size_t j = 0; j < places.size(); ++j) {

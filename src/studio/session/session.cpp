@@ -54,6 +54,7 @@ void Session::Impl::beginWith(World begun, const std::string& worldName, const W
     pacer.reset();
     playing = true;
     frames.restart();
+    stages.forget();
     directors.forgetGroups();
     beginMotion();
     if (player) player->keep(*world, motion);
@@ -211,6 +212,17 @@ void Session::Impl::stepped() {
     frames.observe(*world);
     directors.observe(*world);
     observeMotion();
+    observeStages();
+}
+
+// Nothing is summed while nobody watches.
+void Session::Impl::observeStages() {
+    const bool watched = std::any_of(clients.begin(), clients.end(),
+                                     [](const auto& entry) { return entry.second.watchesStages; });
+    if (watched)
+        stages.observe(*world);
+    else
+        stages.forget();
 }
 
 void Session::Impl::stepWorld() {

@@ -11,6 +11,7 @@
 #include "muster/session.h"
 #include "studio/session/frames/frame_sender.h"
 #include "studio/session/frames/overlay.h"
+#include "studio/session/frames/stage_means.h"
 #include "studio/session/history/place_editor.h"
 #include "studio/session/inbox/chosen_scheme.h"
 #include "studio/session/inbox/directors.h"
@@ -61,6 +62,9 @@ struct SessionClient {
     double overlayDue = 0.0;         ///< Real time at which the next overlay is due [s].
     std::uint64_t overlayState = 0;  ///< Session state that the last overlay showed; 0 for none.
     ReachVersion sentReach;          ///< What the last overlay of reach was made from.
+
+    bool watchesStages = false;    ///< It wants to know how long the stages of steps take.
+    std::uint32_t sentStages = 0;  ///< Revision of the last StageTimes that it has or does not need.
 };
 
 /// The complete state of a session.
@@ -86,6 +90,7 @@ struct Session::Impl {
     void stepped();
     void stepWorld();
     void queueEvents();
+    void observeStages();
     void reportRejections();
     void noticeEvents();
     void warn();
@@ -139,6 +144,7 @@ struct Session::Impl {
     void buildFrame();
     void sendFrame(SessionClient& client);
     void sendOverlay(SessionClient& client);
+    void sendStages(SessionClient& client);
 
     // The place (session_place.cpp).
     Status edit(SessionClient& client, const protocol::Edit& message);
@@ -201,6 +207,7 @@ struct Session::Impl {
     std::uint64_t signature = 0;  // Signature of the scene with that revision.
     MessageBytes sceneBytes;      // The Scene message with that revision.
     FrameBuilder frames;
+    StageMeans stages;  // Of steps since somebody watches.
     MotionFrames motion;
     std::vector<Attention> attentions;             // Attention of all clients; working memory.
     protocol::Frame frame;                         // The frame that all clients share; built on demand.

@@ -27,9 +27,9 @@ TEST_CASE("a warm step of controls, mesh and places allocates nothing") {
     long byPlaces = 0;
     const auto step = [&] {
         s.time += kStep;
-        s.controls.advance(s.controlDef, kStep, s.time, 1.0);
-        const bool ok = s.mesh.deform(s.meshDef, s.controlDef, s.controls, kStep).ok();
-        s.mesh.applyEnvironment(s.meshDef, environment, kStep);
+        s.controls.advance(s.parameters.input, s.parameters.control, kStep, s.time, 1.0);
+        const bool ok = s.mesh.deform(s.parameters.mesh, s.parameters.control, s.controls, kStep).ok();
+        s.mesh.applyEnvironment(s.parameters.field, environment, kStep);
         s.mesh.placePositions(targets);
         const long beforePlaces = allocations;
         places.advance({}, targets, routes, -1, kStep);

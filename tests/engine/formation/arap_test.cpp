@@ -1,3 +1,4 @@
+#include "engine/formation/mesh_fixture.h"
 #include "engine/formation/mesh/arap.h"
 
 #include <doctest.h>
@@ -30,10 +31,6 @@ TriangleMesh grid(int columns, int rows, double cell = 1.0) {
         }
     }
     return mesh;
-}
-
-Pose poseOf(double angle, Vec2 position) {
-    return {position, {cosine(angle), sine(angle)}};
 }
 
 // The second algorithm: alternating local rotations and a global solve (after Sorkine and Alexa 2007,

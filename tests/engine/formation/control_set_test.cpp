@@ -32,7 +32,7 @@ TEST_CASE("touches within the window become point, line and area") {
 
 TEST_CASE("later touches, other clients and lifted fingers make controls of their own") {
     Stage s;
-    s.controlDef.window = 0.1;
+    s.parameters.input.window = 0.1;
     REQUIRE(s.down(1, {3, 3}));
     REQUIRE(s.down(1, {-3, 3}, 2));  // The same number of another client.
     CHECK(s.controls.controls().size() == 2);
@@ -60,17 +60,17 @@ TEST_CASE("invalid touches are refused") {
     CHECK_FALSE(s.controls.remove(ControlId{77}));
     const std::uint32_t touches[2] = {7, 8};
     const Vec2 positions[2] = {{-3, 3}, {-3, -3}};
-    CHECK_FALSE(s.controls.addControl({}, 1, ControlKind::Area, touches, positions, 0.0,
-                                      s.mesh.formation().mesh, s.mesh.userMesh()));
-    CHECK(s.controls.addControl({}, 1, ControlKind::Line, touches, positions, 0.0, s.mesh.formation().mesh,
+    CHECK_FALSE(s.controls.addControl(1, ControlKind::Area, touches, positions, 0.0, s.mesh.formation().mesh,
+                                      s.mesh.userMesh()));
+    CHECK(s.controls.addControl(1, ControlKind::Line, touches, positions, 0.0, s.mesh.formation().mesh,
                                 s.mesh.userMesh()));
-    CHECK_FALSE(s.controls.addControl({}, 1, ControlKind::Line, touches, positions, 0.0,
-                                      s.mesh.formation().mesh, s.mesh.userMesh()));
+    CHECK_FALSE(s.controls.addControl(1, ControlKind::Line, touches, positions, 0.0, s.mesh.formation().mesh,
+                                      s.mesh.userMesh()));
 }
 
 TEST_CASE("fingers and controls are limited") {
     Stage s(square(400));
-    s.controlDef.window = 0.0;
+    s.parameters.input.window = 0.0;
     std::int32_t taken = 0;
     for (std::uint32_t k = 0; k < 40; ++k) {
         s.time += 1.0;
@@ -133,7 +133,7 @@ TEST_CASE("control points keep the speed bound, wait at pace 0, and follow the t
         ++steps;
     }
     CHECK(distance(last, {3, 9}) < 1e-9);
-    CHECK(fastest <= 0.5 * s.controlDef.maxSpeed + 1e-9);
+    CHECK(fastest <= 0.5 * s.parameters.control.speed + 1e-9);
     CHECK(steps * kStep == doctest::Approx(6.0 / 0.8).epsilon(0.02));
 }
 
@@ -272,12 +272,12 @@ TEST_CASE("binding to another mesh keeps positions and merges points on one vert
     s.run(0.5);
     const Vec2 held = s.controls.controls()[0].points[0].position;
     REQUIRE(s.mesh.change(square(9)).ok());
-    s.controls.rebind(s.controlDef, s.mesh.formation().mesh, s.mesh.userMesh());
+    s.controls.rebind(s.mesh.formation().mesh, s.mesh.userMesh());
     REQUIRE(s.controls.controls().size() == 1);
     CHECK(s.controls.controls()[0].points[0].position == held);
     s.run(0.5);
     REQUIRE(s.mesh.change(square(1)).ok());
-    s.controls.rebind(s.controlDef, s.mesh.formation().mesh, s.mesh.userMesh());
+    s.controls.rebind(s.mesh.formation().mesh, s.mesh.userMesh());
     std::vector<std::int32_t> seen;
     for (const ControlPoint& p : s.controls.controls()[0].points) seen.push_back(p.vertex);
     std::sort(seen.begin(), seen.end());
@@ -315,8 +315,8 @@ TEST_CASE("saved and restored controls continue alike") {
     CHECK(hashOf(copy) == hashOf(s.controls));
     for (int k = 0; k < 50; ++k) {
         s.time += kStep;
-        s.controls.advance(s.controlDef, kStep, s.time, 1.0);
-        copy.advance(s.controlDef, kStep, s.time, 1.0);
+        s.controls.advance(s.parameters.input, s.parameters.control, kStep, s.time, 1.0);
+        copy.advance(s.parameters.input, s.parameters.control, kStep, s.time, 1.0);
     }
     CHECK(hashOf(copy) == hashOf(s.controls));
 }
@@ -346,7 +346,7 @@ TEST_CASE("random touches leave all numbers finite and all limits kept") {
             case 5:
                 if (random.below(60) == 0) {
                     REQUIRE(s.mesh.change(square(1 + static_cast<std::int32_t>(random.below(60)))).ok());
-                    s.controls.rebind(s.controlDef, s.mesh.formation().mesh, s.mesh.userMesh());
+                    s.controls.rebind(s.mesh.formation().mesh, s.mesh.userMesh());
                 }
                 break;
             default:
@@ -358,21 +358,21 @@ TEST_CASE("random touches leave all numbers finite and all limits kept") {
 
 TEST_CASE("stamps decide which touches join, however late they arrive") {
     Stage s;
-    s.controlDef.window = 0.15;
+    s.parameters.input.window = 0.15;
     const double startTime = s.time;
-    REQUIRE(s.controls.touchDown(s.controlDef, 1, 1, {3, 3}, startTime, s.mesh.formation().mesh,
+    REQUIRE(s.controls.touchDown(s.parameters.input, 1, 1, {3, 3}, startTime, s.mesh.formation().mesh,
                                  s.mesh.userMesh()));
     s.run(0.4);  // The second finger came down 0.14 s after the first, but its message took long.
-    REQUIRE(s.controls.touchDown(s.controlDef, 1, 2, {-3, 3}, startTime + 0.14, s.mesh.formation().mesh,
+    REQUIRE(s.controls.touchDown(s.parameters.input, 1, 2, {-3, 3}, startTime + 0.14, s.mesh.formation().mesh,
                                  s.mesh.userMesh()));
     CHECK(s.controls.controls().size() == 1);
     // The third came down later than the window, and arrives in the same step.
-    REQUIRE(s.controls.touchDown(s.controlDef, 1, 3, {-3, -3}, startTime + 0.16, s.mesh.formation().mesh,
-                                 s.mesh.userMesh()));
+    REQUIRE(s.controls.touchDown(s.parameters.input, 1, 3, {-3, -3}, startTime + 0.16,
+                                 s.mesh.formation().mesh, s.mesh.userMesh()));
     CHECK(s.controls.controls().size() == 2);
     // Long after, a stamp proves nothing.
     s.run(1.0);
-    REQUIRE(s.controls.touchDown(s.controlDef, 1, 4, {3, -3}, startTime + 0.1, s.mesh.formation().mesh,
+    REQUIRE(s.controls.touchDown(s.parameters.input, 1, 4, {3, -3}, startTime + 0.1, s.mesh.formation().mesh,
                                  s.mesh.userMesh()));
     CHECK(s.controls.controls().size() == 3);
 }
@@ -380,11 +380,11 @@ TEST_CASE("stamps decide which touches join, however late they arrive") {
 TEST_CASE("stamps ahead of a paused world separate touches, and the drawing begins at the world's time") {
     Stage s;
     const double now = s.time;
-    REQUIRE(
-        s.controls.touchDown(s.controlDef, 1, 1, {3, 3}, now, s.mesh.formation().mesh, s.mesh.userMesh()));
-    REQUIRE(s.controls.touchDown(s.controlDef, 1, 2, {-3, 3}, now + 3.0, s.mesh.formation().mesh,
+    REQUIRE(s.controls.touchDown(s.parameters.input, 1, 1, {3, 3}, now, s.mesh.formation().mesh,
                                  s.mesh.userMesh()));
-    REQUIRE(s.controls.touchDown(s.controlDef, 1, 3, {-3, -3}, now + 3.1, s.mesh.formation().mesh,
+    REQUIRE(s.controls.touchDown(s.parameters.input, 1, 2, {-3, 3}, now + 3.0, s.mesh.formation().mesh,
+                                 s.mesh.userMesh()));
+    REQUIRE(s.controls.touchDown(s.parameters.input, 1, 3, {-3, -3}, now + 3.1, s.mesh.formation().mesh,
                                  s.mesh.userMesh()));
     REQUIRE(s.controls.controls().size() == 2);
     CHECK(s.controls.controls()[0].kind == ControlKind::Point);

@@ -11,7 +11,7 @@ namespace {
 // both right corners forward and inwards, in groups that make points, lines or one area.
 double dragCorners(int fingersPerControl) {
     Stage s(square(100));
-    s.controlDef.window = 0.05;
+    s.parameters.input.window = 0.05;
     const Vec2 corners[4] = {{5, 5}, {5, -5}, {-5, 5}, {-5, -5}};
     const Vec2 moves[4] = {{1, 3}, {2, 3}, {0, -1}, {-1, 0}};
     for (std::uint32_t t = 0; t < 4; ++t) {
@@ -150,12 +150,12 @@ TEST_CASE("vertices never jump when controls begin, end and change kind") {
     }
     MESSAGE("fastest vertex at changes " << fastest << " m/s");
     CHECK(fastest > 0.1);
-    CHECK(fastest <= s.meshDef.morphSpeed + 1e-6);
+    CHECK(fastest <= s.parameters.mesh.morphSpeed + 1e-6);
 }
 
 TEST_CASE("held vertices stay on their targets when others are released") {
     Stage s;
-    s.controlDef.window = 0.0;
+    s.parameters.input.window = 0.0;
     REQUIRE(s.down(1, {3, 3}));
     s.time += 1;
     REQUIRE(s.down(2, {-3, -3}));
@@ -220,20 +220,20 @@ TEST_CASE("vertices leave obstacles; displacements are bounded, decay and end") 
     std::vector<Vec2> last = s.mesh.finalMesh();
     for (int k = 0; k < 120; ++k) {
         s.step();
-        s.mesh.applyEnvironment(s.meshDef, environment, kStep);
+        s.mesh.applyEnvironment(s.parameters.field, environment, kStep);
         for (std::size_t v = 0; v < last.size(); ++v) {
             REQUIRE(environment.distanceToObstacle(s.mesh.finalMesh()[v]) > -1e-9);
             // Outside the obstacle from the first step on, the bound holds.
             if (k > 0 && distance(last[v], disc.centre) > 1.4)
-                CHECK(distance(last[v], s.mesh.finalMesh()[v]) <= s.meshDef.fieldSpeed * kStep + 1e-9);
+                CHECK(distance(last[v], s.mesh.finalMesh()[v]) <= s.parameters.field.speed * kStep + 1e-9);
         }
         last = s.mesh.finalMesh();
     }
     REQUIRE(environment.removeObstacle(id).ok());
-    for (int k = 0; k < 240; ++k) s.mesh.applyEnvironment(s.meshDef, environment, kStep);
+    for (int k = 0; k < 240; ++k) s.mesh.applyEnvironment(s.parameters.field, environment, kStep);
     CHECK(s.mesh.finalMesh() == s.mesh.userMesh());
-    FormationMeshDef off = s.meshDef;
-    off.environmentField = false;
+    Parameters::Field off = s.parameters.field;
+    off.enabled = false;
     s.mesh.applyEnvironment(off, environment, kStep);
     CHECK(s.mesh.finalMesh() == s.mesh.userMesh());
 }
@@ -254,7 +254,7 @@ TEST_CASE("a mesh that is saved in the middle of a deformation and restored cont
         if (k == 40) s.up(1);
         if (k == 60) s.up(2);
         s.step();
-        REQUIRE(copy.deform(s.meshDef, s.controlDef, s.controls, kStep).ok());
+        REQUIRE(copy.deform(s.parameters.mesh, s.parameters.control, s.controls, kStep).ok());
     }
     CHECK(hashOf(copy) == hashOf(s.mesh));
     std::vector<std::uint8_t> broken = writer.bytes();

@@ -30,10 +30,11 @@ struct Stage {
     }
 
     bool down(std::uint32_t touch, Vec2 p, std::uint32_t client = 1) {
-        return controls.touchDown(controlDef, client, touch, p, time, mesh.formation().mesh, mesh.userMesh());
+        return controls.touchDown(parameters.input, client, touch, p, time, mesh.formation().mesh,
+                                  mesh.userMesh());
     }
     bool move(std::uint32_t touch, Vec2 p, std::uint32_t client = 1) {
-        return controls.touchMove(controlDef, client, touch, p, time);
+        return controls.touchMove(parameters.input, client, touch, p, time);
     }
     bool up(std::uint32_t touch, std::uint32_t client = 1) { return controls.touchUp(client, touch); }
 
@@ -41,8 +42,8 @@ struct Stage {
     double step(double pace = 1.0) {
         const std::vector<Vec2> before = mesh.userMesh();
         time += kStep;
-        controls.advance(controlDef, kStep, time, pace);
-        const Status status = mesh.deform(meshDef, controlDef, controls, kStep);
+        controls.advance(parameters.input, parameters.control, kStep, time, pace);
+        const Status status = mesh.deform(parameters.mesh, parameters.control, controls, kStep);
         REQUIRE_MESSAGE(status.ok(), status.message());
         double fastest = 0.0;
         for (std::size_t v = 0; v < before.size() && v < mesh.userMesh().size(); ++v) {
@@ -73,8 +74,7 @@ struct Stage {
         return most;
     }
 
-    ControlDef controlDef;
-    FormationMeshDef meshDef;
+    Parameters parameters;
     ControlSet controls;
     FormationMesh mesh;
     double time = 0.0;

@@ -23,7 +23,7 @@ double errorAt(const Polygon& polygon, Vec2 p) {
     return std::max(std::fabs(sum - 1.0), distance(where, p));
 }
 
-const Polygon kHook{{0, 0}, {4, 0}, {4, 3}, {2, 3}, {2, 1}, {0, 1}};
+const Polygon kHookWithRoom{{0, 0}, {4, 0}, {4, 3}, {2, 3}, {2, 1}, {0, 1}};
 const Polygon kKite{{0, 0}, {3, -1}, {5, 0}, {3, 1}};
 
 }  // namespace
@@ -47,7 +47,7 @@ TEST_CASE("in a triangle they are the barycentric coordinates") {
 
 TEST_CASE("linear precision and partition of unity, inside and outside") {
     Random random(4);
-    for (const Polygon& polygon : {kHook, kKite}) {
+    for (const Polygon& polygon : {kHookWithRoom, kKite}) {
         for (int i = 0; i < 500; ++i) {
             CHECK(errorAt(polygon, {random.uniform(-1, 6), random.uniform(-2, 4)}) < 1e-9);
         }
@@ -66,24 +66,24 @@ TEST_CASE("inside convex polygons no weight is negative") {
 }
 
 TEST_CASE("corners and edges are exact, and their neighbourhood is smooth") {
-    std::vector<double> weights(kHook.size());
-    std::vector<double> near(kHook.size());
-    for (std::size_t i = 0; i < kHook.size(); ++i) {
-        const std::size_t j = (i + 1) % kHook.size();
-        meanValueCoordinates(kHook, kHook[i], weights);
-        for (std::size_t k = 0; k < kHook.size(); ++k) CHECK(weights[k] == (k == i ? 1.0 : 0.0));
-        const Vec2 onEdge = lerp(kHook[i], kHook[j], 0.3);
-        meanValueCoordinates(kHook, onEdge, weights);
-        for (std::size_t k = 0; k < kHook.size(); ++k) {
+    std::vector<double> weights(kHookWithRoom.size());
+    std::vector<double> near(kHookWithRoom.size());
+    for (std::size_t i = 0; i < kHookWithRoom.size(); ++i) {
+        const std::size_t j = (i + 1) % kHookWithRoom.size();
+        meanValueCoordinates(kHookWithRoom, kHookWithRoom[i], weights);
+        for (std::size_t k = 0; k < kHookWithRoom.size(); ++k) CHECK(weights[k] == (k == i ? 1.0 : 0.0));
+        const Vec2 onEdge = lerp(kHookWithRoom[i], kHookWithRoom[j], 0.3);
+        meanValueCoordinates(kHookWithRoom, onEdge, weights);
+        for (std::size_t k = 0; k < kHookWithRoom.size(); ++k) {
             CHECK(weights[k] == doctest::Approx(k == i ? 0.7 : (k == j ? 0.3 : 0.0)));
         }
         for (const double off : {1e-3, 1e-6, 1e-9, 1e-12, 1e-14, 1e-15, 1e-17}) {
             for (const double side : {1.0, -1.0}) {
-                const Vec2 p = onEdge + normalized(perpendicular(kHook[j] - kHook[i])) * (off * side);
-                CHECK(errorAt(kHook, p) < 1e-9);
-                CHECK(errorAt(kHook, kHook[i] + Vec2{off, side * off}) < 1e-9);
-                meanValueCoordinates(kHook, p, near);
-                for (std::size_t k = 0; k < kHook.size(); ++k)
+                const Vec2 p = onEdge + normalized(perpendicular(kHookWithRoom[j] - kHookWithRoom[i])) * (off * side);
+                CHECK(errorAt(kHookWithRoom, p) < 1e-9);
+                CHECK(errorAt(kHookWithRoom, kHookWithRoom[i] + Vec2{off, side * off}) < 1e-9);
+                meanValueCoordinates(kHookWithRoom, p, near);
+                for (std::size_t k = 0; k < kHookWithRoom.size(); ++k)
                     CHECK(std::fabs(near[k] - weights[k]) < 10 * off + 1e-9);
             }
         }

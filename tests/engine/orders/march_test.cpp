@@ -29,7 +29,7 @@ March along(std::vector<Vec2> way) {
     return march;
 }
 
-struct Course {
+struct Walked {
     double seconds = 0.0;
     double fastest = 0.0;     ///< Of the middle [m/s].
     double fastestRim = 0.0;  ///< Of the farthest place [m/s].
@@ -37,8 +37,8 @@ struct Course {
     Pose end;
 };
 
-Course follow(const MarchDef& def, March& march, Pose pose, double most = 200.0) {
-    Course course;
+Walked follow(const MarchDef& def, March& march, Pose pose, double most = 200.0) {
+    Walked course;
     double before = 0.0;
     while (march.phase != MarchPhase::Stand && course.seconds < most) {
         const Pose next = advanceMarch(def, march, pose, kStep);
@@ -62,7 +62,7 @@ Course follow(const MarchDef& def, March& march, Pose pose, double most = 200.0)
 
 TEST_CASE("a straight march takes its length over its speed and one ramp, and is at rest at the end") {
     March march = along({{0, 0}, {40, 0}});
-    const Course course = follow(plain(), march, Pose{});
+    const Walked course = follow(plain(), march, Pose{});
     // Ramps up and down take v / a together more than the length at full speed.
     CHECK(course.seconds == doctest::Approx(40.0 / 2.0 + 2.0 / 4.0).epsilon(0.02));
     CHECK(course.end.position == Vec2{40, 0});
@@ -78,7 +78,7 @@ TEST_CASE("no place is faster than the bound where a march wheels") {
         March march = along({{0, 0}, corner, corner + Vec2{cosine(angle), sine(angle)} * 20.0});
         march.turns = true;
         march.facing = angle;
-        const Course course = follow(plain(), march, Pose{});
+        const Walked course = follow(plain(), march, Pose{});
         CAPTURE(angle);
         CHECK(course.fastestRim <= 2.0 + 1e-6);
         CHECK(distance(course.end.position, march.way.back()) < 1e-9);
@@ -93,7 +93,7 @@ TEST_CASE("half a turn takes at least the time of the rim, and stays on the spot
     march.phase = MarchPhase::Turn;
     march.turns = true;
     march.facing = kPi;
-    const Course course = follow(plain(), march, Pose{});
+    const Walked course = follow(plain(), march, Pose{});
     CHECK(course.seconds >= kPi * 5.0 / 2.0);
     CHECK(course.seconds <= kPi * 5.0 / 2.0 + 3.0);
     CHECK(course.end.position == Vec2{});
@@ -102,7 +102,7 @@ TEST_CASE("half a turn takes at least the time of the rim, and stays on the spot
 
 TEST_CASE("who reverses does not turn, and faces back") {
     March march = along({{0, 0}, {-20, 0}});
-    const Course course = follow(plain(Turn::Reverse), march, Pose{});
+    const Walked course = follow(plain(Turn::Reverse), march, Pose{});
     CHECK(march.reversed);
     CHECK(course.end.rotation.c == doctest::Approx(1.0));
     CHECK(march.front(course.end).x == doctest::Approx(-1.0));
@@ -111,7 +111,7 @@ TEST_CASE("who reverses does not turn, and faces back") {
 
 TEST_CASE("who keeps its facing never turns, whatever the way") {
     March march = along({{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0}});
-    const Course course = follow(plain(Turn::Keep), march, Pose{});
+    const Walked course = follow(plain(Turn::Keep), march, Pose{});
     CHECK(course.end.rotation.c == 1.0);
     CHECK(course.end.position == Vec2{});
     CHECK(course.seconds == doctest::Approx(40.0 / 2.0 + 0.5).epsilon(0.02));
@@ -134,7 +134,7 @@ TEST_CASE("ways of no length and of doubled corners end") {
     for (const std::vector<Vec2>& way : {std::vector<Vec2>{{0, 0}, {0, 0}}, std::vector<Vec2>{{0, 0}},
                                          std::vector<Vec2>{{0, 0}, {5, 0}, {5, 0}, {5, 0}}}) {
         March march = along(way);
-        const Course course = follow(plain(), march, Pose{}, 30.0);
+        const Walked course = follow(plain(), march, Pose{}, 30.0);
         CHECK(march.phase == MarchPhase::Stand);
         CHECK(course.end.position == way.back());
     }

@@ -61,7 +61,7 @@ TEST_CASE("two who overlap part by as much as they overlap, in the inverse ratio
         crowd.add({0.6, 0}, bodyOf(0.6, mass));
         std::vector<Vec2> positions = crowd.now.position;
         const CrowdBodies bodies = crowd.bodies();
-        const ContactReport report = Contacts().resolve({0.25, 64}, environment, positions, nullptr, nullptr,
+        const ContactReport report = Contacts().resolve({64}, {}, environment, positions, nullptr, nullptr,
                                                         {}, &bodies);
         const double first = -positions[0].x, second = positions[1].x - 0.6;
         CHECK(first + second == doctest::Approx(0.25).epsilon(1e-3));
@@ -86,7 +86,7 @@ TEST_CASE("who is moved from outside is moved by nobody, and not by walls") {
     for (const std::size_t i : {0, 2, 3}) crowd.now.driver[i] = Driver::Outside;
     std::vector<Vec2> positions = crowd.now.position;
     const CrowdBodies bodies = crowd.bodies();
-    Contacts().resolve({0.25, 8}, environment, positions, nullptr, nullptr, {}, &bodies);
+    Contacts().resolve({8}, {}, environment, positions, nullptr, nullptr, {}, &bodies);
     for (const std::size_t i : {0, 2, 3}) CHECK(positions[i] == crowd.now.position[i]);
     CHECK(positions[1].x == doctest::Approx(0.5).epsilon(1e-3));
 }
@@ -121,7 +121,7 @@ TEST_CASE("a mixed crowd dropped at random ends without overlap and outside obst
         Contacts contacts;
         ContactReport report;
         for (int step = 0; step < 60; ++step)
-            report = contacts.resolve({0.25, 16}, environment, positions, nullptr, nullptr, {}, &bodies);
+            report = contacts.resolve({16}, {}, environment, positions, nullptr, nullptr, {}, &bodies);
         double worst = 0.0;
         for (std::size_t a = 0; a < positions.size(); ++a) {
             const double radius = crowd.now.body[a].radius;

@@ -26,7 +26,7 @@ Environment netWorld() {
     return environment;
 }
 
-struct Crowd {
+struct TurnedCrowd {
     Characters now;
     std::vector<Vec2> place, still, facing;
 
@@ -58,12 +58,12 @@ struct Crowd {
         for (int k = 0; k < steps; ++k) {
             BodyAxes axes;
             axes.resolve(environment, now, place, still);
-            contacts.resolve({0.25, 16}, environment, now.position, nullptr, nullptr, {}, &bodies, &axes);
+            contacts.resolve({16}, {}, environment, now.position, nullptr, nullptr, {}, &bodies, &axes);
         }
     }
 };
 
-double spacing(const Crowd& crowd) {
+double spacing(const TurnedCrowd& crowd) {
     return distance(crowd.now.position[0], crowd.now.position[1]);
 }
 
@@ -71,7 +71,7 @@ double spacing(const Crowd& crowd) {
 
 TEST_CASE("crawlers in file come apart by their length, and only the one behind gives way") {
     const Environment environment = netWorld();
-    Crowd crowd;
+    TurnedCrowd crowd;
     crowd.add({0, 0}, {1, 0});
     crowd.add({0.55, 0}, {1, 0});
     crowd.settle(environment, 4);
@@ -84,7 +84,7 @@ TEST_CASE("upright people, and crawlers side by side, stand as near as ever") {
     const Environment environment = netWorld();
     for (const auto& [apart, motion] :
          {std::pair{Vec2{0.0, 0.5}, kCrawl}, std::pair{Vec2{0.5, 0.0}, MotionId{0}}}) {
-        Crowd crowd;
+        TurnedCrowd crowd;
         crowd.add({0, 0}, {1, 0}, motion);
         crowd.add(apart, {1, 0}, motion);
         const std::vector<Vec2> before = crowd.now.position;
@@ -95,7 +95,7 @@ TEST_CASE("upright people, and crawlers side by side, stand as near as ever") {
 
 TEST_CASE("crawlers face to face share the correction and come apart by two heads") {
     const Environment environment = netWorld();
-    Crowd crowd;
+    TurnedCrowd crowd;
     crowd.add({-0.3, 0}, {1, 0});
     crowd.add({0.3, 0}, {-1, 0});
     crowd.settle(environment, 60);
@@ -107,7 +107,7 @@ TEST_CASE("lengths grow while people lie down and shrink while they stand up") {
     const Environment environment = netWorld();
     double before = 0.5;
     for (const double time : {0.0, 0.2, 0.4, 0.7, 1.0}) {
-        Crowd crowd;
+        TurnedCrowd crowd;
         crowd.add({0, 0}, {1, 0}, kCrawl, MotionPhase::Entering);
         crowd.add({0.5, 0}, {1, 0}, kCrawl);
         crowd.now.motionTime[0] = time;
@@ -125,7 +125,7 @@ TEST_CASE("lengths grow while people lie down and shrink while they stand up") {
 
 TEST_CASE("who comes to a crawler waits behind its feet before lying down") {
     const Environment environment = netWorld();
-    Crowd crowd;
+    TurnedCrowd crowd;
     crowd.add({-10.4, 0}, {1, 0}, 0);
     crowd.add({-9.8, 0}, {1, 0});
     Steering steering;
@@ -143,7 +143,7 @@ TEST_CASE("crawlers dropped at random come apart, whatever their headings") {
     const Environment environment = netWorld();
     Random random(23);
     for (int scene = 0; scene < 10; ++scene) {
-        Crowd crowd;
+        TurnedCrowd crowd;
         for (int k = 0; k < 40; ++k) {
             const Vec2 heading = normalized({random.uniform(-1, 1), random.uniform(-1, 1)}, {1, 0});
             crowd.add({random.uniform(-6, 6), random.uniform(-6, 6)}, heading);
@@ -160,7 +160,7 @@ TEST_CASE("without patches nobody has an axis") {
     EnvironmentDef def;
     def.box = {{-5, -5}, {5, 5}};
     const Environment environment = Environment::create(def).value();
-    Crowd crowd;
+    TurnedCrowd crowd;
     crowd.add({0, 0}, {1, 0}, kCrawl);
     BodyAxes axes;
     axes.resolve(environment, crowd.now, crowd.place, crowd.still);

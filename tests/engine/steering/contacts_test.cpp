@@ -8,7 +8,7 @@ using namespace muster;
 
 namespace {
 
-Environment emptyWorld(double half) {
+Environment emptyFloor(double half) {
     EnvironmentDef def;
     def.box = {{-half, -half}, {half, half}};
     return Environment::create(def).value();
@@ -17,29 +17,29 @@ Environment emptyWorld(double half) {
 }  // namespace
 
 TEST_CASE("coincident characters are separated to a diameter, symmetrically") {
-    Environment environment = emptyWorld(10);
+    Environment environment = emptyFloor(10);
     environment.setTime(0.0);
     std::vector<Vec2> positions{{1, 1}, {1, 1}};
     Contacts contacts;
-    const ContactReport report = contacts.resolve({0.25, 16}, environment, positions);
+    const ContactReport report = contacts.resolve({16}, {}, environment, positions);
     CHECK(distance(positions[0], positions[1]) == doctest::Approx(0.5).epsilon(1e-3));
     CHECK(distance(lerp(positions[0], positions[1], 0.5), {1, 1}) < 1e-9);
     CHECK(report.overlapPairs == 0);
 }
 
 TEST_CASE("characters that do not touch stay where they are, bit for bit") {
-    Environment environment = emptyWorld(10);
+    Environment environment = emptyFloor(10);
     environment.setTime(0.0);
     std::vector<Vec2> positions{{0, 0}, {0.51, 0}, {3, 3}};
     const std::vector<Vec2> before = positions;
     Contacts contacts;
-    contacts.resolve({0.25, 8}, environment, positions);
+    contacts.resolve({8}, {}, environment, positions);
     CHECK(positions == before);
 }
 
 TEST_CASE("a crowd dropped at random ends without overlap and outside obstacles") {
     Random random(6);
-    Environment environment = emptyWorld(12);
+    Environment environment = emptyFloor(12);
     ObstacleDef block;
     block.polygon = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
     REQUIRE(environment.addObstacle(block).ok());
@@ -53,7 +53,7 @@ TEST_CASE("a crowd dropped at random ends without overlap and outside obstacles"
         std::vector<Vec2> positions(150);
         for (Vec2& p : positions) p = {random.uniform(-7, 7), random.uniform(-7, 7)};
         ContactReport report;
-        for (int step = 0; step < 30; ++step) report = contacts.resolve({0.25, 16}, environment, positions);
+        for (int step = 0; step < 30; ++step) report = contacts.resolve({16}, {}, environment, positions);
         CHECK(report.overlapPairs == 0);
         CHECK(report.worstPenetration < 0.1);
         for (const Vec2 p : positions) CHECK(environment.distanceToObstacle(p) > 0.25 - 1e-6);
@@ -61,31 +61,31 @@ TEST_CASE("a crowd dropped at random ends without overlap and outside obstacles"
 }
 
 TEST_CASE("overlaps that cannot be resolved are reported") {
-    Environment environment = emptyWorld(0.6);
+    Environment environment = emptyFloor(0.6);
     environment.setTime(0.0);
     std::vector<Vec2> positions(12, Vec2{0, 0});
     for (std::size_t i = 0; i < positions.size(); ++i) positions[i].x = 0.01 * static_cast<double>(i);
     Contacts contacts;
-    const ContactReport report = contacts.resolve({0.25, 8}, environment, positions);
+    const ContactReport report = contacts.resolve({8}, {}, environment, positions);
     CHECK(report.overlapPairs > 0);
     CHECK(report.worstPenetration > 0.1);
     for (const Vec2 p : positions) CHECK(isFinite(p));
 }
 
 TEST_CASE("overlaps caused by corrections are resolved, and reported where they remain") {
-    Environment environment = emptyWorld(10);
+    Environment environment = emptyFloor(10);
     ObstacleDef wall;
     wall.polygon = {{-3, -3}, {0.15, -3}, {0.15, 3}, {-3, 3}};
     REQUIRE(environment.addObstacle(wall).ok());
     environment.setTime(0.0);
     std::vector<Vec2> positions{{0.05, 0}, {0.72, 0}};  // The wall pushes the one 0.35 m towards the other.
     Contacts contacts;
-    const ContactReport parted = contacts.resolve({0.25, 8}, environment, positions);
+    const ContactReport parted = contacts.resolve({8}, {}, environment, positions);
     CHECK(distance(positions[0], positions[1]) > 0.495);
     CHECK(parted.overlapPairs == 0);
     positions = {{0.05, 0}, {0.72, 0}};
     // One iteration does not separate them.
-    const ContactReport seen = contacts.resolve({0.25, 1}, environment, positions);
+    const ContactReport seen = contacts.resolve({1}, {}, environment, positions);
     const double share = 1.0 - distance(positions[0], positions[1]) / 0.5;
     REQUIRE(share > 0.1);
     CHECK(seen.overlapPairs == 1);
@@ -93,7 +93,7 @@ TEST_CASE("overlaps caused by corrections are resolved, and reported where they 
 }
 
 TEST_CASE("contacts are the same for any number of threads") {
-    Environment environment = emptyWorld(40);
+    Environment environment = emptyFloor(40);
     Random random(9);
     for (int k = 0; k < 30; ++k) {
         ObstacleDef tree;
@@ -106,12 +106,12 @@ TEST_CASE("contacts are the same for any number of threads") {
     for (Vec2& p : start) p = {random.uniform(-40, 40), random.uniform(-40, 40)};
     std::vector<Vec2> expected = start;
     Contacts alone;
-    const ContactReport report = alone.resolve({0.25, 8}, environment, expected);
+    const ContactReport report = alone.resolve({8}, {}, environment, expected);
     for (const int threads : {1, 2, 3, 8}) {
         ThreadPool pool(threads);
         Contacts contacts;
         std::vector<Vec2> positions = start;
-        const ContactReport same = contacts.resolve({0.25, 8}, environment, positions, nullptr, &pool);
+        const ContactReport same = contacts.resolve({8}, {}, environment, positions, nullptr, &pool);
         CHECK(positions == expected);
         CHECK(same.overlapPairs == report.overlapPairs);
         CHECK(same.worstPenetration == report.worstPenetration);
@@ -120,7 +120,7 @@ TEST_CASE("contacts are the same for any number of threads") {
 
 TEST_CASE("contacts move nobody out of its reach, and a crowd that presses stays apart") {
     Random random(11);
-    Environment environment = emptyWorld(12);
+    Environment environment = emptyFloor(12);
     ObstacleDef block;
     block.polygon = {{-1, -2}, {1, -2}, {1, 2}, {-1, 2}};
     REQUIRE(environment.addObstacle(block).ok());
@@ -134,7 +134,7 @@ TEST_CASE("contacts move nobody out of its reach, and a crowd that presses stays
         const std::vector<Vec2> before = positions;
         const std::vector<double> reach(before.size(), step);
         for (Vec2& p : positions) p += clampLength(Vec2{0, -4} - p, step);
-        const ContactReport report = contacts.resolve({0.25, 8}, environment, positions, nullptr, nullptr,
+        const ContactReport report = contacts.resolve({8}, {}, environment, positions, nullptr, nullptr,
                                                       {before, reach});
         CHECK(report.overlapPairs == 0);
         for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -145,7 +145,7 @@ TEST_CASE("contacts move nobody out of its reach, and a crowd that presses stays
 }
 
 TEST_CASE("an obstacle put on a character lets it walk out, a moving one pushes it") {
-    Environment environment = emptyWorld(10);
+    Environment environment = emptyFloor(10);
     ObstacleDef block;
     block.polygon = {{-1, -3}, {1, -3}, {1, 3}, {-1, 3}};
     const ObstacleId id = environment.addObstacle(block).value();
@@ -156,7 +156,7 @@ TEST_CASE("an obstacle put on a character lets it walk out, a moving one pushes 
     for (; environment.distanceToObstacle(positions[0]) < 0.25 - 1e-6; ++steps) {
         const std::vector<Vec2> before = positions;
         const std::vector<double> reach{0.05};
-        contacts.resolve({0.25, 8}, environment, positions, nullptr, nullptr, {before, reach});
+        contacts.resolve({8}, {}, environment, positions, nullptr, nullptr, {before, reach});
         REQUIRE(distance(positions[0], before[0]) < 0.05 + 1e-9);
         REQUIRE(steps < 20);
     }
@@ -166,13 +166,13 @@ TEST_CASE("an obstacle put on a character lets it walk out, a moving one pushes 
     environment.setTime(0.2);
     const std::vector<Vec2> before = positions;
     const std::vector<double> reach{0.05};
-    contacts.resolve({0.25, 8}, environment, positions, nullptr, nullptr, {before, reach});
+    contacts.resolve({8}, {}, environment, positions, nullptr, nullptr, {before, reach});
     CHECK(positions[0].x == doctest::Approx(1.35));
 }
 
 TEST_CASE("a body passes a gap that is a hair narrower than itself, and no narrower one") {
     for (const double width : {0.4985, 0.495}) {
-        Environment environment = emptyWorld(10);
+        Environment environment = emptyFloor(10);
         for (const double side : {-1.0, 1.0}) {
             ObstacleDef disc;
             disc.centre = {0.0, side * (1.0 + 0.5 * width)};
@@ -186,7 +186,7 @@ TEST_CASE("a body passes a gap that is a hair narrower than itself, and no narro
         for (int step = 0; step < 120; ++step) {
             const std::vector<Vec2> from = positions;
             positions[0].x += 2.0 / 60;
-            contacts.resolve({0.25, 8}, environment, positions, nullptr, nullptr, {from, reach});
+            contacts.resolve({8}, {}, environment, positions, nullptr, nullptr, {from, reach});
             CHECK(environment.distanceToObstacle(positions[0]) > 0.25 - 1e-3);
             CHECK(distance(from[0], positions[0]) <= 1.006 * reach[0]);
         }

@@ -9,7 +9,7 @@ using namespace muster;
 namespace {
 
 constexpr double kStep = 1.0 / 60.0;
-constexpr MotionId kCrawl = 1;
+constexpr MotionId kCrawling = 1;
 constexpr MotionId kJump = 2;
 
 Environment course() {
@@ -25,8 +25,8 @@ Environment course() {
         patch.motion = motion;
         REQUIRE(environment.addPatch(patch).ok());
     };
-    add(5, 8, kCrawl);
-    add(7, 10, kCrawl);
+    add(5, 8, kCrawling);
+    add(7, 10, kCrawling);
     add(15, 16, kJump);
     environment.setTime(0.0);
     return environment;
@@ -80,13 +80,13 @@ struct Walker {
 TEST_CASE("two overlapping patches of one motion are entered and left once, with a transition each") {
     Walker w;
     w.to(5.5);
-    CHECK(w.characters.motion[0] == kCrawl);
+    CHECK(w.characters.motion[0] == kCrawling);
     CHECK(w.characters.phase[0] == MotionPhase::Entering);
     w.to(9.0);
     CHECK(w.characters.phase[0] == MotionPhase::Steady);
     w.to(10.5);
     CHECK(w.characters.phase[0] == MotionPhase::Leaving);
-    CHECK(w.characters.motion[0] == kCrawl);
+    CHECK(w.characters.motion[0] == kCrawling);
     w.wait(0.6);
     CHECK(w.characters.motion[0] == 0);
     CHECK(w.count(MotionChange::EnterPatch) == 1);
@@ -120,7 +120,7 @@ TEST_CASE("a character that comes back during a transition ends with the motion 
     w.to(5.2);
     CHECK(w.characters.phase[0] == MotionPhase::Entering);
     w.wait(1.0);
-    CHECK(w.characters.motion[0] == kCrawl);
+    CHECK(w.characters.motion[0] == kCrawling);
     CHECK(w.characters.phase[0] == MotionPhase::Steady);
 }
 
@@ -194,32 +194,32 @@ TEST_CASE("two separate patches of a jump are two jumps") {
 }
 
 TEST_CASE("leaving a patch before the entry has played ends the entry") {
-    Strip strip({{5, 5.3, kCrawl}});
+    Strip strip({{5, 5.3, kCrawling}});
     strip.walker.to(8.0);
     strip.walker.wait(1.0);
-    CHECK(transitionsOf(strip.walker) == std::vector<std::int32_t>{kCrawl, -kCrawl, kCrawl, -kCrawl});
+    CHECK(transitionsOf(strip.walker) == std::vector<std::int32_t>{kCrawling, -kCrawling, kCrawling, -kCrawling});
     CHECK(strip.walker.characters.motion[0] == 0);
 }
 
 TEST_CASE("from crawling straight into swimming both transitions play, one after the other") {
-    Strip strip({{5, 8, kCrawl}, {8, 11, kSwim}});
+    Strip strip({{5, 8, kCrawling}, {8, 11, kSwim}});
     Walker& w = strip.walker;
     w.to(8.1);
     CHECK(w.characters.phase[0] == MotionPhase::Leaving);
-    CHECK(w.characters.motion[0] == kCrawl);
+    CHECK(w.characters.motion[0] == kCrawling);
     w.wait(0.6);
     CHECK(w.characters.phase[0] == MotionPhase::Entering);
     CHECK(w.characters.motion[0] == kSwim);
     w.to(14.0);
     w.wait(1.0);
     CHECK(transitionsOf(w) ==
-          std::vector<std::int32_t>{kCrawl, -kCrawl, kCrawl, -kCrawl, kSwim, -kSwim, kSwim, -kSwim});
+          std::vector<std::int32_t>{kCrawling, -kCrawling, kCrawling, -kCrawling, kSwim, -kSwim, kSwim, -kSwim});
     CHECK(w.count(MotionChange::EnterPatch) == 2);
     CHECK(w.count(MotionChange::LeavePatch) == 2);
 }
 
 TEST_CASE("every transition that starts ends, on random walks too") {
-    Strip strip({{5, 6, kCrawl}, {6, 7, kSwim}, {7, 7.5, kJump}, {7.5, 8, kCrawl}, {9, 9.1, kSwim}});
+    Strip strip({{5, 6, kCrawling}, {6, 7, kSwim}, {7, 7.5, kJump}, {7.5, 8, kCrawling}, {9, 9.1, kSwim}});
     Walker& w = strip.walker;
     Random random(4);
     for (int k = 0; k < 200; ++k) w.to(random.uniform(4, 10));

@@ -13,7 +13,7 @@ using namespace muster::testing;
 
 namespace {
 
-void run(World& world, int steps) {
+void runSteps(World& world, int steps) {
     for (int s = 0; s < steps; ++s) world.step();
 }
 
@@ -45,28 +45,28 @@ std::int32_t matched(const World& world) {
 
 TEST_CASE("an obstacle set on the crowd drives it apart; taken away, all return to where they were") {
     World world = World::create(openFloor(25)).value();
-    run(world, 30);
+    runSteps(world, 30);
     const auto before = copyOf(world.characters().position);
     std::uint32_t sequence = 0;
     REQUIRE(give(world, sequence, AddObstacle{tree({-6, 0}, 1.2)}).ok());
-    run(world, 1);
+    runSteps(world, 1);
     CHECK(world.rejections().empty());
     REQUIRE(world.obstacleIds().size() == 1);
     // Who stands in its middle walks 1.45 m at 2 m/s, and has another second.
     for (int s = 0; s < 104; ++s) {
         const auto last = copyOf(world.characters().position);
-        run(world, 1);
+        runSteps(world, 1);
         for (std::size_t i = 0; i < last.size(); ++i)
             CHECK(distance(world.characters().position[i], last[i]) < 1.05 * 2.0 / 60);
     }
     CHECK(freeDistance(world) > 0.25 - 1e-6);
     CHECK(world.contacts().overlapPairs == 0);
-    run(world, 136);
+    runSteps(world, 136);
     CHECK(freeDistance(world) > 0.25 - 1e-6);
     CHECK(matched(world) == 25);
     CHECK(worstToPlace(world) < 0.2);
     REQUIRE(give(world, sequence, RemoveObstacle{world.obstacleIds()[0]}).ok());
-    run(world, 600);
+    runSteps(world, 600);
     CHECK(inspect::environment(world).pieces().empty());
     for (const Vec2 p : before) {  // The same spots are stood on, by whomever.
         double nearest = 1e9;
@@ -79,15 +79,15 @@ TEST_CASE("an obstacle moved to and fro: nobody is ever in it") {
     World world = World::create(openFloor(25)).value();
     std::uint32_t sequence = 0;
     REQUIRE(give(world, sequence, AddObstacle{tree({-6, 5}, 0.7)}).ok());
-    run(world, 1);
+    runSteps(world, 1);
     const ObstacleId id = world.obstacleIds()[0];
     for (int k = 0; k < 60; ++k) {
         REQUIRE(give(world, sequence, ChangeObstacle{id, tree({-6.0, 5.0 - 0.1 * k}, 0.7)}).ok());
-        run(world, 3);  // At 2 m/s.
+        runSteps(world, 3);  // At 2 m/s.
         CHECK(world.rejections().empty());
         CHECK(freeDistance(world) > 0.2);
     }
-    run(world, 300);
+    runSteps(world, 300);
     CHECK(freeDistance(world) > 0.25 - 1e-6);
     CHECK(inspect::environment(world).obstacle(id)->centre == Vec2{-6.0, 5.0 - 0.1 * 59});
 }
@@ -98,7 +98,7 @@ TEST_CASE("a wall across the path is walked round as soon as it stands, and not 
         std::uint32_t sequence = 0;
         if (wall) REQUIRE(give(world, sequence, AddObstacle{block(-1, -3, 0, 12)}).ok());
         REQUIRE(give(world, sequence, SetPose{world.group(0).id, {6, 3}, 0}).ok());
-        run(world, 5);
+        runSteps(world, 5);
         if (taken) REQUIRE(give(world, sequence, RemoveObstacle{world.obstacleIds()[0]}).ok());
         double low = 0.0;
         for (int s = 0; s < 20 * 60; ++s) {
@@ -117,7 +117,7 @@ TEST_CASE("a wall across the path is walked round as soon as it stands, and not 
 TEST_CASE(
     "a patch laid under a standing crowd is entered at once, moved it is left, and removed it is gone") {
     World world = World::create(openFloor(16)).value();
-    run(world, 10);
+    runSteps(world, 10);
     std::uint32_t sequence = 0;
     const auto count = [&](int steps, EventKind kind) {
         int n = 0;
@@ -152,7 +152,7 @@ TEST_CASE("ids of what is gone are not given again, and commands for it are refu
     std::uint32_t sequence = 0;
     REQUIRE(give(world, sequence, AddObstacle{tree({5, 5}, 0.5)}).ok());
     REQUIRE(give(world, sequence, AddPatch{rectangle(2, 2, 4, 4, 3)}).ok());
-    run(world, 1);
+    runSteps(world, 1);
     const ObstacleId obstacle = world.obstacleIds()[0];
     const PatchId patch = world.patchIds()[0];
     REQUIRE(give(world, sequence, RemoveObstacle{obstacle}).ok());
@@ -161,7 +161,7 @@ TEST_CASE("ids of what is gone are not given again, and commands for it are refu
     REQUIRE(give(world, sequence, AddPatch{rectangle(2, 2, 4, 4, 3)}).ok());
     REQUIRE(give(world, sequence, ChangeObstacle{obstacle, tree({1, 1}, 0.5)}).ok());
     REQUIRE(give(world, sequence, ChangePatch{patch, rectangle(0, 0, 1, 1, 3)}).ok());
-    run(world, 1);
+    runSteps(world, 1);
     CHECK(world.obstacleIds()[0] > obstacle);
     CHECK(world.patchIds()[0] > patch);
     REQUIRE(world.rejections().size() == 2);
@@ -185,7 +185,7 @@ TEST_CASE("a car on its path touches nobody who can step out of its path") {
         CHECK(world.contacts().worstPenetration < 0.05);
     }
     CHECK(least > 0.25 - 1e-3);  // Their radius.
-    run(world, 300);
+    runSteps(world, 300);
     CHECK(worstToPlace(world) < 0.1);
     CHECK(matched(world) == 9);
 }
@@ -193,7 +193,7 @@ TEST_CASE("a car on its path touches nobody who can step out of its path") {
 TEST_CASE("with a quick car crossing in front, walkers keep clear of it and all arrive") {
     WorldDef def = openFloor(9);
     ObstacleDef car = tree({0, -9}, 0.6);
-    car.path.waypoints = {{0, {0, 0}, 0}, {6, {0, 18}, 0}, {12, {0, 0}, 0}};  // 3 m/s: faster than they run.
+    car.path.waypoints = {{0, {0, 0}, 0}, {6, {0, 18}, 0}, {12, {0, 0}, 0}};  // 3 m/s: faster than they runSteps.
     car.path.loop = true;
     def.obstacles.push_back(car);
     World world = World::create(def).value();

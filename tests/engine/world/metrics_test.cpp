@@ -23,7 +23,7 @@ WorldDef walkDef(double side = 0.0) {
     return def;
 }
 
-RunFigures run(World& world, double seconds) {
+RunFigures figuresAfter(World& world, double seconds) {
     RunMetrics metrics(world);
     const auto steps = static_cast<int>(seconds * 60.0 + 0.5);
     for (int i = 0; i < steps; ++i) {
@@ -38,7 +38,7 @@ RunFigures run(World& world, double seconds) {
 TEST_CASE("an open walk: arrival, path ratio and counts are those of arithmetic") {
     auto world = World::create(walkDef());
     REQUIRE(world.ok());
-    const RunFigures f = run(*world, 10.0);
+    const RunFigures f = figuresAfter(*world, 10.0);
     CHECK(f.characters == 3);
     CHECK(f.steps == 600);
     CHECK(f.hash == world->hash());
@@ -90,7 +90,7 @@ TEST_CASE("the clock starts at the last command") {
     auto world = World::create(walkDef());
     REQUIRE(world.ok());
     REQUIRE(world->submit({120, 1, 0, SetParameter{"plan.exponent", 2.0}}).ok());
-    const RunFigures f = run(*world, 10.0);
+    const RunFigures f = figuresAfter(*world, 10.0);
     CHECK(f.arrived100 > 2.75);
     CHECK(f.arrived100 < 3.4);
     CHECK(f.pathRatio == -1.0);
@@ -112,9 +112,9 @@ TEST_CASE("who cannot move is stuck, after five seconds and not before") {
     def.cell = 0.125;
     auto world = World::create(def);
     REQUIRE(world.ok());
-    CHECK(run(*world, 3.0).stuck == 0);
+    CHECK(figuresAfter(*world, 3.0).stuck == 0);
     auto again = World::create(def);
-    const RunFigures f = run(*again, 14.0);
+    const RunFigures f = figuresAfter(*again, 14.0);
     // All places lie in the box of one of them, who stands in one; the other two cannot come.
     CHECK(f.stuck == 2);
     CHECK(f.arrived95 == -1.0);
@@ -126,7 +126,7 @@ TEST_CASE("characters that join and leave are followed by id") {
     REQUIRE(world.ok());
     REQUIRE(world->submit({30, 1, 0, SetCount{GroupId{1}, 40}}).ok());
     REQUIRE(world->submit({60, 1, 1, SetCount{GroupId{1}, 20}}).ok());
-    const RunFigures f = run(*world, 8.0);
+    const RunFigures f = figuresAfter(*world, 8.0);
     CHECK(f.characters == 20);
     CHECK(f.arrived100 >= 0.0);
     CHECK(f.stuck == 0);

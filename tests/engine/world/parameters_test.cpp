@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "engine/state/layer_defs.h"
+#include "engine/systems/plans/plan_stage.h"
 
 using namespace muster;
 
@@ -78,13 +78,13 @@ TEST_CASE("presets") {
 TEST_CASE("a plan's period is what was set, or else what suits the solver") {
     Parameters p;
     p.plan.solver = PlanSolver::Exact;
-    CHECK(planPeriod(p) == 4);
+    CHECK(planPeriod(p.plan) == 4);
     p.plan.solver = PlanSolver::Fast;
-    CHECK(planPeriod(p) == 1);
+    CHECK(planPeriod(p.plan) == 1);
     p.plan.period = 9;
-    CHECK(planPeriod(p) == 9);
+    CHECK(planPeriod(p.plan) == 9);
     // The paper solves exactly whatever the default is.
     const auto paper = parameterPreset("paper");
     CHECK(paper->plan.solver == PlanSolver::Exact);
-    CHECK(planPeriod(*paper) == 1);
+    CHECK(planPeriod(paper->plan) == 1);
 }

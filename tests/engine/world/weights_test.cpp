@@ -66,7 +66,7 @@ double farthest(const World& world) {
 }
 
 // Deaths, joins, splits, merges and other weights at random: one call per step.
-struct Director {
+struct WeightDirector {
     Random random;
     std::uint32_t sequence = 0;
 
@@ -223,7 +223,7 @@ TEST_CASE("with weights, worlds that are restored or rewound go on bit for bit")
     for (const std::uint64_t seed : {1, 2, 3}) {
         World world = World::create(weightedGroup(40, seed, seed == 2)).value();
         World twin = World::create(weightedGroup(40, seed, seed == 2)).value();
-        Director director{Random(seed)}, twinDirector{Random(seed)};
+        WeightDirector director{Random(seed)}, twinDirector{Random(seed)};
         for (int s = 0; s < 600; ++s) {
             director.act(world);
             twinDirector.act(twin);

@@ -13,12 +13,12 @@ using namespace muster::testing;
 
 namespace {
 
-constexpr std::size_t kFrames = 75;
+constexpr std::size_t kUsdFrames = 75;
 
-const std::string& pretended() {
+const std::string& pretendedUsd() {
     static const std::string text = [] {
-        const std::string path = (exportFolder() / "pretended.usda").string();
-        const Status status = exportPretendTake(*makeUsdExporter(path), kFrames);
+        const std::string path = (exportFolder() / "pretendedUsd.usda").string();
+        const Status status = exportPretendTake(*makeUsdExporter(path), kUsdFrames);
         REQUIRE_MESSAGE(status.ok(), status.message());
         return *readTextFile(path, 1u << 30);
     }();
@@ -87,7 +87,7 @@ TEST_CASE("joints in the USD have Muster's positions") {
                                                   1.0 + static_cast<double>(frame) / 30.0);
         for (const ExportCharacter& c : people.characters) {
             const JointTransforms wanted = jointsOf(c);
-            const auto found = jointsIn(pretended(), c.id, frame);
+            const auto found = jointsIn(pretendedUsd(), c.id, frame);
             for (std::size_t j = 0; j < kJointCount; ++j)
                 worst = std::max(worst, distance(found[j], wanted[j].translation));
         }
@@ -97,7 +97,7 @@ TEST_CASE("joints in the USD have Muster's positions") {
 }
 
 TEST_CASE("all brackets close, every line of samples exists, and no name occurs twice") {
-    const std::string& text = pretended();
+    const std::string& text = pretendedUsd();
     std::vector<char> open;
     bool quoted = false;
     for (const char c : text) {
@@ -145,19 +145,19 @@ TEST_CASE("who has a chosen colour wears it, in a material of their own") {
 }
 
 TEST_CASE("rotations continue without jumps") {
-    const std::string root = prim(pretended(), "def SkelRoot \"character_0002\"");
-    for (std::size_t k = 1; k < kFrames; ++k)
+    const std::string root = prim(pretendedUsd(), "def SkelRoot \"character_0002\"");
+    for (std::size_t k = 1; k < kUsdFrames; ++k)
         CHECK(std::fabs(sample(root, "xformOp:rotateZ", k)[0] - sample(root, "xformOp:rotateZ", k - 1)[0]) <
               5.0);
 }
 
 TEST_CASE("a character that appears late and leaves early is invisible while absent") {
-    const std::string late = prim(prim(pretended(), "def SkelRoot \"character_0004\""),
+    const std::string late = prim(prim(pretendedUsd(), "def SkelRoot \"character_0004\""),
                                   "visibility.timeSamples");
     CHECK(late.find(" 0: \"invisible\"") != std::string::npos);
     CHECK(late.find(" 20: \"inherited\"") != std::string::npos);
     CHECK(late.find(" 50: \"invisible\"") != std::string::npos);
-    const std::string always = prim(prim(pretended(), "def SkelRoot \"character_0001\""),
+    const std::string always = prim(prim(pretendedUsd(), "def SkelRoot \"character_0001\""),
                                     "visibility.timeSamples");
     CHECK(always.find("invisible") == std::string::npos);
 }

@@ -13,10 +13,10 @@ using namespace muster;
 
 namespace {
 
-constexpr double kStep = 1.0 / 60.0;
+constexpr double kOrderStep = 1.0 / 60.0;
 
 CommandBody bodyOf(const std::string& event) {
-    const auto commands = parseCommands(event, "M", kStep);
+    const auto commands = parseCommands(event, "M", kOrderStep);
     REQUIRE_MESSAGE(commands.ok(), commands.status().message());
     REQUIRE(commands->size() == 1);
     return commands->front().body;
@@ -26,13 +26,13 @@ Order orderOf(const std::string& event) {
     return std::get<GiveOrder>(bodyOf(event)).order;
 }
 
-std::string failureOf(const std::string& events) {
-    const auto commands = parseCommands(events, "M", kStep);
+std::string ordersFailure(const std::string& events) {
+    const auto commands = parseCommands(events, "M", kOrderStep);
     return commands.ok() ? "" : commands.status().message();
 }
 
 bool failsWith(const std::string& events, const std::string& part) {
-    const std::string message = failureOf(events);
+    const std::string message = ordersFailure(events);
     CAPTURE(message);
     return message.find(part) != std::string::npos;
 }
@@ -157,13 +157,13 @@ TEST_CASE("errors of orders and units name the field") {
 TEST_CASE("messages need no times, and keep their order") {
     const auto commands = parseCommands(R"([{"kind":"leave","ids":[3]},{"t":1,"kind":"leave","ids":[2]},
         {"kind":"leave","ids":[1]}])",
-                                        "M", kStep);
+                                        "M", kOrderStep);
     REQUIRE(commands.ok());
     CHECK(std::get<RemoveCharacters>((*commands)[0].body).ids.front() == 3);
     CHECK(std::get<RemoveCharacters>((*commands)[1].body).ids.front() == 1);
     CHECK((*commands)[1].step == 0);
     CHECK((*commands)[2].step == 60);
-    CHECK(parseCommands("[]", "M", kStep)->empty());
+    CHECK(parseCommands("[]", "M", kOrderStep)->empty());
 }
 
 TEST_CASE("scenarios carry orders, bodies, roles and conducts, bit for bit") {

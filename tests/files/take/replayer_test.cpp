@@ -11,7 +11,7 @@ using namespace muster;
 
 namespace {
 
-WorldDef smallDef() {
+WorldDef replayedDef() {
     WorldDef def;
     def.box = {{-6, -5}, {6, 5}};
     def.cell = 0.5;
@@ -37,8 +37,8 @@ struct Recording {
     std::vector<std::vector<Vec2>> path;
     World world;
 
-    Recording() : world(*World::create(smallDef())) {
-        take.def = smallDef();
+    Recording() : world(*World::create(replayedDef())) {
+        take.def = replayedDef();
         take.finished = true;
         path.push_back(positions(world));
     }
@@ -59,7 +59,7 @@ struct Recording {
 };
 
 /// Marks before the first step, two at one step with a command between them, and commands that wait.
-Recording recorded() {
+Recording replayable() {
     Recording r;
     r.mark();
     r.submit(setting(0, 0, "character.maxSpeed", 0.7));
@@ -95,7 +95,7 @@ Status replay(const Take& take, std::uint32_t& compared) {
 }  // namespace
 
 TEST_CASE("a replay moves its characters as the recording did, step by step, through every mark") {
-    const Recording r = recorded();
+    const Recording r = replayable();
     REQUIRE(r.take.marks.size() == 5);
     // Commands that wait are state: the marks of one step differ.
     CHECK(r.take.marks[0].hash != r.take.marks[1].hash);
@@ -125,7 +125,7 @@ TEST_CASE("a replay moves its characters as the recording did, step by step, thr
 }
 
 TEST_CASE("each mark that is changed is found, and the sentence names its step") {
-    const Recording r = recorded();
+    const Recording r = replayable();
     for (std::size_t k = 0; k < r.take.marks.size(); ++k) {
         for (const std::uint64_t change : {std::uint64_t{1}, std::uint64_t{1} << 63}) {
             Take take = r.take;
@@ -142,7 +142,7 @@ TEST_CASE("each mark that is changed is found, and the sentence names its step")
 }
 
 TEST_CASE("each command that is changed, dropped or moved behind a mark is found at the next mark") {
-    const Recording r = recorded();
+    const Recording r = replayable();
     const std::vector<std::size_t> nextMark{1, 1, 1, 2, 3};
     std::uint32_t compared = 0;
     for (std::size_t k = 0; k < r.take.commands.size(); ++k) {
@@ -171,7 +171,7 @@ TEST_CASE("each command that is changed, dropped or moved behind a mark is found
 
 TEST_CASE("commands that wait are ordered by the world, so those before one mark may change places") {
     // Before the second mark the world orders what waits by step, client and sequence.
-    Recording r = recorded();
+    Recording r = replayable();
     std::uint32_t compared = 0;
     Take take = r.take;
     std::swap(take.commands[0], take.commands[2]);
@@ -180,10 +180,10 @@ TEST_CASE("commands that wait are ordered by the world, so those before one mark
 }
 
 TEST_CASE("a command that the world refuses ends the replay with its client and step") {
-    const Recording r = recorded();
+    const Recording r = replayable();
     std::uint32_t compared = 0;
     Take late = r.take;
-    late.commands[3].step = 1;  // Given in time, but not as recorded.
+    late.commands[3].step = 1;  // Given in time, but not as replayable.
     CHECK(replay(late, compared).code() == StatusCode::Corrupt);
     Take past = r.take;
     past.commands[4].step = 2;  // It is given at step 12.
@@ -198,7 +198,7 @@ TEST_CASE("a command that the world refuses ends the replay with its client and 
 }
 
 TEST_CASE("behind the last mark of an unfinished take its commands are given still") {
-    Recording r = recorded();
+    Recording r = replayable();
     r.submit(setting(20, 5, "character.maxSpeed", 0.4));
     r.submit(setting(25, 6, "character.maxSpeed", 2.0));
     r.take.finished = false;
@@ -224,7 +224,7 @@ TEST_CASE("behind the last mark of an unfinished take its commands are given sti
 
 TEST_CASE("a take without commands and marks has no step") {
     Take take;
-    take.def = smallDef();
+    take.def = replayedDef();
     World world = *World::create(take.def);
     Replayer replayer(take);
     CHECK(replayer.atEnd(world));
@@ -238,8 +238,8 @@ namespace {
 
 /// A take in which an order is carried out, as it is written record by record.
 std::vector<std::uint8_t> takeWithArrival(std::vector<TakeEvent>& told) {
-    World world = *World::create(smallDef());
-    std::vector<std::uint8_t> bytes = TakeEncoder::begin(smallDef());
+    World world = *World::create(replayedDef());
+    std::vector<std::uint8_t> bytes = TakeEncoder::begin(replayedDef());
     const auto append = [&](const std::vector<std::uint8_t>& record) {
         bytes.insert(bytes.end(), record.begin(), record.end());
     };
@@ -288,14 +288,14 @@ TEST_CASE("an event that the world does not tell ends the replay at its step") {
     };
     const std::string step = std::to_string(told[0].step);
     CHECK(refused([](TakeEvent& e) { ++e.event.value; }) ==
-          "step " + step + ": found no event 'arrived' of 1 with 5, expected it as recorded");
+          "step " + step + ": found no event 'arrived' of 1 with 5, expected it as replayable");
     CHECK(refused([](TakeEvent& e) { e.event.kind = EventKind::NoPath; }).rfind("step " + step, 0) == 0);
     CHECK(refused([](TakeEvent& e) { e.step -= 1; }).rfind("step " + std::to_string(told[0].step - 1), 0) ==
           0);
 }
 
 TEST_CASE("a record of an event that is none is refused") {
-    std::vector<std::uint8_t> bytes = TakeEncoder::begin(smallDef());
+    std::vector<std::uint8_t> bytes = TakeEncoder::begin(replayedDef());
     const auto record = TakeEncoder::event({3, {EventKind::Swap, 1, 2, {}}});
     bytes.insert(bytes.end(), record.begin(), record.end());
     const auto take = parseTake(bytes, "memory");

@@ -8,10 +8,6 @@ using namespace muster::testing;
 
 namespace {
 
-WorldDef sixteen() {
-    return floorWith({squareOf(16, {0, 0})});
-}
-
 ObstacleDef wall(Vec2 least, Vec2 most) {
     ObstacleDef def;
     def.polygon = {least, {most.x, least.y}, most, {least.x, most.y}};

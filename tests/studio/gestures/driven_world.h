@@ -35,6 +35,15 @@ inline WorldDef floorWith(std::vector<GroupDef> groups) {
     return def;
 }
 
+/// Sixteen people on it.
+inline WorldDef sixteen(Vec2 middle = {}) {
+    return floorWith({squareOf(16, middle)});
+}
+
+inline constexpr Modifiers kShift{true, false, false};
+inline constexpr Modifiers kControl{false, true, false};
+inline constexpr char kEscape = 27;
+
 /// One world and one scheme. Pointers are given on the ground; each step takes what came before it.
 struct DrivenWorld {
     World world;

@@ -6,10 +6,6 @@ using namespace muster::testing;
 
 namespace {
 
-WorldDef sixteen() {
-    return floorWith({squareOf(16, {0, 0})});
-}
-
 WorldDef twoNines() {
     return floorWith({squareOf(9, {-3, 0}), squareOf(9, {3, 0})});
 }

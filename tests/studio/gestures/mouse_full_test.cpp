@@ -6,17 +6,9 @@ using namespace muster::testing;
 
 namespace {
 
-constexpr Modifiers kShift{true, false, false};
-constexpr Modifiers kControl{false, true, false};
-constexpr char kEscape = 27;
-
 using Ids = std::vector<std::uint32_t>;
 
-WorldDef sixteen() {
-    return floorWith({squareOf(16, {0, 0})});
-}
-
-WorldDef twoNines() {
+WorldDef ninesApart() {
     return floorWith({squareOf(9, {-4, 0}), squareOf(9, {4, 0})});
 }
 
@@ -38,7 +30,7 @@ void sendTo(DrivenWorld& driven, Vec2 ground, Modifiers modifiers = {}) {
     driven.button = PointerButton::Left;
 }
 
-void key(DrivenWorld& driven, char name, Modifiers modifiers = {}) {
+void press(DrivenWorld& driven, char name, Modifiers modifiers = {}) {
     driven.modifiers = modifiers;
     driven.key(name);
     driven.modifiers = {};
@@ -86,7 +78,7 @@ TEST_CASE("Shift adds to a selection, Ctrl removes, a box alone replaces") {
 }
 
 TEST_CASE("A click takes one, two take the whole group, one on free ground takes nobody") {
-    DrivenWorld driven(twoNines(), "mouse-full-free");
+    DrivenWorld driven(ninesApart(), "mouse-full-free");
     const Vec2 person = driven.positionOf(12);
     click(driven, person + Vec2{0.2, 0});
     CHECK(driven.marks().selected == Ids{12});
@@ -104,7 +96,7 @@ TEST_CASE("A click takes one, two take the whole group, one on free ground takes
 }
 
 TEST_CASE("Two clicks too far apart in time or place are no double click") {
-    DrivenWorld driven(twoNines(), "mouse-full-free");
+    DrivenWorld driven(ninesApart(), "mouse-full-free");
     const Vec2 person = driven.positionOf(12);
     driven.tapTwice(person, person, 0.4);
     CHECK(driven.marks().selected == Ids{12});
@@ -175,7 +167,7 @@ TEST_CASE("Points that come before the new group is made are queued, too") {
 }
 
 TEST_CASE("Those who are sent from two formations become one") {
-    DrivenWorld driven(twoNines(), "mouse-full-free");
+    DrivenWorld driven(ninesApart(), "mouse-full-free");
     box(driven, {-4.5, -3}, {3.5, 3});  // Six of the left one, three of the right one.
     const Ids sent = driven.marks().selected;
     REQUIRE(sent.size() == 9);
@@ -183,7 +175,7 @@ TEST_CASE("Those who are sent from two formations become one") {
     driven.run(0.1);
     REQUIRE(driven.world.groupCount() == 3);
     CHECK(driven.members(2) == sent);
-    key(driven, 'A', kControl);
+    press(driven, 'A', kControl);
     CHECK(driven.marks().selected.size() == 18);
     sendTo(driven, {0, -6});
     driven.run(0.1);
@@ -197,30 +189,30 @@ TEST_CASE("Ctrl and a digit keep a selection, the digit brings it back") {
     DrivenWorld driven(sixteen(), "mouse-full-free");
     box(driven, {-3, -3}, {0, 3});
     const Ids left = driven.marks().selected;
-    key(driven, '1', kControl);
-    key(driven, kEscape);
+    press(driven, '1', kControl);
+    press(driven, kEscape);
     CHECK(driven.marks().selected.empty());
     box(driven, {0, 0}, {3, 3});
     const Ids corner = driven.marks().selected;
     REQUIRE(corner.size() == 4);
-    key(driven, '2', kControl);
-    key(driven, '1');
+    press(driven, '2', kControl);
+    press(driven, '1');
     CHECK(driven.marks().selected == left);
-    key(driven, '2', kShift);
+    press(driven, '2', kShift);
     CHECK(driven.marks().selected.size() == 12);
-    key(driven, '2');
+    press(driven, '2');
     CHECK(driven.marks().selected == corner);
-    key(driven, '3');  // Nobody is kept there.
+    press(driven, '3');  // Nobody is kept there.
     CHECK(driven.marks().selected == corner);
 }
 
 TEST_CASE("S stops the selected where they are") {
     DrivenWorld driven(sixteen(), "mouse-full-free");
-    key(driven, 'A', kControl);
+    press(driven, 'A', kControl);
     sendTo(driven, {9, 0});
     driven.run(1.5);
     CHECK(driven.middle().x > 0.5);
-    key(driven, 'S');
+    press(driven, 'S');
     CHECK(driven.world.group(0).orders.empty());
     const Vec2 there = driven.middle();
     driven.run(4.0);
@@ -239,7 +231,7 @@ TEST_CASE("Where nobody is selected the right button sends nobody and leaves a n
 
 TEST_CASE("mouse-full-continuum sends by the continuum") {
     DrivenWorld driven(sixteen(), "mouse-full-continuum");
-    key(driven, 'A', kControl);
+    press(driven, 'A', kControl);
     sendTo(driven, {7, 0});
     REQUIRE(driven.world.group(0).orders.size() == 1);
     CHECK(driven.world.group(0).orders[0].order.manner == Manner::Continuum);
@@ -257,7 +249,7 @@ TEST_CASE("The paper's mouse selects by a right drag, sends by a left click, and
     REQUIRE(upper == idsIn(driven, {-3, 0}, {3, 3}));
     box(driven, {-3, -3}, {0, 0}, kShift);  // Shift does not add.
     CHECK(driven.marks().selected == idsIn(driven, {-3, -3}, {0, 0}));
-    key(driven, 'A', kControl);
+    press(driven, 'A', kControl);
     CHECK(driven.marks().selected.size() == 4);
     box(driven, {-3, 0}, {3, 3});
     driven.button = PointerButton::Left;

@@ -6,15 +6,8 @@ using namespace muster::testing;
 
 namespace {
 
-constexpr Modifiers kShift{true, false, false};
-constexpr Modifiers kControl{false, true, false};
 constexpr Modifiers kAlt{false, false, true};
-constexpr char kEscape = 27;
 constexpr char kDelete = 127;
-
-WorldDef sixteen() {
-    return floorWith({squareOf(16, {0, 0})});
-}
 
 std::span<const Control> controlsOf(const DrivenWorld& driven) {
     return driven.world.group(0).controls;

@@ -6,10 +6,6 @@ using namespace muster::testing;
 
 namespace {
 
-WorldDef sixteen() {
-    return floorWith({squareOf(16, {0, 0})});
-}
-
 /// Two fingers come down on sixteen people, 3 m apart; the second one later than the window.
 void takeOneByOne(DrivenWorld& driven) {
     driven.down(1, {0.5, -1.5});

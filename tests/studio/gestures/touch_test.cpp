@@ -6,10 +6,6 @@ using namespace muster::testing;
 
 namespace {
 
-WorldDef sixteen(Vec2 middle = {}) {
-    return floorWith({squareOf(16, middle)});
-}
-
 bool holdsFinger(const DrivenWorld& driven, std::size_t group = 0) {
     for (const Control& control : driven.world.group(group).controls)
         for (const ControlPoint& point : control.points)

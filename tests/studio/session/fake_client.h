@@ -102,6 +102,7 @@ private:
         if (const auto* m = std::get_if<protocol::TakePath>(&message)) path = *m;
         if (const auto* m = std::get_if<protocol::TakeReady>(&message)) ready = m->steps;
         if (const auto* m = std::get_if<protocol::TakeKept>(&message)) kept.push_back(*m);
+        if (const auto* m = std::get_if<protocol::StageTimes>(&message)) stageTimes.push_back(*m);
         if (const auto* m = std::get_if<protocol::Frame>(&message)) {
             frames.push_back(*m);
             page = decoder_.take(*m);
@@ -133,6 +134,7 @@ public:
     std::optional<protocol::TakePath> path;
     std::uint32_t ready = 0;  ///< Steps of the last TakeReady.
     std::vector<protocol::TakeKept> kept;
+    std::vector<protocol::StageTimes> stageTimes;
 };
 
 /// A session that has loaded the small floor.

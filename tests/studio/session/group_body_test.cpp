@@ -13,7 +13,7 @@ using namespace muster::testing;
 
 namespace {
 
-struct Desk {
+struct BodyDesk {
     Session session = startedSession();
     FakeClient client{session};
 
@@ -43,7 +43,7 @@ std::string radius(const std::string& metres) {
 }  // namespace
 
 TEST_CASE("all of a group get a number of their body, and all other numbers stay") {
-    Desk desk;
+    BodyDesk desk;
     const std::uint32_t first = desk.session.world()->characters().id[0];
     desk.edit(R"({"kind":"bodies","ids":[)" + std::to_string(first) +
               R"(],"bodies":[{"mass":3,"class":2}]})");
@@ -63,7 +63,7 @@ TEST_CASE("all of a group get a number of their body, and all other numbers stay
 }
 
 TEST_CASE("a slider that is dragged is one step of the history") {
-    Desk desk;
+    BodyDesk desk;
     for (const char* metres : {"0.2", "0.26", "0.31", "0.4"}) desk.edit(radius(metres), 7);
     CHECK(desk.client.history.undo == 1);
     CHECK(desk.all([](const Body& body) { return body.radius == 0.4; }));
@@ -77,7 +77,7 @@ TEST_CASE("a slider that is dragged is one step of the history") {
 }
 
 TEST_CASE("the scene tells what all in a group have in common, and the file keeps it") {
-    Desk desk;
+    BodyDesk desk;
     CHECK(desk.start().find("body")->find("radius")->number() == 0.25);
     CHECK(desk.start().find("body")->find("maxSpeed")->number() == 2.0);
     CHECK(desk.start().find("body")->find("class")->number() == 0.0);
@@ -99,7 +99,7 @@ TEST_CASE("the scene tells what all in a group have in common, and the file keep
 }
 
 TEST_CASE("bad bodies of groups are answered by one sentence and change nothing") {
-    Desk desk;
+    BodyDesk desk;
     const auto refused = [&](const std::string& events) {
         desk.client.notices.clear();
         desk.edit(events);

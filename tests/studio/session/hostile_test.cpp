@@ -35,6 +35,7 @@ std::vector<std::vector<std::uint8_t>> everyMessage() {
             protocol::encode(protocol::LoadScenario{"small"}),
             protocol::encode(protocol::Record{true}),
             protocol::encode(protocol::SetOverlay{protocol::OverlayKind::Cost, 1}),
+            protocol::encode(protocol::WatchStages{true}),
             protocol::encode(protocol::FrameAck{1}),
             protocol::encode(protocol::Ping{1.0})};
 }

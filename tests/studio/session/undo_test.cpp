@@ -29,11 +29,11 @@ WorldDef twoGroups() {
 }
 
 /// A session with one greeted director and two groups.
-struct Desk {
+struct UndoDesk {
     Session session{sessionDef()};
     FakeClient client{session};
 
-    Desk() {
+    UndoDesk() {
         REQUIRE(session.load("two", twoGroups()).ok());
         settle();
     }
@@ -80,7 +80,7 @@ const std::string kAppend = R"(,"mode":"append")";
 }  // namespace
 
 TEST_CASE("the undo of a first order stops the group, and redo sends it on") {
-    Desk desk;
+    UndoDesk desk;
     desk.move(20, 0);
     CHECK(desk.history().undoLabel == "Move");
     desk.settle(1.0);
@@ -105,7 +105,7 @@ TEST_CASE("the undo of a first order stops the group, and redo sends it on") {
 }
 
 TEST_CASE("orders come back one by one, in their places") {
-    Desk desk;
+    UndoDesk desk;
     desk.move(20, 0);
     desk.move(10, 5, kAppend);
     desk.move(5, 5, R"(,"mode":"insert","index":1)");
@@ -138,7 +138,7 @@ TEST_CASE("orders come back one by one, in their places") {
 }
 
 TEST_CASE("an order that is done is not given again, and its undo passes over it") {
-    Desk desk;
+    UndoDesk desk;
     desk.act(R"({"kind":"conduct","group":1,"cohesion":1})");
     desk.move(4, 0);
     desk.move(25, 0, kAppend);
@@ -154,7 +154,7 @@ TEST_CASE("an order that is done is not given again, and its undo passes over it
 }
 
 TEST_CASE("stop, hold and patrol are taken back") {
-    Desk desk;
+    UndoDesk desk;
     desk.move(20, 0);
     desk.move(20, 10, kAppend);
     for (const char* edit : {"patrol", "hold", "stop"})
@@ -173,7 +173,7 @@ TEST_CASE("stop, hold and patrol are taken back") {
 }
 
 TEST_CASE("a shape is taken back, also one that an order gave") {
-    Desk desk;
+    UndoDesk desk;
     desk.act(R"({"kind":"formation","group":1,"formation":"ring"})");
     desk.client.send(protocol::SetFormation{1, "wedge"});
     desk.settle();
@@ -195,7 +195,7 @@ TEST_CASE("a shape is taken back, also one that an order gave") {
 }
 
 TEST_CASE("a slider is one step, and each choice another") {
-    Desk desk;
+    UndoDesk desk;
     for (int k = 1; k <= 8; ++k)
         desk.act(R"({"kind":"conduct","group":1,"cohesion":0.)" + std::to_string(k) + "}");
     CHECK(desk.history().undo == 1);
@@ -217,7 +217,7 @@ TEST_CASE("a slider is one step, and each choice another") {
 }
 
 TEST_CASE("parameters that are set at once are one step") {
-    Desk desk;
+    UndoDesk desk;
     const double reach = desk.world().parameters().input.reach;
     const double exponent = desk.world().parameters().plan.exponent;
     desk.client.send(protocol::SetParameter{"plan.exponent", 1.0});
@@ -233,7 +233,7 @@ TEST_CASE("parameters that are set at once are one step") {
 }
 
 TEST_CASE("the undo of a split joins the parts, and redo divides the same people") {
-    Desk desk;
+    UndoDesk desk;
     desk.move(20, 0);
     desk.act(R"({"kind":"split","group":1,"by":"line","points":[[-9,0.1],[9,0.1]],"shape":"asHeld"})");
     REQUIRE(desk.world().groupCount() == 3);
@@ -262,7 +262,7 @@ TEST_CASE("the undo of a split joins the parts, and redo divides the same people
 }
 
 TEST_CASE("a split into several parts is taken back and done again") {
-    Desk desk;
+    UndoDesk desk;
     desk.act(R"({"kind":"split","group":1,"by":"shares","shares":[1,1,2]})");
     REQUIRE(desk.world().groupCount() == 4);
     desk.undo();
@@ -281,7 +281,7 @@ TEST_CASE("a split into several parts is taken back and done again") {
 }
 
 TEST_CASE("the undo of a merge brings the group back with all that it was") {
-    Desk desk;
+    UndoDesk desk;
     desk.move(20, 0);
     desk.act(R"({"kind":"move","group":2,"x":-20,"y":8},{"kind":"queue","group":2,"edit":"patrol"})");
     CHECK(desk.history().undoLabel == "Change orders");
@@ -317,7 +317,7 @@ TEST_CASE("the undo of a merge brings the group back with all that it was") {
 }
 
 TEST_CASE("people who come, leave or change groups are taken back") {
-    Desk desk;
+    UndoDesk desk;
     const std::size_t all = desk.world().characters().id.size();
     const std::uint32_t id = desk.world().characters().id[3];
     const std::string one = std::to_string(id);
@@ -346,7 +346,7 @@ TEST_CASE("people who come, leave or change groups are taken back") {
 }
 
 TEST_CASE("each director takes back their own acts") {
-    Desk desk;
+    UndoDesk desk;
     FakeClient other(desk.session, true, "other");
     desk.move(20, 0);
     other.send(protocol::Commands{R"([{"kind":"move","group":2,"x":-20,"y":0}])"});
@@ -371,7 +371,7 @@ TEST_CASE("each director takes back their own acts") {
 }
 
 TEST_CASE("a paused world tells what is taken back at once and makes no step for it") {
-    Desk desk;
+    UndoDesk desk;
     desk.move(20, 0);
     desk.client.send(protocol::Playback{protocol::PlaybackAction::Pause});
     desk.settle();
@@ -398,7 +398,7 @@ TEST_CASE("a paused world tells what is taken back at once and makes no step for
 }
 
 TEST_CASE("acts and edits of the place are one history") {
-    Desk desk;
+    UndoDesk desk;
     const std::string
         edit = R"([{"kind":"obstacle","definition":{"name":"Box","centre":[20,20],"radius":1}}])";
     desk.move(20, 0);
@@ -424,7 +424,7 @@ TEST_CASE("acts and edits of the place are one history") {
 }
 
 TEST_CASE("a group that was added is taken back, and the place is not edited by acts") {
-    Desk desk;
+    UndoDesk desk;
     desk.act(R"({"kind":"group","definition":{"name":"Guests","count":5,"position":[-15,-15]}})");
     REQUIRE(desk.world().groupCount() == 3);
     CHECK(desk.history().undoLabel == "Add group");
@@ -439,7 +439,7 @@ TEST_CASE("a group that was added is taken back, and the place is not edited by 
 }
 
 TEST_CASE("what is refused, and what fingers do, is no step") {
-    Desk desk;
+    UndoDesk desk;
     desk.act(R"({"kind":"queue","group":1,"edit":"cancel","order":77})");
     desk.act(R"({"kind":"formation","group":9,"formation":"ring"})");
     desk.client.touchAt(protocol::TouchPhase::Down, {0, 0}, 1.0);
@@ -452,7 +452,7 @@ TEST_CASE("what is refused, and what fingers do, is no step") {
 }
 
 TEST_CASE("orders for several groups in one message are one step") {
-    Desk desk;
+    UndoDesk desk;
     desk.act(R"({"kind":"move","group":1,"x":20,"y":0},{"kind":"move","group":2,"x":-20,"y":0})");
     CHECK(desk.history().undo == 1);
     desk.undo();
@@ -464,7 +464,7 @@ TEST_CASE("orders for several groups in one message are one step") {
 }
 
 TEST_CASE("pose and pin are taken back") {
-    Desk desk;
+    UndoDesk desk;
     desk.move(20, 0);
     desk.act(R"({"kind":"pose","group":1,"x":-12,"y":-12,"angle":1.5})");
     CHECK(desk.targets().empty());
@@ -487,7 +487,7 @@ TEST_CASE("pose and pin are taken back") {
 }
 
 TEST_CASE("a history keeps a thousand steps") {
-    Desk desk;
+    UndoDesk desk;
     for (int k = 0; k < 1003; ++k)
         desk.client.send(protocol::Commands{R"([{"kind":"formation","group":1,"formation":")" +
                                             std::string(k % 2 == 0 ? "ring" : "square") + R"("}])"});
@@ -498,7 +498,7 @@ TEST_CASE("a history keeps a thousand steps") {
 }
 
 TEST_CASE("random acts of two directors with undo between them replay to the same hash") {
-    Desk desk;
+    UndoDesk desk;
     FakeClient other(desk.session, true, "other");
     std::uint32_t seed = 7;
     const auto draw = [&](std::uint32_t n) {

@@ -15,6 +15,7 @@ import type {
   Pong,
   Scene,
   ServerMessage,
+  StageTimes,
   StudyForm,
   StudyState,
   TakeKept,
@@ -49,6 +50,7 @@ export interface StudioEvents {
   takeKept: TakeKept;
   editHistory: EditHistory;
   takePath: TakePath;
+  stageTimes: StageTimes;
 }
 
 /** The events of messages that are handed on as they come. */
@@ -70,6 +72,7 @@ const kEvents = {
   TakeKept: 'takeKept',
   EditHistory: 'editHistory',
   TakePath: 'takePath',
+  StageTimes: 'stageTimes',
 } as const satisfies Record<Exclude<ServerMessage, Frame | Pong>['type'], keyof StudioEvents>;
 
 /** What the client needs of a Worker. */

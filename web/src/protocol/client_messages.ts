@@ -763,3 +763,21 @@ export function writeAskPlaces(w: ByteWriter, m: AskPlaces): void {
   w.u32(m.number);
   w.list(m.asks, writePlacesAsk);
 }
+
+/** Whether the sender wants to know how long the stages of steps take. */
+export interface WatchStages {
+  type: 'WatchStages';
+  on: boolean;
+}
+
+export function readWatchStages(r: ByteReader): WatchStages {
+  return {
+    type: 'WatchStages',
+    on: r.bool(),
+  };
+}
+
+export function writeWatchStages(w: ByteWriter, m: WatchStages): void {
+  w.u8(34);
+  w.bool(m.on);
+}

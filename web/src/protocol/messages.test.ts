@@ -17,6 +17,7 @@ import {
   Stance,
   type ClientMessage,
   type Frame,
+  type StageTimes,
 } from './messages';
 
 function hex(buffer: ArrayBuffer): string {
@@ -58,6 +59,7 @@ const everyMessage: ClientMessage[] = [
     number: 3,
     asks: [{ group: 1, order: 0, event: '{"kind":"move"}', placed: true, x: 0.5, y: -1, facing: 3 }],
   },
+  { type: 'WatchStages', on: true },
 ];
 
 describe('the bytes', () => {
@@ -150,6 +152,39 @@ describe('a frame of the server', () => {
     expect(jumpedX.byteOffset).toBe(0);
     expect(jumpedX.buffer).not.toBe(bytes);
     expect(jumpedX.buffer.byteLength).toBe(2);
+  });
+});
+
+describe('times of stages', () => {
+  const times: StageTimes = {
+    type: 'StageTimes',
+    step: 60,
+    total: 0.75,
+    stages: [
+      { name: 'commands', about: 'Applies the commands.', milliseconds: 0.25 },
+      { name: 'orders', about: '', milliseconds: 0.5 },
+    ],
+  };
+
+  it('come back as they went, with the bytes that the protocol promises', () => {
+    const bytes = encodeServer(times);
+    expect(decodeServer(bytes)).toEqual(times);
+    // Number, step, total and the number of stages; the same bytes stand in tests/studio/session/stage_means_test.cpp.
+    expect(hex(bytes).slice(0, 26)).toBe('13' + '3c000000' + '0000403f' + '02000000');
+    expect(hex(encodeClient({ type: 'WatchStages', on: true }))).toBe('2201');
+  });
+
+  it('are refused when cut short, prolonged, or of an impossible number', () => {
+    const bytes = new Uint8Array(encodeServer(times));
+    for (let length = 0; length < bytes.length; ++length) {
+      expect(() => decodeServer(bytes.slice(0, length).buffer)).toThrow(ProtocolError);
+    }
+    const longer = new Uint8Array(bytes.length + 1);
+    longer.set(bytes);
+    expect(() => decodeServer(longer.buffer)).toThrow('1 bytes too many');
+    const many = bytes.slice();
+    many.fill(255, 9, 13);
+    expect(() => decodeServer(many.buffer)).toThrow(ProtocolError);
   });
 });
 

@@ -55,6 +55,7 @@ import {
   readTakeAgain,
   readTouches,
   readUndoEdit,
+  readWatchStages,
   type Record,
   type RemoveControl,
   type Seek,
@@ -69,6 +70,7 @@ import {
   type TakeAgain,
   type Touches,
   type UndoEdit,
+  type WatchStages,
   writeAddControl,
   writeAnswerForm,
   writeAskForecasts,
@@ -103,6 +105,7 @@ import {
   writeTakeAgain,
   writeTouches,
   writeUndoEdit,
+  writeWatchStages,
 } from './client_messages';
 import {
   type Directors,
@@ -128,6 +131,7 @@ import {
   readPlaces,
   readPong,
   readScene,
+  readStageTimes,
   readStudyForm,
   readStudyState,
   readTakeKept,
@@ -136,6 +140,7 @@ import {
   readTakeState,
   readWelcome,
   type Scene,
+  type StageTimes,
   type StudyForm,
   type StudyState,
   type TakeKept,
@@ -155,6 +160,7 @@ import {
   writePlaces,
   writePong,
   writeScene,
+  writeStageTimes,
   writeStudyForm,
   writeStudyState,
   writeTakeKept,
@@ -204,7 +210,8 @@ export type ClientMessage =
   | Edit
   | UndoEdit
   | DoInStudy
-  | AskPlaces;
+  | AskPlaces
+  | WatchStages;
 
 const readClient: readonly ((r: ByteReader) => ClientMessage)[] = [
   readHello,
@@ -241,6 +248,7 @@ const readClient: readonly ((r: ByteReader) => ClientMessage)[] = [
   readUndoEdit,
   readDoInStudy,
   readAskPlaces,
+  readWatchStages,
 ];
 
 /** Reads a message; throws ProtocolError where it does not fit. */
@@ -357,6 +365,9 @@ export function encodeClient(message: ClientMessage): ArrayBuffer {
     case 'AskPlaces':
       writeAskPlaces(w, message);
       break;
+    case 'WatchStages':
+      writeWatchStages(w, message);
+      break;
   }
   return w.bytes();
 }
@@ -380,7 +391,8 @@ export type ServerMessage =
   | Marks
   | StudyForm
   | StudyState
-  | Places;
+  | Places
+  | StageTimes;
 
 const readServer: readonly ((r: ByteReader) => ServerMessage)[] = [
   readWelcome,
@@ -402,6 +414,7 @@ const readServer: readonly ((r: ByteReader) => ServerMessage)[] = [
   readStudyForm,
   readStudyState,
   readPlaces,
+  readStageTimes,
 ];
 
 /** Reads a message; throws ProtocolError where it does not fit. */
@@ -472,6 +485,9 @@ export function encodeServer(message: ServerMessage): ArrayBuffer {
       break;
     case 'Places':
       writePlaces(w, message);
+      break;
+    case 'StageTimes':
+      writeStageTimes(w, message);
       break;
   }
   return w.bytes();

@@ -508,3 +508,25 @@ export function writeAnswerFrame(w: ByteWriter, m: AnswerFrame): void {
   w.string(m.text);
   w.f64(m.number);
 }
+
+/** A stage of the step and how long it takes. */
+export interface StageFrame {
+  name: string;
+  /** what it does, in one sentence */
+  about: string;
+  milliseconds: number;
+}
+
+export function readStageFrame(r: ByteReader): StageFrame {
+  return {
+    name: r.string(),
+    about: r.string(),
+    milliseconds: r.f32(),
+  };
+}
+
+export function writeStageFrame(w: ByteWriter, m: StageFrame): void {
+  w.string(m.name);
+  w.string(m.about);
+  w.f32(m.milliseconds);
+}

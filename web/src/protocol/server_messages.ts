@@ -36,10 +36,12 @@ import {
   readScenarioInfo,
   readSchemeInfo,
   readSpeedPiece,
+  readStageFrame,
   readTakeMark,
   type ScenarioInfo,
   type SchemeInfo,
   type SpeedPiece,
+  type StageFrame,
   type TakeMark,
   writeClipFrames,
   writeDirectorFrame,
@@ -50,6 +52,7 @@ import {
   writeScenarioInfo,
   writeSchemeInfo,
   writeSpeedPiece,
+  writeStageFrame,
   writeTakeMark,
 } from './parts';
 
@@ -759,4 +762,31 @@ export function writePlaces(w: ByteWriter, m: Places): void {
   w.u8(18);
   w.u32(m.number);
   w.list(m.answers, writePlacesFrame);
+}
+
+/** How long the stages of a step take: means of 60 steps, to clients that watch them. */
+export interface StageTimes {
+  type: 'StageTimes';
+  /** the last of the steps */
+  step: number;
+  /** of whole steps [ms] */
+  total: number;
+  /** in the order of the step */
+  stages: StageFrame[];
+}
+
+export function readStageTimes(r: ByteReader): StageTimes {
+  return {
+    type: 'StageTimes',
+    step: r.u32(),
+    total: r.f32(),
+    stages: r.list(readStageFrame),
+  };
+}
+
+export function writeStageTimes(w: ByteWriter, m: StageTimes): void {
+  w.u8(19);
+  w.u32(m.step);
+  w.f32(m.total);
+  w.list(m.stages, writeStageFrame);
 }

@@ -266,6 +266,7 @@ export class StudioApp {
     client.on('forecasts', (answers) => this.desk.queues.answered(answers, performance.now()));
     client.on('directors', ({ directors }) => this.directors_.took(directors));
     client.on('notice', (notice) => this.noticed(notice));
+    this.stats_?.follow(client);
   }
 
   private greeted({ scenarios }: Welcome): void {

@@ -62,7 +62,7 @@ Nearest nearestTo(const ObstaclePiece& piece, Vec2 p) {
 // point to the piece moved by t. Both factors are concave where positive, so that there is only one maximum.
 class PeakSearch {
 public:
-    PeakSearch(const UnitCostDef& def, const ObstaclePiece& piece, Vec2 p, double precision)
+    PeakSearch(const Parameters::Discomfort& def, const ObstaclePiece& piece, Vec2 p, double precision)
         : def_(def), piece_(piece), p_(p), precision_(precision) {}
 
     double between(double low, double high) {
@@ -75,9 +75,9 @@ public:
         for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
             const Nearest here = nearestTo(piece_, p_ - piece_.velocity * time);
             const double away = std::max(0.0, here.distance);
-            best = std::max(best, (1.0 - away / def_.discomfortRange) * (1.0 - time / def_.discomfortTime));
+            best = std::max(best, (1.0 - away / def_.range) * (1.0 - time / def_.time));
             const bool found = predicted && here.isSide == from.isSide && here.index == from.index;
-            if (found || high_ - low_ <= precision_ * def_.discomfortTime) break;
+            if (found || high_ - low_ <= precision_ * def_.time) break;
             from = here;
             const double peak = here.inside   ? time
                                 : here.isSide ? sidePeak(here, time)
@@ -99,8 +99,8 @@ private:
         const double closing = dot(piece_.velocity, side.normal);
         if (closing <= 0.0) return low_;
         const double meets = time + side.distance / closing;
-        const double entersRange = meets - def_.discomfortRange / closing;
-        return std::min(0.5 * (entersRange + def_.discomfortTime), meets);
+        const double entersRange = meets - def_.range / closing;
+        return std::min(0.5 * (entersRange + def_.time), meets);
     }
 
     // The maximum before a corner or a disc, where d^2 is a quadratic in t: Newton's method within
@@ -112,28 +112,28 @@ private:
         const double nearest = dot(off, piece_.velocity) / squared;  // Time of the least distance.
         const double lateralSquared = lengthSquared(off) - squared * nearest * nearest;
         double before = std::min(low_, nearest);
-        double after = std::min(nearest, def_.discomfortTime);
+        double after = std::min(nearest, def_.time);
         if (size > 0.0 && lateralSquared < size * size)
             after = std::min(after, nearest - std::sqrt((size * size - lateralSquared) / squared));
-        const double range = def_.discomfortRange + size;
+        const double range = def_.range + size;
         // Has the sign of the product's derivative where both factors are positive.
         double slope = 0.0;
         double derivative = 0.0;
         const auto at = [&](double t) {
             const double until = nearest - t;
             const double away = std::sqrt(std::max(0.0, lateralSquared + squared * until * until));
-            slope = squared * until * (def_.discomfortTime - t) - (range - away) * away;
-            derivative = -squared * (def_.discomfortTime - t + until) -
+            slope = squared * until * (def_.time - t) - (range - away) * away;
+            derivative = -squared * (def_.time - t + until) -
                          squared * until * (2.0 * away - range) / std::max(away, 1e-12);
         };
         if (after <= before) return after;
         at(after);
         if (slope >= 0.0) return after;
         double t = after;
-        for (int k = 0; k < kMaxIterations && after - before > precision_ * def_.discomfortTime; ++k) {
+        for (int k = 0; k < kMaxIterations && after - before > precision_ * def_.time; ++k) {
             const double step = derivative < 0.0 ? t - slope / derivative : before;
             const double next = step > before && step < after ? step : 0.5 * (before + after);
-            const bool converged = std::fabs(next - t) <= precision_ * def_.discomfortTime;
+            const bool converged = std::fabs(next - t) <= precision_ * def_.time;
             t = next;
             if (converged) break;
             at(t);
@@ -142,7 +142,7 @@ private:
         return t;
     }
 
-    const UnitCostDef& def_;
+    const Parameters::Discomfort& def_;
     const ObstaclePiece& piece_;
     Vec2 p_;
     double precision_;
@@ -152,27 +152,27 @@ private:
 
 }  // namespace
 
-double discomfortAt(const UnitCostDef& def, const ObstaclePiece& piece, Vec2 p, double precision) {
+double discomfortAt(const Parameters::Discomfort& def, const ObstaclePiece& piece, Vec2 p, double precision) {
     const double speed = length(piece.velocity);
-    if (speed < kLeastSpeed || !(def.discomfortTime > 0.0)) return 0.0;
+    if (speed < kLeastSpeed || !(def.time > 0.0)) return 0.0;
     // The times at which the circumcircle of the piece is within the range.
     const Vec2 ahead = piece.velocity / speed;
     const double along = dot(p - piece.centre, ahead);
     const double lateral = cross(ahead, p - piece.centre);
-    const double reach = piece.radius + def.discomfortRange;
+    const double reach = piece.radius + def.range;
     if (std::fabs(lateral) >= reach) return 0.0;
     const double half = std::sqrt(reach * reach - lateral * lateral);
     const double low = std::max(0.0, (along - half) / speed);
-    const double high = std::min(def.discomfortTime, (along + half) / speed);
+    const double high = std::min(def.time, (along + half) / speed);
     if (low >= high) return 0.0;
-    return def.discomfortGain * PeakSearch(def, piece, p, precision).between(low, high);
+    return def.gain * PeakSearch(def, piece, p, precision).between(low, high);
 }
 
-void addDiscomfort(const UnitCostDef& def, const ObstaclePiece& piece, const Grid& grid,
+void addDiscomfort(const Parameters::Discomfort& def, const ObstaclePiece& piece, const Grid& grid,
                    std::vector<float>& discomfort, std::vector<std::int32_t>& cells) {
-    if (!piece.moving || length(piece.velocity) < kLeastSpeed || !(def.discomfortTime > 0.0)) return;
-    const Vec2 end = piece.centre + piece.velocity * def.discomfortTime;
-    const double reach = piece.radius + def.discomfortRange;
+    if (!piece.moving || length(piece.velocity) < kLeastSpeed || !(def.time > 0.0)) return;
+    const Vec2 end = piece.centre + piece.velocity * def.time;
+    const double reach = piece.radius + def.range;
     const Vec2 least{std::min(piece.centre.x, end.x) - reach, std::min(piece.centre.y, end.y) - reach};
     const Vec2 most{std::max(piece.centre.x, end.x) + reach, std::max(piece.centre.y, end.y) + reach};
     const Cell low = grid.cellOf(least);

@@ -57,13 +57,13 @@ void DynamicCost::reset(const Grid& ground, const Grid& density) {
     }
 }
 
-void DynamicCost::update(const UnitCostDef& def, const Environment& environment, const DensityField& density,
-                         double radius) {
+void DynamicCost::update(const Parameters& parameters, const Environment& environment,
+                         const DensityField& density, double radius) {
     reset(environment.grid(), density.grid());
     if (grid_.count() == 0) return;
-    if (def.density) addCrowd(def, density, environment);
-    if (def.discomfort && def.gamma > 0.0)
-        for (const ObstaclePiece& piece : environment.pieces()) addDiscomfortOf(def, piece);
+    if (parameters.density.enabled) addCrowd(parameters, density, environment);
+    if (parameters.discomfort.enabled && parameters.cost.gamma > 0.0)
+        for (const ObstaclePiece& piece : environment.pieces()) addDiscomfortOf(parameters, piece);
     for (const CellRect& area : environment.movingPatchAreas())
         if (!area.empty()) addMovingPatches(environment, area);
     addMovingObstacles(environment, radius);
@@ -71,34 +71,37 @@ void DynamicCost::update(const UnitCostDef& def, const Environment& environment,
 }
 
 // Only cells within the look-ahead of a dense cell can be slowed.
-void DynamicCost::addCrowd(const UnitCostDef& def, const DensityField& density,
+void DynamicCost::addCrowd(const Parameters& parameters, const DensityField& density,
                            const Environment& environment) {
+    const Parameters::Density& def = parameters.density;
+    const Parameters::Cost& cost = parameters.cost;
     const auto reach = static_cast<std::int32_t>(std::ceil(def.lookAhead / grid_.cell));
-    const double openCost = def.alpha + def.beta;
-    lengthShare_ = static_cast<float>(def.alpha / openCost);
-    timeShare_ = static_cast<float>(def.beta / openCost);
+    const double openCost = cost.alpha + cost.beta;
+    lengthShare_ = static_cast<float>(cost.alpha / openCost);
+    timeShare_ = static_cast<float>(cost.beta / openCost);
     for (const std::int32_t dense : density.occupied()) {
-        if (!(density.density()[dense] > def.densityMin)) continue;
+        if (!(density.density()[dense] > def.min)) continue;
         const Cell c = grid_.at(dense);
         for (std::int32_t y = std::max(0, c.y - reach); y <= std::min(grid_.height - 1, c.y + reach); ++y)
             for (std::int32_t x = std::max(0, c.x - reach); x <= std::min(grid_.width - 1, c.x + reach);
                  ++x) {
                 const std::int32_t cell = grid_.index({x, y});
-                if (evaluated_.insert(cell)) evaluateCrowd(def, density, environment, cell);
+                if (evaluated_.insert(cell)) evaluateCrowd(parameters, density, environment, cell);
             }
     }
 }
 
-void DynamicCost::evaluateCrowd(const UnitCostDef& def, const DensityField& density,
+void DynamicCost::evaluateCrowd(const Parameters& parameters, const DensityField& density,
                                 const Environment& environment, std::int32_t cell) {
-    const double openCost = def.alpha + def.beta;
+    const Parameters::Cost& cost = parameters.cost;
+    const double openCost = cost.alpha + cost.beta;
     const Grid& ground = environment.grid();
     const Vec2 p = grid_.centre(grid_.at(cell));
     const double travelSpeed = environment.travelSpeed()[ground.index(ground.nearestCell(p))];
     staticUnit_[cell] = static_cast<float>(openCost / travelSpeed);
     const auto relativeCost = [&](Vec2 direction) {
-        const double f = relativeCrowdSpeed(def, density, p, direction, travelSpeed);
-        return f < 1.0 ? static_cast<float>((def.alpha * f + def.beta) / (f * openCost) - 1.0) : 0.0f;
+        const double f = relativeCrowdSpeed(parameters, density, p, direction, travelSpeed);
+        return f < 1.0 ? static_cast<float>((cost.alpha * f + cost.beta) / (f * openCost) - 1.0) : 0.0f;
     };
     setCrowdCost(cell, {relativeCost({1.0, 0.0}), relativeCost({0.0, 1.0}), relativeCost({-1.0, 0.0}),
                         relativeCost({0.0, -1.0})});
@@ -110,11 +113,13 @@ void DynamicCost::setCrowdCost(std::int32_t cell, const CellCost& value) {
     crowdCost_[cell] = value;
 }
 
-void DynamicCost::addDiscomfortOf(const UnitCostDef& def, const ObstaclePiece& piece) {
+void DynamicCost::addDiscomfortOf(const Parameters& parameters, const ObstaclePiece& piece) {
     if (!piece.moving) return;
-    const auto scale = static_cast<float>(def.gamma / (def.alpha + def.beta));
-    const Vec2 end = piece.centre + piece.velocity * def.discomfortTime;
-    const double reach = piece.radius + def.discomfortRange;
+    const Parameters::Discomfort& def = parameters.discomfort;
+    const Parameters::Cost& cost = parameters.cost;
+    const auto scale = static_cast<float>(cost.gamma / (cost.alpha + cost.beta));
+    const Vec2 end = piece.centre + piece.velocity * def.time;
+    const double reach = piece.radius + def.range;
     const Cell low = movingGrid_.nearestCell(
         {std::min(piece.centre.x, end.x) - reach, std::min(piece.centre.y, end.y) - reach});
     const Cell high = movingGrid_.nearestCell(

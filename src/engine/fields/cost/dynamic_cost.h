@@ -15,6 +15,7 @@
 #include "engine/fields/cost/unit_cost.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/ground/environment/obstacle_piece.h"
+#include "muster/parameters.h"
 
 namespace muster {
 
@@ -28,7 +29,7 @@ public:
     /// Allocates for these ground cells and density cells and sets the cost to zero everywhere.
     void reset(const Grid& ground, const Grid& density);
     /// Computes the cost of this crowd and these moving things for characters of `radius` [m].
-    void update(const UnitCostDef& def, const Environment& environment, const DensityField& density,
+    void update(const Parameters& parameters, const Environment& environment, const DensityField& density,
                 double radius);
     /// Integral of the relative cost along the straight line from `a` to `b` [m]. Multiplied by a uniform
     /// unit cost of the static ground it is a cost.
@@ -92,11 +93,11 @@ private:
     };
 
     void clear();
-    void addCrowd(const UnitCostDef& def, const DensityField& density, const Environment& environment);
-    void evaluateCrowd(const UnitCostDef& def, const DensityField& density, const Environment& environment,
-                       std::int32_t cell);
+    void addCrowd(const Parameters& parameters, const DensityField& density, const Environment& environment);
+    void evaluateCrowd(const Parameters& parameters, const DensityField& density,
+                       const Environment& environment, std::int32_t cell);
     void setCrowdCost(std::int32_t cell, const CellCost& value);
-    void addDiscomfortOf(const UnitCostDef& def, const ObstaclePiece& piece);
+    void addDiscomfortOf(const Parameters& parameters, const ObstaclePiece& piece);
     void addMovingPatches(const Environment& environment, const CellRect& area);
     void addMovingObstacles(const Environment& environment, double radius);
     void setMovingCost(Cell cell, float value);
@@ -151,10 +152,10 @@ private:
 /// Discomfort g of one obstacle piece at one point: gain (1 - t / time) (1 - d(t) / range), the maximum over
 /// the predicted times t, with d the distance to the piece moved by t; 0 where d exceeds the range at all
 /// times. `precision` is that of the time of the maximum, relative to the time predicted.
-double discomfortAt(const UnitCostDef& def, const ObstaclePiece& piece, Vec2 p, double precision = 1e-9);
+double discomfortAt(const Parameters::Discomfort& def, const ObstaclePiece& piece, Vec2 p, double precision = 1e-9);
 
 /// Raises `discomfort` on the cells in reach of this piece, and appends those that had none to `cells`.
-void addDiscomfort(const UnitCostDef& def, const ObstaclePiece& piece, const Grid& grid,
+void addDiscomfort(const Parameters::Discomfort& def, const ObstaclePiece& piece, const Grid& grid,
                    std::vector<float>& discomfort, std::vector<std::int32_t>& cells);
 
 }  // namespace muster

@@ -1,4 +1,7 @@
-// Unit cost: the cost of one metre, per grid cell and direction (paper eq. 7; SPEC A3).
+// Unit cost: the cost of one metre, per grid cell and direction (paper eq. 7; SPEC A3). It is
+// C = (alpha f + beta + gamma g) / (f T), with the speed f relative to the free speed, the discomfort g, the
+// travel speed T of the ground, and the weights of Parameters::Cost. With alpha + beta = 1 open ground costs
+// 1 per metre, so that costs are lengths in metres.
 #pragma once
 
 #include <cstdint>
@@ -6,44 +9,11 @@
 #include <vector>
 
 #include "base/grid.h"
-#include "muster/parameters.h"
 
 namespace muster {
 
 /// Cost of what cannot be reached or entered.
 inline constexpr float kUnreachableCost = std::numeric_limits<float>::infinity();
-
-/// Weights and thresholds of the unit cost C = (alpha f + beta + gamma g) / (f T), with the speed f relative
-/// to the free speed, the discomfort g and the travel speed T of the ground. With alpha + beta = 1 open
-/// ground costs 1 per metre, so that costs are lengths in metres.
-struct UnitCostDef {
-    /// Weight of path length [1/m], >= 0.
-    double alpha = Parameters::Cost{}.alpha;
-    /// Weight of travel time [1/m], >= 0; alpha + beta > 0.
-    double beta = Parameters::Cost{}.beta;
-    /// Weight of discomfort, >= 0.
-    double gamma = Parameters::Cost{}.gamma;
-    /// Whether a dense crowd lowers the speed f.
-    bool density = Parameters::Density{}.enabled;
-    /// Whether moving obstacles cause discomfort.
-    bool discomfort = Parameters::Discomfort{}.enabled;
-    /// Speed of a character on open ground [m/s], > 0.
-    double freeSpeed = Parameters::Character{}.maxSpeed;
-    /// Density up to which f = 1 [1/m^2], >= 0.
-    double densityMin = Parameters::Density{}.min;
-    /// Density from which on f is the flow speed [1/m^2], > densityMin.
-    double densityMax = Parameters::Density{}.max;
-    /// Distance ahead at which the density is read [m], >= 0.
-    double lookAhead = Parameters::Density{}.lookAhead;
-    /// Lower bound of f, > 0.
-    double minSpeed = Parameters::Cost{}.minSpeed;
-    /// Time for which moving obstacles are predicted [s], >= 0.
-    double discomfortTime = Parameters::Discomfort{}.time;
-    /// Distance from the predicted obstacle at which g falls to 0 [m], > 0.
-    double discomfortRange = Parameters::Discomfort{}.range;
-    /// Value of g on the obstacle itself, now; >= 0.
-    double discomfortGain = Parameters::Discomfort{}.gain;
-};
 
 /// Unit cost of leaving a cell in each of the four directions [cost per metre]; infinite in walls and towards
 /// walls.

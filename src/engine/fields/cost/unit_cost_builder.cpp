@@ -22,19 +22,21 @@ void centresWithin(double low, double high, std::int32_t count, std::int32_t& fi
 
 }  // namespace
 
-void UnitCostBuilder::update(const UnitCostDef& def, const Environment& environment,
+void UnitCostBuilder::update(const Parameters& parameters, const Environment& environment,
                              const DensityField& density, double radius) {
+    const Parameters::Cost& def = parameters.cost;
     MUSTER_ASSERT(def.alpha >= 0.0 && def.beta >= 0.0 && def.alpha + def.beta > 0.0 && def.gamma >= 0.0);
-    MUSTER_ASSERT(def.freeSpeed > 0.0 && def.densityMax > def.densityMin && def.minSpeed > 0.0);
+    MUSTER_ASSERT(parameters.density.max > parameters.density.min && def.minSpeed > 0.0);
+    MUSTER_ASSERT(parameters.character.maxSpeed > 0.0);
     restoreGround();
     updateGround(def, environment, radius);
-    updateDiscomfort(def, environment);
-    addDynamicCost(def, environment, density);
+    updateDiscomfort(parameters.discomfort, environment);
+    addDynamicCost(parameters, environment, density);
 }
 
-void UnitCostBuilder::build(const UnitCostDef& def, const Environment& environment,
+void UnitCostBuilder::build(const Parameters& parameters, const Environment& environment,
                             const DensityField& density, double radius, UnitCost& cost) {
-    update(def, environment, density, radius);
+    update(parameters, environment, density, radius);
     cost = cost_;
 }
 
@@ -46,7 +48,8 @@ void UnitCostBuilder::restoreGround() {
     clearedNodes_.clear();
 }
 
-void UnitCostBuilder::updateGround(const UnitCostDef& def, const Environment& environment, double radius) {
+void UnitCostBuilder::updateGround(const Parameters::Cost& def, const Environment& environment,
+                                   double radius) {
     const double openCost = def.alpha + def.beta;
     const bool all = !(environment.grid() == cost_.grid) || ground_.empty() || radius != cost_.radius ||
                      openCost != openCost_;
@@ -171,22 +174,22 @@ void UnitCostBuilder::mergeNodes() {
     cost_.nodes.swap(mergedNodes_);
 }
 
-void UnitCostBuilder::updateDiscomfort(const UnitCostDef& def, const Environment& environment) {
+void UnitCostBuilder::updateDiscomfort(const Parameters::Discomfort& def, const Environment& environment) {
     for (const std::int32_t cell : discomfortCells_) discomfort_[cell] = 0.0f;
     discomfortCells_.clear();
-    if (!def.discomfort) return;
+    if (!def.enabled) return;
     for (const ObstaclePiece& piece : environment.pieces())
         if (piece.moving) addDiscomfort(def, piece, cost_.grid, discomfort_, discomfortCells_);
 }
 
-// Finds the density cells from whose ground a density above densityMin can be read.
-void UnitCostBuilder::findCrowd(const UnitCostDef& def, const DensityField& density) {
+// Finds the density cells from whose ground a density above `density.min` can be read.
+void UnitCostBuilder::findCrowd(const Parameters::Density& def, const DensityField& density) {
     const Grid& grid = density.grid();
     if (crowdCells_.capacity() != density.density().size()) crowdCells_.reset(density.density().size());
     crowdCells_.clear();
     const auto reach = static_cast<std::int32_t>(std::ceil(1.0 + def.lookAhead / grid.cell));
     for (const std::int32_t cell : density.occupied()) {
-        if (!(density.density()[cell] > def.densityMin)) continue;
+        if (!(density.density()[cell] > def.min)) continue;
         const Cell c = grid.at(cell);
         for (std::int32_t y = std::max(0, c.y - reach); y <= std::min(grid.height - 1, c.y + reach); ++y) {
             for (std::int32_t x = std::max(0, c.x - reach); x <= std::min(grid.width - 1, c.x + reach); ++x)
@@ -195,27 +198,27 @@ void UnitCostBuilder::findCrowd(const UnitCostDef& def, const DensityField& dens
     }
 }
 
-void UnitCostBuilder::addDynamicCost(const UnitCostDef& def, const Environment& environment,
+void UnitCostBuilder::addDynamicCost(const Parameters& parameters, const Environment& environment,
                                      const DensityField& density) {
-    const bool dense = def.density && !density.density().empty();
+    const bool dense = parameters.density.enabled && !density.density().empty();
     if (dense) {
-        findCrowd(def, density);
+        findCrowd(parameters.density, density);
         for (const std::int32_t cell : crowdCells_.members())
-            updateGroundWithin(def, environment, density, cell);
+            updateGroundWithin(parameters, environment, density, cell);
     }
-    if (def.gamma == 0.0) return;
+    if (parameters.cost.gamma == 0.0) return;
     // Cells with discomfort that the crowd does not reach.
     const Grid& grid = cost_.grid;
     const RasterView travelSpeed = environment.travelSpeed();
     for (const std::int32_t index : discomfortCells_) {
         const Vec2 centre = grid.centre(grid.at(index));
         if (dense && crowdCells_.contains(density.grid().index(density.grid().nearestCell(centre)))) continue;
-        updateCell(def, density, index, travelSpeed[index]);
+        updateCell(parameters, density, index, travelSpeed[index]);
     }
 }
 
 // Updates the ground cells whose centres lie in a density cell.
-void UnitCostBuilder::updateGroundWithin(const UnitCostDef& def, const Environment& environment,
+void UnitCostBuilder::updateGroundWithin(const Parameters& parameters, const Environment& environment,
                                          const DensityField& density, std::int32_t densityCell) {
     const RasterView travelSpeed = environment.travelSpeed();
     const Grid& grid = cost_.grid;
@@ -231,19 +234,21 @@ void UnitCostBuilder::updateGroundWithin(const UnitCostDef& def, const Environme
     for (std::int32_t y = within.low.y; y <= within.high.y; ++y) {
         for (std::int32_t x = within.low.x; x <= within.high.x; ++x) {
             const std::int32_t index = grid.index({x, y});
-            updateCell(def, density, index, travelSpeed[index]);
+            updateCell(parameters, density, index, travelSpeed[index]);
         }
     }
 }
 
-void UnitCostBuilder::updateCell(const UnitCostDef& def, const DensityField& density, std::int32_t index,
-                                 double travelSpeed) {
+void UnitCostBuilder::updateCell(const Parameters& parameters, const DensityField& density,
+                                 std::int32_t index, double travelSpeed) {
     const CellCost& ground = ground_[index];
     const Vec2 centre = cost_.grid.centre(cost_.grid.at(index));
+    const Parameters::Cost& def = parameters.cost;
     const double discomfort = def.gamma * discomfort_[index];
-    const bool dense = def.density && !density.density().empty();
+    const bool dense = parameters.density.enabled && !density.density().empty();
     const auto unitCost = [&](float groundCost, Vec2 direction) {
-        const double f = dense ? relativeCrowdSpeed(def, density, centre, direction, travelSpeed) : 1.0;
+        const double f = dense ? relativeCrowdSpeed(parameters, density, centre, direction, travelSpeed)
+                               : 1.0;
         // The ground cost holds (alpha + beta) / T.
         return static_cast<float>(groundCost * ((def.alpha * f + def.beta + discomfort) / (f * openCost_)));
     };

@@ -9,6 +9,7 @@
 #include "engine/fields/cost/density.h"
 #include "engine/fields/cost/unit_cost.h"
 #include "engine/ground/environment/environment.h"
+#include "muster/parameters.h"
 
 namespace muster {
 
@@ -18,10 +19,10 @@ namespace muster {
 class UnitCostBuilder {
 public:
     /// Brings cost() up to date for characters of `radius` [m] in this environment and crowd.
-    void update(const UnitCostDef& def, const Environment& environment, const DensityField& density,
+    void update(const Parameters& parameters, const Environment& environment, const DensityField& density,
                 double radius);
     /// The same, copied to `cost`.
-    void build(const UnitCostDef& def, const Environment& environment, const DensityField& density,
+    void build(const Parameters& parameters, const Environment& environment, const DensityField& density,
                double radius, UnitCost& cost);
 
     /// The unit cost of the last call.
@@ -43,7 +44,7 @@ private:
     };
 
     void restoreGround();
-    void updateGround(const UnitCostDef& def, const Environment& environment, double radius);
+    void updateGround(const Parameters::Cost& def, const Environment& environment, double radius);
     void computeAll(const Environment& environment);
     void findLowest();
     void findChanges(const Environment& environment);
@@ -51,12 +52,13 @@ private:
     void noteChange(Cell cell);
     void computeChanges();
     void mergeNodes();
-    void updateDiscomfort(const UnitCostDef& def, const Environment& environment);
-    void addDynamicCost(const UnitCostDef& def, const Environment& environment, const DensityField& density);
-    void findCrowd(const UnitCostDef& def, const DensityField& density);
-    void updateGroundWithin(const UnitCostDef& def, const Environment& environment,
+    void updateDiscomfort(const Parameters::Discomfort& def, const Environment& environment);
+    void addDynamicCost(const Parameters& parameters, const Environment& environment,
+                        const DensityField& density);
+    void findCrowd(const Parameters::Density& def, const DensityField& density);
+    void updateGroundWithin(const Parameters& parameters, const Environment& environment,
                             const DensityField& density, std::int32_t densityCell);
-    void updateCell(const UnitCostDef& def, const DensityField& density, std::int32_t index,
+    void updateCell(const Parameters& parameters, const DensityField& density, std::int32_t index,
                     double travelSpeed);
 
     UnitCost cost_;

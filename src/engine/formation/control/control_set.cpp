@@ -12,6 +12,7 @@ namespace {
 constexpr std::size_t kMaxControls = 64;           // On one mesh.
 constexpr double kMaxDelay = 0.5;                  // Touches arrive at most this long after their stamps [s].
 constexpr std::int32_t kMaxFingersPerClient = 32;  // Down at once on one mesh.
+constexpr double kSupplementarySpacing = 1.0;      // Distance between supplementary points [m].
 
 ControlKind kindFor(std::size_t points) {
     return points == 1 ? ControlKind::Point : points == 2 ? ControlKind::Line : ControlKind::Area;
@@ -89,9 +90,9 @@ bool isMeshOf(const TriangleMesh& rest, std::span<const Vec2> vertices) {
 
 }  // namespace
 
-bool ControlSet::touchDown(const ControlDef& def, std::uint32_t client, std::uint32_t touch, Vec2 position,
-                           double time, const TriangleMesh& rest, std::span<const Vec2> finalVertices,
-                           std::span<const Vec2> userVertices) {
+bool ControlSet::touchDown(const Parameters::Input& input, std::uint32_t client, std::uint32_t touch,
+                           Vec2 position, double time, const TriangleMesh& rest,
+                           std::span<const Vec2> finalVertices, std::span<const Vec2> userVertices) {
     if (userVertices.empty()) userVertices = finalVertices;
     if (!isFinite(position) || !std::isfinite(time) || !isMeshOf(rest, finalVertices) ||
         !isMeshOf(rest, userVertices))
@@ -103,11 +104,11 @@ bool ControlSet::touchDown(const ControlDef& def, std::uint32_t client, std::uin
     const ControlPoint point = holdVertex(vertex, touch, position, userVertices);
     for (Control& control : controls_) {
         const bool joins = control.open && control.client == client && anyDown(control) &&
-                           std::fabs(time - control.startTime) <= def.window;
+                           std::fabs(time - control.startTime) <= input.window;
         if (!joins) continue;
         control.points.push_back(point);
         control.kind = kindFor(control.points.size());
-        sampleSupplementary(control, rest, def.sampleSpacing);
+        sampleSupplementary(control, rest, kSupplementarySpacing);
         return true;
     }
     if (controls_.size() >= kMaxControls) return false;
@@ -121,10 +122,9 @@ bool ControlSet::touchDown(const ControlDef& def, std::uint32_t client, std::uin
     return true;
 }
 
-bool ControlSet::addControl(const ControlDef& def, std::uint32_t client, ControlKind kind,
-                            std::span<const std::uint32_t> touches, std::span<const Vec2> positions,
-                            double time, const TriangleMesh& rest, std::span<const Vec2> finalVertices,
-                            std::span<const Vec2> userVertices) {
+bool ControlSet::addControl(std::uint32_t client, ControlKind kind, std::span<const std::uint32_t> touches,
+                            std::span<const Vec2> positions, double time, const TriangleMesh& rest,
+                            std::span<const Vec2> finalVertices, std::span<const Vec2> userVertices) {
     if (userVertices.empty()) userVertices = finalVertices;
     const std::size_t n = positions.size();
     if (n == 0 || touches.size() != n || kindFor(n) != kind || !std::isfinite(time) ||
@@ -149,17 +149,17 @@ bool ControlSet::addControl(const ControlDef& def, std::uint32_t client, Control
     control.open = false;
     control.startTime = time;
     control.clock = time;
-    sampleSupplementary(control, rest, def.sampleSpacing);
+    sampleSupplementary(control, rest, kSupplementarySpacing);
     controls_.push_back(std::move(control));
     return true;
 }
 
-bool ControlSet::touchMove(const ControlDef& def, std::uint32_t client, std::uint32_t touch, Vec2 position,
-                           double time) {
+bool ControlSet::touchMove(const Parameters::Input& input, std::uint32_t client, std::uint32_t touch,
+                           Vec2 position, double time) {
     if (!isFinite(position) || !std::isfinite(time)) return false;
     ControlPoint* point = findFinger(controls_, client, touch);
     if (point == nullptr) return false;
-    extendTrajectory(*point, position + point->offset, time, def.checkpointSpacing);
+    extendTrajectory(*point, position + point->offset, time, input.checkpointSpacing);
     return true;
 }
 
@@ -210,13 +210,14 @@ void ControlSet::clear() {
     controls_.clear();
 }
 
-bool ControlSet::advance(const ControlDef& def, double dt, double now, double pace) {
+bool ControlSet::advance(const Parameters::Input& input, const Parameters::Control& def, double dt,
+                         double now, double pace) {
     // A control that reached its end in the last step has been shown there, and ends now.
     const std::size_t before = controls_.size();
     std::erase_if(controls_, hasEnded);
-    const double reach = std::isfinite(pace) ? def.maxSpeed * std::clamp(pace, 0.0, 1.0) * dt : 0.0;
+    const double reach = std::isfinite(pace) ? def.speed * std::clamp(pace, 0.0, 1.0) * dt : 0.0;
     for (Control& control : controls_) {
-        if (control.joinDeadline < 0.0) control.joinDeadline = now + def.window + kMaxDelay;
+        if (control.joinDeadline < 0.0) control.joinDeadline = now + input.window + kMaxDelay;
         if (now > control.joinDeadline) control.open = false;
         control.clock = std::min(control.clock, now);
         const double until = std::max(control.clock, std::min(now, control.clock + def.clockRate * dt));
@@ -229,7 +230,7 @@ bool ControlSet::advance(const ControlDef& def, double dt, double now, double pa
     return controls_.size() != before;
 }
 
-void ControlSet::rebind(const ControlDef& def, const TriangleMesh& rest, std::span<const Vec2> vertices) {
+void ControlSet::rebind(const TriangleMesh& rest, std::span<const Vec2> vertices) {
     if (!isMeshOf(rest, vertices)) {
         clear();
         return;
@@ -242,12 +243,12 @@ void ControlSet::rebind(const ControlDef& def, const TriangleMesh& rest, std::sp
         });
         if (control.points.empty()) continue;
         control.kind = kindFor(control.points.size());
-        sampleSupplementary(control, rest, def.sampleSpacing);
+        sampleSupplementary(control, rest, kSupplementarySpacing);
     }
     std::erase_if(controls_, [](const Control& control) { return control.points.empty(); });
 }
 
-void ControlSet::constraints(const ControlDef& def, std::vector<std::int32_t>& hard,
+void ControlSet::constraints(const Parameters::Control& def, std::vector<std::int32_t>& hard,
                              std::vector<Vec2>& hardTargets, std::vector<SoftConstraint>& soft,
                              std::vector<Vec2>& softTargets) const {
     hard.clear();

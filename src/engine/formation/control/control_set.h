@@ -11,21 +11,6 @@
 
 namespace muster {
 
-/// How touches become controls, and how controls move.
-struct ControlDef {
-    /// Touches that begin within it form one control [s], 0 or more.
-    double window = Parameters::Input{}.window;
-    /// Distance between checkpoints of a trajectory [m], above 0.
-    double checkpointSpacing = Parameters::Input{}.checkpointSpacing;
-    /// Bound on the speed of control points [m/s], above 0.
-    double maxSpeed = Parameters::Control{}.speed;
-    /// Most drawing seconds per second when catching up, 1 or more.
-    double clockRate = Parameters::Control{}.clockRate;
-    /// Weight of supplementary points against the mesh's own stiffness, above 0.
-    double softWeight = Parameters::Control{}.softWeight;
-    double sampleSpacing = 1.0;  ///< Distance between supplementary points [m], above 0.
-};
-
 /// All controls on one mesh.
 class ControlSet {
 public:
@@ -35,19 +20,18 @@ public:
     /// (false): a finger that is down already; a nearest vertex that is held by a finger or a pinned control
     /// (a lifted control that still follows its trajectories ends instead); numbers that are not finite; more
     /// than 32 fingers of a client or 64 controls.
-    bool touchDown(const ControlDef& def, std::uint32_t client, std::uint32_t touch, Vec2 position,
+    bool touchDown(const Parameters::Input& input, std::uint32_t client, std::uint32_t touch, Vec2 position,
                    double time, const TriangleMesh& rest, std::span<const Vec2> finalVertices,
                    std::span<const Vec2> userVertices = {});
     /// Starts a control of a given kind at once (mouse: rubber band, lasso; API), with one position and touch
     /// number per point. Refused (false) where the number of points does not suit the kind, or as
     /// touchDown().
-    bool addControl(const ControlDef& def, std::uint32_t client, ControlKind kind,
-                    std::span<const std::uint32_t> touches, std::span<const Vec2> positions, double time,
-                    const TriangleMesh& rest, std::span<const Vec2> finalVertices,
-                    std::span<const Vec2> userVertices = {});
+    bool addControl(std::uint32_t client, ControlKind kind, std::span<const std::uint32_t> touches,
+                    std::span<const Vec2> positions, double time, const TriangleMesh& rest,
+                    std::span<const Vec2> finalVertices, std::span<const Vec2> userVertices = {});
     /// Extends the trajectory of a finger (at most 4096 checkpoints; then every second is dropped). False for
     /// an unknown finger or a number that is not finite.
-    bool touchMove(const ControlDef& def, std::uint32_t client, std::uint32_t touch, Vec2 position,
+    bool touchMove(const Parameters::Input& input, std::uint32_t client, std::uint32_t touch, Vec2 position,
                    double time);
     /// Lifts a finger; its trajectory is still followed. False for an unknown finger.
     bool touchUp(std::uint32_t client, std::uint32_t touch);
@@ -62,19 +46,21 @@ public:
     /// Ends all controls.
     void clear();
 
-    /// Moves control points along their trajectories for `dt` [s]. Clocks advance no faster than the speed
-    /// bound times `pace` (0 to 1, SPEC U6) allows and never beyond `now` [s]. Lifted controls at the ends of
+    /// Moves control points along their trajectories for `dt` [s]. Clocks advance no faster than the top
+    /// speed times `pace` (0 to 1, SPEC U6) allows and never beyond `now` [s]. Lifted controls at the ends of
     /// their trajectories end, unless pinned. Returns true where the set of constraints changed.
-    bool advance(const ControlDef& def, double dt, double now, double pace);
+    bool advance(const Parameters::Input& input, const Parameters::Control& def, double dt, double now,
+                 double pace);
     /// Binds the controls to another mesh: every control point takes the vertex nearest to its position,
     /// points that fall on one vertex are merged, and supplementary points are sampled again.
-    void rebind(const ControlDef& def, const TriangleMesh& rest, std::span<const Vec2> vertices);
+    void rebind(const TriangleMesh& rest, std::span<const Vec2> vertices);
 
     /// All controls, in the order in which they were made.
     std::span<const Control> controls() const { return controls_; }
     /// Writes the constraints for the solver and their targets [m], in a fixed order.
-    void constraints(const ControlDef& def, std::vector<std::int32_t>& hard, std::vector<Vec2>& hardTargets,
-                     std::vector<SoftConstraint>& soft, std::vector<Vec2>& softTargets) const;
+    void constraints(const Parameters::Control& def, std::vector<std::int32_t>& hard,
+                     std::vector<Vec2>& hardTargets, std::vector<SoftConstraint>& soft,
+                     std::vector<Vec2>& softTargets) const;
 
     /// Lets an archive read or write the set.
     template <class Archive>

@@ -161,19 +161,19 @@ Status FormationMesh::findGoal() {
 }
 
 // Exponential decay, of which 2 % are left after relaxTime, between two bounds on the speed.
-void FormationMesh::decayResidual(const FormationMeshDef& def, double dt) {
-    const double share = std::min(1.0, 4.0 * dt / std::max(def.relaxTime, 1e-9));
+void FormationMesh::decayResidual(const Parameters::Mesh& mesh, double dt) {
+    const double share = std::min(1.0, 4.0 * dt / std::max(mesh.relaxTime, 1e-9));
     for (Vec2& r : residual_) {
         const double size = length(r);
         if (size == 0.0) continue;
-        const double step = std::min(std::max(size * share, kLeastDecay * dt), def.morphSpeed * dt);
+        const double step = std::min(std::max(size * share, kLeastDecay * dt), mesh.morphSpeed * dt);
         r = step >= size ? Vec2{} : r * (1.0 - step / size);
     }
 }
 
-Status FormationMesh::deform(const FormationMeshDef& def, const ControlDef& controlDef,
+Status FormationMesh::deform(const Parameters::Mesh& mesh, const Parameters::Control& control,
                              const ControlSet& controls, double dt) {
-    controls.constraints(controlDef, hard_, hardTargets_, soft_, softTargets_);
+    controls.constraints(control, hard_, hardTargets_, soft_, softTargets_);
     const std::uint64_t hash = hashOfConstraints();
     // A released mesh keeps the pose that fits it best.
     const bool changed = hash != constraintHash_;
@@ -186,11 +186,11 @@ Status FormationMesh::deform(const FormationMeshDef& def, const ControlDef& cont
         // A held vertex follows its control without lag, unless it is too far from it.
         for (const std::int32_t v : hard_) {
             Vec2& r = residual_[v];
-            if (length(r) <= def.morphSpeed * dt) r = {};
+            if (length(r) <= mesh.morphSpeed * dt) r = {};
         }
         constraintHash_ = hash;
     }
-    decayResidual(def, dt);
+    decayResidual(mesh, dt);
     for (std::size_t v = 0; v < goal_.size(); ++v) user_[v] = goal_[v] + residual_[v];
     if (hard_.size() + soft_.size() >= 2) pose_ = bestRigidFit(formation_.mesh.vertices, user_);
     return {};
@@ -224,18 +224,19 @@ Vec2 leaveObstacles(const Environment& environment, Vec2 p) {
 
 }  // namespace
 
-void FormationMesh::applyEnvironment(const FormationMeshDef& def, const Environment& environment, double dt) {
+void FormationMesh::applyEnvironment(const Parameters::Field& field, const Environment& environment,
+                                     double dt) {
     const double rate = std::min(1.0, 12.0 * dt);
-    const double most = def.fieldSpeed * dt;
+    const double most = field.speed * dt;
     for (std::size_t v = 0; v < user_.size(); ++v) {
         Vec2& d = displacement_[v];
-        if (!def.environmentField) {
+        if (!field.enabled) {
             d = {};
             final_[v] = user_[v];
             continue;
         }
         // The field is evaluated at the displaced vertex, so that it slides along walls.
-        const Vec2 wanted = environment.potentialField(user_[v] + d) * def.fieldGain;
+        const Vec2 wanted = environment.potentialField(user_[v] + d) * field.gain;
         const Vec2 change = wanted - d;
         const double size = length(change);
         // At least a millimetre, so that the vertex comes to rest.

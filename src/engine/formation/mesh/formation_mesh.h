@@ -14,20 +14,6 @@
 
 namespace muster {
 
-/// How the mesh deforms and relaxes.
-struct FormationMeshDef {
-    /// To return to the rest shape after the last control [s], above 0.
-    double relaxTime = Parameters::Mesh{}.relaxTime;
-    /// If false, the environment displaces no vertex.
-    bool environmentField = Parameters::Field{}.enabled;
-    /// Displacement per unit of field [m], 0 or more.
-    double fieldGain = Parameters::Field{}.gain;
-    /// Bound on the change of a vertex's displacement [m/s], above 0.
-    double fieldSpeed = Parameters::Field{}.speed;
-    /// Bound on vertex speed while residuals decay [m/s], above 0.
-    double morphSpeed = Parameters::Mesh{}.morphSpeed;
-};
-
 /// The rest shape is the registered formation, never a deformed mesh. Vu is a goal shape, which the controls
 /// give, plus a residual per vertex. When the set of constraints changes, the residual takes up the
 /// difference, so that Vu is continuous in time; then it decays over about relaxTime, at most at morphSpeed.
@@ -53,11 +39,11 @@ public:
     /// Computes Vu from the controls after `dt` [s]: two and more constraints by the ARAP solver; one
     /// translates the rest placement; with none the mesh relaxes to it. Fails, leaving Vu as it is, where the
     /// controls hold vertices of another mesh.
-    Status deform(const FormationMeshDef& def, const ControlDef& controlDef, const ControlSet& controls,
-                  double dt);
+    Status deform(const Parameters::Mesh& mesh, const Parameters::Control& control,
+                  const ControlSet& controls, double dt);
     /// Computes Vf after `dt` [s]: the potential field displaces each vertex at bounded speed, and vertices
     /// inside obstacles are moved to the nearest surface.
-    void applyEnvironment(const FormationMeshDef& def, const Environment& environment, double dt);
+    void applyEnvironment(const Parameters::Field& field, const Environment& environment, double dt);
 
     const Formation& formation() const { return formation_; }      ///< Rest shape and places.
     const Pose& pose() const { return pose_; }                     ///< Pose of the rest shape.
@@ -90,7 +76,7 @@ private:
     void placesOn(const std::vector<Vec2>& vertices, std::vector<Vec2>& positions) const;
     std::uint64_t hashOfConstraints() const;
     Status findGoal();
-    void decayResidual(const FormationMeshDef& def, double dt);
+    void decayResidual(const Parameters::Mesh& mesh, double dt);
 
     Formation formation_;
     Pose pose_;                         // Of the rest shape.

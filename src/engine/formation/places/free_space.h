@@ -11,7 +11,8 @@
 
 namespace muster {
 
-/// How places travel.
+/// How the places of one group travel. Radius and separation are those of its members, which no parameters
+/// hold.
 struct PlaceDef {
     /// Of the characters [m], above 0.
     double radius = Parameters::Character{}.radius;

@@ -33,6 +33,14 @@ constexpr double kStill = 5e-5;                // A target that moves less rests
 
 }  // namespace
 
+// Compiled here once, since they are long.
+PlaceTracker::PlaceTracker() = default;
+PlaceTracker::PlaceTracker(const PlaceTracker& other) = default;
+PlaceTracker& PlaceTracker::operator=(const PlaceTracker& other) = default;
+PlaceTracker::PlaceTracker(PlaceTracker&& other) noexcept = default;
+PlaceTracker& PlaceTracker::operator=(PlaceTracker&& other) noexcept = default;
+PlaceTracker::~PlaceTracker() = default;
+
 // The arrays must fit together, and numbers be so small that steps stay finite.
 bool PlaceTracker::consistent() const {
     const auto sane = [](Vec2 p) { return std::fabs(p.x) <= 1e10 && std::fabs(p.y) <= 1e10; };

@@ -7,7 +7,6 @@
 #include "base/maths.h"
 #include "engine/state/ground_class.h"
 #include "engine/state/group_edits.h"
-#include "engine/state/layer_defs.h"
 #include "engine/state/validation.h"
 #include "engine/systems/commands/body_commands.h"
 #include "engine/systems/commands/order_commands.h"
@@ -39,14 +38,14 @@ public:
         if (group == nullptr)
             return invalidArgument("touch " + std::to_string(touch.touch) + " begins on no formation");
         group->order.fresh = true;
-        return refused(group->controls.touchDown(controlDef(state_.parameters), command_.client, touch.touch,
+        return refused(group->controls.touchDown(state_.parameters.input, command_.client, touch.touch,
                                                  touch.position, touch.time, group->mesh.formation().mesh,
                                                  group->mesh.finalMesh(), group->mesh.userMesh()),
                        "touch " + std::to_string(touch.touch) + " is down already, or its vertex is held");
     }
     Status operator()(const TouchMove& touch) {
         return eachSet(touch.touch, [&](ControlSet& set) {
-            return set.touchMove(controlDef(state_.parameters), command_.client, touch.touch, touch.position,
+            return set.touchMove(state_.parameters.input, command_.client, touch.touch, touch.position,
                                  stamp(touch.time));
         });
     }
@@ -62,11 +61,10 @@ public:
         Group* group = state_.findGroup(add.group);
         if (group == nullptr) return notFound("group", add.group.value);
         group->order.fresh = true;
-        return refused(
-            group->controls.addControl(controlDef(state_.parameters), command_.client, add.kind, add.touches,
-                                       add.positions, stamp(add.time), group->mesh.formation().mesh,
-                                       group->mesh.finalMesh(), group->mesh.userMesh()),
-            "the control's points do not suit its kind, or share a vertex that is held");
+        return refused(group->controls.addControl(command_.client, add.kind, add.touches, add.positions,
+                                                  stamp(add.time), group->mesh.formation().mesh,
+                                                  group->mesh.finalMesh(), group->mesh.userMesh()),
+                       "the control's points do not suit its kind, or share a vertex that is held");
     }
     Status operator()(const PinControl& pin) {
         Group* group = state_.findGroup(pin.group);

@@ -1,7 +1,6 @@
 #include "engine/systems/fields/cost_stage.h"
 
 #include "engine/state/ground_class.h"
-#include "engine/state/layer_defs.h"
 
 namespace muster {
 namespace {
@@ -42,8 +41,7 @@ const UnitCost& CostStage::unitCost() {
 }
 
 void CostStage::buildUnitCost() {
-    builder_.update(unitCostDef(state_->parameters), state_->environment, density_,
-                    state_->parameters.character.radius);
+    builder_.update(state_->parameters, state_->environment, density_, state_->parameters.character.radius);
     unitCostBuilt_ = true;
 }
 
@@ -55,7 +53,7 @@ const StaticGround& CostStage::staticGround() {
 
 const DynamicCost& CostStage::dynamicCost() {
     if (dynamicCostBuilt_) return dynamicCost_;
-    dynamicCost_.update(unitCostDef(state_->parameters), state_->environment, density_,
+    dynamicCost_.update(state_->parameters, state_->environment, density_,
                         state_->parameters.character.radius);
     dynamicCostBuilt_ = true;
     return dynamicCost_;
@@ -73,8 +71,7 @@ double CostStage::ClassCosts::radius() const {
 }
 
 const UnitCost& CostStage::ClassCosts::unitCost() {
-    if (!unitCostBuilt_)
-        builder_.update(unitCostDef(stage_.state_->parameters), environment(), stage_.density_, radius());
+    if (!unitCostBuilt_) builder_.update(stage_.state_->parameters, environment(), stage_.density_, radius());
     unitCostBuilt_ = true;
     return builder_.cost();
 }
@@ -87,7 +84,7 @@ const StaticGround& CostStage::ClassCosts::staticGround() {
 
 const DynamicCost& CostStage::ClassCosts::dynamicCost() {
     if (!dynamicCostBuilt_)
-        dynamicCost_.update(unitCostDef(stage_.state_->parameters), environment(), stage_.density_, radius());
+        dynamicCost_.update(stage_.state_->parameters, environment(), stage_.density_, radius());
     dynamicCostBuilt_ = true;
     return dynamicCost_;
 }

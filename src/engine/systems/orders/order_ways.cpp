@@ -6,7 +6,6 @@
 #include "base/maths.h"
 #include "engine/ground/routes/route_search.h"
 #include "engine/state/ground_class.h"
-#include "engine/state/layer_defs.h"
 
 namespace muster {
 namespace {
@@ -76,8 +75,8 @@ WayNeeds needsOf(const WorldState& state, const Group& group, const Order& order
 MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& order,
                     const FormationExtent& extent) {
     const Parameters::Character& character = state.parameters.character;
-    double slowest = placeDefOf(state, group, placeDef(state.parameters)).maxSpeed,
-           least = character.acceleration;
+    double slowest = state.parameters.place.speed;
+    double least = character.acceleration;
     for (const std::int32_t i : group.members) {
         const Body& body = state.characters.body[i];
         slowest = std::min(slowest, body.maxSpeed > 0.0 ? body.maxSpeed : character.maxSpeed);

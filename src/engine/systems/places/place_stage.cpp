@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "engine/state/ground_class.h"
-#include "engine/state/layer_defs.h"
 
 namespace muster {
 
@@ -34,11 +33,10 @@ void PlaceStage::findRegions(WorldState& state) {
 }
 
 void PlaceStage::advance(WorldState& state, ThreadPool& pool) {
-    const PlaceDef usual = placeDef(state.parameters);
     for (std::size_t g = 0; g < targets_.size(); ++g) {
         Group& group = state.groups[g];
-        group.places.advance(placeDefOf(state, group, usual), targets_[g], state.routesOf(group),
-                             group.region, state.parameters.stepTime, &pool);
+        group.places.advance(placeDefOf(state, group), targets_[g], state.routesOf(group), group.region,
+                             state.parameters.stepTime, &pool);
     }
 }
 

@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "engine/assignment/planning/main_places.h"
-#include "engine/state/layer_defs.h"
 #include "engine/systems/steering/own_routes.h"
 
 namespace muster {
@@ -15,13 +14,16 @@ constexpr std::size_t kFirstCharacters = 500;
 // In large worlds this share of all.
 constexpr std::size_t kFirstShare = 10;
 
+constexpr std::int32_t kExactPeriod = 4;  // Exact plans take several steps, fast ones one.
+constexpr std::int32_t kFastPeriod = 1;
+
 constexpr double kMostSlowness = 10.0;  // Beyond, speeds count as that much slower, or faster.
 constexpr float kLeastCost = 0.01f;     // Of a place whose cost is known [m].
 
 /// Groups take different steps of the period, so that their plans do not fall on one step.
 bool isDue(const WorldState& state, std::size_t index) {
     const Group& group = state.groups[index];
-    const auto period = static_cast<std::uint32_t>(planPeriod(state.parameters));
+    const auto period = static_cast<std::uint32_t>(planPeriod(state.parameters.plan));
     return group.planNow || (!group.plan->pending() && (state.stepCount + index) % period == 0);
 }
 
@@ -32,7 +34,23 @@ double slownessOf(const WorldState& state, std::int32_t i) {
     return own > 0.0 ? std::clamp(usual.maxSpeed / own, 1.0 / kMostSlowness, kMostSlowness) : 1.0;
 }
 
+// What plans minimise, and which exchanges they commit.
+PlanDef objectiveOf(const Parameters::Plan& plan) {
+    PlanDef def;
+    def.exponent = plan.exponent;
+    def.commitThreshold = plan.threshold;
+    def.commitThresholdShare = plan.thresholdShare;
+    def.bottleneck = plan.objective == PlanObjective::LongestWalk;
+    def.geodesic = plan.geodesic;
+    return def;
+}
+
 }  // namespace
+
+std::int32_t planPeriod(const Parameters::Plan& plan) {
+    if (plan.period > 0) return plan.period;
+    return plan.solver == PlanSolver::Exact ? kExactPeriod : kFastPeriod;
+}
 
 void PlanStage::reserve(WorldState& state, PlanCosts& costs) {
     for (Group& group : state.groups)
@@ -106,7 +124,7 @@ void PlanStage::gatherAmounts(const WorldState& state, const Group& group) {
 void PlanStage::start(const WorldState& state, PlanCosts& costs, const PlannedWays& ways, Group& group,
                       const MemberArrays& members) {
     const PlanMode mode = state.parameters.plan.mode;
-    PlanDef def = planDef(state.parameters);
+    PlanDef def = objectiveOf(state.parameters.plan);
     group.reassigns = mode == PlanMode::Transport || (mode == PlanMode::AssignedOnce && !group.assigned);
     def.reassign = group.reassigns;
     def.starts = std::max(1, starts_);
@@ -141,7 +159,7 @@ void PlanStage::start(const WorldState& state, PlanCosts& costs, const PlannedWa
     gatherAmounts(state, group);
     input.supply = supply_;
     input.demand = demand_;
-    group.slices = group.plan->shares(group.planNow ? 1 : planPeriod(state.parameters));
+    group.slices = group.plan->shares(group.planNow ? 1 : planPeriod(state.parameters.plan));
     group.slice = 0;
     const Status status = group.plan->start(def, input);
     MUSTER_ASSERT(status.ok());

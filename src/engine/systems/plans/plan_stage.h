@@ -14,6 +14,9 @@
 
 namespace muster {
 
+/// Steps from plan to plan: `period`, or what suits the solver where that is 0.
+std::int32_t planPeriod(const Parameters::Plan& plan);
+
 /// Starts, advances and finishes the plans of all groups. The work of a plan is cut into shares, one per
 /// step; what is left after the last share goes on in the background until the next step.
 class PlanStage {

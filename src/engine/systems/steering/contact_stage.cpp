@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/state/layer_defs.h"
-
 namespace muster {
 namespace {
 
@@ -24,9 +22,9 @@ ContactReport ContactStage::run(WorldState& state, SteeringStage& steering, doub
     const CrowdBodies& bodies = steering.bodies();
     reach_.assign(steering.topSpeeds().begin(), steering.topSpeeds().end());
     for (double& reach : reach_) reach *= kContactShare * dt;
-    const ContactReport report = contacts_.resolve(contactDef(state.parameters), state.environment,
-                                                   next.position, &steering.neighbours(), &pool,
-                                                   {characters.position, reach_}, &bodies, &steering.axes());
+    const ContactReport report = contacts_.resolve(
+        state.parameters.contact, state.parameters.character, state.environment, next.position,
+        &steering.neighbours(), &pool, {characters.position, reach_}, &bodies, &steering.axes());
     // Speed that contacts took away is lost; what they pushed adds none.
     for (std::size_t i = 0; i < characters.size(); ++i) {
         characters.heading[i] = next.heading[i];

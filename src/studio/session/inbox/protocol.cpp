@@ -12,11 +12,11 @@ constexpr const char* kClientNames[] = {
     "SetParameter", "Playback", "SetSpeed", "LoadScenario", "Record", "SetOverlay", "Commands",
     "Attend", "FrameAck", "Ping", "Seek", "TakeAgain", "EditTake", "AskForecasts", "SetName",
     "GiveGroup", "SetScheme", "SetView", "Inputs", "EnterStudy", "AnswerForm", "AskPath", "BendPath",
-    "Edit", "UndoEdit", "DoInStudy", "AskPlaces"};
+    "Edit", "UndoEdit", "DoInStudy", "AskPlaces", "WatchStages"};
 constexpr const char* kServerNames[] = {
     "Welcome", "Scene", "Motions", "GroupMesh", "Frame", "Overlay", "Notice", "Pong", "TakePath",
     "EditHistory", "Forecasts", "TakeState", "TakeReady", "TakeKept", "Directors", "Marks",
-    "StudyForm", "StudyState", "Places"};
+    "StudyForm", "StudyState", "Places", "StageTimes"};
 
 template <class Any, class Message>
 Result<Any> decodeAs(std::span<const std::uint8_t> bytes) {
@@ -82,6 +82,7 @@ Result<ClientMessage> decodeClient(std::span<const std::uint8_t> bytes) {
         case 31: return decodeAs<Any, UndoEdit>(bytes);
         case 32: return decodeAs<Any, DoInStudy>(bytes);
         case 33: return decodeAs<Any, AskPlaces>(bytes);
+        case 34: return decodeAs<Any, WatchStages>(bytes);
         default: return unknown(bytes, std::size(kClientNames));
     }
 }
@@ -108,6 +109,7 @@ Result<ServerMessage> decodeServer(std::span<const std::uint8_t> bytes) {
         case 16: return decodeAs<Any, StudyForm>(bytes);
         case 17: return decodeAs<Any, StudyState>(bytes);
         case 18: return decodeAs<Any, Places>(bytes);
+        case 19: return decodeAs<Any, StageTimes>(bytes);
         default: return unknown(bytes, std::size(kServerNames));
     }
 }

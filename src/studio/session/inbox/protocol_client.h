@@ -456,11 +456,23 @@ struct AskPlaces {
     }
 };
 
+/// Whether the sender wants to know how long the stages of steps take.
+struct WatchStages {
+    static constexpr std::uint8_t kNumber = 34;  ///< First byte of the message.
+    bool on = false;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(on);
+    }
+};
+
 /// Any message of the page; the index is its number.
 using ClientMessage = std::variant<
     Hello, Touches, AddControl, PinControl, RemoveControl, SetFormation, SetCount, SetParameter,
     Playback, SetSpeed, LoadScenario, Record, SetOverlay, Commands, Attend, FrameAck, Ping, Seek,
     TakeAgain, EditTake, AskForecasts, SetName, GiveGroup, SetScheme, SetView, Inputs, EnterStudy,
-    AnswerForm, AskPath, BendPath, Edit, UndoEdit, DoInStudy, AskPlaces>;
+    AnswerForm, AskPath, BendPath, Edit, UndoEdit, DoInStudy, AskPlaces, WatchStages>;
 
 }  // namespace muster::protocol

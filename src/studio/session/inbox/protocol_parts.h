@@ -8,8 +8,8 @@
 
 namespace muster::protocol {
 
-inline constexpr std::uint32_t kVersion = 10;                 ///< Raised by any change of a message.
-inline constexpr const char* kSubprotocol = "muster.v10";  ///< Of the WebSocket.
+inline constexpr std::uint32_t kVersion = 11;                 ///< Raised by any change of a message.
+inline constexpr const char* kSubprotocol = "muster.v11";  ///< Of the WebSocket.
 
 /// Marks the input as bad where an enumeration read from it has no such value.
 template <class Archive, class Enum>
@@ -453,6 +453,19 @@ struct AnswerFrame {
     template <class Archive>
     void visit(Archive& archive) {
         archive(name, text, number);
+    }
+};
+
+/// A stage of the step and how long it takes.
+struct StageFrame {
+    std::string name;
+    std::string about;  ///< what it does, in one sentence
+    float milliseconds = 0.0f;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(name, about, milliseconds);
     }
 };
 

@@ -351,9 +351,23 @@ struct Places {
     }
 };
 
+/// How long the stages of a step take: means of 60 steps, to clients that watch them.
+struct StageTimes {
+    static constexpr std::uint8_t kNumber = 19;  ///< First byte of the message.
+    std::uint32_t step = 0;  ///< the last of the steps
+    float total = 0.0f;  ///< of whole steps [ms]
+    std::vector<StageFrame> stages;  ///< in the order of the step
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(step, total, stages);
+    }
+};
+
 /// Any message of the server; the index is its number.
 using ServerMessage = std::variant<
     Welcome, Scene, Motions, GroupMesh, Frame, Overlay, Notice, Pong, TakePath, EditHistory, Forecasts,
-    TakeState, TakeReady, TakeKept, Directors, Marks, StudyForm, StudyState, Places>;
+    TakeState, TakeReady, TakeKept, Directors, Marks, StudyForm, StudyState, Places, StageTimes>;
 
 }  // namespace muster::protocol

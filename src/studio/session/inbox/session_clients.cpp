@@ -101,6 +101,7 @@ void Session::outgoing(std::uint32_t client, std::vector<MessageBytes>& messages
     to.scheme.send(to.outbox);
     if (to.greeted && impl_->world && !to.frames.waits()) {
         impl_->sendOverlay(to);
+        impl_->sendStages(to);
         const bool due = !impl_->playing || impl_->realTime >= to.frameDue;
         if (to.sentState != impl_->state && due) impl_->sendFrame(to);
     }
@@ -147,6 +148,12 @@ void Session::Impl::sendOverlay(SessionClient& client) {
     client.overlayState = state;
     const auto overlay = buildOverlay(*world, client.overlay, client.overlayCharacter);
     if (overlay) client.outbox.push_back(protocol::encode(*overlay));
+}
+
+void Session::Impl::sendStages(SessionClient& client) {
+    if (!client.watchesStages || client.sentStages == stages.revision()) return;
+    client.sentStages = stages.revision();
+    client.outbox.push_back(stages.message());
 }
 
 }  // namespace muster

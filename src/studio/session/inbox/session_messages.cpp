@@ -233,6 +233,12 @@ public:
         return {};
     }
 
+    Status operator()(const protocol::WatchStages& message) {
+        client_.watchesStages = message.on;
+        client_.sentStages = session_.stages.revision();  // What it hears of comes after this.
+        return {};
+    }
+
     Status operator()(const protocol::Commands& message) {
         if (!session_.world) return noWorld();
         auto bodies = parseCommandText(message.events, session_.def.limits);

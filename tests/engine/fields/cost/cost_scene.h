@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstring>
 #include <functional>
 
 #include "engine/fields/cost/unit_cost.h"
@@ -9,6 +10,11 @@
 namespace muster::test {
 
 inline constexpr float kInfinity = kUnreachableCost;
+
+/// Bit by bit.
+inline bool sameCost(const CellCost& a, const CellCost& b) {
+    return std::memcmp(&a, &b, sizeof(CellCost)) == 0;
+}
 
 /// Unit costs by a function of the cell's centre; a cell is a wall where `east` is infinite.
 inline UnitCost makeCost(const Box& box, double cell, const std::function<CellCost(Vec2)>& costAt) {

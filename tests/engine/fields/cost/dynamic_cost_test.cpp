@@ -51,14 +51,14 @@ TEST_CASE("without a crowd and moving things the dynamic cost is zero") {
 TEST_CASE("a dense crowd costs along a line what the unit cost of the cells says") {
     const Environment environment = squareWorld(16.0);
     DensityField density({{-16, -16}, {16, 16}}, {});
-    const UnitCostDef def;
+    const Parameters parameters;
     for (const Vec2 velocity : {Vec2{0, 0}, Vec2{1.2, 0}, Vec2{-0.6, 0.8}}) {
         block(0.6, velocity, density);  // 2.8 per square metre.
         DynamicCost dynamic;
-        dynamic.update(def, environment, density, 0.25);
+        dynamic.update(parameters, environment, density, 0.25);
         UnitCostBuilder builder;
         UnitCost cost;
-        builder.build(def, environment, density, 0.25, cost);
+        builder.build(parameters, environment, density, 0.25, cost);
         Random random(4);
         double off = 0.0;
         double whole = 0.0;
@@ -76,7 +76,7 @@ TEST_CASE("a dense crowd costs along a line what the unit cost of the cells says
     // With the stream it costs less than against it.
     block(0.6, {1.2, 0}, density);
     DynamicCost dynamic;
-    dynamic.update(def, environment, density, 0.25);
+    dynamic.update(parameters, environment, density, 0.25);
     CHECK(dynamic.relativeAlong({-3, 0}, {3, 0}) < 0.3 * dynamic.relativeAlong({3, 0}, {-3, 0}));
 }
 
@@ -87,14 +87,14 @@ TEST_CASE("at the edge of slow ground the flow counts relative to the speed of e
     DensityField density({{-16, -16}, {16, 16}}, {});
     // The crowd on the patch moves at the full speed there, which would be a jam on open ground.
     block(0.7, {0.24, 0}, density);
-    const UnitCostDef def;
+    const Parameters parameters;
     DynamicCost dynamic;
-    dynamic.update(def, environment, density, 0.25);
+    dynamic.update(parameters, environment, density, 0.25);
     UnitCostBuilder builder;
     UnitCost cost;
     UnitCost empty;
-    builder.build(def, environment, density, 0.25, cost);
-    builder.build(def, environment, DensityField({{-16, -16}, {16, 16}}, {}), 0.25, empty);
+    builder.build(parameters, environment, density, 0.25, cost);
+    builder.build(parameters, environment, DensityField({{-16, -16}, {16, 16}}, {}), 0.25, empty);
     Random random(9);
     double off = 0.0;
     double byOneGround = 0.0;
@@ -124,19 +124,19 @@ TEST_CASE("ground ahead of a moving obstacle is expensive, under it blocked, and
     REQUIRE(environment.addObstacle(cart).ok());
     environment.setTime(0.5);
     DensityField density({{-16, -16}, {16, 16}}, {});
-    const UnitCostDef def;
+    const Parameters parameters;
     DynamicCost dynamic;
-    dynamic.update(def, environment, density, 0.25);
+    dynamic.update(parameters, environment, density, 0.25);
     UnitCostBuilder builder;
     UnitCost cost;
-    builder.build(def, environment, density, 0.25, cost);
+    builder.build(parameters, environment, density, 0.25, cost);
     const Vec2 a{4.0, -3.0};
     const Vec2 b{4.0, 3.0};
     CHECK(dynamic.relativeAlong(a, b) == doctest::Approx(alongCells(cost, a, b)).epsilon(0.1));
     CHECK(dynamic.relativeAlong({1, -2}, {1, 2}) > 15.0);
     CHECK(dynamic.relativeAlong({-6, -2}, {-6, 2}) == 0.0);
     environment.setTime(4.5);
-    dynamic.update(def, environment, density, 0.25);
+    dynamic.update(parameters, environment, density, 0.25);
     CHECK(dynamic.relativeAlong({1, -2}, {1, 2}) == 0.0);
 }
 

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "base/maths.h"
+#include "engine/fields/cost/cost_scene.h"
 #include "engine/fields/cost/distant_clearance.h"
 #include "engine/fields/cost/ground_scene.h"
 
@@ -11,10 +12,6 @@ using namespace muster;
 using namespace muster::test;
 
 namespace {
-
-bool same(const CellCost& a, const CellCost& b) {
-    return std::memcmp(&a, &b, sizeof(CellCost)) == 0;
-}
 
 bool same(const WallNode& a, const WallNode& b, std::int32_t cell) {
     return b.cell == cell && a.x == b.x && a.y == b.y && a.normalX == b.normalX && a.normalY == b.normalY &&
@@ -27,7 +24,7 @@ void checkSame(const UnitCost& a, const UnitCost& b) {
     REQUIRE(a.cells.size() == b.cells.size());
     REQUIRE(a.nodes.size() == b.nodes.size());
     int wrong = 0;
-    for (std::size_t k = 0; k < a.cells.size(); ++k) wrong += same(a.cells[k], b.cells[k]) ? 0 : 1;
+    for (std::size_t k = 0; k < a.cells.size(); ++k) wrong += sameCost(a.cells[k], b.cells[k]) ? 0 : 1;
     for (std::size_t k = 0; k < a.nodes.size(); ++k)
         wrong += same(a.nodes[k], b.nodes[k], a.nodes[k].cell) ? 0 : 1;
     REQUIRE(wrong == 0);
@@ -113,7 +110,7 @@ TEST_CASE("after random edits the static ground is that made from scratch, and k
             if (!level.changesSince(version, areas)) continue;
             const UnitCost after = level.unitCost();
             for (std::int32_t k = 0; k < level.grid().count(); ++k) {
-                if (same(before.cells[k], after.cells[k])) continue;
+                if (sameCost(before.cells[k], after.cells[k])) continue;
                 const Cell c = level.grid().at(k);
                 bool named = false;
                 for (const CellRect& area : areas) named = named || !area.common({c, c}).empty();
@@ -157,7 +154,7 @@ TEST_CASE("the unit cost of a crop is that part of the whole, and walls off the 
                     continue;
                 }
                 const std::int32_t at = grid.index(c);
-                REQUIRE(same(crop.cells[k], whole.cells[at]));
+                REQUIRE(sameCost(crop.cells[k], whole.cells[at]));
                 const auto found = std::lower_bound(
                     whole.nodes.begin(), whole.nodes.end(), at,
                     [](const WallNode& n, std::int32_t cell) { return n.cell < cell; });

@@ -7,10 +7,12 @@
 
 #include "base/maths.h"
 #include "base/random.h"
+#include "engine/fields/cost/cost_scene.h"
 #include "engine/fields/cost/dynamic_cost.h"
 #include "engine/fields/cost/unit_cost_builder.h"
 
 using namespace muster;
+using namespace muster::test;
 
 namespace {
 
@@ -37,10 +39,6 @@ bool same(const UnitCost& a, const UnitCost& b) {
             std::memcmp(a.nodes.data(), b.nodes.data(), a.nodes.size() * sizeof(WallNode)) == 0);
 }
 
-bool same(const CellCost& a, const CellCost& b) {
-    return std::memcmp(&a, &b, sizeof(CellCost)) == 0;
-}
-
 // Checks the ground cost of a builder, its dynamic cells and its changes since `before`.
 void checkGround(const UnitCostBuilder& used, const UnitCostBuilder& bare,
                  const std::vector<CellCost>& before) {
@@ -50,9 +48,9 @@ void checkGround(const UnitCostBuilder& used, const UnitCostBuilder& bare,
     for (const std::int32_t cell : used.groundChanges()) ++changed[cell];
     bool all = true, any = false;
     for (std::size_t k = 0; k < dynamic.size(); ++k) {
-        all = all && same(used.groundCost()[k], bare.groundCost()[k]) && dynamic[k] <= 1 && changed[k] <= 1;
-        all = all && (dynamic[k] == 1) == !same(used.cost().cells[k], used.groundCost()[k]);
-        const bool differs = before.size() != dynamic.size() || !same(before[k], used.groundCost()[k]);
+        all = all && sameCost(used.groundCost()[k], bare.groundCost()[k]) && dynamic[k] <= 1 && changed[k] <= 1;
+        all = all && (dynamic[k] == 1) == !sameCost(used.cost().cells[k], used.groundCost()[k]);
+        const bool differs = before.size() != dynamic.size() || !sameCost(before[k], used.groundCost()[k]);
         all = all && (changed[k] == 1 || !differs);
         any = any || differs;
     }
@@ -71,7 +69,7 @@ TEST_CASE("open ground costs alpha + beta, walls and the edge of the world are i
     Environment environment = makeEnvironment();
     REQUIRE(environment.addObstacle(block(-2, -2, 2, 2)).ok());
     environment.setTime(0.0);
-    UnitCostDef def;
+    Parameters parameters;
     UnitCost cost;
     UnitCostBuilder builder;
     builder.build(def, environment, DensityField(environment.def().box, {}), 0.25, cost);
@@ -108,8 +106,8 @@ TEST_CASE("slow ground costs in proportion") {
 TEST_CASE("a crowd raises the cost of walking against it, not with it") {
     Environment environment = makeEnvironment();
     environment.setTime(0.0);
-    UnitCostDef def;
-    def.lookAhead = 0.5;
+    Parameters parameters;
+    parameters.density.lookAhead = 0.5;
     DensityField density(environment.def().box, {.cell = 1.0, .lambda = 1.0});
     std::vector<Vec2> positions;
     // 16 per m^2 round the middle, all walking east at full speed.
@@ -119,7 +117,7 @@ TEST_CASE("a crowd raises the cost of walking against it, not with it") {
     density.splat(positions, std::vector<Vec2>(positions.size(), Vec2{2.0, 0.0}));
     UnitCost cost;
     UnitCostBuilder builder;
-    builder.build(def, environment, density, 0.25, cost);
+    builder.build(parameters, environment, density, 0.25, cost);
     const CellCost& c = at(cost, {0.1, 0.1});
     CHECK(c.east == doctest::Approx(1.0));
     // f = minSpeed: (0.5 f + 0.5) / f.
@@ -129,18 +127,18 @@ TEST_CASE("a crowd raises the cost of walking against it, not with it") {
     // Between the thresholds the speed is linear in the density.
     const Vec2 p = cost.grid.centre(cost.grid.cellOf({3.4, 0.1}));
     const double crowd = density.densityAt(p - Vec2{0.5, 0.0});
-    def.densityMin = crowd - 0.3;
-    def.densityMax = crowd + 0.7;
-    builder.build(def, environment, density, 0.25, cost);
+    parameters.density.min = crowd - 0.3;
+    parameters.density.max = crowd + 0.7;
+    builder.build(parameters, environment, density, 0.25, cost);
     const double f = 1.0 - 0.3;
     CHECK(at(cost, p).west == doctest::Approx((0.5 * f + 0.5) / f).epsilon(1e-5));
-    def.density = false;
-    builder.build(def, environment, density, 0.25, cost);
+    parameters.density.enabled = false;
+    builder.build(parameters, environment, density, 0.25, cost);
     CHECK(at(cost, {0.1, 0.1}).west == 1.0f);
 }
 
 TEST_CASE("discomfort falls linearly with time and distance, against brute force") {
-    UnitCostDef def;
+    Parameters::Discomfort def;
     ObstaclePiece disc;
     disc.radius = 0.5;
     disc.centre = {0, 0};
@@ -163,9 +161,9 @@ TEST_CASE("discomfort falls linearly with time and distance, against brute force
             const Vec2 p{random.uniform(-3, 6), random.uniform(-3, 4)};
             double best = 0.0;
             for (int t = 0; t <= 3000; ++t) {
-                const double time = def.discomfortTime * t / 3000;
+                const double time = def.time * t / 3000;
                 const double away = std::max(0.0, piece.signedDistance(p - piece.velocity * time));
-                const double g = 8.0 * (1 - time / def.discomfortTime) * std::max(0.0, 1.0 - away);
+                const double g = 8.0 * (1 - time / def.time) * std::max(0.0, 1.0 - away);
                 best = std::max(best, g);
             }
             CHECK(discomfortAt(def, piece, p) == doctest::Approx(best).epsilon(0.03));
@@ -178,9 +176,9 @@ TEST_CASE("the peak of discomfort is found to a millionth, for all shapes and sp
     double worst = 0.0;
     int felt = 0;
     for (int round = 0; round < 400; ++round) {
-        UnitCostDef def;
-        def.discomfortTime = random.uniform(0.5, 3.0);
-        def.discomfortRange = random.uniform(0.3, 2.0);
+        Parameters::Discomfort def;
+        def.time = random.uniform(0.5, 3.0);
+        def.range = random.uniform(0.3, 2.0);
         ObstaclePiece piece;
         piece.moving = true;
         piece.velocity = Vec2{random.uniform(-1, 1), random.uniform(-1, 1)} * random.uniform(0.02, 6.0);
@@ -195,25 +193,23 @@ TEST_CASE("the peak of discomfort is found to a millionth, for all shapes and sp
             const Vec2 p{random.uniform(-3, 3) + piece.velocity.x, random.uniform(-3, 3) + piece.velocity.y};
             const auto at = [&](double time) {
                 const double away = std::max(0.0, piece.signedDistance(p - piece.velocity * time));
-                return def.discomfortGain * (1 - time / def.discomfortTime) *
-                       std::max(0.0, 1.0 - away / def.discomfortRange);
+                return def.gain * (1 - time / def.time) * std::max(0.0, 1.0 - away / def.range);
             };
             // Coarsely, then finely round the best.
             double best = 0.0;
             double when = 0.0;
             for (int t = 0; t <= 1000; ++t) {
-                const double time = def.discomfortTime * t / 1000;
+                const double time = def.time * t / 1000;
                 if (at(time) > best) when = time;
                 best = std::max(best, at(time));
             }
             for (int t = -1000; t <= 1000; ++t) {
-                const double time = when + def.discomfortTime * t * 1e-6;
-                if (time >= 0.0 && time <= def.discomfortTime) best = std::max(best, at(time));
+                const double time = when + def.time * t * 1e-6;
+                if (time >= 0.0 && time <= def.time) best = std::max(best, at(time));
             }
             felt += best > 0.0 ? 1 : 0;
             // Sampling may miss the peak by as much as it moves within a sample.
-            const double missed = def.discomfortGain * 1e-6 *
-                                  (1.0 + def.discomfortTime * length(piece.velocity) / def.discomfortRange);
+            const double missed = def.gain * 1e-6 * (1.0 + def.time * length(piece.velocity) / def.range);
             const double found = discomfortAt(def, piece, p);
             CHECK(found <= best + missed);
             worst = std::max(worst, best - found);
@@ -253,21 +249,21 @@ TEST_CASE("a builder with a history gives the same bits as a new one") {
             velocities.push_back({random.uniform(-2, 2), random.uniform(-2, 2)});
         }
         density.splat(positions, velocities);
-        UnitCostDef def;
-        def.density = random.below(6) != 0;
-        def.discomfort = random.below(6) != 0;
-        def.alpha = random.below(8) == 0 ? 0.2 : 0.5;
+        Parameters parameters;
+        parameters.density.enabled = random.below(6) != 0;
+        parameters.discomfort.enabled = random.below(6) != 0;
+        parameters.cost.alpha = random.below(8) == 0 ? 0.2 : 0.5;
         const double radius = random.below(5) == 0 ? 0.4 : 0.25;
         const std::vector<CellCost> groundBefore = used.groundCost();
-        used.build(def, environment, density, radius, one);
-        UnitCostDef empty = def;
-        empty.density = empty.discomfort = false;
+        used.build(parameters, environment, density, radius, one);
+        Parameters empty = parameters;
+        empty.density.enabled = empty.discomfort.enabled = false;
         UnitCostBuilder bare;
         bare.update(empty, environment, DensityField(), radius);
         checkGround(used, bare, groundBefore);
         UnitCostBuilder fresh;
         UnitCost other;
-        fresh.build(def, environment, density, radius, other);
+        fresh.build(parameters, environment, density, radius, other);
         CHECK(same(one, other));
         CHECK(used.discomfort() == fresh.discomfort());
         for (const CellCost& c : one.cells) {
@@ -301,8 +297,8 @@ TEST_CASE("incremental updates under moving things give the same cost as a new b
         if (step % 7 == 3) used.update({}, environment, DensityField(), 0.25);
         UnitCostBuilder fresh, bare;
         fresh.update({}, environment, DensityField(), 0.25);
-        UnitCostDef empty;
-        empty.discomfort = false;
+        Parameters empty;
+        empty.discomfort.enabled = false;
         bare.update(empty, environment, DensityField(), 0.25);
         CHECK(same(used.cost(), fresh.cost()));
         if (step % 7 != 3) checkGround(used, bare, groundBefore);

@@ -34,8 +34,8 @@ Environment withCart(double cell) {
     return environment;
 }
 
-struct Scene {
-    explicit Scene(const Environment& environment) {
+struct DetourScene {
+    explicit DetourScene(const Environment& environment) {
         ground = groundOf(environment);
         const DensityField density({{-16, -16}, {16, 16}}, {});
         dynamicCost.update({}, environment, density, 0.25);
@@ -50,7 +50,7 @@ struct Scene {
 TEST_CASE("a detour is near the cheapest path around a cart, and never costlier than the straight line") {
     const Environment environment = withCart(0.25);
     const Environment fine = withCart(0.125);
-    const Scene scene(environment);
+    const DetourScene scene(environment);
     UnitCostBuilder builder;
     UnitCost cost;
     builder.build({}, fine, DensityField({{-16, -16}, {16, 16}}, {}), 0.25, cost);
@@ -83,7 +83,7 @@ TEST_CASE("a detour is near the cheapest path around a cart, and never costlier 
 }
 
 TEST_CASE("a point beside a cart has no blocked cost") {
-    const Scene scene(withCart(0.25));
+    const DetourScene scene(withCart(0.25));
     // The cart's centre is at y = 0 now; a character beside it touches it at 1.05 m.
     const Vec2 touching{-1.06, -0.1};
     CHECK(scene.dynamicCost.movingCostAt(touching) < 8.5);
@@ -97,8 +97,8 @@ TEST_CASE("no detour leads through a wall") {
     REQUIRE(environment.addObstacle(rectangle(-0.4, 2.0, 0.4, 2.4)).ok());
     REQUIRE(environment.addObstacle(rectangle(-4.0, -12.0, 4.0, -3.0)).ok());
     environment.setTime(2.0);
-    const Scene scene(environment);
-    const Scene withoutWalls(withCart(0.25));
+    const DetourScene scene(environment);
+    const DetourScene withoutWalls(withCart(0.25));
     Random random(3);
     int longer = 0;
     for (int k = 0; k < 300; ++k) {

@@ -14,7 +14,7 @@ using namespace muster::test;
 namespace {
 
 // A cache over a small open ground; landmarks are its cells.
-struct Scene {
+struct CacheScene {
     Environment environment = squareWorld(6.0);
     StaticGround ground;
     EikonalSolver solver;
@@ -22,7 +22,7 @@ struct Scene {
     FieldCache cache;
     std::vector<std::int32_t> solved;
 
-    explicit Scene(std::int32_t capacity) : cache(capacity) {
+    explicit CacheScene(std::int32_t capacity) : cache(capacity) {
         environment.setTime(0.0);
         ground.update(environment, 1.0, 0.25);
     }
@@ -45,7 +45,7 @@ struct Scene {
 }  // namespace
 
 TEST_CASE("requests are served in order up to the budget, and the others are dropped") {
-    Scene scene(16);
+    CacheScene scene(16);
     for (const std::int32_t landmark : {700, 20, 700, 311, 20, 55}) scene.cache.request(landmark);
     CHECK(scene.solve(0) == 0);  // Drops nothing.
     CHECK(scene.solve(2) == 2);
@@ -60,7 +60,7 @@ TEST_CASE("requests are served in order up to the budget, and the others are dro
 }
 
 TEST_CASE("at capacity the fields unused for long are evicted, and the others stay consistent") {
-    Scene scene(8);
+    CacheScene scene(8);
     for (std::int32_t landmark = 100; landmark < 108; ++landmark) scene.cache.request(landmark);
     scene.solve(100);
     CHECK(scene.cache.count() == 8);
@@ -85,12 +85,12 @@ TEST_CASE("at capacity the fields unused for long are evicted, and the others st
 }
 
 TEST_CASE("an archive restores which fields there are, and one beyond the capacity is refused") {
-    Scene scene(32);
+    CacheScene scene(32);
     for (std::int32_t landmark = 0; landmark < 900; landmark += 61) scene.cache.request(landmark);
     scene.solve(9);
     Writer writer;
     scene.cache.visit(writer);
-    Scene copy(32);
+    CacheScene copy(32);
     Reader reader(writer.bytes());
     copy.cache.visit(reader);
     REQUIRE(reader.ok());
@@ -101,7 +101,7 @@ TEST_CASE("an archive restores which fields there are, and one beyond the capaci
     CHECK(copy.consistent());
     for (std::int32_t landmark = 0; landmark < 900; landmark += 61)
         CHECK(copy.cache.find(landmark) == scene.cache.find(landmark));
-    Scene small(4);  // Its capacity is below the number saved.
+    CacheScene small(4);  // Its capacity is below the number saved.
     Reader again(writer.bytes());
     small.cache.visit(again);
     CHECK_FALSE(again.ok());
@@ -109,14 +109,14 @@ TEST_CASE("an archive restores which fields there are, and one beyond the capaci
 
 TEST_CASE(
     "fields are taken over by landmark, only what is missing is solved, and lost ones are solved again") {
-    Scene before(32);
+    CacheScene before(32);
     for (std::int32_t landmark = 0; landmark < 900; landmark += 61) before.cache.request(landmark);
     before.solve(9);
     Writer writer;
     before.cache.visit(writer);
     before.cache.request(899);  // The later cache has one more, and others in other slots.
     before.solve(1);
-    Scene copy(32);
+    CacheScene copy(32);
     Reader reader(writer.bytes());
     copy.cache.visit(reader);
     copy.cache.keepFieldsOf(before.cache);
@@ -132,7 +132,7 @@ TEST_CASE(
     copy.cache.solveMissing(copy.pool, solve);
     CHECK(solved == 2);
     // Of a cache whose own fields are missing nothing is taken.
-    Scene unsolved(32), other(32);
+    CacheScene unsolved(32), other(32);
     Reader again(writer.bytes()), third(writer.bytes());
     unsolved.cache.visit(again);
     other.cache.visit(third);

@@ -14,14 +14,14 @@ using namespace muster::test;
 namespace {
 
 /// A block of 6 by 8 metres.
-struct Scene {
+struct LocalScene {
     Environment environment = squareWorld(16.0);
     StaticGround ground;
     DynamicCost dynamicCost;
     ThreadPool pool{1};
     std::vector<Vec2> places;
 
-    Scene() {
+    LocalScene() {
         REQUIRE(environment.addObstacle(rectangle(-3, -4, 3, 4)).ok());
         environment.setTime(0.0);
         ground.update(environment, 1.0, 0.25);
@@ -38,7 +38,7 @@ const std::vector<Shape> kBlock = {{{{-3, -4}, {3, -4}, {3, 4}, {-3, 4}}}};
 TEST_CASE("costs around a block, by local fields of either size, are nearly exact") {
     for (const bool wide : {false, true}) {
         CAPTURE(wide);
-        Scene scene;
+        LocalScene scene;
         Random random(3);
         const double reach = wide ? 6.0 : 2.5;
         for (int j = 0; j < 60; ++j) scene.places.push_back(freeSpot(scene.environment, random, 6.0));
@@ -76,7 +76,7 @@ TEST_CASE("costs around a block, by local fields of either size, are nearly exac
 }
 
 TEST_CASE("places without a request are unknown, and requests for assignees are served first") {
-    Scene scene;
+    LocalScene scene;
     scene.places = {{-5.0, 0.0}, {5.0, 0.0}};
     LocalCosts costs({64, 16});
     costs.beginStep(scene.ground, scene.level(false), scene.dynamicCost, scene.places);

@@ -54,7 +54,7 @@ void checkSame(const Environment& a, Random& random) {
     }
 }
 
-PatchDef randomPatch(Random& random, bool moves) {
+PatchDef farPatch(Random& random, bool moves) {
     PatchDef patch;
     patch.polygon = randomStar(random, {random.uniform(-12, 12), random.uniform(-12, 12)}, 0.5, 3.0);
     patch.speed = random.uniform(0.2, 2.0);
@@ -87,13 +87,13 @@ void editPatches(Environment& environment, Random& random) {
     const auto ids = environment.patchIds();
     switch (ids.empty() ? 0 : random.below(3)) {
         case 0:
-            REQUIRE(environment.addPatch(randomPatch(random, moves)).ok());
+            REQUIRE(environment.addPatch(farPatch(random, moves)).ok());
             break;
         case 1:
             REQUIRE(environment.removePatch(anyOf(ids, random)).ok());
             break;
         default:
-            REQUIRE(environment.changePatch(anyOf(ids, random), randomPatch(random, moves)).ok());
+            REQUIRE(environment.changePatch(anyOf(ids, random), farPatch(random, moves)).ok());
     }
 }
 
@@ -147,7 +147,7 @@ TEST_CASE("rasters of open ground without moving things take no memory beyond th
     CHECK(environment.clearance().data() == environment.staticClearance().data());
     Random random(5);
     const auto car = environment.addObstacle(randomObstacle(random, 8.0, true));
-    const auto mud = environment.addPatch(randomPatch(random, false));
+    const auto mud = environment.addPatch(farPatch(random, false));
     CHECK(environment.clearance().data() != environment.staticClearance().data());
     CHECK_FALSE(environment.travelSpeed().isConstant());
     REQUIRE(environment.removeObstacle(*car).ok());

@@ -11,7 +11,7 @@ using namespace muster;
 
 namespace {
 
-ObstacleDef randomObstacle(Random& random) {
+ObstacleDef someObstacle(Random& random) {
     ObstacleDef def;
     const Vec2 at{random.uniform(-10, 10), random.uniform(-10, 10)};
     if (random.below(2) == 0) {
@@ -24,7 +24,7 @@ ObstacleDef randomObstacle(Random& random) {
     return def;
 }
 
-PatchDef randomPatch(Random& random) {
+PatchDef somePatch(Random& random) {
     PatchDef def;
     const Vec2 at{random.uniform(-10, 8), random.uniform(-10, 8)};
     def.polygon = {at, at + Vec2{2, 0}, at + Vec2{2, 2}, at + Vec2{0, 2}};
@@ -36,7 +36,7 @@ PatchDef randomPatch(Random& random) {
 void edit(Environment& environment, Random& random) {
     switch (random.below(5)) {
         case 0:
-            REQUIRE(environment.addObstacle(randomObstacle(random)).ok());
+            REQUIRE(environment.addObstacle(someObstacle(random)).ok());
             break;
         case 1:
             if (!environment.obstacleIds().empty())
@@ -44,11 +44,11 @@ void edit(Environment& environment, Random& random) {
             break;
         case 2:
             if (!environment.obstacleIds().empty())
-                REQUIRE(environment.changeObstacle(environment.obstacleIds().back(), randomObstacle(random))
+                REQUIRE(environment.changeObstacle(environment.obstacleIds().back(), someObstacle(random))
                             .ok());
             break;
         case 3:
-            REQUIRE(environment.addPatch(randomPatch(random)).ok());
+            REQUIRE(environment.addPatch(somePatch(random)).ok());
             break;
         default:
             if (!environment.patchIds().empty())
@@ -70,7 +70,7 @@ Environment loaded(const std::vector<std::uint8_t>& bytes) {
 }
 
 template <class Values>
-std::vector<float> valuesOf(const Environment& environment, const Values& values) {
+std::vector<float> clearancesOf(const Environment& environment, const Values& values) {
     std::vector<float> all;
     for (std::int32_t k = 0; k < environment.grid().count(); ++k) all.push_back(values[k]);
     return all;
@@ -78,10 +78,10 @@ std::vector<float> valuesOf(const Environment& environment, const Values& values
 
 void checkEqual(const Environment& a, const Environment& b) {
     CHECK(bytesOf(a) == bytesOf(b));
-    CHECK(valuesOf(a, a.clearance()) == valuesOf(b, b.clearance()));
-    CHECK(valuesOf(a, a.staticClearance()) == valuesOf(b, b.staticClearance()));
-    CHECK(valuesOf(a, a.travelSpeed()) == valuesOf(b, b.travelSpeed()));
-    CHECK(valuesOf(a, a.staticPatchSpeed()) == valuesOf(b, b.staticPatchSpeed()));
+    CHECK(clearancesOf(a, a.clearance()) == clearancesOf(b, b.clearance()));
+    CHECK(clearancesOf(a, a.staticClearance()) == clearancesOf(b, b.staticClearance()));
+    CHECK(clearancesOf(a, a.travelSpeed()) == clearancesOf(b, b.travelSpeed()));
+    CHECK(clearancesOf(a, a.staticPatchSpeed()) == clearancesOf(b, b.staticPatchSpeed()));
     Random random(1);
     for (int k = 0; k < 60; ++k) {
         const Vec2 p{random.uniform(-12, 12), random.uniform(-12, 12)};

@@ -7,8 +7,6 @@ using namespace muster::test;
 
 namespace {
 
-constexpr double kRadius = 0.25;
-
 /// Two walls that cross, with a door of 2 m in each arm, and gates that slide before the doors.
 void addGates(Environment& environment, Random& random) {
     for (const Rotation turn : {Rotation{1, 0}, Rotation{0, 1}, Rotation{-1, 0}, Rotation{0, -1}}) {

@@ -7,8 +7,6 @@ using namespace muster::test;
 
 namespace {
 
-constexpr double kRadius = 0.25;
-
 // A wall across a world of 24 m with a door of `width` m at `at` m along it, turned by `angle`.
 Environment doorScene(double width, double at, double angle, double thickness, double cell = 0.25) {
     Environment environment = emptyWorld(24.0, cell);

@@ -8,6 +8,9 @@
 
 namespace muster::test {
 
+/// Of a character whose route is searched [m].
+inline constexpr double kRadius = 0.25;
+
 /// A square world with boxes, stars and discs in it.
 inline Environment obstacleScene(Random& random, double side, double cell, int obstacles, double size) {
     Environment environment = emptyWorld(side, cell);

@@ -9,8 +9,6 @@ using namespace muster::test;
 
 namespace {
 
-constexpr double kRadius = 0.25;
-
 bool pathIsClear(const Environment& environment, const std::vector<Vec2>& path, double radius) {
     for (std::size_t k = 1; k < path.size(); ++k)
         if (!environment.clearStaticLine(path[k - 1], path[k], radius - 1e-3)) return false;

@@ -5,12 +5,6 @@
 using namespace muster;
 using namespace muster::test;
 
-namespace {
-
-constexpr double kRadius = 0.25;
-
-}  // namespace
-
 TEST_CASE("those who go nearly the same way share one, and theirs is nearly as short as their own") {
     int joined = 0, asked = 0;
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {

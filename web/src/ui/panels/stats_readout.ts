@@ -1,7 +1,9 @@
-// With `?stats` in the page's address: what the last second's pictures cost.
+// With `?stats` in the page's address: what the last second's pictures cost, and the steps of the world.
 
+import type { StudioClient } from '../../link/studio_client';
 import type { ViewStats } from '../../scene/picture_stats';
 import { element, setText } from '../widgets/dom';
+import { StageTable } from './stage_table';
 
 /** Pictures that the figures are of. */
 const kWindow = 60;
@@ -13,9 +15,17 @@ export function percentile(values: readonly number[], share: number): number {
 }
 
 export class StatsReadout {
-  readonly root = element('output', { class: 'stats-readout', 'aria-label': 'What a picture costs' });
+  readonly stages = new StageTable();
+  private readonly pictureLine_ = element('output', { 'aria-label': 'What a picture costs' });
+  readonly root = element('div', { class: 'stats-readout' }, this.pictureLine_, this.stages.root);
   private readonly times_: number[] = [];
   private pictures_ = -1;
+
+  /** Asks every server that greets us for the times of stages. */
+  follow(client: Pick<StudioClient, 'on' | 'send'>): void {
+    client.on('welcome', () => client.send({ type: 'WatchStages', on: true }));
+    client.on('stageTimes', (times) => this.stages.show(times));
+  }
 
   /** Call with every refresh of the display. */
   show(stats: Readonly<ViewStats>): void {
@@ -25,7 +35,7 @@ export class StatsReadout {
     if (this.times_.length > kWindow) this.times_.shift();
     const [half, most] = [percentile(this.times_, 0.5), percentile(this.times_, 0.95)];
     const drawn = `${stats.drawCalls} draws · ${stats.triangles.toLocaleString('en')} triangles`;
-    setText(this.root, `${drawn} · ${half.toFixed(1)} ms, 95 % below ${most.toFixed(1)} ms`);
+    setText(this.pictureLine_, `${drawn} · ${half.toFixed(1)} ms, 95 % below ${most.toFixed(1)} ms`);
   }
 }
 

@@ -13,6 +13,14 @@ constexpr std::int32_t kFarFitDelay = 40;  // The same while the crowd is far an
 
 }  // namespace
 
+// Compiled here once, since they are long.
+DynamicAssignment::DynamicAssignment() = default;
+DynamicAssignment::DynamicAssignment(const DynamicAssignment& other) = default;
+DynamicAssignment& DynamicAssignment::operator=(const DynamicAssignment& other) = default;
+DynamicAssignment::DynamicAssignment(DynamicAssignment&& other) noexcept = default;
+DynamicAssignment& DynamicAssignment::operator=(DynamicAssignment&& other) noexcept = default;
+DynamicAssignment::~DynamicAssignment() = default;
+
 void DynamicAssignment::clear() {
     reset({}, 0, 0);
     objective_ = dualityGap_ = 0.0;

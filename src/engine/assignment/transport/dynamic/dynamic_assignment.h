@@ -18,6 +18,13 @@ namespace muster {
 /// within one call, if only at CostOracle::kUnreachable. Positions are finite.
 class DynamicAssignment {
 public:
+    DynamicAssignment();
+    DynamicAssignment(const DynamicAssignment& other);
+    DynamicAssignment& operator=(const DynamicAssignment& other);
+    DynamicAssignment(DynamicAssignment&& other) noexcept;
+    DynamicAssignment& operator=(DynamicAssignment&& other) noexcept;
+    ~DynamicAssignment();
+
     /// Forgets everything.
     void clear();
     /// Allocates memory for so many, and forgets everything.
