@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostFileBytes = std::size_t{64} << 20;
 constexpr const char* kMarker = "muster-site.json";  // Tells a folder that may be written again.
-constexpr std::string_view kHtmlBegins = "<html ";
+constexpr std::string_view kPageBegins = "<html ";
 constexpr std::string_view kHeadEnds = "</head>";
 
 Status addFile(FileTexts& files, const std::string& as, const fs::path& path) {
@@ -46,9 +46,9 @@ Status addPage(const SiteDef& def, FileTexts& files) {
         if (!files.contains(needed))
             return {StatusCode::NotFound, def.pageFolder + ": found no " + needed + "; build the page first"};
     std::string& page = files["index.html"];
-    const std::string attributes = std::string(kHtmlBegins) + "data-engine=\"engine/\" data-scenario=\"" +
+    const std::string attributes = std::string(kPageBegins) + "data-engine=\"engine/\" data-scenario=\"" +
                                    def.scenario + "\" ";
-    if (Status s = replaceIn(page, kHtmlBegins, attributes, "index.html"); !s.ok()) return s;
+    if (Status s = replaceIn(page, kPageBegins, attributes, "index.html"); !s.ok()) return s;
     return replaceIn(page, kHeadEnds,
                      "  <link rel=\"manifest\" href=\"manifest.webmanifest\" />\n  " + std::string(kHeadEnds),
                      "index.html");
@@ -63,7 +63,7 @@ Status addEngine(const SiteDef& def, FileTexts& files) {
     modules->merge(*threads);
     for (auto& [name, bytes] : *modules) files["engine/" + name] = std::move(bytes);
     if (!hasThreads) return {};
-    return replaceIn(files["index.html"], kHtmlBegins, std::string(kHtmlBegins) + "data-threads ",
+    return replaceIn(files["index.html"], kPageBegins, std::string(kPageBegins) + "data-threads ",
                      "index.html");
 }
 

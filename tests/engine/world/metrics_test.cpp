@@ -1,4 +1,5 @@
 #include "engine/world/metrics.h"
+#include "engine/ground/environment/environment.h"
 
 #include <doctest.h>
 

@@ -11,7 +11,6 @@
 #include "engine/fields/cost/unit_cost_builder.h"
 
 using namespace muster;
-using namespace muster::test;
 
 namespace {
 
@@ -38,6 +37,10 @@ bool same(const UnitCost& a, const UnitCost& b) {
             std::memcmp(a.nodes.data(), b.nodes.data(), a.nodes.size() * sizeof(WallNode)) == 0);
 }
 
+bool same(const CellCost& a, const CellCost& b) {
+    return std::memcmp(&a, &b, sizeof(CellCost)) == 0;
+}
+
 // Checks the ground cost of a builder, its dynamic cells and its changes since `before`.
 void checkGround(const UnitCostBuilder& used, const UnitCostBuilder& bare,
                  const std::vector<CellCost>& before) {
@@ -47,9 +50,9 @@ void checkGround(const UnitCostBuilder& used, const UnitCostBuilder& bare,
     for (const std::int32_t cell : used.groundChanges()) ++changed[cell];
     bool all = true, any = false;
     for (std::size_t k = 0; k < dynamic.size(); ++k) {
-        all = all && sameCost(used.groundCost()[k], bare.groundCost()[k]) && dynamic[k] <= 1 && changed[k] <= 1;
-        all = all && (dynamic[k] == 1) == !sameCost(used.cost().cells[k], used.groundCost()[k]);
-        const bool differs = before.size() != dynamic.size() || !sameCost(before[k], used.groundCost()[k]);
+        all = all && same(used.groundCost()[k], bare.groundCost()[k]) && dynamic[k] <= 1 && changed[k] <= 1;
+        all = all && (dynamic[k] == 1) == !same(used.cost().cells[k], used.groundCost()[k]);
+        const bool differs = before.size() != dynamic.size() || !same(before[k], used.groundCost()[k]);
         all = all && (changed[k] == 1 || !differs);
         any = any || differs;
     }
