@@ -68,7 +68,10 @@ run_suites() {
 run_part() {
     local program=build/release/muster
     case "$1" in
-        style) run_counting style bash scripts/style.sh "${style_options[@]}" ;;
+        style)
+            run_counting style bash scripts/style.sh "${style_options[@]}"
+            run_counting "work of compiling" node scripts/build_work.mjs build/release
+            ;;
         cpp)
             run_suites release ""
             run_counting graph node tests/graph/check.mjs build/release

@@ -7,7 +7,7 @@
 
 #include "base/maths.h"
 #include "base/random.h"
-#include "engine/fields/cost/discomfort.h"
+#include "engine/fields/cost/dynamic_cost.h"
 #include "engine/fields/cost/unit_cost_builder.h"
 
 using namespace muster;
