@@ -2,7 +2,6 @@
 #include <doctest.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "cli/program.h"
 #include "folders.h"
@@ -13,16 +12,12 @@ using Json = nlohmann::json;
 
 namespace {
 
-const char* kSmall = R"({"format":"muster-scenario","version":1,"box":[[-6,-5],[6,5]],"cell":0.5,
+const char* kFourPeople = R"({"format":"muster-scenario","version":1,"box":[[-6,-5],[6,5]],"cell":0.5,
     "groups":[{"count":4,"position":[-3.5,0]}]})";
-
-std::string path(const std::string& name) {
-    return (workFolder() / name).string();
-}
 
 std::string smallTake() {
     const std::string take = path("motion.take");
-    REQUIRE(runProgram("play " + put("motion-small.json", kSmall) + " --seconds 1 --take " + take).code == 0);
+    REQUIRE(runProgram("play " + put("motion-small.json", kFourPeople) + " --seconds 1 --take " + take).code == 0);
     return take;
 }
 

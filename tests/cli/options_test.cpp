@@ -4,28 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "cli/program.h"
 #include "muster/parameter_table.h"
 
-using muster::testing::Outcome;
-using muster::testing::put;
-using muster::testing::runProgram;
-using muster::testing::slurp;
-using muster::testing::workFolder;
+using namespace muster::testing;
 using Json = nlohmann::json;
 
 namespace {
-
-std::string path(const std::string& name) {
-    return (workFolder() / name).string();
-}
-
-Json json(const Outcome& outcome) {
-    return Json::parse(outcome.out, nullptr, false);
-}
 
 std::string scenario() {
     return "'" +

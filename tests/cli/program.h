@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
@@ -41,6 +42,10 @@ inline std::filesystem::path workFolder() {
     return folder.path;
 }
 
+inline std::string path(const std::string& name) {
+    return (workFolder() / name).string();
+}
+
 inline std::string slurp(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     std::stringstream text;
@@ -63,6 +68,11 @@ inline Outcome runProgram(const std::string& arguments, const std::string& befor
                                 "' </dev/null";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(out), slurp(error)};
+}
+
+/// What a command has printed with --json.
+inline nlohmann::json json(const Outcome& outcome) {
+    return nlohmann::json::parse(outcome.out, nullptr, false);
 }
 
 }  // namespace muster::testing

@@ -1,6 +1,5 @@
 #include <doctest.h>
 
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <vector>
@@ -10,25 +9,13 @@
 #include "muster/scenario.h"
 #include "muster/take.h"
 
-using muster::testing::Outcome;
-using muster::testing::put;
-using muster::testing::runProgram;
-using muster::testing::slurp;
-using muster::testing::workFolder;
+using namespace muster::testing;
 using Json = nlohmann::json;
 
 namespace {
 
 const std::vector<std::string> kCommands = {"studio", "play",   "replay", "check",     "import", "picture",
                                             "peers",  "motion", "export", "reproduce", "sweep"};
-
-std::string path(const char* name) {
-    return (workFolder() / name).string();
-}
-
-Json json(const Outcome& outcome) {
-    return Json::parse(outcome.out, nullptr, false);
-}
 
 const char* kSmall = R"({"format":"muster-scenario","version":1,"box":[[-6,-5],[6,5]],"cell":0.5,
     "obstacles":[{"polygon":[[0,-1],[0.5,-1],[0.5,1],[0,1]]}],

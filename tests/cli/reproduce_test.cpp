@@ -15,7 +15,7 @@ using muster::testing::put;
 using muster::testing::runProgram;
 using muster::testing::slurp;
 using muster::testing::workFolder;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 namespace {
@@ -81,7 +81,7 @@ TEST_CASE("reproduce writes a report, a line per experiment in a log, and the ve
     CHECK(page.find("<dd>" + version.substr(0, version.find('\n')) + "</dd>") != std::string::npos);
     CHECK(page.find(" UTC</dd>") != std::string::npos);
 
-    const Json results = Json::parse(slurp(out / "results.json"));
+    const OrderedJson results = OrderedJson::parse(slurp(out / "results.json"));
     REQUIRE(results.is_array());
     REQUIRE_FALSE(results.empty());
     std::vector<std::string> keys;
@@ -95,7 +95,7 @@ TEST_CASE("reproduce writes a report, a line per experiment in a log, and the ve
     // A second run over the old report, on more threads, gives the same results, also on standard output.
     const Outcome json = runProgram("reproduce X2 --seeds 1 --threads 2 --json --out " + quoted(out));
     CHECK(json.code == 0);
-    CHECK(Json::parse(json.out, nullptr, false) == results);
+    CHECK(OrderedJson::parse(json.out, nullptr, false) == results);
 }
 
 TEST_CASE("a failed criterion gives exit code 3, and every output of results states it") {
@@ -111,7 +111,7 @@ TEST_CASE("a failed criterion gives exit code 3, and every output of results sta
     CHECK(outcome.code == 3);
     CHECK(outcome.out.find("      FAIL  muster  ") != std::string::npos);
     CHECK(outcome.out.find("\n0 of 1 criterion holds; 1 seed, ") != std::string::npos);
-    CHECK(Json::parse(slurp(out / "results.json"), nullptr, false)[0]["pass"] == false);
+    CHECK(OrderedJson::parse(slurp(out / "results.json"), nullptr, false)[0]["pass"] == false);
     CHECK(slurp(out / "index.html").find("<b>0 of 1</b> criterion holds, 1 fails") != std::string::npos);
     CHECK(slurp(out / "summary.md").find("**fail**") != std::string::npos);
 }

@@ -8,7 +8,7 @@ using namespace muster;
 
 namespace {
 
-constexpr double kStep = 1.0 / 60.0;
+constexpr double kSteerStep = 1.0 / 60.0;
 
 Environment ground(double patchSpeed) {
     EnvironmentDef def;
@@ -50,10 +50,10 @@ void walk(Characters& c, const std::vector<Vec2>& places, const Environment& env
     std::vector<Vec2> heading(c.size());
     for (int s = 0; s < steps; ++s) {
         for (std::size_t i = 0; i < c.size(); ++i) c.direction[i] = normalized(places[i] - c.position[i]);
-        steering.run(bodies, c, {places, still, facing}, environment, kStep, velocity, heading);
+        steering.run(bodies, c, {places, still, facing}, environment, kSteerStep, velocity, heading);
         c.velocity = velocity;
         c.heading = heading;
-        for (std::size_t i = 0; i < c.size(); ++i) c.position[i] += velocity[i] * kStep;
+        for (std::size_t i = 0; i < c.size(); ++i) c.position[i] += velocity[i] * kSteerStep;
     }
 }
 
@@ -127,7 +127,7 @@ TEST_CASE("the unmatched stand still") {
     std::vector<Vec2> facing(1, Vec2{1, 0});
     std::vector<Vec2> velocity(1);
     std::vector<Vec2> heading(1);
-    steering.run({}, c, {own, still, facing}, environment, kStep, velocity, heading);
+    steering.run({}, c, {own, still, facing}, environment, kSteerStep, velocity, heading);
     CHECK(velocity[0] == Vec2{});
 }
 
@@ -144,7 +144,7 @@ TEST_CASE("within a single-step motion the direction deviates by at most 20 degr
     std::vector<Vec2> velocity(1);
     std::vector<Vec2> heading(1);
     for (int s = 0; s < 60; ++s) {
-        steering.run({}, c, {place, still, facing}, environment, kStep, velocity, heading);
+        steering.run({}, c, {place, still, facing}, environment, kSteerStep, velocity, heading);
         c.velocity = velocity;
     }
     CHECK(dot(normalized(velocity[0]), Vec2{1, 0}) > 0.93);
@@ -164,12 +164,12 @@ TEST_CASE("steering gives the same bits with any number of threads") {
     const SteeringInput input{places, drift, facing};
     Steering steering;
     std::vector<Vec2> velocity(c.size()), heading(c.size()), velocities(c.size()), headings(c.size());
-    steering.run({}, c, input, environment, kStep, velocity, heading);
+    steering.run({}, c, input, environment, kSteerStep, velocity, heading);
     for (const std::int32_t threads : {1, 2, 5}) {
         ThreadPool pool(threads);
         velocities.assign(c.size(), {9, 9});
         headings.assign(c.size(), {9, 9});
-        steering.run({}, c, input, environment, kStep, velocities, headings, &pool);
+        steering.run({}, c, input, environment, kSteerStep, velocities, headings, &pool);
         CHECK(velocities == velocity);
         CHECK(headings == heading);
     }
@@ -187,7 +187,7 @@ TEST_CASE("of two who bar each other abreast the one with the longer way steps b
         const std::vector<PlaceWait> waits(2, PlaceWait{{}, stood});
         std::vector<Vec2> velocity(2), heading(2);
         Steering steering;
-        steering.run({}, c, {places, still, facing, waits}, environment, kStep, velocity, heading);
+        steering.run({}, c, {places, still, facing, waits}, environment, kSteerStep, velocity, heading);
         CHECK(velocity[0].x > 0.0);
         CHECK((velocity[1].x < 0.0) == (stood > 3.0f));
     }
@@ -204,7 +204,7 @@ TEST_CASE("of two who bar each other in file the one ahead steps back, too, wher
         const std::vector<PlaceWait> waits(2, PlaceWait{{}, stood});
         std::vector<Vec2> velocity(2), heading(2);
         Steering steering;
-        steering.run({}, c, {places, still, facing, waits}, environment, kStep, velocity, heading);
+        steering.run({}, c, {places, still, facing, waits}, environment, kSteerStep, velocity, heading);
         const bool ahead = stood > 8.0f && stood < 12.0f;
         CHECK((velocity[0].x < 0.0) == ahead);
         CHECK((velocity[1].x < 0.0) == !ahead);

@@ -8,12 +8,12 @@
 #include "base/maths.h"
 #include "base/random.h"
 #include "lab/picture/canvas.h"
+#include "lab/picture/canvas_pixels.h"
 
 using namespace muster;
+using namespace muster::testing;
 
 namespace {
-
-constexpr Colour kWhite = Colour::of(0xFFFFFF), kBlack = Colour::of(0x000000);
 
 using Loop = std::vector<Vec2>;
 using Loops = std::vector<Loop>;

@@ -6,22 +6,14 @@
 #include <string>
 
 #include "lab/picture/canvas.h"
+#include "lab/picture/canvas_pixels.h"
 #include "lab/picture/debug_draw.h"
 #include "lab/picture/picture.h"
 
-#define STB_IMAGE_STATIC
-#define STB_IMAGE_IMPLEMENTATION
-#define STBI_ONLY_PNG
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#include <stb/stb_image.h>
-#pragma GCC diagnostic pop
-
 using namespace muster;
+using namespace muster::testing;
 
 namespace {
-
-constexpr Colour kWhite = Colour::of(0xFFFFFF), kBlack = Colour::of(0x000000);
 
 /// Sum of ink over a white canvas, in pixels.
 double ink(const Canvas& canvas) {

@@ -12,24 +12,16 @@
 
 #include "base/random.h"
 #include "lab/picture/canvas.h"
+#include "lab/picture/canvas_pixels.h"
 #include "lab/picture/debug_draw.h"
 #include "lab/picture/xml.h"
 
-#define STB_IMAGE_STATIC
-#define STB_IMAGE_IMPLEMENTATION
-#define STBI_ONLY_PNG
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#include <stb/stb_image.h>
-#pragma GCC diagnostic pop
-
 using namespace muster;
-using muster::testing::Element;
-using muster::testing::XmlReader;
+using namespace muster::testing;
 
 namespace {
 
-constexpr Colour kWhite = Colour::of(0xFFFFFF), kBlack = Colour::of(0x000000), kBlue = Colour::of(0x1D5FD1);
+constexpr Colour kBlue = Colour::of(0x1D5FD1);
 
 /// A temporary output path and the file's contents; removed at the end.
 class PictureFile {

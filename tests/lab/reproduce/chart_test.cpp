@@ -12,14 +12,12 @@
 
 #include "files/report/chart_parts.h"
 #include "lab/picture/xml.h"
+#include "lab/reproduce/fake.h"
 
 using namespace muster;
-using muster::testing::Element;
-using muster::testing::XmlReader;
+using namespace muster::testing;
 
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<std::string> labels(const Axis& axis) {
     std::vector<std::string> list;

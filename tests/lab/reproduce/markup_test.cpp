@@ -6,11 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "lab/reproduce/fake.h"
+
 using namespace muster;
+using namespace muster::testing;
 
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 }  // namespace

@@ -7,12 +7,12 @@
 #include <limits>
 
 #include "lab/reproduce/experiments/samples.h"
+#include "lab/reproduce/fake.h"
 
 using namespace muster;
+using namespace muster::testing;
 
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 RunSample sample(double time) {
     RunSample run;

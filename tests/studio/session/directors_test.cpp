@@ -13,7 +13,7 @@ using namespace muster::testing;
 namespace {
 
 /// Two groups of 16, left and right.
-WorldDef twoGroups() {
+WorldDef leftAndRight() {
     WorldDef def = smallFloor();
     def.groups.push_back(def.groups[0]);
     def.groups[0].name = "Left";
@@ -85,7 +85,7 @@ TEST_CASE("Everybody learns who is there, at once and after each change") {
 
 TEST_CASE("A director who was given one group directs it and its parts, and nothing else") {
     Session session = startedSession();
-    REQUIRE(session.load("small", twoGroups()).ok());
+    REQUIRE(session.load("small", leftAndRight()).ok());
     FakeClient anna(session, true, "Anna"), ben(session, true, "Ben");
     run(session, 0.1, {&anna, &ben});
     anna.send(protocol::GiveGroup{ben.id, 2});
@@ -117,7 +117,7 @@ TEST_CASE("A director who was given one group directs it and its parts, and noth
     anna.send(protocol::Commands{R"([{"kind":"merge","groups":[1,2]}])"});
     run(session, 0.3, {&anna, &ben});
     CHECK(newest(ben, 1).groups == std::vector<std::uint32_t>{1, part});
-    REQUIRE(session.load("small", twoGroups()).ok());
+    REQUIRE(session.load("small", leftAndRight()).ok());
     run(session, 0.1, {&anna, &ben});
     CHECK(newest(ben, 1).groups.empty());
 }
