@@ -1,49 +1,7 @@
-// Counts every way to ask for memory. To be included by one file of a test program.
+// Counts every way to ask for memory, in programs that counting_new.cpp is a part of.
 #pragma once
 
 #include <atomic>
-#include <cstdlib>
-#include <new>
-
-namespace {
 
 /// Allocations of the whole program so far.
-std::atomic<long> allocations{0};
-
-void* counted(std::size_t size) noexcept {
-    ++allocations;
-    return std::malloc(size > 0 ? size : 1);
-}
-
-void* countedOrThrow(std::size_t size) {
-    if (void* memory = counted(size)) return memory;
-    throw std::bad_alloc();
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-    return countedOrThrow(size);
-}
-void* operator new[](std::size_t size) {
-    return countedOrThrow(size);
-}
-// std::stable_sort asks without exceptions.
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-    return counted(size);
-}
-void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
-    return counted(size);
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete[](void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
+extern std::atomic<long> allocations;
