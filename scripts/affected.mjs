@@ -55,6 +55,7 @@ const kRules = [
   [/^samples\//, ['consumer']],
   [/^packaging\//, ['consumer']],
   [/^bench\//, ['cpp/bench']],
+  [/^tests\/[^/]+\.(cpp|h)$/, null],
   [/^include\//, ['consumer', 'headers']],
 ];
 

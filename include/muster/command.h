@@ -259,9 +259,9 @@ public:
     CommandBody() : CommandKinds(std::in_place_index<0>) {}
     /// Holds this kind.
     template <class Kind>
-        requires(!std::derived_from<std::remove_cvref_t<Kind>, CommandBody> &&
-                 std::constructible_from<CommandKinds, Kind>)
-    CommandBody(Kind&& kind) : CommandKinds(std::forward<Kind>(kind)) {}
+    requires(!std::derived_from<std::remove_cvref_t<Kind>, CommandBody> &&
+             std::constructible_from<CommandKinds, Kind>) CommandBody(Kind&& kind)
+        : CommandKinds(std::forward<Kind>(kind)) {}
     /// Holds the kind of that index.
     template <std::size_t Index>
     explicit CommandBody(std::in_place_index_t<Index> kind) : CommandKinds(kind) {}

@@ -17,7 +17,9 @@ const char* kFourPeople = R"({"format":"muster-scenario","version":1,"box":[[-6,
 
 std::string smallTake() {
     const std::string take = path("motion.take");
-    REQUIRE(runProgram("play " + put("motion-small.json", kFourPeople) + " --seconds 1 --take " + take).code == 0);
+    REQUIRE(
+        runProgram("play " + put("motion-small.json", kFourPeople) + " --seconds 1 --take " + take).code ==
+        0);
     return take;
 }
 

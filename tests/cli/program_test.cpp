@@ -8,6 +8,7 @@
 #include "files/take/take_encoder.h"
 #include "muster/scenario.h"
 #include "muster/take.h"
+#include "muster/views.h"
 
 using namespace muster::testing;
 using Json = nlohmann::json;
@@ -158,7 +159,7 @@ TEST_CASE("play reports every result by name, records a take that replays, and w
     CHECK(figures["planned"]["squares_m2"].get<double>() >= 0.0);
     CHECK(figures["steps"] == 480);
     CHECK(figures["path_ratio"].is_null());
-    CHECK(figures["step_ms"]["stages"].size() == 12);
+    CHECK(figures["step_ms"]["stages"].size() == muster::kStageCount);
     CHECK(figures["events"]["arrived"] == 1);
     CHECK(figures["events"]["stuck"] == 0);
     CHECK(figures["events"]["noPath"] == 0);

@@ -60,7 +60,7 @@ const Shape& broadShape() {
         Section{1.733f, 0.043f, 0.056f, 0.048f},
     };
     static const Shape kShape{kPelvis, kShirtRings, kLeg,   kSleeve, kArm,   kNeck, kHead, 6,   8,
-                              0.055f,  0.795f, 1.605f, 1.525f,  0.013f, false, 1.0f,  1.0f};
+                              0.055f,  0.795f,      1.605f, 1.525f,  0.013f, false, 1.0f,  1.0f};
     return kShape;
 }
 
@@ -120,7 +120,7 @@ const Shape& narrowShape() {
         Section{1.733f, 0.042f, 0.055f, 0.047f},
     };
     static const Shape kShape{kPelvis, kShirtRings, kLeg,   kSleeve, kArm,   kNeck, kHead, 6,   8,
-                              0.055f,  0.795f, 1.630f, 1.545f,  0.014f, true,  0.88f, 0.9f};
+                              0.055f,  0.795f,      1.630f, 1.545f,  0.014f, true,  0.88f, 0.9f};
     return kShape;
 }
 

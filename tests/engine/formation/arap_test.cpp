@@ -1,5 +1,5 @@
-#include "engine/formation/mesh_fixture.h"
 #include "engine/formation/mesh/arap.h"
+#include "engine/formation/mesh_fixture.h"
 
 #include <doctest.h>
 

@@ -79,7 +79,8 @@ TEST_CASE("corners and edges are exact, and their neighbourhood is smooth") {
         }
         for (const double off : {1e-3, 1e-6, 1e-9, 1e-12, 1e-14, 1e-15, 1e-17}) {
             for (const double side : {1.0, -1.0}) {
-                const Vec2 p = onEdge + normalized(perpendicular(kHookWithRoom[j] - kHookWithRoom[i])) * (off * side);
+                const Vec2 p = onEdge +
+                               normalized(perpendicular(kHookWithRoom[j] - kHookWithRoom[i])) * (off * side);
                 CHECK(errorAt(kHookWithRoom, p) < 1e-9);
                 CHECK(errorAt(kHookWithRoom, kHookWithRoom[i] + Vec2{off, side * off}) < 1e-9);
                 meanValueCoordinates(kHookWithRoom, p, near);

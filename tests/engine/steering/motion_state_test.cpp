@@ -197,7 +197,8 @@ TEST_CASE("leaving a patch before the entry has played ends the entry") {
     Strip strip({{5, 5.3, kCrawling}});
     strip.walker.to(8.0);
     strip.walker.wait(1.0);
-    CHECK(transitionsOf(strip.walker) == std::vector<std::int32_t>{kCrawling, -kCrawling, kCrawling, -kCrawling});
+    CHECK(transitionsOf(strip.walker) ==
+          std::vector<std::int32_t>{kCrawling, -kCrawling, kCrawling, -kCrawling});
     CHECK(strip.walker.characters.motion[0] == 0);
 }
 
@@ -212,8 +213,8 @@ TEST_CASE("from crawling straight into swimming both transitions play, one after
     CHECK(w.characters.motion[0] == kSwim);
     w.to(14.0);
     w.wait(1.0);
-    CHECK(transitionsOf(w) ==
-          std::vector<std::int32_t>{kCrawling, -kCrawling, kCrawling, -kCrawling, kSwim, -kSwim, kSwim, -kSwim});
+    CHECK(transitionsOf(w) == std::vector<std::int32_t>{kCrawling, -kCrawling, kCrawling, -kCrawling, kSwim,
+                                                        -kSwim, kSwim, -kSwim});
     CHECK(w.count(MotionChange::EnterPatch) == 2);
     CHECK(w.count(MotionChange::LeavePatch) == 2);
 }

@@ -193,7 +193,8 @@ TEST_CASE("a car on its path touches nobody who can step out of its path") {
 TEST_CASE("with a quick car crossing in front, walkers keep clear of it and all arrive") {
     WorldDef def = openFloor(9);
     ObstacleDef car = tree({0, -9}, 0.6);
-    car.path.waypoints = {{0, {0, 0}, 0}, {6, {0, 18}, 0}, {12, {0, 0}, 0}};  // 3 m/s: faster than they runSteps.
+    car.path.waypoints = {
+        {0, {0, 0}, 0}, {6, {0, 18}, 0}, {12, {0, 0}, 0}};  // 3 m/s: faster than they runSteps.
     car.path.loop = true;
     def.obstacles.push_back(car);
     World world = World::create(def).value();

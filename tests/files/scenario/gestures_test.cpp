@@ -164,14 +164,17 @@ TEST_CASE("every kind of command survives the file") {
 TEST_CASE("errors are reported by field") {
     CHECK(gesturesFailure(R"({"kind":"up","touch":1})").find("G.json: $.events[0]: found no \"t\"") == 0);
     CHECK(gesturesFailure(R"({"t":-1,"kind":"up","touch":1})").find("$.events[0].t:") != std::string::npos);
-    CHECK(gesturesFailure(R"({"t":1,"kind":"poke","touch":1})").find("$.events[0].kind:") != std::string::npos);
+    CHECK(gesturesFailure(R"({"t":1,"kind":"poke","touch":1})").find("$.events[0].kind:") !=
+          std::string::npos);
     CHECK(gesturesFailure(R"({"t":1,"kind":"down","touch":1,"x":0})").find("no \"y\"") != std::string::npos);
-    CHECK(gesturesFailure(R"({"t":1,"kind":"up","touch":1,"x":0})").find("unknown key \"x\"") != std::string::npos);
-    CHECK(gesturesFailure(R"({"t":1,"kind":"up","touch":1.5})").find("$.events[0].touch:") != std::string::npos);
+    CHECK(gesturesFailure(R"({"t":1,"kind":"up","touch":1,"x":0})").find("unknown key \"x\"") !=
+          std::string::npos);
+    CHECK(gesturesFailure(R"({"t":1,"kind":"up","touch":1.5})").find("$.events[0].touch:") !=
+          std::string::npos);
     CHECK(gesturesFailure(R"({"t":1,"kind":"formation","group":1,"formation":"blob"})")
               .find("$.events[0].formation.kind:") != std::string::npos);
-    CHECK(gesturesFailure(R"({"t":1,"kind":"parameter","name":"plan.exponent","value":0})").find("$.events[0]") !=
-          std::string::npos);
+    CHECK(gesturesFailure(R"({"t":1,"kind":"parameter","name":"plan.exponent","value":0})")
+              .find("$.events[0]") != std::string::npos);
     CHECK(!parseGestures("{}", "G", kStep).ok());
     CHECK(!parseGestures(R"({"format":"muster-scenario","version":1,"events":[]})", "G", kStep).ok());
 }

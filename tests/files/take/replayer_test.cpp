@@ -288,7 +288,7 @@ TEST_CASE("an event that the world does not tell ends the replay at its step") {
     };
     const std::string step = std::to_string(told[0].step);
     CHECK(refused([](TakeEvent& e) { ++e.event.value; }) ==
-          "step " + step + ": found no event 'arrived' of 1 with 5, expected it as replayable");
+          "step " + step + ": found no event 'arrived' of 1 with 5, expected it as recorded");
     CHECK(refused([](TakeEvent& e) { e.event.kind = EventKind::NoPath; }).rfind("step " + step, 0) == 0);
     CHECK(refused([](TakeEvent& e) { e.step -= 1; }).rfind("step " + std::to_string(told[0].step - 1), 0) ==
           0);

@@ -9,10 +9,10 @@
 namespace muster {
 namespace {
 
-constexpr double kCutBeyond = 1.2;    // A cut begins and ends so far beyond the crowd [m].
-constexpr double kLaterShare = 1.4;   // What is decided later takes so many times as long as it would now.
-constexpr double kLoosest = 1.25;     // A front collects all before it up to this spacing, in spacings.
-constexpr double kLaneMargin = 1.0;   // A lane goes on so far behind its last item [m].
+constexpr double kCutBeyond = 1.2;   // A cut begins and ends so far beyond the crowd [m].
+constexpr double kLaterShare = 1.4;  // What is decided later takes so many times as long as it would now.
+constexpr double kLoosest = 1.25;    // A front collects all before it up to this spacing, in spacings.
+constexpr double kLaneMargin = 1.0;  // A lane goes on so far behind its last item [m].
 constexpr std::size_t kLeftForLater = 3;  // So few items may be left for later.
 
 double median(std::vector<double> values, double share) {

@@ -10,7 +10,7 @@ constexpr double kSwathShare = 0.8;   // Of the width of a part, which one count
 constexpr double kFrontShare = 0.75;  // Of a walker's speed, which a wide front makes.
 constexpr double kThinShare = 0.6;    // The same for one of a single rank: it bends more, and misses more.
 constexpr double kRanks = 1.3;        // A front is thin that has fewer.
-constexpr double kTapTime = 0.05;  // A finger is down for a tap [s].
+constexpr double kTapTime = 0.05;     // A finger is down for a tap [s].
 
 double wayLength(Vec2 from, std::span<const Vec2> way) {
     double sum = 0.0;

@@ -77,7 +77,8 @@ std::vector<double> leastBySimplex(const Function& value, const std::vector<doub
     while (values < kMostValues) {
         std::stable_sort(corners.begin(), corners.end(),
                          [](const Corner& a, const Corner& b) { return a.value < b.value; });
-        if (corners.back().value - corners.front().value <= kSpreadEnough * (1.0 + std::abs(corners.front().value)))
+        if (corners.back().value - corners.front().value <=
+            kSpreadEnough * (1.0 + std::abs(corners.front().value)))
             break;
         advance(counted, corners);
     }

@@ -44,8 +44,8 @@ void edit(Environment& environment, Random& random) {
             break;
         case 2:
             if (!environment.obstacleIds().empty())
-                REQUIRE(environment.changeObstacle(environment.obstacleIds().back(), someObstacle(random))
-                            .ok());
+                REQUIRE(
+                    environment.changeObstacle(environment.obstacleIds().back(), someObstacle(random)).ok());
             break;
         case 3:
             REQUIRE(environment.addPatch(somePatch(random)).ok());
