@@ -29,7 +29,7 @@ void printWalk(const char* name, const WalkTotals& walk) {
 
 Json figuresJson(const RunFigures& f) {
     Json stages = Json::object();
-    for (std::size_t s = 0; s < f.stageMean.size(); ++s) stages[stepStages()[s].name] = f.stageMean[s];
+    for (std::size_t s = 0; s < f.stageMean.size(); ++s) stages[stepStages()[s].name.data()] = f.stageMean[s];
     Json events = Json::object();
     for (std::size_t k = 0; k < f.events.size(); ++k)
         events[eventKindName(static_cast<EventKind>(k))] = f.events[k];
@@ -85,7 +85,7 @@ void printFigures(const RunFigures& f) {
     }
     std::printf("step_ms                    p50 %.2f  p95 %.2f  max %.2f\n", f.stepP50, f.stepP95, f.stepMax);
     for (std::size_t s = 0; s < f.stageMean.size(); ++s) {
-        std::printf("  %-24s mean %.3f\n", stepStages()[s].name, f.stageMean[s]);
+        std::printf("  %-24s mean %.3f\n", stepStages()[s].name.data(), f.stageMean[s]);
     }
 }
 

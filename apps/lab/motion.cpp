@@ -160,7 +160,7 @@ Status addClips(const std::string& name, double unit, std::vector<Clip>& clips) 
     if (!found.ok()) return found.status();
     for (Clip& clip : found->clips) clips.push_back(std::move(clip));
     if (!found->motion) return {};
-    auto clip = retarget(*found->motion, {.name = stemOf(name)});
+    auto clip = retarget(*found->motion, {stemOf(name), "run", {}});
     if (!clip.ok()) return clip.status().within(name);
     clips.push_back(std::move(clip).value());
     return {};

@@ -97,7 +97,7 @@ std::string stagesOf(const World& world) {
     char part[80];
     for (std::size_t k = 0; k < times.milliseconds.size(); ++k) {
         if (times.milliseconds[k] < kLong) continue;
-        std::snprintf(part, sizeof part, "%s%s %.2f", text.empty() ? "" : ", ", stepStages()[k].name,
+        std::snprintf(part, sizeof part, "%s%s %.2f", text.empty() ? "" : ", ", stepStages()[k].name.data(),
                       times.milliseconds[k]);
         text += part;
     }

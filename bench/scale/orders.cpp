@@ -182,7 +182,7 @@ std::string stagesOf(const StageTimes& times) {
     for (std::size_t k = 0; k < times.milliseconds.size(); ++k) {
         if (times.milliseconds[k] < 0.5) continue;
         char part[64];
-        std::snprintf(part, sizeof(part), "%s%s %.1f", text.empty() ? "" : ", ", stepStages()[k].name,
+        std::snprintf(part, sizeof(part), "%s%s %.1f", text.empty() ? "" : ", ", stepStages()[k].name.data(),
                       times.milliseconds[k]);
         text += part;
     }

@@ -35,7 +35,7 @@ std::string text(const char* name, const std::string& value) {
 std::string stagesJson(const Row& row) {
     std::string all = "{";
     for (std::size_t k = 0; k < row.stages.size(); ++k)
-        all += (k > 0 ? ", " : "") + key(stepStages()[k].name) + format("%.4f", row.stages[k]);
+        all += (k > 0 ? ", " : "") + key(stepStages()[k].name.data()) + format("%.4f", row.stages[k]);
     return all + "}";
 }
 

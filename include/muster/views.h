@@ -26,10 +26,10 @@ inline constexpr std::size_t kStageCount = 41;
 
 /// A stage of the step.
 struct StageInfo {
-    const char* name = "";    ///< "commands", "orders", "controls"...
-    const char* reads = "";   ///< What it reads of the state and of the stages before it.
-    const char* writes = "";  ///< What it writes.
-    const char* about = "";   ///< What it does, in one sentence.
+    std::string_view name;    ///< "commands", "orders", "controls"...
+    std::string_view reads;   ///< What it reads of the state and of the stages before it.
+    std::string_view writes;  ///< What it writes.
+    std::string_view about;   ///< What it does, in one sentence.
 };
 /// The stages of a step, in their order.
 std::span<const StageInfo, kStageCount> stepStages();

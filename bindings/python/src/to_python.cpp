@@ -35,7 +35,7 @@ py::object toPython(const std::array<double, 3>& value) {
 
 py::object toPython(const std::array<double, kStageCount>& value) {
     py::dict times;
-    for (std::size_t i = 0; i < value.size(); ++i) times[stepStages()[i].name] = value[i];
+    for (std::size_t i = 0; i < value.size(); ++i) times[stepStages()[i].name.data()] = value[i];
     return times;
 }
 

@@ -113,7 +113,7 @@ TEST_SUITE("the host of the C API") {
         REQUIRE(count == static_cast<int>(kStageCount));
         double sum = 0.0;
         for (std::int32_t i = 0; i < count; ++i) {
-            CHECK(std::string(stages[i].name) == stepStages()[i].name);
+            CHECK(std::string(stages[i].name) == stepStages()[i].name.data());
             sum += stages[i].milliseconds;
         }
         CHECK(sum <= total);

@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 #include "engine/world/scenes.h"
 #include "folders.h"
@@ -89,19 +90,22 @@ TEST_CASE("the view of a patch, and of a patch that is not there") {
 TEST_CASE("stages have names of their own, and say what they read, write and do") {
     std::set<std::string> names;
     for (const StageInfo& stage : stepStages()) {
-        CAPTURE(stage.name);
-        CHECK(names.insert(stage.name).second);
-        CHECK(std::string(stage.reads) != "");
-        CHECK(std::string(stage.writes) != "");
-        CHECK(std::string(stage.about).back() == '.');
+        CAPTURE(std::string(stage.name));
+        CHECK(names.insert(std::string(stage.name)).second);
+        CHECK_FALSE(stage.reads.empty());
+        CHECK_FALSE(stage.writes.empty());
+        CHECK(stage.about.back() == '.');
     }
 }
 
 TEST_CASE("the page on the architecture shows the table of stages") {
     std::string table = "| stage | reads | writes | what it does |\n| --- | --- | --- | --- |\n";
-    for (const StageInfo& stage : stepStages())
-        table += std::string("| ") + stage.name + " | " + stage.reads + " | " + stage.writes + " | " +
-                 stage.about + " |\n";
+    for (const StageInfo& stage : stepStages()) {
+        for (const std::string_view cell : {stage.name, stage.reads, stage.writes, stage.about})
+            table += "| " + std::string(cell) + " ";
+        table += "|\n";
+    }
+
     std::ifstream file(sourceFolder() + "/docs/architecture.md");
     std::stringstream page;
     page << file.rdbuf();

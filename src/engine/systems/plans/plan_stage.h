@@ -9,7 +9,7 @@
 #include "engine/assignment/planning/plan.h"
 #include "engine/state/world_state.h"
 #include "engine/systems/passages/way_stage.h"
-#include "engine/systems/plans/group_members.h"
+#include "engine/systems/steering/group_members.h"
 #include "muster/event.h"
 
 namespace muster {

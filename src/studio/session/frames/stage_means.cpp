@@ -24,7 +24,8 @@ void StageMeans::make(std::uint32_t step) {
     message.total = static_cast<float>(total_ / kWindow);
     for (std::size_t s = 0; s < kStageCount; ++s) {
         const StageInfo& stage = stepStages()[s];
-        message.stages.push_back({stage.name, stage.about, static_cast<float>(sums_[s] / kWindow)});
+        message.stages.push_back(
+            {std::string(stage.name), std::string(stage.about), static_cast<float>(sums_[s] / kWindow)});
     }
     message_ = protocol::encode(message);
     ++revision_;

@@ -1,4 +1,4 @@
-#include "engine/systems/plans/group_members.h"
+#include "engine/systems/steering/group_members.h"
 
 namespace muster {
 
