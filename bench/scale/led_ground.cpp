@@ -160,7 +160,8 @@ std::string ledGroundText(const LedGroundRow& row) {
                   row.route, row.led, row.arrived, row.missing, row.p50, row.p95, row.p99, row.most);
     std::string all = text;
     for (std::size_t k = 0; k < row.stages.size(); ++k) {
-        std::snprintf(text, sizeof(text), "  %-18s %7.3f ms  mean\n", stepStages()[k].name.data(), row.stages[k]);
+        std::snprintf(text, sizeof(text), "  %-18s %7.3f ms  mean\n", stepStages()[k].name.data(),
+                      row.stages[k]);
         all += text;
     }
     std::snprintf(text, sizeof(text),

@@ -136,7 +136,8 @@ MusterStatus muster_world_stage_times(MusterWorldId world, const MusterStageTime
         const StageTimes times = handle.world().stageTimes();
         const std::size_t count = times.milliseconds.size();
         auto* const stages = handle.lend(Lent::StageTimes).make<MusterStageTime>(count);
-        for (std::size_t i = 0; i < count; ++i) stages[i] = {stepStages()[i].name.data(), times.milliseconds[i]};
+        for (std::size_t i = 0; i < count; ++i)
+            stages[i] = {stepStages()[i].name.data(), times.milliseconds[i]};
         *outStages = stages;
         *outCount = static_cast<std::int32_t>(count);
         *outTotal = times.total;

@@ -13,9 +13,9 @@
 #include "engine/steering/crowd_bodies.h"
 #include "engine/steering/steering.h"
 #include "engine/systems/passages/way_stage.h"
-#include "engine/systems/steering/group_members.h"
 #include "engine/systems/steering/continuum_stage.h"
 #include "engine/systems/steering/go_round.h"
+#include "engine/systems/steering/group_members.h"
 #include "engine/systems/steering/own_routes.h"
 
 namespace muster {
