@@ -26,7 +26,7 @@ uses() {
         hashes | export | blender | server | python) echo muster_program ;;
         paper) echo muster_program muster_lab ;;
         wasm) echo scenario_hashes wasm:scenario_hashes ;;
-        consumer) echo muster_program muster_lab page ;;
+        consumer) echo muster_everything page ;;
         browser | firefox) echo muster_program page ;;
         player) echo muster_program page ;;
         javascript) echo muster_program page wasm:muster_javascript ;;
