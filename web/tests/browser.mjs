@@ -33,6 +33,7 @@ import * as paths from './cases/path.mjs';
 import * as takes from './cases/takes.mjs';
 import * as touch from './cases/touch.mjs';
 import * as undo from './cases/undo.mjs';
+import { chosenCases } from './support/chosen_cases.mjs';
 import { openChromium } from './support/chromium.mjs';
 import { startMadeCrowd } from './support/made_crowd.mjs';
 import { kPort, startStudio } from './support/server.mjs';
@@ -226,7 +227,12 @@ const kCases = [
   ['takes: life of a take', takes.life, ['desktop', 'phone'], { scenario: 'web/tests/scenarios/hundred.json' }],
   ['takes: scrub and trim', takes.scrubAndTrim, ['landscape', 'phone'], { scenario: 'scenarios/open.json' }],
   ['takes: again and on top', takes.againAndOnTop, ['desktop'], { scenario: 'web/tests/scenarios/two-groups.json' }],
-  ['takes: film camera', film.filmCamera, ['desktop', 'portrait', 'phone'], { scenario: 'scenarios/open.json', release: true }],
+  [
+    'takes: film camera',
+    film.filmCamera,
+    ['desktop', 'portrait', 'phone'],
+    { scenario: 'scenarios/open.json', release: true },
+  ],
   [
     'paths: by finger',
     (studio) => paths.path(studio, false),
@@ -288,13 +294,6 @@ const kCases = [
   ...realMaps.cases(),
 ];
 
-const at = process.argv.indexOf('--only');
-const only = at > 0 ? process.argv[at + 1] : '';
-const everything = process.argv.includes('--all');
-const sizesNow = (sizes, { release, everySize }) => {
-  if (everything || everySize) return sizes;
-  return release ? [] : sizes.slice(0, 1);
-};
 let server = await startStudio();
 const browser = await openChromium();
 let passed = 0;
@@ -383,16 +382,8 @@ async function runCase(one) {
   failed.push(`${title}): ${reason}`);
 }
 
-const all = kCases
-  .filter(([name]) => name.includes(only))
-  .flatMap(([name, test, sizes, options]) =>
-    sizesNow(sizes, options).map((size) => ({ name, test, size, options })),
-  );
-// Those that share a page follow each other.
-const key = ({ size, options }) => `${options.touch === false ? 1 : 0} ${size}`;
-const together = all.filter(({ options }) => options.shared).sort((a, b) => key(a).localeCompare(key(b)));
 try {
-  for (const one of [...all.filter(({ options }) => !options.shared), ...together]) await runCase(one);
+  for (const one of chosenCases(kCases, process.argv)) await runCase(one);
 } finally {
   await closeShared();
   await browser.close();

@@ -15,7 +15,7 @@ namespace muster::c_api {
 
 /// True for pairs of types whose members stand at the same places.
 template <class A, class B>
-inline constexpr bool kSame = sizeof(A) == sizeof(B) && alignof(A) == alignof(B);
+inline constexpr bool kSame = sizeof(A) == sizeof(B) ? alignof(A) == alignof(B) : false;
 
 static_assert(offsetof(MusterVec2, y) == offsetof(Vec2, y));
 static_assert(offsetof(MusterBox, max) == offsetof(Box, max));

@@ -172,7 +172,8 @@ public:
     template <class A, class Container>
     void list(const A*& c, std::int32_t& count, const Container& p, const char*) {
         using B = typename Container::value_type;
-        static_assert(sizeof(A) == sizeof(B) && alignof(A) == alignof(B));
+        static_assert(sizeof(A) == sizeof(B));
+        static_assert(alignof(A) == alignof(B));
         count = static_cast<std::int32_t>(p.size());
         c = p.empty() ? nullptr : reinterpret_cast<const A*>(p.data());
     }
