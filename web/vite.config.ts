@@ -22,6 +22,8 @@ export default defineConfig({
   test: {
     // Tests that need a document say so: `// @vitest-environment jsdom`.
     environment: 'node',
+    // No test asserts a time; a busy machine may take long.
+    testTimeout: 60000,
     include: ['src/**/*.test.ts'],
   },
 });
