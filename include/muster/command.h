@@ -256,7 +256,7 @@ using CommandKinds = std::variant<
 /// destroying are compiled once in the library, since each of them takes one function for each kind.
 class CommandBody : public CommandKinds {
 public:
-    CommandBody() : CommandKinds(std::in_place_index<0>) {}
+    CommandBody() : CommandKinds(std::in_place_index<0>) {}  ///< A TouchDown.
     /// Holds this kind.
     template <class Kind>
     requires(!std::derived_from<std::remove_cvref_t<Kind>, CommandBody> &&
@@ -265,10 +265,10 @@ public:
     /// Holds the kind of that index.
     template <std::size_t Index>
     explicit CommandBody(std::in_place_index_t<Index> kind) : CommandKinds(kind) {}
-    CommandBody(const CommandBody& other);
-    CommandBody(CommandBody&& other) noexcept;
-    CommandBody& operator=(const CommandBody& other);
-    CommandBody& operator=(CommandBody&& other) noexcept;
+    CommandBody(const CommandBody& other);                 ///< A copy.
+    CommandBody(CommandBody&& other) noexcept;             ///< What the other held.
+    CommandBody& operator=(const CommandBody& other);      ///< Becomes a copy.
+    CommandBody& operator=(CommandBody&& other) noexcept;  ///< Takes what the other held.
     ~CommandBody();
 };
 
