@@ -2,7 +2,7 @@
 # The rules of style; ends with "N passed, N failed". Usage: style.sh [--all | --format]
 #
 #     without an option   formatting and words of all files; clang-tidy and lonely headers of those that differ from origin/main,
-#                         of at most forty each, which are drawn where there are more
+#                         of at most twenty each, which are drawn where there are more
 #     --all               everything of all files
 #     --format            formatting, words, links and paths of all files only
 #
@@ -65,11 +65,11 @@ links() {
 # some KIND: of the files on standard input as many as a push has time for.
 some() {
     sort >"$work/some"
-    if [ "$what" != changed ] || [ "$(wc -l <"$work/some")" -le 40 ]; then
+    if [ "$what" != changed ] || [ "$(wc -l <"$work/some")" -le 20 ]; then
         cat "$work/some"
     else
-        echo "measured: $1 looks at 40 of $(wc -l <"$work/some") changed files; --all looks at all" >&2
-        shuf -n 40 --random-source=<(yes "$(git rev-parse HEAD)") "$work/some"
+        echo "measured: $1 looks at 20 of $(wc -l <"$work/some") changed files; --all looks at all" >&2
+        shuf -n 20 --random-source=<(yes "$(git rev-parse HEAD)") "$work/some"
     fi
 }
 

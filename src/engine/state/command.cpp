@@ -60,7 +60,7 @@ Status moment(double time) {
     return invalidArgument("time is not in [0, 1e9] s");
 }
 
-Status both(Status a, Status b) {
+Status both(const Status& a, const Status& b) {
     return a.ok() ? b : a;
 }
 

@@ -254,6 +254,7 @@ void UnitCostBuilder::updateCell(const Parameters& parameters, const DensityFiel
     };
     const CellCost out{unitCost(ground.east, {1.0, 0.0}), unitCost(ground.north, {0.0, 1.0}),
                        unitCost(ground.west, {-1.0, 0.0}), unitCost(ground.south, {0.0, -1.0})};
+    // Equal bits are meant. NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
     if (std::memcmp(&out, &ground, sizeof(CellCost)) == 0) return;
     cost_.cells[index] = out;
     dynamicCells_.push_back(index);
