@@ -17,8 +17,8 @@ HEADERS = (
 ).split()
 # What has a Python class of its own, or none.
 LEFT_OUT = {
-    "TriangleMesh", "CharactersView", "GroupView", "ObstacleView", "PatchView", "StageTimes", "Rejection", "Take",
-    "TakeFrame", "ReplayFrom",
+    "TriangleMesh", "CharactersView", "GroupView", "ObstacleView", "PatchView", "StageInfo", "StageTimes", "Rejection",
+    "Take", "TakeFrame", "ReplayFrom",
 }  # fmt: skip
 RENAMED = {"def": "placement", "from": "from_"}
 NUMBERS = {f"std::{sign}int{bits}_t" for sign in ("", "u") for bits in (8, 16, 32, 64)} | {"std::size_t", "MotionId"}
