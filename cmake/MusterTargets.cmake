@@ -115,7 +115,7 @@ endfunction()
 
 # Headers of the standard library, compiled once for all targets that are optimised alike. Each source includes what it needs
 # all the same.
-if(MUSTER_PRECOMPILE AND CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache$")
+if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache$")
     # ccache looks at what uses a precompiled header only if it is told that it may.
     set(CMAKE_CXX_COMPILER_LAUNCHER
         ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CMAKE_CXX_COMPILER_LAUNCHER})

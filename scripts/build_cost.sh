@@ -31,26 +31,25 @@ measured() {
         '{ printf "%-11s %4d objects %5.0f core-seconds %5.0f s\n", part, objects, $2 + $3, $1 }' <<<"$times"
 }
 
-for part in "${@:-library studio lab everything}"; do
-    for part in $part; do
-        build=$work/$part
-        case "$part" in
-            library)
-                mkdir "$work/game"
-                printf '%s\n' 'cmake_minimum_required(VERSION 3.25)' 'project(game CXX)' 'set(MUSTER_COMPONENTS core)' \
-                    "add_subdirectory(\"$root\" muster)" >"$work/game/CMakeLists.txt"
-                cmake -S "$work/game" -B "$build" -G Ninja >/dev/null || fail "cmake could not configure the core"
-                measured library "$build" all
-                ;;
-            studio | lab | everything)
-                cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release >/dev/null 2>&1 || fail "cmake could not configure $part"
-                targets=(muster_program)
-                [ "$part" = studio ] || targets+=(muster_lab)
-                [ "$part" != everything ] || targets=(all)
-                measured "$part" "$build" "${targets[@]}"
-                ;;
-            *) fail "no part is called '$part'; see scripts/build_cost.sh --help" ;;
-        esac
-        rm -rf "$build"
-    done
+[ $# -gt 0 ] || set -- library studio lab everything
+for part in "$@"; do
+    build=$work/$part
+    case "$part" in
+        library)
+            mkdir "$work/game"
+            printf '%s\n' 'cmake_minimum_required(VERSION 3.25)' 'project(game CXX)' 'set(MUSTER_COMPONENTS core)' \
+                "add_subdirectory(\"$root\" muster)" >"$work/game/CMakeLists.txt"
+            cmake -S "$work/game" -B "$build" -G Ninja >/dev/null || fail "cmake could not configure the core"
+            measured library "$build" all
+            ;;
+        studio | lab | everything)
+            cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release >/dev/null 2>&1 || fail "cmake could not configure $part"
+            targets=(muster_program)
+            [ "$part" = studio ] || targets+=(muster_lab)
+            [ "$part" != everything ] || targets=(all)
+            measured "$part" "$build" "${targets[@]}"
+            ;;
+        *) fail "no part is called '$part'; see scripts/build_cost.sh --help" ;;
+    esac
+    rm -rf "$build"
 done

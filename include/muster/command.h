@@ -269,7 +269,7 @@ public:
     CommandBody(CommandBody&& other) noexcept;             ///< What the other held.
     CommandBody& operator=(const CommandBody& other);      ///< Becomes a copy.
     CommandBody& operator=(CommandBody&& other) noexcept;  ///< Takes what the other held.
-    ~CommandBody();
+    ~CommandBody();                                        ///< Destroys what it holds.
 };
 
 /// A change of a world, with its step and sender. Commands apply in the order of (step, client, sequence).

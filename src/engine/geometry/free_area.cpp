@@ -3,11 +3,13 @@
 #include "engine/geometry/free_area.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <tuple>
 #include <utility>
 
+#include "base/bounds.h"
 #include "base/maths.h"
 
 namespace muster {
@@ -27,15 +29,6 @@ using Interval = std::pair<double, double>;
 
 bool before(Vec2 a, Vec2 b) {
     return std::tie(a.x, a.y) < std::tie(b.x, b.y);
-}
-
-Box boundsOf(const Polygon& polygon) {
-    Box bounds{polygon.front(), polygon.front()};
-    for (const Vec2 p : polygon) {
-        bounds.min = {std::min(bounds.min.x, p.x), std::min(bounds.min.y, p.y)};
-        bounds.max = {std::max(bounds.max.x, p.x), std::max(bounds.max.y, p.y)};
-    }
-    return bounds;
 }
 
 /// The part of the edge from `a` to `b` that another polygon takes away, as shares of its length. Of two
@@ -91,7 +84,7 @@ private:
     // Adds what is left of the edge of a polygon.
     void cut(std::size_t polygon, Vec2 a, Vec2 b, std::vector<Piece>& pieces) {
         taken_.clear();
-        const Box edge = boundsOf({a, b});
+        const Box edge = boundsOf(std::array{a, b});
         for (std::size_t j = 0; j < polygons_.size(); ++j) {
             if (j == polygon || !overlap(bounds_[j], edge)) continue;
             if (const auto taken = takenBy(polygons_[j], j < polygon, a, b)) taken_.push_back(*taken);
