@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "engine/assignment/planning/fixed_costs.h"
 #include "engine/assignment/planning/plan.h"
 
 namespace {
@@ -81,6 +82,8 @@ muster::UnitCost ground() {
 void exactPlan(benchmark::State& state, double away, bool incumbents) {
     const auto n = static_cast<std::int32_t>(state.range(0));
     const muster::UnitCost cost = ground();
+    muster::FixedCosts costs;
+    costs.unit = &cost;
     const std::vector<Vec2> characters = block(n, {6, 12}, 0.8);
     const std::vector<Vec2> places = block(n, {6 + away, 12}, 0.8);
     std::vector<std::int32_t> incumbent(characters.size(), -1);
@@ -89,7 +92,7 @@ void exactPlan(benchmark::State& state, double away, bool incumbents) {
     muster::ThreadPool pool(1);
     muster::PlanResult result;
     for (auto _ : state) {
-        benchmark::DoNotOptimize(plan->start({}, {characters, {}, places, {}, {}, incumbent, &cost}).ok());
+        benchmark::DoNotOptimize(plan->start({}, {characters, {}, places, {}, {}, incumbent, &costs}).ok());
         benchmark::DoNotOptimize(plan->finish(pool, result).ok());
     }
     state.counters["objective"] = result.objective;

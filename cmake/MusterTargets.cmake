@@ -121,12 +121,11 @@ if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache$")
         ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CMAKE_CXX_COMPILER_LAUNCHER})
 endif()
 
-# muster_precompiled(kind option...): the library whose precompiled header targets of that kind use.
+# muster_precompiled(kind): the library whose precompiled header targets of that kind use.
 function(muster_precompiled kind)
     add_library(muster_precompiled_${kind} OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
     set_target_properties(muster_precompiled_${kind} PROPERTIES POSITION_INDEPENDENT_CODE ON)
     target_link_libraries(muster_precompiled_${kind} PRIVATE muster_flags muster_warnings)
-    target_compile_options(muster_precompiled_${kind} PRIVATE ${ARGN})
     target_precompile_headers(muster_precompiled_${kind} PRIVATE <algorithm> <array> <cmath> <cstdint> <functional> <map> <memory>
         <optional> <span> <string> <utility> <variant> <vector>)
 endfunction()
@@ -137,24 +136,29 @@ function(muster_compile_quickly target)
     cmake_parse_arguments(COMPILE "LIGHTLY" "" "" ${ARGN})
     muster_compile_together(${target})
     set(kind full)
-    set(options "")
     if(COMPILE_LIGHTLY AND NOT EMSCRIPTEN AND NOT MSVC)
         set(kind light)
-        set(options $<$<NOT:$<CONFIG:Debug>>:-O2>)
-        # g++ 12 warns of strings that it has half inlined.
-        list(APPEND options $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds> $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
-            $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
-            $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
-        target_compile_options(${target} PRIVATE ${options})
+        muster_optimise_lightly(${target})
     endif()
     if(NOT MUSTER_PRECOMPILE OR EMSCRIPTEN OR MSVC)
         return()
     endif()
     if(NOT TARGET muster_precompiled_${kind})
-        muster_precompiled(${kind} ${options})
+        muster_precompiled(${kind})
+        if(kind STREQUAL "light")
+            muster_optimise_lightly(muster_precompiled_light)
+        endif()
     endif()
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
     target_precompile_headers(${target} REUSE_FROM muster_precompiled_${kind})
+endfunction()
+
+# muster_optimise_lightly(target): with -O2, since no step runs in it.
+function(muster_optimise_lightly target)
+    # g++ 12 warns of strings that it has half inlined.
+    target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O2> $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>
+        $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
+        $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endfunction()
 
 # muster_compile_together(target): compiles the sources of this target many at a time (a unity build), which takes a third of

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lab_commands.h"
+#include "lab_commands_list.h"
 #include "motion_bodies.h"
 #include "motion_parts.h"
 #include "muster/own_clips.h"
@@ -216,7 +217,7 @@ int motion(const MotionOptions& options) {
 }  // namespace
 
 void addMotionCommand(CommandLine& line) {
-    Subcommand command = line.add("motion", "Lengths, speeds and contacts of motion clips.");
+    Subcommand command = line.add(kMotionCommand.name, kMotionCommand.about);
     auto options = std::make_shared<MotionOptions>();
     command.option("CLIPS", options->clips,
                    "Names of Muster's own clips, BVH files, or folders with a clips.json; all of "

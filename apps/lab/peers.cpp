@@ -8,6 +8,7 @@
 #include "base/text_file.h"
 #include "engine/state/validation.h"
 #include "lab_commands.h"
+#include "lab_commands_list.h"
 #include "muster/scenario.h"
 #include "options.h"
 #include "overrides.h"
@@ -222,8 +223,7 @@ int peers(const PeersOptions& options) {
 }  // namespace
 
 void addPeersCommand(CommandLine& line) {
-    Subcommand command = line.add("peers",
-                                  "Runs scenes with explicit starts and slots, as other crowd engines do.");
+    Subcommand command = line.add(kPeersCommand.name, kPeersCommand.about);
     auto options = std::make_shared<PeersOptions>();
     command
         .option("SCENES", options->file,

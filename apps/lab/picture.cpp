@@ -10,6 +10,7 @@
 #include "engine/state/validation.h"
 #include "lab/picture/picture.h"
 #include "lab_commands.h"
+#include "lab_commands_list.h"
 #include "muster/scenario.h"
 #include "muster/take.h"
 #include "options.h"
@@ -126,7 +127,7 @@ int picture(const PictureOptions& options) {
 }  // namespace
 
 void addPictureCommand(CommandLine& line) {
-    Subcommand command = line.add("picture", "Draws a moment of a scenario or take.");
+    Subcommand command = line.add(kPictureCommand.name, kPictureCommand.about);
     auto options = std::make_shared<PictureOptions>();
     command.option("SOURCE", options->source, "Scenario or take file.").required();
     command.option("-o,--output", options->output, "Picture to write: .png or .svg.").required();

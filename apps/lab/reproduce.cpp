@@ -14,6 +14,7 @@
 #include "folders.h"
 #include "lab/reproduce/reproduce.h"
 #include "lab_commands.h"
+#include "lab_commands_list.h"
 #include "options.h"
 #include "report.h"
 
@@ -116,7 +117,7 @@ int runReproduce(ReproduceOptions options) {
 }  // namespace
 
 void addReproduceCommand(CommandLine& line) {
-    Subcommand command = line.add("reproduce", "Runs the paper's experiments and writes a report.");
+    Subcommand command = line.add(kReproduceCommand.name, kReproduceCommand.about);
     auto options = std::make_shared<ReproduceOptions>();
     command.option("EXPERIMENTS", options->def.experiments, "Some of X1 to X11 and X13; without it all.")
         .check(knownExperiment);

@@ -4,6 +4,7 @@
 
 #include "lab/study/report/study_report.h"
 #include "lab_commands.h"
+#include "lab_commands_list.h"
 #include "report.h"
 
 namespace muster {
@@ -25,7 +26,7 @@ int studyExport(const StudyExportOptions& options) {
 }  // namespace
 
 void addStudyExportCommand(Subcommand& study) {
-    Subcommand command = study.add("export", "Writes all tables as CSV, with a codebook.");
+    Subcommand command = study.add(kStudyExportCommand.name, kStudyExportCommand.about);
     auto options = std::make_shared<StudyExportOptions>();
     command.option("--db", options->db, "The study's database.").required();
     command.option("-o,--output", options->folder, "Folder to write to; it is made where it is missing.")

@@ -12,6 +12,7 @@
 #include "lab/study/series/series.h"
 #include "lab/study/statistics/describe.h"
 #include "lab_commands.h"
+#include "lab_commands_list.h"
 #include "report.h"
 #include "sweep_parts.h"
 
@@ -201,7 +202,7 @@ int studyModels(const StudyModelsOptions& options) {
 }  // namespace
 
 void addStudyModelsCommand(Subcommand& study) {
-    Subcommand command = study.add("models", "Runs trials of operator models and keeps them.");
+    Subcommand command = study.add(kStudyModelsCommand.name, kStudyModelsCommand.about);
     auto options = std::make_shared<StudyModelsOptions>();
     command.option("--db", options->db, "The study's database; it is made where it is missing.");
     command

@@ -4,6 +4,7 @@
 
 #include "lab/study/report/study_report.h"
 #include "lab_commands.h"
+#include "lab_commands_list.h"
 #include "report.h"
 
 namespace muster {
@@ -25,7 +26,7 @@ int studyReport(const StudyReportOptions& options) {
 }  // namespace
 
 void addStudyReportCommand(Subcommand& study) {
-    Subcommand command = study.add("report", "Writes report.html and results.json.");
+    Subcommand command = study.add(kStudyReportCommand.name, kStudyReportCommand.about);
     auto options = std::make_shared<StudyReportOptions>();
     command.option("--db", options->db, "The study's database.").required();
     command.option("-o,--output", options->folder, "Folder to write to; it is made where it is missing.")

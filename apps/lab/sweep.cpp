@@ -11,6 +11,7 @@
 #include "lab/reproduce/experiments/experiment.h"
 #include "lab/reproduce/reproduce.h"
 #include "lab_commands.h"
+#include "lab_commands_list.h"
 #include "muster/parameter_table.h"
 #include "report.h"
 #include "sweep_parts.h"
@@ -146,8 +147,7 @@ int sweep(SweepOptions options) {
 }  // namespace
 
 void addSweepCommand(CommandLine& line) {
-    Subcommand command = line.add("sweep",
-                                  "Runs the paper's experiments with several values of a parameter.");
+    Subcommand command = line.add(kSweepCommand.name, kSweepCommand.about);
     auto options = std::make_shared<SweepOptions>();
     command.option("PARAMETER", options->plan.parameter, "Its name, as muster check --schema lists it.");
     command.option("--values", options->plan.values, "Its values, separated by commas.").separatedBy(',');

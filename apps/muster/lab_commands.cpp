@@ -8,26 +8,10 @@
 #include <iterator>
 #include <string_view>
 
+#include "lab_commands_list.h"
+
 namespace muster {
 namespace {
-
-struct LabCommand {
-    const char* name;
-    const char* about;
-};
-
-constexpr LabCommand kCommands[] = {
-    {"picture", "Draws a moment of a scenario or take."},
-    {"peers", "Runs scenes with explicit starts and slots, as other crowd engines do."},
-    {"motion", "Lengths, speeds and contacts of motion clips."},
-    {"reproduce", "Runs the paper's experiments and writes a report."},
-    {"sweep", "Runs the paper's experiments with several values of a parameter."},
-};
-constexpr LabCommand kStudyCommands[] = {
-    {"models", "Runs trials of operator models and keeps them."},
-    {"report", "Writes report.html and results.json."},
-    {"export", "Writes all tables as CSV, with a codebook."},
-};
 
 template <class Commands>
 bool names(const Commands& commands, std::string_view name) {
@@ -39,8 +23,8 @@ bool names(const Commands& commands, std::string_view name) {
 
 bool isLabCommand(int argc, char** argv) {
     if (argc < 2) return false;
-    if (argc > 2 && std::string_view(argv[1]) == "study") return names(kStudyCommands, argv[2]);
-    return names(kCommands, argv[1]);
+    if (argc > 2 && std::string_view(argv[1]) == "study") return names(kLabStudyCommands, argv[2]);
+    return names(kLabCommands, argv[1]);
 }
 
 int startLab(char** argv) {
@@ -57,11 +41,11 @@ int startLab(char** argv) {
 }
 
 void addLabCommands(CommandLine& line) {
-    for (const LabCommand& command : kCommands) line.add(command.name, command.about);
+    for (const LabCommand& command : kLabCommands) line.add(command.name, command.about);
 }
 
 void addLabCommands(Subcommand& study) {
-    for (const LabCommand& command : kStudyCommands) study.add(command.name, command.about);
+    for (const LabCommand& command : kLabStudyCommands) study.add(command.name, command.about);
 }
 
 }  // namespace muster

@@ -113,7 +113,7 @@ const kCases = [
       `camera: watched crowd of ${scenario.replace(/.*\/|\.json/g, '')}`,
       camera.watchedCrowd,
       ['desktop', 'phone'],
-      { scenario, release: scenario.includes('paper') },
+      { scenario, release: true },
     ],
   ),
   [
@@ -125,7 +125,7 @@ const kCases = [
   ['camera: by keys', camera.cameraByKeys, ['desktop'], { touch: false, scenario: 'scenarios/block.json' }],
   ['camera: wheel', camera.wheelEndsOnPeople, ['desktop'], { touch: false, scenario: 'scenarios/block.json' }],
   ['first load', findings.firstLoad, ['desktop'], {}],
-  ['limits: first picture', limits.firstPicture, ['wide'], { scenario: 'scenarios/market.json' }],
+  ['limits: first picture', limits.firstPicture, ['wide'], { scenario: 'scenarios/market.json', release: true }],
   [
     'limits: editing a thousand',
     limits.editingThousand,
@@ -201,7 +201,7 @@ const kCases = [
     'a thousand people',
     people.budgets,
     ['desktop'],
-    { search: '?quality=full&stats', counts: true, scenario: 'web/tests/scenarios/thousand.json' },
+    { search: '?quality=full&stats', counts: true, scenario: 'web/tests/scenarios/thousand.json', release: true },
   ],
   [
     'ten thousand people',
@@ -247,7 +247,7 @@ const kCases = [
   ],
   ['paths: one person', paths.single, ['landscape', 'phone'], { scenario: 'scenarios/open.json' }],
   ['takes: of another version', oldTakes.oldTake, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
-  ['takes: exports', takes.exports, ['desktop'], { scenario: 'scenarios/open.json' }],
+  ['takes: exports', takes.exports, ['desktop'], { scenario: 'scenarios/open.json', release: true }],
   ['takes: cut off', takes.cutOff, ['desktop', 'phone'], { scenario: 'scenarios/open.json' }],
   [
     'place files: save and open',
@@ -288,8 +288,8 @@ const kCases = [
   ['lost and found', session.lostAndFound, ['landscape'], {}],
   ['control schemes by mouse', schemes.byMouse, ['desktop'], { touch: false, room: true }],
   ['control schemes by touch', schemes.byTouch, ['landscape', 'phone'], { room: true }],
-  ['study: a whole run', study.wholeRun, ['wide'], { bare: true }],
-  ['study: stopped, lost, two at once', study.brokenRuns, ['wide'], { bare: true }],
+  ['study: a whole run', study.wholeRun, ['wide'], { bare: true, release: true }],
+  ['study: stopped, lost, two at once', study.brokenRuns, ['wide'], { bare: true, release: true }],
   ['study: look', study.look, ['wide', 'landscape', 'portrait', 'phone'], { bare: true }],
   ...realMaps.cases(),
 ];
