@@ -1,0 +1,168 @@
+#include "engine/orders/end_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace muster {
+namespace {
+
+constexpr double kPoseStep = 0.5;        // Between poses that are tried [m].
+constexpr double kFarthest = 1.0;        // A pose is moved by so many reaches of the formation at most.
+constexpr double kFarthestBeside = 3.0;  // The same where others stand there.
+constexpr double kJoined = 2.5;          // Places so near, in spacings, are joined where the line is clear.
+constexpr double kTighter = 0.85;        // Of the spacing, where there is too little room.
+constexpr double kMostInWalls = 0.25;    // Share of places that may have to leave the formation.
+
+// Sixteen directions; unit vectors of the exact circle are not needed.
+constexpr Vec2 kAround[16] = {{1, 0},  {.924, .383},   {.707, .707},   {.383, .924},
+                              {0, 1},  {-.383, .924},  {-.707, .707},  {-.924, .383},
+                              {-1, 0}, {-.924, -.383}, {-.707, -.707}, {-.383, -.924},
+                              {0, -1}, {.383, -.924},  {.707, -.707},  {.924, -.383}};
+
+}  // namespace
+
+// True where somebody else stands or will stand.
+bool EndPlaces::isTaken(Vec2 p) const {
+    if (takenAt_.empty()) return false;
+    const Grid& grid = taken_.grid();
+    const Cell cell = grid.nearestCell(p);
+    for (std::int32_t y = std::max(cell.y - 1, 0); y <= std::min(cell.y + 1, grid.height - 1); ++y)
+        for (std::int32_t x = std::max(cell.x - 1, 0); x <= std::min(cell.x + 1, grid.width - 1); ++x)
+            for (const std::int32_t k : taken_.within(grid.index({x, y}), grid.index({x, y})))
+                if (lengthSquared(takenAt_[k] - p) < apart_ * apart_) return true;
+    return false;
+}
+
+// `beside`: whether what others have taken counts.
+bool EndPlaces::fits(const EndDef& def, const FreeSpace& space, Vec2 at, bool beside) const {
+    const Pose pose{at, def.pose.rotation};
+    return std::all_of(def.offsets.begin(), def.offsets.end(), [&](Vec2 offset) {
+        const Vec2 p = pose.apply(offset);
+        return space.contains(p) && !(beside && isTaken(p));
+    });
+}
+
+// The nearest pose at which every place is free, seen from the target.
+bool EndPlaces::findFit(const EndDef& def, const FreeSpace& space, double farthest, bool beside,
+                        Vec2& at) const {
+    const Environment& environment = space.routes().environment();
+    const Vec2 target = def.pose.position;
+    const Vec2 from = space.nearest(target);
+    for (double far = 0.0; far <= farthest; far += kPoseStep)
+        for (const Vec2 direction : kAround) {
+            const Vec2 centre = target + direction * far;
+            if (space.contains(centre) && environment.clearStaticLine(from, centre, 0.0) &&
+                fits(def, space, centre, beside)) {
+                at = centre;
+                return true;
+            }
+            if (far == 0.0) break;
+        }
+    return false;
+}
+
+// True where one comes from each place to every other by clear lines between neighbours.
+bool EndPlaces::isJoined(const FreeSpace& space, double spacing, std::span<const Vec2> ends, Vec2 middle) {
+    const Environment& environment = space.routes().environment();
+    const std::size_t n = ends.size();
+    const double reach = kJoined * spacing;
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < n; ++i)
+        if (lengthSquared(ends[i] - middle) < lengthSquared(ends[first] - middle)) first = i;
+    met_.assign(n, 0);
+    queue_.assign(1, static_cast<std::int32_t>(first));
+    met_[first] = 1;
+    for (std::size_t head = 0; head < queue_.size(); ++head) {
+        const Vec2 here = ends[queue_[head]];
+        for (std::size_t i = 0; i < n; ++i) {
+            if (met_[i] || lengthSquared(ends[i] - here) > reach * reach ||
+                !environment.clearStaticLine(here, ends[i], 0.0))
+                continue;
+            met_[i] = 1;
+            queue_.push_back(static_cast<std::int32_t>(i));
+        }
+    }
+    return queue_.size() == n;
+}
+
+// Where the formation comes to those who have taken its target: the last free point before it.
+Vec2 EndPlaces::nearSide(const EndDef& def, const FreeSpace& space) const {
+    const Vec2 target = def.pose.position, back = normalized(def.from - target);
+    const double whole = distance(target, def.from);
+    for (double s = 0.0; s < whole; s += kPoseStep) {
+        const Vec2 p = target + back * s;
+        if (space.contains(p) && !isTaken(p)) return p;
+    }
+    return target;
+}
+
+// True where a point taken lately is nearer than that: the flood comes to what is close together at about the
+// same time.
+bool EndPlaces::isNearLast(Vec2 p, double distance) const {
+    const std::size_t n = points_.size();
+    const auto last = static_cast<std::size_t>(8.0 * std::sqrt(static_cast<double>(n))) + 64;
+    for (std::size_t k = n > last ? n - last : 0; k < n; ++k)
+        if (lengthSquared(points_[k] - p) < distance * distance) return true;
+    return false;
+}
+
+// The free points nearest to the target by the ground's own distance; who stands where in the formation goes
+// to a like side.
+bool EndPlaces::layOut(const EndDef& def, const FreeSpace& space, double apart, std::vector<Vec2>& ends) {
+    const std::size_t n = def.offsets.size();
+    const Vec2 from = space.nearest(def.pose.position);
+    const double least = kSiteSpacing * apart / kTighter;
+    for (double spacing = std::max(def.spacing, least);; spacing = std::max(least, kTighter * spacing)) {
+        points_.clear();
+        flood_.begin(space.routes(), space.region(), spacing);
+        for (std::size_t i = 0; i < n; ++i) flood_.add(static_cast<std::int32_t>(i), from);
+        flood_.run(1, [&](std::int32_t, Vec2 p) {
+            if (!space.contains(p) || isTaken(p) || isNearLast(p, kTighter * spacing)) return false;
+            points_.push_back(p);
+            return true;
+        });
+        if (points_.size() == n) break;
+        if (spacing <= least) return false;
+    }
+    asked_.clear();
+    for (const Vec2 offset : def.offsets) asked_.push_back(def.pose.apply(offset));
+    const auto to = pairing_.pair(asked_, points_);
+    for (std::size_t i = 0; i < n; ++i) ends[i] = points_[to[i]];
+    return true;
+}
+
+void EndPlaces::find(const EndDef& def, const FreeSpace& space, double apart, std::vector<Vec2>& ends,
+                     Pose& pose) {
+    pose = def.pose;
+    const std::size_t n = def.offsets.size();
+    ends.resize(n);
+    takenAt_ = def.taken;
+    apart_ = std::max(apart, kTighter * def.spacing);
+    if (!takenAt_.empty()) taken_.sort(takenAt_, apart_);
+    const double near = kFarthest * def.reach + kPoseStep;
+    bool fits = def.moves && findFit(def, space, near, true, pose.position);
+    // Others are gone round, walls are not.
+    const bool crowded = def.moves && !fits && !takenAt_.empty() &&
+                         findFit(def, space, near, false, pose.position);
+    EndDef beside = def;
+    if (crowded) {
+        beside.pose.position = pose.position = nearSide(def, space);
+        fits = findFit(beside, space, kFarthestBeside * def.reach + kPoseStep, true, pose.position);
+    }
+    std::size_t inWalls = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        ends[i] = pose.apply(def.offsets[i]);
+        if (!fits && !space.contains(ends[i])) ++inWalls;
+    }
+    if (fits) return;
+    if (!crowded && static_cast<double>(inWalls) <= kMostInWalls * static_cast<double>(n)) {
+        separateTargets(space, apart, ends, fit_, separation_);
+        if (isJoined(space, def.spacing, ends, space.nearest(pose.position))) return;
+    }
+    if (layOut(beside, space, apart, ends)) return;
+    for (std::size_t i = 0; i < n; ++i) ends[i] = pose.apply(def.offsets[i]);
+    separateTargets(space, apart, ends, fit_, separation_);
+}
+
+}  // namespace muster

@@ -1,0 +1,38 @@
+// Who goes where when a formation turns or changes: a pairing of points that nearly minimises the sum of
+// squared distances, so that nobody crosses the way of another.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/assignment/transport/dense/jonker_volgenant.h"
+#include "muster/vec2.h"
+
+namespace muster {
+
+/// Pairs two sets of as many points. Memory is reused.
+class Pairing {
+public:
+    static constexpr std::size_t kExact = 120;  ///< Points of a class that are paired by least squares.
+
+    /// For each of `from` the index in `to` that it goes to. Only points of one class are paired; both
+    /// classes are empty for none, else each class must be as large on both sides. Displacements are
+    /// monotone, as those of least squares are: two that go straight at the same time keep 0.707 of their
+    /// least distance. Exact for up to kExact points of a class, near that for more: n log n operations.
+    std::span<const std::int32_t> pair(std::span<const Vec2> from, std::span<const Vec2> to,
+                                       std::span<const std::uint8_t> fromClass = {},
+                                       std::span<const std::uint8_t> toClass = {});
+
+private:
+    void split(std::size_t begin, std::size_t end);
+    void solve();
+    void improve(std::span<const Vec2> from, std::span<const Vec2> to);
+
+    std::vector<std::int32_t> fromOrder_, toOrder_, result_;
+    JonkerVolgenantSolver solver_;
+    std::vector<double> cost_;
+    std::vector<Vec2> from_, to_;  // About their means, in whole millimetres.
+};
+
+}  // namespace muster

@@ -1,0 +1,118 @@
+// Where the places of a planned march are, and how fast they get on.
+#include "engine/orders/stream.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace muster {
+namespace {
+
+constexpr double kMissShare = 0.125;     // Of the way, over which what coordinates miss at its ends fades.
+constexpr std::int32_t kMostTries = 12;  // Of a step; two are the rule.
+constexpr double kClose = 0.98;          // A step that uses so much of the top speed is good enough.
+
+double faded(double q, double share) {
+    return std::max(0.0, 1.0 - q / share);
+}
+
+}  // namespace
+
+// How far ahead of the whole formation its depths are: rows that are less full than wide are stretched less.
+void Stream::closeUp(double q, Depths& ahead) const {
+    double xi = nominalFront_ + q * travel_;
+    const double ordered = std::min(1.0, std::min(q, 1.0 - q) * orderRate_);
+    for (std::int32_t k = 0; k <= kDepths; ++k) {
+        ahead[k] = ordered * (xi - nominalFront_ - q * travel_ + k * depthStep_);
+        xi -= depthStep_ * std::min(1.0, std::max(full_[k], 1.0 / stretch_.sigmaAt(xi)));
+    }
+}
+
+Vec2 Stream::raw(std::size_t i, double q, const Depths& ahead) const {
+    const Leg& leg = legs_[i];
+    const StreamCourse& course = courses_[i];
+    if (course.rows() == 0) return lerp(starts_[i], ends_[i], q);
+    double off = 1.0 - q, on = q, xi = leg.fromXi + (leg.toXi - leg.fromXi) * q;
+    if (fadeStart_ < 1.0 || fadeEnd_ < 1.0) {
+        off = faded(q, fadeStart_);
+        on = faded(1.0 - q, fadeEnd_);
+        const double lead = leg.nominalXi + q * travel_;
+        xi = lead + (leg.fromXi - leg.nominalXi) * off + (leg.toXi - leg.nominalXi - travel_) * on;
+    }
+    // As they stand and as they end they are in no single order; it takes some metres.
+    const double ordered = std::min(1.0, std::min(q, 1.0 - q) * orderRate_);
+    const double turn = stretch_.single(xi) * ordered * leg.shift;
+    xi -= turn;
+    if (hollow_) {
+        const double x = std::clamp((offsets_[i].x + turn) / depthStep_, 0.0, kDepths - 1e-9);
+        const auto k = static_cast<std::size_t>(x);
+        xi += ahead[k] + (ahead[k + 1] - ahead[k]) * (x - static_cast<double>(k));
+    }
+    const double s = stretch_.s(xi);
+    return line_.point({s, banks_.left(course, s)});
+}
+
+void Stream::at(double q, std::span<Vec2> places) const {
+    Depths ahead;
+    if (hollow_ && status_ == StreamStatus::Flowing) closeUp(q, ahead);
+    for (std::size_t i = 0; i < starts_.size(); ++i) {
+        if (q <= 0.0) {
+            places[i] = starts_[i];
+        } else if (q >= 1.0) {
+            places[i] = ends_[i];
+        } else if (status_ == StreamStatus::Flowing) {
+            places[i] = raw(i, q, ahead) + legs_[i].missFrom * faded(q, kMissShare) +
+                        legs_[i].missTo * faded(1.0 - q, kMissShare);
+        } else {
+            places[i] = lerp(starts_[i], ends_[i], q);
+        }
+    }
+}
+
+/// The largest move of a place as a share of what it may move.
+double Stream::excess(std::span<const Vec2> from, std::span<const Vec2> to, double reach,
+                      std::span<const double> speeds) const {
+    double most = 0.0;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        const double may = speeds.empty() ? reach : reach * speeds[i];
+        most = std::max(most, lengthSquared(to[i] - from[i]) / (may * may));
+    }
+    return std::sqrt(most);
+}
+
+double Stream::follow(double q, double dt, double speed, std::span<const double> speeds,
+                      std::span<Vec2> places) {
+    const double reach = std::fabs(dt) * (speeds.empty() ? speed : 1.0);
+    if (reach <= 0.0 || places.empty()) return q;
+    double step = std::fabs(dt) * speed / std::max(most_, 1e-9);
+    double next = q;
+    bool grown = false;
+    for (std::int32_t k = 0; k < kMostTries; ++k) {
+        next = dt > 0.0 ? std::min(1.0, q + step) : std::max(0.0, q - step);
+        at(next, moved_);
+        const double share = excess(places, moved_, reach, speeds);
+        if (share > 1.0) {
+            const double less = (1.0 - 1e-3 * (k + 1)) / share;
+            step = std::fabs(next - q) * (k < kMostTries / 2 ? less : std::min(0.5, less));
+            grown = true;
+        } else if (share > kClose || grown || next == 1.0 || next == 0.0) {
+            break;
+        } else {
+            step *= std::min(4.0, 0.999 / std::max(share, 0.01));
+            grown = true;
+        }
+    }
+    std::copy(moved_.begin(), moved_.end(), places.begin());
+    return next;
+}
+
+double Stream::next(double q, double dt, double speed, std::span<Vec2> places) {
+    return follow(q, dt, speed, {}, places);
+}
+
+double Stream::next(double q, double dt, std::span<const double> speeds, std::span<Vec2> places) {
+    double fastest = 0.0;
+    for (const double speed : speeds) fastest = std::max(fastest, speed);
+    return follow(q, dt, fastest, speeds, places);
+}
+
+}  // namespace muster

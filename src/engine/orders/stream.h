@@ -1,0 +1,149 @@
+// A march that flows: the places of a formation are led along a way as an incompressible stream.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/orders/stream_banks.h"
+#include "engine/orders/stream_flow.h"
+#include "engine/orders/stream_line.h"
+#include "engine/orders/stream_paths.h"
+#include "engine/orders/stream_runs.h"
+#include "engine/orders/stream_stretch.h"
+
+namespace muster {
+
+/// What a march is to do. All lists of places have the same length; place i starts at starts[i], stands at
+/// offsets[i] while the ground is open, and ends at ends[i].
+struct StreamDef {
+    std::span<const Vec2> offsets;  ///< In the frame of the formation: x forward, y left [m].
+    std::span<const Vec2> starts;   ///< Where they are now [m].
+    std::span<const Vec2> ends;     ///< Where they end, on free ground [m].
+    std::span<const Vec2>
+        way;               ///< From the middle of the starts to that of the ends, two points or more [m].
+    double spacing = 1.0;  ///< Of the formation [m], above 0.
+    double radius = 0.25;  ///< Of bodies [m], above 0.
+    /// Share of the way, (0, 1], over which the formation is taken up from the starts, and left for the ends.
+    double fade = 1.0;
+};
+
+/// What a plan has come to.
+enum class StreamStatus : std::uint8_t {
+    Planning,  ///< It goes on.
+    Straight,  ///< Every place goes straight from its start to its end.
+    Flowing,   ///< They go along the way.
+    Blocked,   ///< The way is blocked, or the definition is bad: there is no march.
+};
+
+/// Plans a march, and says where its places are as a function of one number q from 0 (start) to 1 (end).
+/// Owns its memory and uses it again.
+class Stream {
+public:
+    /// Begins a plan; what the definition refers to is copied.
+    void start(const StreamDef& def);
+    /// Goes on for about so many operations (of about 20 ns). The ground must stay as it is until the plan is
+    /// done.
+    StreamStatus advance(StreamGround ground, std::int64_t operations);
+    /// The same until it is done.
+    StreamStatus plan(const StreamDef& def, StreamGround ground);
+
+    StreamStatus status() const { return status_; }        ///< Of the plan.
+    std::int64_t operations() const { return spent_; }     ///< Since the start of the plan.
+    std::size_t places() const { return starts_.size(); }  ///< Number of places.
+    /// Places that stand or end so close behind a wall that they touch it on their first or last metre.
+    std::int32_t tight() const { return tight_; }
+    double stretch() const { return status_ == StreamStatus::Flowing ? stretch_.most() : 1.0; }  ///< At most.
+
+    /// Where the places are at `q`, exactly their starts at 0 and their ends at 1. Only once planned.
+    void at(double q, std::span<Vec2> places) const;
+    /// The next q, `dt` [s] later (earlier where it is negative), such that no place goes faster than `speed`
+    /// [m/s] above 0. `places` are those at `q`, and then those at the next.
+    double next(double q, double dt, double speed, std::span<Vec2> places);
+    /// The same with a speed for each place.
+    double next(double q, double dt, std::span<const double> speeds, std::span<Vec2> places);
+
+private:
+    enum class Stage : std::uint8_t {
+        Straight,
+        Line,
+        Rows,
+        Flow,
+        Paths,
+        Load,
+        Steepen,
+        Lay,
+        Part,
+        Smooth,
+        Ends,
+        Compare,
+        Finish
+    };
+    /// What a place needs to be found fast.
+    struct Leg {
+        double fromXi = 0.0, toXi = 0.0;  // Of start and end [m].
+        double nominalXi = 0.0;           // In the formation, at q = 0 [m].
+        double shift = 0.0;               // Backwards in single order [m].
+        Vec2 missFrom, missTo;            // What is missing at start and end [m].
+    };
+
+    void step(StreamGround ground);
+    bool valid() const;
+    void checkStraight(StreamGround ground);
+    void makeLine();
+    void placeOnLine();
+    void reachOut();
+    bool centre();
+    void startFlow();
+    void enter(Stage stage);
+    void stepCourses();
+    void orderRows();
+    void bendEnds(StreamGround ground);
+    double roomAlong(StreamGround ground, StreamPoint a, StreamPoint b);
+    void compareNext();
+    void finish();
+    void fadeAlong();
+    static constexpr std::int32_t kDepths = 64;  // Of samples along the depth of the formation.
+    using Depths = std::array<double, kDepths + 1>;
+
+    void fillDepths();
+    void closeUp(double q, Depths& ahead) const;
+    Vec2 raw(std::size_t i, double q, const Depths& ahead) const;
+    double excess(std::span<const Vec2> from, std::span<const Vec2> to, double reach,
+                  std::span<const double> speeds) const;
+    double follow(double q, double dt, double speed, std::span<const double> speeds, std::span<Vec2> places);
+
+    StreamStatus status_ = StreamStatus::Blocked;
+    Stage stage_ = Stage::Straight;
+    std::size_t next_ = 0;
+    std::int32_t tight_ = 0;
+    std::int64_t spent_ = 0;
+    std::vector<Vec2> offsets_, starts_, ends_, way_, moved_;
+    double spacing_ = 1.0, radius_ = 0.25, fade_ = 1.0;
+    double back_ = 0.0, fore_ = 0.0, startReach_ = 0.0,
+           endReach_ = 0.0;                   // How far starts and ends reach [m].
+    double fadeStart_ = 1.0, fadeEnd_ = 1.0;  // Of the offsets along the way.
+    double orderRate_ = 1.0;                  // By which single order comes and goes at start and end.
+    bool hollow_ = false;        // True where some rows of the formation are less full than wide.
+    double nominalFront_ = 0.0;  // Xi of its front at q = 0 [m].
+    double depthStep_ = 1.0;     // Between samples of its depth [m].
+    Depths full_{};              // Share of its width that is full, by depth.
+    bool centred_ = false;
+    double startS_ = 0.0, endS_ = 0.0, low_ = 0.0, high_ = 0.0, travel_ = 0.0, most_ = 0.0;
+    std::vector<double> half_, shift_;
+    std::vector<std::uint8_t> street_;
+    StreamLine line_;
+    StreamRuns runs_;
+    StreamFlow flow_;
+    StreamPaths paths_;
+    StreamBanks banks_;
+    StreamStretch stretch_;
+    std::vector<StreamCourse> courses_;
+    std::vector<Leg> legs_;
+    std::vector<std::uint32_t> order_;   // By ordinate.
+    std::vector<std::uint32_t> beside_;  // By ordinate in a row.
+    std::vector<std::uint32_t> rank_;    // By row of the formation.
+};
+
+}  // namespace muster

@@ -1,0 +1,183 @@
+// The plan of a march that flows: the order of its rows, its ends, and what its places need to be found fast.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/orders/stream.h"
+
+namespace muster {
+namespace {
+
+constexpr double kGolden = 0.61803398874989485;  // The golden ratio, less 1.
+constexpr double kLeastFade = 0.1;               // Share of the way in which order can be made.
+constexpr double kFadeRoom = 2.0;    // What is ahead or behind fades over that many times as much.
+constexpr double kLeastOrder = 3.0;  // Single order comes over so much of the way at least [m]...
+constexpr double kOrderRoom = 3.0;   // ... and over so many times the shift.
+constexpr std::int32_t kLooks = 6;   // Along the stretch from a start to its first row.
+constexpr double kKnee = 0.1;        // Share of that over which a place steps aside where it has to at once.
+constexpr double kTight = 0.01;      // Nearer to a wall by that is too near [m].
+
+constexpr double kFuller = 2.0;        // Rows count as so many times fuller, so that they keep apart.
+constexpr double kNearlyThere = 0.25;  // Rows are as full as the fullest so many spacings before and behind.
+constexpr double kHollow = 0.95;       // Less full than that share of its width a row is hollow.
+
+}  // namespace
+
+// Rows of the formation in single order: who is farther ahead first, those beside each other by the golden
+// ratio, so that no squeeze brings two together.
+void Stream::orderRows() {
+    const std::size_t n = offsets_.size();
+    legs_.assign(n, {});
+    order_.resize(n);
+    rank_.resize(n);
+    for (std::uint32_t i = 0; i < n; ++i) order_[i] = rank_[i] = i;
+    std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return offsets_[a].y != offsets_[b].y ? offsets_[a].y < offsets_[b].y : a < b;
+    });
+    struct Key {
+        double row, quarter, turn, file;
+    };
+    const auto key = [&](std::uint32_t i) {
+        const double file = std::floor((offsets_[i].y - low_) / spacing_ + 0.5), x = offsets_[i].x / spacing_;
+        return Key{std::floor(x + 0.5), std::floor(4.0 * x + 0.5),
+                   file * kGolden - std::floor(file * kGolden), file};
+    };
+    std::sort(rank_.begin(), rank_.end(), [&](std::uint32_t a, std::uint32_t b) {
+        const Key p = key(a), q = key(b);
+        if (p.row != q.row) return p.row < q.row;
+        if (p.quarter != q.quarter) return p.quarter < q.quarter;
+        if (p.turn != q.turn) return p.turn < q.turn;
+        return p.file != q.file ? p.file < q.file : a < b;
+    });
+    for (std::size_t begin = 0, end = 0; begin < n; begin = end) {
+        const double row = key(rank_[begin]).row;
+        while (end < n && key(rank_[end]).row == row) ++end;
+        for (std::size_t k = begin; k < end; ++k) {
+            const double share = (static_cast<double>(k - begin) + 0.5) / static_cast<double>(end - begin);
+            legs_[rank_[k]].shift = spacing_ * (row + share - 0.5) - offsets_[rank_[k]].x;
+        }
+    }
+}
+
+// Least distance to a wall along a stretch [m].
+double Stream::roomAlong(StreamGround ground, StreamPoint a, StreamPoint b) {
+    double least = ground(line_.point(b));
+    for (std::int32_t k = 1; k < kLooks; ++k) {
+        const double f = static_cast<double>(k) / kLooks;
+        least = std::min(least, ground(line_.point({a.s + (b.s - a.s) * f, a.d + (b.d - a.d) * f})));
+    }
+    spent_ += 4 * kLooks;
+    return least;
+}
+
+// From its start to the first row a place goes straight where that is free; else first aside, or first ahead,
+// whichever has more room. The same at its end.
+void Stream::bendEnds(StreamGround ground) {
+    StreamCourse& course = courses_[next_];
+    for (const bool back : {true, false}) {
+        if (course.rows() == 0) break;
+        const StreamPoint end = back ? course.a() : course.b();
+        const StreamPoint row{(back ? course.first : course.last) * line_.step(),
+                              back ? banks_.of(course).front() : banks_.of(course).back()};
+        StreamPoint& knee = back ? course.fromA : course.toB;
+        knee = row;
+        double best = roomAlong(ground, end, row);
+        if (best >= radius_) continue;
+        for (const StreamPoint tried : {StreamPoint{end.s + kKnee * (row.s - end.s), row.d},
+                                        StreamPoint{row.s + kKnee * (end.s - row.s), end.d}}) {
+            const double room = std::min(roomAlong(ground, end, tried), roomAlong(ground, tried, row));
+            if (room <= best) continue;
+            best = room;
+            knee = tried;
+        }
+        if (best < std::min(radius_, ground(line_.point(end))) - kTight) ++tight_;
+    }
+    if (++next_ == courses_.size()) enter(Stage::Compare);
+}
+
+void Stream::compareNext() {
+    const StreamCourse& a = courses_[order_[next_]];
+    std::size_t k = next_ + 1;
+    for (const double apart : {0.999, 1.999}) {
+        while (k < order_.size() && courses_[order_[k]].ordinate < a.ordinate + apart * spacing_) ++k;
+        if (k < order_.size()) stretch_.compare(paths_, banks_, a, courses_[order_[k]]);
+        spent_ += a.rows() / 4;
+    }
+    if (++next_ == courses_.size()) enter(Stage::Finish);
+}
+
+// What starts and ends are ahead or behind fades before the first row in single order, and comes behind the
+// last one: in single order everybody keeps the own turn.
+void Stream::fadeAlong() {
+    fadeStart_ = fadeEnd_ = fade_;
+    const double first = stretch_.firstSingle(), last = stretch_.lastSingle();
+    if (first > last || travel_ <= 0.0) return;
+    double front = -1e9, rear = 1e9, aheadStart = 0.0, aheadEnd = 0.0;
+    for (const Leg& leg : legs_) {
+        front = std::max(front, leg.fromXi);
+        rear = std::min(rear, leg.toXi);
+        aheadStart = std::max(aheadStart, std::fabs(leg.fromXi - leg.nominalXi));
+        aheadEnd = std::max(aheadEnd, std::fabs(leg.toXi - leg.nominalXi - travel_));
+    }
+    fadeStart_ = std::min(
+        fade_, std::max({kLeastFade, (first - front) / travel_, kFadeRoom * aheadStart / travel_}));
+    fadeEnd_ = std::min(fade_,
+                        std::max({kLeastFade, (rear - last) / travel_, kFadeRoom * aheadEnd / travel_}));
+}
+
+// How full the rows of the formation are, by depth.
+void Stream::fillDepths() {
+    double depth = 0.0;
+    for (const Vec2 p : offsets_) depth = std::max(depth, p.x);
+    depthStep_ = std::max(depth, spacing_) / kDepths;
+    Depths count{};
+    for (const Vec2 p : offsets_) {
+        const auto from = static_cast<std::int32_t>(std::ceil((p.x - 0.5 * spacing_) / depthStep_ + 1e-6));
+        const auto to = static_cast<std::int32_t>(std::floor((p.x + 0.5 * spacing_) / depthStep_ - 1e-6));
+        for (std::int32_t k = std::max(0, from); k <= std::min(kDepths, to); ++k) count[k] += spacing_;
+    }
+    const auto near = static_cast<std::int32_t>(kNearlyThere * spacing_ / depthStep_);
+    hollow_ = false;
+    for (std::int32_t k = 0; k <= kDepths; ++k) {
+        double most = spacing_;
+        for (std::int32_t j = std::max(0, k - near); j <= std::min(kDepths, k + near); ++j)
+            most = std::max(most, count[j]);
+        full_[k] = std::min(1.0, kFuller * most / (high_ - low_ + spacing_));
+        hollow_ = hollow_ || full_[k] < kHollow;
+    }
+    hollow_ = hollow_ && stretch_.most() > 1.0;
+    // Where few are beside each other they need less of a turn.
+    for (std::size_t i = 0; hollow_ && i < legs_.size(); ++i)
+        legs_[i]
+            .shift *= full_[static_cast<std::size_t>(std::min(offsets_[i].x / depthStep_, kDepths + 0.0))];
+}
+
+void Stream::finish() {
+    stretch_.widen(line_, runs_, banks_);
+    double shift = 0.0, from = 0.0, to = 0.0;
+    for (const Leg& leg : legs_) shift = std::max(shift, std::fabs(leg.shift));
+    stretch_.settle(shift);
+    const std::size_t n = legs_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        Leg& leg = legs_[i];
+        leg.fromXi = stretch_.xi(courses_[i].start.s);
+        leg.toXi = stretch_.xi(courses_[i].end.s);
+        from += leg.fromXi + offsets_[i].x;
+        to += leg.toXi + offsets_[i].x;
+        most_ = std::max(most_, std::fabs(leg.toXi - leg.fromXi));
+    }
+    travel_ = (to - from) / static_cast<double>(n);
+    for (std::size_t i = 0; i < n; ++i) legs_[i].nominalXi = from / static_cast<double>(n) - offsets_[i].x;
+    nominalFront_ = from / static_cast<double>(n);
+    fadeAlong();
+    fillDepths();
+    orderRate_ = std::max(1.0, std::fabs(travel_)) / std::max(kLeastOrder, kOrderRoom * shift);
+    const Depths none{};
+    for (std::size_t i = 0; i < n; ++i) {
+        legs_[i].missFrom = starts_[i] - raw(i, 0.0, none);
+        legs_[i].missTo = ends_[i] - raw(i, 1.0, none);
+    }
+    spent_ += 8 * static_cast<std::int64_t>(n) + 8 * line_.rows();
+    status_ = StreamStatus::Flowing;
+}
+
+}  // namespace muster

@@ -1,0 +1,143 @@
+// The plan of a march that flows: its line, and the ground along it.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/orders/stream.h"
+
+namespace muster {
+namespace {
+
+constexpr double kBeyond = 2.0;      // The line goes on so far beyond starts and ends [m].
+constexpr double kMostRound = 12.0;  // Bends are as long as the formation is wide, but no longer [m].
+constexpr double kLeastAside = 2.0;  // So far outside its own width a stream may turn aside at least [m]...
+constexpr double kMostAside = 10.0;  // ... and at most, else half its width.
+constexpr double kWiden = 0.5;     // Rows are wider round starts and ends, less so by that share of the way.
+constexpr double kFelt = 0.1;      // Longer by less than that share, the outside of a bend is as good.
+constexpr double kComeBack = 0.2;  // Slope by which the line leaves the middle of a street.
+constexpr double kTouch = 1e-3;    // So much nearer to a wall is not felt [m].
+constexpr double kLeastLook = 0.05;  // Between looks along a straight way [m].
+
+}  // namespace
+
+// One place a time: whether the straight way is free. Who starts or ends near a wall may be as near there.
+void Stream::checkStraight(StreamGround ground) {
+    const Vec2 a = starts_[next_], b = ends_[next_];
+    const double whole = distance(a, b), atA = ground(a), atB = ground(b);
+    for (double s = 0.0; s < whole;) {
+        const double room = ground(lerp(a, b, s / whole));
+        const double gap = room - std::min({radius_, atA + s, atB + whole - s}) + kTouch;
+        ++spent_;
+        if (gap < 0.0) {
+            enter(Stage::Line);
+            return;
+        }
+        s += std::max(kLeastLook, 0.5 * gap);
+    }
+    if (++next_ == starts_.size()) status_ = StreamStatus::Straight;
+}
+
+void Stream::makeLine() {
+    Vec2 least{1e300, 1e300}, most{-1e300, -1e300};
+    for (const Vec2 p : offsets_) {
+        least = {std::min(least.x, p.x), std::min(least.y, p.y)};
+        most = {std::max(most.x, p.x), std::max(most.y, p.y)};
+    }
+    const Vec2 middle = (least + most) * 0.5;
+    for (Vec2& p : offsets_)
+        p = {most.x - p.x, p.y - middle.y};  // From here on x is how far behind the front.
+    low_ = least.y - middle.y;
+    high_ = most.y - middle.y;
+    const std::size_t n = way_.size();
+    const Vec2 first = normalized(way_[1] - way_[0]), last = normalized(way_[n - 1] - way_[n - 2]);
+    back_ = fore_ = startReach_ = endReach_ = 0.0;
+    for (std::size_t i = 0; i < starts_.size(); ++i) {
+        back_ = std::max(back_, -dot(starts_[i] - way_[0], first));
+        fore_ = std::max(fore_, dot(ends_[i] - way_[n - 1], last));
+        startReach_ = std::max(startReach_, distance(starts_[i], way_[0]));
+        endReach_ = std::max(endReach_, distance(ends_[i], way_[n - 1]));
+    }
+    back_ += kBeyond;
+    fore_ += kBeyond;
+    line_.make(way_, back_, fore_, std::min(high_ - low_ + spacing_, kMostRound));
+    centred_ = false;
+    placeOnLine();
+}
+
+// Where starts and ends are on the line, and how far its rows reach.
+void Stream::placeOnLine() {
+    const double whole = (line_.rows() - 1) * line_.step();
+    const auto near = [&](Vec2 p, double s, double reach) {
+        return line_.locate(p, std::clamp(s - reach, 0.0, whole), std::clamp(s + reach, 0.0, whole));
+    };
+    startS_ = near(way_.front(), back_, kBeyond).s;
+    endS_ = near(way_.back(), whole - fore_, kBeyond).s;
+    courses_.resize(starts_.size());
+    for (std::size_t i = 0; i < starts_.size(); ++i) {
+        courses_[i] = {};
+        courses_[i].start = near(starts_[i], startS_, startReach_ + 1.0);
+        courses_[i].end = near(ends_[i], endS_, endReach_ + 1.0);
+        courses_[i].ordinate = offsets_[i].y;
+    }
+    spent_ += 4 * line_.rows() + static_cast<std::int64_t>(startReach_ + endReach_) * starts_.size();
+    reachOut();
+    runs_.start(line_, half_, radius_);
+    enter(Stage::Rows);
+}
+
+// In bends of streets the line is moved to their middle, or all would go by the outside. True where it was.
+bool Stream::centre() {
+    if (centred_) return false;
+    centred_ = true;
+    bool moves = false;
+    shift_.assign(line_.rows(), 0.0);
+    street_.assign(line_.rows(), 0);
+    for (std::int32_t k = 0; k < line_.rows(); ++k) {
+        const std::span<const StreamRun> row = runs_.row(k);
+        const double s = k * line_.step();
+        if (row.size() != 1 || row[0].high - row[0].low > high_ - low_ || s < startS_ || s > endS_) continue;
+        const double middle = 0.5 * (row[0].low + row[0].high);
+        if (line_.row(k).bend * middle > -kFelt) continue;
+        street_[k] = 1;
+        shift_[k] = middle;
+        moves = true;
+    }
+    if (!moves) return false;
+    // Behind and ahead of the street it comes back little by little.
+    const double back = kComeBack * line_.step();
+    const auto follow = [&](std::size_t k, std::size_t from) {
+        if (shift_[from] - back > shift_[k] && shift_[k] >= 0.0 && !street_[k])
+            shift_[k] = shift_[from] - back;
+        if (shift_[from] + back < shift_[k] && shift_[k] <= 0.0 && !street_[k])
+            shift_[k] = shift_[from] + back;
+    };
+    for (std::size_t k = 1; k < shift_.size(); ++k) follow(k, k - 1);
+    for (std::size_t k = shift_.size() - 1; k-- > 0;) follow(k, k + 1);
+    line_.shift(shift_, std::min(high_ - low_ + spacing_, kMostRound));
+    placeOnLine();
+    return true;
+}
+
+void Stream::startFlow() {
+    const auto row = [&](double s) { return static_cast<std::int32_t>(s / line_.step() + 0.5); };
+    const std::int32_t from = std::clamp(row(startS_), 0, line_.rows() - 2);
+    const std::int32_t to = std::clamp(row(endS_), from + 1, line_.rows() - 1);
+    flow_.start(runs_, line_.step(), from, to, low_, high_, spacing_);
+    enter(Stage::Flow);
+}
+
+// How far the rows reach: as the formation, some more to turn aside, and as far as starts and ends.
+void Stream::reachOut() {
+    const double aside = std::clamp(0.5 * (high_ - low_), kLeastAside, kMostAside);
+    half_.assign(line_.rows(), std::max(high_, -low_) + aside);
+    for (const StreamCourse& course : courses_)
+        for (const StreamPoint p : {course.start, course.end}) {
+            double&
+                half = half_[std::clamp(static_cast<std::int32_t>(p.s / line_.step()), 0, line_.rows() - 1)];
+            half = std::max(half, std::fabs(p.d) + kLeastAside);
+        }
+    const double step = kWiden * line_.step();
+    for (std::size_t k = 1; k < half_.size(); ++k) half_[k] = std::max(half_[k], half_[k - 1] - step);
+    for (std::size_t k = half_.size() - 1; k-- > 0;) half_[k] = std::max(half_[k], half_[k + 1] - step);
+}
+
+}  // namespace muster

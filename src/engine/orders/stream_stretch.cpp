@@ -1,0 +1,148 @@
+#include "engine/orders/stream_stretch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace muster {
+namespace {
+
+constexpr double kUnfelt = 1.015;      // A smaller stretch is none.
+constexpr double kSingle = 0.4;        // From that stretch more on rows are in single order.
+constexpr double kLeastBend = 0.45;    // Rows in a bend are never nearer to each other than by that share.
+constexpr double kInside = 0.75;       // Down to that share of their distance they need no more room.
+constexpr double kMostSpread = 1.0;    // ... and count as farther apart on the outside by that at most.
+constexpr std::int32_t kBendRows = 4;  // Bends are evened over so many rows to both sides.
+constexpr double kBins = 4.0;          // Of xi, per row.
+constexpr double kShiftRoom = 1.4;     // Single order comes and goes over that many times the shift.
+constexpr double kLeastRoom = 1.5;     // ... and over that much at least [m].
+
+}  // namespace
+
+void StreamStretch::start(const StreamLine& line, double spacing, double fade) {
+    step_ = line.step();
+    spacing_ = spacing;
+    fade_ = fade;
+    most_ = 1.0;
+    sigma_.assign(line.rows(), 1.0);
+    bend_.assign(line.rows(), -kMostSpread);
+}
+
+void StreamStretch::compare(const StreamPaths& paths, const StreamBanks& banks, const StreamCourse& a,
+                            const StreamCourse& b) {
+    const std::int32_t first = std::max(a.first, b.first), last = std::min(a.last, b.last);
+    if (first > last) return;
+    const std::int32_t *runA = paths.of(a).data() - a.first, *runB = paths.of(b).data() - b.first;
+    const double *leftA = banks.of(a).data() - a.first, *leftB = banks.of(b).data() - b.first;
+    for (std::int32_t k = first; k <= last; ++k) {
+        if (runA[k] != runB[k]) continue;
+        const double now = std::fabs(leftB[k] - leftA[k]) + spacing_;
+        if ((b.ordinate - a.ordinate + spacing_) <= now) continue;
+        const double own = std::fabs(b.nominal(k * step_, fade_) - a.nominal(k * step_, fade_)) + spacing_;
+        if (own > now * sigma_[k]) sigma_[k] = own / now;
+    }
+}
+
+void StreamStretch::widen(const StreamLine& line, const StreamRuns& runs, const StreamBanks& banks) {
+    const auto rows = static_cast<std::int32_t>(sigma_.size());
+    for (std::int32_t k = 0; k < rows; ++k) {
+        const double bend = line.row(k).bend;
+        for (std::int32_t r = runs.first(k); r < runs.first(k + 1); ++r) {
+            const StreamLoad& load = banks.loads()[r];
+            if (!load.used()) continue;
+            const double now = std::max(0.0, load.left - load.right) + spacing_;
+            sigma_[k] = std::max(sigma_[k], (load.high - load.low + spacing_) / now);
+            bend_[k] = std::max(bend_[k], bend > 0.0 ? bend * load.left : bend * load.right);
+        }
+    }
+    for (double& bend : bend_)
+        if (bend == -kMostSpread) bend = 0.0;
+    for (std::int32_t k = 0; k < rows; ++k) {
+        double sum = 0.0;
+        for (std::int32_t j = k - kBendRows; j <= k + kBendRows; ++j)
+            sum += bend_[std::clamp(j, 0, rows - 1)];
+        const double inside = std::clamp(1.0 - sum / (2.0 * kBendRows + 1.0), kLeastBend, 1.0 + kMostSpread);
+        sigma_[k] /= inside > 1.0 ? inside : std::min(1.0, inside / kInside);
+        if (sigma_[k] < kUnfelt) sigma_[k] = 1.0;
+        most_ = std::max(most_, sigma_[k]);
+    }
+}
+
+void StreamStretch::settle(double shift) {
+    xi_.resize(sigma_.size());
+    xi_[0] = 0.0;
+    for (std::size_t k = 1; k < sigma_.size(); ++k) {
+        // Unstretched, xi is s to the bit.
+        const bool open = sigma_[k] == 1.0 && sigma_[k - 1] == 1.0;
+        xi_[k] = xi_[k - 1] + (open ? step_ : 0.5 * step_ * (1.0 / sigma_[k - 1] + 1.0 / sigma_[k]));
+    }
+    index();
+    blend(shift);
+}
+
+void StreamStretch::index() {
+    const auto bins = static_cast<std::size_t>(kBins * static_cast<double>(xi_.size()));
+    bin_ = xi_.back() / static_cast<double>(bins);
+    rowAt_.resize(bins + 1);
+    std::int32_t k = 0;
+    for (std::size_t b = 0; b <= bins; ++b) {
+        while (k + 2 < static_cast<std::int32_t>(xi_.size()) && xi_[k + 1] <= static_cast<double>(b) * bin_)
+            ++k;
+        rowAt_[b] = k;
+    }
+}
+
+// The single order by stretch; the most within reach, then the mean over it.
+void StreamStretch::blend(double shift) {
+    const auto n = static_cast<std::int32_t>(xi_.back() / kSample) + 2;
+    const auto reach = static_cast<std::int32_t>(std::max(kLeastRoom, kShiftRoom * shift) / (2.0 * kSample)) +
+                       1;
+    first_ = xi_.back();
+    last_ = 0.0;
+    single_.assign(n, 0.0);
+    wide_.assign(n, 0.0);
+    if (most_ <= 1.0) return;
+    for (std::size_t k = 0; k < xi_.size(); ++k) {
+        double& sample = single_[static_cast<std::size_t>(xi_[k] / kSample)];
+        sample = std::max(sample, std::min(1.0, (sigma_[k] - 1.0) / kSingle));
+    }
+    for (std::int32_t k = 0; k < n; ++k)
+        for (std::int32_t j = std::max(0, k - reach); j <= std::min(n - 1, k + reach); ++j)
+            wide_[k] = std::max(wide_[k], single_[j]);
+    double sum = 0.0;
+    const auto at = [&](std::int32_t k) { return wide_[std::clamp(k, 0, n - 1)]; };
+    for (std::int32_t k = -reach; k <= reach; ++k) sum += at(k);
+    for (std::int32_t k = 0; k < n; ++k) {
+        single_[k] = sum / (2.0 * reach + 1.0);
+        if (single_[k] < 1e-12) single_[k] = 0.0;
+        if (single_[k] > 0.5) {
+            first_ = std::min(first_, k * kSample);
+            last_ = std::max(last_, k * kSample);
+        }
+        sum += at(k + reach + 1) - at(k - reach);
+    }
+}
+
+double StreamStretch::xi(double s) const {
+    const auto rows = static_cast<std::int32_t>(xi_.size());
+    const double x = std::clamp(s / step_, 0.0, rows - 1.0);
+    const std::int32_t k = std::min(static_cast<std::int32_t>(x), rows - 2);
+    return xi_[k] + (xi_[k + 1] - xi_[k]) * (x - k) + (s - x * step_);
+}
+
+double StreamStretch::s(double xi) const {
+    if (xi <= 0.0) return xi;
+    if (xi >= xi_.back()) return (static_cast<double>(xi_.size()) - 1.0) * step_ + (xi - xi_.back());
+    const auto b = static_cast<std::size_t>(xi / bin_);
+    std::int32_t k = rowAt_[std::min(b, rowAt_.size() - 1)], end = rowAt_[std::min(b + 1, rowAt_.size() - 1)];
+    while (k < end) {
+        const std::int32_t middle = (k + end + 1) / 2;
+        if (xi_[middle] <= xi) {
+            k = middle;
+        } else {
+            end = middle - 1;
+        }
+    }
+    return (k + (xi - xi_[k]) / (xi_[k + 1] - xi_[k])) * step_;
+}
+
+}  // namespace muster

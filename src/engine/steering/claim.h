@@ -1,0 +1,31 @@
+// The claim of a character on the ground ahead of it: what ranks it among others, and whether it gets on.
+#pragma once
+
+#include <cstdint>
+
+#include "muster/vec2.h"
+
+namespace muster {
+
+/// The claim of one character.
+struct Claim {
+    Vec2 spot;              ///< Where its place was when it came to rest there [m].
+    float progress = 1.0f;  ///< Share of its top speed at which it got on lately, along its direction.
+    float stuck = 0.0f;     ///< Time for which it has not got on [s].
+    float lends = 0.0f;     ///< It lends its way for so long yet [s].
+    float last = 0.0f;      ///< Others go before it for so long yet [s].
+    std::uint32_t
+        since = 0;       ///< Step from which its turn counts: of its order, or in which it gave up its turn.
+    bool rests = false;  ///< It has come to its place, and has had no other way since.
+    bool settled = false;  ///< It rests beside its place, because it came no nearer.
+    bool follows = false;  ///< Its group follows somebody.
+    bool asks = false;     ///< It asked others for their way in the last step.
+
+    /// Lets an archive read or write the claim.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(spot, progress, stuck, lends, last, since, rests, settled, follows, asks);
+    }
+};
+
+}  // namespace muster

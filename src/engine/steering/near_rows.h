@@ -1,0 +1,36 @@
+// Who is near whom, as rows: for each character its neighbours, the way to them and the gap between bodies.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/neighbour_list.h"
+#include "engine/steering/crowd_bodies.h"
+
+namespace muster {
+
+/// A neighbour of a character.
+struct Near {
+    std::int32_t other = 0;  ///< Its index.
+    Vec2 towards;            ///< Unit vector to it.
+    double gap = 0.0;        ///< Between the two bodies [m], negative where they overlap.
+};
+
+/// Rows of neighbours, made from a list of pairs. Memory is reused.
+class NearRows {
+public:
+    /// Makes the rows of all characters.
+    void build(const CrowdBodies& bodies, std::span<const Vec2> positions,
+               std::span<const NeighbourPair> pairs);
+    /// The neighbours of a character, in the order of the pairs.
+    std::span<const Near> of(std::int32_t character) const {
+        return std::span(near_).subspan(first_[character], first_[character + 1] - first_[character]);
+    }
+
+private:
+    std::vector<std::size_t> first_;  // Per character its first in near_; and the end.
+    std::vector<Near> near_;
+};
+
+}  // namespace muster

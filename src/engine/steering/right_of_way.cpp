@@ -1,0 +1,226 @@
+#include "engine/steering/right_of_way.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "muster/assert.h"
+
+namespace muster {
+namespace {
+
+constexpr double kReached = 0.15;      // A cost below this is none: the character rests [m].
+constexpr float kSettles = 1.0f;       // Who comes no nearer for so long settles [s].
+constexpr double kMovedAside = 0.3;    // Who rests and is farther from its place was moved aside [m].
+constexpr double kPlaceMoved = 0.5;    // A place this far from where it was is another way [m].
+constexpr double kPlaceStands = 0.05;  // A slower place stands [m/s].
+constexpr double kSmoothing = 0.3;     // Of progress [s].
+constexpr float kGetsOn = 0.3f;        // Progress above this is getting on.
+constexpr double kFileCosine = 0.7;    // Cosine from which two follow each other.
+constexpr double kFileGap = 1.0;       // Gap within which a file follows its head [m].
+constexpr double kAskGap = 0.6;        // Gap within which who is in the way is asked [m].
+constexpr float kAskResting = 0.2f;    // Time after which somebody at rest is asked [s],
+constexpr float kAskWalking = 3.0f;    // and somebody who walks.
+constexpr float kHandOn = 5.0f;        // Who asked in vain for so long is the last for as long [s].
+constexpr float kLends = 0.6f;         // A way is lent for so long [s],
+constexpr float kLendsAtRest = 1.5f;   // by somebody at rest for so long.
+constexpr double kClear = 0.05;        // Kept beside who passes [m].
+
+enum : std::uint8_t { kLeaves, kWalks, kFollows, kMoved, kRests, kLast };
+
+}  // namespace
+
+void RightOfWay::count(const CrowdBodies& bodies, std::span<const Vec2> wanted, std::span<const Vec2> place,
+                       std::span<const Vec2> placeVelocity, std::span<const GroupClaim> groups,
+                       std::uint32_t step, double dt, const Characters& characters, std::span<Claim> claims) {
+    const auto time = static_cast<float>(dt);
+    const auto share = static_cast<float>(std::min(1.0, dt / kSmoothing));
+    MUSTER_ASSERT(claims.size() == characters.size());
+    for (std::size_t i = 0; i < characters.size(); ++i) {
+        Claim& claim = claims[i];
+        claim.lends = std::max(0.0f, claim.lends - time);
+        claim.last = std::max(0.0f, claim.last - time);
+        const double left = distance(characters.position[i], place[i]);
+        const bool stands = lengthSquared(placeVelocity[i]) < kPlaceStands * kPlaceStands;
+        if (claim.rests && (!stands || distance(place[i], claim.spot) > kPlaceMoved)) {
+            claim.rests = claim.settled = false;
+            claim.since = groups.empty() ? step : groups[characters.group[i]].since;
+        }
+        claim.follows = !groups.empty() && groups[characters.group[i]].follows;
+        // Who was moved aside and cannot return walks anew; who asks in vain hands its turn on.
+        claim.settled = claim.settled && left <= kArrivedReach;
+        if (claim.rests && !claim.settled && left > kMovedAside && claim.stuck > kHandOn &&
+            claim.lends == 0.0f) {
+            claim.rests = false;
+            claim.since = step;
+            claim.stuck = 0.0f;
+        }
+        if (claim.asks && claim.stuck > kHandOn) {
+            claim.since = step;
+            claim.stuck = 0.0f;
+            claim.last = kHandOn;
+        }
+        claim.asks = false;
+        if (!claim.rests && stands && left < kReached) {
+            claim.rests = true;
+            claim.spot = place[i];
+        }
+        // Who is within reach of its place and comes no nearer has arrived.
+        if (stands && left < kArrivedReach && claim.stuck > kSettles) {
+            claim.rests = claim.settled = true;
+            claim.spot = place[i];
+        }
+        const Vec2 along = normalized(wanted[i]);
+        const auto now = static_cast<float>(dot(characters.velocity[i], along) / bodies.maxSpeed(i));
+        claim.progress += (now - claim.progress) * share;
+        const bool waits = claim.progress <= kGetsOn && left >= kReached && claim.lends == 0.0f &&
+                           claim.last == 0.0f && !(along == Vec2{});
+        claim.stuck = waits ? claim.stuck + time : 0.0f;
+    }
+}
+
+void RightOfWay::sort(const Characters& now, std::span<const Vec2> leaving, std::span<const Claim> claims) {
+    const std::size_t count = now.size();
+    class_.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Claim& claim = claims[i];
+        const bool aside = now.place[i] >= 0 && !claim.settled &&
+                           distance(claim.spot, now.position[i]) > kMovedAside;
+        const bool leaves = !leaving.empty() && !(leaving[i] == Vec2{});
+        class_[i] = leaves              ? kLeaves
+                    : claim.last > 0.0f ? kLast
+                    : !claim.rests      ? (claim.follows ? kFollows : kWalks)
+                    : aside             ? kMoved
+                                        : kRests;
+    }
+    order_.resize(count);
+    std::iota(order_.begin(), order_.end(), 0);
+    std::sort(order_.begin(), order_.end(), [&](std::int32_t a, std::int32_t b) {
+        if (class_[a] != class_[b]) return class_[a] < class_[b];
+        if (claims[a].since != claims[b].since) return claims[a].since < claims[b].since;
+        return a < b;
+    });
+}
+
+// Who follows close behind somebody, the same way, comes right after him: a file passes as one.
+void RightOfWay::joinFiles(const Characters& now, const NearRows& rows, std::span<const Vec2> own) {
+    done_.assign(now.size(), 0);
+    files_.clear();
+    for (const std::int32_t head : order_) {
+        if (done_[head]) continue;
+        done_[head] = 1;
+        files_.push_back(head);
+        if (class_[head] > kFollows) continue;
+        for (std::size_t at = files_.size() - 1; at < files_.size(); ++at) {
+            const std::int32_t a = files_[at];
+            const Vec2 ahead = normalized(own[a]);
+            for (const Near& near : rows.of(a)) {
+                const std::int32_t b = near.other;
+                if (done_[b] || near.gap > kFileGap || class_[a] != class_[b]) continue;
+                if (dot(own[a], own[b]) <= kFileCosine || dot(near.towards, ahead) >= -0.5) continue;
+                done_[b] = 1;
+                files_.push_back(b);
+            }
+        }
+    }
+    rank_.resize(now.size());
+    for (std::size_t k = 0; k < files_.size(); ++k) rank_[files_[k]] = static_cast<std::int32_t>(k);
+}
+
+// Who is asked goes aside where there is room, else along the way of who asks.
+void RightOfWay::lend(std::int32_t asker, const Near& near, Vec2 along, const CrowdBodies& bodies,
+                      const Environment& environment, const NearRows& rows, double topSpeed,
+                      const Characters& characters, Vec2& wanted) {
+    const std::int32_t b = near.other;
+    const double apart = near.gap + bodies.touching(asker, b);
+    const double beside = cross(along, near.towards) * apart;
+    const Vec2 side = perpendicular(along);
+    Vec2 best = along;
+    double least = 1.2, speed = 1.0;
+    lender_[b] = {asker, kAskGap};
+    for (const double sign : {-1.0, 1.0}) {
+        const double need = std::max(0.0, bodies.touching(asker, b) + kClear - sign * beside);
+        const Vec2 here = characters.position[b], spot = here + side * (sign * need);
+        const double radius = bodies.radius(b);
+        if (!environment.def().box.grown(-radius).contains(spot) ||
+            environment.distanceToObstacle(spot, radius) < radius ||
+            environment.distanceToObstacle(lerp(here, spot, 0.5), radius) < radius - 0.02)
+            continue;
+        double cost = need;
+        for (const Near& o : rows.of(b)) {
+            if (o.other == asker) continue;
+            const double touching = bodies.touching(b, o.other);
+            if (lengthSquared(characters.position[o.other] - spot) < touching * touching)
+                cost += done_[o.other] ? 1.0 : 0.3;
+        }
+        if (cost >= least) continue;
+        least = cost;
+        best = normalized(side * (sign * 0.9) + along * 0.4);
+        speed = std::min(1.0, 5.0 * need / topSpeed);
+        lender_[b].need = need + kClear;
+    }
+    wanted = best * (speed * topSpeed);
+}
+
+void RightOfWay::askFrom(std::int32_t first, const CrowdBodies& bodies, const Environment& environment,
+                         const NearRows& rows, std::span<const double> topSpeed, const Characters& characters,
+                         std::span<Claim> claims, std::span<Vec2> wanted) {
+    stack_.assign(1, first);
+    while (!stack_.empty()) {
+        const std::int32_t a = stack_.back();
+        stack_.pop_back();
+        const Vec2 along = normalized(wanted[a]);
+        if (along == Vec2{}) continue;
+        Claim& claim = claims[a];
+        const bool lends = lender_[a].to >= 0;
+        for (const Near& near : rows.of(a)) {
+            const std::int32_t b = near.other;
+            if (done_[b] || near.gap > (lends ? lender_[a].need : kAskGap) || bodies.isFixed(b) ||
+                bodies.isFirmer(b, a))
+                continue;
+            const double apart = near.gap + bodies.touching(a, b);
+            if (dot(near.towards, along) <= 0.0 ||
+                std::fabs(cross(along, near.towards)) * apart > bodies.touching(a, b) + 0.03)
+                continue;
+            const bool resting = claims[b].rests;
+            const float patience = !claims[a].rests && resting ? kAskResting : kAskWalking;
+            if (!lends && class_[a] != kLeaves && claim.stuck <= patience) continue;
+            const bool same = !resting && !lends && class_[a] != kLeaves &&
+                              (characters.group[a] == characters.group[b] ||
+                               dot(normalized(own_[b]), along) > 0.5);
+            if (same) {  // The same way: it takes over the rank only.
+                if (claim.progress < kGetsOn) {
+                    done_[b] = 1;
+                    stack_.push_back(b);
+                }
+                continue;
+            }
+            lend(a, near, along, bodies, environment, rows, topSpeed[b], characters, wanted[b]);
+            claims[b].lends = resting ? kLendsAtRest : kLends;
+            done_[b] = 1;
+            claim.asks = true;
+            stack_.push_back(b);
+        }
+    }
+}
+
+void RightOfWay::run(const CrowdBodies& bodies, const Environment& environment, const NearRows& rows,
+                     std::span<const double> topSpeed, std::span<const Vec2> leaving,
+                     const Characters& characters, std::span<Claim> claims, std::span<Vec2> wanted) {
+    const std::size_t count = characters.size();
+    own_.resize(count);
+    for (std::size_t i = 0; i < count; ++i) own_[i] = topSpeed[i] > 0.0 ? wanted[i] / topSpeed[i] : Vec2{};
+    sort(characters, leaving, claims);
+    joinFiles(characters, rows, own_);
+    lender_.assign(count, {});
+    done_.assign(count, 0);
+    for (const std::int32_t top : files_) {
+        if (done_[top]) continue;
+        done_[top] = 1;
+        if (claims[top].lends > 0.0f && class_[top] != kLeaves)
+            wanted[top] = {};  // Asked a moment ago, and not now: waits.
+        askFrom(top, bodies, environment, rows, topSpeed, characters, claims, wanted);
+    }
+}
+
+}  // namespace muster

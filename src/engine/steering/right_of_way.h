@@ -1,0 +1,62 @@
+// Right of way: of two who do not go the same way, who goes first and who makes room; and who is asked to
+// lend its way where that does not help (after priority inheritance with backtracking, Okumura et al. 2019).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/ground/environment/environment.h"
+#include "engine/steering/characters.h"
+#include "engine/steering/claim.h"
+#include "engine/steering/crowd_bodies.h"
+#include "engine/steering/near_rows.h"
+
+namespace muster {
+
+/// What a group does, as far as others have to know.
+struct GroupClaim {
+    std::uint32_t since = 0;  ///< Step in which its order began.
+    bool follows = false;     ///< It follows or guards somebody, who goes first.
+};
+
+/// Ranks characters, and lets those who are blocked ask others for their way.
+class RightOfWay {
+public:
+    /// Updates all claims from how characters got on in the last step. `wanted` is the velocity along the own
+    /// way [m/s], `place` where each heads for [m], `placeVelocity` of that [m/s].
+    void count(const CrowdBodies& bodies, std::span<const Vec2> wanted, std::span<const Vec2> place,
+               std::span<const Vec2> placeVelocity, std::span<const GroupClaim> groups, std::uint32_t step,
+               double dt, const Characters& characters, std::span<Claim> claims);
+    /// Ranks all, and changes `wanted` [m/s] of those who lend their way. Who is leaving the way of something
+    /// that moves (`leaving` is not null; empty for nobody) goes first, and asks at once.
+    void run(const CrowdBodies& bodies, const Environment& environment, const NearRows& rows,
+             std::span<const double> topSpeed, std::span<const Vec2> leaving, const Characters& characters,
+             std::span<Claim> claims, std::span<Vec2> wanted);
+
+    /// True where `a` has the right of way before `b`.
+    bool precedes(std::int32_t a, std::int32_t b) const { return rank_[a] < rank_[b]; }
+
+private:
+    // Who lends its way to whom.
+    struct Lender {
+        std::int32_t to = -1;  // -1 for nobody.
+        double need = 0.0;     // Others nearer than this are asked in turn [m].
+    };
+
+    void sort(const Characters& now, std::span<const Vec2> leaving, std::span<const Claim> claims);
+    void joinFiles(const Characters& now, const NearRows& rows, std::span<const Vec2> own);
+    void askFrom(std::int32_t first, const CrowdBodies& bodies, const Environment& environment,
+                 const NearRows& rows, std::span<const double> topSpeed, const Characters& characters,
+                 std::span<Claim> claims, std::span<Vec2> wanted);
+    void lend(std::int32_t asker, const Near& near, Vec2 along, const CrowdBodies& bodies,
+              const Environment& environment, const NearRows& rows, double topSpeed,
+              const Characters& characters, Vec2& wanted);
+
+    std::vector<std::int32_t> order_, files_, rank_, stack_;
+    std::vector<std::uint8_t> class_, done_;
+    std::vector<Vec2> own_;  // Directions along the own way, as shares of top speed.
+    std::vector<Lender> lender_;
+};
+
+}  // namespace muster
