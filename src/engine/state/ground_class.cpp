@@ -50,8 +50,10 @@ double meanRadius(const WorldState& state, const Group& group) {
 
 PlaceDef placeDefOf(const WorldState& state, const Group& group) {
     const Parameters& parameters = state.parameters;
+    double fastest = parameters.place.speed;
+    for (const std::int32_t i : group.members) fastest = std::max(fastest, state.characters.body[i].maxSpeed);
     return {groundRadius(parameters.character.radius, group.groundClass), parameters.place.clearance,
-            parameters.place.speed, 2.0 * meanRadius(state, group)};
+            fastest, 2.0 * meanRadius(state, group)};
 }
 
 void updateGroundClasses(WorldState& state, ThreadPool& pool) {

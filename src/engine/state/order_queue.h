@@ -17,6 +17,7 @@ struct OrderQueue {
     bool patrols = false;             ///< Orders that are done come last again.
     bool begun = false;               ///< The first order has begun.
     bool reachable = true;            ///< Its target can be reached.
+    std::uint32_t ground = 0;         ///< Version of the ground for which that was found.
     std::uint32_t begunAt = 0;        ///< Step in which it began.
     std::uint32_t stoodAt = 0;        ///< Step in which somebody last got nearer to the end of it.
     std::int32_t arrived = 0;         ///< Most who have arrived so far.
@@ -41,7 +42,7 @@ struct OrderQueue {
     /// Lets an archive read or write it.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(orders, held, patrols, begun, reachable, begunAt, stoodAt, arrived, target, march, own, files,
+        archive(orders, held, patrols, begun, reachable, ground, begunAt, stoodAt, arrived, target, march, own, files,
                 clearOf);
     }
 };

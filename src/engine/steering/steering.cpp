@@ -17,6 +17,7 @@ constexpr double kAheadCosine = 0.5;    // Twice the cosine below which two char
 constexpr double kYieldSpeed = 0.3;     // At which a character steps back from a blocked one [m/s].
 constexpr float kStandsFor = 3.0f;      // Two who have stood and touched for so long bar each other [s].
 constexpr float kStepBack = 4.0f;       // Then they take turns of this length in stepping back [s].
+constexpr double kBrakes = 0.8;  // Share of its acceleration with which a character brakes.
 constexpr std::size_t kSteeredPerTask = 256;  // Characters per task.
 constexpr double kWalkingInCrowd = 0.05;      // A slower character does not walk along with others [m/s].
 constexpr double kWalkingSpeed = 0.15;        // A slower character stands and faces with the formation [m/s].
@@ -70,7 +71,7 @@ bool takesTurn(const Characters& now, std::span<const PlaceWait> waits, std::int
 
 // The velocity towards the place: along the planned path, or straight where the place is near.
 Vec2 preferredVelocity(const Parameters::Character& def, const Characters& now, const SteeringInput& input,
-                       std::size_t i, double topSpeed) {
+                       std::size_t i, double topSpeed, double brakes) {
     const Vec2 direction = now.direction[i];
     const bool placed = now.place[i] >= 0;
     if (!placed && direction == Vec2{}) return {};
@@ -79,10 +80,14 @@ Vec2 preferredVelocity(const Parameters::Character& def, const Characters& now, 
     const bool crossing = now.phase[i] == MotionPhase::Locked && left > kLockEnd &&
                           lengthSquared(now.velocity[i]) > 0.01;
     if (crossing) return limitDeviation(direction, now.heading[i]) * topSpeed;
-    if (placed && left < def.directReach && dot(direction, toPlace) > 0.999 * left)
-        return clampLength(input.placeVelocity[i] + toPlace * def.positionGain, topSpeed);
     if (placed && left < 1e-6) return clampLength(input.placeVelocity[i], topSpeed);
-    return direction * topSpeed;
+    // It comes to the speed of its place by its own brakes.
+    const double closing = std::sqrt(2.0 * kBrakes * brakes * left);
+    if (placed && left < def.directReach && dot(direction, toPlace) > 0.999 * left)
+        return clampLength(
+            input.placeVelocity[i] + toPlace * std::min(def.positionGain, closing / left), topSpeed);
+    const double along = placed ? std::max(0.0, dot(input.placeVelocity[i], direction)) : topSpeed;
+    return direction * std::min(topSpeed, along + closing);
 }
 
 // Gains for one time step, the same for all characters.
@@ -164,7 +169,7 @@ void Steering::run(const CrowdBodies& bodies, const Characters& now, const Steer
         topSpeed_[i] = patches ? bodies.maxSpeed(i) * environment.ground(now.position[i]).travelSpeed
                                : bodies.maxSpeed(i);
         if (!input.pace.empty()) topSpeed_[i] *= input.pace[i];
-        preferred_[i] = preferredVelocity(def, now, input, i, topSpeed_[i]);
+        preferred_[i] = preferredVelocity(def, now, input, i, topSpeed_[i], bodies.acceleration(i));
     });
     neighbours_.build(now.position, 2.0 * bodies.largestRadius() + std::max(def.separationReach, kTouchGap));
     bodies.shorten(now.position, neighbours_);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "engine/formation/places/place_tracker.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
 #include "muster/control.h"
@@ -14,17 +14,6 @@ namespace {
 
 constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
 constexpr double kStill = 0.03;  // Places between a wall and each other tremble by less [m/s].
-
-/// Distance of a character to its place; infinite without one.
-double lagOf(const World& world, std::size_t i) {
-    const CharactersView c = world.characters();
-    const std::int32_t place = c.place[i];
-    if (place < 0) return std::numeric_limits<double>::infinity();
-    const std::vector<Vec2>& positions = inspect::places(world, c.group[i]).positions();
-    const auto index = static_cast<std::size_t>(place);
-    return index < positions.size() ? distance(c.position[i], positions[index])
-                                    : std::numeric_limits<double>::infinity();
-}
 
 /// The smallest value that `share` of all do not exceed; -1 for none.
 double quantile(std::vector<double> values, double share) {
@@ -79,7 +68,7 @@ void RunMetrics::follow(const CharactersView& characters) {
 
 void RunMetrics::watchArrivals(const World& world) {
     for (std::size_t i = 0; i < ids_.size(); ++i) {
-        if (lagOf(world, i) > kArrivedReach) {
+        if (inspect::distanceLeft(world, i) > kArrivedReach) {
             reachedAt_[i] = kNever;
         } else if (reachedAt_[i] == kNever) {
             reachedAt_[i] = world.stepCount();
@@ -187,10 +176,16 @@ RunFigures RunMetrics::figures(const World& world, bool withPathRatio) const {
     if (characterSeconds_ > 0.0) figures.swapsPerCharacterPerSecond = swaps / characterSeconds_;
     for (std::size_t g = 0; g < world.groupCount(); ++g) figures.planned.add(world.group(g).walk);
     for (const double walk : walked_) figures.walked.add(walk);
+    const CharactersView characters = world.characters();
     std::vector<double> lags;
     for (std::size_t i = 0; i < ids_.size(); ++i) {
-        const double lag = lagOf(world, i);
-        if (std::isfinite(lag)) lags.push_back(lag);
+        const std::int32_t place = characters.place[i];
+        const double left = inspect::distanceLeft(world, i);
+        const std::span<const Vec2> places = world.group(characters.group[i]).placePositions;
+        if (place >= 0 && std::cmp_less(place, places.size()))
+            lags.push_back(distance(characters.position[i], places[place]));
+        else if (std::isfinite(left))
+            lags.push_back(left);
     }
     figures.unmatched = figures.characters - static_cast<std::int32_t>(lags.size());
     figures.lagP95 = std::max(0.0, quantile(lags, 0.95));

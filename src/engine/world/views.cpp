@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "engine/ground/routes/route_search.h"
 #include "engine/state/validation.h"
@@ -183,6 +184,26 @@ std::optional<std::size_t> indexOfGroup(const World& world, GroupId id) {
     for (std::size_t g = 0; g < world.groupCount(); ++g)
         if (world.group(g).id == id) return g;
     return std::nullopt;
+}
+double distanceLeft(const World& world, std::size_t character) {
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    const WorldState& state = WorldAccess::of(world).state;
+    const Characters& c = state.characters;
+    const Group& group = state.groups[c.group[character]];
+    if (const Gathering* const gathering = state.continuum.find(group.id)) {
+        const double reach = gatheringReach(group.members.size(), state.parameters.character.radius);
+        const double beyond = distance(c.position[character], gathering->target) - reach;
+        return gathering->hasArrived(c.id[character]) ? 0.0 : std::max(0.0, beyond);
+    }
+    const std::int32_t place = c.place[character];
+    if (place < 0 || std::cmp_greater_equal(place, group.places.positions().size())) return kNone;
+    const double left = distance(c.position[character], group.places.positions()[place]);
+    const OrderQueue& queue = group.orders;
+    if (!queue.begun || queue.held || queue.orders.empty()) return left;
+    const OrderKind kind = queue.orders.front().order.kind;
+    if (kind != OrderKind::Move && kind != OrderKind::Face) return left;
+    if (queue.march.phase != MarchPhase::Stand) return kNone;
+    return std::max(left, distance(c.position[character], group.places.reachableTargets()[place]));
 }
 const GroupDef& groupDef(const World& world, std::size_t group) {
     return WorldAccess::of(world).state.groups[group].def;

@@ -8,13 +8,13 @@ using namespace muster;
 
 namespace {
 
-struct Ground {
+struct RoutedGround {
     Environment environment;
     RouteGraph routes;
     PlaceDef def;
     NearestReachable nearest;
 
-    explicit Ground(const std::vector<Polygon>& walls, Box box = {{-20, -20}, {20, 20}})
+    explicit RoutedGround(const std::vector<Polygon>& walls, Box box = {{-20, -20}, {20, 20}})
         : environment(make(walls, box)) {
         routes.update(environment, def.radius);
     }
@@ -33,7 +33,7 @@ struct Ground {
     }
 };
 
-std::vector<Vec2> block(int side, double spacing) {
+std::vector<Vec2> squareOf(int side, double spacing) {
     std::vector<Vec2> points;
     for (int k = 0; k < side * side; ++k)
         points.push_back(Vec2{k / side - (side - 1) / 2.0, k % side - (side - 1) / 2.0} * spacing);
@@ -47,7 +47,7 @@ struct Found {
     bool free = true;
 };
 
-Found find(Ground& ground, const std::vector<Vec2>& offsets, Vec2 target, std::vector<Vec2> taken = {}) {
+Found foundAt(RoutedGround& ground, const std::vector<Vec2>& offsets, Vec2 target, std::vector<Vec2> taken = {}) {
     const FreeSpace space(ground.def, ground.routes, -1, ground.nearest);
     EndDef def;
     def.offsets = offsets;
@@ -69,18 +69,18 @@ Found find(Ground& ground, const std::vector<Vec2>& offsets, Vec2 target, std::v
 }  // namespace
 
 TEST_CASE("on open ground places are as ordered") {
-    Ground ground({});
-    const std::vector<Vec2> offsets = block(8, 1.0);
-    const Found found = find(ground, offsets, {3, -2});
+    RoutedGround ground({});
+    const std::vector<Vec2> offsets = squareOf(8, 1.0);
+    const Found found = foundAt(ground, offsets, {3, -2});
     CHECK(found.pose.position == Vec2{3, -2});
     for (std::size_t i = 0; i < offsets.size(); ++i) CHECK(found.ends[i] == offsets[i] + Vec2{3, -2});
 }
 
 TEST_CASE("at the edge of the world and beside a house the whole formation stands where it fits") {
-    Ground ground({{{5, -3}, {9, -3}, {9, 3}, {5, 3}}});
-    const std::vector<Vec2> offsets = block(6, 1.0);
+    RoutedGround ground({{{5, -3}, {9, -3}, {9, 3}, {5, 3}}});
+    const std::vector<Vec2> offsets = squareOf(6, 1.0);
     for (const Vec2 target : {Vec2{19.5, 10}, Vec2{4, 0}, Vec2{-19, -19}}) {
-        const Found found = find(ground, offsets, target);
+        const Found found = foundAt(ground, offsets, target);
         CHECK(found.free);
         CHECK(found.nearest == doctest::Approx(1.0));
         CHECK(distance(found.pose.position, target) < 6.0);
@@ -89,10 +89,10 @@ TEST_CASE("at the edge of the world and beside a house the whole formation stand
 
 TEST_CASE("in a room that is too small for it, a formation is laid out in it and not behind its walls") {
     // A room of 5 by 5 m with a door far from the target; outside there is room for all.
-    Ground ground({{{0, 0}, {0.2, 0}, {0.2, 6}, {0, 6}},
+    RoutedGround ground({{{0, 0}, {0.2, 0}, {0.2, 6}, {0, 6}},
                    {{0.2, 0}, {5.2, 0}, {5.2, 0.2}, {0.2, 0.2}},
                    {{5.2, 0}, {5.4, 0}, {5.4, 6}, {5.2, 6}}});
-    const Found found = find(ground, block(4, 1.1), {2.6, 2.2});
+    const Found found = foundAt(ground, squareOf(4, 1.1), {2.6, 2.2});
     CHECK(found.free);
     CHECK(found.nearest >= 0.6 - 1e-9);
     for (const Vec2 p : found.ends) {
@@ -103,10 +103,10 @@ TEST_CASE("in a room that is too small for it, a formation is laid out in it and
 }
 
 TEST_CASE("where others stand, or will stand, a formation stands beside them on its own side") {
-    Ground ground({});
-    const std::vector<Vec2> offsets = block(6, 1.0);
-    const Found first = find(ground, offsets, {0, 0});
-    const Found second = find(ground, offsets, {0, 0}, first.ends);
+    RoutedGround ground({});
+    const std::vector<Vec2> offsets = squareOf(6, 1.0);
+    const Found first = foundAt(ground, offsets, {0, 0});
+    const Found second = foundAt(ground, offsets, {0, 0}, first.ends);
     double between = 1e9, middle = 0.0;
     for (const Vec2 p : second.ends) {
         middle += p.x / static_cast<double>(second.ends.size());

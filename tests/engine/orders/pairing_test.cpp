@@ -12,7 +12,7 @@ using namespace muster;
 
 namespace {
 
-std::vector<Vec2> grid(int columns, int rows, double spacing, Vec2 corner) {
+std::vector<Vec2> latticeOf(int columns, int rows, double spacing, Vec2 corner) {
     std::vector<Vec2> points;
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < columns; ++x) points.push_back(corner + Vec2{x * spacing, y * spacing});
@@ -39,14 +39,14 @@ double leastSquares(const std::vector<Vec2>& from, const std::vector<Vec2>& to) 
 }  // namespace
 
 TEST_CASE("a block that is only moved is paired place by place") {
-    const std::vector<Vec2> from = grid(9, 7, 0.9, {-3, 2}), to = grid(9, 7, 0.9, {40.03, -17.1});
+    const std::vector<Vec2> from = latticeOf(9, 7, 0.9, {-3, 2}), to = latticeOf(9, 7, 0.9, {40.03, -17.1});
     Pairing pairing;
     const auto pairs = pairing.pair(from, to);
     for (std::size_t i = 0; i < from.size(); ++i) CHECK(pairs[i] == static_cast<std::int32_t>(i));
 }
 
 TEST_CASE("after half a turn everybody walks the same way") {
-    const std::vector<Vec2> from = grid(60, 1, 1.0, {0, 0});
+    const std::vector<Vec2> from = latticeOf(60, 1, 1.0, {0, 0});
     std::vector<Vec2> to;
     for (const Vec2 p : from) to.push_back(Vec2{59.0 - p.x, 40.0});
     Pairing pairing;
@@ -94,7 +94,7 @@ TEST_CASE("large sets come near the least squares") {
 }
 
 TEST_CASE("classes stay among themselves") {
-    const std::vector<Vec2> from = grid(4, 2, 1.0, {0, 0}), to = grid(4, 2, 1.0, {10, 0});
+    const std::vector<Vec2> from = latticeOf(4, 2, 1.0, {0, 0}), to = latticeOf(4, 2, 1.0, {10, 0});
     const std::vector<std::uint8_t> fromClass{0, 0, 0, 0, 2, 2, 2, 2}, toClass{2, 2, 2, 2, 0, 0, 0, 0};
     Pairing pairing;
     const auto pairs = pairing.pair(from, to, fromClass, toClass);
@@ -105,7 +105,7 @@ TEST_CASE("two that go straight at the same time keep most of their distance") {
     Pairing pairing;
     Random random(5);
     for (int scene = 0; scene < 30; ++scene) {
-        const std::vector<Vec2> from = grid(10, 10, 1.0, {0, 0});
+        const std::vector<Vec2> from = latticeOf(10, 10, 1.0, {0, 0});
         const double c = random.uniform(-1, 1), s = std::sqrt(1 - c * c);
         std::vector<Vec2> to;
         for (const Vec2 p : from) to.push_back(Vec2{40, 10} + Rotation{c, s}.apply(p - Vec2{4.5, 4.5}));

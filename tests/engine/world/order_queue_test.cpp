@@ -90,7 +90,7 @@ TEST_CASE("a queued target that cannot be reached is skipped; the last one is ap
     CHECK(log.has(EventKind::OrderSkipped, 1));
     CHECK(log.has(EventKind::OrderDone, 2));
     CHECK(log.has(EventKind::OrderBegun, 3));
-    CHECK(log.has(EventKind::OrderDone, 3));
+    CHECK(log.has(EventKind::OrderSkipped, 3));
     CHECK(distance(centre(world), {15, 15}) < 10.0);
     CHECK(distance(centre(world), {15, 15}) > 5.0);
     const OrderForecast inside = world.forecast(world.group(0).id, Order::move({15, 15}));

@@ -85,6 +85,8 @@ bool placesStand(const Group& group) {
 void raiseArrival(const WorldState& state, Group& group, std::vector<Event>& events) {
     OrderProgress& order = group.order;
     if (order.arrival == ArrivalWatch::Raised) return;
+    // Who cannot come where the order leads does not arrive.
+    if (group.orders.begun && !group.orders.reachable) return;
     const std::uint32_t second = stepsIn(state, kArrivedFor);
     std::uint32_t matched = 0;
     bool allNear = true, allLong = true;

@@ -74,21 +74,48 @@ OrderStage::Lead OrderStage::leadOf(const WorldState& state, const Order& order)
     return lead;
 }
 
+// Finds the point that the order leads to on the present ground.
+void OrderStage::findGoal(WorldState& state, Group& group) {
+    OrderQueue& queue = group.orders;
+    const Order& order = queue.orders.front().order;
+    queue.target = order.target;
+    queue.reachable = true;
+    queue.ground = state.groundEdits;
+    if (order.kind != OrderKind::Move) return;
+    const std::int32_t region = regionOf(state, group);
+    const OrderGoal goal = goalOf(state.routesOf(group), region, extentOf(group).width, order.target);
+    queue.target = goal.target;
+    queue.reachable = goal.reachable;
+}
+
+// On another ground the order is judged again: where its target cannot be reached any more that is told, and
+// the group goes on as if the ground had always been so.
+void OrderStage::judgeAgain(WorldState& state, Group& group, std::vector<Event>& events) {
+    OrderQueue& queue = group.orders;
+    const bool reachable = queue.reachable;
+    const Vec2 target = queue.target;
+    findGoal(state, group);
+    if (reachable && !queue.reachable)
+        events.push_back({EventKind::NoPath, group.id.value, static_cast<std::uint32_t>(group.def.count),
+                          queue.orders.front().order.target});
+    const March& march = queue.march;
+    const double radius = groundRadius(state.parameters.character.radius, group.groundClass);
+    bool clear = true;
+    Vec2 from = group.mesh.pose().position;
+    for (const Vec2 corner : march.ahead()) {
+        clear = clear && state.environment.clearStaticLine(from, corner, radius);
+        from = corner;
+    }
+    if (!(queue.target == target) || !clear) queue.march.phase = MarchPhase::Idle;
+}
+
 OrderStage::Outcome OrderStage::begin(WorldState& state, Group& group, ThreadPool& pool,
                                       std::vector<Event>& events) {
     OrderQueue& queue = group.orders;
     const Order order = queue.orders.front().order;
     const std::uint32_t id = queue.orders.front().id;
-    queue.target = order.target;
-    queue.reachable = true;
-    if (order.kind == OrderKind::Move) {
-        const std::int32_t region = regionOf(state, group);
-        const OrderGoal goal = goalOf(state.routesOf(group), region, extentOf(group).width, order.target);
-        queue.target = goal.target;
-        queue.reachable = goal.reachable;
-        const bool last = queue.orders.size() == 1;
-        if (!goal.reachable && !last) return Outcome::Skipped;
-    }
+    findGoal(state, group);
+    if (!queue.reachable && queue.orders.size() > 1) return Outcome::Skipped;
     queue.begun = true;
     queue.begunAt = queue.stoodAt = state.stepCount;
     queue.arrived = 0;
@@ -333,7 +360,7 @@ OrderStage::Outcome OrderStage::advance(WorldState& state, Group& group, ThreadP
     if (order.kind == OrderKind::Guard) return guard(state, group);
     if (isContinuum(order)) return gather(state, group);
     const FormationExtent extent = extentOf(group);
-    MarchDef def = marchDefOf(state, group, order, extent);
+    MarchDef def = marchDefOf(state, group, order, extent, speeds_);
     // A free group waits for nobody on a drawn way.
     if (order.manner != Manner::Free) def.pace = pace_.of(state, group);
     if (order.kind == OrderKind::Follow) return follow(state, group, def);
@@ -343,7 +370,8 @@ OrderStage::Outcome OrderStage::advance(WorldState& state, Group& group, ThreadP
     goOn(state, group, def);
     if (order.kind == OrderKind::Move && order.manner == Manner::March && order.turn != Turn::Keep)
         squeeze(state, group, extent, ways_, pool);
-    return isDone(state, group) ? Outcome::Done : Outcome::GoesOn;
+    if (!isDone(state, group)) return Outcome::GoesOn;
+    return queue.reachable ? Outcome::Done : Outcome::Skipped;
 }
 
 void OrderStage::runGroup(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events) {
@@ -354,12 +382,14 @@ void OrderStage::runGroup(WorldState& state, Group& group, ThreadPool& pool, std
         if (outcome == Outcome::GoesOn) {
             if (!group.controls.controls().empty()) group.controls.clear();
             recentre(group);
+            if (queue.ground != state.groundEdits) judgeAgain(state, group, events);
             outcome = advance(state, group, pool);
         }
         if (outcome == Outcome::GoesOn) return;
         const QueuedOrder done = queue.orders.front();
         raise(events, outcome == Outcome::Done ? EventKind::OrderDone : EventKind::OrderSkipped, group,
               done.id);
+        if (outcome == Outcome::Skipped) group.order.arrival = ArrivalWatch::Raised;  // It is told already.
         queue.end();
         queue.orders.erase(queue.orders.begin());
         if (queue.patrols) queue.orders.push_back(done);
@@ -420,7 +450,7 @@ OrderForecast OrderStage::forecast(WorldState& state, const Group& group, const 
     forecast.arrives = goal.reachable;
     forecast.end = goal.target;
     forecast.way = march.way;
-    const MarchDef def = marchDefOf(state, group, asked, extent);
+    const MarchDef def = marchDefOf(state, group, asked, extent, speeds_);
     const auto facing = asked.manner == Manner::Free ? std::nullopt : asked.facing;
     const double slower = slowGround(state.environment, march.way,
                                      asked.manner == Manner::Free ? 0.0 : extent.depth);

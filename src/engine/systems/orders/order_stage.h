@@ -41,6 +41,8 @@ private:
 
     void runQueue(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
     void runGroup(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
+    void findGoal(WorldState& state, Group& group);
+    void judgeAgain(WorldState& state, Group& group, std::vector<Event>& events);
     Outcome begin(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
     void restart(WorldState& state, Group& group);
     Outcome advance(WorldState& state, Group& group, ThreadPool& pool);
@@ -59,6 +61,7 @@ private:
     MeshAvoidance avoidance_;
     bool avoids_ = false;                // The mesh of the present group keeps clear of others.
     std::int32_t budget_ = 0;            // Cells that may be searched in this step.
+    std::vector<double> speeds_;         // Of the members of one group.
     std::vector<std::int32_t> regions_;  // Members of one group by region.
 };
 

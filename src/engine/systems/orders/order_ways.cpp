@@ -11,6 +11,7 @@ namespace muster {
 namespace {
 
 constexpr double kKeepUp = 0.97;           // Of the top speed of the slowest: so others can catch up.
+constexpr double kLeftBehind = 0.05;       // Share of a group without cohesion that may be slower.
 constexpr double kMostAcceleration = 4.0;  // Of a formation [m/s^2].
 constexpr double kNearTarget = 1.0;   // A target in an obstacle counts as reached so near to it at least [m].
 constexpr double kStep = 0.25;        // Of looks for walls [m].
@@ -73,14 +74,23 @@ WayNeeds needsOf(const WorldState& state, const Group& group, const Order& order
 }
 
 MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& order,
-                    const FormationExtent& extent) {
+                    const FormationExtent& extent, std::vector<double>& speeds) {
     const Parameters::Character& character = state.parameters.character;
-    double slowest = state.parameters.place.speed;
+    const double usual = std::min(state.parameters.place.speed, character.maxSpeed);
     double least = character.acceleration;
+    speeds.clear();
     for (const std::int32_t i : group.members) {
         const Body& body = state.characters.body[i];
-        slowest = std::min(slowest, body.maxSpeed > 0.0 ? body.maxSpeed : character.maxSpeed);
+        speeds.push_back(body.maxSpeed > 0.0 ? body.maxSpeed : usual);
         least = std::min(least, body.acceleration > 0.0 ? body.acceleration : character.acceleration);
+    }
+    // A few slow ones are left behind, unless the group keeps together.
+    const double left = group.def.conduct.cohesion > 0.0 ? 0.0 : kLeftBehind;
+    const auto at = speeds.begin() + static_cast<std::ptrdiff_t>(left * static_cast<double>(speeds.size()));
+    double slowest = usual;
+    if (at != speeds.end()) {
+        std::nth_element(speeds.begin(), at, speeds.end());
+        slowest = *at;
     }
     MarchDef def;
     def.turn = order.manner == Manner::Free ? Turn::Keep : order.turn;

@@ -35,9 +35,10 @@ Vec2 meanVelocity(const Group& group);
 OrderGoal goalOf(RouteGraph& routes, std::int32_t region, double width, Vec2 target);
 /// The room that a group needs on its way.
 WayNeeds needsOf(const WorldState& state, const Group& group, const Order& order);
-/// The bounds of a group's march.
+/// The bounds of a group's march: at the speed of the slowest, or without cohesion at one that few do not
+/// reach. `speeds` is working memory.
 MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& order,
-                    const FormationExtent& extent);
+                    const FormationExtent& extent, std::vector<double>& speeds);
 /// How much longer a way [m] is for a formation that reaches `depth` [m] before and behind its middle,
 /// because some of it is on slow ground: in metres of good ground.
 double slowGround(const Environment& environment, std::span<const Vec2> way, double depth);

@@ -30,14 +30,25 @@ void watchRest(const Group& group, const std::vector<Vec2>& targets, Settling& s
     settling.centre = centre;
 }
 
+bool holds(const Group& group) {
+    return group.def.conduct.stance == Stance::Hold;
+}
+
+/// True where the second group makes room for the first: for one that holds its ground, else for an older one.
+bool precedes(const WorldState& state, std::size_t first, std::size_t second) {
+    const bool a = holds(state.groups[first]), b = holds(state.groups[second]);
+    return a != b ? a : first < second;
+}
+
 }  // namespace
 
 Vec2 GroupSpacing::findShift(const WorldState& state, std::size_t index, const std::vector<Vec2>& targets) {
     double radius = 0.0;
     for (const Group& group : state.groups) radius = std::max(radius, meanRadius(state, group));
     shift_.begin(targets);
-    for (std::size_t g = 0; g < index; ++g)
-        if (state.groups[g].settling.restSteps >= kRestSteps) shift_.add(settled_[g]);
+    for (std::size_t g = 0; g < state.groups.size(); ++g)
+        if (precedes(state, g, index) && state.groups[g].settling.restSteps >= kRestSteps)
+            shift_.add(settled_[g]);
     if (!shift_.clashes({}, 2.0 * radius)) return {};
     // Where the present shift still does, nobody has to move again.
     const Vec2 present = state.groups[index].settling.shift;

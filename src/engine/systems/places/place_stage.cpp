@@ -21,7 +21,10 @@ void PlaceStage::makeRoom(WorldState& state) {
 }
 
 void PlaceStage::keepApart(WorldState& state) {
-    for (std::size_t g = 0; g < targets_.size(); ++g) spacing_.settle(state, g, targets_[g]);
+    for (const bool holding : {true, false})
+        for (std::size_t g = 0; g < targets_.size(); ++g)
+            if ((state.groups[g].def.conduct.stance == Stance::Hold) == holding)
+                spacing_.settle(state, g, targets_[g]);
 }
 
 void PlaceStage::findRegions(WorldState& state) {
