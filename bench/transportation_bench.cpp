@@ -16,8 +16,11 @@ std::vector<Vec2> block(std::int32_t n, Vec2 corner, double spacing) {
     std::int32_t columns = 1;
     while (columns * columns < n) ++columns;
     std::vector<Vec2> points;
-    for (std::int32_t k = 0; k < n; ++k)
-        points.push_back(corner + Vec2{(k % columns) * spacing, (k / columns) * spacing});
+    for (std::int32_t k = 0; k < n; ++k) {
+        const std::int32_t row = k / columns;
+        points.push_back(corner +
+                         Vec2{static_cast<double>(k - row * columns), static_cast<double>(row)} * spacing);
+    }
     return points;
 }
 

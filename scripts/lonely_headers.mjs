@@ -10,9 +10,10 @@ const headers = readFileSync(list, 'utf8').split('\n').filter(Boolean);
 const entries = JSON.parse(readFileSync(resolve(build, 'compile_commands.json'), 'utf8'))
   .map(({ directory, command, file }) => ({ directory, command, file: relative('.', file) }));
 
-/** Of an installed header those of the program, which sees all modules; else those of the nearest folder with a source file. */
+/** Of an installed header those of a module that sees all of its kind; else those of the nearest folder with a source file. */
 function flagsOf(header) {
-  const own = header.startsWith('include/') ? 'apps/muster' : dirname(header);
+  const isC = header.startsWith('include/muster/c/') || header === 'include/muster/muster.h';
+  const own = isC ? 'bindings/c/c_io' : header.startsWith('include/') ? 'apps/muster' : dirname(header);
   for (let folder = own; folder !== '.'; folder = dirname(folder)) {
     const near = entries.find(({ file }) => dirname(file) === folder) ?? entries.find(({ file }) => file.startsWith(`${folder}/`));
     if (near) return near;
@@ -23,7 +24,7 @@ function flagsOf(header) {
 /** The compiler's words up to its outputs, without ccache in front of it and without precompiled headers. */
 function compile(header) {
   const { directory, command } = flagsOf(header);
-  const all = command.split(/\s+/);
+  const all = command.split(/\s+/).map((word) => word.replaceAll('\\"', '"'));
   const words = all.slice(all.findIndex((word) => /\/ccache$/.test(word)) + 1, all.indexOf('-o'));
   const flags = words.filter((word, i) => !/cmake_pch/.test(word) && !(word === '-include' && /cmake_pch/.test(words[i + 1])) && word !== '-Winvalid-pch');
   return new Promise((done) => {

@@ -15,14 +15,13 @@ inline constexpr LabCommand kPeersCommand{
 inline constexpr LabCommand kMotionCommand{"motion", "Lengths, speeds and contacts of motion clips."};
 inline constexpr LabCommand kReproduceCommand{"reproduce",
                                               "Runs the paper's experiments and writes a report."};
-inline constexpr LabCommand kSweepCommand{
-    "sweep", "Runs the paper's experiments with several values of a parameter."};
+inline constexpr LabCommand kSweepCommand{"sweep",
+                                          "Runs the paper's experiments with several values of a parameter."};
 inline constexpr LabCommand kLabCommands[] = {kPictureCommand, kPeersCommand, kMotionCommand,
                                               kReproduceCommand, kSweepCommand};
 
 // Commands of `muster study` that need no person.
-inline constexpr LabCommand kStudyModelsCommand{"models",
-                                                "Runs trials of operator models and keeps them."};
+inline constexpr LabCommand kStudyModelsCommand{"models", "Runs trials of operator models and keeps them."};
 inline constexpr LabCommand kStudyReportCommand{"report", "Writes report.html and results.json."};
 inline constexpr LabCommand kStudyExportCommand{"export", "Writes all tables as CSV, with a codebook."};
 inline constexpr LabCommand kLabStudyCommands[] = {kStudyModelsCommand, kStudyReportCommand,

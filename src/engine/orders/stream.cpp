@@ -69,8 +69,8 @@ void Stream::at(double q, std::span<Vec2> places) const {
 }
 
 /// The largest move of a place as a share of what it may move.
-double Stream::excess(std::span<const Vec2> from, std::span<const Vec2> to, double reach,
-                      std::span<const double> speeds) const {
+double Stream::overshoot(std::span<const Vec2> from, std::span<const Vec2> to, double reach,
+                         std::span<const double> speeds) const {
     double most = 0.0;
     for (std::size_t i = 0; i < from.size(); ++i) {
         const double may = speeds.empty() ? reach : reach * speeds[i];
@@ -89,7 +89,7 @@ double Stream::follow(double q, double dt, double speed, std::span<const double>
     for (std::int32_t k = 0; k < kMostTries; ++k) {
         next = dt > 0.0 ? std::min(1.0, q + step) : std::max(0.0, q - step);
         at(next, moved_);
-        const double share = excess(places, moved_, reach, speeds);
+        const double share = overshoot(places, moved_, reach, speeds);
         if (share > 1.0) {
             const double less = (1.0 - 1e-3 * (k + 1)) / share;
             step = std::fabs(next - q) * (k < kMostTries / 2 ? less : std::min(0.5, less));

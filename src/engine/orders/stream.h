@@ -110,8 +110,8 @@ private:
     void fillDepths();
     void closeUp(double q, Depths& ahead) const;
     Vec2 raw(std::size_t i, double q, const Depths& ahead) const;
-    double excess(std::span<const Vec2> from, std::span<const Vec2> to, double reach,
-                  std::span<const double> speeds) const;
+    double overshoot(std::span<const Vec2> from, std::span<const Vec2> to, double reach,
+                     std::span<const double> speeds) const;
     double follow(double q, double dt, double speed, std::span<const double> speeds, std::span<Vec2> places);
 
     StreamStatus status_ = StreamStatus::Blocked;

@@ -118,7 +118,7 @@ bool Stream::centre() {
 }
 
 void Stream::startFlow() {
-    const auto row = [&](double s) { return static_cast<std::int32_t>(s / line_.step() + 0.5); };
+    const auto row = [&](double s) { return static_cast<std::int32_t>(std::floor(s / line_.step() + 0.5)); };
     const std::int32_t from = std::clamp(row(startS_), 0, line_.rows() - 2);
     const std::int32_t to = std::clamp(row(endS_), from + 1, line_.rows() - 1);
     flow_.start(runs_, line_.step(), from, to, low_, high_, spacing_);

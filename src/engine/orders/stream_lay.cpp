@@ -162,7 +162,7 @@ void StreamBanks::partRun(std::span<const StreamCourse> courses, std::int32_t k,
     }
     const double most = std::max(run.low, run.high - scale * gap_.back());
     for (std::size_t j = 0, b = 0, left = 0; j < n; ++j) {
-        if (left == 0) left = static_cast<std::size_t>(weight_[b++] + 0.5);
+        if (left == 0) left = static_cast<std::size_t>(std::floor(weight_[b++] + 0.5));
         --left;
         double& d = left_[entry(j)];
         if (weight_[b - 1] > 1.5 || d < run.low + scale * gap_[j] || d > most + scale * gap_[j])

@@ -52,8 +52,8 @@ PlaceDef placeDefOf(const WorldState& state, const Group& group) {
     const Parameters& parameters = state.parameters;
     double fastest = parameters.place.speed;
     for (const std::int32_t i : group.members) fastest = std::max(fastest, state.characters.body[i].maxSpeed);
-    return {groundRadius(parameters.character.radius, group.groundClass), parameters.place.clearance,
-            fastest, 2.0 * meanRadius(state, group)};
+    return {groundRadius(parameters.character.radius, group.groundClass), parameters.place.clearance, fastest,
+            2.0 * meanRadius(state, group)};
 }
 
 void updateGroundClasses(WorldState& state, ThreadPool& pool) {

@@ -42,8 +42,8 @@ struct OrderQueue {
     /// Lets an archive read or write it.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(orders, held, patrols, begun, reachable, ground, begunAt, stoodAt, arrived, target, march, own, files,
-                clearOf);
+        archive(orders, held, patrols, begun, reachable, ground, begunAt, stoodAt, arrived, target, march,
+                own, files, clearOf);
     }
 };
 

@@ -104,14 +104,14 @@ void Headway::run(const CrowdBodies& bodies, const Characters& now, const Enviro
         for (Limit& limit : limits_) {
             Vec2& back = velocity[limit.back];
             const Vec2 n = limit.towards;
-            double most = limit.most, excess = dot(back, n);
+            double most = limit.most, overshoot = dot(back, n);
             const bool shared = limit.follow < 0.0;
             if (limit.front >= 0) {
                 const double ahead = dot(velocity[limit.front], n);
                 most += shared ? ahead : ahead > 0.0 ? limit.follow * ahead : ahead;
             }
-            excess -= most;
-            const double pressed = std::max(0.0, limit.pressed + excess);
+            overshoot -= most;
+            const double pressed = std::max(0.0, limit.pressed + overshoot);
             const double change = pressed - limit.pressed;
             limit.pressed = pressed;
             back -= n * (change * limit.share);

@@ -47,7 +47,7 @@ void RightOfWay::count(const CrowdBodies& bodies, std::span<const Vec2> wanted, 
             claim.since = groups.empty() ? step : groups[characters.group[i]].since;
         }
         claim.follows = !groups.empty() && groups[characters.group[i]].follows;
-        // Who was moved aside and cannot return walks anew; who asks in vain hands its turn on.
+        // Who was moved aside and cannot return walks again; who asks in vain hands its turn on.
         claim.settled = claim.settled && left <= kArrivedReach;
         if (claim.rests && !claim.settled && left > kMovedAside && claim.stuck > kHandOn &&
             claim.lends == 0.0f) {

@@ -17,7 +17,7 @@ constexpr double kAheadCosine = 0.5;    // Twice the cosine below which two char
 constexpr double kYieldSpeed = 0.3;     // At which a character steps back from a blocked one [m/s].
 constexpr float kStandsFor = 3.0f;      // Two who have stood and touched for so long bar each other [s].
 constexpr float kStepBack = 4.0f;       // Then they take turns of this length in stepping back [s].
-constexpr double kBrakes = 0.8;  // Share of its acceleration with which a character brakes.
+constexpr double kBrakes = 0.8;         // Share of its acceleration with which a character brakes.
 constexpr std::size_t kSteeredPerTask = 256;  // Characters per task.
 constexpr double kWalkingInCrowd = 0.05;      // A slower character does not walk along with others [m/s].
 constexpr double kWalkingSpeed = 0.15;        // A slower character stands and faces with the formation [m/s].
@@ -84,8 +84,8 @@ Vec2 preferredVelocity(const Parameters::Character& def, const Characters& now, 
     // It comes to the speed of its place by its own brakes.
     const double closing = std::sqrt(2.0 * kBrakes * brakes * left);
     if (placed && left < def.directReach && dot(direction, toPlace) > 0.999 * left)
-        return clampLength(
-            input.placeVelocity[i] + toPlace * std::min(def.positionGain, closing / left), topSpeed);
+        return clampLength(input.placeVelocity[i] + toPlace * std::min(def.positionGain, closing / left),
+                           topSpeed);
     const double along = placed ? std::max(0.0, dot(input.placeVelocity[i], direction)) : topSpeed;
     return direction * std::min(topSpeed, along + closing);
 }

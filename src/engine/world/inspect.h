@@ -41,9 +41,9 @@ const FormationDef& ownFormation(const World& world, std::size_t group);
 const FormationMesh& mesh(const World& world, std::size_t group);
 /// Travelling places of a group.
 const PlaceTracker& places(const World& world, std::size_t group);
-/// How far a character is from where it is to stand in the end [m]: from its place, and under an order from where
-/// that ends; infinite without a place, and while its formation is on its way. Without places: beyond the
-/// crowd round the target.
+/// How far a character is from where it is to stand in the end [m]: from its place, and under an order from
+/// where that ends; infinite without a place, and while its formation is on its way. Without places: beyond
+/// the crowd round the target.
 double distanceLeft(const World& world, std::size_t character);
 /// The plan of a group.
 const Plan& plan(const World& world, std::size_t group);

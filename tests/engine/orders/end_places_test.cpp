@@ -47,7 +47,8 @@ struct Found {
     bool free = true;
 };
 
-Found foundAt(RoutedGround& ground, const std::vector<Vec2>& offsets, Vec2 target, std::vector<Vec2> taken = {}) {
+Found foundAt(RoutedGround& ground, const std::vector<Vec2>& offsets, Vec2 target,
+              std::vector<Vec2> taken = {}) {
     const FreeSpace space(ground.def, ground.routes, -1, ground.nearest);
     EndDef def;
     def.offsets = offsets;
@@ -90,8 +91,8 @@ TEST_CASE("at the edge of the world and beside a house the whole formation stand
 TEST_CASE("in a room that is too small for it, a formation is laid out in it and not behind its walls") {
     // A room of 5 by 5 m with a door far from the target; outside there is room for all.
     RoutedGround ground({{{0, 0}, {0.2, 0}, {0.2, 6}, {0, 6}},
-                   {{0.2, 0}, {5.2, 0}, {5.2, 0.2}, {0.2, 0.2}},
-                   {{5.2, 0}, {5.4, 0}, {5.4, 6}, {5.2, 6}}});
+                         {{0.2, 0}, {5.2, 0}, {5.2, 0.2}, {0.2, 0.2}},
+                         {{5.2, 0}, {5.4, 0}, {5.4, 6}, {5.2, 6}}});
     const Found found = foundAt(ground, squareOf(4, 1.1), {2.6, 2.2});
     CHECK(found.free);
     CHECK(found.nearest >= 0.6 - 1e-9);

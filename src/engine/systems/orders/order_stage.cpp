@@ -88,8 +88,8 @@ void OrderStage::findGoal(WorldState& state, Group& group) {
     queue.reachable = goal.reachable;
 }
 
-// On another ground the order is judged again: where its target cannot be reached any more that is told, and
-// the group goes on as if the ground had always been so.
+// On another ground the order is judged again: where its target cannot be reached any more people hear of it,
+// and the group goes on as if the ground had always been so.
 void OrderStage::judgeAgain(WorldState& state, Group& group, std::vector<Event>& events) {
     OrderQueue& queue = group.orders;
     const bool reachable = queue.reachable;
@@ -389,7 +389,7 @@ void OrderStage::runGroup(WorldState& state, Group& group, ThreadPool& pool, std
         const QueuedOrder done = queue.orders.front();
         raise(events, outcome == Outcome::Done ? EventKind::OrderDone : EventKind::OrderSkipped, group,
               done.id);
-        if (outcome == Outcome::Skipped) group.order.arrival = ArrivalWatch::Raised;  // It is told already.
+        if (outcome == Outcome::Skipped) group.order.arrival = ArrivalWatch::Raised;  // NoPath was raised.
         queue.end();
         queue.orders.erase(queue.orders.begin());
         if (queue.patrols) queue.orders.push_back(done);

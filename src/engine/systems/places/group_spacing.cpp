@@ -34,7 +34,8 @@ bool holds(const Group& group) {
     return group.def.conduct.stance == Stance::Hold;
 }
 
-/// True where the second group makes room for the first: for one that holds its ground, else for an older one.
+/// True where the second group makes room for the first: for one that holds its ground, else for an older
+/// one.
 bool precedes(const WorldState& state, std::size_t first, std::size_t second) {
     const bool a = holds(state.groups[first]), b = holds(state.groups[second]);
     return a != b ? a : first < second;
