@@ -13,7 +13,7 @@ import { fileURLToPath } from 'node:url';
 
 const kMost = 1.1;
 const kFile = join(dirname(fileURLToPath(import.meta.url)), 'build_work.txt');
-// What a user builds: the modules and both programs. Tests and benchmarks do not count.
+// What a user builds: the modules and both programs. Tests, benchmarks and the Python module do not count.
 const kGroups = [
   ['program', /(^|\/)muster_(program|lab)\.dir\//],
   ['library', /(^|\/)muster_\w+\.dir\//],
@@ -26,7 +26,7 @@ if (!build || (option && option !== '--rewrite')) {
 }
 
 function groupOf(object) {
-  if (/(^|\/)(tests|bench|samples)\//.test(object)) return undefined;
+  if (/(^|\/)(tests|bench|samples|bindings\/python)\//.test(object)) return undefined;
   return kGroups.find(([, pattern]) => pattern.test(object))?.[0];
 }
 
