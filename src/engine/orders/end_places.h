@@ -26,7 +26,7 @@ struct EndDef {
 /// Finds the places of one formation at a time. Memory is reused.
 class EndPlaces {
 public:
-    /// Writes free points of the space, at least def().apart() from each other as far as there is room, and
+    /// Writes free points of the space, at least `apart` [m] from each other as far as there is room, and
     /// the pose of the formation among them.
     void find(const EndDef& def, const FreeSpace& space, double apart, std::vector<Vec2>& ends, Pose& pose);
 

@@ -41,41 +41,39 @@ void StreamBanks::load(const StreamRuns&, const StreamPaths& paths, const Stream
     }
 }
 
+// From row to row, forwards and backwards, banks open and close no faster than they may.
+void StreamBanks::limitSlopes(std::vector<Banks>& banks, std::int32_t first, std::int32_t last) const {
+    const auto follow = [&](std::int32_t k, std::int32_t from, double rise) {
+        const Banks& other = banks[from];
+        Banks& mine = banks[k];
+        if (other.high.value + rise < mine.high.value) mine.high = {other.high.value + rise, other.high.from};
+        if (other.low.value - rise > mine.low.value) mine.low = {other.low.value - rise, other.low.from};
+    };
+    for (std::int32_t k = first + 1; k <= last; ++k) follow(k, k - 1, bankRise_[k - 1]);
+    for (std::int32_t k = last; k-- > first;) follow(k, k + 1, bankRise_[k]);
+}
+
 // The banks of a course: those of its runs, which open and close at most as steeply as banks may.
 void StreamBanks::bound(const StreamRuns& runs, std::span<const std::int32_t> path,
                         const StreamCourse& course) {
     const std::int32_t a = course.first, b = course.last;
-    const auto follow = [&](std::int32_t k, std::int32_t from, double rise) {
-        const Banks& other = near_[from];
-        Banks& mine = near_[k];
-        if (other.high.value + rise < mine.high.value) mine.high = {other.high.value + rise, other.high.from};
-        if (other.low.value - rise > mine.low.value) mine.low = {other.low.value - rise, other.low.from};
-    };
     for (std::int32_t k = a; k <= b; ++k) {
         const StreamRun& here = run(runs, path, course, k);
         near_[k] = {{here.low, k}, {here.high, k}};
-        if (k > a) follow(k, k - 1, bankRise_[k - 1]);
     }
-    for (std::int32_t k = b; k-- > a;) follow(k, k + 1, bankRise_[k]);
+    limitSlopes(near_, a, b);
 }
 
 // The same, less what stands between the course and the bank: that moves it most.
 void StreamBanks::feel(const StreamRuns& runs, std::span<const std::int32_t> path,
                        const StreamCourse& course) {
     const std::int32_t a = course.first, b = course.last;
-    const auto follow = [&](std::int32_t k, std::int32_t from, double rise) {
-        const Banks& other = felt_[from];
-        Banks& mine = felt_[k];
-        if (other.high.value + rise < mine.high.value) mine.high = {other.high.value + rise, other.high.from};
-        if (other.low.value - rise > mine.low.value) mine.low = {other.low.value - rise, other.low.from};
-    };
     for (std::int32_t k = a; k <= b; ++k) {
         const StreamRun& here = run(runs, path, course, k);
         const StreamLoad& load = loads_[path[k - a]];
         felt_[k] = {{here.low - load.low, k}, {here.high - load.high, k}};
-        if (k > a) follow(k, k - 1, bankRise_[k - 1]);
     }
-    for (std::int32_t k = b; k-- > a;) follow(k, k + 1, bankRise_[k]);
+    limitSlopes(felt_, a, b);
     for (std::int32_t k = a; k <= b; ++k) {
         felt_[k].low.value += loads_[path[felt_[k].low.from - a]].low;
         felt_[k].high.value += loads_[path[felt_[k].high.from - a]].high;

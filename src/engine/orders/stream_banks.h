@@ -60,6 +60,7 @@ private:
         Bank low, high;
     };
 
+    void limitSlopes(std::vector<Banks>& banks, std::int32_t first, std::int32_t last) const;
     void bound(const StreamRuns& runs, std::span<const std::int32_t> path, const StreamCourse& course);
     void feel(const StreamRuns& runs, std::span<const std::int32_t> path, const StreamCourse& course);
     void squeeze(std::span<const std::int32_t> path, const StreamCourse& course, const Banks& banks, double y,

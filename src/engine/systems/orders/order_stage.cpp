@@ -43,6 +43,11 @@ void raise(std::vector<Event>& events, EventKind kind, const Group& group, std::
     events.push_back({kind, group.id.value, value, group.mesh.pose().position});
 }
 
+void raiseNoPath(std::vector<Event>& events, const Group& group) {
+    events.push_back({EventKind::NoPath, group.id.value, static_cast<std::uint32_t>(group.def.count),
+                      group.orders.orders.front().order.target});
+}
+
 /// Where somebody has joined or left, the middle of the formation goes the way.
 void recentre(Group& group) {
     if (!group.refitted) return;
@@ -95,9 +100,7 @@ void OrderStage::judgeAgain(WorldState& state, Group& group, std::vector<Event>&
     const bool reachable = queue.reachable;
     const Vec2 target = queue.target;
     findGoal(state, group);
-    if (reachable && !queue.reachable)
-        events.push_back({EventKind::NoPath, group.id.value, static_cast<std::uint32_t>(group.def.count),
-                          queue.orders.front().order.target});
+    if (reachable && !queue.reachable) raiseNoPath(events, group);
     const March& march = queue.march;
     const double radius = groundRadius(state.parameters.character.radius, group.groundClass);
     bool clear = true;
@@ -129,9 +132,7 @@ OrderStage::Outcome OrderStage::begin(WorldState& state, Group& group, ThreadPoo
     takeUpFormation(state, group, order, pool);
     group.order.begin(state.stepCount);
     raise(events, EventKind::OrderBegun, group, id);
-    if (!queue.reachable)
-        events.push_back(
-            {EventKind::NoPath, group.id.value, static_cast<std::uint32_t>(group.def.count), order.target});
+    if (!queue.reachable) raiseNoPath(events, group);
     return Outcome::GoesOn;
 }
 

@@ -61,10 +61,17 @@ Vec2 GroupSpacing::findShift(const WorldState& state, std::size_t index, const s
     return shift_.find(2.0 * radius, 2.0 * kGap * radius, std::cref(isFree));
 }
 
+void GroupSpacing::run(WorldState& state, std::vector<std::vector<Vec2>>& targets) {
+    settled_.resize(state.groups.size());
+    // Those come first that others make room for.
+    for (const bool holding : {true, false})
+        for (std::size_t g = 0; g < targets.size(); ++g)
+            if (holds(state.groups[g]) == holding) settle(state, g, targets[g]);
+}
+
 void GroupSpacing::settle(WorldState& state, std::size_t index, std::vector<Vec2>& targets) {
     Settling& settling = state.groups[index].settling;
     watchRest(state.groups[index], targets, settling);
-    settled_.resize(state.groups.size());
     if (state.groups.size() == 1) return;
     const bool looks = settling.restSteps >= kRestSteps &&
                        (settling.restSteps - kRestSteps) % kLookSteps == 0;

@@ -11,11 +11,12 @@ namespace muster {
 /// Shifts the targets of groups that rest on the spot of others.
 class GroupSpacing {
 public:
-    /// Updates how group `index` settles and shifts its `targets` [m], which are those of its mesh. Groups
-    /// come in ascending order in each step; the first at a spot stays, the others settle beside it.
-    void settle(WorldState& state, std::size_t index, std::vector<Vec2>& targets);
+    /// Updates how all groups settle and shifts their `targets` [m], which are those of their meshes. At one
+    /// spot a group that holds its ground stays before all others, else the first; the others settle beside.
+    void run(WorldState& state, std::vector<std::vector<Vec2>>& targets);
 
 private:
+    void settle(WorldState& state, std::size_t index, std::vector<Vec2>& targets);
     Vec2 findShift(const WorldState& state, std::size_t index, const std::vector<Vec2>& targets);
 
     TargetShift shift_;

@@ -21,10 +21,7 @@ void PlaceStage::makeRoom(WorldState& state) {
 }
 
 void PlaceStage::keepApart(WorldState& state) {
-    for (const bool holding : {true, false})
-        for (std::size_t g = 0; g < targets_.size(); ++g)
-            if ((state.groups[g].def.conduct.stance == Stance::Hold) == holding)
-                spacing_.settle(state, g, targets_[g]);
+    spacing_.run(state, targets_);
 }
 
 void PlaceStage::findRegions(WorldState& state) {
