@@ -117,8 +117,8 @@ struct Parameters {
         double positionGain = 3.0;   ///< Gain of the PD controller on distance [1/s], 0 to 60.
         /// Distance to its place below which it walks straight there if the line is clear [m], 0 to 100.
         double directReach = 1.5;
-        double separationGain = 1.0;    ///< Speed of separation from close neighbours [m/s], 0 to 100.
-        double separationReach = 0.15;  ///< Gap below which neighbours separate [m], 0 to 10.
+        double headway = 0.2;  ///< Time that it keeps from who is ahead [s], 0.02 to 5.
+        double inStep = 1.0;   ///< Share of the speed ahead that it walks on top of that, 0 to 1: 1 in step.
     };
 
     /// Contacts between characters (SPEC A6).

@@ -62,8 +62,8 @@ Status checkArrays(const Characters& c) {
     for (const std::size_t size :
          {c.group.size(), c.position.size(), c.velocity.size(), c.heading.size(), c.place.size(),
           c.direction.size(), c.cost.size(), c.motion.size(), c.phase.size(), c.motionTime.size(),
-          c.patch.size(), c.lastSingle.size(), c.walk.size(), c.wait.size(), c.chosen.size(), c.body.size(),
-          c.driver.size(), c.wanted.size()})
+          c.patch.size(), c.lastSingle.size(), c.walk.size(), c.wait.size(), c.claim.size(), c.chosen.size(),
+          c.body.size(), c.driver.size(), c.wanted.size()})
         if (size != n) return wrong("arrays of different lengths");
     if (!arePlaces(c.position) || !std::all_of(c.velocity.begin(), c.velocity.end(), isVelocity) ||
         !std::all_of(c.heading.begin(), c.heading.end(), isUnitOrNull) ||

@@ -9,6 +9,8 @@
 namespace muster {
 namespace {
 
+constexpr double kRoom = 1.2;      // Least distance of places where their formation allows it, in diameters.
+constexpr double kClosest = 0.75;  // Least distance of the places of a formation, in its spacings.
 constexpr double kFactor = 1.41421356237309504880;  // From class to class.
 constexpr double kRounding = 1e-9;                  // Radii that differ by this share are one.
 
@@ -50,10 +52,14 @@ double meanRadius(const WorldState& state, const Group& group) {
 
 PlaceDef placeDefOf(const WorldState& state, const Group& group) {
     const Parameters& parameters = state.parameters;
+    // Bodies that touch all round never come to rest on points that touch.
+    const double touching = 2.0 * meanRadius(state, group);
+    const double apart = std::max(touching,
+                                  std::min(kRoom * touching, kClosest * group.def.formation.spacing));
     double fastest = parameters.place.speed;
     for (const std::int32_t i : group.members) fastest = std::max(fastest, state.characters.body[i].maxSpeed);
     return {groundRadius(parameters.character.radius, group.groundClass), parameters.place.clearance, fastest,
-            2.0 * meanRadius(state, group)};
+            apart};
 }
 
 void updateGroundClasses(WorldState& state, ThreadPool& pool) {

@@ -47,6 +47,9 @@ void standStill(WorldState& state, const Group& group, std::size_t i, Vec2 posit
     c.walk[i] = {c.position[i], state.stepCount, state.stepCount, false,
                  false,         c.position[i],   state.stepCount};
     c.wait[i] = {};
+    c.claim[i] = {};
+    c.claim[i].spot = c.position[i];
+    c.claim[i].since = state.stepCount;
     c.chosen[i] = {};
     c.wanted[i] = {};
 }

@@ -1,6 +1,7 @@
 // The table of parameters, and the presets.
 #include "muster/parameter_table.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -143,13 +144,17 @@ constexpr auto kTable = std::to_array<ParameterInfo>({
     field<&P::character, &P::Character::directReach>(
         "character.directReach", "m", 0.0, 100.0,
         "Within this clear straight line a character heads for its place."),
-    field<&P::character, &P::Character::separationGain>("character.separationGain", "m/s", 0.0, 100.0,
-                                                        "Speed at which close neighbours move apart."),
-    field<&P::character, &P::Character::separationReach>("character.separationReach", "m", 0.0, 10.0,
-                                                         "Gap under which neighbours move apart."),
+    field<&P::character, &P::Character::headway>("character.headway", "s", 0.02, 5.0,
+                                                 "Time that a character keeps from who is ahead of it."),
+    field<&P::character, &P::Character::inStep>(
+        "character.inStep", "1", 0.0, 1.0,
+        "Share of the speed of who is ahead that a character may walk on top of its headway: 1 in step."),
     field<&P::contact, &P::Contact::iterations>("contact.iterations", "count", 1.0, 100.0,
                                                 "Rounds that resolve contacts in a step."),
 });
+
+// Parameters of earlier versions, which older files name: they are read, and set nothing.
+constexpr std::string_view kRetired[] = {"character.separationGain", "character.separationReach"};
 
 }  // namespace
 
@@ -179,6 +184,7 @@ Status setParameter(Parameters& parameters, std::string_view name, double value)
                                (inside ? ", expected a whole number in " + range
                                        : ", expected a number in " + range + " " + std::string(info.unit)));
     }
+    if (std::find(std::begin(kRetired), std::end(kRetired), name) != std::end(kRetired)) return {};
     return {StatusCode::NotFound, "there is no parameter \"" + std::string(name.substr(0, 80)) + "\""};
 }
 

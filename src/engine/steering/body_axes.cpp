@@ -78,6 +78,7 @@ void BodyAxes::resolve(const Environment& environment, const Characters& now, st
                        std::span<const Vec2> placeVelocity) {
     members_.clear();
     positions_.clear();
+    pairs_.clear();
     if (environment.patchIds().empty()) return;
     members_.reserve(now.size());
     positions_.reserve(now.size());

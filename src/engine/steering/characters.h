@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/steering/claim.h"
 #include "engine/steering/walk_progress.h"
 #include "muster/characters.h"
 #include "muster/unit.h"
@@ -45,6 +46,7 @@ struct Characters {
     std::vector<std::uint32_t> lastSingle;
     std::vector<WalkProgress> walk;  ///< How each gets on with its way.
     std::vector<PlaceWait> wait;     ///< What keeps each from its place.
+    std::vector<Claim> claim;        ///< What ranks each among others.
     std::vector<ChosenWay> chosen;   ///< The way to the place, where many go.
     std::vector<Body> body;          ///< What each is.
     std::vector<Driver> driver;      ///< Who moves it.
@@ -67,7 +69,7 @@ struct Characters {
     template <class Archive>
     void visit(Archive& archive) {
         archive(id, group, position, velocity, heading, place, direction, cost, motion, phase, motionTime,
-                patch, lastSingle, walk, wait, chosen, body, driver, wanted);
+                patch, lastSingle, walk, wait, claim, chosen, body, driver, wanted);
     }
 };
 

@@ -19,6 +19,7 @@ bool isUsual(const Body& body) {
 void CrowdBodies::reset(const Parameters::Character& def) {
     def_ = def;
     largest_ = def.radius;
+    fastest_ = def.maxSpeed;
     radius_.clear();
 }
 
@@ -34,7 +35,7 @@ void CrowdBodies::resolve(const Parameters::Character& def, const Characters& no
     for (auto* array : {&radius_, &maxSpeed_, &acceleration_, &inverseMass_}) array->resize(count);
     firmness_.resize(count);
     group_.assign(now.group.begin(), now.group.end());
-    largest_ = 0.0;
+    largest_ = fastest_ = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
         const Body body = i < now.body.size() ? now.body[i] : Body{};
         radius_[i] = radiusOf(def, body);
@@ -44,6 +45,7 @@ void CrowdBodies::resolve(const Parameters::Character& def, const Characters& no
         inverseMass_[i] = outside ? 0.0 : 1.0 / body.mass;
         firmness_[i] = group_[i] < firmness.size() ? firmness[group_[i]] : std::uint8_t{0};
         largest_ = std::max(largest_, radius_[i]);
+        fastest_ = std::max(fastest_, maxSpeed_[i]);
     }
 }
 

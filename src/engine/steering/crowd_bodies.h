@@ -39,6 +39,7 @@ public:
 
     bool alike() const { return radius_.empty(); }               ///< Nobody differs from the parameters.
     double largestRadius() const { return largest_; }            ///< [m]
+    double fastest() const { return fastest_; }                  ///< The highest top speed [m/s].
     const Parameters::Character& usual() const { return def_; }  ///< Of who has no number of its own.
 
     double radius(std::size_t i) const { return alike() ? def_.radius : radius_[i]; }  ///< [m]
@@ -68,7 +69,7 @@ private:
     double ownShare(std::size_t a, std::size_t b) const;
 
     Parameters::Character def_;
-    double largest_ = 0.0;
+    double largest_ = 0.0, fastest_ = 0.0;
     std::vector<double> radius_, maxSpeed_, acceleration_;
     std::vector<double> inverseMass_;     // 0 for who is fixed.
     std::vector<std::uint8_t> firmness_;  // That of its group.

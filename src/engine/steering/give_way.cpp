@@ -139,7 +139,7 @@ void GiveWay::run(const CrowdBodies& bodies, const Characters& now, const Enviro
             lanes_.push_back(laneOf(piece, def.radius));
     leaving_.assign(now.size(), {});
     slack_.assign(now.size(), 0.0);
-    bool any = gates_.run(def, now, environment, leaving_, preferred);
+    bool any = false;
     for (std::size_t i = 0; i < now.size(); ++i) {
         const double radius = bodies.radius(i), wider = radius - def.radius;
         for (const Lane& lane : lanes_)
@@ -147,6 +147,7 @@ void GiveWay::run(const CrowdBodies& bodies, const Characters& now, const Enviro
                     radius, i, preferred[i]);
         any = any || !(leaving_[i] == Vec2{});
     }
+    if (!any) leaving_.clear();
     if (!any) return;
     passOn(bodies, now, neighbours);
     for (std::size_t i = 0; i < now.size(); ++i)

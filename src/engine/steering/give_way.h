@@ -7,7 +7,6 @@
 #include "base/neighbour_list.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/steering/crowd_bodies.h"
-#include "engine/steering/gates.h"
 #include "muster/parameters.h"
 
 namespace muster {
@@ -24,6 +23,9 @@ public:
     /// [m/s]; `neighbours` lists all who nearly touch.
     void run(const CrowdBodies& bodies, const Characters& now, const Environment& environment,
              const NeighbourList& neighbours, std::span<const double> topSpeed, std::span<Vec2> preferred);
+    /// Of each character the velocity at which it left a lane in the last run [m/s], null for who did not;
+    /// empty where nobody did.
+    std::span<const Vec2> leaving() const { return leaving_; }
 
 private:
     // The ground ahead of one piece, in axes along and across its velocity.
@@ -43,7 +45,6 @@ private:
                double radius, std::size_t character, double timeLeft, Vec2 preferred);
     void passOn(const CrowdBodies& bodies, const Characters& now, const NeighbourList& neighbours);
 
-    Gates gates_;
     std::vector<Lane> lanes_;
     std::vector<Vec2> leaving_;  // Of each character, the velocity at which it leaves a lane; null for none.
     std::vector<double> slack_;  // Of those, the time that is left over [s].

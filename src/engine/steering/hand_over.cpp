@@ -28,7 +28,8 @@ bool bars(const Characters& now, std::int32_t other, std::int32_t i, Vec2 betwee
 }
 
 bool isUnderWay(const HandOverDef& def, const Characters& now, std::int32_t i) {
-    return now.place[i] >= 0 && now.cost[i] > kArrived + (def.room.empty() ? 0.0 : def.room[i]);
+    return now.place[i] >= 0 && !now.claim[i].settled &&
+           now.cost[i] > kArrived + (def.room.empty() ? 0.0 : def.room[i]);
 }
 
 // True where the character has been on its way for a while without getting on.

@@ -6,15 +6,16 @@
 namespace muster {
 namespace {
 
-constexpr double kHeadway = 0.3;  // Time that the one behind keeps from the one ahead [s].
-constexpr double kInStep = 1.0;   // Share of the speed ahead that the one behind may have on top: 1 in step.
 constexpr double kContactTime = 0.1;  // Time within which two who meet share what closes their gap [s].
 constexpr double kToTheRight = 0.25;  // Tangent by which who meet pass each other on the right.
-constexpr double kBeside = 0.1;       // Two who go the same way are side by side below this lead.
-constexpr double kSlack = 1.0;        // A limit this far from being reached is left out [m/s].
+constexpr double kForesight = 1.0;    // Time for which who meet keep clear of each other [s].
+constexpr double kBeside = 0.5;       // Two who go the same way are side by side below twice this cosine.
+constexpr double kSlack = 0.3;        // A limit this far from being reached is left out [m/s].
 constexpr double kPenetration = 0.2;  // Share of an overlap that is taken back in a step.
 constexpr double kWallReach = 0.3;    // Walls beyond this gap are left out [m].
+constexpr std::size_t kLimitsPerCharacter = 16;  // Room that is kept for them.
 constexpr int kSweeps = 8;
+constexpr double kSweptOut = 1e-3;  // A sweep that changes no limit by more is the last [m/s].
 
 double gapSpeed(double gap, double time, double dt) {
     return gap > 0.0 ? gap / time : gap / dt * kPenetration;
@@ -24,54 +25,87 @@ bool differ(Vec2 a, Vec2 b) {
     return dot(a, b) <= 0.0;
 }
 
+// A limit on the closing velocity of two: n.v <= most.
+struct Tangent {
+    Vec2 towards;
+    double most;
+};
+
+// The half-plane of closing velocities nearest to `closing` that keeps two clear of each other for a while
+// (optimal reciprocal collision avoidance, van den Berg et al. 2011), with a bias to pass on the right.
+Tangent tangentOf(Vec2 between, Vec2 closing, double touching, double ahead, double dt) {
+    const double apart = length(between);
+    const Vec2 towards = normalized(between, {1.0, 0.0});
+    if (apart <= touching) return {towards, gapSpeed(apart - touching, ahead, dt)};
+    const Vec2 beyond = closing - between / ahead;
+    const double along = dot(beyond, between);
+    if (along < 0.0 && along * along > touching * touching * lengthSquared(beyond)) {
+        const Vec2 n = -normalized(beyond);
+        return {n, (dot(n, between) - touching) / ahead};
+    }
+    const double tangent = std::sqrt(apart * apart - touching * touching);
+    const bool left = cross(between, beyond) > kToTheRight * apart * length(beyond);
+    return {(towards * touching - perpendicular(towards) * (left ? tangent : -tangent)) / apart, 0.0};
+}
+
 }  // namespace
 
-bool Headway::meets(const NeighbourList& neighbours, std::span<const Vec2> wanted) {
-    for (const NeighbourPair pair : neighbours.pairs()) {
-        const Vec2 a = wanted[pair.low], b = wanted[pair.high];
-        if (differ(a, b) && !(a == Vec2{} && b == Vec2{})) return true;
-    }
-    return false;
+void Headway::follow(std::int32_t back, std::int32_t front, Vec2 towards, double gap, double dt,
+                     std::span<const Vec2> velocity) {
+    const double most = gapSpeed(gap, headway_, dt), ahead = dot(velocity[front], towards);
+    const double limit = most + (ahead > 0.0 ? inStep_ * ahead : ahead);
+    if (dot(velocity[back], towards) > limit - kSlack)
+        limits_.push_back({back, front, towards, most, 1.0, inStep_});
+}
+
+void Headway::share(const CrowdBodies& bodies, NeighbourPair pair, Vec2 towards, double most,
+                    std::span<const Vec2> velocity) {
+    if (dot(velocity[pair.low] - velocity[pair.high], towards) > most - kSlack)
+        limits_.push_back({pair.low, pair.high, towards, most, bodies.share(pair.low, pair.high), -1.0});
 }
 
 void Headway::addPair(const CrowdBodies& bodies, const Characters& now, NeighbourPair pair,
                       const HeadwayInput& input, std::span<const Vec2> velocity) {
     const std::int32_t a = pair.low, b = pair.high;
     const Vec2 between = now.position[b] - now.position[a];
-    const double apart = length(between);
-    const double gap = apart - bodies.touching(a, b);
+    const double touching = bodies.touching(a, b), apart = length(between), gap = apart - touching;
+    // In step, no limit of this pair is near unless they close their gap while any law looks ahead.
+    const double ahead = std::max(kForesight, headway_), near = gap - kSlack * ahead;
+    if (inStep_ == 1.0 && near > 0.0 &&
+        near * near > ahead * ahead * lengthSquared(velocity[a] - velocity[b]))
+        return;
     const Vec2 towards = apart > 1e-9 ? between / apart : Vec2{1.0, 0.0};
     const bool fixedA = bodies.isFixed(a), fixedB = bodies.isFixed(b);
     if (fixedA && fixedB) return;
-    const auto add = [&](std::int32_t back, std::int32_t front, Vec2 n) {
-        const double most = gapSpeed(gap, kHeadway, input.dt), ahead = dot(velocity[front], n);
-        const double limit = most + (ahead > 0.0 ? kInStep * ahead : ahead);
-        if (dot(velocity[back], n) > limit - kSlack) limits_.push_back({back, front, n, most, 1.0, kInStep});
-    };
-    if (fixedA || bodies.isFirmer(a, b)) return add(b, a, -towards);
-    if (fixedB || bodies.isFirmer(b, a)) return add(a, b, towards);
-    if (!differ(input.wanted[a], input.wanted[b])) {
+    if (fixedA || bodies.isFirmer(a, b)) return follow(b, a, -towards, gap, input.dt, velocity);
+    if (fixedB || bodies.isFirmer(b, a)) return follow(a, b, towards, gap, input.dt, velocity);
+    const bool meet = differ(input.wanted[a], input.wanted[b]);
+    bool aFirst = meet && input.right != nullptr && input.right->precedes(a, b);
+    if (!meet) {
         const double topA = std::max(input.topSpeed[a], 1e-9), topB = std::max(input.topSpeed[b], 1e-9);
         const double lead = dot(towards, input.wanted[a] / topA + input.wanted[b] / topB);
-        const bool bAhead = std::fabs(lead) > kBeside    ? lead > 0.0
-                            : now.cost[a] != now.cost[b] ? now.cost[b] < now.cost[a]
-                                                         : false;
-        return bAhead ? add(a, b, towards) : add(b, a, -towards);
+        // The one ahead gets ahead, too.
+        if (lead > kBeside && (dot(velocity[b], towards) >= 0.0 || input.claims[b].stuck > 0.0f))
+            return follow(a, b, towards, gap, input.dt, velocity);
+        if (lead < -kBeside && (dot(velocity[a], towards) <= 0.0 || input.claims[a].stuck > 0.0f))
+            return follow(b, a, -towards, gap, input.dt, velocity);
+        aFirst = std::fabs(lead) > kBeside ? lead < 0.0 : now.cost[a] <= now.cost[b];
     }
-    if (input.right == nullptr) return;
-    const Vec2 tilted = gap > 0.02 ? normalized(towards + perpendicular(towards) * kToTheRight) : towards;
-    input.right->precedes(a, b) ? add(b, a, -tilted) : add(a, b, tilted);
-    const double most = gapSpeed(gap, kContactTime, input.dt);
-    if (dot(velocity[a] - velocity[b], towards) > most - kSlack)
-        limits_.push_back({a, b, towards, most, bodies.share(a, b), -1.0});
+    if (input.claims[aFirst ? a : b].stuck == 0.0f) {
+        const Tangent tangent = tangentOf(between, velocity[a] - velocity[b], touching,
+                                          meet ? kForesight : headway_, input.dt);
+        return share(bodies, pair, tangent.towards, tangent.most, velocity);
+    }
+    if (!meet)
+        return aFirst ? follow(b, a, -towards, gap, input.dt, velocity)
+                      : follow(a, b, towards, gap, input.dt, velocity);
+    // Whoever has no right of way is backed out before one that does not get on.
+    const Vec2 aside = gap > 0.02 ? normalized(towards + perpendicular(towards) * kToTheRight) : towards;
+    aFirst ? follow(b, a, -aside, gap, input.dt, velocity) : follow(a, b, aside, gap, input.dt, velocity);
+    share(bodies, pair, towards, gapSpeed(gap, kContactTime, input.dt), velocity);
 }
 
-void Headway::addWall(std::int32_t character, Vec2 towards, double gap, Vec2 wallVelocity, double dt,
-                      Vec2 velocity) {
-    const double most = dot(wallVelocity, towards) + (gap > 0.0 ? gap / dt : gap / dt * kPenetration);
-    if (dot(velocity, towards) > most - kSlack) limits_.push_back({character, -1, towards, most, 1.0, 0.0});
-}
-
+// Pieces are listed in no certain order: the limits of a character are sorted.
 void Headway::addWalls(const CrowdBodies& bodies, const Characters& now, const Environment& environment,
                        const HeadwayInput& input, std::span<const Vec2> velocity) {
     nearObstacle_.resize(now.size());
@@ -79,45 +113,63 @@ void Headway::addWalls(const CrowdBodies& bodies, const Characters& now, const E
     const Box box = environment.def().box;
     for (std::size_t i = 0; i < now.size(); ++i) {
         if (nearObstacle_[i] == 0 || bodies.isFixed(i)) continue;
-        const auto character = static_cast<std::int32_t>(i);
         const Vec2 here = now.position[i];
         const double radius = bodies.radius(i), reach = radius + kWallReach;
+        const auto first = static_cast<std::ptrdiff_t>(limits_.size());
+        const auto add = [&](Vec2 towards, double apart, Vec2 wallVelocity) {
+            const double gap = apart - radius;
+            const double most = dot(wallVelocity, towards) + gapSpeed(gap, input.dt, input.dt);
+            if (dot(velocity[i], towards) > most - kSlack)
+                limits_.push_back({static_cast<std::int32_t>(i), -1, towards, most, 1.0, 0.0});
+        };
         environment.forPiecesNear(here, reach, [&](const ObstaclePiece& piece) {
             const SurfacePoint nearest = closestSurfacePoint(piece, here);
             if (nearest.distance > reach || nearest.distance < 1e-6) return;
-            const Vec2 towards = (nearest.point - here) / nearest.distance;
-            addWall(character, towards, nearest.distance - radius, piece.velocity, input.dt, velocity[i]);
+            add((nearest.point - here) / nearest.distance, nearest.distance, piece.velocity);
         });
-        addWall(character, {-1.0, 0.0}, here.x - box.min.x - radius, {}, input.dt, velocity[i]);
-        addWall(character, {1.0, 0.0}, box.max.x - here.x - radius, {}, input.dt, velocity[i]);
-        addWall(character, {0.0, -1.0}, here.y - box.min.y - radius, {}, input.dt, velocity[i]);
-        addWall(character, {0.0, 1.0}, box.max.y - here.y - radius, {}, input.dt, velocity[i]);
+        add({-1.0, 0.0}, here.x - box.min.x, {});
+        add({1.0, 0.0}, box.max.x - here.x, {});
+        add({0.0, -1.0}, here.y - box.min.y, {});
+        add({0.0, 1.0}, box.max.y - here.y, {});
+        std::sort(limits_.begin() + first, limits_.end(), [](const Limit& a, const Limit& b) {
+            if (a.most != b.most) return a.most < b.most;
+            return a.towards.x != b.towards.x ? a.towards.x < b.towards.x : a.towards.y < b.towards.y;
+        });
     }
+}
+
+double Headway::relax(std::span<Vec2> velocity) {
+    double largest = 0.0;
+    for (Limit& limit : limits_) {
+        Vec2& back = velocity[limit.back];
+        const Vec2 n = limit.towards;
+        double most = limit.most;
+        const bool shared = limit.follow < 0.0;
+        if (limit.front >= 0) {
+            const double ahead = dot(velocity[limit.front], n);
+            most += shared || ahead <= 0.0 ? ahead : limit.follow * ahead;
+        }
+        const double pressed = std::max(0.0, limit.pressed + dot(back, n) - most);
+        const double change = pressed - limit.pressed;
+        if (change == 0.0) continue;
+        limit.pressed = pressed;
+        largest = std::max(largest, std::fabs(change));
+        back -= n * (change * limit.share);
+        if (shared) velocity[limit.front] += n * (change * (1.0 - limit.share));
+    }
+    return largest;
 }
 
 void Headway::run(const CrowdBodies& bodies, const Characters& now, const Environment& environment,
                   const NeighbourList& neighbours, const HeadwayInput& input, std::span<Vec2> velocity) {
+    headway_ = bodies.usual().headway;
+    inStep_ = bodies.usual().inStep;
     limits_.clear();
+    limits_.reserve(kLimitsPerCharacter * now.size());
     for (const NeighbourPair pair : neighbours.pairs()) addPair(bodies, now, pair, input, velocity);
     addWalls(bodies, now, environment, input, velocity);
-    for (int sweep = 0; sweep < kSweeps; ++sweep) {
-        for (Limit& limit : limits_) {
-            Vec2& back = velocity[limit.back];
-            const Vec2 n = limit.towards;
-            double most = limit.most, overshoot = dot(back, n);
-            const bool shared = limit.follow < 0.0;
-            if (limit.front >= 0) {
-                const double ahead = dot(velocity[limit.front], n);
-                most += shared ? ahead : ahead > 0.0 ? limit.follow * ahead : ahead;
-            }
-            overshoot -= most;
-            const double pressed = std::max(0.0, limit.pressed + overshoot);
-            const double change = pressed - limit.pressed;
-            limit.pressed = pressed;
-            back -= n * (change * limit.share);
-            if (shared) velocity[limit.front] += n * (change * (1.0 - limit.share));
-        }
-    }
+    for (int sweep = 0; sweep < kSweeps; ++sweep)
+        if (relax(velocity) < kSweptOut) break;
     for (std::size_t i = 0; i < now.size(); ++i)
         if (!bodies.isFixed(i)) velocity[i] = clampLength(velocity[i], input.topSpeed[i]);
 }

@@ -19,7 +19,8 @@ namespace muster {
 struct HeadwayInput {
     std::span<const Vec2> wanted;       ///< Velocity that each wants [m/s].
     std::span<const double> topSpeed;   ///< On its ground [m/s].
-    const RightOfWay* right = nullptr;  ///< Not null where two meet who do not go the same way.
+    std::span<const Claim> claims;      ///< How each gets on.
+    const RightOfWay* right = nullptr;  ///< Null where nobody is blocked.
     double dt = 1.0 / 60.0;             ///< Length of the step [s].
 };
 
@@ -27,8 +28,6 @@ struct HeadwayInput {
 /// linear constraints, in the order of pairs.
 class Headway {
 public:
-    /// True where any pair wants to go different ways.
-    static bool meets(const NeighbourList& neighbours, std::span<const Vec2> wanted);
     /// Changes `velocity` [m/s], which is what each would do alone.
     void run(const CrowdBodies& bodies, const Characters& now, const Environment& environment,
              const NeighbourList& neighbours, const HeadwayInput& input, std::span<Vec2> velocity);
@@ -44,13 +43,19 @@ private:
         double pressed = 0.0;      // Multiplier [m/s].
     };
 
+    void follow(std::int32_t back, std::int32_t front, Vec2 towards, double gap, double dt,
+                std::span<const Vec2> velocity);
+    void share(const CrowdBodies& bodies, NeighbourPair pair, Vec2 towards, double most,
+               std::span<const Vec2> velocity);
     void addPair(const CrowdBodies& bodies, const Characters& now, NeighbourPair pair,
                  const HeadwayInput& input, std::span<const Vec2> velocity);
     void addWalls(const CrowdBodies& bodies, const Characters& now, const Environment& environment,
                   const HeadwayInput& input, std::span<const Vec2> velocity);
-    void addWall(std::int32_t character, Vec2 towards, double gap, Vec2 wallVelocity, double dt,
-                 Vec2 velocity);
 
+    // One sweep; the largest change of a multiplier [m/s].
+    double relax(std::span<Vec2> velocity);
+
+    double headway_ = 0.2, inStep_ = 1.0;  // [s], share.
     std::vector<Limit> limits_;
     std::vector<std::uint8_t> nearObstacle_;
 };

@@ -3,6 +3,11 @@
 #include <cmath>
 
 namespace muster {
+namespace {
+
+constexpr std::size_t kNearPerCharacter = 32;  // Room that is kept for them.
+
+}  // namespace
 
 void NearRows::build(const CrowdBodies& bodies, std::span<const Vec2> positions,
                      std::span<const NeighbourPair> pairs) {
@@ -12,6 +17,7 @@ void NearRows::build(const CrowdBodies& bodies, std::span<const Vec2> positions,
         ++first_[pair.high + 2];
     }
     for (std::size_t i = 2; i < first_.size(); ++i) first_[i] += first_[i - 1];
+    near_.reserve(kNearPerCharacter * positions.size());
     near_.resize(2 * pairs.size());
     for (const NeighbourPair pair : pairs) {
         const Vec2 between = positions[pair.high] - positions[pair.low];

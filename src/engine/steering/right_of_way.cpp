@@ -30,12 +30,14 @@ enum : std::uint8_t { kLeaves, kWalks, kFollows, kMoved, kRests, kLast };
 
 }  // namespace
 
-void RightOfWay::count(const CrowdBodies& bodies, std::span<const Vec2> wanted, std::span<const Vec2> place,
-                       std::span<const Vec2> placeVelocity, std::span<const GroupClaim> groups,
-                       std::uint32_t step, double dt, const Characters& characters, std::span<Claim> claims) {
+bool RightOfWay::count(std::span<const double> topSpeed, std::span<const Vec2> wanted,
+                       std::span<const Vec2> place, std::span<const Vec2> placeVelocity,
+                       std::span<const GroupClaim> groups, std::uint32_t step, double dt,
+                       const Characters& characters, std::span<Claim> claims) {
     const auto time = static_cast<float>(dt);
     const auto share = static_cast<float>(std::min(1.0, dt / kSmoothing));
     MUSTER_ASSERT(claims.size() == characters.size());
+    bool any = false;
     for (std::size_t i = 0; i < characters.size(); ++i) {
         Claim& claim = claims[i];
         claim.lends = std::max(0.0f, claim.lends - time);
@@ -71,12 +73,14 @@ void RightOfWay::count(const CrowdBodies& bodies, std::span<const Vec2> wanted, 
             claim.spot = place[i];
         }
         const Vec2 along = normalized(wanted[i]);
-        const auto now = static_cast<float>(dot(characters.velocity[i], along) / bodies.maxSpeed(i));
+        const auto now = static_cast<float>(dot(characters.velocity[i], along) / std::max(topSpeed[i], 1e-9));
         claim.progress += (now - claim.progress) * share;
         const bool waits = claim.progress <= kGetsOn && left >= kReached && claim.lends == 0.0f &&
                            claim.last == 0.0f && !(along == Vec2{});
         claim.stuck = waits ? claim.stuck + time : 0.0f;
+        any = any || waits || claim.lends > 0.0f;
     }
+    return any;
 }
 
 void RightOfWay::sort(const Characters& now, std::span<const Vec2> leaving, std::span<const Claim> claims) {
@@ -93,18 +97,24 @@ void RightOfWay::sort(const Characters& now, std::span<const Vec2> leaving, std:
                     : aside             ? kMoved
                                         : kRests;
     }
-    order_.resize(count);
-    std::iota(order_.begin(), order_.end(), 0);
-    std::sort(order_.begin(), order_.end(), [&](std::int32_t a, std::int32_t b) {
+    const auto before = [&](std::int32_t a, std::int32_t b) {
         if (class_[a] != class_[b]) return class_[a] < class_[b];
         if (claims[a].since != claims[b].since) return claims[a].since < claims[b].since;
         return a < b;
-    });
+    };
+    // The last order is near to this one, which is unique.
+    if (order_.size() != count) {
+        order_.resize(count);
+        std::iota(order_.begin(), order_.end(), 0);
+    }
+    if (!std::is_sorted(order_.begin(), order_.end(), before))
+        std::sort(order_.begin(), order_.end(), before);
 }
 
 // Who follows close behind somebody, the same way, comes right after him: a file passes as one.
 void RightOfWay::joinFiles(const Characters& now, const NearRows& rows, std::span<const Vec2> own) {
     done_.assign(now.size(), 0);
+    files_.reserve(now.size());
     files_.clear();
     for (const std::int32_t head : order_) {
         if (done_[head]) continue;
@@ -116,7 +126,9 @@ void RightOfWay::joinFiles(const Characters& now, const NearRows& rows, std::spa
             const Vec2 ahead = normalized(own[a]);
             for (const Near& near : rows.of(a)) {
                 const std::int32_t b = near.other;
-                if (done_[b] || near.gap > kFileGap || class_[a] != class_[b]) continue;
+                if (done_[b] || class_[b] == kLeaves || class_[a] == kLeaves || near.gap > kFileGap ||
+                    class_[a] != class_[b])
+                    continue;
                 if (dot(own[a], own[b]) <= kFileCosine || dot(near.towards, ahead) >= -0.5) continue;
                 done_[b] = 1;
                 files_.push_back(b);
@@ -165,6 +177,7 @@ void RightOfWay::lend(std::int32_t asker, const Near& near, Vec2 along, const Cr
 void RightOfWay::askFrom(std::int32_t first, const CrowdBodies& bodies, const Environment& environment,
                          const NearRows& rows, std::span<const double> topSpeed, const Characters& characters,
                          std::span<Claim> claims, std::span<Vec2> wanted) {
+    stack_.reserve(characters.size());
     stack_.assign(1, first);
     while (!stack_.empty()) {
         const std::int32_t a = stack_.back();
@@ -175,8 +188,8 @@ void RightOfWay::askFrom(std::int32_t first, const CrowdBodies& bodies, const En
         const bool lends = lender_[a].to >= 0;
         for (const Near& near : rows.of(a)) {
             const std::int32_t b = near.other;
-            if (done_[b] || near.gap > (lends ? lender_[a].need : kAskGap) || bodies.isFixed(b) ||
-                bodies.isFirmer(b, a))
+            if (done_[b] || class_[b] == kLeaves || class_[a] == kLeaves ||
+                near.gap > (lends ? lender_[a].need : kAskGap) || bodies.isFixed(b) || bodies.isFirmer(b, a))
                 continue;
             const double apart = near.gap + bodies.touching(a, b);
             if (dot(near.towards, along) <= 0.0 ||

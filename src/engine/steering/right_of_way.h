@@ -24,8 +24,9 @@ struct GroupClaim {
 class RightOfWay {
 public:
     /// Updates all claims from how characters got on in the last step. `wanted` is the velocity along the own
-    /// way [m/s], `place` where each heads for [m], `placeVelocity` of that [m/s].
-    void count(const CrowdBodies& bodies, std::span<const Vec2> wanted, std::span<const Vec2> place,
+    /// way [m/s], `place` where each heads for [m], `placeVelocity` of that [m/s]. Returns true where
+    /// somebody is blocked, or lends its way yet.
+    bool count(std::span<const double> topSpeed, std::span<const Vec2> wanted, std::span<const Vec2> place,
                std::span<const Vec2> placeVelocity, std::span<const GroupClaim> groups, std::uint32_t step,
                double dt, const Characters& characters, std::span<Claim> claims);
     /// Ranks all, and changes `wanted` [m/s] of those who lend their way. Who is leaving the way of something

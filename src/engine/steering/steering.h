@@ -11,6 +11,9 @@
 #include "engine/steering/characters.h"
 #include "engine/steering/crowd_bodies.h"
 #include "engine/steering/give_way.h"
+#include "engine/steering/headway.h"
+#include "engine/steering/near_rows.h"
+#include "engine/steering/right_of_way.h"
 #include "muster/parameters.h"
 
 namespace muster {
@@ -20,17 +23,19 @@ struct SteeringInput {
     std::span<const Vec2> place;          ///< Position of its place [m]; its own position for the unmatched.
     std::span<const Vec2> placeVelocity;  ///< Velocity of its place [m/s].
     std::span<const Vec2> facing;         ///< Unit heading of its formation, which it takes when standing.
-    std::span<const PlaceWait> waits = {};  ///< For how long it has stood; empty for none.
-    std::span<const double> pace = {};      ///< Share of its top speed at which it walks; empty for all.
+    std::span<const GroupClaim> groups = {};  ///< One entry per group; empty where nobody has an order.
+    std::uint32_t step = 0;                   ///< Number of the step.
+    std::span<const double> pace = {};        ///< Share of its top speed at which it walks; empty for all.
 };
 
 /// Computes next velocities and headings from the present state only, so the order of characters cannot
 /// matter.
 class Steering {
 public:
-    /// Reads `now`, writes the next velocity [m/s] and heading (one per character): of who is moved from
-    /// outside the velocity that it has. The same bits with and without a pool.
-    void run(const CrowdBodies& bodies, const Characters& now, const SteeringInput& input,
+    /// Reads `now`, of which it writes the claims only, and writes the next velocity [m/s] and heading (one
+    /// per character): of who is moved from outside the velocity that it has. The same bits with and without
+    /// a pool.
+    void run(const CrowdBodies& bodies, Characters& now, const SteeringInput& input,
              const Environment& environment, double dt, std::span<Vec2> velocity, std::span<Vec2> heading,
              ThreadPool* pool = nullptr);
 
@@ -44,10 +49,10 @@ public:
     const NeighbourList& neighbours() const { return neighbours_; }
 
 private:
-    void addSeparationSteering(const CrowdBodies& bodies, const Characters& now);
-    void yieldToBlocked(const CrowdBodies& bodies, const Characters& now, std::span<const PlaceWait> waits);
-
     GiveWay giveWay_;
+    NearRows rows_;
+    RightOfWay right_;
+    Headway headway_;
     BodyAxes axes_;
     NeighbourList neighbours_;
     std::vector<Vec2> preferred_;   // Preferred velocities [m/s].

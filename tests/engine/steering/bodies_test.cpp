@@ -35,6 +35,7 @@ struct Crowd {
         now.phase.push_back(MotionPhase::Steady);
         now.body.push_back(body);
         now.driver.push_back(Driver::Muster);
+        now.claim.emplace_back();
         return static_cast<std::int32_t>(now.size()) - 1;
     }
     CrowdBodies bodies(std::vector<std::uint8_t> firmness = {}) const {

@@ -46,6 +46,7 @@ struct TurnedCrowd {
         now.patch.push_back(motion == 0 ? 0u : 1u);
         now.body.push_back({});
         now.driver.push_back(Driver::Muster);
+        now.claim.emplace_back();
         place.push_back(at);
         still.push_back({});
         facing.push_back(heading);

@@ -23,6 +23,7 @@ struct Pair {
         now.place = {0, 1};
         now.direction = {{1, 0}, {0, 0}};
         now.cost = {0.9, 0.0};
+        now.claim.resize(2);
     }
     void run(double seconds) {
         neighbours.build(now.position, 0.65);

@@ -87,15 +87,14 @@ struct Walkers {
             wanted[i] = normalized(aim - now.position[i]) * std::min(2.0, 3.0 * left);
             now.cost[i] = left;
         }
-        right.count(bodies, wanted, goal, still, groups, tick, kTick, now, claims);
+        const bool blocked = right.count(top, wanted, goal, still, groups, tick, kTick, now, claims);
         neighbours.build(now.position, 1.5);
         rows.build(bodies, now.position, neighbours.pairs());
-        const bool meets = Headway::meets(neighbours, wanted);
-        if (meets) right.run(bodies, environment, rows, top, {}, now, claims, wanted);
+        if (blocked) right.run(bodies, environment, rows, top, {}, now, claims, wanted);
         for (std::size_t i = 0; i < n; ++i)
             velocity[i] = now.velocity[i] + clampLength(wanted[i] - now.velocity[i], 10.0 * kTick);
-        headway.run(bodies, now, environment, neighbours, {wanted, top, meets ? &right : nullptr, kTick},
-                    velocity);
+        headway.run(bodies, now, environment, neighbours,
+                    {wanted, top, claims, blocked ? &right : nullptr, kTick}, velocity);
         next = now.position;
         for (std::size_t i = 0; i < n; ++i) next[i] += velocity[i] * kTick;
         const std::vector<double> reach(n, 1.04 * 2.0 * kTick);
@@ -153,7 +152,7 @@ TEST_CASE("of those who go the same way the one behind keeps its headway") {
     walkers.add({-8.6, 0}, {15, 0}, 0);
     walkers.now.velocity = {{0.2, 0.0}, {1.9, 0.0}};
     walkers.step(1);
-    CHECK(walkers.velocity[1].x <= walkers.velocity[0].x + 0.1 / 0.3 + 1e-9);
+    CHECK(walkers.velocity[1].x <= walkers.velocity[0].x + 0.1 / 0.2 + 1e-9);
 }
 
 TEST_CASE("who rests lends its way to who walks, and comes back") {

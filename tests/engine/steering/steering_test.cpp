@@ -38,6 +38,7 @@ void add(Characters& c, Vec2 position, Vec2 direction) {
     c.motionTime.push_back(0);
     c.patch.push_back(0);
     c.lastSingle.push_back(0);
+    c.claim.emplace_back();
 }
 
 // Runs towards fixed places, straight, without contacts.
@@ -100,20 +101,23 @@ TEST_CASE("two who meet head on pass each other, each to its right") {
     CHECK(nearest > 0.0);
 }
 
-TEST_CASE("characters that walk together are not separated, those that meet are") {
+TEST_CASE("characters that walk together do not slow each other, those that meet step aside alike") {
     const Environment environment = ground(1.0);
-    const auto speedAfter = [&](Vec2 ahead, Vec2 direction) {
+    const auto velocitiesAfter = [&](Vec2 ahead, Vec2 direction) {
         Characters c;
         add(c, {0, 0}, {1, 0});
         add(c, ahead, direction);
         c.velocity = {{2, 0}, direction * 2.0};
         walk(c, {{20, 0}, ahead + direction * 20.0}, environment, 1);
-        return c.velocity[0].x;
+        return c.velocity;
     };
     // One a finger's breadth ahead, one beside, one who comes towards.
-    CHECK(speedAfter({0.55, 0.0}, {1, 0}) == doctest::Approx(2.0));
-    CHECK(speedAfter({0.0, 0.55}, {1, 0}) == doctest::Approx(2.0));
-    CHECK(speedAfter({0.55, 0.0}, {-1, 0}) < 1.99);
+    CHECK(velocitiesAfter({0.55, 0.0}, {1, 0})[0].x == doctest::Approx(2.0));
+    CHECK(velocitiesAfter({0.0, 0.55}, {1, 0})[0].x == doctest::Approx(2.0));
+    const std::vector<Vec2> met = velocitiesAfter({0.55, 0.0}, {-1, 0});
+    CHECK(met[0].y < -0.1);
+    CHECK(met[1].x == doctest::Approx(-met[0].x));
+    CHECK(met[1].y == doctest::Approx(-met[0].y));
 }
 
 TEST_CASE("the unmatched stand still") {
@@ -176,37 +180,39 @@ TEST_CASE("steering gives the same bits with any number of threads") {
     CHECK(length(velocity[500]) > 0.01);
 }
 
-TEST_CASE("of two who bar each other abreast the one with the longer way steps back, after a while") {
+TEST_CASE("of two who go the same way the one behind keeps its headway, and nobody else is slowed") {
     const Environment environment = ground(1.0);
     Characters c;
-    add(c, {0, 0.25}, {1, 0});
-    add(c, {0, -0.25}, {1, 0});
-    c.cost = {3.0, 4.0};
-    const std::vector<Vec2> places{{3, 0}, {4, 0}}, still(2), facing(2, Vec2{1, 0});
-    for (const float stood : {0.5f, 3.5f}) {
-        const std::vector<PlaceWait> waits(2, PlaceWait{{}, stood});
-        std::vector<Vec2> velocity(2), heading(2);
-        Steering steering;
-        steering.run({}, c, {places, still, facing, waits}, environment, kSteerStep, velocity, heading);
-        CHECK(velocity[0].x > 0.0);
-        CHECK((velocity[1].x < 0.0) == (stood > 3.0f));
-    }
+    add(c, {-8, 0}, {1, 0});
+    add(c, {-8.6, 0.0}, {1, 0});
+    const std::vector<Vec2> places{{0, 0}, {0, 0}}, still(2), facing(2, Vec2{1, 0});
+    c.velocity = {{0.2, 0.0}, {1.9, 0.0}};
+    std::vector<Vec2> velocity(2), heading(2);
+    Steering steering;
+    steering.run({}, c, {places, still, facing}, environment, kSteerStep, velocity, heading);
+    CHECK(velocity[0].x > 0.3);
+    // A gap of 0.1 m and 0.2 s of headway.
+    CHECK(velocity[1].x <= velocity[0].x + 0.1 / 0.2 + 1e-9);
+    CHECK(velocity[1].x > 0.5);
 }
 
-TEST_CASE("of two who bar each other in file the one ahead steps back, too, where the other one cannot") {
+TEST_CASE("where two meet and the elder does not get on, the one whose order is younger is backed out") {
     const Environment environment = ground(1.0);
-    Characters c;
-    add(c, {0.25, 0}, {1, 0});
-    add(c, {-0.25, 0}, {1, 0});
-    c.cost = {3.0, 4.0};
-    const std::vector<Vec2> places{{3, 0}, {4, 0}}, still(2), facing(2, Vec2{1, 0});
-    for (const float stood : {3.5f, 7.5f, 8.5f, 11.5f, 12.5f, 17.0f}) {
-        const std::vector<PlaceWait> waits(2, PlaceWait{{}, stood});
+    const std::vector<GroupClaim> groups{{1, false}, {2, false}};
+    for (const bool swapped : {false, true}) {
+        Characters c;
+        add(c, {-8.0, 0}, {1, 0});
+        add(c, {-7.45, 0}, {-1, 0});
+        c.group = swapped ? std::vector<std::uint32_t>{1, 0} : std::vector<std::uint32_t>{0, 1};
+        c.claim[0].since = swapped ? 2 : 1;
+        c.claim[1].since = swapped ? 1 : 2;
+        c.claim[0].progress = c.claim[1].progress = 0.0f;
+        c.velocity = {{0.2, 0}, {-0.2, 0}};
+        const std::vector<Vec2> places{{9, 0}, {-20, 0}}, still(2), facing(2, Vec2{1, 0});
         std::vector<Vec2> velocity(2), heading(2);
         Steering steering;
-        steering.run({}, c, {places, still, facing, waits}, environment, kSteerStep, velocity, heading);
-        const bool ahead = stood > 8.0f && stood < 12.0f;
-        CHECK((velocity[0].x < 0.0) == ahead);
-        CHECK((velocity[1].x < 0.0) == !ahead);
+        steering.run({}, c, {places, still, facing, groups}, environment, kSteerStep, velocity, heading);
+        CHECK((velocity[0].x > 0.0) == !swapped);
+        CHECK((velocity[1].x > 0.0) == !swapped);
     }
 }

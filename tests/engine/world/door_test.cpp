@@ -49,10 +49,10 @@ TEST_CASE("a crowd passes a door that is wider than one and narrower than two") 
     }
 }
 
-TEST_CASE("who holds back before a door depends on nothing but the state, also without sidesteps") {
+TEST_CASE("who holds back before a door depends on nothing but the state, also with more headway") {
     World world = World::create(hall(0.8, 1)).value();
     for (int s = 0; s < 120; ++s) world.step();  // They touch before the door.
-    REQUIRE(world.submit({120, 1, 0, SetParameter{"character.separationGain", 0.0}}).ok());
+    REQUIRE(world.submit({120, 1, 0, SetParameter{"character.headway", 0.5}}).ok());
     REQUIRE(world.submit({120, 1, 1, SetCount{world.group(0).id, 20}}).ok());
     for (int s = 0; s < 5; ++s) world.step();
     World copy = World::restore(world.snapshot()).value();

@@ -155,7 +155,7 @@ TEST_CASE("places that demand six take six, who stand around them as good as the
     std::uint32_t sequence = 0;
     for (int s = 0; s < 60; ++s) world.step();
     moveTo(world, sequence, {25, 2});
-    auto events = play(world, 50.0);
+    auto events = play(world, 60.0);
     CHECK(events[EventKind::Arrived] == 1);
     CHECK(events[EventKind::OrderDone] == 1);
     CHECK(events[EventKind::Stuck] == 0);

@@ -111,7 +111,14 @@ void SteeringStage::setPaces(const WorldState& state) {
 
 void SteeringStage::steer(WorldState& state, double dt, ThreadPool& pool) {
     Characters& characters = state.characters;
-    const SteeringInput input{placePosition_, placeVelocity_, facing_, characters.wait, pace_};
+    claims_.clear();
+    for (const Group& group : state.groups) {
+        const bool ordered = !group.orders.orders.empty() && group.orders.begun;
+        const OrderKind kind = ordered ? group.orders.orders.front().order.kind : OrderKind::Move;
+        claims_.push_back(
+            {ordered ? group.orders.begunAt : 0, kind == OrderKind::Follow || kind == OrderKind::Guard});
+    }
+    const SteeringInput input{placePosition_, placeVelocity_, facing_, claims_, state.stepCount, pace_};
     steering_.run(bodies_, characters, input, state.environment, dt, next_.velocity, next_.heading, &pool);
     characters.wanted.assign(steering_.preferred().begin(), steering_.preferred().end());
     for (std::size_t i = 0; i < characters.size(); ++i) {

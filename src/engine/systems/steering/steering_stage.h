@@ -82,6 +82,7 @@ private:
     std::vector<Vec2> placePosition_;  // Of all characters.
     std::vector<Vec2> placeVelocity_;
     std::vector<Vec2> facing_;
+    std::vector<GroupClaim> claims_;  // Of all groups.
     NextMotion next_;
 };
 

@@ -9,7 +9,7 @@
 namespace muster {
 namespace {
 
-TEST_CASE("a straight walk in the open takes all controls the same time, within two in a hundred") {
+TEST_CASE("a straight walk in the open takes all controls the same time, within three in a hundred") {
     for (const std::int32_t crowd : studyCrowds()) {
         double least = 1e9;
         double most = 0.0;
@@ -20,7 +20,7 @@ TEST_CASE("a straight walk in the open takes all controls the same time, within 
             least = std::min(least, *seconds);
             most = std::max(most, *seconds);
         }
-        CHECK(most <= 1.02 * least);
+        CHECK(most <= 1.03 * least);
     }
 }
 
