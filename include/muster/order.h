@@ -36,6 +36,8 @@ enum class Turn : std::uint8_t {
     Reverse,  ///< As Wheel, but where the way leads back its rear becomes its front, and nobody changes
               ///< files.
     Keep,     ///< It faces one way until it has arrived, and then turns to `facing`.
+    Flow,  ///< Everybody heads for the place that is nearest for all, and the formation flows where the way
+           ///< narrows. In the open nothing arrives sooner.
 };
 
 /// One order of a group.
@@ -49,7 +51,7 @@ struct Order {
     std::vector<Vec2> route;  ///< Drawn way to the target [m]; followed as drawn, round obstacles.
     std::optional<FormationDef> formation;  ///< New formation, which is taken up on the way; none to keep it.
     Manner manner = Manner::March;          ///< How it goes.
-    Turn turn = Turn::Wheel;                ///< How it turns on a march.
+    Turn turn = Turn::Flow;                 ///< How it turns on a march.
     double pace = 0.0;    ///< Speed of a march [m/s]; 0 for as fast as all can keep up with.
     double share = 0.95;  ///< Share of the group that must have arrived before the next order begins, (0, 1].
     GroupId group;        ///< For Follow and Guard: the group to stay with; none for a character or a place.

@@ -27,6 +27,8 @@ struct ParameterInfo {
 
 /// All parameters, in the order in which archives hold them.
 std::span<const ParameterInfo> parameterTable();
+/// Names of earlier versions, which older files hold: they are read, and set nothing.
+std::span<const std::string_view> retiredParameters();
 /// Sets a parameter by name. Fails with NotFound, or with InvalidArgument naming name, value and range.
 Status setParameter(Parameters& parameters, std::string_view name, double value);
 /// Parameters of a preset: "muster" (the defaults) or "paper" (exact plans of exponent 1 and threshold 0 in

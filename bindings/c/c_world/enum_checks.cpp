@@ -46,6 +46,7 @@ static_assert(is(Manner::Continuum, MUSTER_MANNER_CONTINUUM));
 static_assert(is(Turn::Wheel, MUSTER_TURN_WHEEL));
 static_assert(is(Turn::Reverse, MUSTER_TURN_REVERSE));
 static_assert(is(Turn::Keep, MUSTER_TURN_KEEP));
+static_assert(is(Turn::Flow, MUSTER_TURN_FLOW));
 static_assert(is(QueueMode::Replace, MUSTER_QUEUE_REPLACE));
 static_assert(is(QueueMode::Append, MUSTER_QUEUE_APPEND));
 static_assert(is(QueueMode::Insert, MUSTER_QUEUE_INSERT));

@@ -89,7 +89,7 @@ void fields(M& m, C<M, MusterOrder>& c, P<M, Order>& p) {
     m.template version<MusterOrder>(c.structVersion);
     m.choice(c.kind, p.kind, OrderKind::Guard, "kind");
     m.choice(c.manner, p.manner, Manner::Continuum, "manner");
-    m.choice(c.turn, p.turn, Turn::Keep, "turn");
+    m.choice(c.turn, p.turn, Turn::Flow, "turn");
     m.plain(c.target, p.target);
     m.optional(c.hasFacing, c.facing, p.facing);
     m.plain(c.width, p.width);

@@ -100,7 +100,8 @@ typedef uint8_t MusterTurn;
 enum MusterTurnValue {
     MUSTER_TURN_WHEEL = 0,    ///< It faces along its way, and turns at a bounded rate.
     MUSTER_TURN_REVERSE = 1,  ///< As Wheel, but where the way leads back its rear becomes its front.
-    MUSTER_TURN_KEEP = 2      ///< It faces one way until it has arrived, and then turns to `facing`.
+    MUSTER_TURN_KEEP = 2,     ///< It faces one way until it has arrived, and then turns to `facing`.
+    MUSTER_TURN_FLOW = 3      ///< Everybody heads for the place that is nearest for all; what arrives first.
 };
 
 /// One order of a group.

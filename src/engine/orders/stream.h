@@ -27,6 +27,7 @@ struct StreamDef {
     double radius = 0.25;  ///< Of bodies [m], above 0.
     /// Share of the way, (0, 1], over which the formation is taken up from the starts, and left for the ends.
     double fade = 1.0;
+    bool drawn = false;  ///< True where the way is kept to also where the ground between is free.
 };
 
 /// What a plan has come to.

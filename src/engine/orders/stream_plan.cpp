@@ -35,7 +35,7 @@ void Stream::start(const StreamDef& def) {
     moved_.resize(starts_.size());
     most_ = 0.0;
     for (std::size_t i = 0; i < starts_.size(); ++i) most_ = std::max(most_, distance(starts_[i], ends_[i]));
-    enter(Stage::Straight);
+    enter(def.drawn ? Stage::Line : Stage::Straight);
 }
 
 StreamStatus Stream::advance(StreamGround ground, std::int64_t operations) {

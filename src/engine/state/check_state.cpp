@@ -126,6 +126,22 @@ bool isSane(const WayNeeds& needs) {
            isSize(needs.least) && needs.radius > 0.0 && needs.radius <= 1e3;
 }
 
+bool isSane(const MarchFlow& flow) {
+    const std::size_t n = flow.offsets.size();
+    const auto isPose = [](const Pose& pose) {
+        const Rotation& r = pose.rotation;
+        return isPlace(pose.position) && std::fabs(r.c * r.c + r.s * r.s - 1.0) < 1e-6;
+    };
+    if (flow.phase == FlowPhase::None) return true;
+    return flow.phase <= FlowPhase::Standing && flow.q >= 0.0 && flow.q <= 1.0 && flow.speed >= 0.0 &&
+           flow.speed <= kFastest && flow.spent >= 0 && flow.spent <= 1'000'000'000 && isPose(flow.from) &&
+           isPose(flow.to) && flow.spacing > 0.0 && flow.spacing <= kMaxCoordinate && flow.radius > 0.0 &&
+           flow.radius <= kMaxCoordinate && flow.ends.size() == flow.places.size() &&
+           (!flow.moves() || (flow.starts.size() == n && flow.ends.size() == n && flow.way.size() >= 2)) &&
+           arePlaces(flow.offsets) && arePlaces(flow.starts) && arePlaces(flow.ends) && arePlaces(flow.way) &&
+           arePlaces(flow.places);
+}
+
 bool isSane(const March& march) {
     const Rotation& r = march.last.rotation;
     return march.phase <= MarchPhase::Stand && arePlaces(march.way) && arePlaces(march.legs) &&
@@ -156,8 +172,8 @@ Status checkOrders(const Group& group, std::uint32_t nextOrder) {
     if (queue.own)
         if (Status s = validateFormation(*queue.own); !s.ok()) return s;
     const bool points = queue.own && queue.own->kind == FormationKind::Points;
-    if (!isSane(queue.march) || !isSane(group.avoidance) || !isPlace(queue.target) || queue.arrived < 0 ||
-        queue.files < 0 || !(queue.clearOf >= 0.0 && queue.clearOf <= 1e9) ||
+    if (!isSane(queue.march) || !isSane(group.flow) || !isSane(group.avoidance) || !isPlace(queue.target) ||
+        queue.arrived < 0 || queue.files < 0 || !(queue.clearOf >= 0.0 && queue.clearOf <= 1e9) ||
         (queue.begun && queue.orders.empty()) || (points && std::cmp_less(queue.own->points.size(), 1)))
         return wrong("an order that contradicts itself");
     for (const std::vector<std::uint32_t>& visitors : group.visitors)

@@ -10,6 +10,7 @@
 #include "engine/formation/mesh/formation_mesh.h"
 #include "engine/formation/places/place_tracker.h"
 #include "engine/orders/avoidance.h"
+#include "engine/state/march_flow.h"
 #include "engine/state/order_progress.h"
 #include "engine/state/order_queue.h"
 #include "engine/state/place_classes.h"
@@ -70,6 +71,7 @@ struct Group {
     std::int32_t slices = 1;                   ///< Shares into which it was cut.
     OrderProgress order;                       ///< How far it has come with its order.
     OrderQueue orders;                         ///< What it is to do.
+    MarchFlow flow;                            ///< How its places flow along its way.
     Avoidance avoidance;                       ///< How its mesh keeps clear of others, if it does.
     /// By checkpoint, the ids of those who have been in it since it was last left, ascending.
     std::vector<std::vector<std::uint32_t>> visitors;
@@ -93,8 +95,8 @@ struct Group {
     void visit(Archive& archive) {
         archive(id, def, mesh, controls, places, objective, gapBound, walk, meanLag, formationVersion,
                 planNow, provisional, assigned, reassigns, lastAssignment, placeClass, slice, slices, order,
-                orders, visitors, settling, surveyFrom, surveyTo, waysFor, goalDrift, foreseen, refitted,
-                groundClass, room);
+                orders, flow, visitors, settling, surveyFrom, surveyTo, waysFor, goalDrift, foreseen,
+                refitted, groundClass, room);
         if (def.conduct.avoids) archive(avoidance);
     }
 };

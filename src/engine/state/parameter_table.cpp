@@ -153,7 +153,6 @@ constexpr auto kTable = std::to_array<ParameterInfo>({
                                                 "Rounds that resolve contacts in a step."),
 });
 
-// Parameters of earlier versions, which older files name: they are read, and set nothing.
 constexpr std::string_view kRetired[] = {"character.separationGain", "character.separationReach"};
 
 }  // namespace
@@ -168,6 +167,10 @@ bool ParameterInfo::valid(double value) const {
 
 std::span<const ParameterInfo> parameterTable() {
     return kTable;
+}
+
+std::span<const std::string_view> retiredParameters() {
+    return kRetired;
 }
 
 Status setParameter(Parameters& parameters, std::string_view name, double value) {

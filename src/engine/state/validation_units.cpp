@@ -25,7 +25,7 @@ Status validateBody(const Body& body) {
 Status validateOrder(const Order& order) {
     if (order.kind > OrderKind::Guard) return invalidArgument("kind of order is not known");
     if (order.manner > Manner::Continuum) return invalidArgument("manner is not known");
-    if (order.turn > Turn::Keep) return invalidArgument("turn is not known");
+    if (order.turn > Turn::Flow) return invalidArgument("turn is not known");
     if (order.kind == OrderKind::Face && !order.facing) return invalidArgument("facing is missing");
     if (order.kind == OrderKind::Follow && !order.group && order.character == 0)
         return invalidArgument("it names neither a group nor a character to follow");

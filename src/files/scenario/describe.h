@@ -109,6 +109,10 @@ void describeParameters(Visitor& v, Parameters& parameters) {
         v.number(info.name, value, {info.minimum, info.maximum, info.unit, info.whole()}, info.description);
         if constexpr (Visitor::kReading) info.set(parameters, value);
     }
+    if constexpr (Visitor::kReading) {
+        double unused = 0.0;
+        for (const std::string_view name : retiredParameters()) v.number(name, unused, {-1e9, 1e9, ""}, "");
+    }
 }
 
 /// The box that the map covers.

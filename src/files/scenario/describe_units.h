@@ -20,7 +20,7 @@ inline constexpr NumberRange kDemand{0.0, 1000.0};
 // The words of enumerations, in the order of their values.
 inline constexpr std::array kOrderWords{"move", "face", "follow", "guard"};
 inline constexpr std::array kMannerWords{"march", "free", "continuum"};
-inline constexpr std::array kTurnWords{"wheel", "reverse", "keep"};
+inline constexpr std::array kTurnWords{"wheel", "reverse", "keep", "flow"};
 inline constexpr std::array kModeWords{"replace", "append", "insert"};
 inline constexpr std::array kEditWords{"cancel", "hold", "resume", "patrol", "endPatrol", "stop"};
 inline constexpr std::array kStanceWords{"normal", "hold", "yield"};
@@ -137,7 +137,7 @@ void describeOrder(Visitor& v, Order& order) {
     if (takesPart<Visitor>(order.kind == OrderKind::Move || order.manner != Manner::March))
         describeWord(v, "manner", order.manner, kMannerWords,
                      "In formation, each by the shortest way, or to one point by one field.");
-    if (takesPart<Visitor>(order.kind == OrderKind::Move || order.turn != Turn::Wheel))
+    if (takesPart<Visitor>(order.kind == OrderKind::Move || order.turn != Turn::Flow))
         describeWord(v, "turn", order.turn, kTurnWords, "How it turns on a march.");
     if (takesPart<Visitor>(order.pace != 0.0))
         v.number("pace", order.pace, {0.0, 100.0, "m/s"}, "Of a march; 0 for as fast as all can.");

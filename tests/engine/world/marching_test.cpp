@@ -85,7 +85,9 @@ TEST_CASE("round a house a march is rigid, and about as fast as people on their 
     Order keep = Order::move(target, 0.0);
     keep.turn = Turn::Keep;
     const Run kept = run(houseScene(), keep, 120.0);
-    const Run wheeled = run(houseScene(), Order::move(target), 120.0);
+    Order wheel = Order::move(target);
+    wheel.turn = Turn::Wheel;
+    const Run wheeled = run(houseScene(), wheel, 120.0);
     MESSAGE("free " << free.seconds << " s, keep " << kept.seconds << " s, rms " << kept.worst << " m, wheel "
                     << wheeled.seconds << " s, rms " << wheeled.worst << " m");
     CHECK(free.done);
@@ -112,7 +114,9 @@ TEST_CASE("half a turn wheels or reverses, and never shrinks") {
     }
     WorldDef def = houseScene();
     def.obstacles.clear();
-    const Run face = run(def, Order::face(3.1), 60.0);
+    Order turn = Order::face(3.1);
+    turn.turn = Turn::Wheel;
+    const Run face = run(def, turn, 60.0);
     CHECK(face.done);
     CHECK(face.worst <= 0.3);
 }

@@ -26,7 +26,7 @@ World untilSomebodyCamps(DraggedScene& scene) {
 }  // namespace
 
 TEST_CASE("routes lead to the places of those who camp, along the exact ground") {
-    DraggedScene scene(SceneFamily::Sparse, 180);
+    DraggedScene scene(SceneFamily::Dense, 102);
     World world = untilSomebodyCamps(scene);
     REQUIRE(!routesOf(world).empty());
     WorldState& state = WorldAccess::of(world).state;
@@ -50,7 +50,7 @@ TEST_CASE("routes lead to the places of those who camp, along the exact ground")
 }
 
 TEST_CASE("a route ends once its character stays at its place") {
-    DraggedScene scene(SceneFamily::Sparse, 180);
+    DraggedScene scene(SceneFamily::Dense, 102);
     World world = untilSomebodyCamps(scene);
     REQUIRE(!routesOf(world).empty());
     for (int s = 0; s < 60 * 30 && !routesOf(world).empty(); ++s) {
@@ -61,7 +61,7 @@ TEST_CASE("a route ends once its character stays at its place") {
 }
 
 TEST_CASE("a world in which somebody follows a route is restored bit for bit") {
-    DraggedScene scene(SceneFamily::Sparse, 180);
+    DraggedScene scene(SceneFamily::Dense, 102);
     World world = untilSomebodyCamps(scene);
     REQUIRE(!routesOf(world).empty());
     World copy = World::restore(world.snapshot()).value();
@@ -74,7 +74,7 @@ TEST_CASE("a world in which somebody follows a route is restored bit for bit") {
 }
 
 TEST_CASE("a snapshot with routes out of order is refused") {
-    DraggedScene scene(SceneFamily::Sparse, 180);
+    DraggedScene scene(SceneFamily::Dense, 102);
     World world = untilSomebodyCamps(scene);
     REQUIRE(!routesOf(world).empty());
     routesOf(world).push_back(routesOf(world).front());

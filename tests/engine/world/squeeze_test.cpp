@@ -23,6 +23,7 @@ WorldDef gapScene(double gap) {
     group.formation.files = 9;
     group.position = {-18, 0};
     group.orders = {Order::move({18, 0})};
+    group.orders.front().turn = Turn::Wheel;
     def.groups.push_back(group);
     return def;
 }

@@ -29,7 +29,7 @@ TEST_CASE("where a dead end is full the others get places before it, and one beh
         CHECK(c.position[i].x > 0.0);
         inside += c.position[i].x > 5.0 ? 1 : 0;
     }
-    CHECK(inside > 20);
+    CHECK(inside > 10);
     CHECK(inside < 40);
 }
 

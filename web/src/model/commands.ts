@@ -3,7 +3,7 @@
 import type { GroundPoint } from './plane';
 
 export type MannerWord = 'march' | 'free';
-export type TurnWord = 'wheel' | 'reverse' | 'keep';
+export type TurnWord = 'wheel' | 'reverse' | 'keep' | 'flow';
 export type StanceWord = 'normal' | 'hold' | 'yield';
 export type QueueModeWord = 'replace' | 'append';
 /** Where a new order stands in a queue; an index counts from 0. */
@@ -15,7 +15,7 @@ type Pair = readonly [number, number];
 
 /** In the order of their values on the wire. */
 export const kManners: readonly MannerWord[] = ['march', 'free'];
-export const kTurns: readonly TurnWord[] = ['wheel', 'reverse', 'keep'];
+export const kTurns: readonly TurnWord[] = ['wheel', 'reverse', 'keep', 'flow'];
 export const kStances: readonly StanceWord[] = ['normal', 'hold', 'yield'];
 
 /** How orders are given until they are given otherwise. */

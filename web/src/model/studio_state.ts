@@ -200,7 +200,7 @@ export const kInitialState: StudioState = {
   selected: [],
   units: [],
   tool: 'steer',
-  style: { manner: 'march', turn: 'wheel', mode: 'replace' },
+  style: { manner: 'march', turn: 'flow', mode: 'replace' },
   queue: [],
   picked: 0,
   insertBefore: 0,

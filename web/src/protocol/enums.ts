@@ -133,6 +133,7 @@ export const Turn = {
   Wheel: 0,
   Reverse: 1,
   Keep: 2,
+  Flow: 3,
 } as const;
 export type Turn = (typeof Turn)[keyof typeof Turn];
 

@@ -108,7 +108,7 @@ export function readOrderFrame(r: ByteReader): OrderFrame {
     facing: r.f32(),
     width: r.f32(),
     manner: r.choice(2) as Manner,
-    turn: r.choice(3) as Turn,
+    turn: r.choice(4) as Turn,
     group: r.u32(),
     character: r.u32(),
     halfX: r.f32(),

@@ -322,6 +322,18 @@ void PlaceTracker::reset(const PlaceDef& def, std::span<const Vec2> targets, con
     nextPathSearch_ = targets_.nextSearch = targets_.quiet = targets_.pause = 0;
 }
 
+void PlaceTracker::lead(std::span<const Vec2> positions, double dt) {
+    const std::size_t n = positions.size();
+    position_.resize(n);
+    velocity_.resize(n);
+    for (std::size_t k = 0; k < n; ++k) velocity_[k] = (positions[k] - position_[k]) / dt;
+    position_.assign(positions.begin(), positions.end());
+    asked_ = targets_.target = targets_.reachable = position_;
+    targets_.fit.assign(n, 1);
+    dropDetours([](const Detour&) { return true; });
+    reachRegion_ = -1;
+}
+
 void PlaceTracker::assemble(std::span<const Origin> origins) {
     std::vector<Vec2> position, velocity;
     ReachableTargets targets;

@@ -36,6 +36,9 @@ public:
     void advance(const PlaceDef& def, std::span<const Vec2> targets, RouteGraph& routes, std::int32_t region,
                  double dt, ThreadPool* pool = nullptr);
 
+    /// Puts the places, of which there must be as many, where a march has led them in `dt` [s] > 0.
+    void lead(std::span<const Vec2> positions, double dt);
+
     /// Where a place of another arrangement begins.
     struct Origin {
         const PlaceTracker* tracker = nullptr;  ///< Whose place it was; null for a new one.

@@ -15,7 +15,8 @@
 namespace muster {
 namespace {
 
-constexpr std::int32_t kCellsPerStep = 1000;  // Of searches for ways.
+constexpr std::int32_t kCellsPerStep = 1000;     // Of searches for ways.
+constexpr std::int64_t kFlowOperations = 60000;  // Of plans of marches, in a step.
 constexpr double kLongest = 20.0;  // Who has moved to and fro on one spot for so long is not waited for [s].
 constexpr double kSoonDone = 5.0;  // Following ends so soon where another order waits [s].
 
@@ -46,6 +47,24 @@ void raise(std::vector<Event>& events, EventKind kind, const Group& group, std::
 void raiseNoPath(std::vector<Event>& events, const Group& group) {
     events.push_back({EventKind::NoPath, group.id.value, static_cast<std::uint32_t>(group.def.count),
                       group.orders.orders.front().order.target});
+}
+
+/// True where the places of a group flow along its way. By a request for a manner of turning, for its width
+/// or for keeping clear of others the formation stays whole.
+bool flowsBy(const Group& group, const Order& order) {
+    return order.manner == Manner::March && order.turn == Turn::Flow && !group.def.conduct.avoids &&
+           group.def.conduct.squeeze >= 1.0;
+}
+
+/// Marks those corners of the way as passed that lie before a share of it.
+void passCorners(March& march, double share) {
+    double whole = 0.0;
+    for (std::size_t k = 1; k < march.way.size(); ++k) whole += distance(march.way[k - 1], march.way[k]);
+    double done = share * whole;
+    march.next = march.way.empty() ? 0 : 1;
+    while (march.next + 1 < march.way.size() &&
+           (done -= distance(march.way[march.next - 1], march.way[march.next])) > 0.0)
+        ++march.next;
 }
 
 /// Where somebody has joined or left, the middle of the formation goes the way.
@@ -109,7 +128,8 @@ void OrderStage::judgeAgain(WorldState& state, Group& group, std::vector<Event>&
         clear = clear && state.environment.clearStaticLine(from, corner, radius);
         from = corner;
     }
-    if (!(queue.target == target) || !clear) queue.march.phase = MarchPhase::Idle;
+    // A plan of places is one of the ground.
+    if (!(queue.target == target) || !clear || group.flow.moves()) queue.march.phase = MarchPhase::Idle;
 }
 
 OrderStage::Outcome OrderStage::begin(WorldState& state, Group& group, ThreadPool& pool,
@@ -136,6 +156,21 @@ OrderStage::Outcome OrderStage::begin(WorldState& state, Group& group, ThreadPoo
     return Outcome::GoesOn;
 }
 
+// The pose at the end of the way: as ordered, or facing as it comes.
+Pose OrderStage::endPose(const Group& group) const {
+    const OrderQueue& queue = group.orders;
+    const March& march = queue.march;
+    const Order& order = queue.orders.front().order;
+    const Pose now = group.mesh.pose();
+    const Vec2 at = order.kind == OrderKind::Face ? now.position : queue.target;
+    Vec2 front = march.front(now);
+    if (order.facing)
+        front = {cosine(*order.facing), sine(*order.facing)};
+    else if (order.turn != Turn::Keep && march.way.size() > 1)
+        front = normalized(march.way.back() - march.way[march.way.size() - 2], front);
+    return facingPose(at, front);
+}
+
 // Begins the way from where the mesh is.
 void OrderStage::restart(WorldState& state, Group& group) {
     OrderQueue& queue = group.orders;
@@ -146,8 +181,12 @@ void OrderStage::restart(WorldState& state, Group& group) {
     march.searched = 0;
     march.facing = order.facing.value_or(0.0);
     march.turns = order.facing.has_value();
+    group.flow.end();
     if (order.kind == OrderKind::Face) {
-        march.phase = MarchPhase::Turn;
+        march.way.assign(2, pose.position);
+        march.next = 1;
+        if (flowsBy(group, order)) flows_.start(state, group, endPose(group), {});
+        march.phase = flowsBy(group, order) ? MarchPhase::Go : MarchPhase::Turn;
         return;
     }
     if (order.kind != OrderKind::Move) return;
@@ -159,6 +198,7 @@ void OrderStage::restart(WorldState& state, Group& group) {
         if (order.facing) front = {cosine(*order.facing), sine(*order.facing)};
         march.reversed = false;
         group.mesh.setPose(facingPose(queue.target, front));
+        flows_.stand(state, group);
         march.last = group.mesh.pose();
         march.phase = MarchPhase::Stand;
         march.speed = march.spin = 0.0;
@@ -193,17 +233,36 @@ void OrderStage::goOn(WorldState& state, Group& group, const MarchDef& def) {
                                          needsOf(state, group, order), march, budget_);
         if (whole) {
             if (!(march.way.back() == queue.target)) march.way.push_back(queue.target);
+            if (flowsBy(group, order))
+                flows_.start(state, group, endPose(group), march.way, !order.route.empty());
             march.phase = MarchPhase::Go;
         }
     }
     const double dt = state.parameters.stepTime;
     if (march.phase == MarchPhase::Search)
         march.speed = std::max(0.0, march.speed - def.acceleration * dt);
+    else if (flowsBy(group, order))
+        flow(state, group, def);
     else if (march.phase == MarchPhase::Go && group.def.conduct.avoids)
         avoid(state, group, def);
     else
         group.mesh.setPose(advanceMarch(def, march, group.mesh.pose(), dt));
     march.last = group.mesh.pose();
+}
+
+void OrderStage::flow(WorldState& state, Group& group, const MarchDef& def) {
+    March& march = group.orders.march;
+    if (march.phase != MarchPhase::Go) return;
+    if (group.flow.leads() && flows_.advance(state, ways_.ground(), group, def)) {
+        passCorners(march, group.flow.q);
+        march.speed = group.flow.speed;
+        if (group.flow.phase == FlowPhase::Standing) march.phase = MarchPhase::Stand;
+        return;
+    }
+    // Where no march is possible everybody goes there on its own.
+    group.mesh.setPose(endPose(group));
+    flows_.stand(state, group);
+    march.phase = MarchPhase::Stand;
 }
 
 bool OrderStage::isDone(const WorldState& state, Group& group) {
@@ -240,6 +299,7 @@ bool OrderStage::isDone(const WorldState& state, Group& group) {
 
 OrderStage::Outcome OrderStage::follow(WorldState& state, Group& group, const MarchDef& def) {
     OrderQueue& queue = group.orders;
+    group.flow.end();
     March& march = queue.march;
     const Order& order = queue.orders.front().order;
     const Lead lead = leadOf(state, order);
@@ -284,6 +344,7 @@ OrderStage::Outcome OrderStage::follow(WorldState& state, Group& group, const Ma
 
 OrderStage::Outcome OrderStage::guard(WorldState& state, Group& group) {
     OrderQueue& queue = group.orders;
+    group.flow.end();
     const Order& order = queue.orders.front().order;
     Vec2 centre = order.target;
     const double facing = order.facing.value_or(0.0);
@@ -311,6 +372,7 @@ OrderStage::Outcome OrderStage::guard(WorldState& state, Group& group) {
 // those behind go on to the target of the last order.
 OrderStage::Outcome OrderStage::gather(WorldState& state, Group& group) {
     OrderQueue& queue = group.orders;
+    group.flow.end();
     queue.march.phase = MarchPhase::Stand;
     queue.march.speed = queue.march.spin = 0.0;
     queue.march.last = group.mesh.pose();
@@ -366,10 +428,12 @@ OrderStage::Outcome OrderStage::advance(WorldState& state, Group& group, ThreadP
     if (order.manner != Manner::Free) def.pace = pace_.of(state, group);
     if (order.kind == OrderKind::Follow) return follow(state, group, def);
     // Led away by fingers, it goes on from where it is.
-    if (queue.march.phase == MarchPhase::Idle || !samePose(queue.march.last, group.mesh.pose()))
+    const bool lost = queue.march.phase == MarchPhase::Go && !group.flow.leads() && flowsBy(group, order);
+    if (queue.march.phase == MarchPhase::Idle || lost || !samePose(queue.march.last, group.mesh.pose()))
         restart(state, group);
     goOn(state, group, def);
-    if (order.kind == OrderKind::Move && order.manner == Manner::March && order.turn != Turn::Keep)
+    if (order.kind == OrderKind::Move && order.manner == Manner::March && !flowsBy(group, order) &&
+        order.turn != Turn::Keep)
         squeeze(state, group, extent, ways_, pool);
     if (!isDone(state, group)) return Outcome::GoesOn;
     return queue.reachable ? Outcome::Done : Outcome::Skipped;
@@ -403,6 +467,7 @@ void OrderStage::run(WorldState& state, ThreadPool& pool, std::vector<Event>& ev
     const bool divided = std::any_of(events.begin(), events.end(),
                                      [](const Event& event) { return event.kind == EventKind::GroupAdded; });
     budget_ = divided ? 0 : kCellsPerStep;
+    flows_.begin(kFlowOperations);
     ways_.update(state);
     avoidance_.begin();
     for (Group& group : state.groups) {
@@ -414,9 +479,15 @@ void OrderStage::run(WorldState& state, ThreadPool& pool, std::vector<Event>& ev
 
 void OrderStage::runQueue(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events) {
     OrderQueue& queue = group.orders;
+    const bool led = group.flow.version != group.formationVersion || isHandled(group) ||
+                     !samePose(queue.march.last, group.mesh.pose());
+    // On another ground places that stand are found again.
+    const bool stale = queue.orders.empty() && group.flow.ground != state.groundEdits;
+    if (group.flow.leads() && (led || stale)) group.flow.end();
     if (queue.orders.empty()) {
         queue.march.speed = queue.march.spin = 0.0;
         if (queue.own && !isHandled(group)) restoreOwn(state, group, pool);
+        if (!isHandled(group)) flows_.settle(state, group);
         return;
     }
     if (queue.held || isHandled(group) || group.members.empty()) {

@@ -7,6 +7,7 @@
 #include "base/parallel.h"
 #include "engine/state/shared_places.h"
 #include "engine/state/world_state.h"
+#include "engine/systems/orders/flow_marches.h"
 #include "engine/systems/orders/march_pace.h"
 #include "engine/systems/orders/mesh_avoidance.h"
 #include "engine/systems/orders/order_ways.h"
@@ -46,6 +47,8 @@ private:
     Outcome begin(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
     void restart(WorldState& state, Group& group);
     Outcome advance(WorldState& state, Group& group, ThreadPool& pool);
+    Pose endPose(const Group& group) const;
+    void flow(WorldState& state, Group& group, const MarchDef& def);
     void goOn(WorldState& state, Group& group, const MarchDef& def);
     void avoid(const WorldState& state, Group& group, const MarchDef& def);
     Outcome follow(WorldState& state, Group& group, const MarchDef& def);
@@ -57,6 +60,7 @@ private:
 
     WayFinder ways_;
     MarchPace pace_;
+    FlowMarches flows_;
     SharedPlaces shared_;
     MeshAvoidance avoidance_;
     bool avoids_ = false;                // The mesh of the present group keeps clear of others.

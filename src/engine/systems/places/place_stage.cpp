@@ -13,7 +13,13 @@ void refreshRoutes(WorldState& state) {
 
 void PlaceStage::readTargets(const WorldState& state) {
     targets_.resize(state.groups.size());
-    for (std::size_t g = 0; g < targets_.size(); ++g) state.groups[g].mesh.placePositions(targets_[g]);
+    for (std::size_t g = 0; g < targets_.size(); ++g) {
+        const Group& group = state.groups[g];
+        if (group.flow.leads())
+            targets_[g].assign(group.flow.places.begin(), group.flow.places.end());
+        else
+            group.mesh.placePositions(targets_[g]);
+    }
 }
 
 void PlaceStage::makeRoom(WorldState& state) {
@@ -35,6 +41,10 @@ void PlaceStage::findRegions(WorldState& state) {
 void PlaceStage::advance(WorldState& state, ThreadPool& pool) {
     for (std::size_t g = 0; g < targets_.size(); ++g) {
         Group& group = state.groups[g];
+        if (group.flow.moves()) {
+            group.places.lead(targets_[g], state.parameters.stepTime);
+            continue;
+        }
         group.places.advance(placeDefOf(state, group), targets_[g], state.routesOf(group), group.region,
                              state.parameters.stepTime, &pool);
     }

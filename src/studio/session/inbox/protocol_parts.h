@@ -52,7 +52,7 @@ enum class OrderKind : std::uint8_t { Move, Face, Follow, Guard };
 /// Values of a field, as one byte.
 enum class Manner : std::uint8_t { March, Free };
 /// Values of a field, as one byte.
-enum class Turn : std::uint8_t { Wheel, Reverse, Keep };
+enum class Turn : std::uint8_t { Wheel, Reverse, Keep, Flow };
 /// Values of a field, as one byte.
 enum class Stance : std::uint8_t { Normal, Hold, Yield };
 /// Values of a field, as one byte.
@@ -161,7 +161,7 @@ struct OrderFrame {
                 route, event);
         checkEnum(archive, kind, 4);
         checkEnum(archive, manner, 2);
-        checkEnum(archive, turn, 3);
+        checkEnum(archive, turn, 4);
     }
 };
 

@@ -146,7 +146,12 @@ export class OrdersPanel {
     const turns = choiceRow(
       'Turns',
       kTurns,
-      ['Faces along its way', 'Its rear becomes its front', 'Faces one way until it has arrived'],
+      [
+        'Faces along its way',
+        'Its rear becomes its front',
+        'Faces one way until it has arrived',
+        'Each to the place that is soonest for all',
+      ],
       (turn) => actions.setStyle({ turn }),
     );
     const append = switchRow('Add to the queue', 'New orders come last, as with Shift', (on) =>

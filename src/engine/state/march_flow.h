@@ -1,0 +1,57 @@
+// How the places of a group flow from where they stand to where an order wants them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/orders/stream.h"
+#include "muster/vec2.h"
+
+namespace muster {
+
+/// How far a flowing march is.
+enum class FlowPhase : std::uint8_t {
+    None,      ///< The mesh says where places are.
+    Planning,  ///< Places stand until the march is planned.
+    Flowing,   ///< They are on their way.
+    Standing,  ///< They have come to where they are to stand.
+};
+
+/// The march of one group. While it is not None it says where the places of the group are.
+struct MarchFlow {
+    FlowPhase phase = FlowPhase::None;
+    double q = 0.0;             ///< How much of it is done, [0, 1].
+    double speed = 0.0;         ///< Of the fastest place [m/s].
+    std::uint32_t version = 0;  ///< Of the formation for which it was planned.
+    std::uint32_t ground = 0;   ///< Version of the ground for which it was planned.
+    std::int64_t spent = 0;     ///< Operations of the plan.
+    Pose from, to;              ///< Of the formation, before and after.
+    bool drawn = false;         ///< The way was drawn.
+    double spacing = 1.0;       ///< Of the formation [m].
+    double radius = 0.25;       ///< Of bodies [m].
+    /// What it was planned from: of each place the offset in its formation, and where it starts and ends [m].
+    std::vector<Vec2> offsets, starts, ends;
+    std::vector<Vec2> way;     ///< [m]
+    std::vector<Vec2> places;  ///< Where they are now [m].
+    Stream stream;             ///< The plan; a cache, made again from the above where it is missing.
+
+    /// True while it says where places are.
+    bool leads() const { return phase != FlowPhase::None; }
+    /// True while they are on their way, or about to be.
+    bool moves() const { return phase == FlowPhase::Planning || phase == FlowPhase::Flowing; }
+    /// The mesh leads again.
+    void end() { phase = FlowPhase::None; }
+    /// What it is planned from.
+    StreamDef def() const { return {offsets, starts, ends, way, spacing, radius, 1.0, drawn}; }
+
+    /// Lets an archive read or write everything but the cache.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(phase, q, speed, version, ground, spent, from.position, from.rotation.c, from.rotation.s,
+                to.position, to.rotation.c, to.rotation.s, drawn, spacing, radius, offsets, starts, ends, way,
+                places);
+        if constexpr (Archive::kReading) stream = {};
+    }
+};
+
+}  // namespace muster

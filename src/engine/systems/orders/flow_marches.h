@@ -1,0 +1,49 @@
+// Marches that flow: plans them, and leads the places of groups along them (docs/method/march-stream.md).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/formation/places/free_space.h"
+#include "engine/orders/end_places.h"
+#include "engine/orders/march.h"
+#include "engine/orders/pairing.h"
+#include "engine/orders/way_ground.h"
+#include "engine/state/world_state.h"
+
+namespace muster {
+
+/// Leads groups. Its functions are called by the stage of orders.
+class FlowMarches {
+public:
+    /// Begins a step, in which plans may take about so many operations.
+    void begin(std::int64_t operations) { budget_ = operations; }
+    /// Begins a march of the group to `end` along `way` [m], which was drawn or not, and begins and ends at
+    /// about its middle. Who goes to which place of it is found again, so that nobody crosses the way of
+    /// others.
+    void start(WorldState& state, Group& group, const Pose& end, std::span<const Vec2> way,
+               bool drawn = false);
+    /// Puts the places of the group where it is to stand, at the pose of its mesh, at once.
+    void stand(WorldState& state, Group& group);
+    /// Lays the places of a group out on the ground whose mesh rests where many of them cannot be.
+    void settle(WorldState& state, Group& group);
+    /// One step: plans, or moves places at most at `def.speed` times the speed of the ground. False where the
+    /// way is blocked; then the mesh leads, and stands at the end.
+    bool advance(WorldState& state, const WayGround& ground, Group& group, const MarchDef& def);
+
+private:
+    bool findEnds(WorldState& state, Group& group, const Pose& end);
+    void findTaken(const WorldState& state, const Group& group);
+    void exchange(WorldState& state, Group& group);
+    void move(WorldState& state, Group& group, const MarchDef& def);
+
+    std::int64_t budget_ = 0;
+    EndPlaces endPlaces_;
+    NearestReachable nearest_;
+    Pairing pairing_;
+    std::vector<std::int32_t> places_;
+    std::vector<double> speeds_;
+    std::vector<Vec2> targets_, taken_;
+};
+
+}  // namespace muster

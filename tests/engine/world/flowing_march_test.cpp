@@ -1,0 +1,122 @@
+// Marches that flow: they arrive as soon as people on their own would, keep no column on open ground, and are
+// restored bit for bit.
+#include <doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/maths.h"
+#include "engine/world/scenes.h"
+
+using namespace muster;
+using namespace muster::testing;
+
+namespace {
+
+WorldDef street() {
+    WorldDef def;
+    def.box = {{-40, -30}, {40, 30}};
+    def.obstacles = {block(-4, -30, 4, -4), block(-4, 4, 4, 30)};
+    GroupDef group;
+    group.count = 60;
+    group.formation.files = 15;
+    group.position = {-25, 3};
+    def.groups.push_back(group);
+    return def;
+}
+
+/// Seconds from an order until it is done; 1e9 for never. `extent` is the greatest extent of the crowd [m].
+double playOrder(const WorldDef& def, const Order& order, double& extent) {
+    World world = World::create(def).value();
+    std::uint32_t sequence = 0;
+    for (int s = 0; s < 30; ++s) world.step();
+    const double begun = world.time();
+    REQUIRE(give(world, sequence, GiveOrder{GroupId{1}, QueueMode::Replace, 0, order}).ok());
+    extent = 0.0;
+    while (world.time() < begun + 120.0) {
+        world.step();
+        Box box{world.characters().position[0], world.characters().position[0]};
+        for (const Vec2 p : world.characters().position) {
+            box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
+            box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
+        }
+        extent = std::max(extent, length(box.max - box.min));
+        for (const Event& e : world.events())
+            if (e.kind == EventKind::OrderDone) return world.time() - begun;
+    }
+    return 1e9;
+}
+
+WorldDef square(std::int32_t count, std::int32_t files, Vec2 at) {
+    WorldDef def;
+    def.box = {{-60, -60}, {60, 60}};
+    GroupDef group;
+    group.count = count;
+    group.formation.files = files;
+    group.position = at;
+    def.groups.push_back(group);
+    return def;
+}
+
+}  // namespace
+
+TEST_CASE("a line ordered to any side arrives about as soon as a plain walk takes") {
+    for (const double angle : {0.0, kPi / 2, kPi, -3 * kPi / 4}) {
+        CAPTURE(angle);
+        const Vec2 target = Vec2{cosine(angle), sine(angle)} * 40.0;
+        double extent = 0.0;
+        const double seconds = playOrder(square(60, 60, {0, 0}), Order::move(target), extent);
+        // The farthest walks half the line less or more, where it turns by a right angle.
+        CHECK(seconds < 1.25 * (40.0 + 30.0 * std::fabs(sine(angle))) / 2.0 + 2.0);
+    }
+}
+
+TEST_CASE("a block ordered into a corner of the ground stays a block") {
+    double extent = 0.0;
+    const double seconds = playOrder(square(100, 10, {30, 30}), Order::move({54, 54}), extent);
+    CHECK(seconds < 1.25 * 24.0 * 1.4142 / 2.0 + 2.0);
+    CHECK(extent < 1.5 * 9.0 * 1.4142);
+}
+
+TEST_CASE("a march that meets a wall on its way, put there later, is planned again and arrives") {
+    WorldDef def = square(36, 6, {-30, 0});
+    World world = World::create(def).value();
+    std::uint32_t sequence = 0;
+    world.step();
+    REQUIRE(give(world, sequence, GiveOrder{GroupId{1}, QueueMode::Replace, 0, Order::move({30, 0})}).ok());
+    for (int s = 0; s < 8 * 60; ++s) world.step();
+    REQUIRE(give(world, sequence, AddObstacle{block(0, -12, 2, 12)}).ok());
+    bool done = false;
+    while (!done && world.time() < 60.0) {
+        world.step();
+        for (const Event& e : world.events()) done = done || e.kind == EventKind::OrderDone;
+    }
+    CHECK(done);
+    CHECK(world.time() < 50.0);
+}
+
+TEST_CASE("a march that flows is restored bit for bit at any step") {
+    World world = World::create(street()).value();
+    std::uint32_t sequence = 0;
+    for (int s = 0; s < 30; ++s) world.step();
+    REQUIRE(give(world, sequence, GiveOrder{GroupId{1}, QueueMode::Replace, 0, Order::move({25, -3})}).ok());
+    for (int s = 0; s < 240; ++s) {
+        if (s < 12 || s % 40 == 0) {
+            CAPTURE(s);
+            World copy = World::restore(world.snapshot()).value();
+            World original = World::restore(world.snapshot()).value();
+            REQUIRE(copy.hash() == world.hash());
+            for (int k = 0; k < 20; ++k) {
+                copy.step();
+                original.step();
+            }
+            REQUIRE(original.hash() == copy.hash());
+        }
+        const auto bytes = world.snapshot();
+        World copy = World::restore(bytes).value();
+        world.step();
+        copy.step();
+        CAPTURE(s);
+        REQUIRE(world.hash() == copy.hash());
+    }
+}
