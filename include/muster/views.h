@@ -34,6 +34,25 @@ struct StageInfo {
 /// The stages of a step, in their order.
 std::span<const StageInfo, kStageCount> stepStages();
 
+/// Some stages by their index in stepStages(), for programs that time them.
+enum class Stage : std::uint8_t {
+    Commands = 0,
+    Orders = 2,
+    Controls = 3,
+    UserMesh = 4,
+    FinalMesh = 5,
+    Places = 11,
+    DensityAndCost = 12,
+    Plan = 20,
+    Steering = 29,
+    Contacts = 32,
+    Patches = 33,
+    Events = 38,
+    Count = kStageCount
+};
+/// The name of any stage, by its index: "commands", "orders", "controls"...
+const char* stageName(Stage stage);
+
 /// Wall time of the last step by stage; it is not part of the state. WebAssembly times the stages of every
 /// eighth step only.
 struct StageTimes {

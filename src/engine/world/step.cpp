@@ -188,6 +188,11 @@ private:
 
 }  // namespace
 
+const char* stageName(Stage stage) {
+    const auto index = static_cast<std::size_t>(stage);
+    return index < kStageCount ? kStages[index].info.name.data() : "";
+}
+
 std::span<const StageInfo, kStageCount> stepStages() {
     return kInfos;
 }

@@ -71,6 +71,23 @@ TEST_CASE("a line ordered to any side arrives about as soon as a plain walk take
     }
 }
 
+TEST_CASE("a line that is to face about turns on the spot") {
+    double extent = 0.0;
+    CHECK(playOrder(square(60, 30, {0, 0}), Order::face(kPi), extent) < 3.0);
+}
+
+TEST_CASE("twenty orders a second to one target do not slow a group") {
+    World world = World::create(square(60, 10, {-40, 0})).value();
+    std::uint32_t sequence = 0;
+    for (int s = 0; s < 20 * 60; ++s) {
+        if (s % 3 == 0)
+            REQUIRE(give(world, sequence, GiveOrder{GroupId{1}, QueueMode::Replace, 0, Order::move({40, 0})})
+                        .ok());
+        world.step();
+    }
+    CHECK(world.group(0).pose.position.x > -5.0);
+}
+
 TEST_CASE("a block ordered into a corner of the ground stays a block") {
     double extent = 0.0;
     const double seconds = playOrder(square(100, 10, {30, 30}), Order::move({54, 54}), extent);

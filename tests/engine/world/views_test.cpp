@@ -112,3 +112,16 @@ TEST_CASE("the page on the architecture shows the table of stages") {
     INFO("The table as it should be:\n" << table);
     CHECK(page.str().find(table) != std::string::npos);
 }
+
+TEST_CASE("stages that have an index of their own have the name of their row") {
+    const std::pair<Stage, std::string_view> names[] = {
+        {Stage::Commands, "commands"},      {Stage::Orders, "orders"},        {Stage::Controls, "controls"},
+        {Stage::UserMesh, "user mesh"},     {Stage::FinalMesh, "final mesh"}, {Stage::Places, "places"},
+        {Stage::DensityAndCost, "density"}, {Stage::Plan, "plans"},           {Stage::Steering, "steering"},
+        {Stage::Contacts, "contacts"},      {Stage::Patches, "patches"},      {Stage::Events, "arrivals"}};
+    for (const auto& [stage, name] : names) {
+        CHECK(stageName(stage) == name);
+        CHECK(stepStages()[static_cast<std::size_t>(stage)].name == name);
+    }
+    CHECK(std::string_view(stageName(Stage::Count)).empty());
+}

@@ -23,6 +23,7 @@ struct PlanInput {
     std::span<const std::uint8_t> usable;     ///< Per place, 0 for one that nobody may take; empty for all.
     std::span<const std::int32_t> incumbent;  ///< Current place of each character, -1 for none.
     PlanCosts* costs = nullptr;               ///< Not null; outlives the plan.
+    std::uint32_t edits = 0;  ///< Changes when what stands still has changed: then known costs are forgotten.
     /// Per character, 0 where it is known to stand in another region than the places; empty for all 1.
     std::span<const std::uint8_t> connected = {};
     /// Per character, a place to which others bar its way, -1 for none, and what is added to its cost there

@@ -56,6 +56,7 @@ void FlowMarches::exchange(WorldState& state, Group& group) {
     }
     for (std::int32_t& place : group.lastAssignment)
         if (place >= 0 && std::cmp_less(place, places_.size())) place = places_[place];
+    group.places.lead(flow.starts, state.parameters.stepTime);
 }
 
 // Where other groups stand, or will stand when their marches are over. A group that is about to go elsewhere
@@ -144,6 +145,7 @@ void FlowMarches::settle(WorldState& state, Group& group) {
 void FlowMarches::start(WorldState& state, Group& group, const Pose& end, std::span<const Vec2> way,
                         bool drawn) {
     MarchFlow& flow = group.flow;
+    const Vec2 moves = meanVelocity(group);
     if (!findEnds(state, group, end)) return;
     flow.drawn = drawn;
     exchange(state, group);
@@ -151,6 +153,8 @@ void FlowMarches::start(WorldState& state, Group& group, const Pose& end, std::s
     if (flow.way.size() < 2) flow.way = {meanOf(flow.starts), meanOf(flow.ends)};
     flow.way.front() = meanOf(flow.starts);
     flow.way.back() = flow.to.position;
+    // Who is on the move goes on.
+    flow.speed = std::max(0.0, dot(moves, normalized(flow.way[1] - flow.way[0])));
     flow.places = flow.starts;
     flow.phase = FlowPhase::Planning;
     flow.stream.start(flow.def());

@@ -150,6 +150,8 @@ OrderStage::Outcome OrderStage::begin(WorldState& state, Group& group, ThreadPoo
     else
         state.continuum.end(group.id);
     takeUpFormation(state, group, order, pool);
+    // A ring stands round a tree where a square would not.
+    if (order.formation) findGoal(state, group);
     group.order.begin(state.stepCount);
     raise(events, EventKind::OrderBegun, group, id);
     if (!queue.reachable) raiseNoPath(events, group);

@@ -75,11 +75,10 @@ void PlanStage::gatherWaits(const WorldState& state, const Group& group) {
         const PlaceWait& wait = state.characters.wait[i];
         const double exact = slownessOf(state, i) * exactCost(state, i);
         const bool same = wait.place == state.characters.place[i];
-        // One place counts: its own, where its cost is known, unless another one was barred.
-        const bool counts = exact >= 0.0 && (same || wait.place < 0);
+        // One place counts: the one to which its way was barred, else its own, where its cost is known.
+        const bool counts = exact >= 0.0 && (wait.place < 0 || (same && wait.cost == 0.0f));
         barred_.push_back(counts ? state.characters.place[i] : wait.place);
-        const float known = std::max(kLeastCost, static_cast<float>(exact) + (same ? wait.cost : 0.0f));
-        wait_.push_back(counts ? -known : wait.cost);
+        wait_.push_back(counts ? -std::max(kLeastCost, static_cast<float>(exact)) : wait.cost);
     }
 }
 
@@ -145,6 +144,7 @@ void PlanStage::start(const WorldState& state, PlanCosts& costs, const PlannedWa
     input.usable = group.places.fit();
     input.incumbent = incumbent_;
     input.costs = &costs.ofClass(group.groundClass);
+    input.edits = state.groundEdits;
     findConnected(state, group, members.positions());
     input.connected = connected_;
     gatherWaits(state, group);

@@ -53,6 +53,13 @@ Status FastPlan::start(const PlanDef& def, const PlanInput& input) {
     copySpan(input.connected, connected_);
     copySpan(input.barred, barred_);
     copySpan(input.wait, wait_);
+    known_.assign(characters_.size(), -1.0f);
+    for (std::size_t i = 0; i < wait_.size(); ++i) {
+        if (wait_[i] >= 0.0f) continue;
+        known_[i] = -wait_[i];
+        barred_[i] = -1;
+        wait_[i] = 0.0f;
+    }
     copySpan(input.slowness, slowness_);
     copySpan(input.characterClass, characterClass_);
     copySpan(input.placeClass, placeClass_);
@@ -61,6 +68,7 @@ Status FastPlan::start(const PlanDef& def, const PlanInput& input) {
     copySpan(input.ways.onward, onward_);
     takeAmounts(input);
     ground_ = &input.costs->staticGround();
+    edits_ = input.edits;
     planCosts_ = input.costs;
     pending_ = true;
     guided_ = assigned_ = false;
@@ -144,12 +152,14 @@ void FastPlan::evaluateGuidance(ThreadPool& pool) {
     guidedPlace_.resize(characters_.size(), -1);
     guidance_.resize(characters_.size());
     incumbentCost_.resize(characters_.size());
+    records_.resize(characters_.size());
     targets_.resize(characters_.size());
     ++guidanceRound_;
     forChunks(&pool, characters_.size(), kChunk, [&](std::size_t i) {
         evaluateGuidanceOf(i);
         if (!slowness_.empty() && incumbent_[i] >= 0)
             incumbentCost_[i] = GeodesicCostOracle::slowed(incumbentCost_[i], slowness_[i]);
+        keepRecord(i);
     });
 }
 
@@ -174,6 +184,36 @@ void FastPlan::evaluateGuidanceOf(std::size_t i) {
         guidance_[i] = geodesics_.guidance(characters_[i], place, targets_[i]);
     incumbentCost_[i] = def_.geodesic ? guidance_[i].cost
                                       : static_cast<float>(distance(characters_[i], places_[place]));
+}
+
+// What is left to a place never counts as more than it did before, but for what the place itself has moved:
+// so an estimate that jumps to and fro exchanges nobody to and fro.
+void FastPlan::keepRecord(std::size_t i) {
+    Record& record = records_[i];
+    const std::int32_t place = incumbent_[i];
+    float cost = i < known_.size() && known_[i] >= 0.0f ? known_[i] : incumbentCost_[i];
+    // The costs of a first plan become better with its fields; where many share a place it is no exchange;
+    // who has chosen a passage counts with the way through that.
+    const bool chosen = i < way_.size() && way_[i] >= 0;
+    if (place < 0 || chosen || !def_.reassign || first_.unfinished() || !supply_.empty()) {
+        record = {};
+        if (place >= 0) incumbentCost_[i] = cost;
+        return;
+    }
+    if (record.place == place && record.edits == edits_)
+        cost = std::min(cost, record.cost + static_cast<float>(distance(record.at, places_[place])));
+    record = {places_[place], cost, place, edits_};
+    incumbentCost_[i] = cost;
+}
+
+// Who has been given another place counts with the cost for which it was given.
+void FastPlan::recordChanges() {
+    if (!def_.reassign || first_.unfinished() || !supply_.empty()) return;
+    const std::span<const std::int32_t> place = assignment_.placeOf();
+    const std::span<const float> cost = assignment_.cost();
+    for (std::size_t i = 0; i < characters_.size() && i < place.size(); ++i)
+        if (place[i] >= 0 && place[i] != incumbent_[i])
+            records_[i] = {places_[place[i]], cost[i], place[i], edits_};
 }
 
 bool FastPlan::incumbentsAreAssigned() const {
@@ -225,6 +265,7 @@ Status FastPlan::finish(ThreadPool& pool, PlanResult& result) {
     pending_ = guided_ = assigned_ = false;
     everFinished_ = true;
     report(result);
+    recordChanges();
     findWaitingPlaces();
     return {};
 }
@@ -333,11 +374,12 @@ double FastPlan::costAt(std::int32_t place, Vec2 p) const {
 void FastPlan::forget() {
     for (auto* points : {&characters_, &places_}) points->clear();
     for (auto* numbers : {&incumbent_, &barred_, &way_, &guidedPlace_, &waitingPlace_}) numbers->clear();
-    for (auto* numbers : {&wait_, &reach_, &onward_, &incumbentCost_}) numbers->clear();
+    for (auto* numbers : {&wait_, &known_, &reach_, &onward_, &incumbentCost_}) numbers->clear();
     for (auto* flags : {&usable_, &connected_, &characterClass_, &placeClass_}) flags->clear();
     slowness_.clear();
     for (auto* amounts : {&supply_, &demand_}) amounts->clear();
     guidance_.clear();
+    records_.clear();
     targets_.clear();
     assignment_.clear();
     waitingCursor_ = 0;

@@ -48,7 +48,7 @@ private:
                 self.barred_, self.wait_, self.slowness_, self.characterClass_, self.placeClass_,
                 self.incumbentCost_, self.guidance_, self.guidedPlace_, self.guidanceRound_, self.pending_,
                 self.assigned_, self.assignment_, self.targets_, self.waitingPlace_, self.waitingCursor_,
-                self.everFinished_, self.first_);
+                self.everFinished_, self.first_, self.known_, self.records_, self.edits_);
     }
     bool consistent() const;
     PlannedWays ways() const { return {way_, reach_, onward_}; }
@@ -58,6 +58,8 @@ private:
                          std::span<const Vec2> places);
     void evaluateGuidance(ThreadPool& pool);
     void evaluateGuidanceOf(std::size_t character);
+    void keepRecord(std::size_t character);
+    void recordChanges();
     void assign(ThreadPool& pool);
     void prepareFirst(ThreadPool& pool);
     void updateAssignment(ThreadPool& pool);
@@ -85,8 +87,23 @@ private:
     std::vector<float> reach_, onward_;
     // As in PlanInput, of this step only; both empty where all flows are of one unit.
     std::vector<double> supply_, demand_;
-    std::vector<float> incumbentCost_;       // Per character: cost to its incumbent place [m].
-    std::vector<Guidance> guidance_;         // Per character, to guidedPlace_.
+    // The least that was left of the way of a character to its place.
+    struct Record {
+        Vec2 at;                  // Where the place is [m].
+        float cost = 0.0f;        // [m]
+        std::int32_t place = -1;  // -1 for none.
+        std::uint32_t edits = 0;  // Of the ground for which that is.
+
+        template <class Archive>
+        void visit(Archive& archive) {
+            archive(at, cost, place, edits);
+        }
+    };
+    std::uint32_t edits_ = 0;           // Of the ground.
+    std::vector<float> known_;          // Per character: exact cost to its place [m]; below 0 where unknown.
+    std::vector<Record> records_;       // Per character.
+    std::vector<float> incumbentCost_;  // Per character: cost to its incumbent place [m].
+    std::vector<Guidance> guidance_;    // Per character, to guidedPlace_.
     std::vector<std::int32_t> guidedPlace_;  // Per character: its incumbent when its guidance was evaluated.
     std::uint32_t guidanceRound_ = 0;        // Number of evaluations.
     bool pending_ = false;
