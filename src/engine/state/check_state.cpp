@@ -15,7 +15,7 @@ namespace muster {
 namespace {
 
 constexpr double kFastest = 1e6;  // [m/s]
-constexpr std::int32_t kMostClasses = 12;
+constexpr std::int32_t kMostClasses = 24;
 
 Status wrong(const char* what) {
     return invalidArgument(std::string("found ") + what);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kRoom = 1.2;      // Least distance of places where their formation allows it, in diameters.
 constexpr double kClosest = 0.75;  // Least distance of the places of a formation, in its spacings.
-constexpr double kFactor = 1.41421356237309504880;  // From class to class.
+constexpr double kFactor = 1.18920711500272106672;  // From class to class, the fourth root of 2.
 constexpr double kRounding = 1e-9;                  // Radii that differ by this share are one.
 
 }  // namespace
