@@ -150,7 +150,7 @@ export class OrdersPanel {
         'Faces along its way',
         'Its rear becomes its front',
         'Faces one way until it has arrived',
-        'Each to the place that is soonest for all',
+        'Each to a near place: arrives first',
       ],
       (turn) => actions.setStyle({ turn }),
     );
