@@ -144,7 +144,9 @@ void PlanStage::start(const WorldState& state, PlanCosts& costs, const PlannedWa
     input.usable = group.places.fit();
     input.incumbent = incumbent_;
     input.costs = &costs.ofClass(group.groundClass);
-    input.edits = state.groundEdits;
+    // Where obstacles move it is another ground in every step.
+    const bool moving = !state.environment.movingObstacleAreas().empty();
+    input.edits = moving ? state.groundEdits + state.stepCount : state.groundEdits;
     findConnected(state, group, members.positions());
     input.connected = connected_;
     gatherWaits(state, group);
