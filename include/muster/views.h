@@ -36,19 +36,19 @@ std::span<const StageInfo, kStageCount> stepStages();
 
 /// Some stages by their index in stepStages(), for programs that time them.
 enum class Stage : std::uint8_t {
-    Commands = 0,
-    Orders = 2,
-    Controls = 3,
-    UserMesh = 4,
-    FinalMesh = 5,
-    Places = 11,
-    DensityAndCost = 12,
-    Plan = 20,
-    Steering = 29,
-    Contacts = 32,
-    Patches = 33,
-    Events = 38,
-    Count = kStageCount
+    Commands = 0,         ///< Commands are applied.
+    Orders = 2,           ///< Orders and marches.
+    Controls = 3,         ///< Controls follow touches.
+    UserMesh = 4,         ///< Vu is solved.
+    FinalMesh = 5,        ///< Vf is solved.
+    Places = 11,          ///< Travelling places.
+    DensityAndCost = 12,  ///< Density of the crowd.
+    Plan = 20,            ///< Assignment of places.
+    Steering = 29,        ///< Velocities of characters.
+    Contacts = 32,        ///< Contacts are resolved.
+    Patches = 33,         ///< Motions by patches.
+    Events = 38,          ///< Arrivals of groups.
+    Count = kStageCount   ///< Number of all stages.
 };
 /// The name of any stage, by its index: "commands", "orders", "controls"...
 const char* stageName(Stage stage);

@@ -40,6 +40,10 @@ struct Settling {
     std::uint32_t restSteps = 0;  ///< Steps for which that has not moved.
     Vec2 shift;                   ///< Shift of its targets, out of those of other groups [m].
 
+    static constexpr std::uint32_t kRestSteps = 20;  ///< A mesh that has not moved for so many steps rests.
+    /// True where the mesh rests.
+    bool rests() const { return restSteps >= kRestSteps; }
+
     /// Lets an archive read or write it.
     template <class Archive>
     void visit(Archive& archive) {

@@ -7,15 +7,12 @@
 #include "engine/steering/crowd_bodies.h"
 
 namespace muster {
-namespace {
 
 bool hasWeights(const WorldState& state, const Group& group) {
     return !group.def.demands.empty() ||
            std::any_of(group.members.begin(), group.members.end(),
                        [&](std::int32_t i) { return state.characters.body[i].supply != 1.0; });
 }
-
-}  // namespace
 
 // Discs of radius r lie within about r sqrt(n - 1) around one point: two side by side, seven in a ring and
 // its middle, 37 in three rings.

@@ -9,6 +9,9 @@
 
 namespace muster {
 
+/// True where places of the group demand, or members supply, more or less than one each.
+bool hasWeights(const WorldState& state, const Group& group);
+
 /// How much room those need who share a place. They stand around it, and are as good as there.
 class SharedPlaces {
 public:

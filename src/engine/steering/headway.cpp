@@ -25,27 +25,34 @@ bool differ(Vec2 a, Vec2 b) {
     return dot(a, b) <= 0.0;
 }
 
+// How two stand to each other.
+struct Apart {
+    Vec2 between, towards;  // From the first to the other [m], and as a unit vector.
+    double distance;        // Of their centres [m].
+    double touching;        // The same where they touch [m].
+};
+
 // A limit on the closing velocity of two: n.v <= most.
 struct Tangent {
     Vec2 towards;
     double most;
 };
 
-// The half-plane of closing velocities nearest to `closing` that keeps two clear of each other for a while
-// (optimal reciprocal collision avoidance, van den Berg et al. 2011), with a bias to pass on the right.
-Tangent tangentOf(Vec2 between, Vec2 closing, double touching, double ahead, double dt) {
-    const double apart = length(between);
-    const Vec2 towards = normalized(between, {1.0, 0.0});
-    if (apart <= touching) return {towards, gapSpeed(apart - touching, ahead, dt)};
-    const Vec2 beyond = closing - between / ahead;
-    const double along = dot(beyond, between);
+// The half-plane of closing velocities nearest to `closing` that keeps two clear of each other for the time
+// `ahead` [s] (optimal reciprocal collision avoidance, van den Berg et al. 2011), with a bias to pass on the
+// right.
+Tangent tangentOf(const Apart& two, Vec2 closing, double ahead, double dt) {
+    const double apart = two.distance, touching = two.touching;
+    if (apart <= touching) return {two.towards, gapSpeed(apart - touching, ahead, dt)};
+    const Vec2 beyond = closing - two.between / ahead;
+    const double along = dot(beyond, two.between);
     if (along < 0.0 && along * along > touching * touching * lengthSquared(beyond)) {
         const Vec2 n = -normalized(beyond);
-        return {n, (dot(n, between) - touching) / ahead};
+        return {n, (dot(n, two.between) - touching) / ahead};
     }
     const double tangent = std::sqrt(apart * apart - touching * touching);
-    const bool left = cross(between, beyond) > kToTheRight * apart * length(beyond);
-    return {(towards * touching - perpendicular(towards) * (left ? tangent : -tangent)) / apart, 0.0};
+    const bool left = cross(two.between, beyond) > kToTheRight * apart * length(beyond);
+    return {(two.towards * touching - perpendicular(two.towards) * (left ? tangent : -tangent)) / apart, 0.0};
 }
 
 }  // namespace
@@ -92,7 +99,7 @@ void Headway::addPair(const CrowdBodies& bodies, const Characters& now, Neighbou
         aFirst = std::fabs(lead) > kBeside ? lead < 0.0 : now.cost[a] <= now.cost[b];
     }
     if (input.claims[aFirst ? a : b].stuck == 0.0f) {
-        const Tangent tangent = tangentOf(between, velocity[a] - velocity[b], touching,
+        const Tangent tangent = tangentOf({between, towards, apart, touching}, velocity[a] - velocity[b],
                                           meet ? kForesight : headway_, input.dt);
         return share(bodies, pair, tangent.towards, tangent.most, velocity);
     }

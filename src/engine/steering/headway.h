@@ -1,6 +1,6 @@
 // Ordered headway: the one rule by which characters keep clear of each other and of obstacles
-// (docs/method/movement.md). Of two who go the same way the one behind keeps its headway to the one ahead
-// (Tordeux et al. 2016); of two who do not, the one without the right of way is the one behind.
+// (docs/method/right-of-way.md). Of two who go the same way the one behind keeps its headway to the one ahead
+// (Tordeux et al. 2016); others share what keeps them clear, until the one with the right of way is blocked.
 #pragma once
 
 #include <cstdint>

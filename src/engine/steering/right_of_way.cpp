@@ -120,15 +120,13 @@ void RightOfWay::joinFiles(const Characters& now, const NearRows& rows, std::spa
         if (done_[head]) continue;
         done_[head] = 1;
         files_.push_back(head);
-        if (class_[head] > kFollows) continue;
+        if (class_[head] == kLeaves || class_[head] > kFollows) continue;
         for (std::size_t at = files_.size() - 1; at < files_.size(); ++at) {
             const std::int32_t a = files_[at];
             const Vec2 ahead = normalized(own[a]);
             for (const Near& near : rows.of(a)) {
                 const std::int32_t b = near.other;
-                if (done_[b] || class_[b] == kLeaves || class_[a] == kLeaves || near.gap > kFileGap ||
-                    class_[a] != class_[b])
-                    continue;
+                if (done_[b] || near.gap > kFileGap || class_[a] != class_[b]) continue;
                 if (dot(own[a], own[b]) <= kFileCosine || dot(near.towards, ahead) >= -0.5) continue;
                 done_[b] = 1;
                 files_.push_back(b);
@@ -183,13 +181,14 @@ void RightOfWay::askFrom(std::int32_t first, const CrowdBodies& bodies, const En
         const std::int32_t a = stack_.back();
         stack_.pop_back();
         const Vec2 along = normalized(wanted[a]);
-        if (along == Vec2{}) continue;
+        // Who leaves is made room for by giving way, and asks nobody.
+        if (along == Vec2{} || class_[a] == kLeaves) continue;
         Claim& claim = claims[a];
         const bool lends = lender_[a].to >= 0;
         for (const Near& near : rows.of(a)) {
             const std::int32_t b = near.other;
-            if (done_[b] || class_[b] == kLeaves || class_[a] == kLeaves ||
-                near.gap > (lends ? lender_[a].need : kAskGap) || bodies.isFixed(b) || bodies.isFirmer(b, a))
+            if (done_[b] || class_[b] == kLeaves || near.gap > (lends ? lender_[a].need : kAskGap) ||
+                bodies.isFixed(b) || bodies.isFirmer(b, a))
                 continue;
             const double apart = near.gap + bodies.touching(a, b);
             if (dot(near.towards, along) <= 0.0 ||
@@ -197,8 +196,8 @@ void RightOfWay::askFrom(std::int32_t first, const CrowdBodies& bodies, const En
                 continue;
             const bool resting = claims[b].rests;
             const float patience = !claims[a].rests && resting ? kAskResting : kAskWalking;
-            if (!lends && class_[a] != kLeaves && claim.stuck <= patience) continue;
-            const bool same = !resting && !lends && class_[a] != kLeaves &&
+            if (!lends && claim.stuck <= patience) continue;
+            const bool same = !resting && !lends &&
                               (characters.group[a] == characters.group[b] ||
                                dot(normalized(own_[b]), along) > 0.5);
             if (same) {  // The same way: it takes over the rank only.

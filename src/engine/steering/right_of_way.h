@@ -30,7 +30,7 @@ public:
                std::span<const Vec2> placeVelocity, std::span<const GroupClaim> groups, std::uint32_t step,
                double dt, const Characters& characters, std::span<Claim> claims);
     /// Ranks all, and changes `wanted` [m/s] of those who lend their way. Who is leaving the way of something
-    /// that moves (`leaving` is not null; empty for nobody) goes first, and asks at once.
+    /// that moves (`leaving` is not null; empty for nobody) goes first; it neither asks nor is asked.
     void run(const CrowdBodies& bodies, const Environment& environment, const NearRows& rows,
              std::span<const double> topSpeed, std::span<const Vec2> leaving, const Characters& characters,
              std::span<Claim> claims, std::span<Vec2> wanted);

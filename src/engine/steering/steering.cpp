@@ -98,10 +98,9 @@ void Steering::run(const CrowdBodies& bodies, Characters& now, const SteeringInp
                           std::min(1.0, kLyingRate * dt)};
     const std::vector<ClipFacts>& clips = environment.def().clips;
     forChunks(pool, count, kSteeredPerTask, [&, gains](std::size_t i) {
-        const Vec2 next = bodies.isFixed(i) ? now.velocity[i]
-                                            : nextVelocity(gains.velocityShare, bodies.acceleration(i) * dt,
-                                                           now.velocity[i], preferred_[i], topSpeed_[i]);
-        velocity[i] = next;
+        velocity[i] = bodies.isFixed(i) ? now.velocity[i]
+                                        : nextVelocity(gains.velocityShare, bodies.acceleration(i) * dt,
+                                                       now.velocity[i], preferred_[i], topSpeed_[i]);
     });
     const HeadwayInput headway{preferred_, topSpeed_, now.claim, blocked ? &right_ : nullptr, dt};
     headway_.run(bodies, now, environment, neighbours_, headway, velocity);

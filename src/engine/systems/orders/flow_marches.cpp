@@ -5,13 +5,13 @@
 
 #include "base/maths.h"
 #include "engine/state/ground_class.h"
+#include "engine/state/shared_places.h"
 #include "engine/systems/orders/order_ways.h"
 
 namespace muster {
 namespace {
 
-constexpr std::uint32_t kRested = 20;  // A mesh that has not moved for so many steps rests.
-constexpr double kMostOff = 0.25;      // Share of places that may be elsewhere than the mesh wants them.
+constexpr double kMostOff = 0.25;  // Share of places that may be elsewhere than the mesh wants them.
 
 Vec2 meanOf(std::span<const Vec2> points) {
     Vec2 sum;
@@ -19,7 +19,11 @@ Vec2 meanOf(std::span<const Vec2> points) {
     return sum / std::max(1.0, static_cast<double>(points.size()));
 }
 
-/// The pose at a share of the way from one to another, turned the shorter way.
+double spacingOf(const Group& group) {
+    return std::max(group.def.formation.spacing, 1e-3);
+}
+
+/// The rotation at a share of the turn from one to another, the shorter way.
 Rotation turnedTo(const Rotation& from, const Rotation& to, double share) {
     const double angle = share * angleBetween({from.c, from.s}, {to.c, to.s});
     const double c = cosine(angle), s = sine(angle);
@@ -35,12 +39,9 @@ Rotation turnedTo(const Rotation& from, const Rotation& to, double share) {
 void FlowMarches::exchange(WorldState& state, Group& group) {
     MarchFlow& flow = group.flow;
     Characters& c = state.characters;
-    const bool weighted = !group.def.demands.empty() ||
-                          std::any_of(group.members.begin(), group.members.end(),
-                                      [&](std::int32_t i) { return c.body[i].supply != 1.0; });
     const std::vector<Vec2>& now = group.places.positions();
     flow.starts.assign(now.begin(), now.end());
-    if (weighted) return;
+    if (hasWeights(state, group)) return;
     const std::span<const std::uint8_t> classes = group.placeClass.size() == now.size()
                                                       ? std::span<const std::uint8_t>(group.placeClass)
                                                       : std::span<const std::uint8_t>();
@@ -68,9 +69,21 @@ void FlowMarches::findTaken(const WorldState& state, const Group& group) {
         if (!other.orders.orders.empty() && !other.orders.begun) continue;
         if (other.flow.leads())
             taken_.insert(taken_.end(), other.flow.ends.begin(), other.flow.ends.end());
-        else if (other.settling.restSteps >= kRested)
+        else if (other.settling.rests())
             taken_.insert(taken_.end(), other.places.positions().begin(), other.places.positions().end());
     }
+}
+
+// Lays the ends out on the present ground. Returns how the group's places are led.
+PlaceDef FlowMarches::layOut(WorldState& state, Group& group, EndDef def) {
+    MarchFlow& flow = group.flow;
+    const PlaceDef places = placeDefOf(state, group);
+    const FreeSpace space(places, state.routesOf(group), group.region, nearest_);
+    def.spacing = spacingOf(group);
+    endPlaces_.find(def, space, places.apart(), flow.ends, flow.to);
+    flow.version = group.formationVersion;
+    flow.ground = state.groundEdits;
+    return places;
 }
 
 bool FlowMarches::findEnds(WorldState& state, Group& group, const Pose& end) {
@@ -78,24 +91,18 @@ bool FlowMarches::findEnds(WorldState& state, Group& group, const Pose& end) {
     flow.end();
     group.mesh.restPlaces(flow.offsets);
     if (group.places.positions().size() != flow.offsets.size()) return false;
-    const PlaceDef def = placeDefOf(state, group);
-    const FreeSpace space(def, state.routesOf(group), group.region, nearest_);
-    flow.spacing = std::max(group.def.formation.spacing, 1e-3);
-    flow.radius = lineRadius(def);
+    findTaken(state, group);
     EndDef ends;
     ends.offsets = flow.offsets;
-    ends.spacing = flow.spacing;
     ends.reach = extentOf(group).reach;
     ends.pose = end;
-    findTaken(state, group);
     ends.taken = taken_;
     ends.from = meanOf(group.places.positions());
+    flow.radius = lineRadius(layOut(state, group, ends));
+    flow.spacing = spacingOf(group);
     flow.from = group.mesh.pose();
-    endPlaces_.find(ends, space, def.apart(), flow.ends, flow.to);
     flow.q = flow.speed = 0.0;
     flow.spent = 0;
-    flow.version = group.formationVersion;
-    flow.ground = state.groundEdits;
     return true;
 }
 
@@ -110,7 +117,7 @@ void FlowMarches::stand(WorldState& state, Group& group) {
 }
 
 void FlowMarches::settle(WorldState& state, Group& group) {
-    if (group.settling.restSteps < kRested || group.flow.leads()) return;
+    if (!group.settling.rests() || group.flow.leads()) return;
     const std::vector<Vec2>& asked = group.places.targetsWithinReach();
     const std::vector<Vec2>& reached = group.places.reachableTargets();
     const auto n = static_cast<double>(asked.size());
@@ -125,19 +132,14 @@ void FlowMarches::settle(WorldState& state, Group& group) {
         targets_.push_back(p - middle);
         reach = std::max(reach, distance(p, middle));
     }
-    const PlaceDef def = placeDefOf(state, group);
-    const FreeSpace space(def, state.routesOf(group), group.region, nearest_);
     EndDef ends;
     ends.offsets = targets_;
-    ends.spacing = std::max(group.def.formation.spacing, 1e-3);
     ends.reach = reach;
     ends.pose.position = middle;
     ends.moves = false;
-    endPlaces_.find(ends, space, def.apart(), flow.ends, flow.to);
+    layOut(state, group, ends);
     flow.places = flow.ends;
     flow.q = 1.0;
-    flow.version = group.formationVersion;
-    flow.ground = state.groundEdits;
     flow.phase = FlowPhase::Standing;
     group.orders.march.last = group.mesh.pose();
 }
@@ -164,7 +166,7 @@ bool FlowMarches::advance(WorldState& state, const WayGround& ground, Group& gro
     MarchFlow& flow = group.flow;
     const auto room = [&](Vec2 p) { return ground.clearanceAt(p); };
     // After a restore the plan is made again up to where it was.
-    if (flow.stream.places() == 0 && flow.phase != FlowPhase::None && flow.phase != FlowPhase::Standing) {
+    if (flow.stream.places() == 0 && flow.moves()) {
         flow.stream.start(flow.def());
         if (flow.spent > 0) flow.stream.advance(room, flow.spent);
     }
@@ -196,11 +198,9 @@ void FlowMarches::move(WorldState& state, Group& group, const MarchDef& def) {
     for (std::size_t i = 0; i < speeds_.size(); ++i)
         speeds_[i] = std::max(1e-3, flow.speed * ground[grid.index(grid.nearestCell(flow.places[i]))]);
     if (flow.speed > 1e-4) flow.q = flow.stream.next(flow.q, dt, speeds_, flow.places);
-    Pose pose{lerp(flow.from.position, flow.to.position, flow.q),
-              turnedTo(flow.from.rotation, flow.to.rotation, flow.q)};
-    Vec2 middle = meanOf(flow.places);
-    const Vec2 offset = meanOf(flow.offsets);
-    pose.position = middle - pose.rotation.apply(offset);
+    Pose pose;
+    pose.rotation = turnedTo(flow.from.rotation, flow.to.rotation, flow.q);
+    pose.position = meanOf(flow.places) - pose.rotation.apply(meanOf(flow.offsets));
     if (flow.q >= 1.0) {
         pose = flow.to;
         flow.phase = FlowPhase::Standing;

@@ -32,6 +32,7 @@ public:
     bool advance(WorldState& state, const WayGround& ground, Group& group, const MarchDef& def);
 
 private:
+    PlaceDef layOut(WorldState& state, Group& group, EndDef def);
     bool findEnds(WorldState& state, Group& group, const Pose& end);
     void findTaken(const WorldState& state, const Group& group);
     void exchange(WorldState& state, Group& group);

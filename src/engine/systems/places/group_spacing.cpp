@@ -9,7 +9,6 @@
 namespace muster {
 namespace {
 
-constexpr std::uint32_t kRestSteps = 20;  // A mesh that has not moved for so many steps rests.
 constexpr std::uint32_t kLookSteps = 30;  // Steps between two looks at where it rests.
 constexpr double kRestMove = 1e-3;        // Most that its centre moves in a step meanwhile [m].
 constexpr double kGap = 2.0;              // Between two groups, in diameters.
@@ -48,8 +47,7 @@ Vec2 GroupSpacing::findShift(const WorldState& state, std::size_t index, const s
     for (const Group& group : state.groups) radius = std::max(radius, meanRadius(state, group));
     shift_.begin(targets);
     for (std::size_t g = 0; g < state.groups.size(); ++g)
-        if (precedes(state, g, index) && state.groups[g].settling.restSteps >= kRestSteps)
-            shift_.add(settled_[g]);
+        if (precedes(state, g, index) && state.groups[g].settling.rests()) shift_.add(settled_[g]);
     if (!shift_.clashes({}, 2.0 * radius)) return {};
     // Where the present shift still does, nobody has to move again.
     const Vec2 present = state.groups[index].settling.shift;
@@ -73,8 +71,7 @@ void GroupSpacing::settle(WorldState& state, std::size_t index, std::vector<Vec2
     Settling& settling = state.groups[index].settling;
     watchRest(state.groups[index], targets, settling);
     if (state.groups.size() == 1) return;
-    const bool looks = settling.restSteps >= kRestSteps &&
-                       (settling.restSteps - kRestSteps) % kLookSteps == 0;
+    const bool looks = settling.rests() && (settling.restSteps - Settling::kRestSteps) % kLookSteps == 0;
     const bool leaves = settling.restSteps == 0 && !(settling.shift == Vec2{});
     if (looks) settling.shift = findShift(state, index, targets);
     // Led away, it keeps its shift until it has got clear of the others.

@@ -424,6 +424,7 @@ bool FastPlan::consistent() const {
            std::all_of(assigned.begin(), assigned.end(), inRange) &&
            std::none_of(incumbentCost_.begin(), incumbentCost_.end(),
                         [](float c) { return std::isnan(c); }) &&
+           std::all_of(wait_.begin(), wait_.end(), [](float wait) { return wait >= 0.0f; }) &&
            guidanceConsistent() && flowsConsistent() &&
            std::all_of(waitingPlace_.begin(), waitingPlace_.end(), inRange) &&
            std::all_of(characters_.begin(), characters_.end(), isFinite) &&

@@ -17,7 +17,7 @@ class GeodesicCostOracle final : public CostOracle {
 public:
     /// Takes the state of this step; all must outlive the last query. `incumbentCost` is the cost of each
     /// character to its place in `incumbent` (-1 for none) [m]. `geodesic` is false for straight-line costs.
-    /// `barred`, `wait` and `slowness` as in PlanInput; `incumbentCost` counts that.
+    /// `barred`, `wait` (0 or more) and `slowness` as in PlanInput; `incumbentCost` counts that.
     void set(const Geodesics& geodesics, const PlannedWays& ways, bool geodesic,
              std::span<const Vec2> characters, std::span<const Vec2> places,
              std::span<const std::int32_t> incumbent, std::span<const float> incumbentCost,
@@ -64,8 +64,7 @@ public:
 private:
     float pairCost(std::int32_t character, std::int32_t place) const {
         if (barred_.empty() || barred_[character] != place) return walkCost(character, place);
-        const float wait = wait_[character];
-        return wait < 0.0f ? -wait : walkCost(character, place) + wait;
+        return walkCost(character, place) + wait_[character];
     }
     float walkCost(std::int32_t character, std::int32_t place) const {
         if (incumbent_[character] == place) return incumbentCost_[character];
