@@ -168,6 +168,8 @@ export const Turn = {
   Reverse: 1,
   /** It faces one way until it has arrived, and then turns to `facing`. */
   Keep: 2,
+  /** Everybody heads for the place that is nearest for all; what arrives first. */
+  Flow: 3,
 } as const;
 export type Turn = (typeof Turn)[keyof typeof Turn];
 
