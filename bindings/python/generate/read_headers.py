@@ -36,7 +36,7 @@ class Struct:
 
 @dataclass
 class Enumeration:
-    """An enumeration: names and descriptions of its values, which count from 0."""
+    """An enumeration: names and descriptions of its values."""
 
     name: str
     doc: str
@@ -135,7 +135,8 @@ def read_enumeration(lines: Lines, name: str, doc: str, rest: str) -> Enumeratio
         if text == "};":
             return found
         if text:
-            found.values.append((text.rstrip(","), plain(f"{before} {after}")))
+            # Python names a value by its word, so that the number of a value does not matter.
+            found.values.append((text.rstrip(",").split(" = ")[0], plain(f"{before} {after}")))
             before = ""
         elif after:
             value, known = found.values[-1]
