@@ -44,7 +44,7 @@ enum class Stage : std::uint8_t {
     Places = 11,          ///< Travelling places.
     DensityAndCost = 12,  ///< Density of the crowd.
     Plan = 20,            ///< Assignment of places.
-    Steering = 29,        ///< Velocities of characters.
+    Steering = 30,        ///< Velocities of characters.
     Contacts = 32,        ///< Contacts are resolved.
     Patches = 33,         ///< Motions by patches.
     Events = 38,          ///< Arrivals of groups.

@@ -115,23 +115,34 @@ TEST_CASE("gap of the default plan on uniform ground") {
     checkGaps("uniform", floorWithCrowd(1), 0.01, 0.01);
 }
 
+// A change of places must pay: whoever was pushed onto slow ground keeps its place until another one is
+// clearly better. One scene says little of that.
 TEST_CASE("gap of the default plan on slow ground") {
-    WorldDef def = floorWithCrowd(2);
-    Random random(2);
-    addSlowGround(def, random);
-    checkGaps("slow ground", def, 2.0, 0.7);  // 1.5 and 0.49; 3.8 and 0.86 where patches are overlooked.
+    constexpr int kScenes = 8;
+    double worst = 0.0, mean = 0.0;
+    for (int seed = 2; seed < 2 + kScenes; ++seed) {
+        WorldDef def = floorWithCrowd(seed);
+        Random random(seed);
+        addSlowGround(def, random);
+        const Gaps gaps = gapsOf(def);
+        worst = std::max(worst, gaps.worst);
+        mean += gaps.mean / kScenes;
+    }
+    MESSAGE("measured: slow ground: gap at worst " << worst << " %, mean " << mean << " % of " << kScenes
+                                                   << " scenes");
+    CHECK(worst <= 14.0);  // 12.9 and 1.30.
+    CHECK(mean <= 1.4);
 }
 
 TEST_CASE("gap of the default plan among cars") {
     WorldDef def = floorWithCrowd(3);
     Random random(3);
     addCars(def, random);
-    checkGaps("cars", def, 4.5,
-              1.8);  // 4.1 and 1.58; 25 and 4.1 without discomfort.
+    checkGaps("cars", def, 3.3, 1.4);  // 1.7 and 0.68; 25 and 4.1 without discomfort.
 }
 
 TEST_CASE("gap of the default plan among a standing crowd") {
     WorldDef def = floorWithCrowd(4);
     addStandingCrowd(def);
-    checkGaps("standing crowd", def, 7.0, 1.7);  // 6.4 and 0.91; 44 and 22 where density is overlooked.
+    checkGaps("standing crowd", def, 5.0, 1.7);  // 0 and 0; 44 and 22 where density is overlooked.
 }

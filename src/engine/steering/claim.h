@@ -28,4 +28,9 @@ struct Claim {
     }
 };
 
+/// Whether a character gets on: lately at more than 0.3 of its top speed.
+inline bool getsOn(const Claim& claim) {
+    return claim.progress > 0.3f;
+}
+
 }  // namespace muster

@@ -9,7 +9,7 @@ namespace {
 constexpr double kContactTime = 0.1;  // Time within which two who meet share what closes their gap [s].
 constexpr double kToTheRight = 0.25;  // Tangent by which who meet pass each other on the right.
 constexpr double kForesight = 1.0;    // Time for which who meet keep clear of each other [s].
-constexpr double kBeside = 0.5;       // Two who go the same way are side by side below twice this cosine.
+constexpr double kInFront = 0.5;      // Of two who go the same way one is ahead from twice this cosine.
 constexpr double kSlack = 0.3;        // A limit this far from being reached is left out [m/s].
 constexpr double kPenetration = 0.2;  // Share of an overlap that is taken back in a step.
 constexpr double kWallReach = 0.3;    // Walls beyond this gap are left out [m].
@@ -91,12 +91,12 @@ void Headway::addPair(const CrowdBodies& bodies, const Characters& now, Neighbou
     if (!meet) {
         const double topA = std::max(input.topSpeed[a], 1e-9), topB = std::max(input.topSpeed[b], 1e-9);
         const double lead = dot(towards, input.wanted[a] / topA + input.wanted[b] / topB);
-        // The one ahead gets ahead, too.
-        if (lead > kBeside && (dot(velocity[b], towards) >= 0.0 || input.claims[b].stuck > 0.0f))
+        // Nobody pushes one ahead that does not get on.
+        if (lead > kInFront && !getsOn(input.claims[b]))
             return follow(a, b, towards, gap, input.dt, velocity);
-        if (lead < -kBeside && (dot(velocity[a], towards) <= 0.0 || input.claims[a].stuck > 0.0f))
+        if (lead < -kInFront && !getsOn(input.claims[a]))
             return follow(b, a, -towards, gap, input.dt, velocity);
-        aFirst = std::fabs(lead) > kBeside ? lead < 0.0 : now.cost[a] <= now.cost[b];
+        aFirst = std::fabs(lead) > kInFront ? lead < 0.0 : now.cost[a] <= now.cost[b];
     }
     if (input.claims[aFirst ? a : b].stuck == 0.0f) {
         const Tangent tangent = tangentOf({between, towards, apart, touching}, velocity[a] - velocity[b],

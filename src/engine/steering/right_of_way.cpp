@@ -15,7 +15,6 @@ constexpr double kMovedAside = 0.3;    // Who rests and is farther from its plac
 constexpr double kPlaceMoved = 0.5;    // A place this far from where it was is another way [m].
 constexpr double kPlaceStands = 0.05;  // A slower place stands [m/s].
 constexpr double kSmoothing = 0.3;     // Of progress [s].
-constexpr float kGetsOn = 0.3f;        // Progress above this is getting on.
 constexpr double kFileCosine = 0.7;    // Cosine from which two follow each other.
 constexpr double kFileGap = 1.0;       // Gap within which a file follows its head [m].
 constexpr double kAskGap = 0.6;        // Gap within which who is in the way is asked [m].
@@ -30,53 +29,52 @@ enum : std::uint8_t { kLeaves, kWalks, kFollows, kMoved, kRests, kLast };
 
 }  // namespace
 
-bool RightOfWay::count(std::span<const double> topSpeed, std::span<const Vec2> wanted,
-                       std::span<const Vec2> place, std::span<const Vec2> placeVelocity,
-                       std::span<const GroupClaim> groups, std::uint32_t step, double dt,
-                       const Characters& characters, std::span<Claim> claims) {
-    const auto time = static_cast<float>(dt);
-    const auto share = static_cast<float>(std::min(1.0, dt / kSmoothing));
+bool RightOfWay::count(const ClaimInput& input, const Characters& characters, std::span<Claim> claims) {
+    const auto time = static_cast<float>(input.dt);
+    const auto share = static_cast<float>(std::min(1.0, input.dt / kSmoothing));
     MUSTER_ASSERT(claims.size() == characters.size());
     bool any = false;
     for (std::size_t i = 0; i < characters.size(); ++i) {
         Claim& claim = claims[i];
         claim.lends = std::max(0.0f, claim.lends - time);
         claim.last = std::max(0.0f, claim.last - time);
-        const double left = distance(characters.position[i], place[i]);
-        const bool stands = lengthSquared(placeVelocity[i]) < kPlaceStands * kPlaceStands;
-        if (claim.rests && (!stands || distance(place[i], claim.spot) > kPlaceMoved)) {
+        const double left = distance(characters.position[i], input.place[i]);
+        const double reach = kArrivedReach + (input.room.empty() ? 0.0 : input.room[i]);
+        const bool stands = lengthSquared(input.placeVelocity[i]) < kPlaceStands * kPlaceStands;
+        if (claim.rests && (!stands || distance(input.place[i], claim.spot) > kPlaceMoved)) {
             claim.rests = claim.settled = false;
-            claim.since = groups.empty() ? step : groups[characters.group[i]].since;
+            claim.since = input.groups.empty() ? input.step : input.groups[characters.group[i]].since;
         }
-        claim.follows = !groups.empty() && groups[characters.group[i]].follows;
+        claim.follows = !input.groups.empty() && input.groups[characters.group[i]].follows;
         // Who was moved aside and cannot return walks again; who asks in vain hands its turn on.
-        claim.settled = claim.settled && left <= kArrivedReach;
+        claim.settled = claim.settled && left <= reach;
         if (claim.rests && !claim.settled && left > kMovedAside && claim.stuck > kHandOn &&
             claim.lends == 0.0f) {
             claim.rests = false;
-            claim.since = step;
+            claim.since = input.step;
             claim.stuck = 0.0f;
         }
         if (claim.asks && claim.stuck > kHandOn) {
-            claim.since = step;
+            claim.since = input.step;
             claim.stuck = 0.0f;
             claim.last = kHandOn;
         }
         claim.asks = false;
         if (!claim.rests && stands && left < kReached) {
             claim.rests = true;
-            claim.spot = place[i];
+            claim.spot = input.place[i];
         }
         // Who is within reach of its place and comes no nearer has arrived.
-        if (stands && left < kArrivedReach && claim.stuck > kSettles) {
+        if (stands && left < reach && claim.stuck > kSettles) {
             claim.rests = claim.settled = true;
-            claim.spot = place[i];
+            claim.spot = input.place[i];
         }
-        const Vec2 along = normalized(wanted[i]);
-        const auto now = static_cast<float>(dot(characters.velocity[i], along) / std::max(topSpeed[i], 1e-9));
+        const Vec2 along = normalized(input.wanted[i]);
+        const auto now = static_cast<float>(dot(characters.velocity[i], along) /
+                                            std::max(input.topSpeed[i], 1e-9));
         claim.progress += (now - claim.progress) * share;
-        const bool waits = claim.progress <= kGetsOn && left >= kReached && claim.lends == 0.0f &&
-                           claim.last == 0.0f && !(along == Vec2{});
+        const bool waits = !getsOn(claim) && left >= kReached && claim.lends == 0.0f && claim.last == 0.0f &&
+                           !(along == Vec2{});
         claim.stuck = waits ? claim.stuck + time : 0.0f;
         any = any || waits || claim.lends > 0.0f;
     }
@@ -200,14 +198,18 @@ void RightOfWay::askFrom(std::int32_t first, const CrowdBodies& bodies, const En
             const bool same = !resting && !lends &&
                               (characters.group[a] == characters.group[b] ||
                                dot(normalized(own_[b]), along) > 0.5);
-            if (same) {  // The same way: it takes over the rank only.
-                if (claim.progress < kGetsOn) {
+            // Who stands in the way beside, the same way, as in an arch, steps back; ahead it takes over the
+            // rank only. Where there are no places whoever is in front is where all want to be.
+            const bool behind = dot(near.towards, own_[a] + own_[b]) <= 0.0 && characters.place[a] >= 0;
+            if (same && !behind) {
+                if (!getsOn(claim)) {
                     done_[b] = 1;
                     stack_.push_back(b);
                 }
                 continue;
             }
             lend(a, near, along, bodies, environment, rows, topSpeed[b], characters, wanted[b]);
+            if (same) wanted[b] = along * -topSpeed[b];
             claims[b].lends = resting ? kLendsAtRest : kLends;
             done_[b] = 1;
             claim.asks = true;

@@ -20,15 +20,24 @@ struct GroupClaim {
     bool follows = false;     ///< It follows or guards somebody, who goes first.
 };
 
+/// What claims are updated from, one entry per character where nothing else is said.
+struct ClaimInput {
+    std::span<const double> topSpeed;     ///< On its ground [m/s].
+    std::span<const Vec2> wanted;         ///< Velocity along the own way [m/s].
+    std::span<const Vec2> place;          ///< Where each heads for [m],
+    std::span<const Vec2> placeVelocity;  ///< and the velocity of that [m/s].
+    std::span<const double> room;         ///< Around a shared place [m]; empty where none is shared.
+    std::span<const GroupClaim> groups;   ///< One entry per group; empty where nobody has an order.
+    std::uint32_t step = 0;               ///< Number of the step.
+    double dt = 1.0 / 60.0;               ///< Length of the step [s].
+};
+
 /// Ranks characters, and lets those who are blocked ask others for their way.
 class RightOfWay {
 public:
-    /// Updates all claims from how characters got on in the last step. `wanted` is the velocity along the own
-    /// way [m/s], `place` where each heads for [m], `placeVelocity` of that [m/s]. Returns true where
-    /// somebody is blocked, or lends its way yet.
-    bool count(std::span<const double> topSpeed, std::span<const Vec2> wanted, std::span<const Vec2> place,
-               std::span<const Vec2> placeVelocity, std::span<const GroupClaim> groups, std::uint32_t step,
-               double dt, const Characters& characters, std::span<Claim> claims);
+    /// Updates all claims from how characters got on in the last step. Returns true where somebody is
+    /// blocked, or lends its way yet.
+    bool count(const ClaimInput& input, const Characters& characters, std::span<Claim> claims);
     /// Ranks all, and changes `wanted` [m/s] of those who lend their way. Who is leaving the way of something
     /// that moves (`leaving` is not null; empty for nobody) goes first; it neither asks nor is asked.
     void run(const CrowdBodies& bodies, const Environment& environment, const NearRows& rows,

@@ -80,8 +80,9 @@ void Steering::run(const CrowdBodies& bodies, Characters& now, const SteeringInp
         if (!input.pace.empty()) topSpeed_[i] *= input.pace[i];
         preferred_[i] = preferredVelocity(def, now, input, i, topSpeed_[i], bodies.acceleration(i));
     });
-    const bool blocked = right_.count(topSpeed_, preferred_, input.place, input.placeVelocity, input.groups,
-                                      input.step, dt, now, now.claim);
+    const bool blocked = right_.count(
+        {topSpeed_, preferred_, input.place, input.placeVelocity, input.room, input.groups, input.step, dt},
+        now, now.claim);
     for (std::size_t i = 0; i < count; ++i)
         if (now.claim[i].settled) preferred_[i] = {};
     neighbours_.build(now.position,

@@ -26,6 +26,8 @@ struct SteeringInput {
     std::span<const GroupClaim> groups = {};  ///< One entry per group; empty where nobody has an order.
     std::uint32_t step = 0;                   ///< Number of the step.
     std::span<const double> pace = {};        ///< Share of its top speed at which it walks; empty for all.
+    std::span<const double> room = {};  ///< By how much farther it may stand from a place that others share
+                                        ///< [m]; empty where none is shared.
 };
 
 /// Computes next velocities and headings from the present state only, so the order of characters cannot

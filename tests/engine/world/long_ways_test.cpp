@@ -47,7 +47,7 @@ TEST_CASE("a crowd arrives round a long wall whose gap is at its end, about as s
     const Vec2 corner{0, 46.25};
     const double bound = (distance({-24, -30}, corner) + distance(corner, {24, -30})) /
                          def.parameters.character.maxSpeed;
-    while (world.time() < 1.12 * bound && farthestFromPlace(world) > 0.5) world.step();
+    while (world.time() < 1.1 * bound && farthestFromPlace(world) > 0.5) world.step();
     CHECK(farthestFromPlace(world) <= 0.5);
     CHECK(world.time() > 0.95 * bound);
 }

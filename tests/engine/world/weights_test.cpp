@@ -163,6 +163,7 @@ TEST_CASE("places that demand six take six, who stand around them as good as the
     for (int k = 0; k < 36; ++k) CHECK(counts[k] == (k % 6 == 2 ? 6 : 0));
     CHECK(play(world, 10.0)[EventKind::Swap] == 0);
     CHECK(farthest(world) < 1.2);
+    for (const Vec2 velocity : world.characters().velocity) CHECK(length(velocity) < 0.05);
 }
 
 TEST_CASE("one who supplies three places stands at one of them, and stays") {
