@@ -8,8 +8,9 @@ namespace muster {
 namespace {
 
 constexpr double kMissShare = 0.125;     // Of the way, over which what coordinates miss at its ends fades.
-constexpr std::int32_t kMostTries = 12;  // Of a step; two are the rule.
-constexpr double kClose = 0.98;          // A step that uses so much of the top speed is good enough.
+constexpr std::int32_t kMostTries = 12;  // Of a step; one is the rule.
+constexpr double kClose = 0.95;          // A step that uses so much of the top speed is good enough,
+constexpr double kAim = 0.99;            // and so much is aimed at.
 
 double faded(double q, double share) {
     return std::max(0.0, 1.0 - q / share);
@@ -80,16 +81,17 @@ double Stream::overshoot(std::span<const Vec2> from, std::span<const Vec2> to, d
 }
 
 double Stream::follow(double q, double dt, double speed, std::span<const double> speeds,
-                      std::span<Vec2> places) {
+                      std::span<Vec2> places, double& rate) {
     const double reach = std::fabs(dt) * (speeds.empty() ? speed : 1.0);
     if (reach <= 0.0 || places.empty()) return q;
-    double step = std::fabs(dt) * speed / std::max(most_, 1e-9);
-    double next = q;
+    const double way = std::fabs(dt) * speed;
+    double step = way * (rate > 0.0 ? rate : 1.0 / std::max(most_, 1e-9));
+    double next = q, share = 1.0;
     bool grown = false;
     for (std::int32_t k = 0; k < kMostTries; ++k) {
         next = dt > 0.0 ? std::min(1.0, q + step) : std::max(0.0, q - step);
         at(next, moved_);
-        const double share = overshoot(places, moved_, reach, speeds);
+        share = overshoot(places, moved_, reach, speeds);
         if (share > 1.0) {
             const double less = (1.0 - 1e-3 * (k + 1)) / share;
             step = std::fabs(next - q) * (k < kMostTries / 2 ? less : std::min(0.5, less));
@@ -101,18 +103,21 @@ double Stream::follow(double q, double dt, double speed, std::span<const double>
             grown = true;
         }
     }
+    rate = std::fabs(next - q) / way * std::clamp(kAim / std::max(share, 1e-9), 0.5, 2.0);
     std::copy(moved_.begin(), moved_.end(), places.begin());
     return next;
 }
 
 double Stream::next(double q, double dt, double speed, std::span<Vec2> places) {
-    return follow(q, dt, speed, {}, places);
+    double rate = 0.0;
+    return follow(q, dt, speed, {}, places, rate);
 }
 
-double Stream::next(double q, double dt, std::span<const double> speeds, std::span<Vec2> places) {
+double Stream::next(double q, double dt, std::span<const double> speeds, std::span<Vec2> places,
+                    double& rate) {
     double fastest = 0.0;
     for (const double speed : speeds) fastest = std::max(fastest, speed);
-    return follow(q, dt, fastest, speeds, places);
+    return follow(q, dt, fastest, speeds, places, rate);
 }
 
 }  // namespace muster

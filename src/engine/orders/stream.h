@@ -62,8 +62,9 @@ public:
     /// The next q, `dt` [s] later (earlier where it is negative), such that no place goes faster than `speed`
     /// [m/s] above 0. `places` are those at `q`, and then those at the next.
     double next(double q, double dt, double speed, std::span<Vec2> places);
-    /// The same with a speed for each place.
-    double next(double q, double dt, std::span<const double> speeds, std::span<Vec2> places);
+    /// The same with a speed for each place. `rate` is how much q grows while the fastest goes a metre, as it
+    /// was found by the last call, or 0; with it one try is the rule.
+    double next(double q, double dt, std::span<const double> speeds, std::span<Vec2> places, double& rate);
 
 private:
     enum class Stage : std::uint8_t {
@@ -113,7 +114,8 @@ private:
     Vec2 raw(std::size_t i, double q, const Depths& ahead) const;
     double overshoot(std::span<const Vec2> from, std::span<const Vec2> to, double reach,
                      std::span<const double> speeds) const;
-    double follow(double q, double dt, double speed, std::span<const double> speeds, std::span<Vec2> places);
+    double follow(double q, double dt, double speed, std::span<const double> speeds, std::span<Vec2> places,
+                  double& rate);
 
     StreamStatus status_ = StreamStatus::Blocked;
     Stage stage_ = Stage::Straight;

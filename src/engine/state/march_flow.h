@@ -22,6 +22,7 @@ struct MarchFlow {
     FlowPhase phase = FlowPhase::None;
     double q = 0.0;             ///< How much of it is done, [0, 1].
     double speed = 0.0;         ///< Of the fastest place [m/s].
+    double rate = 0.0;          ///< How much q grew lately while the fastest place went a metre; 0 at first.
     std::uint32_t version = 0;  ///< Of the formation for which it was planned.
     std::uint32_t ground = 0;   ///< Version of the ground for which it was planned.
     std::int64_t spent = 0;     ///< Operations of the plan.
@@ -47,7 +48,7 @@ struct MarchFlow {
     /// Lets an archive read or write everything but the cache.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(phase, q, speed, version, ground, spent, from.position, from.rotation.c, from.rotation.s,
+        archive(phase, q, speed, rate, version, ground, spent, from.position, from.rotation.c, from.rotation.s,
                 to.position, to.rotation.c, to.rotation.s, drawn, spacing, radius, offsets, starts, ends, way,
                 places);
         if constexpr (Archive::kReading) stream = {};

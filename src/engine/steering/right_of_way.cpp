@@ -183,6 +183,7 @@ void RightOfWay::askFrom(std::int32_t first, const CrowdBodies& bodies, const En
         if (along == Vec2{} || class_[a] == kLeaves) continue;
         Claim& claim = claims[a];
         const bool lends = lender_[a].to >= 0;
+        if (!lends && claim.stuck <= kAskResting) continue;
         for (const Near& near : rows.of(a)) {
             const std::int32_t b = near.other;
             if (done_[b] || class_[b] == kLeaves || near.gap > (lends ? lender_[a].need : kAskGap) ||

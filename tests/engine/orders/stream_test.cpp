@@ -147,10 +147,10 @@ TEST_CASE("each place has its own top speed where they differ") {
     speeds[7] = 1.0;
     Points places(task.starts.size());
     stream.at(0.0, places);
-    double q = 0.0, seconds = 0.0;
+    double q = 0.0, seconds = 0.0, rate = 0.0;
     for (; q < 1.0 && seconds < 100.0; seconds += kSceneStep) {
         const Points before = places;
-        q = stream.next(q, kSceneStep, speeds, places);
+        q = stream.next(q, kSceneStep, speeds, places, rate);
         for (std::size_t i = 0; i < places.size(); ++i)
             REQUIRE(distance(before[i], places[i]) <= speeds[i] * kSceneStep * 1.001);
     }

@@ -101,7 +101,7 @@ bool FlowMarches::findEnds(WorldState& state, Group& group, const Pose& end) {
     flow.radius = lineRadius(layOut(state, group, ends));
     flow.spacing = spacingOf(group);
     flow.from = group.mesh.pose();
-    flow.q = flow.speed = 0.0;
+    flow.q = flow.speed = flow.rate = 0.0;
     flow.spent = 0;
     return true;
 }
@@ -197,7 +197,7 @@ void FlowMarches::move(WorldState& state, Group& group, const MarchDef& def) {
     speeds_.resize(flow.places.size());
     for (std::size_t i = 0; i < speeds_.size(); ++i)
         speeds_[i] = std::max(1e-3, flow.speed * ground[grid.index(grid.nearestCell(flow.places[i]))]);
-    if (flow.speed > 1e-4) flow.q = flow.stream.next(flow.q, dt, speeds_, flow.places);
+    if (flow.speed > 1e-4) flow.q = flow.stream.next(flow.q, dt, speeds_, flow.places, flow.rate);
     Pose pose;
     pose.rotation = turnedTo(flow.from.rotation, flow.to.rotation, flow.q);
     pose.position = meanOf(flow.places) - pose.rotation.apply(meanOf(flow.offsets));
