@@ -134,9 +134,10 @@ bool isSane(const MarchFlow& flow) {
     };
     if (flow.phase == FlowPhase::None) return true;
     return flow.phase <= FlowPhase::Standing && flow.q >= 0.0 && flow.q <= 1.0 && flow.speed >= 0.0 &&
-           flow.speed <= kFastest && flow.spent >= 0 && flow.spent <= 1'000'000'000 && isPose(flow.from) &&
-           isPose(flow.to) && flow.spacing > 0.0 && flow.spacing <= kMaxCoordinate && flow.radius > 0.0 &&
-           flow.radius <= kMaxCoordinate && flow.ends.size() == flow.places.size() &&
+           flow.speed <= kFastest && flow.rate >= 0.0 && flow.rate <= 1e9 && flow.spent >= 0 &&
+           flow.spent <= 1'000'000'000 && isPose(flow.from) && isPose(flow.to) && flow.spacing > 0.0 &&
+           flow.spacing <= kMaxCoordinate && flow.radius > 0.0 && flow.radius <= kMaxCoordinate &&
+           flow.ends.size() == flow.places.size() &&
            (!flow.moves() || (flow.starts.size() == n && flow.ends.size() == n && flow.way.size() >= 2)) &&
            arePlaces(flow.offsets) && arePlaces(flow.starts) && arePlaces(flow.ends) && arePlaces(flow.way) &&
            arePlaces(flow.places);

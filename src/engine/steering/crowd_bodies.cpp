@@ -40,7 +40,7 @@ void CrowdBodies::resolve(const Parameters::Character& def, const Characters& no
         const Body body = i < now.body.size() ? now.body[i] : Body{};
         radius_[i] = radiusOf(def, body);
         maxSpeed_[i] = maxSpeedOf(def, body);
-        acceleration_[i] = body.acceleration > 0.0 ? body.acceleration : def.acceleration;
+        acceleration_[i] = accelerationOf(def, body);
         const bool outside = i < now.driver.size() && now.driver[i] == Driver::Outside;
         inverseMass_[i] = outside ? 0.0 : 1.0 / body.mass;
         firmness_[i] = group_[i] < firmness.size() ? firmness[group_[i]] : std::uint8_t{0};

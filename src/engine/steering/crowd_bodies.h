@@ -22,6 +22,10 @@ inline double radiusOf(const Parameters::Character& def, const Body& body) {
 inline double maxSpeedOf(const Parameters::Character& def, const Body& body) {
     return body.maxSpeed > 0.0 ? body.maxSpeed : def.maxSpeed;
 }
+/// The top acceleration of a body [m/s^2].
+inline double accelerationOf(const Parameters::Character& def, const Body& body) {
+    return body.acceleration > 0.0 ? body.acceleration : def.acceleration;
+}
 
 /// What each character of a crowd is in one step. Where nobody differs from the parameters no arrays are
 /// kept, and all take the short way.

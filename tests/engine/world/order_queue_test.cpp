@@ -1,6 +1,8 @@
 // Queues of orders: what comes after what, what is skipped, and that nothing is lost.
 #include <doctest.h>
 
+#include "base/random.h"
+#include "engine/world/inspect.h"
 #include "engine/world/scenes.h"
 
 using namespace muster;
@@ -190,6 +192,59 @@ TEST_CASE("a patrol goes round; hold, resume, cancel and stop") {
     REQUIRE(give(world, n, EditQueue{id, QueueEdit::Cancel, 77}).ok());
     world.step();
     CHECK(world.rejections().size() == 1);
+}
+
+TEST_CASE("who is told to stop stands where it is, however far from its place") {
+    WorldDef def = yard();
+    Random random(5);
+    def.groups[0].starts.clear();
+    for (std::int32_t i = 0; i < def.groups[0].count; ++i)
+        def.groups[0].starts.push_back({-26.0 + 2.0 * (i % 6), 2.0 * (i / 6) + random.uniform(-0.5, 0.5)});
+    World world = World::create(def).value();
+    std::uint32_t n = 0;
+    Log log;
+    const GroupId id = world.group(0).id;
+    REQUIRE(give(world, n, GiveOrder{id, QueueMode::Replace, 0, Order::move({20, 20})}).ok());
+    run(world, 3, log);
+    REQUIRE(give(world, n, EditQueue{id, QueueEdit::Stop}).ok());
+    const CharactersView c = world.characters();
+    const std::vector<Vec2> before(c.position.begin(), c.position.end());
+    run(world, 3, log);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        CHECK(distance(world.characters().position[i], before[i]) < 1.0);
+        CHECK(length(world.characters().velocity[i]) < 0.05);
+        CHECK(inspect::distanceLeft(world, i) < 0.5);
+    }
+    // It goes on as a formation.
+    REQUIRE(give(world, n, GiveOrder{id, QueueMode::Replace, 0, Order::move({20, 20})}).ok());
+    run(world, 40, log);
+    CHECK(log.count(EventKind::OrderDone) == 1);
+}
+
+TEST_CASE("two groups that are told to stop while they pass through each other stay there") {
+    WorldDef def = yard();
+    def.groups[0].position = {-9, 0};
+    def.groups.push_back(def.groups[0]);
+    def.groups[1].position = {9, 0};
+    World world = World::create(def).value();
+    std::uint32_t n = 0;
+    Log log;
+    for (std::size_t g = 0; g < 2; ++g)
+        REQUIRE(
+            give(world, n,
+                 GiveOrder{world.group(g).id, QueueMode::Replace, 0, Order::move({g == 0 ? 20.0 : -20.0, 0})})
+                .ok());
+    run(world, 5, log);
+    REQUIRE(distance(centre(world), {0, 0}) < 4.0);
+    for (std::size_t g = 0; g < 2; ++g)
+        REQUIRE(give(world, n, EditQueue{world.group(g).id, QueueEdit::Stop}).ok());
+    const CharactersView c = world.characters();
+    const std::vector<Vec2> before(c.position.begin(), c.position.end());
+    run(world, 5, log);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        CHECK(distance(world.characters().position[i], before[i]) < 1.5);
+        CHECK(length(world.characters().velocity[i]) < 0.05);
+    }
 }
 
 TEST_CASE("fingers take over, and the order goes on from where they leave the mesh") {

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "engine/formation/mesh/rigid_fit.h"
+#include "engine/state/shared_places.h"
 #include "engine/state/validation.h"
+#include "engine/steering/crowd_bodies.h"
+#include "engine/steering/walk_progress.h"
 #include "engine/systems/commands/not_found.h"
 
 namespace muster {
@@ -21,12 +25,49 @@ void endFirst(Group& group, bool stays) {
     group.orders.end();
 }
 
-// Members without places stand at once, others where their places are.
+// Where a character comes to a stand by its own brakes [m].
+Vec2 stopOf(const WorldState& state, std::int32_t i) {
+    const Characters& c = state.characters;
+    const Parameters::Character& def = state.parameters.character;
+    const double brakes = accelerationOf(def, c.body[i]), speed = length(c.velocity[i]);
+    const Vec2 stop = c.position[i] + c.velocity[i] * (speed / (2.0 * brakes));
+    const bool clear = state.environment.clearLine(c.position[i], stop, radiusOf(def, c.body[i]));
+    return clear ? stop : c.position[i];
+}
+
+// Places whose holders would have to walk to them come to where these stop. Nothing changes where all have
+// kept up with their places.
+void placesComeToPeople(WorldState& state, Group& group) {
+    std::vector<Vec2> places = group.places.positions();
+    if (hasWeights(state, group)) return;
+    bool moved = false;
+    for (const std::int32_t i : group.members) {
+        const std::int32_t place = state.characters.place[i];
+        if (place < 0 || std::cmp_greater_equal(place, places.size())) continue;
+        const Vec2 stop = stopOf(state, i);
+        if (distance(stop, places[place]) <= kArrivedReach) continue;
+        places[place] = stop;
+        moved = true;
+    }
+    if (!moved) return;
+    group.places.lead(places, state.parameters.stepTime);
+    group.flow = {};
+    group.flow.ends = group.flow.places = std::move(places);
+    group.flow.q = 1.0;
+    group.flow.phase = FlowPhase::Standing;
+    group.flow.version = group.formationVersion;
+    group.flow.ground = state.groundEdits;
+}
+
+// Everybody stands where it is, and the mesh where its places are.
 void standStill(WorldState& state, Group& group) {
-    if (Gathering* const gathering = state.continuum.find(group.id))
+    if (Gathering* const gathering = state.continuum.find(group.id)) {
         gathering->active = false;
-    else
-        standWhereItIs(group);
+        return;
+    }
+    placesComeToPeople(state, group);
+    standWhereItIs(group);
+    group.orders.march.last = group.mesh.pose();
 }
 
 Status cancel(WorldState& state, Group& group, std::uint32_t id) {

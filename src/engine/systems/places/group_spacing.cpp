@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 
 #include "engine/formation/places/target_shift.h"
 #include "engine/state/ground_class.h"
@@ -33,11 +34,12 @@ bool holds(const Group& group) {
     return group.def.conduct.stance == Stance::Hold;
 }
 
-/// True where the second group makes room for the first: for one that holds its ground, else for an older
-/// one.
+/// True where the second group makes room for the first: for one that holds its ground, else for one whose
+/// places were laid out beside those of others, else for an older one.
 bool precedes(const WorldState& state, std::size_t first, std::size_t second) {
-    const bool a = holds(state.groups[first]), b = holds(state.groups[second]);
-    return a != b ? a : first < second;
+    const Group &a = state.groups[first], &b = state.groups[second];
+    if (holds(a) != holds(b)) return holds(a);
+    return a.flow.leads() != b.flow.leads() ? a.flow.leads() : first < second;
 }
 
 }  // namespace
@@ -62,15 +64,22 @@ Vec2 GroupSpacing::findShift(const WorldState& state, std::size_t index, const s
 void GroupSpacing::run(WorldState& state, std::vector<std::vector<Vec2>>& targets) {
     settled_.resize(state.groups.size());
     // Those come first that others make room for.
-    for (const bool holding : {true, false})
-        for (std::size_t g = 0; g < targets.size(); ++g)
-            if (holds(state.groups[g]) == holding) settle(state, g, targets[g]);
+    order_.resize(targets.size());
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::sort(order_.begin(), order_.end(),
+              [&](std::size_t a, std::size_t b) { return precedes(state, a, b); });
+    for (const std::size_t g : order_) settle(state, g, targets[g]);
 }
 
 void GroupSpacing::settle(WorldState& state, std::size_t index, std::vector<Vec2>& targets) {
     Settling& settling = state.groups[index].settling;
     watchRest(state.groups[index], targets, settling);
     if (state.groups.size() == 1) return;
+    if (state.groups[index].flow.leads()) {
+        settling.shift = {};
+        settled_[index].assign(targets.begin(), targets.end());
+        return;
+    }
     const bool looks = settling.rests() && (settling.restSteps - Settling::kRestSteps) % kLookSteps == 0;
     const bool leaves = settling.restSteps == 0 && !(settling.shift == Vec2{});
     if (looks) settling.shift = findShift(state, index, targets);

@@ -20,6 +20,7 @@ private:
     Vec2 findShift(const WorldState& state, std::size_t index, const std::vector<Vec2>& targets);
 
     TargetShift shift_;
+    std::vector<std::size_t> order_;          // Groups, those first that others make room for.
     std::vector<std::vector<Vec2>> settled_;  // Targets of the groups of this step [m].
 };
 
