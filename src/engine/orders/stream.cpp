@@ -10,7 +10,7 @@ namespace {
 constexpr double kMissShare = 0.125;     // Of the way, over which what coordinates miss at its ends fades.
 constexpr std::int32_t kMostTries = 12;  // Of a step; one is the rule.
 constexpr double kClose = 0.95;          // A step that uses so much of the top speed is good enough,
-constexpr double kAim = 0.99;            // and so much is aimed at.
+constexpr double kAim = 0.997;           // and so much is aimed at.
 
 double faded(double q, double share) {
     return std::max(0.0, 1.0 - q / share);

@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
+#include "engine/orders/held_spot.h"
 #include "muster/vec2.h"
 
 namespace muster {
@@ -13,9 +15,10 @@ struct WayNeeds {
     static constexpr std::size_t kDirections = 8;  ///< Of travel, from +x counter-clockwise to half a turn.
 
     std::array<double, kDirections> half{};  ///< Half its width across each direction of travel [m].
-    double margin = 0.0;   ///< Keeps so much farther from obstacles where that costs little [m].
-    double least = 0.0;    ///< Share of its width below which it does not narrow, [0, 1].
-    double radius = 0.25;  ///< Radius of bodies [m].
+    double margin = 0.0;         ///< Keeps so much farther from obstacles where that costs little [m].
+    double least = 0.0;          ///< Share of its width below which it does not narrow, [0, 1].
+    double radius = 0.25;        ///< Radius of bodies [m].
+    std::vector<HeldSpot> held;  ///< Those through whom nobody goes.
 
     /// Half its width across a direction, a vector of any length [m].
     double halfAcross(Vec2 direction) const;
@@ -26,7 +29,7 @@ struct WayNeeds {
     /// Lets an archive read or write it.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(half, margin, least, radius);
+        archive(half, margin, least, radius, held);
     }
     friend bool operator==(const WayNeeds&, const WayNeeds&) = default;
 };

@@ -50,6 +50,7 @@ double stretchCost(const WayGround& ground, const WayNeeds& needs, Vec2 a, Vec2 
         sum += needs.cost(std::max(clearance, needs.radius), half);
     }
     if (near && !ground.environment().clearStaticLine(a, b, needs.radius)) return kInfinite;
+    if (!clearOf(needs.held, a, b, needs.radius)) return kInfinite;
     return sum * whole / n;
 }
 
@@ -186,6 +187,7 @@ double WaySearch::stepCost(const WayGround& ground, std::int32_t a, std::int32_t
     if (ground.clearance(a) + ground.clearance(b) < step + 2.0 * radius + 0.5 * ground.grid().cell &&
         !ground.environment().clearStaticLine(p, q, radius))
         return kInfinite;
+    if (!clearOf(query_.needs.held, p, q, radius)) return kInfinite;
     return step * query_.needs.cost(room, halfWidth);
 }
 

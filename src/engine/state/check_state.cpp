@@ -120,10 +120,17 @@ Status checkControls(const ControlSet& set, const TriangleMesh& mesh) {
     return {};
 }
 
+bool areSpots(const std::vector<HeldSpot>& held) {
+    return std::all_of(held.begin(), held.end(), [](const HeldSpot& spot) {
+        return isPlace(spot.position) && spot.radius > 0.0 && spot.radius <= kMaxCoordinate;
+    });
+}
+
 bool isSane(const WayNeeds& needs) {
     const auto isSize = [](double x) { return x >= 0.0 && x <= 1e9; };
     return std::all_of(needs.half.begin(), needs.half.end(), isSize) && isSize(needs.margin) &&
-           isSize(needs.least) && needs.radius > 0.0 && needs.radius <= 1e3;
+           isSize(needs.least) && needs.radius > 0.0 && needs.radius <= 1e3 &&
+           areSpots(needs.held);
 }
 
 bool isSane(const MarchFlow& flow) {
@@ -140,7 +147,7 @@ bool isSane(const MarchFlow& flow) {
            flow.ends.size() == flow.places.size() &&
            (!flow.moves() || (flow.starts.size() == n && flow.ends.size() == n && flow.way.size() >= 2)) &&
            arePlaces(flow.offsets) && arePlaces(flow.starts) && arePlaces(flow.ends) && arePlaces(flow.way) &&
-           arePlaces(flow.places);
+           arePlaces(flow.places) && areSpots(flow.held);
 }
 
 bool isSane(const March& march) {

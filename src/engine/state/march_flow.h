@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/orders/held_spot.h"
 #include "engine/orders/stream.h"
 #include "muster/vec2.h"
 
@@ -32,9 +33,10 @@ struct MarchFlow {
     double radius = 0.25;       ///< Of bodies [m].
     /// What it was planned from: of each place the offset in its formation, and where it starts and ends [m].
     std::vector<Vec2> offsets, starts, ends;
-    std::vector<Vec2> way;     ///< [m]
-    std::vector<Vec2> places;  ///< Where they are now [m].
-    Stream stream;             ///< The plan; a cache, made again from the above where it is missing.
+    std::vector<Vec2> way;       ///< [m]
+    std::vector<HeldSpot> held;  ///< Those on the way who hold their ground.
+    std::vector<Vec2> places;    ///< Where they are now [m].
+    Stream stream;               ///< The plan; a cache, made again from the above where it is missing.
 
     /// True while it says where places are.
     bool leads() const { return phase != FlowPhase::None; }
@@ -48,9 +50,9 @@ struct MarchFlow {
     /// Lets an archive read or write everything but the cache.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(phase, q, speed, rate, version, ground, spent, from.position, from.rotation.c, from.rotation.s,
-                to.position, to.rotation.c, to.rotation.s, drawn, spacing, radius, offsets, starts, ends, way,
-                places);
+        archive(phase, q, speed, rate, version, ground, spent, from.position, from.rotation.c,
+                from.rotation.s, to.position, to.rotation.c, to.rotation.s, drawn, spacing, radius, offsets,
+                starts, ends, way, held, places);
         if constexpr (Archive::kReading) stream = {};
     }
 };

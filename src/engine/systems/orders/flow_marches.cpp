@@ -5,6 +5,7 @@
 
 #include "base/maths.h"
 #include "engine/state/ground_class.h"
+#include "engine/state/held_ground.h"
 #include "engine/state/shared_places.h"
 #include "engine/systems/orders/order_ways.h"
 
@@ -155,6 +156,7 @@ void FlowMarches::start(WorldState& state, Group& group, const Pose& end, std::s
     if (flow.way.size() < 2) flow.way = {meanOf(flow.starts), meanOf(flow.ends)};
     flow.way.front() = meanOf(flow.starts);
     flow.way.back() = flow.to.position;
+    listHeld(state, group, flow.held);
     // Who is on the move goes on.
     flow.speed = std::max(0.0, dot(moves, normalized(flow.way[1] - flow.way[0])));
     flow.places = flow.starts;
@@ -164,7 +166,7 @@ void FlowMarches::start(WorldState& state, Group& group, const Pose& end, std::s
 
 bool FlowMarches::advance(WorldState& state, const WayGround& ground, Group& group, const MarchDef& def) {
     MarchFlow& flow = group.flow;
-    const auto room = [&](Vec2 p) { return ground.clearanceAt(p); };
+    const auto room = [&](Vec2 p) { return roomBeside(flow.held, p, ground.clearanceAt(p)); };
     // After a restore the plan is made again up to where it was.
     if (flow.stream.places() == 0 && flow.moves()) {
         flow.stream.start(flow.def());

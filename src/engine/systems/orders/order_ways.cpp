@@ -6,6 +6,7 @@
 #include "base/maths.h"
 #include "engine/ground/routes/route_search.h"
 #include "engine/state/ground_class.h"
+#include "engine/state/held_ground.h"
 
 namespace muster {
 namespace {
@@ -70,6 +71,7 @@ WayNeeds needsOf(const WorldState& state, const Group& group, const Order& order
                 std::fabs(dot(across, place.position(formation.mesh.triangles, formation.mesh.vertices))));
         needs.half[k] = half + needs.radius;
     }
+    listHeld(state, group, needs.held);
     return needs;
 }
 

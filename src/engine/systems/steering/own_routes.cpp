@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
+
+#include "engine/state/held_ground.h"
 
 namespace muster {
 namespace {
@@ -19,6 +22,7 @@ constexpr double kMisledBy = 0.05;   // and this [m].
 constexpr double kAtCorner = 0.1;    // A corner this near is reached [m].
 constexpr std::uint32_t kSearchTurns = 8;   // Each may search in one step of so many.
 constexpr std::int64_t kRouteWork = 12000;  // Searches begin in a step until they have used so much.
+constexpr std::size_t kMostClosed = 16;     // Of those who hold their ground, round whom a search goes.
 constexpr double kMovingReach = 6.0;        // Of the discomfort round moving obstacles [m].
 
 double lengthFrom(Vec2 from, const std::vector<Vec2>& path) {
@@ -102,16 +106,44 @@ void OwnRoutes::dropEnded(WorldState& state) {
     routes.resize(kept);
 }
 
+// A cross on each of the nearest who hold their ground, as wide as both bodies.
+void OwnRoutes::closeHeld(const WorldState& state, std::int32_t i) {
+    const Vec2 from = state.characters.position[i];
+    const Group& group = state.groups[state.characters.group[i]];
+    listHeld(state, group, held_);
+    const std::size_t count = std::min(held_.size(), kMostClosed);
+    std::partial_sort(
+        held_.begin(), held_.begin() + static_cast<std::ptrdiff_t>(count), held_.end(),
+        [&](const HeldSpot& a, const HeldSpot& b) {
+            const double toA = lengthSquared(a.position - from), toB = lengthSquared(b.position - from);
+            if (toA != toB) return toA < toB;
+            return a.position.x != b.position.x ? a.position.x < b.position.x : a.position.y < b.position.y;
+        });
+    closed_.clear();
+    for (std::size_t k = 0; k < count; ++k) {
+        const double reach = held_[k].radius + routesFor(state, i).radius();
+        for (const Vec2 arm : {Vec2{reach, 0.0}, Vec2{0.0, reach}})
+            closed_.push_back({held_[k].position - arm, held_[k].position + arm});
+    }
+}
+
 // False where no way leads to the place.
 bool OwnRoutes::search(WorldState& state, std::int32_t i, OwnRoute& route) {
     RouteGraph& graph = state.routesOf(state.groups[state.characters.group[i]]);
     const Vec2 from = state.characters.position[i];
     route.place = state.characters.place[i];
     route.goal = placeOf(state, i);
-    search_.start(graph, from, route.goal, {}, !state.environment.movingObstacleAreas().empty());
-    std::int64_t whole = std::numeric_limits<std::int64_t>::max();
-    const RouteStatus status = search_.advance(graph, whole);
-    budget_ -= search_.work() + 1;
+    closeHeld(state, i);
+    RouteStatus status = RouteStatus::Unreachable;
+    // Where those who hold their ground leave no way, the character waits for one before them.
+    for (bool held = !closed_.empty(); status != RouteStatus::Found; held = false) {
+        search_.start(graph, from, route.goal, held ? closed_ : std::span<const ClosedLine>(),
+                      !state.environment.movingObstacleAreas().empty());
+        std::int64_t whole = std::numeric_limits<std::int64_t>::max();
+        status = search_.advance(graph, whole);
+        budget_ -= search_.work() + 1;
+        if (!held) break;
+    }
     if (status != RouteStatus::Found || search_.path().size() < 2) return false;
     route.path.assign(search_.path().begin() + 1, search_.path().end());
     return true;

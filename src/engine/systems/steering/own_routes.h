@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/ground/routes/route_search.h"
+#include "engine/orders/held_spot.h"
 #include "engine/state/world_state.h"
 
 namespace muster {
@@ -29,7 +30,11 @@ private:
     void follow(WorldState& state, std::int32_t i, OwnRoute& route);
     static void goStraight(WorldState& state);
 
+    void closeHeld(const WorldState& state, std::int32_t i);
+
     RouteSearch search_;
+    std::vector<HeldSpot> held_;
+    std::vector<ClosedLine> closed_;
     std::int64_t budget_ = 0;               // Operations left in this step.
     std::vector<std::int32_t> index_;       // Of the character of each route.
     std::vector<std::vector<Vec2>> spare_;  // Memory of routes that ended.

@@ -1,0 +1,14 @@
+// Who holds its ground is ground to others: the ways of orders and of single characters lead round.
+#pragma once
+
+#include <vector>
+
+#include "engine/orders/held_spot.h"
+#include "engine/state/world_state.h"
+
+namespace muster {
+
+/// Lists those of other groups who hold their ground and stand, the first 64 of them.
+void listHeld(const WorldState& state, const Group& group, std::vector<HeldSpot>& held);
+
+}  // namespace muster
