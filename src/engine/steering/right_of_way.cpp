@@ -9,21 +9,22 @@
 namespace muster {
 namespace {
 
-constexpr double kReached = 0.15;      // A cost below this is none: the character rests [m].
-constexpr float kSettles = 1.0f;       // Who comes no nearer for so long settles [s].
-constexpr double kMovedAside = 0.3;    // Who rests and is farther from its place was moved aside [m].
-constexpr double kPlaceMoved = 0.5;    // A place this far from where it was is another way [m].
-constexpr double kPlaceStands = 0.05;  // A slower place stands [m/s].
-constexpr double kSmoothing = 0.3;     // Of progress [s].
-constexpr double kFileCosine = 0.7;    // Cosine from which two follow each other.
-constexpr double kFileGap = 1.0;       // Gap within which a file follows its head [m].
-constexpr double kAskGap = 0.6;        // Gap within which who is in the way is asked [m].
-constexpr float kAskResting = 0.2f;    // Time after which somebody at rest is asked [s],
-constexpr float kAskWalking = 3.0f;    // and somebody who walks.
-constexpr float kHandOn = 5.0f;        // Who asked in vain for so long is the last for as long [s].
-constexpr float kLends = 0.6f;         // A way is lent for so long [s],
-constexpr float kLendsAtRest = 1.5f;   // by somebody at rest for so long.
-constexpr double kClear = 0.05;        // Kept beside who passes [m].
+constexpr double kReached = 0.15;    // A cost below this is none: the character rests [m].
+constexpr float kSettles = 1.0f;     // Who comes no nearer for so long settles [s].
+constexpr double kMovedAside = 0.3;  // Who rests and is farther from its place was moved aside [m].
+constexpr double kPlaceMoved = 0.5;  // A place this far from where it was is another way [m].
+constexpr double
+    kPlaceStands = 0.1;  // A slower place stands; a mesh in a door may tremble by a millimetre [m/s].
+constexpr double kSmoothing = 0.3;    // Of progress [s].
+constexpr double kFileCosine = 0.7;   // Cosine from which two follow each other.
+constexpr double kFileGap = 1.0;      // Gap within which a file follows its head [m].
+constexpr double kAskGap = 0.6;       // Gap within which who is in the way is asked [m].
+constexpr float kAskResting = 0.2f;   // Time after which somebody at rest is asked [s],
+constexpr float kAskWalking = 3.0f;   // and somebody who walks.
+constexpr float kHandOn = 5.0f;       // Who asked in vain for so long is the last for as long [s].
+constexpr float kLends = 0.6f;        // A way is lent for so long [s],
+constexpr float kLendsAtRest = 1.5f;  // by somebody at rest for so long.
+constexpr double kClear = 0.05;       // Kept beside who passes [m].
 
 enum : std::uint8_t { kLeaves, kWalks, kFollows, kMoved, kRests, kLast };
 
