@@ -82,7 +82,8 @@ bool RightOfWay::count(const ClaimInput& input, const Characters& characters, st
     return any;
 }
 
-void RightOfWay::sort(const Characters& now, std::span<const Vec2> leaving, std::span<const Claim> claims) {
+void RightOfWay::sort(const CrowdBodies& bodies, const Characters& now, std::span<const Vec2> leaving,
+                      std::span<const Claim> claims) {
     const std::size_t count = now.size();
     class_.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -98,6 +99,7 @@ void RightOfWay::sort(const Characters& now, std::span<const Vec2> leaving, std:
     }
     const auto before = [&](std::int32_t a, std::int32_t b) {
         if (class_[a] != class_[b]) return class_[a] < class_[b];
+        if (bodies.radius(a) != bodies.radius(b)) return bodies.radius(a) > bodies.radius(b);
         if (claims[a].since != claims[b].since) return claims[a].since < claims[b].since;
         return a < b;
     };
@@ -226,7 +228,7 @@ void RightOfWay::run(const CrowdBodies& bodies, const Environment& environment, 
     const std::size_t count = characters.size();
     own_.resize(count);
     for (std::size_t i = 0; i < count; ++i) own_[i] = topSpeed[i] > 0.0 ? wanted[i] / topSpeed[i] : Vec2{};
-    sort(characters, leaving, claims);
+    sort(bodies, characters, leaving, claims);
     joinFiles(characters, rows, own_);
     lender_.assign(count, {});
     done_.assign(count, 0);

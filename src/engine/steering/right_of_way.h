@@ -54,7 +54,8 @@ private:
         double need = 0.0;     // Others nearer than this are asked in turn [m].
     };
 
-    void sort(const Characters& now, std::span<const Vec2> leaving, std::span<const Claim> claims);
+    void sort(const CrowdBodies& bodies, const Characters& now, std::span<const Vec2> leaving,
+              std::span<const Claim> claims);
     void joinFiles(const Characters& now, const NearRows& rows, std::span<const Vec2> own);
     void askFrom(std::int32_t first, const CrowdBodies& bodies, const Environment& environment,
                  const NearRows& rows, std::span<const double> topSpeed, const Characters& characters,

@@ -1,0 +1,120 @@
+// Who holds its ground is ground to others, who is idle makes room, and large bodies go before small ones.
+#include <doctest.h>
+
+#include "engine/world/scenes.h"
+
+using namespace muster;
+using namespace muster::testing;
+
+namespace {
+
+/// Eight people before a wall of 1 m with doors of 0.8 and 1.2 m, and one who stands in the first of them.
+WorldDef twoDoors(Stance stance) {
+    WorldDef def;
+    def.box = {{-20, -15}, {20, 15}};
+    def.obstacles = {block(-0.5, -15, 0.5, -8.6), block(-0.5, -7.4, 0.5, -0.4), block(-0.5, 0.4, 0.5, 15)};
+    GroupDef group;
+    group.count = 8;
+    group.formation.files = 2;
+    group.position = {-9, 0};
+    def.groups.push_back(group);
+    group.count = 1;
+    group.position = {0, 0};
+    group.conduct.stance = stance;
+    def.groups.push_back(group);
+    return def;
+}
+
+/// Steps until the first group is in its places; seconds, negative where that takes more than `most` [s].
+double play(World& world, double most) {
+    while (world.time() < most) {
+        world.step();
+        const GroupView group = world.group(0);
+        bool there = group.orders.empty();
+        for (const std::int32_t i : group.members) {
+            const std::int32_t place = world.characters().place[i];
+            there = there && place >= 0 &&
+                    distance(world.characters().position[i], group.placeTargets[place]) < 0.5;
+        }
+        if (there) return world.time();
+    }
+    return -1.0;
+}
+
+}  // namespace
+
+TEST_CASE("who finds a door held by another goes through the next, in march and each for itself") {
+    for (const Manner manner : {Manner::March, Manner::Free}) {
+        CAPTURE(static_cast<int>(manner));
+        World world = World::create(twoDoors(Stance::Hold)).value();
+        std::uint32_t n = 0;
+        for (int s = 0; s < 30; ++s) world.step();
+        Order order = Order::move({9, 0});
+        order.manner = manner;
+        REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, order}).ok());
+        world.step();
+        const double seconds = play(world, 60.0);
+        CHECK(seconds > 0.0);
+        CHECK(seconds < (manner == Manner::March ? 20.0 : 32.0));
+        CHECK(distance(world.characters().position[8], Vec2{0, 0}) < 0.3);
+        for (const std::int32_t i : world.group(0).members) CHECK(world.characters().position[i].x > 5.0);
+    }
+}
+
+TEST_CASE("who has come into a door after others were on their way through is gone round, too") {
+    WorldDef def = twoDoors(Stance::Hold);
+    def.groups[0].position = {-15, 0};
+    def.groups[1].position = {0, 3};
+    def.obstacles[2] = block(-0.5, 4, 0.5, 15);
+    def.obstacles[1] = block(-0.5, -7.4, 0.5, 2);
+    World world = World::create(def).value();
+    std::uint32_t n = 0;
+    for (int s = 0; s < 30; ++s) world.step();
+    REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::move({9, 0})}).ok());
+    CHECK(play(world, 90.0) > 0.0);
+}
+
+TEST_CASE("who is idle in a door makes room for all who come, and stands there again") {
+    for (const int wait : {0, 30}) {
+        CAPTURE(wait);
+        World world = World::create(twoDoors(Stance::Normal)).value();
+        std::uint32_t n = 0;
+        for (int s = 0; s < wait; ++s) world.step();
+        REQUIRE(
+            give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::move({9, 0})}).ok());
+        world.step();
+        const double seconds = play(world, 60.0);
+        CHECK(seconds > 0.0);
+        CHECK(seconds < 25.0);
+        for (int s = 0; s < 300; ++s) world.step();
+        CHECK(distance(world.characters().position[8], Vec2{0, 0}) < 0.5);
+    }
+}
+
+TEST_CASE("a body four times as wide as ten others goes through among them in a street") {
+    WorldDef def;
+    def.box = {{-30, -10}, {30, 10}};
+    def.obstacles = {block(-12, 2, 12, 10), block(-12, -10, 12, -2)};
+    GroupDef group;
+    group.count = 10;
+    group.formation.files = 2;
+    group.position = {-18, 0};
+    def.groups.push_back(group);
+    group.count = 1;
+    group.position = {18, 0};
+    group.angle = 3.14159265358979;
+    group.bodies = {Body{.radius = 1.0, .maxSpeed = 1.5}};
+    def.groups.push_back(group);
+    World world = World::create(def).value();
+    std::uint32_t n = 0;
+    for (std::size_t g = 0; g < 2; ++g)
+        REQUIRE(
+            give(world, n,
+                 GiveOrder{world.group(g).id, QueueMode::Replace, 0, Order::move({g == 0 ? 18.0 : -18.0, 0})})
+                .ok());
+    world.step();
+    // Alone the small ones take some 20 s, the large one 26 s.
+    CHECK(play(world, 60.0) < 32.0);
+    while (world.time() < 32.0) world.step();
+    CHECK(distance(world.characters().position[10], Vec2{-18, 0}) < 0.5);
+}
