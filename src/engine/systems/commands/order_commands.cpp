@@ -35,21 +35,16 @@ Vec2 stopOf(const WorldState& state, std::int32_t i) {
     return clear ? stop : c.position[i];
 }
 
-// Places whose holders would have to walk to them come to where these stop. Nothing changes where all have
-// kept up with their places.
+// Places stay where they are now; those whose holders would have to walk to them come to where these stop.
 void placesComeToPeople(WorldState& state, Group& group) {
     std::vector<Vec2> places = group.places.positions();
-    if (hasWeights(state, group)) return;
-    bool moved = false;
+    if (places.empty() || hasWeights(state, group)) return;
     for (const std::int32_t i : group.members) {
         const std::int32_t place = state.characters.place[i];
         if (place < 0 || std::cmp_greater_equal(place, places.size())) continue;
         const Vec2 stop = stopOf(state, i);
-        if (distance(stop, places[place]) <= kArrivedReach) continue;
-        places[place] = stop;
-        moved = true;
+        if (distance(stop, places[place]) > kArrivedReach) places[place] = stop;
     }
-    if (!moved) return;
     group.places.lead(places, state.parameters.stepTime);
     group.flow = {};
     group.flow.ends = group.flow.places = std::move(places);
@@ -67,7 +62,7 @@ void standStill(WorldState& state, Group& group) {
     }
     placesComeToPeople(state, group);
     standWhereItIs(group);
-    group.orders.march.last = group.mesh.pose();
+    if (group.flow.leads()) group.orders.march.last = group.mesh.pose();
 }
 
 Status cancel(WorldState& state, Group& group, std::uint32_t id) {
