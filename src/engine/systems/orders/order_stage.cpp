@@ -173,6 +173,20 @@ Pose OrderStage::endPose(const Group& group) const {
     return facingPose(at, front);
 }
 
+// Begins the way at the mesh. Who stands round a building leaves it on the side of the target.
+void OrderStage::beginWay(WorldState& state, Group& group, std::int32_t region) {
+    March& march = group.orders.march;
+    const Vec2 middle = group.mesh.pose().position;
+    march.way.assign(1, middle);
+    if (region < 0 || march.legs.empty() || state.routesOf(group).region(middle) == region) return;
+    const Vec2 to = march.legs.front();
+    const std::vector<Vec2>& places = group.places.positions();
+    const auto nearest = std::min_element(places.begin(), places.end(), [&](Vec2 a, Vec2 b) {
+        return lengthSquared(a - to) < lengthSquared(b - to);
+    });
+    if (nearest != places.end()) march.way.push_back(*nearest);
+}
+
 // Begins the way from where the mesh is.
 void OrderStage::restart(WorldState& state, Group& group) {
     OrderQueue& queue = group.orders;
@@ -215,7 +229,7 @@ void OrderStage::restart(WorldState& state, Group& group) {
     const std::int32_t region = regionOf(state, group);
     const OrderGoal goal = goalOf(state.routesOf(group), region, extentOf(group).width, order.target);
     listLegs(state.routesOf(group), region, order, goal, march.legs);
-    march.way.assign(1, pose.position);
+    beginWay(state, group, region);
     march.next = 1;
     march.phase = MarchPhase::Search;
 }
