@@ -197,9 +197,10 @@ void RightOfWay::askFrom(std::int32_t first, const CrowdBodies& bodies, const En
                 std::fabs(cross(along, near.towards)) * apart > bodies.touching(a, b) + 0.03)
                 continue;
             const bool resting = claims[b].rests;
-            const float patience = !claims[a].rests && resting ? kAskResting : kAskWalking;
+            const bool lower = resting || class_[b] > class_[a];
+            const float patience = !claims[a].rests && lower ? kAskResting : kAskWalking;
             if (!lends && claim.stuck <= patience) continue;
-            const bool same = !resting && !lends &&
+            const bool same = !resting && !lends && class_[a] == class_[b] &&
                               (characters.group[a] == characters.group[b] ||
                                dot(normalized(own_[b]), along) > 0.5);
             // Who stands in the way beside, the same way, as in an arch, steps back; ahead it takes over the
