@@ -61,6 +61,14 @@ bool EndPlaces::findFit(const EndDef& def, const FreeSpace& space, double farthe
     return false;
 }
 
+// True where nothing but people is between two poses: each place sees where it is in the other.
+bool EndPlaces::isBeside(const EndDef& def, const FreeSpace& space, Vec2 a, Vec2 b) {
+    return std::all_of(def.offsets.begin(), def.offsets.end(), [&](Vec2 offset) {
+        const Vec2 arm = def.pose.rotation.apply(offset);
+        return space.routes().environment().clearStaticLine(a + arm, b + arm, 0.0);
+    });
+}
+
 // True where one comes from each place to every other by clear lines between neighbours.
 bool EndPlaces::isJoined(const FreeSpace& space, double spacing, std::span<const Vec2> ends, Vec2 middle) {
     const Environment& environment = space.routes().environment();
@@ -85,12 +93,15 @@ bool EndPlaces::isJoined(const FreeSpace& space, double spacing, std::span<const
     return queue_.size() == n;
 }
 
-// Where the formation comes to those who have taken its target: the last free point before it.
+// Where the formation comes to those who have taken its target: the last free point before it that no wall
+// parts from it.
 Vec2 EndPlaces::nearSide(const EndDef& def, const FreeSpace& space) const {
     const Vec2 target = def.pose.position, back = normalized(def.from - target);
     const double whole = distance(target, def.from);
+    const Vec2 ground = space.nearest(target);
     for (double s = 0.0; s < whole; s += kPoseStep) {
         const Vec2 p = target + back * s;
+        if (!space.routes().environment().clearStaticLine(ground, p, 0.0)) break;
         if (space.contains(p) && !isTaken(p)) return p;
     }
     return target;
@@ -146,8 +157,12 @@ void EndPlaces::find(const EndDef& def, const FreeSpace& space, double apart, st
                          findFit(def, space, near, false, pose.position);
     EndDef beside = def;
     if (crowded) {
+        const Vec2 there = pose.position;
         beside.pose.position = pose.position = nearSide(def, space);
-        fits = findFit(beside, space, kFarthestBeside * def.reach + kPoseStep, true, pose.position);
+        fits = findFit(beside, space, kFarthestBeside * def.reach + kPoseStep, true, pose.position) &&
+               isBeside(def, space, there, pose.position);
+        // Else it gathers round them.
+        if (!fits) beside.pose.position = pose.position = there;
     }
     std::size_t inWalls = 0;
     for (std::size_t i = 0; i < n; ++i) {

@@ -34,6 +34,7 @@ private:
     bool isTaken(Vec2 p) const;
     bool fits(const EndDef& def, const FreeSpace& space, Vec2 at, bool beside) const;
     bool findFit(const EndDef& def, const FreeSpace& space, double farthest, bool beside, Vec2& at) const;
+    static bool isBeside(const EndDef& def, const FreeSpace& space, Vec2 a, Vec2 b);
     bool isJoined(const FreeSpace& space, double spacing, std::span<const Vec2> ends, Vec2 middle);
     Vec2 nearSide(const EndDef& def, const FreeSpace& space) const;
     bool isNearLast(Vec2 p, double distance) const;
