@@ -45,8 +45,9 @@ OrderGoal goalOf(RouteGraph& routes, std::int32_t region, double width, Vec2 tar
     const std::int32_t at = routes.region(target);
     if (at == region) return {target, target, true};
     const Vec2 nearest = routes.nearestReachable(target, region);
-    // On a tree, say, a formation stands round it.
-    if (at < 0 && distance(nearest, target) <= std::max(kNearTarget, width) &&
+    // On a tree, say, a formation stands round it; ground is known by the centres of cells.
+    const double cell = routes.environment().grid().cell;
+    if (at < 0 && distance(nearest, target) <= std::max(kNearTarget, width + cell) &&
         routes.region(routes.nearestReachable(target, -1)) == region)
         return {nearest, target, true};
     return {nearest, nearest, false};
