@@ -1,6 +1,8 @@
 // Who holds its ground is ground to others, who is idle makes room, and large bodies go before small ones.
 #include <doctest.h>
 
+#include <cmath>
+
 #include "engine/world/scenes.h"
 
 using namespace muster;
@@ -117,4 +119,56 @@ TEST_CASE("a body four times as wide as ten others goes through among them in a 
     CHECK(play(world, 60.0) < 32.0);
     while (world.time() < 32.0) world.step();
     CHECK(distance(world.characters().position[10], Vec2{-18, 0}) < 0.5);
+}
+
+TEST_CASE("who is ordered into a court where others stand gathers round them within it") {
+    WorldDef def;
+    def.box = {{-14, -8}, {9, 8}};
+    def.obstacles = {block(-0.5, -8, 0, -0.8), block(-0.5, 0.8, 0, 8), block(0, 4, 9, 8), block(0, -8, 9, -4),
+                     block(8, -4, 9, 4)};
+    GroupDef group;
+    group.count = 16;
+    group.position = {-9, 0};
+    def.groups.push_back(group);
+    group.position = {4, 0};
+    def.groups.push_back(group);
+    World world = World::create(def).value();
+    std::uint32_t n = 0;
+    REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::move({4, 0})}).ok());
+    world.step();
+    CHECK(play(world, 40.0) > 0.0);
+    for (const std::int32_t i : world.group(0).members) CHECK(world.characters().position[i].x > 0.0);
+}
+
+TEST_CASE("a ring that only just fits stands round a tower; one that does not fit is told so") {
+    for (const double spacing : {2.6, 1.6}) {
+        CAPTURE(spacing);
+        WorldDef def;
+        def.box = {{-20, -12}, {12, 12}};
+        def.obstacles = {tree({5, 0}, 2.0)};
+        GroupDef group;
+        group.count = 6;
+        group.position = {-12, 0};
+        def.groups.push_back(group);
+        World world = World::create(def).value();
+        std::uint32_t n = 0;
+        Order order = Order::move({5, 0});
+        order.formation = FormationDef{};
+        order.formation->kind = FormationKind::Ring;
+        order.formation->spacing = spacing;
+        REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, order}).ok());
+        int done = 0, skipped = 0;
+        for (int s = 0; s < 30 * 60; ++s) {
+            world.step();
+            for (const Event& event : world.events()) {
+                done += event.kind == EventKind::OrderDone ? 1 : 0;
+                skipped += event.kind == EventKind::OrderSkipped ? 1 : 0;
+            }
+        }
+        CHECK(done == (spacing > 2.0 ? 1 : 0));
+        CHECK(skipped == (spacing > 2.0 ? 0 : 1));
+        if (done == 0) continue;
+        for (const std::int32_t i : world.group(0).members)
+            CHECK(std::fabs(distance(world.characters().position[i], Vec2{5, 0}) - 2.6) < 0.3);
+    }
 }
