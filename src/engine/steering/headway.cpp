@@ -6,7 +6,7 @@
 namespace muster {
 namespace {
 
-constexpr double kContactTime = 0.1;  // Time within which two who meet share what closes their gap [s].
+constexpr double kFree = 0.6;         // Share of its top speed from which who meets takes its whole share.
 constexpr double kToTheRight = 0.25;  // Tangent by which who meet pass each other on the right.
 constexpr double kForesight = 1.0;    // Time for which who meet keep clear of each other [s].
 constexpr double kInFront = 0.5;      // Of two who go the same way one is ahead from twice this cosine.
@@ -30,12 +30,6 @@ struct Apart {
     Vec2 between, towards;  // From the first to the other [m], and as a unit vector.
     double distance;        // Of their centres [m].
     double touching;        // The same where they touch [m].
-};
-
-// A limit on the closing velocity of two: n.v <= most.
-struct Tangent {
-    Vec2 towards;
-    double most;
 };
 
 // The half-plane of closing velocities nearest to `closing` that keeps two clear of each other for the time
@@ -65,10 +59,21 @@ void Headway::follow(std::int32_t back, std::int32_t front, Vec2 towards, double
         limits_.push_back({back, front, towards, most, 1.0, inStep_});
 }
 
-void Headway::share(const CrowdBodies& bodies, NeighbourPair pair, Vec2 towards, double most,
+void Headway::share(NeighbourPair pair, double share, const Tangent& tangent,
                     std::span<const Vec2> velocity) {
-    if (dot(velocity[pair.low] - velocity[pair.high], towards) > most - kSlack)
-        limits_.push_back({pair.low, pair.high, towards, most, bodies.share(pair.low, pair.high), -1.0});
+    if (dot(velocity[pair.low] - velocity[pair.high], tangent.towards) > tangent.most - kSlack)
+        limits_.push_back({pair.low, pair.high, tangent.towards, tangent.most, share, -1.0});
+}
+
+// The share of the first of two who meet: the less the one with the right of way gets on, the more the other
+// one takes.
+double Headway::shareOf(const CrowdBodies& bodies, NeighbourPair pair, const HeadwayInput& input) {
+    if (input.right == nullptr) return bodies.share(pair.low, pair.high);
+    const bool lowFirst = input.right->precedes(pair.low, pair.high);
+    const std::int32_t first = lowFirst ? pair.low : pair.high, other = lowFirst ? pair.high : pair.low;
+    const double free = std::clamp(static_cast<double>(input.claims[first].progress) / kFree, 0.0, 1.0);
+    const double own = free * bodies.share(first, other);
+    return lowFirst ? own : 1.0 - own;
 }
 
 void Headway::addPair(const CrowdBodies& bodies, const Characters& now, NeighbourPair pair,
@@ -86,30 +91,23 @@ void Headway::addPair(const CrowdBodies& bodies, const Characters& now, Neighbou
     if (fixedA && fixedB) return;
     if (fixedA || bodies.isFirmer(a, b)) return follow(b, a, -towards, gap, input.dt, velocity);
     if (fixedB || bodies.isFirmer(b, a)) return follow(a, b, towards, gap, input.dt, velocity);
-    const bool meet = differ(input.wanted[a], input.wanted[b]);
-    bool aFirst = meet && input.right != nullptr && input.right->precedes(a, b);
-    if (!meet) {
-        const double topA = std::max(input.topSpeed[a], 1e-9), topB = std::max(input.topSpeed[b], 1e-9);
-        const double lead = dot(towards, input.wanted[a] / topA + input.wanted[b] / topB);
-        // Nobody pushes one ahead that does not get on.
-        if (lead > kInFront && !getsOn(input.claims[b]))
-            return follow(a, b, towards, gap, input.dt, velocity);
-        if (lead < -kInFront && !getsOn(input.claims[a]))
-            return follow(b, a, -towards, gap, input.dt, velocity);
-        aFirst = std::fabs(lead) > kInFront ? lead < 0.0 : now.cost[a] <= now.cost[b];
-    }
-    if (input.claims[aFirst ? a : b].stuck == 0.0f) {
+    if (differ(input.wanted[a], input.wanted[b])) {
         const Tangent tangent = tangentOf({between, towards, apart, touching}, velocity[a] - velocity[b],
-                                          meet ? kForesight : headway_, input.dt);
-        return share(bodies, pair, tangent.towards, tangent.most, velocity);
+                                          kForesight, input.dt);
+        return share(pair, shareOf(bodies, pair, input), tangent, velocity);
     }
-    if (!meet)
+    const double topA = std::max(input.topSpeed[a], 1e-9), topB = std::max(input.topSpeed[b], 1e-9);
+    const double lead = dot(towards, input.wanted[a] / topA + input.wanted[b] / topB);
+    const bool inFront = std::fabs(lead) > kInFront;
+    const bool aFirst = inFront ? lead < 0.0 : now.cost[a] <= now.cost[b];
+    // Nobody pushes one ahead that does not get on.
+    const Claim& first = input.claims[aFirst ? a : b];
+    if (inFront ? !getsOn(first) : first.stuck > 0.0f)
         return aFirst ? follow(b, a, -towards, gap, input.dt, velocity)
                       : follow(a, b, towards, gap, input.dt, velocity);
-    // Whoever has no right of way is backed out before one that does not get on.
-    const Vec2 aside = gap > 0.02 ? normalized(towards + perpendicular(towards) * kToTheRight) : towards;
-    aFirst ? follow(b, a, -aside, gap, input.dt, velocity) : follow(a, b, aside, gap, input.dt, velocity);
-    share(bodies, pair, towards, gapSpeed(gap, kContactTime, input.dt), velocity);
+    const Tangent tangent = tangentOf({between, towards, apart, touching}, velocity[a] - velocity[b],
+                                      headway_, input.dt);
+    share(pair, bodies.share(a, b), tangent, velocity);
 }
 
 // Pieces are listed in no certain order: the limits of a character are sorted.

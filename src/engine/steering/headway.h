@@ -24,6 +24,12 @@ struct HeadwayInput {
     double dt = 1.0 / 60.0;             ///< Length of the step [s].
 };
 
+/// A limit on the closing velocity of two: n.v <= most.
+struct Tangent {
+    Vec2 towards;       ///< The unit vector n.
+    double most = 0.0;  ///< [m/s]
+};
+
 /// Finds the velocities nearest to given ones that keep everybody's headway: projected Gauss-Seidel over
 /// linear constraints, in the order of pairs.
 class Headway {
@@ -45,8 +51,8 @@ private:
 
     void follow(std::int32_t back, std::int32_t front, Vec2 towards, double gap, double dt,
                 std::span<const Vec2> velocity);
-    void share(const CrowdBodies& bodies, NeighbourPair pair, Vec2 towards, double most,
-               std::span<const Vec2> velocity);
+    void share(NeighbourPair pair, double share, const Tangent& tangent, std::span<const Vec2> velocity);
+    static double shareOf(const CrowdBodies& bodies, NeighbourPair pair, const HeadwayInput& input);
     void addPair(const CrowdBodies& bodies, const Characters& now, NeighbourPair pair,
                  const HeadwayInput& input, std::span<const Vec2> velocity);
     void addWalls(const CrowdBodies& bodies, const Characters& now, const Environment& environment,

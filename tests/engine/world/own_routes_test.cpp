@@ -1,7 +1,7 @@
 // Who camps follows a route of its own until it has arrived.
 #include <doctest.h>
 
-#include "engine/world/dragged_scenes.h"
+#include "engine/world/scenes.h"
 #include "engine/world/world_engine.h"
 
 using namespace muster;
@@ -13,21 +13,33 @@ std::vector<OwnRoute>& routesOf(const World& world) {
     return WorldAccess::of(world).state.ownRoutes;
 }
 
-// A scene in which rasters mislead somebody, up to the first step in which somebody has a route.
-World untilSomebodyCamps(DraggedScene& scene) {
-    World world = World::create(scene.def()).value();
-    while (routesOf(world).empty() && world.time() < DraggedScene::end() + 30.0) {
-        scene.act(world);
-        world.step();
-    }
+// Eight before a door for one in which somebody stands who holds its ground, and another door farther off: up
+// to the first step in which one of them has a route.
+World untilSomebodyCamps() {
+    WorldDef def;
+    def.box = {{-20, -15}, {20, 15}};
+    def.obstacles = {block(-0.5, -15, 0.5, -8.6), block(-0.5, -7.4, 0.5, -0.4), block(-0.5, 0.4, 0.5, 15)};
+    GroupDef group;
+    group.count = 8;
+    group.position = {-9, 0};
+    def.groups.push_back(group);
+    group.count = 1;
+    group.position = {0, 0};
+    group.conduct.stance = Stance::Hold;
+    def.groups.push_back(group);
+    World world = World::create(def).value();
+    std::uint32_t n = 0;
+    Order order = Order::move({9, 0});
+    order.manner = Manner::Free;
+    REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, order}).ok());
+    while (routesOf(world).empty() && world.time() < 30.0) world.step();
     return world;
 }
 
 }  // namespace
 
 TEST_CASE("routes lead to the places of those who camp, along the exact ground") {
-    DraggedScene scene(SceneFamily::Dense, 102);
-    World world = untilSomebodyCamps(scene);
+    World world = untilSomebodyCamps();
     REQUIRE(!routesOf(world).empty());
     WorldState& state = WorldAccess::of(world).state;
     for (int s = 0; s < 600; ++s) {
@@ -41,7 +53,7 @@ TEST_CASE("routes lead to the places of those who camp, along the exact ground")
             CHECK(distance(route.goal, state.groups[0].places.positions()[route.place]) < 1.0);
             for (std::size_t k = 1; k < route.path.size(); ++k)
                 CHECK(state.environment.clearLine(route.path[k - 1], route.path[k],
-                                                  state.routes.ground().radius() - 1e-6));
+                                                  state.routesOf(state.groups[0]).ground().radius() - 1e-6));
             CHECK(route.cost <=
                   doctest::Approx(pathLength(route.path) +
                                   distance(state.characters.position[i], route.path.front()) + 2.0 / 30));
@@ -50,19 +62,16 @@ TEST_CASE("routes lead to the places of those who camp, along the exact ground")
 }
 
 TEST_CASE("a route ends once its character stays at its place") {
-    DraggedScene scene(SceneFamily::Dense, 102);
-    World world = untilSomebodyCamps(scene);
+    World world = untilSomebodyCamps();
     REQUIRE(!routesOf(world).empty());
-    for (int s = 0; s < 60 * 30 && !routesOf(world).empty(); ++s) {
-        scene.act(world);
+    for (int s = 0; s < 60 * 90 && !routesOf(world).empty(); ++s) {
         world.step();
     }
     CHECK(routesOf(world).empty());
 }
 
 TEST_CASE("a world in which somebody follows a route is restored bit for bit") {
-    DraggedScene scene(SceneFamily::Dense, 102);
-    World world = untilSomebodyCamps(scene);
+    World world = untilSomebodyCamps();
     REQUIRE(!routesOf(world).empty());
     World copy = World::restore(world.snapshot()).value();
     CHECK(routesOf(copy).size() == routesOf(world).size());
@@ -74,8 +83,7 @@ TEST_CASE("a world in which somebody follows a route is restored bit for bit") {
 }
 
 TEST_CASE("a snapshot with routes out of order is refused") {
-    DraggedScene scene(SceneFamily::Dense, 102);
-    World world = untilSomebodyCamps(scene);
+    World world = untilSomebodyCamps();
     REQUIRE(!routesOf(world).empty());
     routesOf(world).push_back(routesOf(world).front());
     CHECK(!World::restore(world.snapshot()).ok());
