@@ -129,8 +129,7 @@ bool areSpots(const std::vector<HeldSpot>& held) {
 bool isSane(const WayNeeds& needs) {
     const auto isSize = [](double x) { return x >= 0.0 && x <= 1e9; };
     return std::all_of(needs.half.begin(), needs.half.end(), isSize) && isSize(needs.margin) &&
-           isSize(needs.least) && needs.radius > 0.0 && needs.radius <= 1e3 &&
-           areSpots(needs.held);
+           isSize(needs.least) && needs.radius > 0.0 && needs.radius <= 1e3 && areSpots(needs.held);
 }
 
 bool isSane(const MarchFlow& flow) {
