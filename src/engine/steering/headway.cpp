@@ -59,10 +59,9 @@ void Headway::follow(std::int32_t back, std::int32_t front, Vec2 towards, double
         limits_.push_back({back, front, towards, most, 1.0, inStep_});
 }
 
-void Headway::share(NeighbourPair pair, double share, const Tangent& tangent,
-                    std::span<const Vec2> velocity) {
+void Headway::share(NeighbourPair pair, double own, const Tangent& tangent, std::span<const Vec2> velocity) {
     if (dot(velocity[pair.low] - velocity[pair.high], tangent.towards) > tangent.most - kSlack)
-        limits_.push_back({pair.low, pair.high, tangent.towards, tangent.most, share, -1.0});
+        limits_.push_back({pair.low, pair.high, tangent.towards, tangent.most, own, -1.0});
 }
 
 // The share of the first of two who meet: the less the one with the right of way gets on, the more the other

@@ -51,7 +51,7 @@ private:
 
     void follow(std::int32_t back, std::int32_t front, Vec2 towards, double gap, double dt,
                 std::span<const Vec2> velocity);
-    void share(NeighbourPair pair, double share, const Tangent& tangent, std::span<const Vec2> velocity);
+    void share(NeighbourPair pair, double own, const Tangent& tangent, std::span<const Vec2> velocity);
     static double shareOf(const CrowdBodies& bodies, NeighbourPair pair, const HeadwayInput& input);
     void addPair(const CrowdBodies& bodies, const Characters& now, NeighbourPair pair,
                  const HeadwayInput& input, std::span<const Vec2> velocity);
