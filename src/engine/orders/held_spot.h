@@ -31,7 +31,7 @@ inline bool clearOf(std::span<const HeldSpot> held, Vec2 a, Vec2 b, double radiu
 }
 
 /// The room at `p`, which is `clearance` without those who hold [m].
-inline double roomBeside(std::span<const HeldSpot> held, Vec2 p, double clearance) {
+inline double clearanceBeside(std::span<const HeldSpot> held, Vec2 p, double clearance) {
     for (const HeldSpot& spot : held)
         clearance = std::min(clearance, distance(p, spot.position) - spot.radius);
     return clearance;

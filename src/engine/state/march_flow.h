@@ -44,6 +44,12 @@ struct MarchFlow {
     bool moves() const { return phase == FlowPhase::Planning || phase == FlowPhase::Flowing; }
     /// The mesh leads again.
     void end() { phase = FlowPhase::None; }
+    /// The places stand at their ends.
+    void standAtEnds() {
+        places = ends;
+        q = 1.0;
+        phase = FlowPhase::Standing;
+    }
     /// What it is planned from.
     StreamDef def() const { return {offsets, starts, ends, way, spacing, radius, 1.0, drawn}; }
 

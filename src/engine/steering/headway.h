@@ -1,6 +1,7 @@
 // Ordered headway: the one rule by which characters keep clear of each other and of obstacles
-// (docs/method/right-of-way.md). Of two who go the same way the one behind keeps its headway to the one ahead
-// (Tordeux et al. 2016); others share what keeps them clear, until the one with the right of way is blocked.
+// (docs/method/right-of-way.md). Two share what keeps them clear: of two who meet, the one with the right of
+// way takes the less of it the less it gets on; behind one ahead that does not get on the other one keeps its
+// headway (Tordeux et al. 2016).
 #pragma once
 
 #include <cstdint>

@@ -13,21 +13,9 @@ std::vector<OwnRoute>& routesOf(const World& world) {
     return WorldAccess::of(world).state.ownRoutes;
 }
 
-// Eight before a door for one in which somebody stands who holds its ground, and another door farther off: up
-// to the first step in which one of them has a route.
+// Up to the first step in which somebody has a route of its own, since the next door is held.
 World untilSomebodyCamps() {
-    WorldDef def;
-    def.box = {{-20, -15}, {20, 15}};
-    def.obstacles = {block(-0.5, -15, 0.5, -8.6), block(-0.5, -7.4, 0.5, -0.4), block(-0.5, 0.4, 0.5, 15)};
-    GroupDef group;
-    group.count = 8;
-    group.position = {-9, 0};
-    def.groups.push_back(group);
-    group.count = 1;
-    group.position = {0, 0};
-    group.conduct.stance = Stance::Hold;
-    def.groups.push_back(group);
-    World world = World::create(def).value();
+    World world = World::create(twoDoors(Stance::Hold)).value();
     std::uint32_t n = 0;
     Order order = Order::move({9, 0});
     order.manner = Manner::Free;
@@ -64,9 +52,7 @@ TEST_CASE("routes lead to the places of those who camp, along the exact ground")
 TEST_CASE("a route ends once its character stays at its place") {
     World world = untilSomebodyCamps();
     REQUIRE(!routesOf(world).empty());
-    for (int s = 0; s < 60 * 90 && !routesOf(world).empty(); ++s) {
-        world.step();
-    }
+    for (int s = 0; s < 60 * 90 && !routesOf(world).empty(); ++s) world.step();
     CHECK(routesOf(world).empty());
 }
 

@@ -125,4 +125,21 @@ private:
     std::array<Vec2, 4> positions_{};
 };
 
+/// Eight people before a wall of 1 m with doors of 0.8 and 1.2 m, and one who stands in the first of them.
+inline WorldDef twoDoors(Stance stance) {
+    WorldDef def;
+    def.box = {{-20, -15}, {20, 15}};
+    def.obstacles = {block(-0.5, -15, 0.5, -8.6), block(-0.5, -7.4, 0.5, -0.4), block(-0.5, 0.4, 0.5, 15)};
+    GroupDef group;
+    group.count = 8;
+    group.formation.files = 2;
+    group.position = {-9, 0};
+    def.groups.push_back(group);
+    group.count = 1;
+    group.position = {0, 0};
+    group.conduct.stance = stance;
+    def.groups.push_back(group);
+    return def;
+}
+
 }  // namespace muster::testing

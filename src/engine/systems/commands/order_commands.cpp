@@ -47,9 +47,8 @@ void placesComeToPeople(WorldState& state, Group& group) {
     }
     group.places.lead(places, state.parameters.stepTime);
     group.flow = {};
-    group.flow.ends = group.flow.places = std::move(places);
-    group.flow.q = 1.0;
-    group.flow.phase = FlowPhase::Standing;
+    group.flow.ends = std::move(places);
+    group.flow.standAtEnds();
     group.flow.version = group.formationVersion;
     group.flow.ground = state.groundEdits;
 }

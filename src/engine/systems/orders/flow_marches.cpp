@@ -110,10 +110,9 @@ bool FlowMarches::findEnds(WorldState& state, Group& group, const Pose& end) {
 void FlowMarches::stand(WorldState& state, Group& group) {
     MarchFlow& flow = group.flow;
     if (!findEnds(state, group, group.mesh.pose())) return;
-    flow.places = flow.starts = flow.ends;
+    flow.starts = flow.ends;
     flow.way.clear();
-    flow.q = 1.0;
-    flow.phase = FlowPhase::Standing;
+    flow.standAtEnds();
     group.mesh.setPose(flow.to);
 }
 
@@ -139,9 +138,7 @@ void FlowMarches::settle(WorldState& state, Group& group) {
     ends.pose.position = middle;
     ends.moves = false;
     layOut(state, group, ends);
-    flow.places = flow.ends;
-    flow.q = 1.0;
-    flow.phase = FlowPhase::Standing;
+    flow.standAtEnds();
     group.orders.march.last = group.mesh.pose();
 }
 
@@ -166,7 +163,7 @@ void FlowMarches::start(WorldState& state, Group& group, const Pose& end, std::s
 
 bool FlowMarches::advance(WorldState& state, const WayGround& ground, Group& group, const MarchDef& def) {
     MarchFlow& flow = group.flow;
-    const auto room = [&](Vec2 p) { return roomBeside(flow.held, p, ground.clearanceAt(p)); };
+    const auto room = [&](Vec2 p) { return clearanceBeside(flow.held, p, ground.clearanceAt(p)); };
     // After a restore the plan is made again up to where it was.
     if (flow.stream.places() == 0 && flow.moves()) {
         flow.stream.start(flow.def());

@@ -134,16 +134,16 @@ bool OwnRoutes::search(WorldState& state, std::int32_t i, OwnRoute& route) {
     route.place = state.characters.place[i];
     route.goal = placeOf(state, i);
     closeHeld(state, i);
-    RouteStatus status = RouteStatus::Unreachable;
-    // Where those who hold their ground leave no way, the character waits for one before them.
-    for (bool held = !closed_.empty(); status != RouteStatus::Found; held = false) {
-        search_.start(graph, from, route.goal, held ? closed_ : std::span<const ClosedLine>(),
-                      !state.environment.movingObstacleAreas().empty());
+    const auto find = [&](std::span<const ClosedLine> closed) {
+        search_.start(graph, from, route.goal, closed, !state.environment.movingObstacleAreas().empty());
         std::int64_t whole = std::numeric_limits<std::int64_t>::max();
-        status = search_.advance(graph, whole);
+        const RouteStatus status = search_.advance(graph, whole);
         budget_ -= search_.work() + 1;
-        if (!held) break;
-    }
+        return status;
+    };
+    RouteStatus status = find(closed_);
+    // Where those who hold their ground leave no way, the character waits for one before them.
+    if (status != RouteStatus::Found && !closed_.empty()) status = find({});
     if (status != RouteStatus::Found || search_.path().size() < 2) return false;
     route.path.assign(search_.path().begin() + 1, search_.path().end());
     return true;
