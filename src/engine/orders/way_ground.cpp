@@ -50,7 +50,7 @@ void WayGround::roomOf(std::span<const float> near) {
                 for (std::int32_t fx = x * factor_; fx < x1; ++fx)
                     if (near[fine_.index({fx, fy})] > near[best]) best = fine_.index({fx, fy});
             const std::int32_t cell = grid_.index({x, y});
-            point_[cell] = best;
+            point_[cell] = fine_.centre(fine_.at(best));
             clearance_[cell] = near[best];
         }
 }

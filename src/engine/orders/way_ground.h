@@ -19,7 +19,7 @@ public:
     const Environment& environment() const { return *environment_; }  ///< Of the last update.
     const Grid& grid() const { return grid_; }                        ///< Coarse cells.
     /// Where somebody in the cell has most room [m].
-    Vec2 point(std::int32_t cell) const { return fine_.centre(fine_.at(point_[cell])); }
+    Vec2 point(std::int32_t cell) const { return point_[cell]; }
     double clearance(std::int32_t cell) const { return clearance_[cell]; }  ///< At that point [m].
     /// Distance from `p` to what stands still or the edge of the world [m]; 0 or less inside.
     double clearanceAt(Vec2 p) const;
@@ -32,7 +32,7 @@ private:
     std::uint64_t instance_ = 0, version_ = 0;
     Grid fine_, grid_;
     std::int32_t factor_ = 1;          // Fine cells along the edge of a coarse one.
-    std::vector<std::int32_t> point_;  // Fine cell with most room, per coarse cell.
+    std::vector<Vec2> point_;          // Centre of the fine cell with most room, per coarse cell [m].
     std::vector<float> clearance_;     // There [m].
     std::vector<float> distance_;      // From the centre of a coarse cell [m].
 };

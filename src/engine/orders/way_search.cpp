@@ -177,32 +177,29 @@ void WaySearch::reach(std::int32_t cell, std::int32_t from, double cost, double 
     std::push_heap(open_.begin(), open_.end());
 }
 
-// A step between the points of neighbouring cells: clear where their discs overlap, else by exact geometry.
-double WaySearch::stepCost(const WayGround& ground, std::int32_t a, std::int32_t b, double halfWidth) const {
-    const double room = std::min(ground.clearance(a), ground.clearance(b));
-    const Vec2 p = ground.point(a), q = ground.point(b);
-    const double step = distance(p, q);
-    const double radius = query_.needs.radius;
-    if (room < radius) return kInfinite;
-    if (ground.clearance(a) + ground.clearance(b) < step + 2.0 * radius + 0.5 * ground.grid().cell &&
-        !ground.environment().clearStaticLine(p, q, radius))
-        return kInfinite;
-    if (!clearOf(query_.needs.held, p, q, radius)) return kInfinite;
-    return step * query_.needs.cost(room, halfWidth);
-}
-
+// A step between the points of neighbouring cells is clear where their discs overlap, else by exact geometry,
+// which is asked last because it is dear.
 void WaySearch::expand(const WayGround& ground, std::int32_t cell) {
     const Grid& grid = ground.grid();
+    const WayNeeds& needs = query_.needs;
     const Cell at = grid.at(cell);
-    const Vec2 goal = ground.point(goal_);
+    const Vec2 here = ground.point(cell), goal = ground.point(goal_);
+    const double own = ground.clearance(cell), overlap = 2.0 * needs.radius + 0.5 * grid.cell;
     for (std::size_t k = 0; k < kSteps.size(); ++k) {
         const Cell next{at.x + kSteps[k].x, at.y + kSteps[k].y};
         if (!grid.contains(next)) continue;
         const std::int32_t to = grid.index(next);
-        if (seen_[to] == mark_ && closed_[to] != 0) continue;
-        const double half = query_.needs.half[2 * (k % 4)];
-        const double cost = cost_[cell] + stepCost(ground, cell, to, half);
-        if (cost < kInfinite) reach(to, cell, cost, cost + distance(ground.point(to), goal));
+        const bool seen = seen_[to] == mark_;
+        if (seen && closed_[to] != 0) continue;
+        const double room = ground.clearance(to);
+        if (std::min(own, room) < needs.radius) continue;
+        const Vec2 there = ground.point(to);
+        const double step = distance(here, there);
+        const double cost = cost_[cell] + step * needs.cost(std::min(own, room), needs.half[2 * (k % 4)]);
+        if (seen && cost >= cost_[to]) continue;
+        if (own + room < step + overlap && !ground.environment().clearStaticLine(here, there, needs.radius))
+            continue;
+        if (clearOf(needs.held, here, there, needs.radius)) reach(to, cell, cost, cost + distance(there, goal));
     }
 }
 

@@ -42,7 +42,6 @@ private:
     std::int32_t cellNear(const WayGround& ground, Vec2 p) const;
     void reach(std::int32_t cell, std::int32_t from, double cost, double estimate);
     void expand(const WayGround& ground, std::int32_t cell);
-    double stepCost(const WayGround& ground, std::int32_t a, std::int32_t b, double halfWidth) const;
     void trace(const WayGround& ground);
 
     WayQuery query_;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <bit>
 
 #include "base/bilinear.h"
 #include "base/maths.h"
@@ -28,6 +28,7 @@ DensityField::DensityField(const Box& box, const Parameters::Density& def)
     velocityX_.assign(count, 0.0f);
     velocityY_.assign(count, 0.0f);
     occupied_.reserve(count);
+    touched_.assign((count + 63) / 64, 0);
 }
 
 inline DensityField::SplatStencil DensityField::splatStencil(Vec2 position) const {
@@ -59,6 +60,7 @@ inline void DensityField::add(const SplatStencil& stencil, Vec2 velocity) {
         if (!(share > 0.0f)) continue;
         // These hold the momentum until splat() divides it by the density.
         density_[cells[k]] += share;
+        touched_[cells[k] / 64] |= std::uint64_t{1} << (cells[k] % 64);
         velocityX_[cells[k]] += share * vx;
         velocityY_[cells[k]] += share * vy;
     }
@@ -71,46 +73,24 @@ void DensityField::splat(std::span<const Vec2> positions, std::span<const Vec2> 
         velocityX_[cell] = 0.0f;
         velocityY_[cell] = 0.0f;
     }
-    constexpr std::int32_t kFar = std::numeric_limits<std::int32_t>::max();
     const Box box = grid_.box();  // Positions in it are finite.
-    Cell first{kFar, kFar};
-    Cell last{-1, -1};
-    for (std::size_t k = 0; k < positions.size(); ++k) {
-        if (!box.contains(positions[k]) || !isFinite(velocities[k])) continue;
-        const SplatStencil stencil = splatStencil(positions[k]);
-        first = {std::min(first.x, stencil.low.x), std::min(first.y, stencil.low.y)};
-        last = {std::max(last.x, stencil.low.x), std::max(last.y, stencil.low.y)};
-        add(stencil, velocities[k]);
-    }
-    listOccupied(first, last, positions);
+    for (std::size_t k = 0; k < positions.size(); ++k)
+        if (box.contains(positions[k]) && isFinite(velocities[k])) add(splatStencil(positions[k]), velocities[k]);
+    listOccupied();
     for (const std::int32_t cell : occupied_) {
         velocityX_[cell] /= density_[cell];
         velocityY_[cell] /= density_[cell];
     }
 }
 
-// Lists the occupied cells in ascending order: by scanning the bounding rectangle of all stencils, or by
-// sorting where that rectangle is much larger than the crowd.
-void DensityField::listOccupied(Cell first, Cell last, std::span<const Vec2> positions) {
+// Lists the occupied cells in ascending order.
+void DensityField::listOccupied() {
     occupied_.clear();
-    if (first.x > last.x) return;  // No character was splatted.
-    const Cell low{std::max(first.x, 0), std::max(first.y, 0)};
-    const Cell high{std::min(last.x + 1, grid_.width - 1), std::min(last.y + 1, grid_.height - 1)};
-    const auto list = [&](std::int32_t cell) {
-        if (density_[cell] > 0.0f) occupied_.push_back(cell);
-    };
-    if ((high.x - low.x + 1.0) * (high.y - low.y + 1.0) <= 16.0 * static_cast<double>(positions.size())) {
-        for (std::int32_t y = low.y; y <= high.y; ++y)
-            for (std::int32_t x = low.x; x <= high.x; ++x) list(grid_.index({x, y}));
-        return;
+    for (std::size_t word = 0; word < touched_.size(); ++word) {
+        for (std::uint64_t bits = touched_[word]; bits != 0; bits &= bits - 1)
+            occupied_.push_back(static_cast<std::int32_t>(64 * word) + std::countr_zero(bits));
+        touched_[word] = 0;
     }
-    const Box box = grid_.box();
-    for (const Vec2 p : positions) {
-        if (!box.contains(p)) continue;
-        for (const std::int32_t cell : cellsOf(splatStencil(p).low)) list(cell);
-    }
-    std::sort(occupied_.begin(), occupied_.end());
-    occupied_.erase(std::unique(occupied_.begin(), occupied_.end()), occupied_.end());
 }
 
 float DensityField::densityAt(Vec2 p) const {

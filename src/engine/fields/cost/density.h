@@ -48,7 +48,7 @@ private:
     SplatStencil splatStencil(Vec2 position) const;
     std::array<std::int32_t, 4> cellsOf(Cell lowerLeft) const;
     void add(const SplatStencil& stencil, Vec2 velocity);
-    void listOccupied(Cell first, Cell last, std::span<const Vec2> positions);
+    void listOccupied();
 
     Parameters::Density def_;
     Grid grid_;
@@ -56,6 +56,7 @@ private:
     std::vector<float> velocityX_;
     std::vector<float> velocityY_;
     std::vector<std::int32_t> occupied_;
+    std::vector<std::uint64_t> touched_;  // A bit per cell: it got a share since it was listed.
 };
 
 }  // namespace muster

@@ -88,10 +88,12 @@ CostEstimate Geodesics::Impl::estimateByFields(const CostQuery& q) const {
     return guess(q);
 }
 
-// Over long distances far fields are cheaper to read than a line of sight, and tell the same where there is
-// one. The dynamic cost is left out there.
+// Over long distances a large crowd reads far fields, which is cheaper than a line of sight and tells the same.
+// A small one looks first, since a field costs more than all its lines of sight. The dynamic cost is left out.
 std::optional<CostEstimate> Geodesics::Impl::byDistantFields(const CostQuery& q) const {
     if (q.line < (ground->hasWideCoarse() ? kFarDistanceInBox : kFarDistance) || ground->open()) return {};
+    if (places.size() < kFewPlaces && ground->lineOfSight(q.from, q.to, q.line))
+        return CostEstimate{ground->unitCost(q.to) * q.line, CostSource::LineOfSight};
     farRequests.add(q.place);
     const double cost = farCost(q);
     if (!(cost < kInfiniteCost)) return {};

@@ -12,7 +12,6 @@ namespace {
 
 constexpr std::int32_t kFineHalfWidth = 16;    // Of local fields on the ground cells [cells].
 constexpr std::int32_t kMiddleHalfWidth = 18;  // Of local fields on cells twice as wide [cells].
-constexpr std::size_t kFewPlaces = 500;        // Below, one field is solved in a step.
 constexpr std::uint32_t
     kFarStencilPeriod = 8;  // Steps between two searches for the far landmarks of a place.
 constexpr std::int32_t

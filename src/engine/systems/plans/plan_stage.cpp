@@ -16,15 +16,19 @@ constexpr std::size_t kFirstShare = 10;
 
 constexpr std::int32_t kExactPeriod = 4;  // Exact plans take several steps, fast ones one.
 constexpr std::int32_t kFastPeriod = 1;
+// Many groups take turns: fast plans are made for so many characters in one step, and for each group in every
+// fourth step at least.
+constexpr std::size_t kTurnCharacters = 300;
+constexpr std::size_t kPlanTurns = 4;
 
 constexpr double kMostSlowness = 10.0;  // Beyond, speeds count as that much slower, or faster.
 constexpr float kLeastCost = 0.01f;     // Of a place whose cost is known [m].
 
 /// Groups take different steps of the period, so that their plans do not fall on one step.
-bool isDue(const WorldState& state, std::size_t index) {
+bool isDue(const WorldState& state, std::size_t index, std::int32_t period) {
     const Group& group = state.groups[index];
-    const auto period = static_cast<std::uint32_t>(planPeriod(state.parameters.plan));
-    return group.planNow || (!group.plan->pending() && (state.stepCount + index) % period == 0);
+    const bool turn = (state.stepCount + index) % static_cast<std::uint32_t>(period) == 0;
+    return group.planNow || (!group.plan->pending() && turn);
 }
 
 // By how much a way costs a character more than others, because it is slower (SPEC B10).
@@ -50,6 +54,13 @@ PlanDef objectiveOf(const Parameters::Plan& plan) {
 std::int32_t planPeriod(const Parameters::Plan& plan) {
     if (plan.period > 0) return plan.period;
     return plan.solver == PlanSolver::Exact ? kExactPeriod : kFastPeriod;
+}
+
+std::int32_t planPeriod(const Parameters::Plan& plan, std::size_t groups, std::size_t characters) {
+    const std::int32_t period = planPeriod(plan);
+    if (plan.period > 0 || plan.solver == PlanSolver::Exact) return period;
+    const std::size_t turns = std::min(characters / kTurnCharacters, std::min(groups, kPlanTurns));
+    return std::max(period, static_cast<std::int32_t>(turns));
 }
 
 void PlanStage::reserve(WorldState& state, PlanCosts& costs) {
@@ -161,7 +172,7 @@ void PlanStage::start(const WorldState& state, PlanCosts& costs, const PlannedWa
     gatherAmounts(state, group);
     input.supply = supply_;
     input.demand = demand_;
-    group.slices = group.plan->shares(group.planNow ? 1 : planPeriod(state.parameters.plan));
+    group.slices = group.plan->shares(group.planNow ? 1 : period_);
     group.slice = 0;
     const Status status = group.plan->start(def, input);
     MUSTER_ASSERT(status.ok());
@@ -265,13 +276,20 @@ void PlanStage::run(WorldState& state, PlanCosts& costs, const WayStage& ways, G
                       [](const Group& group) { return !group.members.empty() && group.plan->starting(); }));
     firstPlanRank_ = 0;
     firstCharacters_ = 0;
+    std::size_t groups = 0, characters = 0;
+    for (std::size_t g = 0; g < state.groups.size(); ++g) {
+        if (state.groups[g].members.empty() || without_[g] != 0) continue;
+        ++groups;
+        characters += state.groups[g].members.size();
+    }
+    period_ = planPeriod(state.parameters.plan, groups, characters);
     for (std::size_t g = 0; g < state.groups.size(); ++g) {
         Group& group = state.groups[g];
         if (group.members.empty() || without_[g] != 0) continue;
         const bool worked = group.plan->pending() && group.slice >= group.slices;
         if (worked && !group.planNow) finish(state, group, members.of(g), pool, events);
         if (group.planNow && waitsForFirstPlan(state, group)) continue;
-        if (isDue(state, g)) start(state, costs, ways.waysOf(g), group, members.of(g));
+        if (isDue(state, g, period_)) start(state, costs, ways.waysOf(g), group, members.of(g));
         if (group.plan->pending()) advance(state, group, members.of(g), pool, events);
     }
     launch(pool);

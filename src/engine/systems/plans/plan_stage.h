@@ -16,6 +16,8 @@ namespace muster {
 
 /// Steps from plan to plan: `period`, or what suits the solver where that is 0.
 std::int32_t planPeriod(const Parameters::Plan& plan);
+/// The same for so many groups and characters: fast plans of many groups take turns.
+std::int32_t planPeriod(const Parameters::Plan& plan, std::size_t groups, std::size_t characters);
 
 /// Starts, advances and finishes the plans of all groups. The work of a plan is cut into shares, one per
 /// step; what is left after the last share goes on in the background until the next step.
@@ -51,6 +53,7 @@ private:
     void launch(ThreadPool& pool);
 
     std::vector<Assigner*> background_;  // Plans whose work goes on until the next run.
+    std::int32_t period_ = 1;            // Steps from plan to plan.
     std::int32_t firstPlans_ = 0;        // Groups whose first plan is not made, or provisional.
     std::int32_t starts_ = 0;            // Groups whose plans go on from other places than before.
     std::int32_t firstPlanRank_ = 0;     // Those of them that came before in this step.

@@ -145,10 +145,12 @@ void GoRound::run(WorldState& state, const CrowdBodies& bodies, std::span<const 
     Characters& c = state.characters;
     for (std::size_t i = 0; i < c.size(); ++i) {
         if (c.direction[i] == Vec2{} || bodies.isFixed(i)) continue;
+        const double far = std::min(kLookAhead, distance(c.position[i], targets[i]));
         for (const Cluster& cluster : clusters_) {
-            if (c.group[members_[cluster.first]] == c.group[i]) continue;
             const double keep = cluster.largest + bodies.radius(i) + kRoundMargin;
-            const double far = std::min(kLookAhead, distance(c.position[i], targets[i]));
+            if (!cluster.box.grown(keep + far).contains(c.position[i]) ||
+                c.group[members_[cluster.first]] == c.group[i])
+                continue;
             if (!meets(cluster.box.grown(keep), c.position[i], c.direction[i], far) ||
                 !bodies.isFirmer(members_[cluster.first], i))
                 continue;
