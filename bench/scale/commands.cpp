@@ -7,6 +7,7 @@
 #include "base/random.h"
 #include "muster/world.h"
 #include "scale/meter.h"
+#include "scale/stages.h"
 
 namespace muster::scale {
 namespace {
@@ -90,20 +91,6 @@ Result<World> makeWorld(const CommandsDef& def) {
 }
 
 /// The stages of the last step that took long.
-std::string stagesOf(const World& world) {
-    constexpr double kLong = 0.2;  // [ms]
-    const StageTimes times = world.stageTimes();
-    std::string text;
-    char part[80];
-    for (std::size_t k = 0; k < times.milliseconds.size(); ++k) {
-        if (times.milliseconds[k] < kLong) continue;
-        std::snprintf(part, sizeof part, "%s%s %.2f", text.empty() ? "" : ", ", stepStages()[k].name.data(),
-                      times.milliseconds[k]);
-        text += part;
-    }
-    return text;
-}
-
 /// One run; each step's time is lowered to the least over the runs so far.
 Status run(const CommandsDef& def, const std::vector<Kind>& kinds, std::vector<double>& times,
            std::vector<std::string>& stages, std::uint64_t& hash) {
@@ -124,7 +111,7 @@ Status run(const CommandsDef& def, const std::vector<Kind>& kinds, std::vector<d
         world->step();
         times[s] = std::min(times[s], threadMilliseconds() - began);
         if (s >= kUnmeasured && (s - kUnmeasured) % kPeriod == 0)
-            stages[static_cast<std::size_t>((s - kUnmeasured) / kPeriod) % kinds.size()] = stagesOf(*world);
+            stages[static_cast<std::size_t>((s - kUnmeasured) / kPeriod) % kinds.size()] = stagesText(world->stageTimes(), 0.2);
         if (!world->rejections().empty()) return world->rejections()[0].status;
     }
     const std::uint64_t last = hash;

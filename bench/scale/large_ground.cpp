@@ -9,6 +9,7 @@
 #include "base/text_file.h"
 #include "scale/caves.h"
 #include "scale/meter.h"
+#include "scale/stages.h"
 
 namespace muster::scale {
 namespace {
@@ -84,12 +85,6 @@ Status addMap(const LargeGroundDef& def, WorldDef& world) {
     world.box = {at.origin, -at.origin};
     world.map = MapGround{*std::move(grid), at};
     return {};
-}
-
-double timedStep(World& world) {
-    const double began = threadMilliseconds();
-    world.step();
-    return threadMilliseconds() - began;
 }
 
 double percentile(std::vector<double> times, double share) {

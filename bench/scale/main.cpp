@@ -148,6 +148,16 @@ int runRewind(const RewindDef& def) {
     return 0;
 }
 
+int runBattle(const BattleDef& def) {
+    const Result<BattleRow> row = measureBattle(def);
+    if (!row.ok()) {
+        std::fprintf(stderr, "muster-bench: %s\n", row.status().message().c_str());
+        return 1;
+    }
+    std::printf("%s", battleText(def, *row).c_str());
+    return 0;
+}
+
 }  // namespace
 }  // namespace muster::scale
 
@@ -160,6 +170,7 @@ int main(int argc, char** argv) {
         if (options.command == "ground")
             return options.lead ? runLed(options.ground) : runGround(options.ground.ground);
         if (options.command == "commands") return runCommands(options.commands);
+        if (options.command == "battle") return runBattle(options.battle);
         if (options.command == "rewind") return runRewind(options.rewind);
         return options.command == "orders" ? runOrders(options.orders) : run(options);
     } catch (const std::exception& error) {

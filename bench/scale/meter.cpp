@@ -6,6 +6,7 @@
 #include <ctime>
 #include <fstream>
 #include <string>
+#include <string_view>
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -49,16 +50,29 @@ void resetPeakMemory() {
     std::ofstream("/proc/self/clear_refs") << "5\n";
 }
 
-double peakMemory() {
+namespace {
+
+// An entry of the process's status that is in kilobytes [MB].
+double statusEntry(std::string_view name) {
     std::ifstream status("/proc/self/status");
     std::string word;
     while (status >> word) {
-        if (word != "VmHWM:") continue;
+        if (word != name) continue;
         double kilobytes = 0.0;
         status >> kilobytes;
         return kilobytes / 1024.0;
     }
     return 0.0;
+}
+
+}  // namespace
+
+double peakMemory() {
+    return statusEntry("VmHWM:");
+}
+
+double residentMemory() {
+    return statusEntry("VmRSS:");
 }
 
 }  // namespace muster::scale

@@ -22,5 +22,7 @@ double quantile(std::vector<double> values, double share);
 void resetPeakMemory();
 /// Most resident memory of the process since then [MB]; 0 where the system does not report it.
 double peakMemory();
+/// Resident memory of the process now [MB]; 0 where the system does not report it.
+double residentMemory();
 
 }  // namespace muster::scale

@@ -87,6 +87,15 @@ void describeRewind(CLI::App& rewind, RewindDef& def) {
     rewind.add_flag("--edits", def.edits, "A building is added in the fourth of each eight steps");
 }
 
+void describeBattle(CLI::App& battle, BattleDef& def) {
+    battle.add_option("--groups", def.groups, "Groups of both sides (20)")->check(CLI::Range(2, 200));
+    battle.add_option("--obstacles", def.obstacles, "Blocks and discs (60)")->check(CLI::Range(0, 5000));
+    battle.add_option("--side", def.side, "Of the ground [m] (200)")->check(CLI::Range(100.0, 4000.0));
+    battle.add_option("--seconds", def.seconds, "World time before the stop [s] (60)")
+        ->check(CLI::Range(1.0, 3600.0));
+    battle.add_option("--seed", def.seed, "Seed of everything (1)");
+}
+
 template <class T>
 void orElse(std::vector<T>& values, std::vector<T> defaults) {
     if (values.empty()) values = std::move(defaults);
@@ -144,6 +153,9 @@ int readOptions(int argc, const char* const* argv, Options& options) {
         options.orders);
     describeCommands(*app.add_subcommand("commands", "Orders, deaths, splits...: time above a plain step"),
                      options.commands);
+    describeBattle(*app.add_subcommand("battle", "Two sides of many groups, as a strategy game directs them: "
+                                                 "time of a step, and how everybody fares"),
+                   options.battle);
     describeRewind(*app.add_subcommand("rewind", "Eight steps, back, and the same again: time of both"),
                    options.rewind);
     try {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "scale/battle.h"
 #include "scale/case.h"
 #include "scale/commands.h"
 #include "scale/led_ground.h"
@@ -14,12 +15,13 @@ namespace muster::scale {
 
 /// Options of the program.
 struct Options {
-    std::string command;   ///< The subcommand: "scale", "ground", "orders", "commands" or "rewind".
+    std::string command;   ///< The subcommand: "scale", "ground", "orders", "commands", "rewind" or "battle".
     LedGroundDef ground;   ///< Of `muster-bench ground`; its first part where nobody is led.
     bool lead = false;     ///< `muster-bench ground --lead`.
     CommandsDef commands;  ///< Of `muster-bench commands`.
     OrdersDef orders;      ///< Of `muster-bench orders`; the rest is of `muster-bench scale`.
     RewindDef rewind;      ///< Of `muster-bench rewind`.
+    BattleDef battle;      ///< Of `muster-bench battle`.
     std::vector<std::string> scenes;
     std::vector<std::string> regimes;
     std::vector<std::int32_t> counts;

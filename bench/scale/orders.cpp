@@ -10,6 +10,7 @@
 #include "base/random.h"
 #include "muster/world.h"
 #include "scale/meter.h"
+#include "scale/stages.h"
 
 namespace muster::scale {
 namespace {
@@ -177,18 +178,6 @@ private:
     std::int32_t longest_ = 0;
 };
 
-std::string stagesOf(const StageTimes& times) {
-    std::string text;
-    for (std::size_t k = 0; k < times.milliseconds.size(); ++k) {
-        if (times.milliseconds[k] < 0.5) continue;
-        char part[64];
-        std::snprintf(part, sizeof(part), "%s%s %.1f", text.empty() ? "" : ", ", stepStages()[k].name.data(),
-                      times.milliseconds[k]);
-        text += part;
-    }
-    return text;
-}
-
 // The first step plans everything: it has no orders alone.
 double mostAbove(const std::vector<double>& least, std::size_t period) {
     constexpr std::size_t kRound = 12;
@@ -216,7 +205,7 @@ Status run(const OrdersDef& def, std::vector<double>& least, std::vector<std::st
         waits.look(*world);
         if (took >= least[step]) continue;
         least[step] = took;
-        stages[step] = stagesOf(world->stageTimes());
+        stages[step] = stagesText(world->stageTimes(), 0.5);
     }
     row.longestWait = waits.longest() * world->parameters().stepTime;
     const std::uint64_t hash = world->hash();

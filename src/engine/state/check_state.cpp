@@ -205,7 +205,7 @@ Status checkGroup(const Group& group, const Grid& grid) {
         if (!arePlaces(*points)) return wrong("a mesh that is out of range");
     if (!(group.meanLag >= 0.0 && group.meanLag <= kMaxCoordinate * 100.0))
         return wrong("a lag out of range");
-    if (!isPlace(group.settling.centre) || !isPlace(group.settling.shift))
+    if (!isPlace(group.settling.centre))
         return wrong("a group with a number out of range");
     if (group.room.wanted.size() != group.room.given.size() || !arePlaces(group.room.wanted) ||
         !arePlaces(group.room.given))

@@ -34,11 +34,10 @@ struct PlaceRoom {
     }
 };
 
-/// Whether the mesh of a group rests, and how far beside it its places settle.
+/// Whether the mesh of a group rests.
 struct Settling {
     Vec2 centre;                  ///< Mean of its targets in the last step [m].
     std::uint32_t restSteps = 0;  ///< Steps for which that has not moved.
-    Vec2 shift;                   ///< Shift of its targets, out of those of other groups [m].
 
     static constexpr std::uint32_t kRestSteps = 20;  ///< A mesh that has not moved for so many steps rests.
     /// True where the mesh rests.
@@ -47,7 +46,7 @@ struct Settling {
     /// Lets an archive read or write it.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(centre, restSteps, shift);
+        archive(centre, restSteps);
     }
 };
 

@@ -21,6 +21,8 @@ struct PlanDef {
     bool bottleneck = false;
     /// True for geodesic costs; false for straight-line distances (paths still follow the cost field).
     bool geodesic = Parameters::Plan{}.geodesic;
+    std::int32_t groups = 1;         ///< Groups whose plans share the fields that a step solves >= 1.
+    std::int32_t groupRank = 0;      ///< Number of this group among them >= 0.
     std::int32_t firstPlans = 1;     ///< Groups whose first plans share the budget of this step >= 1.
     std::int32_t firstPlanRank = 0;  ///< Number of this group among them >= 0.
     std::int32_t starts = 1;  ///< Groups whose plans go on from other places than before, at once >= 1.
@@ -31,8 +33,8 @@ struct PlanDef {
     /// Lets an archive read or write the definition.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(exponent, commitThreshold, commitThresholdShare, bottleneck, geodesic, firstPlans,
-                firstPlanRank, starts, reassign);
+        archive(exponent, commitThreshold, commitThresholdShare, bottleneck, geodesic, groups,
+                groupRank, firstPlans, firstPlanRank, starts, reassign);
     }
 };
 

@@ -26,7 +26,7 @@ constexpr double kReplanShare = 0.25;  // and than this share of the straight di
 // Of the line to a goal so many metres are tested in each step, the rest when the place has come so far.
 constexpr double kNearSight = 4.0;
 constexpr double kSightPeriod = 0.25;
-constexpr std::int32_t kMostOrdered = 200000;  // Cells over which places that jumped are put in order.
+constexpr std::int32_t kMostOrdered = 20000;  // Cells over which places that jumped are put in order.
 constexpr std::size_t kRanks = 24;             // Ranks in which places may cross each other,
 constexpr int kRankPasses = 4;                 // and how often these are looked through.
 constexpr double kStill = 5e-5;                // A target that moves less rests [m].

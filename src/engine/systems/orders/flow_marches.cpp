@@ -12,7 +12,8 @@
 namespace muster {
 namespace {
 
-constexpr double kMostOff = 0.25;  // Share of places that may be elsewhere than the mesh wants them.
+constexpr double kMostOff = 0.25;         // Share of places that may be elsewhere than the mesh wants them.
+constexpr std::uint32_t kLookSteps = 30;  // Steps between two looks whether others stand where a mesh rests.
 
 Vec2 meanOf(std::span<const Vec2> points) {
     Vec2 sum;
@@ -68,10 +69,9 @@ void FlowMarches::findTaken(const WorldState& state, const Group& group) {
     for (const Group& other : state.groups) {
         if (other.id == group.id || other.members.empty()) continue;
         if (!other.orders.orders.empty() && !other.orders.begun) continue;
-        if (other.flow.leads())
-            taken_.insert(taken_.end(), other.flow.ends.begin(), other.flow.ends.end());
-        else if (other.settling.rests())
-            taken_.insert(taken_.end(), other.places.positions().begin(), other.places.positions().end());
+        const std::vector<Vec2>& places = other.flow.leads() ? other.flow.ends : other.places.reachableTargets();
+        if (other.flow.leads() || other.settling.rests())
+            taken_.insert(taken_.end(), places.begin(), places.end());
     }
 }
 
@@ -116,27 +116,67 @@ void FlowMarches::stand(WorldState& state, Group& group) {
     group.mesh.setPose(flow.to);
 }
 
-void FlowMarches::settle(WorldState& state, Group& group) {
-    if (!group.settling.rests() || group.flow.leads()) return;
+// Where those stand for whom the group makes room: who holds its ground, else who was laid out beside others,
+// else who is older.
+void FlowMarches::findStanding(const WorldState& state, const Group& group) {
+    taken_.clear();
+    const auto holds = [](const Group& g) { return g.def.conduct.stance == Stance::Hold; };
+    for (const Group& other : state.groups) {
+        if (other.id == group.id || other.members.empty() || !other.settling.rests()) continue;
+        const bool before = holds(other) != holds(group) ? holds(other)
+                                                         : other.flow.leads() || other.id.value < group.id.value;
+        const std::vector<Vec2>& places = other.flow.leads() ? other.flow.ends : other.places.reachableTargets();
+        if (before) taken_.insert(taken_.end(), places.begin(), places.end());
+    }
+}
+
+// True where many of the points that the mesh wants cannot be reached.
+bool FlowMarches::isInWalls(const Group& group) {
     const std::vector<Vec2>& asked = group.places.targetsWithinReach();
     const std::vector<Vec2>& reached = group.places.reachableTargets();
-    const auto n = static_cast<double>(asked.size());
     double off = 0.0;
     for (std::size_t k = 0; k < asked.size(); ++k) off += asked[k] == reached[k] ? 0.0 : 1.0;
-    if (off <= kMostOff * n) return;
+    return off > kMostOff * static_cast<double>(asked.size());
+}
+
+// True where the mesh rests on those who stand there.
+bool FlowMarches::isOnOthers(const WorldState& state, const Group& group) {
+    const std::vector<Vec2>& asked = group.places.targetsWithinReach();
+    if (asked.empty() || (group.settling.restSteps - Settling::kRestSteps) % kLookSteps != 0) return false;
+    findStanding(state, group);
+    double diameter = 0.0;
+    for (const Group& other : state.groups) diameter = std::max(diameter, 2.0 * meanRadius(state, other));
+    together_.assign(asked.begin(), asked.end());
+    together_.insert(together_.end(), taken_.begin(), taken_.end());
+    const auto own = static_cast<std::int32_t>(asked.size());
+    bool meets = false;
+    cells_.sort(together_, diameter);
+    cells_.forPairs(diameter,
+                    [&](std::int32_t i, std::int32_t j) { meets = meets || (i < own) != (j < own); });
+    return meets;
+}
+
+void FlowMarches::settle(WorldState& state, Group& group) {
+    if (!group.settling.rests() || group.flow.leads()) return;
+    const bool onOthers = state.groups.size() > 1 && isOnOthers(state, group);
+    if (!onOthers && !isInWalls(group)) return;
+    const std::vector<Vec2>& asked = group.places.targetsWithinReach();
     MarchFlow& flow = group.flow;
     const Vec2 middle = meanOf(asked);
-    targets_.clear();
+    flow.offsets.clear();
     double reach = 0.0;
     for (const Vec2 p : asked) {
-        targets_.push_back(p - middle);
+        flow.offsets.push_back(p - middle);
         reach = std::max(reach, distance(p, middle));
     }
     EndDef ends;
-    ends.offsets = targets_;
+    ends.offsets = flow.offsets;
     ends.reach = reach;
     ends.pose.position = middle;
-    ends.moves = false;
+    ends.moves = onOthers;
+    if (onOthers) ends.taken = taken_;
+    for (const std::int32_t i : group.members)
+        ends.from += state.characters.position[i] / static_cast<double>(group.members.size());
     layOut(state, group, ends);
     flow.standAtEnds();
     group.orders.march.last = group.mesh.pose();

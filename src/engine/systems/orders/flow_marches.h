@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/cell_list.h"
 #include "engine/formation/places/free_space.h"
 #include "engine/orders/end_places.h"
 #include "engine/orders/march.h"
@@ -25,7 +26,8 @@ public:
                bool drawn = false);
     /// Puts the places of the group where it is to stand, at the pose of its mesh, at once.
     void stand(WorldState& state, Group& group);
-    /// Lays the places of a group out on the ground whose mesh rests where many of them cannot be.
+    /// Lays the places of a group out on the ground whose mesh rests where many of them cannot be, or where
+    /// others stand who were there before.
     void settle(WorldState& state, Group& group);
     /// One step: plans, or moves places at most at `def.speed` times the speed of the ground. False where the
     /// way is blocked; then the mesh leads, and stands at the end.
@@ -34,6 +36,9 @@ public:
 private:
     PlaceDef layOut(WorldState& state, Group& group, EndDef def);
     bool findEnds(WorldState& state, Group& group, const Pose& end);
+    void findStanding(const WorldState& state, const Group& group);
+    static bool isInWalls(const Group& group);
+    bool isOnOthers(const WorldState& state, const Group& group);
     void findTaken(const WorldState& state, const Group& group);
     void exchange(WorldState& state, Group& group);
     void move(WorldState& state, Group& group, const MarchDef& def);
@@ -44,7 +49,8 @@ private:
     Pairing pairing_;
     std::vector<std::int32_t> places_;
     std::vector<double> speeds_;
-    std::vector<Vec2> targets_, taken_;
+    std::vector<Vec2> taken_, together_;
+    CellList cells_;
 };
 
 }  // namespace muster

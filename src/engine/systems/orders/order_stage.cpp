@@ -15,7 +15,7 @@
 namespace muster {
 namespace {
 
-constexpr std::int32_t kCellsPerStep = 1000;     // Of searches for ways.
+constexpr std::int32_t kCellsPerStep = 2000;     // Of searches for ways.
 constexpr std::int64_t kFlowOperations = 60000;  // Of plans of marches, in a step.
 constexpr double kLongest = 20.0;  // Who has moved to and fro on one spot for so long is not waited for [s].
 constexpr double kSoonDone = 5.0;  // Following ends so soon where another order waits [s].
@@ -239,15 +239,23 @@ void OrderStage::avoid(const WorldState& state, Group& group, const MarchDef& de
     group.mesh.setPose(avoidance_.advance(state, ways_.ground(), def, group));
 }
 
+// One group searches at a time, until its way is found, since a search that another one interrupts begins again.
+bool OrderStage::searchWay(WorldState& state, Group& group, std::int32_t region, bool drawn) {
+    March& march = group.orders.march;
+    const bool busy = searching_ != 0 && searching_ != group.id.value;
+    const WayNeeds needs = needsOf(state, group, group.orders.orders.front().order);
+    const bool whole = ways_.advance(state, state.routesOf(group), region, drawn, needs, busy, march, budget_);
+    if (!busy) searching_ = march.searched > 0 ? group.id.value : 0;
+    return whole;
+}
+
 void OrderStage::goOn(WorldState& state, Group& group, const MarchDef& def) {
     OrderQueue& queue = group.orders;
     March& march = queue.march;
     const Order& order = queue.orders.front().order;
     if (march.phase == MarchPhase::Search && budget_ > 0) {
         const std::int32_t region = regionOf(state, group);
-        const bool whole = ways_.advance(state, state.routesOf(group), region, !order.route.empty(),
-                                         needsOf(state, group, order), march, budget_);
-        if (whole) {
+        if (searchWay(state, group, region, !order.route.empty())) {
             if (!(march.way.back() == queue.target)) march.way.push_back(queue.target);
             if (flowsBy(group, order))
                 flows_.start(state, group, endPose(group), march.way, !order.route.empty());
@@ -346,9 +354,7 @@ OrderStage::Outcome OrderStage::follow(WorldState& state, Group& group, const Ma
         march.next = 1;
         march.phase = MarchPhase::Search;
     }
-    if (march.phase == MarchPhase::Search && budget_ > 0 &&
-        ways_.advance(state, state.routesOf(group), region, false, needsOf(state, group, order), march,
-                      budget_))
+    if (march.phase == MarchPhase::Search && budget_ > 0 && searchWay(state, group, region, false))
         march.phase = MarchPhase::Go;
     if (march.phase == MarchPhase::Go && group.def.conduct.avoids)
         avoid(state, group, def);
@@ -486,6 +492,14 @@ void OrderStage::run(WorldState& state, ThreadPool& pool, std::vector<Event>& ev
     flows_.begin(kFlowOperations);
     ways_.update(state);
     avoidance_.begin();
+    searching_ = 0;
+    for (const Group& group : state.groups) {
+        const OrderQueue& queue = group.orders;
+        const bool searches = !queue.orders.empty() && queue.march.phase == MarchPhase::Search &&
+                              queue.march.searched > 0 && !queue.held && !isHandled(group) &&
+                              !group.members.empty();
+        if (searches && searching_ == 0) searching_ = group.id.value;
+    }
     for (Group& group : state.groups) {
         avoids_ = false;
         runQueue(state, group, pool, events);
@@ -497,12 +511,12 @@ void OrderStage::runQueue(WorldState& state, Group& group, ThreadPool& pool, std
     OrderQueue& queue = group.orders;
     const bool led = group.flow.version != group.formationVersion || isHandled(group) ||
                      !samePose(queue.march.last, group.mesh.pose());
-    // On another ground places that stand are found again.
+    // On another ground places that stand are found again, but where people were told to stop.
     const bool stale = queue.orders.empty() && group.flow.ground != state.groundEdits;
-    if (group.flow.leads() && (led || stale)) group.flow.end();
+    if (group.flow.leads() && (led || (stale && !group.flow.isStop()))) group.flow.end();
     if (queue.orders.empty()) {
         queue.march.speed = queue.march.spin = 0.0;
-        if (queue.own && !isHandled(group)) restoreOwn(state, group, pool);
+        if (queue.own && !isHandled(group) && !group.flow.isStop()) restoreOwn(state, group, pool);
         if (!isHandled(group)) flows_.settle(state, group);
         return;
     }
@@ -531,8 +545,8 @@ OrderForecast OrderStage::forecast(WorldState& state, const Group& group, const 
     std::int32_t budget = state.environment.grid().count() + 1;
     // A search that is under way is run again up to where it was.
     RouteGraph& routes = state.refreshRoutes(group.groundClass);
-    while (!ways_.advance(state, routes, region, !asked.route.empty(), needsOf(state, group, asked), march,
-                          budget))
+    while (!ways_.advance(state, routes, region, !asked.route.empty(), needsOf(state, group, asked), false,
+                          march, budget))
         budget = state.environment.grid().count() + 1;
     if (!(march.way.back() == goal.target)) march.way.push_back(goal.target);
     forecast.arrives = goal.reachable;

@@ -50,6 +50,7 @@ private:
     Outcome advance(WorldState& state, Group& group, ThreadPool& pool);
     Pose endPose(const Group& group) const;
     void flow(WorldState& state, Group& group, const MarchDef& def);
+    bool searchWay(WorldState& state, Group& group, std::int32_t region, bool drawn);
     void goOn(WorldState& state, Group& group, const MarchDef& def);
     void avoid(const WorldState& state, Group& group, const MarchDef& def);
     Outcome follow(WorldState& state, Group& group, const MarchDef& def);
@@ -65,6 +66,7 @@ private:
     SharedPlaces shared_;
     MeshAvoidance avoidance_;
     bool avoids_ = false;                // The mesh of the present group keeps clear of others.
+    std::uint32_t searching_ = 0;        // Group whose search is under way; 0 for none.
     std::int32_t budget_ = 0;            // Cells that may be searched in this step.
     std::vector<double> speeds_;         // Of the members of one group.
     std::vector<std::int32_t> regions_;  // Members of one group by region.

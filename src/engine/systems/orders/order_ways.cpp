@@ -193,7 +193,7 @@ void WayFinder::append(WorldState& state, const WayNeeds& needs, March& march,
 }
 
 bool WayFinder::advance(WorldState& state, RouteGraph& routes, std::int32_t region, bool drawn,
-                        const WayNeeds& needs, March& march, std::int32_t& budget) {
+                        const WayNeeds& needs, bool busy, March& march, std::int32_t& budget) {
     while (!march.legs.empty() && budget > 0) {
         const Vec2 to = march.legs.front();
         Vec2 from = march.way.back();
@@ -206,6 +206,8 @@ bool WayFinder::advance(WorldState& state, RouteGraph& routes, std::int32_t regi
                 march.legs.erase(march.legs.begin());
                 continue;
             }
+            // One search after the other: who began one ends it.
+            if (busy) return false;
             march.query = {from, to, needs};
         }
         // Another ground, or a search that somebody else has had meanwhile: from the start.

@@ -54,9 +54,9 @@ public:
     void update(const WorldState& state) { ground_.update(state.environment); }
     const WayGround& ground() const { return ground_; }  ///< As of the last update().
     /// Goes on with the search for the legs of a march for `budget` cells, about, and takes what it used off
-    /// it. True once the whole way is known.
+    /// it. True once the whole way is known. Begins no search where it is `busy` with that of another march.
     bool advance(WorldState& state, RouteGraph& routes, std::int32_t region, bool drawn,
-                 const WayNeeds& needs, March& march, std::int32_t& budget);
+                 const WayNeeds& needs, bool busy, March& march, std::int32_t& budget);
     /// Length of way ahead, and some behind, whose narrowest width is asked for; the width [m], `most` where
     /// wider.
     double narrowest(const March& march, Vec2 from, double behind, double ahead, double most) const;

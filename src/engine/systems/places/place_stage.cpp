@@ -5,6 +5,20 @@
 #include "engine/state/ground_class.h"
 
 namespace muster {
+namespace {
+
+constexpr double kRestMove = 1e-3;  // Most that the centre of a group that rests moves in a step [m].
+
+// True where fingers have drawn on.
+bool isLed(const Group& group) {
+    const auto isDrawn = [](const ControlPoint& point) { return !point.trajectory.empty(); };
+    return std::any_of(group.controls.controls().begin(), group.controls.controls().end(),
+                       [&](const Control& control) {
+                           return std::any_of(control.points.begin(), control.points.end(), isDrawn);
+                       });
+}
+
+}  // namespace
 
 void refreshRoutes(WorldState& state) {
     state.refreshRoutes();
@@ -26,8 +40,16 @@ void PlaceStage::makeRoom(WorldState& state) {
     for (std::size_t g = 0; g < targets_.size(); ++g) room_.run(state, state.groups[g], targets_[g]);
 }
 
-void PlaceStage::keepApart(WorldState& state) {
-    spacing_.run(state, targets_);
+void PlaceStage::watchRest(WorldState& state) const {
+    for (std::size_t g = 0; g < targets_.size(); ++g) {
+        Group& group = state.groups[g];
+        Vec2 centre;
+        for (const Vec2 p : targets_[g]) centre += p;
+        centre = centre / std::max(1.0, static_cast<double>(targets_[g].size()));
+        const bool rests = distance(centre, group.settling.centre) < kRestMove && !isLed(group);
+        group.settling.restSteps = rests ? group.settling.restSteps + 1 : 0;
+        group.settling.centre = centre;
+    }
 }
 
 void PlaceStage::findRegions(WorldState& state) {

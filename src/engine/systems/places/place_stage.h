@@ -7,7 +7,6 @@
 #include "base/parallel.h"
 #include "engine/state/world_state.h"
 #include "engine/systems/places/body_room.h"
-#include "engine/systems/places/group_spacing.h"
 
 namespace muster {
 
@@ -21,8 +20,8 @@ public:
     void readTargets(const WorldState& state);
     /// Moves targets as far apart as large bodies need it.
     void makeRoom(WorldState& state);
-    /// Shifts the targets of groups that rest on the spot of others.
-    void keepApart(WorldState& state);
+    /// Counts for how many steps the targets of each group have stood.
+    void watchRest(WorldState& state) const;
     /// Writes the region of each group, and whether it stands in several.
     void findRegions(WorldState& state);
     /// Moves places towards their targets, over ground that their group can reach.
@@ -30,7 +29,6 @@ public:
 
 private:
     BodyRoom room_;
-    GroupSpacing spacing_;
     std::vector<std::vector<Vec2>> targets_;  // Of each group's places [m].
     std::vector<std::int32_t> regionCounts_;  // Members of one group by region.
 };

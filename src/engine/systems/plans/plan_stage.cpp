@@ -138,6 +138,8 @@ void PlanStage::start(const WorldState& state, PlanCosts& costs, const PlannedWa
     group.reassigns = mode == PlanMode::Transport || (mode == PlanMode::AssignedOnce && !group.assigned);
     def.reassign = group.reassigns;
     def.starts = std::max(1, starts_);
+    def.groups = std::max(1, groups_);
+    def.groupRank = groupRank_;
     if (group.planNow || group.provisional) {
         def.firstPlans = firstPlans_;
         def.firstPlanRank = firstPlanRank_++;
@@ -264,6 +266,18 @@ void PlanStage::takePlaces(WorldState& state) {
     for (Group& group : state.groups) without_.push_back(goesWithout(state, group) ? 1 : 0);
 }
 
+void PlanStage::findPeriod(const WorldState& state) {
+    groups_ = 0;
+    groupRank_ = -1;
+    std::size_t characters = 0;
+    for (std::size_t g = 0; g < state.groups.size(); ++g) {
+        if (state.groups[g].members.empty() || without_[g] != 0) continue;
+        ++groups_;
+        characters += state.groups[g].members.size();
+    }
+    period_ = planPeriod(state.parameters.plan, static_cast<std::size_t>(groups_), characters);
+}
+
 void PlanStage::run(WorldState& state, PlanCosts& costs, const WayStage& ways, GroupMembers& members,
                     ThreadPool& pool, std::vector<Event>& events) {
     const auto isWithout = [&](const Group& group) { return without_[&group - state.groups.data()] != 0; };
@@ -276,16 +290,11 @@ void PlanStage::run(WorldState& state, PlanCosts& costs, const WayStage& ways, G
                       [](const Group& group) { return !group.members.empty() && group.plan->starting(); }));
     firstPlanRank_ = 0;
     firstCharacters_ = 0;
-    std::size_t groups = 0, characters = 0;
-    for (std::size_t g = 0; g < state.groups.size(); ++g) {
-        if (state.groups[g].members.empty() || without_[g] != 0) continue;
-        ++groups;
-        characters += state.groups[g].members.size();
-    }
-    period_ = planPeriod(state.parameters.plan, groups, characters);
+    findPeriod(state);
     for (std::size_t g = 0; g < state.groups.size(); ++g) {
         Group& group = state.groups[g];
         if (group.members.empty() || without_[g] != 0) continue;
+        ++groupRank_;
         const bool worked = group.plan->pending() && group.slice >= group.slices;
         if (worked && !group.planNow) finish(state, group, members.of(g), pool, events);
         if (group.planNow && waitsForFirstPlan(state, group)) continue;

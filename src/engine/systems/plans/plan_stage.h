@@ -45,6 +45,7 @@ private:
                 std::vector<Event>& events);
     bool waitsForFirstPlan(const WorldState& state, const Group& group);
     bool goesWithout(WorldState& state, Group& group);
+    void findPeriod(const WorldState& state);
     void gatherWaits(const WorldState& state, const Group& group);
     void gatherSlowness(const WorldState& state, const Group& group);
     void findConnected(const WorldState& state, const Group& group, std::span<const Vec2> positions);
@@ -54,6 +55,8 @@ private:
 
     std::vector<Assigner*> background_;  // Plans whose work goes on until the next run.
     std::int32_t period_ = 1;            // Steps from plan to plan.
+    std::int32_t groups_ = 0;            // Groups with plans,
+    std::int32_t groupRank_ = 0;         // and the number of the present one among them.
     std::int32_t firstPlans_ = 0;        // Groups whose first plan is not made, or provisional.
     std::int32_t starts_ = 0;            // Groups whose plans go on from other places than before.
     std::int32_t firstPlanRank_ = 0;     // Those of them that came before in this step.

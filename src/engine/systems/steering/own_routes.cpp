@@ -134,16 +134,16 @@ bool OwnRoutes::search(WorldState& state, std::int32_t i, OwnRoute& route) {
     route.place = state.characters.place[i];
     route.goal = placeOf(state, i);
     closeHeld(state, i);
-    const auto find = [&](std::span<const ClosedLine> closed) {
+    const auto find = [&](std::span<const ClosedLine> closed, std::int64_t most) {
         search_.start(graph, from, route.goal, closed, !state.environment.movingObstacleAreas().empty());
-        std::int64_t whole = std::numeric_limits<std::int64_t>::max();
-        const RouteStatus status = search_.advance(graph, whole);
+        const RouteStatus status = search_.advance(graph, most);
         budget_ -= search_.work() + 1;
         return status;
     };
-    RouteStatus status = find(closed_);
-    // Where those who hold their ground leave no way, the character waits for one before them.
-    if (status != RouteStatus::Found && !closed_.empty()) status = find({});
+    constexpr std::int64_t kWhole = std::numeric_limits<std::int64_t>::max();
+    RouteStatus status = find(closed_, closed_.empty() ? kWhole : kRouteWork);
+    // Where those who hold their ground leave no way, or none that is soon found, it waits for one before them.
+    if (status != RouteStatus::Found && !closed_.empty()) status = find({}, kWhole);
     if (status != RouteStatus::Found || search_.path().size() < 2) return false;
     route.path.assign(search_.path().begin() + 1, search_.path().end());
     return true;

@@ -25,8 +25,7 @@ constexpr std::int32_t kMaxStepsPerRound = 6;  // Ten rounds a second.
 constexpr std::int32_t kSearchShare = 3;       // One search may settle this fraction of all nodes.
 constexpr std::int32_t kMaxSearch = 4000;      // Nodes that one search may settle, at most.
 constexpr double kMaxSettled = 40000.0;        // Nodes that all searches of a step may settle.
-constexpr std::int32_t
-    kFieldsOfGroups = 2;                   // Fields in a step, of groups whose first plans are made together.
+constexpr std::int32_t kFieldsOfGroups = 2;  // Fields that a step solves for all groups together.
 constexpr std::int32_t kStartNodes = 400;  // Nodes that a start takes over in a step, all groups together.
 constexpr double kStartSteps = 10.0;       // In so many steps a large crowd is taken over.
 
@@ -100,8 +99,7 @@ void FastPlan::takeAmounts(const PlanInput& input) {
 void FastPlan::updateGeodesics(ThreadPool& pool, PlanCosts& costs, std::span<const Vec2> characters,
                                std::span<const Vec2> places) {
     geodesics_.retainFields(targets_);
-    // Groups whose first plans are made together solve two fields in a step.
-    geodesics_.shareSteps(std::max(1, (def_.firstPlans + 1) / kFieldsOfGroups), def_.firstPlanRank);
+    geodesics_.shareSteps(std::max(1, (def_.groups + 1) / kFieldsOfGroups), def_.groupRank);
     geodesics_.update(costs.staticGround(), costs.dynamicCost(), places, pool);
     if (RouteGraph* const routes = costs.routes()) geodesics_.findRoutes(*routes, characters, targets_);
 }
