@@ -22,7 +22,7 @@
 namespace muster {
 
 /// Number of stages of a step.
-inline constexpr std::size_t kStageCount = 41;
+inline constexpr std::size_t kStageCount = 40;
 
 /// A stage of the step.
 struct StageInfo {
@@ -45,9 +45,9 @@ enum class Stage : std::uint8_t {
     DensityAndCost = 12,  ///< Density of the crowd.
     Plan = 20,            ///< Assignment of places.
     Steering = 30,        ///< Velocities of characters.
-    Contacts = 32,        ///< Contacts are resolved.
-    Patches = 33,         ///< Motions by patches.
-    Events = 38,          ///< Arrivals of groups.
+    Contacts = 31,        ///< Contacts are resolved.
+    Patches = 32,         ///< Motions by patches.
+    Events = 37,          ///< Arrivals of groups.
     Count = kStageCount   ///< Number of all stages.
 };
 /// The name of any stage, by its index: "commands", "orders", "controls"...

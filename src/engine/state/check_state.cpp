@@ -62,7 +62,7 @@ Status checkArrays(const Characters& c) {
     for (const std::size_t size :
          {c.group.size(), c.position.size(), c.velocity.size(), c.heading.size(), c.place.size(),
           c.direction.size(), c.cost.size(), c.motion.size(), c.phase.size(), c.motionTime.size(),
-          c.patch.size(), c.lastSingle.size(), c.walk.size(), c.wait.size(), c.claim.size(), c.chosen.size(),
+          c.patch.size(), c.lastSingle.size(), c.walk.size(), c.claim.size(), c.chosen.size(),
           c.body.size(), c.driver.size(), c.wanted.size()})
         if (size != n) return wrong("arrays of different lengths");
     if (!arePlaces(c.position) || !std::all_of(c.velocity.begin(), c.velocity.end(), isVelocity) ||
@@ -75,9 +75,8 @@ Status checkArrays(const Characters& c) {
         return wrong("a character that nobody moves");
     for (std::size_t i = 0; i < n; ++i)
         if (std::isnan(c.cost[i]) || !(c.motionTime[i] >= 0.0 && c.motionTime[i] <= 1e9) ||
-            c.phase[i] > MotionPhase::Locked || !isPlace(c.walk[i].anchor) || !isPlace(c.wait[i].anchor) ||
-            !isPlace(c.walk[i].camp) || !(c.wait[i].stood >= 0.0f) || c.wait[i].place < -1 ||
-            !(c.wait[i].cost >= 0.0f && c.wait[i].cost <= 1e3f))
+            c.phase[i] > MotionPhase::Locked || !isPlace(c.walk[i].anchor) ||
+            !isPlace(c.walk[i].camp))
             return wrong("a character with a number out of range");
     return {};
 }

@@ -46,7 +46,6 @@ void standStill(WorldState& state, const Group& group, std::size_t i, Vec2 posit
     c.lastSingle[i] = 0;
     c.walk[i] = {c.position[i], state.stepCount, state.stepCount, false,
                  false,         c.position[i],   state.stepCount};
-    c.wait[i] = {};
     c.claim[i] = {};
     c.claim[i].spot = c.position[i];
     c.claim[i].since = state.stepCount;
@@ -321,10 +320,7 @@ Status changeFormation(WorldState& state, Group& group, const FormationDef& def,
     group.lastAssignment.clear();
     ++group.formationVersion;
     group.order.begin(state.stepCount);
-    for (const std::int32_t i : group.members) {
-        state.characters.place[i] = -1;
-        state.characters.wait[i] = {};
-    }
+    for (const std::int32_t i : group.members) state.characters.place[i] = -1;
     return {};
 }
 

@@ -207,11 +207,7 @@ std::vector<double> demandsOf(const WorldState& state, const Reform& reform) {
 // Members take the places of the reform, and forget what they knew of others.
 void takePlaces(WorldState& state, Group& group, const Reform& reform) {
     Characters& characters = state.characters;
-    for (const std::int32_t i : group.members) {
-        characters.place[i] = -1;
-        characters.wait[i].place = -1;
-        characters.wait[i].cost = 0.0f;
-    }
+    for (const std::int32_t i : group.members) characters.place[i] = -1;
     for (std::size_t k = 0; k < reform.occupants.size(); ++k)
         if (reform.occupants[k] != 0)
             characters.place[characters.indexOf(reform.occupants[k])] = static_cast<std::int32_t>(k);

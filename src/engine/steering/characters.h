@@ -45,7 +45,6 @@ struct Characters {
     /// 0 for none.
     std::vector<std::uint32_t> lastSingle;
     std::vector<WalkProgress> walk;  ///< How each gets on with its way.
-    std::vector<PlaceWait> wait;     ///< What keeps each from its place.
     std::vector<Claim> claim;        ///< What ranks each among others.
     std::vector<ChosenWay> chosen;   ///< The way to the place, where many go.
     std::vector<Body> body;          ///< What each is.
@@ -69,7 +68,7 @@ struct Characters {
     template <class Archive>
     void visit(Archive& archive) {
         archive(id, group, position, velocity, heading, place, direction, cost, motion, phase, motionTime,
-                patch, lastSingle, walk, wait, claim, chosen, body, driver, wanted);
+                patch, lastSingle, walk, claim, chosen, body, driver, wanted);
     }
 };
 

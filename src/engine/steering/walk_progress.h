@@ -1,5 +1,4 @@
-// How a character gets on with its way, in the words of the specification's section 8, and what it costs it
-// that others bar its way.
+// How a character gets on with its way, in the words of the specification's section 8.
 #pragma once
 
 #include <cstdint>
@@ -29,20 +28,6 @@ struct WalkProgress {
     template <class Archive>
     void visit(Archive& archive) {
         archive(anchor, movedAt, since, within, stuckRaised, camp, campedAt);
-    }
-};
-
-/// The wait of one character.
-struct PlaceWait {
-    Vec2 anchor;              ///< Where it was when it last got on [m].
-    float stood = 0.0f;       ///< Time since then [s].
-    std::int32_t place = -1;  ///< A place to which others barred the way; -1 for none.
-    float cost = 0.0f;        ///< What is added to the cost of that place [m], 0 or more.
-
-    /// Lets an archive read or write the wait.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(anchor, stood, place, cost);
     }
 };
 

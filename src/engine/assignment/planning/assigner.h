@@ -26,10 +26,9 @@ struct PlanInput {
     std::uint32_t edits = 0;  ///< Changes when what stands still has changed: then known costs are forgotten.
     /// Per character, 0 where it is known to stand in another region than the places; empty for all 1.
     std::span<const std::uint8_t> connected = {};
-    /// Per character, a place to which others bar its way, -1 for none, and what is added to its cost there
-    /// [m]; below 0 minus what the place costs it, where that is known. Both empty for none.
-    std::span<const std::int32_t> barred = {};
-    std::span<const float> wait = {};
+    /// Per character, what its incumbent place costs it [m] where that is known better than by fields, else
+    /// below 0; empty for none.
+    std::span<const float> known = {};
     PlannedWays ways = {};  ///< Ways through passages before which many wait.
     /// Per character, the factor above 0 by which a way costs it more than others, because it is slower;
     /// empty for all 1.

@@ -54,8 +54,6 @@ void FlowMarches::exchange(WorldState& state, Group& group) {
         const std::int32_t place = c.place[i];
         if (place < 0 || std::cmp_greater_equal(place, places_.size())) continue;
         c.place[i] = places_[place];
-        c.wait[i].place = -1;
-        c.wait[i].cost = 0.0f;
     }
     for (std::int32_t& place : group.lastAssignment)
         if (place >= 0 && std::cmp_less(place, places_.size())) place = places_[place];

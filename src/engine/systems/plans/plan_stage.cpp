@@ -79,17 +79,11 @@ void PlanStage::findConnected(const WorldState& state, const Group& group, std::
     }
 }
 
-void PlanStage::gatherWaits(const WorldState& state, const Group& group) {
-    barred_.clear();
-    wait_.clear();
+void PlanStage::gatherKnown(const WorldState& state, const Group& group) {
+    known_.clear();
     for (const std::int32_t i : group.members) {
-        const PlaceWait& wait = state.characters.wait[i];
         const double exact = slownessOf(state, i) * exactCost(state, i);
-        const bool same = wait.place == state.characters.place[i];
-        // One place counts: the one to which its way was barred, else its own, where its cost is known.
-        const bool counts = exact >= 0.0 && (wait.place < 0 || (same && wait.cost == 0.0f));
-        barred_.push_back(counts ? state.characters.place[i] : wait.place);
-        wait_.push_back(counts ? -std::max(kLeastCost, static_cast<float>(exact)) : wait.cost);
+        known_.push_back(exact >= 0.0 ? std::max(kLeastCost, static_cast<float>(exact)) : -1.0f);
     }
 }
 
@@ -162,9 +156,8 @@ void PlanStage::start(const WorldState& state, PlanCosts& costs, const PlannedWa
     input.edits = moving ? state.groundEdits + state.stepCount : state.groundEdits;
     findConnected(state, group, members.positions());
     input.connected = connected_;
-    gatherWaits(state, group);
-    input.barred = barred_;
-    input.wait = wait_;
+    gatherKnown(state, group);
+    input.known = known_;
     gatherSlowness(state, group);
     input.slowness = slowness_;
     input.ways = ways;
@@ -214,7 +207,6 @@ bool PlanStage::goesWithout(WorldState& state, Group& group) {
     for (const std::int32_t i : group.members) {
         state.characters.place[i] = -1;
         state.characters.chosen[i] = {};
-        state.characters.wait[i] = {};
     }
     if (!group.planNow || group.plan->pending()) group.plan->forget();
     group.planNow = true;

@@ -46,7 +46,7 @@ private:
     bool waitsForFirstPlan(const WorldState& state, const Group& group);
     bool goesWithout(WorldState& state, Group& group);
     void findPeriod(const WorldState& state);
-    void gatherWaits(const WorldState& state, const Group& group);
+    void gatherKnown(const WorldState& state, const Group& group);
     void gatherSlowness(const WorldState& state, const Group& group);
     void findConnected(const WorldState& state, const Group& group, std::span<const Vec2> positions);
     void findClasses(const WorldState& state, Group& group);
@@ -63,8 +63,7 @@ private:
     std::size_t firstCharacters_ = 0;    // Characters of the first plans that were made in this step.
     std::vector<std::uint8_t> without_;  // By group: 1 where its members have no places.
     std::vector<std::uint8_t> connected_;
-    std::vector<std::int32_t> barred_;  // Of one group's members, as in PlanInput.
-    std::vector<float> wait_;
+    std::vector<float> known_;  // Of one group's members, as in PlanInput [m].
     std::vector<float> slowness_;
     std::vector<std::uint8_t> class_;      // Of one group's members; empty without roles.
     std::vector<double> supply_, demand_;  // Of one group; both empty where all are 1.

@@ -2,7 +2,6 @@
 
 #include <limits>
 
-#include "engine/steering/hand_over.h"
 
 namespace muster {
 namespace {
@@ -126,11 +125,6 @@ void SteeringStage::steer(WorldState& state, double dt, ThreadPool& pool) {
         next_.position[i] = characters.position[i];
         if (!bodies_.isFixed(i)) next_.position[i] += next_.velocity[i] * dt;
     }
-}
-
-void SteeringStage::countWaits(WorldState& state, double dt) {
-    updateWaits({kTouching, state.parameters.character.maxSpeed, shared_.rooms()}, state.characters, bodies_,
-                steering_.neighbours(), dt, state.characters.wait);
 }
 
 }  // namespace muster

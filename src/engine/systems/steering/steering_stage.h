@@ -52,8 +52,6 @@ public:
     void steer(WorldState& state, double dt, ThreadPool& pool);
     /// Looks for those who share a place.
     void findSharedPlaces(const WorldState& state) { shared_.find(state); }
-    /// Counts for how long each has stood in the way of its place.
-    void countWaits(WorldState& state, double dt);
 
     const CrowdBodies& bodies() const { return bodies_; }  ///< Of this step.
     NextMotion& next() { return next_; }                   ///< By the last steer(); contacts correct it.

@@ -41,8 +41,7 @@ void FrozenPlan::freeze(const PlanDef& def, const PlanInput& input, const UnitCo
     copySpan(input.demand, demand_);
     copySpan(input.usable, usable_);
     copySpan(input.incumbent, incumbent_);
-    copySpan(input.barred, barred_);
-    copySpan(input.wait, wait_);
+    copySpan(input.known, known_);
     copySpan(input.slowness, slowness_);
     copySpan(input.characterClass, characterClass_);
     copySpan(input.placeClass, placeClass_);
@@ -164,21 +163,21 @@ const CostField* FrozenPlan::field(std::int32_t place) const {
 double FrozenPlan::pairCost(std::int32_t character, std::int32_t place) const {
     const CostField* toPlace = field(place);
     if (toPlace == nullptr || characterRegion_[character] != placeRegion_[place]) return kInfiniteCost;
-    const double wait = !barred_.empty() && barred_[character] == place ? wait_[character] : 0.0;
-    if (wait < 0.0) return -wait;
+    const bool isKnown = !known_.empty() && known_[character] >= 0.0f && incumbent_[character] == place;
+    if (isKnown) return known_[character];
     const double slowness = slowness_.empty() ? 1.0 : static_cast<double>(slowness_[character]);
     const double straight = slowness * distance(characters_[character], places_[place]);
-    if (!def_.geodesic) return straight + wait;
+    if (!def_.geodesic) return straight;
     if (!isTarget(character, place)) return kBoundShare * static_cast<double>(unitCost_.lowest) * straight;
     const Vec2 from = freePoint_[character];
     const double walk = std::max(0.0, toPlace->cost(from)) + distance(characters_[character], from);
-    return slowness * walk + wait;
+    return slowness * walk;
 }
 
 template <class Self, class Archive>
 void FrozenPlan::visitInputs(Self& self, Archive& archive) {
     archive(self.def_, self.characters_, self.supply_, self.places_, self.demand_, self.usable_,
-            self.incumbent_, self.barred_, self.wait_, self.slowness_, self.characterClass_, self.placeClass_,
+            self.incumbent_, self.known_, self.slowness_, self.characterClass_, self.placeClass_,
             self.solved_, self.unlimited_);
 }
 
@@ -202,8 +201,7 @@ bool FrozenPlan::load(Reader& archive, std::int32_t& progress) {
     if (!loadUnitCost(archive, unitCost_) || progress < 0 || progress > places()) return false;
     if (unlimited_.size() != places_.size()) return false;
     PlanInput input{characters_, supply_, places_, demand_, usable_, incumbent_};
-    input.barred = barred_;
-    input.wait = wait_;
+    input.known = known_;
     input.slowness = slowness_;
     input.characterClass = characterClass_;
     input.placeClass = placeClass_;

@@ -98,8 +98,7 @@ private:
     std::vector<double> demand_;           // Per place; empty for 1 each.
     std::vector<std::uint8_t> usable_;     // Per place; empty for all.
     std::vector<std::int32_t> incumbent_;  // Per character, -1 for none.
-    std::vector<std::int32_t> barred_;     // Per character, as in PlanInput; empty for none.
-    std::vector<float> wait_;              // Per character [m].
+    std::vector<float> known_;             // Per character, as in PlanInput; empty for none [m].
     std::vector<float> slowness_;          // Per character, as in PlanInput; empty for all 1.
     std::vector<std::uint8_t> characterClass_, placeClass_;  // As in PlanInput.
     UnitCost unitCost_;

@@ -50,15 +50,7 @@ Status FastPlan::start(const PlanDef& def, const PlanInput& input) {
     copySpan(input.usable, usable_);
     copySpan(input.incumbent, incumbent_);
     copySpan(input.connected, connected_);
-    copySpan(input.barred, barred_);
-    copySpan(input.wait, wait_);
-    known_.assign(characters_.size(), -1.0f);
-    for (std::size_t i = 0; i < wait_.size(); ++i) {
-        if (wait_[i] >= 0.0f) continue;
-        known_[i] = -wait_[i];
-        barred_[i] = -1;
-        wait_[i] = 0.0f;
-    }
+    copySpan(input.known, known_);
     copySpan(input.slowness, slowness_);
     copySpan(input.characterClass, characterClass_);
     copySpan(input.placeClass, placeClass_);
@@ -115,8 +107,8 @@ void FastPlan::advance(std::int32_t, std::int32_t, ThreadPool& pool) {
 
 void FastPlan::assign(ThreadPool& pool) {
     if (!guided_ || assigned_) return;
-    costs_.set(geodesics_, ways(), def_.geodesic, characters_, places_, guidedPlace_, incumbentCost_, barred_,
-               wait_, slowness_);
+    costs_.set(geodesics_, ways(), def_.geodesic, characters_, places_, guidedPlace_, incumbentCost_,
+               slowness_);
     if (def_.reassign)
         updateAssignment(pool);
     else
@@ -371,8 +363,8 @@ double FastPlan::costAt(std::int32_t place, Vec2 p) const {
 
 void FastPlan::forget() {
     for (auto* points : {&characters_, &places_}) points->clear();
-    for (auto* numbers : {&incumbent_, &barred_, &way_, &guidedPlace_, &waitingPlace_}) numbers->clear();
-    for (auto* numbers : {&wait_, &known_, &reach_, &onward_, &incumbentCost_}) numbers->clear();
+    for (auto* numbers : {&incumbent_, &way_, &guidedPlace_, &waitingPlace_}) numbers->clear();
+    for (auto* numbers : {&known_, &reach_, &onward_, &incumbentCost_}) numbers->clear();
     for (auto* flags : {&usable_, &connected_, &characterClass_, &placeClass_}) flags->clear();
     slowness_.clear();
     for (auto* amounts : {&supply_, &demand_}) amounts->clear();
@@ -422,7 +414,6 @@ bool FastPlan::consistent() const {
            std::all_of(assigned.begin(), assigned.end(), inRange) &&
            std::none_of(incumbentCost_.begin(), incumbentCost_.end(),
                         [](float c) { return std::isnan(c); }) &&
-           std::all_of(wait_.begin(), wait_.end(), [](float wait) { return wait >= 0.0f; }) &&
            guidanceConsistent() && flowsConsistent() &&
            std::all_of(waitingPlace_.begin(), waitingPlace_.end(), inRange) &&
            std::all_of(characters_.begin(), characters_.end(), isFinite) &&

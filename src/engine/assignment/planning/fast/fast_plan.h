@@ -45,7 +45,7 @@ private:
     template <class Self, class Archive>
     static void visit(Self& self, Archive& archive) {
         archive(self.def_, self.characters_, self.places_, self.usable_, self.incumbent_, self.connected_,
-                self.barred_, self.wait_, self.slowness_, self.characterClass_, self.placeClass_,
+                self.slowness_, self.characterClass_, self.placeClass_,
                 self.incumbentCost_, self.guidance_, self.guidedPlace_, self.guidanceRound_, self.pending_,
                 self.assigned_, self.assignment_, self.targets_, self.waitingPlace_, self.waitingCursor_,
                 self.everFinished_, self.first_, self.known_, self.records_, self.edits_);
@@ -78,8 +78,6 @@ private:
     std::vector<std::uint8_t> usable_;     // Per place; empty for all.
     std::vector<std::int32_t> incumbent_;  // Per character, -1 for none.
     std::vector<std::uint8_t> connected_;  // Per character, as in PlanInput.
-    std::vector<std::int32_t> barred_;     // Per character, as in PlanInput.
-    std::vector<float> wait_;              // Per character, as in PlanInput [m].
     std::vector<float> slowness_;          // Per character, as in PlanInput.
     // As in PlanInput.
     std::vector<std::uint8_t> characterClass_, placeClass_;

@@ -17,11 +17,10 @@ class GeodesicCostOracle final : public CostOracle {
 public:
     /// Takes the state of this step; all must outlive the last query. `incumbentCost` is the cost of each
     /// character to its place in `incumbent` (-1 for none) [m]. `geodesic` is false for straight-line costs.
-    /// `barred`, `wait` (0 or more) and `slowness` as in PlanInput; `incumbentCost` counts that.
+    /// `slowness` is as in PlanInput; `incumbentCost` counts it.
     void set(const Geodesics& geodesics, const PlannedWays& ways, bool geodesic,
              std::span<const Vec2> characters, std::span<const Vec2> places,
              std::span<const std::int32_t> incumbent, std::span<const float> incumbentCost,
-             std::span<const std::int32_t> barred, std::span<const float> wait,
              std::span<const float> slowness) {
         geodesics_ = &geodesics;
         ways_ = ways;
@@ -30,8 +29,6 @@ public:
         places_ = places;
         incumbent_ = incumbent;
         incumbentCost_ = incumbentCost;
-        barred_ = barred;
-        wait_ = wait;
         slowness_ = slowness;
         leastSlowness_ = 1.0f;
         for (const float factor : slowness) leastSlowness_ = std::min(leastSlowness_, factor);
@@ -63,10 +60,6 @@ public:
 
 private:
     float pairCost(std::int32_t character, std::int32_t place) const {
-        if (barred_.empty() || barred_[character] != place) return walkCost(character, place);
-        return walkCost(character, place) + wait_[character];
-    }
-    float walkCost(std::int32_t character, std::int32_t place) const {
         if (incumbent_[character] == place) return incumbentCost_[character];
         const float walk = rawCost(character, place);
         return slowness_.empty() ? walk : slowed(walk, slowness_[character]);
@@ -85,8 +78,6 @@ private:
     std::span<const Vec2> places_;             // Positions [m].
     std::span<const std::int32_t> incumbent_;  // Per character, -1 for none.
     std::span<const float> incumbentCost_;     // Per character [m].
-    std::span<const std::int32_t> barred_;     // Per character, -1 for none.
-    std::span<const float> wait_;              // Per character [m].
     std::span<const float> slowness_;          // Per character; empty for all 1.
     float leastSlowness_ = 1.0f;
 };
