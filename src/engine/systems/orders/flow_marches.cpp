@@ -77,7 +77,9 @@ void FlowMarches::findTaken(const WorldState& state, const Group& group) {
 PlaceDef FlowMarches::layOut(WorldState& state, Group& group, EndDef def) {
     MarchFlow& flow = group.flow;
     const PlaceDef places = placeDefOf(state, group);
-    const FreeSpace space(places, state.routesOf(group), group.region, nearest_);
+    // The stages of routes and regions come later in the step.
+    const RouteGraph& routes = state.refreshRoutes(group.groundClass);
+    const FreeSpace space(places, routes, mainRegion(state, group, regions_), nearest_);
     def.spacing = spacingOf(group);
     endPlaces_.find(def, space, places.apart(), flow.ends, flow.to);
     flow.version = group.formationVersion;

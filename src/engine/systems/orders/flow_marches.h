@@ -47,7 +47,7 @@ private:
     EndPlaces endPlaces_;
     NearestReachable nearest_;
     Pairing pairing_;
-    std::vector<std::int32_t> places_;
+    std::vector<std::int32_t> places_, regions_;
     std::vector<double> speeds_;
     std::vector<Vec2> taken_, together_;
     CellList cells_;
