@@ -76,6 +76,47 @@ TEST_CASE("a line that is to face about turns on the spot") {
     CHECK(playOrder(square(60, 30, {0, 0}), Order::face(kPi), extent) < 3.0);
 }
 
+TEST_CASE("a march that is ordered exchanges nobody on open ground, however often") {
+    World world = World::create(square(60, 10, {0, 0})).value();
+    std::uint32_t sequence = 0;
+    std::int32_t swaps = 0;
+    for (int s = 0; s < 20 * 60; ++s) {
+        const double angle = 0.7 * s;
+        if (s % 6 == 0)
+            REQUIRE(give(world, sequence,
+                         GiveOrder{GroupId{1}, QueueMode::Replace, 0,
+                                   Order::move({3.0 * cosine(angle), 3.0 * sine(angle)})})
+                        .ok());
+        world.step();
+        for (const Event& e : world.events()) swaps += e.kind == EventKind::Swap ? 1 : 0;
+    }
+    CHECK(swaps <= 60);
+}
+
+TEST_CASE("orders to where nobody can come move a group once, for each that is free too") {
+    for (const Manner manner : {Manner::March, Manner::Free}) {
+        WorldDef def = square(60, 10, {0, 0});
+        def.obstacles = {block(-8, -8, -7, 8), block(7, -8, 8, 8), block(-7, -8, 7, -7), block(-7, 7, 7, 8)};
+        World world = World::create(def).value();
+        std::uint32_t sequence = 0, told = 0;
+        std::vector<double> walked(60, 0.0);
+        for (int s = 0; s < 20 * 60; ++s) {
+            Order order = Order::move({-50.0, 15.0 * sine(0.3 * s)});
+            order.manner = manner;
+            if (s % 6 == 0)
+                REQUIRE(give(world, sequence, GiveOrder{GroupId{1}, QueueMode::Replace, 0, order}).ok());
+            const std::vector<Vec2> before = copyOf(world.characters().position);
+            world.step();
+            for (const Event& e : world.events()) told += e.kind == EventKind::NoPath ? 1 : 0;
+            for (std::size_t i = 0; i < walked.size(); ++i)
+                walked[i] += distance(before[i], world.characters().position[i]);
+        }
+        CAPTURE(static_cast<int>(manner));
+        CHECK(told == 200);
+        CHECK(*std::max_element(walked.begin(), walked.end()) < 16.0);
+    }
+}
+
 TEST_CASE("twenty orders a second to one target do not slow a group") {
     World world = World::create(square(60, 10, {-40, 0})).value();
     std::uint32_t sequence = 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "engine/formation/places/free_space.h"
@@ -23,6 +24,9 @@ public:
     /// others.
     void start(WorldState& state, Group& group, const Pose& end, std::span<const Vec2> way,
                bool drawn = false);
+    /// True where the group, sent to a point [m] for want of a way to the target of its order, would come
+    /// nearer to that by enough of its walk from where it stands or goes, or has to turn.
+    bool pays(WorldState& state, Group& group, Vec2 at, std::optional<double> facing);
     /// Puts the places of the group where it is to stand, at the pose of its mesh, at once.
     void stand(WorldState& state, Group& group);
     /// Lays the places of a group out on the ground whose mesh rests where many of them cannot be.
@@ -32,7 +36,9 @@ public:
     bool advance(WorldState& state, const WayGround& ground, Group& group, const MarchDef& def);
 
 private:
-    PlaceDef layOut(WorldState& state, Group& group, EndDef def);
+    PlaceDef layOut(WorldState& state, Group& group, EndDef def, std::vector<Vec2>& ends, Pose& to);
+    EndDef endsAt(const WorldState& state, const Group& group, const Pose& end,
+                  std::span<const Vec2> offsets);
     bool findEnds(WorldState& state, Group& group, const Pose& end);
     void findTaken(const WorldState& state, const Group& group);
     void exchange(WorldState& state, Group& group);

@@ -195,6 +195,16 @@ void OrderStage::beginWay(WorldState& state, Group& group, std::int32_t region) 
     if (nearest != places.end()) march.way.push_back(*nearest);
 }
 
+// True where the target cannot be reached and the group already stands, or goes, about as near as it can
+// come.
+bool OrderStage::staysNear(WorldState& state, Group& group) {
+    const OrderQueue& queue = group.orders;
+    const Order& order = queue.orders.front().order;
+    const bool flows = flowsBy(group, order) || order.manner == Manner::Free;
+    if (queue.reachable || order.kind != OrderKind::Move || !order.route.empty() || !flows) return false;
+    return !flows_.pays(state, group, queue.target, order.facing);
+}
+
 // Begins the way from where the mesh is.
 void OrderStage::restart(WorldState& state, Group& group) {
     OrderQueue& queue = group.orders;
@@ -205,6 +215,11 @@ void OrderStage::restart(WorldState& state, Group& group) {
     march.searched = 0;
     march.facing = order.facing.value_or(0.0);
     march.turns = order.facing.has_value();
+    if (staysNear(state, group)) {
+        march.phase = group.flow.moves() ? MarchPhase::Go : MarchPhase::Stand;
+        queue.stoodAt = state.stepCount;
+        return;
+    }
     group.flow.end();
     if (order.kind == OrderKind::Face) {
         march.way.assign(2, pose.position);

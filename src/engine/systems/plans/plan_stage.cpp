@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "engine/assignment/planning/main_places.h"
 #include "engine/state/ground_class.h"
@@ -253,7 +254,10 @@ void PlanStage::endBackgroundWork(ThreadPool& pool) {
 
 void PlanStage::takePlaces(WorldState& state) {
     without_.clear();
-    for (Group& group : state.groups) without_.push_back(goesWithout(state, group) ? 1 : 0);
+    for (Group& group : state.groups) {
+        if (std::exchange(group.renumbered, false)) group.plan->forget();
+        without_.push_back(goesWithout(state, group) ? 1 : 0);
+    }
 }
 
 void PlanStage::run(WorldState& state, PlanCosts& costs, const WayStage& ways, GroupMembers& members,
