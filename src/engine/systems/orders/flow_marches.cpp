@@ -142,6 +142,7 @@ void FlowMarches::stand(WorldState& state, Group& group) {
     flow.way.clear();
     flow.standAtEnds();
     group.mesh.setPose(flow.to);
+    group.places.stand(flow.ends);
 }
 
 void FlowMarches::settle(WorldState& state, Group& group) {

@@ -27,7 +27,8 @@ public:
     /// True where the group, sent to a point [m] for want of a way to the target of its order, would come
     /// nearer to that by enough of its walk from where it stands or goes, or has to turn.
     bool pays(WorldState& state, Group& group, Vec2 at, std::optional<double> facing);
-    /// Puts the places of the group where it is to stand, at the pose of its mesh, at once.
+    /// Puts the places of the group where it is to stand, at the pose of its mesh, at once: what each will
+    /// really walk says who goes to which.
     void stand(WorldState& state, Group& group);
     /// Lays the places of a group out on the ground whose mesh rests where many of them cannot be.
     void settle(WorldState& state, Group& group);
