@@ -160,7 +160,7 @@ void FastPlan::evaluateGuidance(ThreadPool& pool) {
     incumbentCost_.resize(characters_.size());
     records_.resize(characters_.size());
     reluctance_.assign(characters_.size(), 0.0f);
-    // Where some choose among passages others go where these leave room.
+    // Where some choose among passages the others go where these are not.
     spreads_ = std::any_of(way_.begin(), way_.end(), [](std::int32_t way) { return way >= 0; });
     targets_.resize(characters_.size());
     ++guidanceRound_;
