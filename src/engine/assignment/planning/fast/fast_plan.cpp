@@ -160,8 +160,6 @@ void FastPlan::evaluateGuidance(ThreadPool& pool) {
     incumbentCost_.resize(characters_.size());
     records_.resize(characters_.size());
     reluctance_.assign(characters_.size(), 0.0f);
-    // Where some choose among passages the others go where these are not.
-    spreads_ = std::any_of(way_.begin(), way_.end(), [](std::int32_t way) { return way >= 0; });
     targets_.resize(characters_.size());
     ++guidanceRound_;
     forChunks(&pool, characters_.size(), kChunk, [&](std::size_t i) {
@@ -228,7 +226,7 @@ void FastPlan::keepRecord(std::size_t i, Vec2 direction) {
     }
     record = {places_[place], cost, place, edits_, changes};
     incumbentCost_[i] = cost;
-    if (!spreads_) reluctance_[i] = kReluctance * static_cast<float>(changes);
+    reluctance_[i] = kReluctance * static_cast<float>(changes);
 }
 
 // Who has been given another place counts with the cost for which it was given.

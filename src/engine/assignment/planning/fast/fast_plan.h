@@ -87,7 +87,6 @@ private:
     std::vector<std::int32_t> way_;  // The ways of PlannedWays, of this step only.
     std::vector<float> reach_, onward_;
     std::vector<float> reluctance_;  // Per character, in this step only.
-    bool spreads_ = false;           // Somebody has chosen a passage in this step.
     std::vector<Vec2> moved_;        // Per character since the last plan, in this step only [m].
     // As in PlanInput, of this step only; both empty where all flows are of one unit.
     std::vector<double> supply_, demand_;
