@@ -28,8 +28,10 @@ enum class EventKind : std::uint8_t {
     /// The ground cut off the way of `value` characters of a group, or for 2 s a moving obstacle did, as a
     /// gate that closes. One that only passes gives no event.
     Blocked,
-    Free,          ///< All of a group have their way again; `value` is how many had none.
-    NoPath,        ///< No place of the group's order can be reached; `value` is their number.
+    Free,  ///< All of a group have their way again; `value` is how many had none.
+    /// No place of the group's order can be reached, or not by its largest members, who stay behind; `value`
+    /// is the number of those concerned.
+    NoPath,
     Partial,       ///< `value` places of the group's order cannot be reached; the others can.
     OrderGiven,    ///< A group was given the order of id `value`.
     OrderBegun,    ///< It begins the order of id `value`.

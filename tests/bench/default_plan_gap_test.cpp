@@ -115,8 +115,7 @@ TEST_CASE("gap of the default plan on uniform ground") {
     checkGaps("uniform", floorWithCrowd(1), 0.01, 0.01);
 }
 
-// A change of places must pay: whoever was pushed onto slow ground keeps its place until another one is
-// clearly better. One scene says little of that.
+// A change of places must pay; who was pushed onto slow ground counts with that. One scene says little of it.
 TEST_CASE("gap of the default plan on slow ground") {
     constexpr int kScenes = 8;
     double worst = 0.0, mean = 0.0;
@@ -130,8 +129,8 @@ TEST_CASE("gap of the default plan on slow ground") {
     }
     MESSAGE("measured: slow ground: gap at worst " << worst << " %, mean " << mean << " % of " << kScenes
                                                    << " scenes");
-    CHECK(worst <= 45.0);  // 42.8, at one look of one scene, and 2.09.
-    CHECK(mean <= 2.2);
+    CHECK(worst <= 15.0);  // 13.3, and 1.01; 42.8 and 2.09 where what is left never grows for them.
+    CHECK(mean <= 1.1);
 }
 
 TEST_CASE("gap of the default plan among cars") {

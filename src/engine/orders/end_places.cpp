@@ -6,12 +6,14 @@
 namespace muster {
 namespace {
 
-constexpr double kPoseStep = 0.5;        // Between poses that are tried [m].
-constexpr double kFarthest = 1.0;        // A pose is moved by so many reaches of the formation at most.
-constexpr double kFarthestBeside = 3.0;  // The same where others stand there.
-constexpr double kJoined = 2.5;          // Places so near, in spacings, are joined where the line is clear.
-constexpr double kTighter = 0.85;        // Of the spacing, where there is too little room.
-constexpr double kMostInWalls = 0.25;    // Share of places that may have to leave the formation.
+constexpr double kPoseStep = 0.5;  // Between poses that are tried [m].
+constexpr double kFarthest = 1.0;  // A pose is moved by so many reaches of the formation at most.
+// Tangents of the angles to its own way at which a formation comes to stand beside others.
+constexpr double kSlopes[] = {0.0, -0.2, 0.2, -0.4, 0.4, -0.6, 0.6, -0.8,
+                              0.8, -1.0, 1.0, -1.3, 1.3, -1.6, 1.6};
+constexpr double kJoined = 2.5;        // Places so near, in spacings, are joined where the line is clear.
+constexpr double kTighter = 0.85;      // Of the spacing, where there is too little room.
+constexpr double kMostInWalls = 0.25;  // Share of places that may have to leave the formation.
 
 // Sixteen directions; unit vectors of the exact circle are not needed.
 constexpr Vec2 kAround[16] = {{1, 0},  {.924, .383},   {.707, .707},   {.383, .924},
@@ -93,18 +95,29 @@ bool EndPlaces::isJoined(const FreeSpace& space, double spacing, std::span<const
     return queue_.size() == n;
 }
 
-// Where the formation comes to those who have taken its target: the last free point before it that no wall
-// parts from it.
-Vec2 EndPlaces::nearSide(const EndDef& def, const FreeSpace& space) const {
-    const Vec2 target = def.pose.position, back = normalized(def.from - target);
-    const double whole = distance(target, def.from);
-    const Vec2 ground = space.nearest(target);
-    for (double s = 0.0; s < whole; s += kPoseStep) {
-        const Vec2 p = target + back * s;
-        if (!space.routes().environment().clearStaticLine(ground, p, 0.0)) break;
-        if (space.contains(p) && !isTaken(p)) return p;
-    }
-    return target;
+// True where nobody stands on the line from where the formation comes to a point.
+bool EndPlaces::isOpenTo(const EndDef& def, Vec2 at) const {
+    const Vec2 back = normalized(def.from - at);
+    const double whole = distance(at, def.from);
+    for (double s = 0.0; s < whole; s += apart_)
+        if (isTaken(at + back * s)) return false;
+    return true;
+}
+
+// Where the formation stands beside those who have taken its target: on its own side of them, so that it need
+// not cross them, with no wall between. Poses are tried along circles through the target whose diameters lie
+// on its own way, so that the farther aside one is the nearer it must be.
+bool EndPlaces::findBeside(const EndDef& def, const FreeSpace& space, Vec2 there, Vec2& at) const {
+    const Vec2 back = normalized(def.from - there), side = perpendicular(back);
+    const double whole = distance(there, def.from);
+    for (double diameter = kPoseStep; diameter < whole; diameter += kPoseStep)
+        for (const double slope : kSlopes) {
+            at = there + (back + side * slope) * (diameter / (1.0 + slope * slope));
+            if (space.contains(at) && fits(def, space, at, true) && isOpenTo(def, at) &&
+                isBeside(def, space, there, at))
+                return true;
+        }
+    return false;
 }
 
 // True where a point taken lately is nearer than that: the flood comes to what is close together at about the
@@ -158,9 +171,7 @@ void EndPlaces::find(const EndDef& def, const FreeSpace& space, double apart, st
     EndDef beside = def;
     if (crowded) {
         const Vec2 there = pose.position;
-        beside.pose.position = pose.position = nearSide(def, space);
-        fits = findFit(beside, space, kFarthestBeside * def.reach + kPoseStep, true, pose.position) &&
-               isBeside(def, space, there, pose.position);
+        fits = findBeside(def, space, there, pose.position);
         // Else it gathers round them.
         if (!fits) beside.pose.position = pose.position = there;
     }

@@ -36,7 +36,8 @@ private:
     bool findFit(const EndDef& def, const FreeSpace& space, double farthest, bool beside, Vec2& at) const;
     static bool isBeside(const EndDef& def, const FreeSpace& space, Vec2 a, Vec2 b);
     bool isJoined(const FreeSpace& space, double spacing, std::span<const Vec2> ends, Vec2 middle);
-    Vec2 nearSide(const EndDef& def, const FreeSpace& space) const;
+    bool isOpenTo(const EndDef& def, Vec2 at) const;
+    bool findBeside(const EndDef& def, const FreeSpace& space, Vec2 there, Vec2& at) const;
     bool isNearLast(Vec2 p, double distance) const;
     bool layOut(const EndDef& def, const FreeSpace& space, double apart, std::vector<Vec2>& ends);
 

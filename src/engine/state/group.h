@@ -92,6 +92,7 @@ struct Group {
     std::int32_t region = -1;           ///< Region in which most of its characters stand; -1 for none.
     bool split = false;                 ///< True where they stand in several regions.
     std::vector<std::int32_t> members;  ///< Indices of its characters, ascending.
+    bool renumbered = false;            ///< Its places have other numbers than its plan knows.
 
     /// Lets an archive read or write everything but the plan and the caches.
     template <class Archive>

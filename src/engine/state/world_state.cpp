@@ -33,6 +33,7 @@ std::int32_t mainRegion(const WorldState& state, const Group& group, std::vector
     const RouteGraph& routes = state.routesOf(group);
     const bool only = routes.regionCount() <= 1;
     for (const std::int32_t i : group.members) {
+        if (!fitsGround(state, group, i)) continue;
         const std::int32_t label = routes.region(state.characters.position[i]);
         if (label < 0) continue;
         if (only) return label;

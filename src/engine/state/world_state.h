@@ -80,8 +80,8 @@ inline bool comesBefore(const Command& a, const Command& b) {
     return std::tie(a.step, a.client, a.sequence) < std::tie(b.step, b.client, b.sequence);
 }
 
-/// The region in which most of a group's characters stand, the lower label among equals; -1 for
-/// none. `counts` becomes the number of its characters by region.
+/// The region in which most of a group's characters stand who fit on its ground, the lower label among
+/// equals; -1 for none. `counts` becomes the number of its characters by region.
 std::int32_t mainRegion(const WorldState& state, const Group& group, std::vector<std::int32_t>& counts);
 
 }  // namespace muster

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/maths.h"
+
 using namespace muster;
 
 namespace {
@@ -116,4 +118,31 @@ TEST_CASE("where others stand, or will stand, a formation stands beside them on 
     CHECK(second.free);
     CHECK(between >= 0.6);
     CHECK(middle < -2.0);  // It comes from there.
+}
+
+TEST_CASE("formations that come from all sides to one point stand round it, each on its own side") {
+    RoutedGround ground({}, {{-60, -60}, {60, 60}});
+    const std::vector<Vec2> offsets = squareOf(10, 1.0);
+    std::vector<Vec2> taken;
+    for (int k = 0; k < 20; ++k) {
+        const double angle = 2.0 * kPi * k / 20.0;
+        const FreeSpace space(ground.def, ground.routes, -1, ground.nearest);
+        EndDef def;
+        def.offsets = offsets;
+        for (const Vec2 p : offsets) def.reach = std::max(def.reach, length(p));
+        def.from = Vec2{cosine(angle), sine(angle)} * 55.0;
+        def.pose.rotation = {cosine(angle), sine(angle)};
+        def.taken = taken;
+        EndPlaces places;
+        std::vector<Vec2> ends;
+        Pose pose;
+        places.find(def, space, 0.5, ends, pose);
+        CAPTURE(k);
+        CHECK((k == 0 || dot(pose.position, normalized(def.from)) > 0.5 * length(pose.position)));
+        // As near as there is room: twenty squares of 110 square metres in a disc of 40 m.
+        for (const Vec2 p : ends) CHECK(length(p) < 40.0);
+        for (const Vec2 p : ends)
+            for (const Vec2 q : taken) CHECK(distance(p, q) > 0.5);
+        taken.insert(taken.end(), ends.begin(), ends.end());
+    }
 }

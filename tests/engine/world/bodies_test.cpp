@@ -259,3 +259,36 @@ TEST_CASE("random body commands leave every number finite, and snapshots and rew
         CHECK(copy.hash() == played.world.hash());
     }
 }
+
+TEST_CASE("who does not fit through is told and stays, and the others go, and come back") {
+    for (const Manner manner : {Manner::March, Manner::Free, Manner::Continuum}) {
+        WorldDef def = gapScene(0.2, 12);
+        def.obstacles[1] = block(-0.5, 0.4, 0.5, 16);
+        def.groups[0].bodies.assign(12, ofRadius(0.2));
+        def.groups[0].bodies[3] = ofRadius(0.9);
+        Played played(def);
+        std::uint32_t told = 0, done = 0;
+        const auto go = [&](Vec2 target) {
+            Order order = Order::move(target);
+            order.manner = manner;
+            played.give(GiveOrder{GroupId{1}, QueueMode::Replace, 0, order});
+            told = done = 0;
+            for (int s = 0; s < 60 * 25; ++s) {
+                played.world.step();
+                for (const Event& event : played.world.events()) {
+                    if (event.kind == EventKind::NoPath) told += event.value;
+                    done += event.kind == EventKind::OrderDone ? 1 : 0;
+                }
+            }
+            std::int32_t beyond = 0;
+            for (const Vec2 p : played.world.characters().position) beyond += p.x > 0.5 ? 1 : 0;
+            CHECK(played.world.characters().position[3].x < 0.5);
+            CHECK(done == 1);
+            return beyond;
+        };
+        CAPTURE(static_cast<int>(manner));
+        CHECK(go({7, 0}) == 11);
+        CHECK(told == 1);
+        CHECK(go({-7, 0}) == 0);
+    }
+}

@@ -76,6 +76,47 @@ TEST_CASE("a line that is to face about turns on the spot") {
     CHECK(playOrder(square(60, 30, {0, 0}), Order::face(kPi), extent) < 3.0);
 }
 
+TEST_CASE("a march that is ordered exchanges nobody on open ground, however often") {
+    World world = World::create(square(60, 10, {0, 0})).value();
+    std::uint32_t sequence = 0;
+    std::int32_t swaps = 0;
+    for (int s = 0; s < 20 * 60; ++s) {
+        const double angle = 0.7 * s;
+        if (s % 6 == 0)
+            REQUIRE(give(world, sequence,
+                         GiveOrder{GroupId{1}, QueueMode::Replace, 0,
+                                   Order::move({3.0 * cosine(angle), 3.0 * sine(angle)})})
+                        .ok());
+        world.step();
+        for (const Event& e : world.events()) swaps += e.kind == EventKind::Swap ? 1 : 0;
+    }
+    CHECK(swaps <= 60);
+}
+
+TEST_CASE("orders to where nobody can come move a group once, for each that is free too") {
+    for (const Manner manner : {Manner::March, Manner::Free}) {
+        WorldDef def = square(60, 10, {0, 0});
+        def.obstacles = {block(-8, -8, -7, 8), block(7, -8, 8, 8), block(-7, -8, 7, -7), block(-7, 7, 7, 8)};
+        World world = World::create(def).value();
+        std::uint32_t sequence = 0, told = 0;
+        std::vector<double> walked(60, 0.0);
+        for (int s = 0; s < 20 * 60; ++s) {
+            Order order = Order::move({-50.0, 15.0 * sine(0.3 * s)});
+            order.manner = manner;
+            if (s % 6 == 0)
+                REQUIRE(give(world, sequence, GiveOrder{GroupId{1}, QueueMode::Replace, 0, order}).ok());
+            const std::vector<Vec2> before = copyOf(world.characters().position);
+            world.step();
+            for (const Event& e : world.events()) told += e.kind == EventKind::NoPath ? 1 : 0;
+            for (std::size_t i = 0; i < walked.size(); ++i)
+                walked[i] += distance(before[i], world.characters().position[i]);
+        }
+        CAPTURE(static_cast<int>(manner));
+        CHECK(told == 200);
+        CHECK(*std::max_element(walked.begin(), walked.end()) < 16.0);
+    }
+}
+
 TEST_CASE("twenty orders a second to one target do not slow a group") {
     World world = World::create(square(60, 10, {-40, 0})).value();
     std::uint32_t sequence = 0;
@@ -133,4 +174,47 @@ TEST_CASE("a march that flows is restored bit for bit at any step") {
             if (end == s + 1) REQUIRE(other.hash() == world.hash());
         }
     }
+}
+
+TEST_CASE(
+    "eight groups ordered to one point from all sides come to rest round it without waiting for each other") {
+    WorldDef def = square(25, 5, {});
+    for (int k = 0; k < 8; ++k) {
+        if (k > 0) def.groups.push_back(def.groups[0]);
+        const double angle = 0.25 * kPi * k;
+        def.groups[k].position = {40.0 * cosine(angle), 40.0 * sine(angle)};
+        def.groups[k].angle = angle + kPi;
+    }
+    World world = World::create(def).value();
+    std::uint32_t sequence = 0, done = 0;
+    for (std::uint32_t k = 0; k < 8; ++k)
+        REQUIRE(give(world, sequence, GiveOrder{GroupId{k + 1}, QueueMode::Replace, 0, Order::move({0, 0})})
+                    .ok());
+    while (world.time() < 26.0) {  // 20 s alone.
+        world.step();
+        for (const Event& e : world.events()) done += e.kind == EventKind::OrderDone ? 1 : 0;
+    }
+    CHECK(done == 8);
+    for (const Vec2 v : world.characters().velocity) CHECK(length(v) < 0.05);
+}
+
+TEST_CASE("an order to go each for itself among thin walls exchanges few") {
+    WorldDef def = square(20, 5, {-6, 0});
+    def.box = {{-15, -15}, {15, 15}};
+    // Rooms with doors of 0.9 m.
+    for (const double y : {-6.0, 0.0, 6.0}) {
+        def.obstacles.push_back(block(0, y + 0.45, 0.1, y + 5.55));
+        def.obstacles.push_back(block(0.1, y + 2.9, 6, y + 3.0));
+    }
+    def.obstacles.push_back(block(0, -15, 0.1, -6.45));
+    def.obstacles.push_back(block(0, 11.55, 0.1, 15));
+    World world = World::create(def).value();
+    std::uint32_t sequence = 0, swaps = 0;
+    REQUIRE(give(world, sequence, GiveOrder{GroupId{1}, QueueMode::Replace, 0, Order::go({10, 2})}).ok());
+    while (world.time() < 40.0) {
+        world.step();
+        for (const Event& e : world.events()) swaps += e.kind == EventKind::Swap ? 1 : 0;
+    }
+    CHECK(swaps <= 80);
+    for (const Vec2 p : world.characters().position) CHECK(distance(p, {10, 2}) < 4.5);
 }

@@ -334,6 +334,11 @@ void PlaceTracker::lead(std::span<const Vec2> positions, double dt) {
     reachRegion_ = -1;
 }
 
+void PlaceTracker::stand(std::span<const Vec2> positions) {
+    lead(positions, 1.0);
+    velocity_.assign(positions.size(), Vec2{});
+}
+
 void PlaceTracker::assemble(std::span<const Origin> origins) {
     std::vector<Vec2> position, velocity;
     ReachableTargets targets;

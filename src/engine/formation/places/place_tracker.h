@@ -38,6 +38,8 @@ public:
 
     /// Puts the places, of which there must be as many, where a march has led them in `dt` [s] > 0.
     void lead(std::span<const Vec2> positions, double dt);
+    /// Puts them where they are to stand.
+    void stand(std::span<const Vec2> positions);
 
     /// Where a place of another arrangement begins.
     struct Origin {

@@ -14,6 +14,8 @@ namespace {
 
 constexpr double kMostOff = 0.25;         // Share of places that may be elsewhere than the mesh wants them.
 constexpr std::uint32_t kLookSteps = 30;  // Steps between two looks whether others stand where a mesh rests.
+constexpr double kSameFacing = 0.99;      // Cosine of the angle by which headings that are alike may differ.
+constexpr double kPays = 0.25;             // Of a walk that does not lead to the target: so much nearer it has to come.
 
 Vec2 meanOf(std::span<const Vec2> points) {
     Vec2 sum;
@@ -48,6 +50,7 @@ void FlowMarches::exchange(WorldState& state, Group& group) {
                                                       ? std::span<const std::uint8_t>(group.placeClass)
                                                       : std::span<const std::uint8_t>();
     const auto to = pairing_.pair(now, flow.ends, classes, classes);
+    group.renumbered = true;
     places_.assign(to.begin(), to.end());
     for (std::size_t k = 0; k < now.size(); ++k) flow.starts[places_[k]] = now[k];
     for (const std::int32_t i : group.members) {
@@ -73,18 +76,47 @@ void FlowMarches::findTaken(const WorldState& state, const Group& group) {
     }
 }
 
-// Lays the ends out on the present ground. Returns how the group's places are led.
-PlaceDef FlowMarches::layOut(WorldState& state, Group& group, EndDef def) {
-    MarchFlow& flow = group.flow;
+// Lays ends out on the present ground. Returns how the group's places are led.
+PlaceDef FlowMarches::layOut(WorldState& state, Group& group, EndDef def, std::vector<Vec2>& ends, Pose& to) {
     const PlaceDef places = placeDefOf(state, group);
     // The stages of routes and regions come later in the step.
     const RouteGraph& routes = state.refreshRoutes(group.groundClass);
     const FreeSpace space(places, routes, mainRegion(state, group, regions_), nearest_);
     def.spacing = spacingOf(group);
-    endPlaces_.find(def, space, places.apart(), flow.ends, flow.to);
-    flow.version = group.formationVersion;
-    flow.ground = state.groundEdits;
+    endPlaces_.find(def, space, places.apart(), ends, to);
     return places;
+}
+
+// Where the group's formation is to stand, beside other groups.
+EndDef FlowMarches::endsAt(const WorldState& state, const Group& group, const Pose& end,
+                           std::span<const Vec2> offsets) {
+    findTaken(state, group);
+    EndDef ends;
+    ends.offsets = offsets;
+    ends.reach = extentOf(group).reach;
+    ends.pose = end;
+    ends.taken = taken_;
+    ends.from = meanOf(group.places.positions());
+    return ends;
+}
+
+bool FlowMarches::pays(WorldState& state, Group& group, Vec2 at, std::optional<double> facing) {
+    std::vector<Vec2> offsets;
+    group.mesh.restPlaces(offsets);
+    if (group.places.positions().size() != offsets.size()) return true;
+    // On another ground the ends of before may lie in walls.
+    if (group.flow.leads() && group.flow.ground != state.groundEdits) return true;
+    Pose to, end = group.flow.leads() ? group.flow.to : group.mesh.pose();
+    end.position = at;
+    if (facing) {
+        const Rotation asked{cosine(*facing), sine(*facing)};
+        if (asked.c * end.rotation.c + asked.s * end.rotation.s < kSameFacing) return true;
+    }
+    layOut(state, group, endsAt(state, group, end, offsets), targets_, to);
+    const Vec2 target = group.orders.orders.front().order.target;
+    const Vec2 now = meanOf(group.flow.leads() ? group.flow.ends : group.places.positions());
+    const Vec2 then = meanOf(targets_);
+    return distance(now, target) - distance(then, target) > kPays * distance(now, then);
 }
 
 bool FlowMarches::findEnds(WorldState& state, Group& group, const Pose& end) {
@@ -92,14 +124,10 @@ bool FlowMarches::findEnds(WorldState& state, Group& group, const Pose& end) {
     flow.end();
     group.mesh.restPlaces(flow.offsets);
     if (group.places.positions().size() != flow.offsets.size()) return false;
-    findTaken(state, group);
-    EndDef ends;
-    ends.offsets = flow.offsets;
-    ends.reach = extentOf(group).reach;
-    ends.pose = end;
-    ends.taken = taken_;
-    ends.from = meanOf(group.places.positions());
-    flow.radius = lineRadius(layOut(state, group, ends));
+    const EndDef ends = endsAt(state, group, end, flow.offsets);
+    flow.radius = lineRadius(layOut(state, group, ends, flow.ends, flow.to));
+    flow.version = group.formationVersion;
+    flow.ground = state.groundEdits;
     flow.spacing = spacingOf(group);
     flow.from = group.mesh.pose();
     flow.q = flow.speed = flow.rate = 0.0;
@@ -114,6 +142,7 @@ void FlowMarches::stand(WorldState& state, Group& group) {
     flow.way.clear();
     flow.standAtEnds();
     group.mesh.setPose(flow.to);
+    group.places.stand(flow.ends);
 }
 
 // Where those stand for whom the group makes room: who holds its ground, else who was laid out beside others,
@@ -177,7 +206,9 @@ void FlowMarches::settle(WorldState& state, Group& group) {
     if (onOthers) ends.taken = taken_;
     for (const std::int32_t i : group.members)
         ends.from += state.characters.position[i] / static_cast<double>(group.members.size());
-    layOut(state, group, ends);
+    layOut(state, group, ends, flow.ends, flow.to);
+    flow.version = group.formationVersion;
+    flow.ground = state.groundEdits;
     flow.standAtEnds();
     group.orders.march.last = group.mesh.pose();
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/cell_list.h"
@@ -24,7 +25,11 @@ public:
     /// others.
     void start(WorldState& state, Group& group, const Pose& end, std::span<const Vec2> way,
                bool drawn = false);
-    /// Puts the places of the group where it is to stand, at the pose of its mesh, at once.
+    /// True where the group, sent to a point [m] for want of a way to the target of its order, would come
+    /// nearer to that by enough of its walk from where it stands or goes, or has to turn.
+    bool pays(WorldState& state, Group& group, Vec2 at, std::optional<double> facing);
+    /// Puts the places of the group where it is to stand, at the pose of its mesh, at once: what each will
+    /// really walk says who goes to which.
     void stand(WorldState& state, Group& group);
     /// Lays the places of a group out on the ground whose mesh rests where many of them cannot be, or where
     /// others stand who were there before.
@@ -34,7 +39,9 @@ public:
     bool advance(WorldState& state, const WayGround& ground, Group& group, const MarchDef& def);
 
 private:
-    PlaceDef layOut(WorldState& state, Group& group, EndDef def);
+    PlaceDef layOut(WorldState& state, Group& group, EndDef def, std::vector<Vec2>& ends, Pose& to);
+    EndDef endsAt(const WorldState& state, const Group& group, const Pose& end,
+                  std::span<const Vec2> offsets);
     bool findEnds(WorldState& state, Group& group, const Pose& end);
     void findStanding(const WorldState& state, const Group& group);
     static bool isInWalls(const Group& group);
@@ -49,7 +56,7 @@ private:
     Pairing pairing_;
     std::vector<std::int32_t> places_, regions_;
     std::vector<double> speeds_;
-    std::vector<Vec2> taken_, together_;
+    std::vector<Vec2> taken_, together_, targets_;
     CellList cells_;
 };
 

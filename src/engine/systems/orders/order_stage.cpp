@@ -44,8 +44,9 @@ void raise(std::vector<Event>& events, EventKind kind, const Group& group, std::
     events.push_back({kind, group.id.value, value, group.mesh.pose().position});
 }
 
-void raiseNoPath(std::vector<Event>& events, const Group& group) {
-    events.push_back({EventKind::NoPath, group.id.value, static_cast<std::uint32_t>(group.def.count),
+/// `count` of the group hear that they cannot come where the order leads.
+void raiseNoPath(std::vector<Event>& events, const Group& group, std::int32_t count) {
+    events.push_back({EventKind::NoPath, group.id.value, static_cast<std::uint32_t>(count),
                       group.orders.orders.front().order.target});
 }
 
@@ -114,12 +115,15 @@ void OrderStage::findGoal(WorldState& state, Group& group) {
 
 // On another ground the order is judged again: where its target cannot be reached any more people hear of it,
 // and the group goes on as if the ground had always been so.
-void OrderStage::judgeAgain(WorldState& state, Group& group, std::vector<Event>& events) {
+void OrderStage::judgeAgain(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events) {
     OrderQueue& queue = group.orders;
     const bool reachable = queue.reachable;
     const Vec2 target = queue.target;
+    const std::int32_t tooLarge = tooLargeFor(state, group);
+    updateGroundClass(state, group, pool);
     findGoal(state, group);
-    if (reachable && !queue.reachable) raiseNoPath(events, group);
+    if (reachable && !queue.reachable) raiseNoPath(events, group, group.def.count);
+    if (const std::int32_t now = tooLargeFor(state, group); now > tooLarge) raiseNoPath(events, group, now);
     const March& march = queue.march;
     const double radius = groundRadius(state.parameters.character.radius, group.groundClass);
     bool clear = true;
@@ -137,6 +141,7 @@ OrderStage::Outcome OrderStage::begin(WorldState& state, Group& group, ThreadPoo
     OrderQueue& queue = group.orders;
     const Order order = queue.orders.front().order;
     const std::uint32_t id = queue.orders.front().id;
+    updateGroundClass(state, group, pool);
     findGoal(state, group);
     if (!queue.reachable && queue.orders.size() > 1) return Outcome::Skipped;
     queue.begun = true;
@@ -154,7 +159,10 @@ OrderStage::Outcome OrderStage::begin(WorldState& state, Group& group, ThreadPoo
     if (order.formation) findGoal(state, group);
     group.order.begin(state.stepCount);
     raise(events, EventKind::OrderBegun, group, id);
-    if (!queue.reachable) raiseNoPath(events, group);
+    if (!queue.reachable)
+        raiseNoPath(events, group, group.def.count);
+    else if (const std::int32_t tooLarge = tooLargeFor(state, group); tooLarge > 0)
+        raiseNoPath(events, group, tooLarge);
     return Outcome::GoesOn;
 }
 
@@ -187,6 +195,16 @@ void OrderStage::beginWay(WorldState& state, Group& group, std::int32_t region) 
     if (nearest != places.end()) march.way.push_back(*nearest);
 }
 
+// True where the target cannot be reached and the group already stands, or goes, about as near as it can
+// come.
+bool OrderStage::staysNear(WorldState& state, Group& group) {
+    const OrderQueue& queue = group.orders;
+    const Order& order = queue.orders.front().order;
+    const bool flows = flowsBy(group, order) || order.manner == Manner::Free;
+    if (queue.reachable || order.kind != OrderKind::Move || !order.route.empty() || !flows) return false;
+    return !flows_.pays(state, group, queue.target, order.facing);
+}
+
 // Begins the way from where the mesh is.
 void OrderStage::restart(WorldState& state, Group& group) {
     OrderQueue& queue = group.orders;
@@ -197,6 +215,11 @@ void OrderStage::restart(WorldState& state, Group& group) {
     march.searched = 0;
     march.facing = order.facing.value_or(0.0);
     march.turns = order.facing.has_value();
+    if (staysNear(state, group)) {
+        march.phase = group.flow.moves() ? MarchPhase::Go : MarchPhase::Stand;
+        queue.stoodAt = state.stepCount;
+        return;
+    }
     group.flow.end();
     if (order.kind == OrderKind::Face) {
         march.way.assign(2, pose.position);
@@ -298,10 +321,12 @@ bool OrderStage::isDone(const WorldState& state, Group& group) {
     const Characters& c = state.characters;
     const std::uint32_t patience = stepsIn(state, MarchPace::kWaitedFor);
     const std::uint32_t longest = stepsIn(state, kLongest);
-    std::int32_t arrived = 0;
+    std::int32_t arrived = 0, awaited = 0;
     bool stuck = true;
     shared_.find(state, group);
     for (const std::int32_t i : group.members) {
+        if (!fitsGround(state, group, i)) continue;
+        ++awaited;
         const std::int32_t place = c.place[i];
         const Vec2 target = place >= 0 ? group.places.reachableTargets()[place] : Vec2{};
         if (place >= 0 && distance(c.position[i], target) <= kArrivedReach + shared_.room(i))
@@ -314,7 +339,7 @@ bool OrderStage::isDone(const WorldState& state, Group& group) {
         queue.arrived = arrived;
         queue.stoodAt = state.stepCount;
     }
-    const double share = queue.orders.front().order.share * static_cast<double>(group.members.size());
+    const double share = queue.orders.front().order.share * static_cast<double>(awaited);
     // Targets follow the mesh in this step.
     const std::uint32_t quiet = state.stepCount - queue.stoodAt;
     if (quiet > 1 && arrived >= static_cast<std::int32_t>(std::ceil(share - 1e-9))) return true;
@@ -405,9 +430,11 @@ OrderStage::Outcome OrderStage::gather(WorldState& state, Group& group) {
     const Characters& c = state.characters;
     const double reach = gatheringReach(group.members.size(), state.parameters.character.radius);
     const std::uint32_t patience = stepsIn(state, MarchPace::kWaitedFor);
-    std::int32_t arrived = 0;
+    std::int32_t arrived = 0, awaited = 0;
     bool stuck = true;
     for (const std::int32_t i : group.members) {
+        if (!fitsGround(state, group, i)) continue;
+        ++awaited;
         if (distance(c.position[i], queue.target) <= reach || gathering->hasArrived(c.id[i]))
             ++arrived;
         else
@@ -417,7 +444,7 @@ OrderStage::Outcome OrderStage::gather(WorldState& state, Group& group) {
         queue.arrived = arrived;
         queue.stoodAt = state.stepCount;
     }
-    const double share = queue.orders.front().order.share * static_cast<double>(group.members.size());
+    const double share = queue.orders.front().order.share * static_cast<double>(awaited);
     const bool enough = arrived >= static_cast<std::int32_t>(std::ceil(share - 1e-9));
     return enough || (stuck && state.stepCount - queue.stoodAt >= patience) ? Outcome::Done : Outcome::GoesOn;
 }
@@ -469,7 +496,7 @@ void OrderStage::runGroup(WorldState& state, Group& group, ThreadPool& pool, std
         if (outcome == Outcome::GoesOn) {
             if (!group.controls.controls().empty()) group.controls.clear();
             recentre(group);
-            if (queue.ground != state.groundEdits) judgeAgain(state, group, events);
+            if (queue.ground != state.groundEdits) judgeAgain(state, group, pool, events);
             outcome = advance(state, group, pool);
         }
         if (outcome == Outcome::GoesOn) return;

@@ -43,9 +43,10 @@ private:
     void runQueue(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
     void runGroup(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
     void findGoal(WorldState& state, Group& group);
-    void judgeAgain(WorldState& state, Group& group, std::vector<Event>& events);
+    void judgeAgain(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
     Outcome begin(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
     static void beginWay(WorldState& state, Group& group, std::int32_t region);
+    bool staysNear(WorldState& state, Group& group);
     void restart(WorldState& state, Group& group);
     Outcome advance(WorldState& state, Group& group, ThreadPool& pool);
     Pose endPose(const Group& group) const;

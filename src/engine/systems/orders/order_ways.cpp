@@ -83,6 +83,7 @@ MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& or
     double least = character.acceleration;
     speeds.clear();
     for (const std::int32_t i : group.members) {
+        if (!fitsGround(state, group, i)) continue;
         const Body& body = state.characters.body[i];
         speeds.push_back(body.maxSpeed > 0.0 ? body.maxSpeed : usual);
         least = std::min(least, body.acceleration > 0.0 ? body.acceleration : character.acceleration);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "engine/assignment/planning/main_places.h"
+#include "engine/state/ground_class.h"
 #include "engine/systems/steering/own_routes.h"
 
 namespace muster {
@@ -69,13 +71,15 @@ void PlanStage::reserve(WorldState& state, PlanCosts& costs) {
                             costs.ofClass(group.groundClass));
 }
 
-// Marks who stands on ground that is cut off from where most of the group is; empty where nobody does.
+// Marks who stands on ground that is cut off from where most of the group is, or does not fit where the group
+// goes; empty where nobody does.
 void PlanStage::findConnected(const WorldState& state, const Group& group, std::span<const Vec2> positions) {
     connected_.clear();
-    if (!group.split) return;
-    for (const Vec2 p : positions) {
-        const std::int32_t label = state.routesOf(group).region(p);
-        connected_.push_back(label < 0 || group.region < 0 || label == group.region ? 1 : 0);
+    if (!group.split && tooLargeFor(state, group) == 0) return;
+    for (std::size_t k = 0; k < positions.size(); ++k) {
+        const std::int32_t label = state.routesOf(group).region(positions[k]);
+        const bool joined = label < 0 || group.region < 0 || label == group.region;
+        connected_.push_back(joined && fitsGround(state, group, group.members[k]) ? 1 : 0);
     }
 }
 
@@ -255,7 +259,10 @@ void PlanStage::endBackgroundWork(ThreadPool& pool) {
 
 void PlanStage::takePlaces(WorldState& state) {
     without_.clear();
-    for (Group& group : state.groups) without_.push_back(goesWithout(state, group) ? 1 : 0);
+    for (Group& group : state.groups) {
+        if (std::exchange(group.renumbered, false)) group.plan->forget();
+        without_.push_back(goesWithout(state, group) ? 1 : 0);
+    }
 }
 
 void PlanStage::findPeriod(const WorldState& state) {

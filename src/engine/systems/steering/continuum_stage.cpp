@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/state/ground_class.h"
 #include "engine/steering/crowd_bodies.h"
 #include "engine/systems/events/standstill.h"
 
@@ -117,7 +118,7 @@ void ContinuumStage::guide(WorldState& state, const Group& group, Gathering& gat
     if (goes) findArrived(state, group, gathering);
     const CostField* const field = goes ? &fieldOf(state, group.groundClass, gathering.target) : nullptr;
     for (const std::int32_t i : group.members) {
-        const bool stands = field == nullptr || gathering.hasArrived(c.id[i]);
+        const bool stands = field == nullptr || gathering.hasArrived(c.id[i]) || !fitsGround(state, group, i);
         c.direction[i] = stands ? Vec2{} : field->direction(c.position[i]);
         c.cost[i] = stands ? std::numeric_limits<double>::infinity() : field->cost(c.position[i]);
     }

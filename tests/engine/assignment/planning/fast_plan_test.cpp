@@ -92,6 +92,31 @@ TEST_CASE("the number of threads changes nothing") {
     }
 }
 
+// A record of what is left holds against estimates, not against what happens to somebody.
+TEST_CASE("who is put elsewhere on the way gets the place that is now nearest") {
+    Walk scene(36, {-8, 0}, {8, 0}, 5);
+    const auto plan = makeFastPlan();
+    ThreadPool pool(1);
+    const auto steps = [&](int count) {
+        for (int k = 0; k < count; ++k) {
+            scene.take(scene.plan(*plan, pool));
+            scene.walk(*plan, pool, 0.05);
+        }
+    };
+    steps(60);
+    // Two change sides.
+    std::size_t low = 0, high = 0;
+    for (std::size_t i = 1; i < scene.characters.size(); ++i) {
+        if (scene.characters[i].y < scene.characters[low].y) low = i;
+        if (scene.characters[i].y > scene.characters[high].y) high = i;
+    }
+    std::swap(scene.characters[low], scene.characters[high]);
+    const double before = scene.gap(pool);
+    steps(20);
+    CAPTURE(before);
+    CHECK(scene.gap(pool) < 0.01);
+}
+
 TEST_CASE("reserved memory changes no plan") {
     Walk scene(90, {-12, 0}, {10, 3}, 5);
     const auto reserved = makeFastPlan();

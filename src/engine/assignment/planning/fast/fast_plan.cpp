@@ -12,7 +12,10 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kChunk = 128;    // Characters in one piece of parallel work.
+constexpr std::size_t kChunk = 128;  // Characters in one piece of parallel work.
+// Other places cost this share more for each change of place since places have come to rest.
+constexpr float kReluctance = 0.01f;
+constexpr double kPlaceRests = 1e-4;   // A place that moves less in a step rests [m].
 constexpr float kDistantCost = 25.0f;  // Beyond, a direction serves for two steps [m].
 constexpr std::int32_t
     kWaitingPerPlan = 32;                    // Unmatched characters whose waiting place is searched per plan.
@@ -45,6 +48,9 @@ Status FastPlan::start(const PlanDef& def, const PlanInput& input) {
     if (Status status = validatePlan(def, input); !status.ok()) return status;
     if (input.costs == nullptr) return invalidArgument("plan has no costs");
     def_ = def;
+    moved_.assign(input.characters.size(), Vec2{});
+    for (std::size_t i = 0; i < moved_.size() && characters_.size() == moved_.size(); ++i)
+        moved_[i] = input.characters[i] - characters_[i];
     copySpan(input.characters, characters_);
     copySpan(input.places, places_);
     copySpan(input.usable, usable_);
@@ -108,7 +114,7 @@ void FastPlan::advance(std::int32_t, std::int32_t, ThreadPool& pool) {
 void FastPlan::assign(ThreadPool& pool) {
     if (!guided_ || assigned_) return;
     costs_.set(geodesics_, ways(), def_.geodesic, characters_, places_, guidedPlace_, incumbentCost_,
-               slowness_);
+               slowness_, reluctance_);
     if (def_.reassign)
         updateAssignment(pool);
     else
@@ -143,13 +149,15 @@ void FastPlan::evaluateGuidance(ThreadPool& pool) {
     guidance_.resize(characters_.size());
     incumbentCost_.resize(characters_.size());
     records_.resize(characters_.size());
+    reluctance_.assign(characters_.size(), 0.0f);
     targets_.resize(characters_.size());
     ++guidanceRound_;
     forChunks(&pool, characters_.size(), kChunk, [&](std::size_t i) {
+        const Vec2 direction = guidance_[i].direction;
         evaluateGuidanceOf(i);
         if (!slowness_.empty() && incumbent_[i] >= 0)
             incumbentCost_[i] = GeodesicCostOracle::slowed(incumbentCost_[i], slowness_[i]);
-        keepRecord(i);
+        keepRecord(i, direction);
     });
 }
 
@@ -176,9 +184,15 @@ void FastPlan::evaluateGuidanceOf(std::size_t i) {
                                       : static_cast<float>(distance(characters_[i], places_[place]));
 }
 
-// What is left to a place never counts as more than it did before, but for what the place itself has moved:
-// so an estimate that jumps to and fro exchanges nobody to and fro.
-void FastPlan::keepRecord(std::size_t i) {
+// What a metre costs on the ground at a point.
+double FastPlan::groundCost(Vec2 p) const {
+    const Grid& grid = ground_->grid();
+    return ground_->openCost() / ground_->travelSpeed(grid.index(grid.nearestCell(p)));
+}
+
+// What is left to a place never counts as more than it did before, but for what the place has moved since,
+// and the character other than its way led: so an estimate that jumps to and fro exchanges nobody to and fro.
+void FastPlan::keepRecord(std::size_t i, Vec2 direction) {
     Record& record = records_[i];
     const std::int32_t place = incumbent_[i];
     float cost = i < known_.size() && known_[i] >= 0.0f ? known_[i] : incumbentCost_[i];
@@ -190,10 +204,19 @@ void FastPlan::keepRecord(std::size_t i) {
         if (place >= 0) incumbentCost_[i] = cost;
         return;
     }
-    if (record.place == place && record.edits == edits_)
-        cost = std::min(cost, record.cost + static_cast<float>(distance(record.at, places_[place])));
-    record = {places_[place], cost, place, edits_};
+    std::int32_t changes = 0;
+    if (record.place == place && record.edits == edits_) {
+        const Vec2 astray = moved_[i] - direction * std::max(0.0, dot(moved_[i], direction));
+        const double slowness = slowness_.empty() ? 1.0 : slowness_[i];
+        const double placeMoved = distance(record.at, places_[place]);
+        const double more = groundCost(places_[place]) * placeMoved +
+                            groundCost(characters_[i]) * length(astray);
+        cost = std::min(cost, record.cost + static_cast<float>(slowness * more));
+        changes = placeMoved > kPlaceRests ? 0 : record.changes;
+    }
+    record = {places_[place], cost, place, edits_, changes};
     incumbentCost_[i] = cost;
+    reluctance_[i] = kReluctance * static_cast<float>(changes);
 }
 
 // Who has been given another place counts with the cost for which it was given.
@@ -203,7 +226,7 @@ void FastPlan::recordChanges() {
     const std::span<const float> cost = assignment_.cost();
     for (std::size_t i = 0; i < characters_.size() && i < place.size(); ++i)
         if (place[i] >= 0 && place[i] != incumbent_[i])
-            records_[i] = {places_[place[i]], cost[i], place[i], edits_};
+            records_[i] = {places_[place[i]], cost[i], place[i], edits_, records_[i].changes + 1};
 }
 
 bool FastPlan::incumbentsAreAssigned() const {

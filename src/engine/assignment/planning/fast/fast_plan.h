@@ -58,7 +58,8 @@ private:
                          std::span<const Vec2> places);
     void evaluateGuidance(ThreadPool& pool);
     void evaluateGuidanceOf(std::size_t character);
-    void keepRecord(std::size_t character);
+    double groundCost(Vec2 p) const;
+    void keepRecord(std::size_t character, Vec2 direction);
     void recordChanges();
     void assign(ThreadPool& pool);
     void prepareFirst(ThreadPool& pool);
@@ -83,18 +84,21 @@ private:
     std::vector<std::uint8_t> characterClass_, placeClass_;
     std::vector<std::int32_t> way_;  // The ways of PlannedWays, of this step only.
     std::vector<float> reach_, onward_;
+    std::vector<float> reluctance_;  // Per character, in this step only.
+    std::vector<Vec2> moved_;        // Per character since the last plan, in this step only [m].
     // As in PlanInput, of this step only; both empty where all flows are of one unit.
     std::vector<double> supply_, demand_;
     // The least that was left of the way of a character to its place.
     struct Record {
-        Vec2 at;                  // Where the place is [m].
-        float cost = 0.0f;        // [m]
-        std::int32_t place = -1;  // -1 for none.
-        std::uint32_t edits = 0;  // Of the ground for which that is.
+        Vec2 at;                   // Where the place is [m].
+        float cost = 0.0f;         // [m]
+        std::int32_t place = -1;   // -1 for none.
+        std::uint32_t edits = 0;   // Of the ground for which that is.
+        std::int32_t changes = 0;  // Of its place, since places last moved.
 
         template <class Archive>
         void visit(Archive& archive) {
-            archive(at, cost, place, edits);
+            archive(at, cost, place, edits, changes);
         }
     };
     std::uint32_t edits_ = 0;           // Of the ground.

@@ -17,11 +17,12 @@ class GeodesicCostOracle final : public CostOracle {
 public:
     /// Takes the state of this step; all must outlive the last query. `incumbentCost` is the cost of each
     /// character to its place in `incumbent` (-1 for none) [m]. `geodesic` is false for straight-line costs.
-    /// `slowness` is as in PlanInput; `incumbentCost` counts it.
+    /// `slowness` is as in PlanInput; `incumbentCost` counts it. Other places than its own cost a character more
+    /// by the share `reluctance`, 0 or more.
     void set(const Geodesics& geodesics, const PlannedWays& ways, bool geodesic,
              std::span<const Vec2> characters, std::span<const Vec2> places,
              std::span<const std::int32_t> incumbent, std::span<const float> incumbentCost,
-             std::span<const float> slowness) {
+             std::span<const float> slowness, std::span<const float> reluctance) {
         geodesics_ = &geodesics;
         ways_ = ways;
         geodesic_ = geodesic;
@@ -30,6 +31,7 @@ public:
         incumbent_ = incumbent;
         incumbentCost_ = incumbentCost;
         slowness_ = slowness;
+        reluctance_ = reluctance;
         leastSlowness_ = 1.0f;
         for (const float factor : slowness) leastSlowness_ = std::min(leastSlowness_, factor);
     }
@@ -61,8 +63,8 @@ public:
 private:
     float pairCost(std::int32_t character, std::int32_t place) const {
         if (incumbent_[character] == place) return incumbentCost_[character];
-        const float walk = rawCost(character, place);
-        return slowness_.empty() ? walk : slowed(walk, slowness_[character]);
+        const float factor = 1.0f + reluctance_[character];
+        return slowed(rawCost(character, place), slowness_.empty() ? factor : factor * slowness_[character]);
     }
     float rawCost(std::int32_t character, std::int32_t place) const {
         if (!geodesic_) return static_cast<float>(distance(characters_[character], places_[place]));
@@ -79,6 +81,7 @@ private:
     std::span<const std::int32_t> incumbent_;  // Per character, -1 for none.
     std::span<const float> incumbentCost_;     // Per character [m].
     std::span<const float> slowness_;          // Per character; empty for all 1.
+    std::span<const float> reluctance_;        // Per character.
     float leastSlowness_ = 1.0f;
 };
 
