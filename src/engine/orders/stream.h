@@ -55,6 +55,8 @@ public:
     std::size_t places() const { return starts_.size(); }  ///< Number of places.
     /// Places that stand or end so close behind a wall that they touch it on their first or last metre.
     std::int32_t tight() const { return tight_; }
+    /// How far the fastest place goes, whichever that is [m]: at a speed they arrive after length() / speed.
+    double length() const { return status_ == StreamStatus::Straight ? most_ : length_; }
     double stretch() const { return status_ == StreamStatus::Flowing ? stretch_.most() : 1.0; }  ///< At most.
 
     /// Where the places are at `q`, exactly their starts at 0 and their ends at 1. Only once planned.
@@ -80,7 +82,8 @@ private:
         Smooth,
         Ends,
         Compare,
-        Finish
+        Finish,
+        Measure
     };
     /// What a place needs to be found fast.
     struct Leg {
@@ -96,6 +99,7 @@ private:
     void makeLine();
     void placeOnLine();
     void reachOut();
+    bool isWalledOff() const;
     bool centre();
     void startFlow();
     void enter(Stage stage);
@@ -106,6 +110,7 @@ private:
     void compareNext();
     void finish();
     void fadeAlong();
+    void measure();
     static constexpr std::int32_t kDepths = 64;  // Of samples along the depth of the formation.
     using Depths = std::array<double, kDepths + 1>;
 
@@ -122,7 +127,8 @@ private:
     std::size_t next_ = 0;
     std::int32_t tight_ = 0;
     std::int64_t spent_ = 0;
-    std::vector<Vec2> offsets_, starts_, ends_, way_, moved_;
+    double length_ = 0.0;
+    std::vector<Vec2> offsets_, starts_, ends_, way_, moved_, last_;
     double spacing_ = 1.0, radius_ = 0.25, fade_ = 1.0;
     double back_ = 0.0, fore_ = 0.0, startReach_ = 0.0,
            endReach_ = 0.0;                   // How far starts and ends reach [m].

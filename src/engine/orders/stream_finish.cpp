@@ -16,6 +16,7 @@ constexpr std::int32_t kLooks = 6;   // Along the stretch from a start to its fi
 constexpr double kKnee = 0.1;        // Share of that over which a place steps aside where it has to at once.
 constexpr double kTight = 0.01;      // Nearer to a wall by that is too near [m].
 
+constexpr std::size_t kMeasures = 40;   // Looks by which the length of a march is known.
 constexpr double kFuller = 2.0;        // Rows count as so many times fuller, so that they keep apart.
 constexpr double kNearlyThere = 0.25;  // Rows are as full as the fullest so many spacings before and behind.
 constexpr double kHollow = 0.95;       // Less full than that share of its width a row is hollow.
@@ -177,7 +178,19 @@ void Stream::finish() {
         legs_[i].missTo = ends_[i] - raw(i, 1.0, none);
     }
     spent_ += 8 * static_cast<std::int64_t>(n) + 8 * line_.rows();
-    status_ = StreamStatus::Flowing;
+    enter(Stage::Measure);
+}
+
+// One look a time: how far the fastest place goes from each to the next.
+void Stream::measure() {
+    at(static_cast<double>(++next_) / kMeasures, moved_);
+    double most = 0.0;
+    for (std::size_t i = 0; i < moved_.size(); ++i)
+        most = std::max(most, lengthSquared(moved_[i] - last_[i]));
+    length_ += std::sqrt(most);
+    last_.swap(moved_);
+    spent_ += 2 * static_cast<std::int64_t>(moved_.size());
+    if (next_ == kMeasures) status_ = StreamStatus::Flowing;
 }
 
 }  // namespace muster

@@ -84,6 +84,16 @@ void Stream::placeOnLine() {
     enter(Stage::Rows);
 }
 
+// True where somebody would have to pass the row that was looked at last, and nobody can.
+bool Stream::isWalledOff() const {
+    const std::int32_t k = runs_.known() - 1;
+    if (k < 0 || !runs_.row(k).empty()) return false;
+    const double s = k * line_.step();
+    return std::any_of(courses_.begin(), courses_.end(), [&](const StreamCourse& course) {
+        return course.a().s + line_.step() < s && s < course.b().s - line_.step();
+    });
+}
+
 // In bends of streets the line is moved to their middle, or all would go by the outside. True where it was.
 bool Stream::centre() {
     if (centred_) return false;

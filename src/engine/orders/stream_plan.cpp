@@ -33,6 +33,8 @@ void Stream::start(const StreamDef& def) {
     status_ = valid() ? StreamStatus::Planning : StreamStatus::Blocked;
     if (status_ == StreamStatus::Blocked) return;
     moved_.resize(starts_.size());
+    last_ = starts_;
+    length_ = 0.0;
     most_ = 0.0;
     for (std::size_t i = 0; i < starts_.size(); ++i) most_ = std::max(most_, distance(starts_[i], ends_[i]));
     enter(def.drawn ? Stage::Line : Stage::Straight);
@@ -65,7 +67,10 @@ void Stream::step(StreamGround ground) {
             break;
         case Stage::Rows:
             spent_ += 4 * runs_.probe(line_, ground);
-            if (runs_.done() && !centre()) startFlow();
+            if (isWalledOff())
+                status_ = StreamStatus::Blocked;
+            else if (runs_.done() && !centre())
+                startFlow();
             break;
         case Stage::Flow:
             spent_ += flow_.advance(runs_);
@@ -93,6 +98,9 @@ void Stream::step(StreamGround ground) {
             break;
         case Stage::Finish:
             finish();
+            break;
+        case Stage::Measure:
+            measure();
             break;
     }
 }

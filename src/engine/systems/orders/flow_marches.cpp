@@ -80,7 +80,7 @@ PlaceDef FlowMarches::layOut(WorldState& state, Group& group, EndDef def) {
     MarchFlow& flow = group.flow;
     const PlaceDef places = placeDefOf(state, group);
     const FreeSpace space(places, state.routesOf(group), group.region, nearest_);
-    def.spacing = spacingOf(group);
+    def.spacing = std::max(spacingOf(group), places.apart());
     endPlaces_.find(def, space, places.apart(), flow.ends, flow.to);
     flow.version = group.formationVersion;
     flow.ground = state.groundEdits;
@@ -92,15 +92,22 @@ bool FlowMarches::findEnds(WorldState& state, Group& group, const Pose& end) {
     flow.end();
     group.mesh.restPlaces(flow.offsets);
     if (group.places.positions().size() != flow.offsets.size()) return false;
-    findTaken(state, group);
+    // In a formation that is closer than its bodies they take as much more room as they need.
+    const Vec2 middle = meanOf(flow.offsets);
+    const double apart = placeDefOf(state, group).apart(), room = std::max(1.0, apart / spacingOf(group));
     EndDef ends;
+    ends.reach = 0.0;
+    for (Vec2& offset : flow.offsets) {
+        if (room > 1.0) offset = middle + (offset - middle) * room;
+        ends.reach = std::max(ends.reach, length(offset));
+    }
+    findTaken(state, group);
     ends.offsets = flow.offsets;
-    ends.reach = extentOf(group).reach;
     ends.pose = end;
     ends.taken = taken_;
     ends.from = meanOf(group.places.positions());
     flow.radius = lineRadius(layOut(state, group, ends));
-    flow.spacing = spacingOf(group);
+    flow.spacing = room * spacingOf(group);
     flow.from = group.mesh.pose();
     flow.q = flow.speed = flow.rate = 0.0;
     flow.spent = 0;
@@ -196,7 +203,7 @@ void FlowMarches::move(WorldState& state, Group& group, const MarchDef& def) {
     speeds_.resize(flow.places.size());
     for (std::size_t i = 0; i < speeds_.size(); ++i)
         speeds_[i] = std::max(1e-3, flow.speed * ground[grid.index(grid.nearestCell(flow.places[i]))]);
-    if (flow.speed > 1e-4) flow.q = flow.stream.next(flow.q, dt, speeds_, flow.places, flow.rate);
+    if (flow.speed > 1e-4) flow.q = flow.stream.best().next(flow.q, dt, speeds_, flow.places, flow.rate);
     Pose pose;
     pose.rotation = turnedTo(flow.from.rotation, flow.to.rotation, flow.q);
     pose.position = meanOf(flow.places) - pose.rotation.apply(meanOf(flow.offsets));
