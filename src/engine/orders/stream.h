@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/orders/pairing.h"
 #include "engine/orders/stream_banks.h"
 #include "engine/orders/stream_flow.h"
 #include "engine/orders/stream_line.h"
@@ -25,8 +26,6 @@ struct StreamDef {
         way;               ///< From the middle of the starts to that of the ends, two points or more [m].
     double spacing = 1.0;  ///< Of the formation [m], above 0.
     double radius = 0.25;  ///< Of bodies [m], above 0.
-    /// Share of the way, (0, 1], over which the formation is taken up from the starts, and left for the ends.
-    double fade = 1.0;
     bool drawn = false;  ///< True where the way is kept to also where the ground between is free.
 };
 
@@ -109,7 +108,8 @@ private:
     double roomAlong(StreamGround ground, StreamPoint a, StreamPoint b);
     void compareNext();
     void finish();
-    void fadeAlong();
+    bool formUp();
+    void takeSlots();
     void measure();
     static constexpr std::int32_t kDepths = 64;  // Of samples along the depth of the formation.
     using Depths = std::array<double, kDepths + 1>;
@@ -129,19 +129,20 @@ private:
     std::int64_t spent_ = 0;
     double length_ = 0.0;
     std::vector<Vec2> offsets_, starts_, ends_, way_, moved_, last_;
-    double spacing_ = 1.0, radius_ = 0.25, fade_ = 1.0;
+    double spacing_ = 1.0, radius_ = 0.25;
     double back_ = 0.0, fore_ = 0.0, startReach_ = 0.0,
            endReach_ = 0.0;                   // How far starts and ends reach [m].
-    double fadeStart_ = 1.0, fadeEnd_ = 1.0;  // Of the offsets along the way.
+    double fadeStart_ = 1.0, fadeEnd_ = 1.0;  // Shares of the way by which the formation is made and left.
     double orderRate_ = 1.0;                  // By which single order comes and goes at start and end.
     bool hollow_ = false;        // True where some rows of the formation are less full than wide.
     double nominalFront_ = 0.0;  // Xi of its front at q = 0 [m].
     double depthStep_ = 1.0;     // Between samples of its depth [m].
     Depths full_{};              // Share of its width that is full, by depth.
-    bool centred_ = false;
+    bool centred_ = false, formed_ = false;
     double startS_ = 0.0, endS_ = 0.0, low_ = 0.0, high_ = 0.0, travel_ = 0.0, most_ = 0.0;
     std::vector<double> half_, shift_;
     std::vector<std::uint8_t> street_;
+    Pairing slots_;
     StreamLine line_;
     StreamRuns runs_;
     StreamFlow flow_;

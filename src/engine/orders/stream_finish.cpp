@@ -8,8 +8,6 @@ namespace muster {
 namespace {
 
 constexpr double kGolden = 0.61803398874989485;  // The golden ratio, less 1.
-constexpr double kLeastFade = 0.1;               // Share of the way in which order can be made.
-constexpr double kFadeRoom = 2.0;    // What is ahead or behind fades over that many times as much.
 constexpr double kLeastOrder = 3.0;  // Single order comes over so much of the way at least [m]...
 constexpr double kOrderRoom = 3.0;   // ... and over so many times the shift.
 constexpr std::int32_t kLooks = 6;   // Along the stretch from a start to its first row.
@@ -106,25 +104,6 @@ void Stream::compareNext() {
     if (++next_ == courses_.size()) enter(Stage::Finish);
 }
 
-// What starts and ends are ahead or behind fades before the first row in single order, and comes behind the
-// last one: in single order everybody keeps the own turn.
-void Stream::fadeAlong() {
-    fadeStart_ = fadeEnd_ = fade_;
-    const double first = stretch_.firstSingle(), last = stretch_.lastSingle();
-    if (first > last || travel_ <= 0.0) return;
-    double front = -1e9, rear = 1e9, aheadStart = 0.0, aheadEnd = 0.0;
-    for (const Leg& leg : legs_) {
-        front = std::max(front, leg.fromXi);
-        rear = std::min(rear, leg.toXi);
-        aheadStart = std::max(aheadStart, std::fabs(leg.fromXi - leg.nominalXi));
-        aheadEnd = std::max(aheadEnd, std::fabs(leg.toXi - leg.nominalXi - travel_));
-    }
-    fadeStart_ = std::min(
-        fade_, std::max({kLeastFade, (first - front) / travel_, kFadeRoom * aheadStart / travel_}));
-    fadeEnd_ = std::min(fade_,
-                        std::max({kLeastFade, (rear - last) / travel_, kFadeRoom * aheadEnd / travel_}));
-}
-
 // How full the rows of the formation are, by depth.
 void Stream::fillDepths() {
     double depth = 0.0;
@@ -169,7 +148,10 @@ void Stream::finish() {
     travel_ = (to - from) / static_cast<double>(n);
     for (std::size_t i = 0; i < n; ++i) legs_[i].nominalXi = from / static_cast<double>(n) - offsets_[i].x;
     nominalFront_ = from / static_cast<double>(n);
-    fadeAlong();
+    // By then the ground is not stretched yet.
+    const double longer = (endS_ - startS_) / std::max(travel_, 1e-9);
+    if (fadeStart_ < 1.0) fadeStart_ = std::min(1.0, fadeStart_ * longer);
+    if (fadeEnd_ < 1.0) fadeEnd_ = std::min(1.0, fadeEnd_ * longer);
     fillDepths();
     orderRate_ = std::max(1.0, std::fabs(travel_)) / std::max(kLeastOrder, kOrderRoom * shift);
     const Depths none{};

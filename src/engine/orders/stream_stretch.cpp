@@ -18,10 +18,9 @@ constexpr double kLeastRoom = 1.5;     // ... and over that much at least [m].
 
 }  // namespace
 
-void StreamStretch::start(const StreamLine& line, double spacing, double fade) {
+void StreamStretch::start(const StreamLine& line, double spacing) {
     step_ = line.step();
     spacing_ = spacing;
-    fade_ = fade;
     most_ = 1.0;
     sigma_.assign(line.rows(), 1.0);
     bend_.assign(line.rows(), -kMostSpread);
@@ -37,7 +36,7 @@ void StreamStretch::compare(const StreamPaths& paths, const StreamBanks& banks, 
         if (runA[k] != runB[k]) continue;
         const double now = std::fabs(leftB[k] - leftA[k]) + spacing_;
         if ((b.ordinate - a.ordinate + spacing_) <= now) continue;
-        const double own = std::fabs(b.nominal(k * step_, fade_) - a.nominal(k * step_, fade_)) + spacing_;
+        const double own = std::fabs(b.nominal(k * step_) - a.nominal(k * step_)) + spacing_;
         if (own > now * sigma_[k]) sigma_[k] = own / now;
     }
 }

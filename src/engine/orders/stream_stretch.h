@@ -14,7 +14,7 @@ namespace muster {
 class StreamStretch {
 public:
     /// Begins: no row is stretched.
-    void start(const StreamLine& line, double spacing, double fade);
+    void start(const StreamLine& line, double spacing);
     /// Stretches rows in which two courses some spacings apart are nearer to each other than in the
     /// formation.
     void compare(const StreamPaths& paths, const StreamBanks& banks, const StreamCourse& a,
@@ -55,7 +55,7 @@ private:
     void index();
     void blend(double shift);
 
-    double step_ = 0.5, spacing_ = 1.0, fade_ = 1.0, most_ = 1.0, bin_ = 1.0, first_ = 1.0, last_ = 0.0;
+    double step_ = 0.5, spacing_ = 1.0, most_ = 1.0, bin_ = 1.0, first_ = 1.0, last_ = 0.0;
     std::vector<double> sigma_, bend_, xi_;  // By row.
     std::vector<std::int32_t> rowAt_;        // By bins of xi: the last row that begins before it.
     std::vector<double> single_, wide_;      // By samples of xi.

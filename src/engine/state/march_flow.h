@@ -51,7 +51,7 @@ struct MarchFlow {
         phase = FlowPhase::Standing;
     }
     /// What it is planned from.
-    StreamDef def() const { return {offsets, starts, ends, way, spacing, radius, 1.0, drawn}; }
+    StreamDef def() const { return {offsets, starts, ends, way, spacing, radius, drawn}; }
 
     /// Lets an archive read or write everything but the cache.
     template <class Archive>

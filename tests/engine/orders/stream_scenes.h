@@ -134,8 +134,7 @@ inline Points spread(const Ground& ground, std::size_t n, Vec2 target) {
 /// A march as it is planned.
 struct Task {
     Points offsets, starts, ends, way;
-    double fade = 1.0;
-    StreamDef def() const { return {offsets, starts, ends, way, 1.0, kRadius, fade}; }
+    StreamDef def() const { return {offsets, starts, ends, way, 1.0, kRadius}; }
 };
 
 inline Vec2 middleOf(const Points& points) {
