@@ -6,8 +6,8 @@
 namespace muster {
 namespace {
 
-constexpr double kPairReach = 2.5;    // Those so many spacings apart are compared with each other...
-constexpr int kPairPasses = 12;  // ... and so often at most.
+constexpr double kPairReach = 2.5;  // Those so many spacings apart are compared with each other...
+constexpr int kPairPasses = 12;     // ... and so often at most.
 
 // Whole millimetres about the mean: so two sets that differ by a shift are split alike.
 void centre(std::span<const Vec2> points, std::vector<Vec2>& centred) {

@@ -26,7 +26,7 @@ struct StreamDef {
         way;               ///< From the middle of the starts to that of the ends, two points or more [m].
     double spacing = 1.0;  ///< Of the formation [m], above 0.
     double radius = 0.25;  ///< Of bodies [m], above 0.
-    bool drawn = false;  ///< True where the way is kept to also where the ground between is free.
+    bool drawn = false;    ///< True where the way is kept to also where the ground between is free.
 };
 
 /// What a plan has come to.

@@ -8,13 +8,14 @@ namespace muster {
 namespace {
 
 constexpr double kGolden = 0.61803398874989485;  // The golden ratio, less 1.
-constexpr double kLeastOrder = 3.0;  // Single order comes over so much of the way at least [m]...
-constexpr double kOrderRoom = 3.0;   // ... and over so many times the shift.
-constexpr std::int32_t kLooks = 6;   // Along the stretch from a start to its first row.
-constexpr double kKnee = 0.1;        // Share of that over which a place steps aside where it has to at once.
-constexpr double kTight = 0.01;      // Nearer to a wall by that is too near [m].
+constexpr double kLeastOrder = 3.0;              // Single order comes over so much of the way at least [m]...
+constexpr double kOrderRoom = 3.0;               // ... and over so many times the shift.
+constexpr std::int32_t kLooks = 6;               // Along the stretch from a start to its first row.
+constexpr double kKnee = 0.1;    // Share of that over which a place steps aside where it has to at once.
+constexpr double kTight = 0.01;  // Nearer to a wall by that is too near [m].
 
-constexpr std::size_t kMeasures = 40;   // Looks by which the length of a march is known.
+constexpr std::size_t kMeasures = 32;  // Looks by which the length of a march is known...
+constexpr double kMeasured = 1e-3;     // ... each over so much of q.
 constexpr double kFuller = 2.0;        // Rows count as so many times fuller, so that they keep apart.
 constexpr double kNearlyThere = 0.25;  // Rows are as full as the fullest so many spacings before and behind.
 constexpr double kHollow = 0.95;       // Less full than that share of its width a row is hollow.
@@ -163,16 +164,17 @@ void Stream::finish() {
     enter(Stage::Measure);
 }
 
-// One look a time: how far the fastest place goes from each to the next.
+// One look a time: how fast the fastest place is, by q.
 void Stream::measure() {
-    at(static_cast<double>(++next_) / kMeasures, moved_);
+    const double q = (static_cast<double>(next_) + 0.5) / kMeasures;
+    at(q, last_);
+    at(q + kMeasured, moved_);
     double most = 0.0;
     for (std::size_t i = 0; i < moved_.size(); ++i)
         most = std::max(most, lengthSquared(moved_[i] - last_[i]));
-    length_ += std::sqrt(most);
-    last_.swap(moved_);
-    spent_ += 2 * static_cast<std::int64_t>(moved_.size());
-    if (next_ == kMeasures) status_ = StreamStatus::Flowing;
+    length_ += std::sqrt(most) / (kMeasured * kMeasures);
+    spent_ += 3 * static_cast<std::int64_t>(moved_.size());
+    if (++next_ == kMeasures) status_ = StreamStatus::Flowing;
 }
 
 }  // namespace muster

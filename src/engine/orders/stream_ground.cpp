@@ -11,14 +11,14 @@ constexpr double kBeyond = 2.0;      // The line goes on so far beyond starts an
 constexpr double kMostRound = 12.0;  // Bends are as long as the formation is wide, but no longer [m].
 constexpr double kLeastAside = 2.0;  // So far outside its own width a stream may turn aside at least [m]...
 constexpr double kMostAside = 10.0;  // ... and at most, else half its width.
-constexpr double kWiden = 0.5;     // Rows are wider round starts and ends, less so by that share of the way.
-constexpr double kFelt = 0.1;      // Longer by less than that share, the outside of a bend is as good.
-constexpr double kComeBack = 0.2;  // Slope by which the line leaves the middle of a street.
-constexpr double kNarrow = 1.2;    // So much narrower than the formation makes a row narrow.
-constexpr double kLeastFade = 0.1;   // Share of the way in which order can be made.
-constexpr double kFadeRoom = 2.0;    // Order is made over so many times what is out of it.
-constexpr double kInPlace = 0.25;    // Spacings that they are out of formation at most as they are in it.
-constexpr double kTouch = 1e-3;    // So much nearer to a wall is not felt [m].
+constexpr double kWiden = 0.5;      // Rows are wider round starts and ends, less so by that share of the way.
+constexpr double kFelt = 0.1;       // Longer by less than that share, the outside of a bend is as good.
+constexpr double kComeBack = 0.2;   // Slope by which the line leaves the middle of a street.
+constexpr double kNarrow = 1.2;     // So much narrower than the formation makes a row narrow.
+constexpr double kLeastFade = 0.1;  // Share of the way in which order can be made.
+constexpr double kFadeRoom = 2.0;   // Order is made over so many times what is out of it.
+constexpr double kInPlace = 0.25;   // Spacings that they are out of formation at most as they are in it.
+constexpr double kTouch = 1e-3;     // So much nearer to a wall is not felt [m].
 constexpr double kLeastLook = 0.05;  // Between looks along a straight way [m].
 
 }  // namespace

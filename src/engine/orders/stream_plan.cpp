@@ -32,7 +32,7 @@ void Stream::start(const StreamDef& def) {
     status_ = valid() ? StreamStatus::Planning : StreamStatus::Blocked;
     if (status_ == StreamStatus::Blocked) return;
     moved_.resize(starts_.size());
-    last_ = starts_;
+    last_.resize(starts_.size());
     length_ = 0.0;
     most_ = 0.0;
     for (std::size_t i = 0; i < starts_.size(); ++i) most_ = std::max(most_, distance(starts_[i], ends_[i]));

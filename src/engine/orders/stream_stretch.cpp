@@ -95,8 +95,6 @@ void StreamStretch::blend(double shift) {
     const auto n = static_cast<std::int32_t>(xi_.back() / kSample) + 2;
     const auto reach = static_cast<std::int32_t>(std::max(kLeastRoom, kShiftRoom * shift) / (2.0 * kSample)) +
                        1;
-    first_ = xi_.back();
-    last_ = 0.0;
     single_.assign(n, 0.0);
     wide_.assign(n, 0.0);
     if (most_ <= 1.0) return;
@@ -113,10 +111,6 @@ void StreamStretch::blend(double shift) {
     for (std::int32_t k = 0; k < n; ++k) {
         single_[k] = sum / (2.0 * reach + 1.0);
         if (single_[k] < 1e-12) single_[k] = 0.0;
-        if (single_[k] > 0.5) {
-            first_ = std::min(first_, k * kSample);
-            last_ = std::max(last_, k * kSample);
-        }
         sum += at(k + reach + 1) - at(k - reach);
     }
 }

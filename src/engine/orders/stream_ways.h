@@ -24,7 +24,7 @@ public:
     StreamStatus status() const { return status_; }  ///< Of the plan.
     std::int64_t operations() const {
         return plans_[0].operations() + plans_[1].operations();
-    }                                                       ///< Since the start.
+    }                                                          ///< Since the start.
     std::size_t places() const { return plans_[0].places(); }  ///< Number of places.
     /// The march that arrives first. Only once planned.
     Stream& best() { return plans_[best_]; }

@@ -33,11 +33,20 @@ Rotation turnedTo(const Rotation& from, const Rotation& to, double share) {
     return {out.c / size, out.s / size};
 }
 
+/// From the begin of a way to its first point that is so far from it.
+template <class Point>
+Vec2 endOfWay(Point begin, Point end, double reach) {
+    Point at = begin + 1;
+    while (at + 1 != end && distance(*at, *begin) < reach) ++at;
+    return *at - *begin;
+}
+
 }  // namespace
 
 // Each place begins where the one is that goes to it with the least crossing, and those who held that go with
-// it. Where weights or demands differ places stay whose they are.
-void FlowMarches::exchange(WorldState& state, Group& group) {
+// it: who is ahead on the way or to the left of it stays so. Where weights or demands differ places stay
+// whose they are.
+void FlowMarches::exchange(WorldState& state, Group& group, double reach) {
     MarchFlow& flow = group.flow;
     Characters& c = state.characters;
     const std::vector<Vec2>& now = group.places.positions();
@@ -46,7 +55,14 @@ void FlowMarches::exchange(WorldState& state, Group& group) {
     const std::span<const std::uint8_t> classes = group.placeClass.size() == now.size()
                                                       ? std::span<const std::uint8_t>(group.placeClass)
                                                       : std::span<const std::uint8_t>();
-    const auto to = pairing_.pair(now, flow.ends, classes, classes);
+    const Vec2 first = normalized(endOfWay(flow.way.begin(), flow.way.end(), reach), {1, 0});
+    const Vec2 last = normalized(-endOfWay(flow.way.rbegin(), flow.way.rend(), reach), {1, 0});
+    const Vec2 between = normalized(first + last, perpendicular(last));
+    const Rotation turn{dot(last, between), cross(last, between)};
+    targets_ = flow.ends;
+    for (Vec2& p : targets_)
+        if (flow.way.size() > 2) p = turn.apply(p);
+    const auto to = pairing_.pair(now, targets_, classes, classes);
     places_.assign(to.begin(), to.end());
     for (std::size_t k = 0; k < now.size(); ++k) flow.starts[places_[k]] = now[k];
     for (const std::int32_t i : group.members) {
@@ -155,11 +171,12 @@ void FlowMarches::start(WorldState& state, Group& group, const Pose& end, std::s
     const Vec2 moves = meanVelocity(group);
     if (!findEnds(state, group, end)) return;
     flow.drawn = drawn;
-    exchange(state, group);
     flow.way.assign(way.begin(), way.end());
-    if (flow.way.size() < 2) flow.way = {meanOf(flow.starts), meanOf(flow.ends)};
-    flow.way.front() = meanOf(flow.starts);
+    const Vec2 middle = meanOf(group.places.positions());
+    if (flow.way.size() < 2) flow.way = {middle, meanOf(flow.ends)};
+    flow.way.front() = middle;
     flow.way.back() = flow.to.position;
+    exchange(state, group, extentOf(group).reach);
     listHeld(state, group, flow.held);
     // Who is on the move goes on.
     flow.speed = std::max(0.0, dot(moves, normalized(flow.way[1] - flow.way[0])));

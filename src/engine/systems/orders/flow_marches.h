@@ -35,7 +35,7 @@ private:
     PlaceDef layOut(WorldState& state, Group& group, EndDef def);
     bool findEnds(WorldState& state, Group& group, const Pose& end);
     void findTaken(const WorldState& state, const Group& group);
-    void exchange(WorldState& state, Group& group);
+    void exchange(WorldState& state, Group& group, double reach);
     void move(WorldState& state, Group& group, const MarchDef& def);
 
     std::int64_t budget_ = 0;
