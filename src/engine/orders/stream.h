@@ -23,10 +23,11 @@ struct StreamDef {
     std::span<const Vec2> starts;   ///< Where they are now [m].
     std::span<const Vec2> ends;     ///< Where they end, on free ground [m].
     std::span<const Vec2>
-        way;               ///< From the middle of the starts to that of the ends, two points or more [m].
-    double spacing = 1.0;  ///< Of the formation [m], above 0.
-    double radius = 0.25;  ///< Of bodies [m], above 0.
-    bool drawn = false;    ///< True where the way is kept to also where the ground between is free.
+        way;                ///< From the middle of the starts to that of the ends, two points or more [m].
+    double spacing = 1.0;   ///< Of the formation [m], above 0.
+    double radius = 0.25;   ///< Of bodies [m], above 0.
+    bool drawn = false;     ///< True where the way is kept to also where the ground between is free.
+    bool measured = false;  ///< True where length() will be asked for.
 };
 
 /// What a plan has come to.
@@ -55,6 +56,7 @@ public:
     /// Places that stand or end so close behind a wall that they touch it on their first or last metre.
     std::int32_t tight() const { return tight_; }
     /// How far the fastest place goes, whichever that is [m]: at a speed they arrive after length() / speed.
+    /// Of a march that flows only where its definition wants it measured, else 0.
     double length() const { return status_ == StreamStatus::Straight ? most_ : length_; }
     double stretch() const { return status_ == StreamStatus::Flowing ? stretch_.most() : 1.0; }  ///< At most.
 
@@ -138,7 +140,7 @@ private:
     double nominalFront_ = 0.0;  // Xi of its front at q = 0 [m].
     double depthStep_ = 1.0;     // Between samples of its depth [m].
     Depths full_{};              // Share of its width that is full, by depth.
-    bool centred_ = false, formed_ = false;
+    bool centred_ = false, formed_ = false, measured_ = false, exchanged_ = false;
     double startS_ = 0.0, endS_ = 0.0, low_ = 0.0, high_ = 0.0, travel_ = 0.0, most_ = 0.0;
     std::vector<double> half_, shift_;
     std::vector<std::uint8_t> street_;

@@ -161,6 +161,7 @@ void Stream::finish() {
         legs_[i].missTo = ends_[i] - raw(i, 1.0, none);
     }
     spent_ += 8 * static_cast<std::int64_t>(n) + 8 * line_.rows();
+    if (!measured_) status_ = StreamStatus::Flowing;
     enter(Stage::Measure);
 }
 

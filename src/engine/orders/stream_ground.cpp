@@ -176,7 +176,8 @@ bool Stream::formUp() {
         return most;
     };
     Vec2 most = off();
-    if (std::max(most.x, most.y) > kInPlace * spacing_) {
+    exchanged_ = std::max(most.x, most.y) > kInPlace * spacing_;
+    if (exchanged_) {
         takeSlots();
         most = off();
     }
@@ -187,8 +188,8 @@ bool Stream::formUp() {
     fadeStart_ = std::min(1.0, std::max({kLeastFade, (first - front) / whole, kFadeRoom * most.x / whole}));
     fadeEnd_ = std::min(1.0, std::max({kLeastFade, (rear - last) / whole, kFadeRoom * most.y / whole}));
     for (StreamCourse& course : courses_) {
-        course.fadeStart = fadeStart_;
-        course.fadeEnd = fadeEnd_;
+        course.perStart = 1.0 / fadeStart_;
+        course.perEnd = 1.0 / fadeEnd_;
     }
     return true;
 }

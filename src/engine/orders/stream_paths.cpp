@@ -23,8 +23,8 @@ std::int32_t nearestRun(const StreamRuns& runs, std::int32_t k, double d) {
 double StreamCourse::nominal(double s) const {
     const double whole = end.s - start.s;
     const double f = std::fabs(whole) > 1e-9 ? std::clamp((s - start.s) / whole, 0.0, 1.0) : 0.0;
-    if (fadeStart >= 1.0 && fadeEnd >= 1.0) return start.d + (end.d - start.d) * f;
-    const double off = std::max(0.0, 1.0 - f / fadeStart), on = std::max(0.0, 1.0 - (1.0 - f) / fadeEnd);
+    if (perStart <= 1.0 && perEnd <= 1.0) return start.d + (end.d - start.d) * f;
+    const double off = std::max(0.0, 1.0 - f * perStart), on = std::max(0.0, 1.0 - (1.0 - f) * perEnd);
     return ordinate + (start.d - ordinate) * off + (end.d - ordinate) * on;
 }
 

@@ -27,6 +27,7 @@ void Stream::start(const StreamDef& def) {
     if (way_.size() == 1) way_.push_back(way_[0] + Vec2{1e-3, 0.0});
     spacing_ = def.spacing;
     radius_ = def.radius;
+    measured_ = def.measured;
     spent_ = 0;
     tight_ = 0;
     status_ = valid() ? StreamStatus::Planning : StreamStatus::Blocked;
@@ -129,10 +130,13 @@ void Stream::stepCourses() {
         if (!paths_.all()) status_ = StreamStatus::Blocked;
         banks_.start(runs_, line_.step(), paths_.entries());
     } else if (done == Stage::Load) {
-        if (!formed_ && formUp()) {
+        if (formed_ || !formUp()) return;
+        // Whoever has another place in the formation has another path.
+        if (exchanged_)
             paths_.start(runs_, line_.step());
-            enter(Stage::Paths);
-        }
+        else
+            banks_.start(runs_, line_.step(), paths_.entries());
+        enter(exchanged_ ? Stage::Paths : Stage::Load);
     } else if (done == Stage::Steepen) {
         banks_.settle();
     } else if (done == Stage::Lay) {

@@ -10,6 +10,7 @@ void StreamWays::start(const StreamDef& def) {
     for (std::size_t k = 1; k < def.way.size(); ++k) way_ += distance(def.way[k - 1], def.way[k]);
     best_ = 0;
     StreamDef on = def, round = def;
+    on.measured = round.measured = other_;
     const std::array<Vec2, 2> straight{def.way.front(), def.way.back()};
     if (other_) on.way = straight;
     plans_[0].start(on);
