@@ -6,9 +6,8 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t
-    kWindow = 24;               // Pairs in the order of the splits are compared with so many that follow.
-constexpr int kPairPasses = 6;  // And so often at most.
+constexpr double kPairReach = 2.5;  // Those so many spacings apart are compared with each other...
+constexpr int kPairPasses = 12;     // ... and so often at most.
 
 // Whole millimetres about the mean: so two sets that differ by a shift are split alike.
 void centre(std::span<const Vec2> points, std::vector<Vec2>& centred) {
@@ -29,6 +28,18 @@ void sortAlong(bool x, const std::vector<Vec2>& points, std::int32_t* begin, std
         if (first != 0.0) return first < 0.0;
         return second != 0.0 ? second < 0.0 : a < b;
     });
+}
+
+// About how far points that fill their box, or a line along it, are from each other.
+double meanSpacing(std::span<const Vec2> points) {
+    Vec2 low{1e300, 1e300}, high{-1e300, -1e300};
+    for (const Vec2 p : points) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    const auto n = static_cast<double>(points.size());
+    const Vec2 size = high - low;
+    return std::max({1.0, std::sqrt(size.x * size.y / n), std::max(size.x, size.y) / n});
 }
 
 }  // namespace
@@ -65,21 +76,34 @@ void Pairing::solve() {
     for (std::int32_t k = 0; k < n; ++k) result_[fromOrder_[k]] = toOrder_[solver_.columnOf()[k]];
 }
 
-// Exchanges where two would cross; what lies close together is close in the order of the splits.
-void Pairing::improve(std::span<const Vec2> from, std::span<const Vec2> to) {
+// Exchanges where two would cross who are near each other before or behind. Each exchange lowers the sum.
+void Pairing::improve() {
     const std::size_t n = fromOrder_.size();
+    fromAt_.clear();
+    toAt_.clear();
+    goes_.clear();
+    for (std::size_t k = 0; k < n; ++k) {
+        fromAt_.push_back(from_[fromOrder_[k]]);
+        toAt_.push_back(to_[toOrder_[k]]);
+        goes_.push_back(static_cast<std::int32_t>(k));
+    }
+    comes_ = goes_;
+    const double near = kPairReach * std::max(meanSpacing(fromAt_), meanSpacing(toAt_));
+    fromCells_.sort(fromAt_, near);
+    toCells_.sort(toAt_, near);
     bool changed = true;
+    const auto compare = [&](std::int32_t a, std::int32_t b) {
+        if (dot(fromAt_[b] - fromAt_[a], toAt_[goes_[b]] - toAt_[goes_[a]]) >= 0.0) return;
+        std::swap(goes_[a], goes_[b]);
+        std::swap(comes_[goes_[a]], comes_[goes_[b]]);
+        changed = true;
+    };
     for (int pass = 0; pass < kPairPasses && changed; ++pass) {
         changed = false;
-        for (std::size_t a = 0; a < n; ++a)
-            for (std::size_t b = a + 1; b < std::min(n, a + kWindow); ++b) {
-                const Vec2 here = from[fromOrder_[b]] - from[fromOrder_[a]];
-                const Vec2 there = to[toOrder_[b]] - to[toOrder_[a]];
-                if (dot(here, there) >= -1e-9) continue;
-                std::swap(toOrder_[a], toOrder_[b]);
-                changed = true;
-            }
+        fromCells_.forPairs(near, compare);
+        toCells_.forPairs(near, [&](std::int32_t a, std::int32_t b) { compare(comes_[a], comes_[b]); });
     }
+    for (std::size_t k = 0; k < n; ++k) result_[fromOrder_[k]] = toOrder_[goes_[k]];
 }
 
 std::span<const std::int32_t> Pairing::pair(std::span<const Vec2> from, std::span<const Vec2> to,
@@ -107,8 +131,7 @@ std::span<const std::int32_t> Pairing::pair(std::span<const Vec2> from, std::spa
             continue;
         }
         split(0, count);
-        improve(from, to);
-        for (std::size_t j = 0; j < count; ++j) result_[fromOrder_[j]] = toOrder_[j];
+        improve();
     }
     return result_;
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/cell_list.h"
 #include "engine/assignment/transport/dense/jonker_volgenant.h"
 #include "muster/vec2.h"
 
@@ -27,9 +28,12 @@ public:
 private:
     void split(std::size_t begin, std::size_t end);
     void solve();
-    void improve(std::span<const Vec2> from, std::span<const Vec2> to);
+    void improve();
 
     std::vector<std::int32_t> fromOrder_, toOrder_, result_;
+    std::vector<std::int32_t> goes_, comes_;  // In a class: which target is whose.
+    std::vector<Vec2> fromAt_, toAt_;
+    CellList fromCells_, toCells_;
     JonkerVolgenantSolver solver_;
     std::vector<double> cost_;
     std::vector<Vec2> from_, to_;  // About their means, in whole millimetres.

@@ -54,13 +54,14 @@ Vec2 Stream::raw(std::size_t i, double q, const Depths& ahead) const {
 
 void Stream::at(double q, std::span<Vec2> places) const {
     Depths ahead;
-    if (hollow_ && status_ == StreamStatus::Flowing) closeUp(q, ahead);
+    const bool flows = status_ != StreamStatus::Straight;
+    if (flows && hollow_) closeUp(q, ahead);
     for (std::size_t i = 0; i < starts_.size(); ++i) {
         if (q <= 0.0) {
             places[i] = starts_[i];
         } else if (q >= 1.0) {
             places[i] = ends_[i];
-        } else if (status_ == StreamStatus::Flowing) {
+        } else if (flows) {
             places[i] = raw(i, q, ahead) + legs_[i].missFrom * faded(q, kMissShare) +
                         legs_[i].missTo * faded(1.0 - q, kMissShare);
         } else {

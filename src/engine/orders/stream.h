@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/orders/pairing.h"
 #include "engine/orders/stream_banks.h"
 #include "engine/orders/stream_flow.h"
 #include "engine/orders/stream_line.h"
@@ -22,12 +23,11 @@ struct StreamDef {
     std::span<const Vec2> starts;   ///< Where they are now [m].
     std::span<const Vec2> ends;     ///< Where they end, on free ground [m].
     std::span<const Vec2>
-        way;               ///< From the middle of the starts to that of the ends, two points or more [m].
-    double spacing = 1.0;  ///< Of the formation [m], above 0.
-    double radius = 0.25;  ///< Of bodies [m], above 0.
-    /// Share of the way, (0, 1], over which the formation is taken up from the starts, and left for the ends.
-    double fade = 1.0;
-    bool drawn = false;  ///< True where the way is kept to also where the ground between is free.
+        way;                ///< From the middle of the starts to that of the ends, two points or more [m].
+    double spacing = 1.0;   ///< Of the formation [m], above 0.
+    double radius = 0.25;   ///< Of bodies [m], above 0.
+    bool drawn = false;     ///< True where the way is kept to also where the ground between is free.
+    bool measured = false;  ///< True where length() will be asked for.
 };
 
 /// What a plan has come to.
@@ -55,6 +55,9 @@ public:
     std::size_t places() const { return starts_.size(); }  ///< Number of places.
     /// Places that stand or end so close behind a wall that they touch it on their first or last metre.
     std::int32_t tight() const { return tight_; }
+    /// How far the fastest place goes, whichever that is [m]: at a speed they arrive after length() / speed.
+    /// Of a march that flows only where its definition wants it measured, else 0.
+    double length() const { return status_ == StreamStatus::Straight ? most_ : length_; }
     double stretch() const { return status_ == StreamStatus::Flowing ? stretch_.most() : 1.0; }  ///< At most.
 
     /// Where the places are at `q`, exactly their starts at 0 and their ends at 1. Only once planned.
@@ -80,7 +83,8 @@ private:
         Smooth,
         Ends,
         Compare,
-        Finish
+        Finish,
+        Measure
     };
     /// What a place needs to be found fast.
     struct Leg {
@@ -96,6 +100,7 @@ private:
     void makeLine();
     void placeOnLine();
     void reachOut();
+    bool isWalledOff() const;
     bool centre();
     void startFlow();
     void enter(Stage stage);
@@ -105,7 +110,9 @@ private:
     double roomAlong(StreamGround ground, StreamPoint a, StreamPoint b);
     void compareNext();
     void finish();
-    void fadeAlong();
+    bool formUp();
+    void takeSlots();
+    void measure();
     static constexpr std::int32_t kDepths = 64;  // Of samples along the depth of the formation.
     using Depths = std::array<double, kDepths + 1>;
 
@@ -122,20 +129,22 @@ private:
     std::size_t next_ = 0;
     std::int32_t tight_ = 0;
     std::int64_t spent_ = 0;
-    std::vector<Vec2> offsets_, starts_, ends_, way_, moved_;
-    double spacing_ = 1.0, radius_ = 0.25, fade_ = 1.0;
+    double length_ = 0.0;
+    std::vector<Vec2> offsets_, starts_, ends_, way_, moved_, last_;
+    double spacing_ = 1.0, radius_ = 0.25;
     double back_ = 0.0, fore_ = 0.0, startReach_ = 0.0,
            endReach_ = 0.0;                   // How far starts and ends reach [m].
-    double fadeStart_ = 1.0, fadeEnd_ = 1.0;  // Of the offsets along the way.
+    double fadeStart_ = 1.0, fadeEnd_ = 1.0;  // Shares of the way by which the formation is made and left.
     double orderRate_ = 1.0;                  // By which single order comes and goes at start and end.
     bool hollow_ = false;        // True where some rows of the formation are less full than wide.
     double nominalFront_ = 0.0;  // Xi of its front at q = 0 [m].
     double depthStep_ = 1.0;     // Between samples of its depth [m].
     Depths full_{};              // Share of its width that is full, by depth.
-    bool centred_ = false;
+    bool centred_ = false, formed_ = false, measured_ = false, exchanged_ = false;
     double startS_ = 0.0, endS_ = 0.0, low_ = 0.0, high_ = 0.0, travel_ = 0.0, most_ = 0.0;
     std::vector<double> half_, shift_;
     std::vector<std::uint8_t> street_;
+    Pairing slots_;
     StreamLine line_;
     StreamRuns runs_;
     StreamFlow flow_;

@@ -14,9 +14,8 @@ constexpr double kHair = 1e-6;       // Nobody sees less [m].
 
 }  // namespace
 
-void StreamBanks::start(const StreamRuns& runs, double step, double fade, std::int32_t entries) {
+void StreamBanks::start(const StreamRuns& runs, double step, std::int32_t entries) {
     step_ = step;
-    fade_ = fade;
     loads_.assign(runs.count(), {});
     for (std::int32_t k = 0; k < runs.rows(); ++k)
         for (std::size_t r = 0; r < runs.row(k).size(); ++r)
@@ -33,7 +32,7 @@ void StreamBanks::start(const StreamRuns& runs, double step, double fade, std::i
 void StreamBanks::load(const StreamRuns&, const StreamPaths& paths, const StreamCourse& course) {
     std::int32_t k = course.first;
     for (const std::int32_t number : paths.of(course)) {
-        const double y = course.nominal(k++ * step_, fade_);
+        const double y = course.nominal(k++ * step_);
         StreamLoad& load = loads_[number];
         const bool used = load.used();
         load.low = used ? std::min(load.low, y) : y;

@@ -25,7 +25,7 @@ struct StreamLoad {
 class StreamBanks {
 public:
     /// Begins.
-    void start(const StreamRuns& runs, double step, double fade, std::int32_t entries);
+    void start(const StreamRuns& runs, double step, std::int32_t entries);
     /// Adds a course to the loads of its runs.
     void load(const StreamRuns& runs, const StreamPaths& paths, const StreamCourse& course);
     /// Lets banks and places turn aside as steeply as the course needs.
@@ -79,7 +79,7 @@ private:
         return runs.row(k)[path[k - course.first] - runs.first(k)];
     }
 
-    double step_ = 0.5, fade_ = 1.0;
+    double step_ = 0.5;
     std::vector<StreamLoad> loads_;
     std::vector<double> bankRise_, placeRise_;      // Per step from a row to the next [m].
     std::vector<Banks> near_;                       // By row, of one course: the nearest banks...

@@ -8,14 +8,14 @@ namespace muster {
 namespace {
 
 constexpr double kGolden = 0.61803398874989485;  // The golden ratio, less 1.
-constexpr double kLeastFade = 0.1;               // Share of the way in which order can be made.
-constexpr double kFadeRoom = 2.0;    // What is ahead or behind fades over that many times as much.
-constexpr double kLeastOrder = 3.0;  // Single order comes over so much of the way at least [m]...
-constexpr double kOrderRoom = 3.0;   // ... and over so many times the shift.
-constexpr std::int32_t kLooks = 6;   // Along the stretch from a start to its first row.
-constexpr double kKnee = 0.1;        // Share of that over which a place steps aside where it has to at once.
-constexpr double kTight = 0.01;      // Nearer to a wall by that is too near [m].
+constexpr double kLeastOrder = 3.0;              // Single order comes over so much of the way at least [m]...
+constexpr double kOrderRoom = 3.0;               // ... and over so many times the shift.
+constexpr std::int32_t kLooks = 6;               // Along the stretch from a start to its first row.
+constexpr double kKnee = 0.1;    // Share of that over which a place steps aside where it has to at once.
+constexpr double kTight = 0.01;  // Nearer to a wall by that is too near [m].
 
+constexpr std::size_t kMeasures = 32;  // Looks by which the length of a march is known...
+constexpr double kMeasured = 1e-3;     // ... each over so much of q.
 constexpr double kFuller = 2.0;        // Rows count as so many times fuller, so that they keep apart.
 constexpr double kNearlyThere = 0.25;  // Rows are as full as the fullest so many spacings before and behind.
 constexpr double kHollow = 0.95;       // Less full than that share of its width a row is hollow.
@@ -105,25 +105,6 @@ void Stream::compareNext() {
     if (++next_ == courses_.size()) enter(Stage::Finish);
 }
 
-// What starts and ends are ahead or behind fades before the first row in single order, and comes behind the
-// last one: in single order everybody keeps the own turn.
-void Stream::fadeAlong() {
-    fadeStart_ = fadeEnd_ = fade_;
-    const double first = stretch_.firstSingle(), last = stretch_.lastSingle();
-    if (first > last || travel_ <= 0.0) return;
-    double front = -1e9, rear = 1e9, aheadStart = 0.0, aheadEnd = 0.0;
-    for (const Leg& leg : legs_) {
-        front = std::max(front, leg.fromXi);
-        rear = std::min(rear, leg.toXi);
-        aheadStart = std::max(aheadStart, std::fabs(leg.fromXi - leg.nominalXi));
-        aheadEnd = std::max(aheadEnd, std::fabs(leg.toXi - leg.nominalXi - travel_));
-    }
-    fadeStart_ = std::min(
-        fade_, std::max({kLeastFade, (first - front) / travel_, kFadeRoom * aheadStart / travel_}));
-    fadeEnd_ = std::min(fade_,
-                        std::max({kLeastFade, (rear - last) / travel_, kFadeRoom * aheadEnd / travel_}));
-}
-
 // How full the rows of the formation are, by depth.
 void Stream::fillDepths() {
     double depth = 0.0;
@@ -168,7 +149,10 @@ void Stream::finish() {
     travel_ = (to - from) / static_cast<double>(n);
     for (std::size_t i = 0; i < n; ++i) legs_[i].nominalXi = from / static_cast<double>(n) - offsets_[i].x;
     nominalFront_ = from / static_cast<double>(n);
-    fadeAlong();
+    // By then the ground is not stretched yet.
+    const double longer = (endS_ - startS_) / std::max(travel_, 1e-9);
+    if (fadeStart_ < 1.0) fadeStart_ = std::min(1.0, fadeStart_ * longer);
+    if (fadeEnd_ < 1.0) fadeEnd_ = std::min(1.0, fadeEnd_ * longer);
     fillDepths();
     orderRate_ = std::max(1.0, std::fabs(travel_)) / std::max(kLeastOrder, kOrderRoom * shift);
     const Depths none{};
@@ -177,7 +161,21 @@ void Stream::finish() {
         legs_[i].missTo = ends_[i] - raw(i, 1.0, none);
     }
     spent_ += 8 * static_cast<std::int64_t>(n) + 8 * line_.rows();
-    status_ = StreamStatus::Flowing;
+    if (!measured_) status_ = StreamStatus::Flowing;
+    enter(Stage::Measure);
+}
+
+// One look a time: how fast the fastest place is, by q.
+void Stream::measure() {
+    const double q = (static_cast<double>(next_) + 0.5) / kMeasures;
+    at(q, last_);
+    at(q + kMeasured, moved_);
+    double most = 0.0;
+    for (std::size_t i = 0; i < moved_.size(); ++i)
+        most = std::max(most, lengthSquared(moved_[i] - last_[i]));
+    length_ += std::sqrt(most) / (kMeasured * kMeasures);
+    spent_ += 3 * static_cast<std::int64_t>(moved_.size());
+    if (++next_ == kMeasures) status_ = StreamStatus::Flowing;
 }
 
 }  // namespace muster

@@ -18,7 +18,6 @@ constexpr double kLeastFlux = 1e-6;  // A row with less carries nothing.
 void StreamFlow::start(const StreamRuns& runs, double step, std::int32_t from, std::int32_t to, double low,
                        double high, double spacing) {
     stage_ = Stage::Pieces;
-    flows_ = true;
     from_ = next_ = from;
     to_ = to;
     step_ = step;
@@ -185,7 +184,6 @@ std::int32_t StreamFlow::share(const StreamRuns& runs, std::int32_t k) {
     const std::span<const StreamRun> row = runs.row(k);
     if (k < from_ || k >= to_ || row.size() < 2) {
         shareByPlace(runs, k);
-        if (row.empty() && k >= from_ && k <= to_) flows_ = false;
         return 1;
     }
     const std::int32_t first = firstPiece_[k - from_], last = firstPiece_[k - from_ + 1],
@@ -197,10 +195,7 @@ std::int32_t StreamFlow::share(const StreamRuns& runs, std::int32_t k) {
                 flux_[pieces_[a].run - runs.first(k)] += conductance(a, b) * (level_[a] - level_[b]);
     double whole = 0.0, sum = 0.0;
     for (double& flux : flux_) whole += flux = std::max(0.0, flux);
-    if (whole < kLeastFlux) {
-        flows_ = false;
-        whole = 1.0;
-    }
+    if (whole < kLeastFlux) whole = 1.0;
     const double width = high_ - low_ + spacing_;
     for (std::size_t r = 0; r < row.size(); ++r) {
         StreamShare& share = shares_[runs.first(k) + r];

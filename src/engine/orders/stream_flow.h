@@ -31,8 +31,6 @@ public:
     std::int32_t advance(const StreamRuns& runs);
     /// True once the shares are known.
     bool done() const { return stage_ == Stage::Done; }
-    /// True where a way through all rows was found.
-    bool flows() const { return flows_; }
     /// The share of each run, by its number.
     std::span<const StreamShare> shares() const { return shares_; }
 
@@ -57,7 +55,6 @@ private:
     }
 
     Stage stage_ = Stage::Done;
-    bool flows_ = false;
     std::int32_t from_ = 0, to_ = 0, next_ = 0, width_ = 0;
     double step_ = 0.5, low_ = 0.0, high_ = 0.0, spacing_ = 1.0, cut_ = 1.0;
     std::vector<Piece> pieces_;

@@ -11,10 +11,14 @@ constexpr double kBeyond = 2.0;      // The line goes on so far beyond starts an
 constexpr double kMostRound = 12.0;  // Bends are as long as the formation is wide, but no longer [m].
 constexpr double kLeastAside = 2.0;  // So far outside its own width a stream may turn aside at least [m]...
 constexpr double kMostAside = 10.0;  // ... and at most, else half its width.
-constexpr double kWiden = 0.5;     // Rows are wider round starts and ends, less so by that share of the way.
-constexpr double kFelt = 0.1;      // Longer by less than that share, the outside of a bend is as good.
-constexpr double kComeBack = 0.2;  // Slope by which the line leaves the middle of a street.
-constexpr double kTouch = 1e-3;    // So much nearer to a wall is not felt [m].
+constexpr double kWiden = 0.5;      // Rows are wider round starts and ends, less so by that share of the way.
+constexpr double kFelt = 0.1;       // Longer by less than that share, the outside of a bend is as good.
+constexpr double kComeBack = 0.2;   // Slope by which the line leaves the middle of a street.
+constexpr double kNarrow = 1.2;     // So much narrower than the formation makes a row narrow.
+constexpr double kLeastFade = 0.1;  // Share of the way in which order can be made.
+constexpr double kFadeRoom = 2.0;   // Order is made over so many times what is out of it.
+constexpr double kInPlace = 0.25;   // Spacings that they are out of formation at most as they are in it.
+constexpr double kTouch = 1e-3;     // So much nearer to a wall is not felt [m].
 constexpr double kLeastLook = 0.05;  // Between looks along a straight way [m].
 
 }  // namespace
@@ -59,7 +63,8 @@ void Stream::makeLine() {
     back_ += kBeyond;
     fore_ += kBeyond;
     line_.make(way_, back_, fore_, std::min(high_ - low_ + spacing_, kMostRound));
-    centred_ = false;
+    centred_ = formed_ = false;
+    fadeStart_ = fadeEnd_ = 1.0;
     placeOnLine();
 }
 
@@ -82,6 +87,16 @@ void Stream::placeOnLine() {
     reachOut();
     runs_.start(line_, half_, radius_);
     enter(Stage::Rows);
+}
+
+// True where somebody would have to pass the row that was looked at last, and nobody can.
+bool Stream::isWalledOff() const {
+    const std::int32_t k = runs_.known() - 1;
+    if (k < 0 || !runs_.row(k).empty()) return false;
+    const double s = k * line_.step();
+    return std::any_of(courses_.begin(), courses_.end(), [&](const StreamCourse& course) {
+        return course.a().s + line_.step() < s && s < course.b().s - line_.step();
+    });
 }
 
 // In bends of streets the line is moved to their middle, or all would go by the outside. True where it was.
@@ -114,6 +129,68 @@ bool Stream::centre() {
     for (std::size_t k = shift_.size() - 1; k-- > 0;) follow(k, k + 1);
     line_.shift(shift_, std::min(high_ - low_ + spacing_, kMostRound));
     placeOnLine();
+    return true;
+}
+
+// Who stands where in the formation of the march: near where it comes from and where it goes.
+void Stream::takeSlots() {
+    const std::size_t n = offsets_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const StreamPoint a = courses_[i].start, b = courses_[i].end;
+        moved_[i] = {startS_ + endS_ - a.s - b.s, a.d + b.d};
+        last_[i] = offsets_[i] * 2.0;
+    }
+    const std::span<const std::int32_t> slots = slots_.pair(moved_, last_);
+    for (std::size_t i = 0; i < n; ++i) {
+        offsets_[i] = last_[slots[i]] * 0.5;
+        courses_[i].ordinate = offsets_[i].y;
+    }
+    spent_ += static_cast<std::int64_t>(n * std::min(n, Pairing::kExact)) / 2;
+}
+
+// The formation is made before the first row that is narrower than it and left behind the last one: there
+// everybody keeps the own turn. False where there is none: all go straight from start to end.
+bool Stream::formUp() {
+    double first = 1e9, last = -1e9;
+    for (std::int32_t k = 0; k < line_.rows(); ++k)
+        for (std::int32_t r = runs_.first(k); r < runs_.first(k + 1); ++r) {
+            const StreamLoad& load = banks_.loads()[r];
+            if (load.high - load.low + spacing_ <= kNarrow * (load.room + spacing_)) continue;
+            first = std::min(first, k * line_.step());
+            last = k * line_.step();
+        }
+    const double whole = endS_ - startS_;
+    if (first > last || whole <= 0.0) return false;
+    formed_ = true;
+    double meanX = 0.0, front = -1e9, rear = 1e9;
+    for (const Vec2 p : offsets_) meanX += p.x / static_cast<double>(offsets_.size());
+    // Out of the formation, at the start and at the end.
+    const auto off = [&] {
+        Vec2 most;
+        for (std::size_t i = 0; i < courses_.size(); ++i) {
+            const StreamPoint a = courses_[i].start, b = courses_[i].end;
+            const double ahead = meanX - offsets_[i].x, y = offsets_[i].y;
+            most.x = std::max({most.x, std::fabs(a.s - startS_ - ahead), std::fabs(a.d - y)});
+            most.y = std::max({most.y, std::fabs(b.s - endS_ - ahead), std::fabs(b.d - y)});
+        }
+        return most;
+    };
+    Vec2 most = off();
+    exchanged_ = std::max(most.x, most.y) > kInPlace * spacing_;
+    if (exchanged_) {
+        takeSlots();
+        most = off();
+    }
+    for (const StreamCourse& course : courses_) {
+        front = std::max(front, course.start.s);
+        rear = std::min(rear, course.end.s);
+    }
+    fadeStart_ = std::min(1.0, std::max({kLeastFade, (first - front) / whole, kFadeRoom * most.x / whole}));
+    fadeEnd_ = std::min(1.0, std::max({kLeastFade, (rear - last) / whole, kFadeRoom * most.y / whole}));
+    for (StreamCourse& course : courses_) {
+        course.perStart = 1.0 / fadeStart_;
+        course.perEnd = 1.0 / fadeEnd_;
+    }
     return true;
 }
 

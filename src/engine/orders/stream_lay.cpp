@@ -34,7 +34,7 @@ void StreamBanks::squeeze(std::span<const std::int32_t> path, const StreamCourse
 // Where the course would be by its banks alone.
 void StreamBanks::aim(std::span<const std::int32_t> path, const StreamCourse& course) {
     for (std::int32_t k = course.first; k <= course.last; ++k) {
-        const double y = course.nominal(k * step_, fade_);
+        const double y = course.nominal(k * step_);
         double least = -kNoBank, most = kNoBank, narrow = 1.0;
         squeeze(path, course, near_[k], y, least, most, narrow);
         squeeze(path, course, felt_[k], y, least, most, narrow);
@@ -109,7 +109,7 @@ std::int32_t StreamBanks::part(const StreamRuns& runs, const StreamPaths& paths,
                                std::int32_t k) {
     const auto n = static_cast<std::int32_t>(courses.size());
     ordinate_.resize(n);
-    for (std::int32_t i = 0; i < n; ++i) ordinate_[i] = courses[i].nominal(k * step_, fade_);
+    for (std::int32_t i = 0; i < n; ++i) ordinate_[i] = courses[i].nominal(k * step_);
     const auto before = [&](std::uint32_t a, std::uint32_t b) {
         return ordinate_[a] != ordinate_[b] ? ordinate_[a] < ordinate_[b] : a < b;
     };

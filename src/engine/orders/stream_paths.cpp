@@ -20,18 +20,17 @@ std::int32_t nearestRun(const StreamRuns& runs, std::int32_t k, double d) {
 
 }  // namespace
 
-double StreamCourse::nominal(double s, double fade) const {
+double StreamCourse::nominal(double s) const {
     const double whole = end.s - start.s;
     const double f = std::fabs(whole) > 1e-9 ? std::clamp((s - start.s) / whole, 0.0, 1.0) : 0.0;
-    if (fade >= 1.0) return start.d + (end.d - start.d) * f;
-    const double off = std::max(0.0, 1.0 - f / fade), on = std::max(0.0, 1.0 - (1.0 - f) / fade);
+    if (perStart <= 1.0 && perEnd <= 1.0) return start.d + (end.d - start.d) * f;
+    const double off = std::max(0.0, 1.0 - f * perStart), on = std::max(0.0, 1.0 - (1.0 - f) * perEnd);
     return ordinate + (start.d - ordinate) * off + (end.d - ordinate) * on;
 }
 
-void StreamPaths::start(const StreamRuns& runs, double step, double fade) {
+void StreamPaths::start(const StreamRuns& runs, double step) {
     all_ = true;
     step_ = step;
-    fade_ = fade;
     path_.clear();
     cost_.resize(runs.count());
     before_.resize(runs.count());
@@ -67,7 +66,7 @@ bool StreamPaths::follow(const StreamRuns& runs, std::span<const StreamShare> sh
         if (k == course.last) return at == to;
         const StreamRun& here = runs.row(k)[at - runs.first(k)];
         const std::span<const StreamRun> row = runs.row(k + 1);
-        const double y = row.size() > 1 ? course.nominal((k + 1) * step_, fade_) : 0.0;
+        const double y = row.size() > 1 ? course.nominal((k + 1) * step_) : 0.0;
         std::int32_t next = -1;
         for (std::size_t r = 0; r < row.size() && next < 0; ++r) {
             const std::int32_t number = runs.first(k + 1) + static_cast<std::int32_t>(r);
@@ -89,7 +88,7 @@ std::int32_t StreamPaths::search(const StreamRuns& runs, std::span<const StreamS
         cost_[r] = r == from ? 0.0 : kNoCost;
     for (std::int32_t k = course.first; k < course.last; ++k) {
         const std::span<const StreamRun> here = runs.row(k), there = runs.row(k + 1);
-        const double y = course.nominal((k + 1) * step_, fade_);
+        const double y = course.nominal((k + 1) * step_);
         for (std::size_t b = 0; b < there.size(); ++b) {
             const std::int32_t number = runs.first(k + 1) + static_cast<std::int32_t>(b);
             double least = kNoCost;

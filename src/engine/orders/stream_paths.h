@@ -15,6 +15,8 @@ struct StreamCourse {
     StreamPoint start;       ///< Where it stands.
     StreamPoint end;         ///< Where it goes.
     double ordinate = 0.0;   ///< To the left in the formation [m].
+    double perStart = 1.0;   ///< One over the share of its way after which it is in the formation...
+    double perEnd = 1.0;     ///< ... and over that before its end in which it leaves it. 1: none is made.
     std::int32_t first = 0;  ///< The first row that it comes through...
     std::int32_t last = -1;  ///< ... and the last; before it where there is none.
     StreamPoint fromA;       ///< A point between `a` and the first row, which it passes...
@@ -24,16 +26,15 @@ struct StreamCourse {
     std::int32_t rows() const { return last - first + 1; }            ///< 0 or more.
     StreamPoint a() const { return start.s <= end.s ? start : end; }  ///< Farther back.
     StreamPoint b() const { return start.s <= end.s ? end : start; }  ///< Farther ahead.
-    /// Its ordinate at `s` [m], where the ground is open: from its start to that of the formation to its end,
-    /// each over the share `fade` of the way.
-    double nominal(double s, double fade) const;
+    /// Its ordinate at `s` [m], where the ground is open: from its start to that of the formation to its end.
+    double nominal(double s) const;
 };
 
 /// Chooses the runs. What lies beyond start and end of a place does not count for it. Owns its memory.
 class StreamPaths {
 public:
     /// Begins.
-    void start(const StreamRuns& runs, double step, double fade);
+    void start(const StreamRuns& runs, double step);
     /// Sets the rows of a course and chooses its runs; returns the operations. `shares` is by run.
     std::int32_t choose(const StreamRuns& runs, std::span<const StreamShare> shares, StreamCourse& course);
     /// False where some place has no way.
@@ -51,7 +52,7 @@ private:
                         const StreamCourse& course, std::int32_t from, std::int32_t to);
 
     bool all_ = true;
-    double step_ = 0.5, fade_ = 1.0;
+    double step_ = 0.5;
     std::vector<std::int32_t> path_;
     std::vector<double> cost_;          // By run, of a search.
     std::vector<std::int32_t> before_;  // The same: the run in the row before.

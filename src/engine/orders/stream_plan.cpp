@@ -10,7 +10,7 @@ namespace muster {
 bool Stream::valid() const {
     const std::size_t n = starts_.size();
     if (n == 0 || ends_.size() != n || offsets_.size() != n || way_.size() < 2) return false;
-    if (!(spacing_ > 0.0) || !(radius_ > 0.0) || !(fade_ > 0.0)) return false;
+    if (!(spacing_ > 0.0) || !(radius_ > 0.0)) return false;
     const auto finite = [](const std::vector<Vec2>& list) {
         return std::all_of(list.begin(), list.end(), isFinite);
     };
@@ -27,12 +27,14 @@ void Stream::start(const StreamDef& def) {
     if (way_.size() == 1) way_.push_back(way_[0] + Vec2{1e-3, 0.0});
     spacing_ = def.spacing;
     radius_ = def.radius;
-    fade_ = std::min(1.0, def.fade);
+    measured_ = def.measured;
     spent_ = 0;
     tight_ = 0;
     status_ = valid() ? StreamStatus::Planning : StreamStatus::Blocked;
     if (status_ == StreamStatus::Blocked) return;
     moved_.resize(starts_.size());
+    last_.resize(starts_.size());
+    length_ = 0.0;
     most_ = 0.0;
     for (std::size_t i = 0; i < starts_.size(); ++i) most_ = std::max(most_, distance(starts_[i], ends_[i]));
     enter(def.drawn ? Stage::Line : Stage::Straight);
@@ -65,12 +67,15 @@ void Stream::step(StreamGround ground) {
             break;
         case Stage::Rows:
             spent_ += 4 * runs_.probe(line_, ground);
-            if (runs_.done() && !centre()) startFlow();
+            if (isWalledOff())
+                status_ = StreamStatus::Blocked;
+            else if (runs_.done() && !centre())
+                startFlow();
             break;
         case Stage::Flow:
             spent_ += flow_.advance(runs_);
             if (flow_.done()) {
-                paths_.start(runs_, line_.step(), fade_);
+                paths_.start(runs_, line_.step());
                 enter(Stage::Paths);
             }
             break;
@@ -93,6 +98,9 @@ void Stream::step(StreamGround ground) {
             break;
         case Stage::Finish:
             finish();
+            break;
+        case Stage::Measure:
+            measure();
             break;
     }
 }
@@ -120,13 +128,21 @@ void Stream::stepCourses() {
     enter(static_cast<Stage>(static_cast<std::uint8_t>(done) + 1));
     if (done == Stage::Paths) {
         if (!paths_.all()) status_ = StreamStatus::Blocked;
-        banks_.start(runs_, line_.step(), fade_, paths_.entries());
+        banks_.start(runs_, line_.step(), paths_.entries());
+    } else if (done == Stage::Load) {
+        if (formed_ || !formUp()) return;
+        // Whoever has another place in the formation has another path.
+        if (exchanged_)
+            paths_.start(runs_, line_.step());
+        else
+            banks_.start(runs_, line_.step(), paths_.entries());
+        enter(exchanged_ ? Stage::Paths : Stage::Load);
     } else if (done == Stage::Steepen) {
         banks_.settle();
     } else if (done == Stage::Lay) {
         orderRows();
         beside_ = order_;
-        stretch_.start(line_, spacing_, fade_);
+        stretch_.start(line_, spacing_);
     }
 }
 

@@ -38,7 +38,8 @@ public:
     /// True once all rows are known.
     bool done() const { return static_cast<std::int32_t>(first_.size()) > rowCount_; }
 
-    std::int32_t rows() const { return rowCount_; }  ///< Number of rows.
+    std::int32_t rows() const { return rowCount_; }                                      ///< Number of rows.
+    std::int32_t known() const { return static_cast<std::int32_t>(first_.size()) - 1; }  ///< Of them, so far.
     /// The runs of a row from right to left.
     std::span<const StreamRun> row(std::int32_t k) const {
         return {runs_.data() + first_[k], static_cast<std::size_t>(first_[k + 1] - first_[k])};

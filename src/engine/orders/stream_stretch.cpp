@@ -18,10 +18,9 @@ constexpr double kLeastRoom = 1.5;     // ... and over that much at least [m].
 
 }  // namespace
 
-void StreamStretch::start(const StreamLine& line, double spacing, double fade) {
+void StreamStretch::start(const StreamLine& line, double spacing) {
     step_ = line.step();
     spacing_ = spacing;
-    fade_ = fade;
     most_ = 1.0;
     sigma_.assign(line.rows(), 1.0);
     bend_.assign(line.rows(), -kMostSpread);
@@ -37,7 +36,7 @@ void StreamStretch::compare(const StreamPaths& paths, const StreamBanks& banks, 
         if (runA[k] != runB[k]) continue;
         const double now = std::fabs(leftB[k] - leftA[k]) + spacing_;
         if ((b.ordinate - a.ordinate + spacing_) <= now) continue;
-        const double own = std::fabs(b.nominal(k * step_, fade_) - a.nominal(k * step_, fade_)) + spacing_;
+        const double own = std::fabs(b.nominal(k * step_) - a.nominal(k * step_)) + spacing_;
         if (own > now * sigma_[k]) sigma_[k] = own / now;
     }
 }
@@ -96,8 +95,6 @@ void StreamStretch::blend(double shift) {
     const auto n = static_cast<std::int32_t>(xi_.back() / kSample) + 2;
     const auto reach = static_cast<std::int32_t>(std::max(kLeastRoom, kShiftRoom * shift) / (2.0 * kSample)) +
                        1;
-    first_ = xi_.back();
-    last_ = 0.0;
     single_.assign(n, 0.0);
     wide_.assign(n, 0.0);
     if (most_ <= 1.0) return;
@@ -114,10 +111,6 @@ void StreamStretch::blend(double shift) {
     for (std::int32_t k = 0; k < n; ++k) {
         single_[k] = sum / (2.0 * reach + 1.0);
         if (single_[k] < 1e-12) single_[k] = 0.0;
-        if (single_[k] > 0.5) {
-            first_ = std::min(first_, k * kSample);
-            last_ = std::max(last_, k * kSample);
-        }
         sum += at(k + reach + 1) - at(k - reach);
     }
 }

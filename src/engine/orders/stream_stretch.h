@@ -14,7 +14,7 @@ namespace muster {
 class StreamStretch {
 public:
     /// Begins: no row is stretched.
-    void start(const StreamLine& line, double spacing, double fade);
+    void start(const StreamLine& line, double spacing);
     /// Stretches rows in which two courses some spacings apart are nearer to each other than in the
     /// formation.
     void compare(const StreamPaths& paths, const StreamBanks& banks, const StreamCourse& a,
@@ -24,10 +24,8 @@ public:
     /// Sums up. `shift` is by how much at most the single order moves a place along [m].
     void settle(double shift);
 
-    double whole() const { return xi_.back(); }               ///< Of the line [m].
-    double xi(double s) const;                                ///< At `s` [m]; goes on beyond the line.
-    double s(double xi) const;                                ///< The other way round.
-    double sigma(std::int32_t k) const { return sigma_[k]; }  ///< Of a row.
+    double xi(double s) const;  ///< At `s` [m]; goes on beyond the line.
+    double s(double xi) const;  ///< The other way round.
     /// At `xi`, between rows linear.
     double sigmaAt(double xi) const {
         const auto last = static_cast<std::int32_t>(sigma_.size()) - 1;
@@ -37,9 +35,7 @@ public:
         const auto k = static_cast<std::int32_t>(x);
         return sigma_[k] + (sigma_[k + 1] - sigma_[k]) * (x - k);
     }
-    double most() const { return most_; }          ///< Of all rows.
-    double firstSingle() const { return first_; }  ///< The xi from which on some row is in single order...
-    double lastSingle() const { return last_; }  ///< ... and up to which; less than the first where none is.
+    double most() const { return most_; }  ///< Of all rows.
     /// How far rows are in single order, [0, 1]: 1 where they are narrow. Changes slowly along xi.
     double single(double xi) const {
         if (most_ <= 1.0) return 0.0;
@@ -55,7 +51,7 @@ private:
     void index();
     void blend(double shift);
 
-    double step_ = 0.5, spacing_ = 1.0, fade_ = 1.0, most_ = 1.0, bin_ = 1.0, first_ = 1.0, last_ = 0.0;
+    double step_ = 0.5, spacing_ = 1.0, most_ = 1.0, bin_ = 1.0;
     std::vector<double> sigma_, bend_, xi_;  // By row.
     std::vector<std::int32_t> rowAt_;        // By bins of xi: the last row that begins before it.
     std::vector<double> single_, wide_;      // By samples of xi.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/orders/held_spot.h"
-#include "engine/orders/stream.h"
+#include "engine/orders/stream_ways.h"
 #include "muster/vec2.h"
 
 namespace muster {
@@ -36,7 +36,7 @@ struct MarchFlow {
     std::vector<Vec2> way;       ///< [m]
     std::vector<HeldSpot> held;  ///< Those on the way who hold their ground.
     std::vector<Vec2> places;    ///< Where they are now [m].
-    Stream stream;               ///< The plan; a cache, made again from the above where it is missing.
+    StreamWays stream;           ///< The plan; a cache, made again from the above where it is missing.
 
     /// True while it says where places are.
     bool leads() const { return phase != FlowPhase::None; }
@@ -53,7 +53,7 @@ struct MarchFlow {
         phase = FlowPhase::Standing;
     }
     /// What it is planned from.
-    StreamDef def() const { return {offsets, starts, ends, way, spacing, radius, 1.0, drawn}; }
+    StreamDef def() const { return {offsets, starts, ends, way, spacing, radius, drawn}; }
 
     /// Lets an archive read or write everything but the cache.
     template <class Archive>

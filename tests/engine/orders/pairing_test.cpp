@@ -45,6 +45,18 @@ TEST_CASE("a block that is only moved is paired place by place") {
     for (std::size_t i = 0; i < from.size(); ++i) CHECK(pairs[i] == static_cast<std::int32_t>(i));
 }
 
+TEST_CASE("of many that turn a little no neighbours cross") {
+    const std::vector<Vec2> from = latticeOf(20, 25, 1.0, {-10, -12});
+    std::vector<Vec2> to;
+    for (const Vec2 p : from) to.push_back(Vec2{0.985 * p.x - 0.174 * p.y, 0.174 * p.x + 0.985 * p.y});
+    Pairing pairing;
+    const auto pairs = pairing.pair(from, to);
+    for (std::size_t i = 0; i < from.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (distance(from[i], from[j]) < 2.0)
+                CHECK(dot(from[i] - from[j], to[pairs[i]] - to[pairs[j]]) >= 0.0);
+}
+
 TEST_CASE("after half a turn everybody walks the same way") {
     const std::vector<Vec2> from = latticeOf(60, 1, 1.0, {0, 0});
     std::vector<Vec2> to;

@@ -134,8 +134,7 @@ inline Points spread(const Ground& ground, std::size_t n, Vec2 target) {
 /// A march as it is planned.
 struct Task {
     Points offsets, starts, ends, way;
-    double fade = 1.0;
-    StreamDef def() const { return {offsets, starts, ends, way, 1.0, kRadius, fade}; }
+    StreamDef def() const { return {offsets, starts, ends, way, 1.0, kRadius}; }
 };
 
 inline Vec2 middleOf(const Points& points) {
@@ -314,6 +313,27 @@ inline Scene pillar() {
     return {"pillar",      {rect(0, 0, 80, 20), {rect(38.5, 8.5, 41.5, 11.5)}},
             block(10, 10), moved(block(10, 10), {14, 10}),
             {66, 10},      26};
+}
+/// 200 before a wall with gates; the target lies `aside` of straight on.
+inline Scene gates(int n, double width, double apart, double aside) {
+    Ground ground{rect(-50, -30, 50, 30), {}};
+    double wall = -30;
+    for (int k = 0; k < n; ++k) {
+        const double y = (k - (n - 1) / 2.0) * apart;
+        ground.rects.push_back(rect(-0.25, wall, 0.25, y - width / 2));
+        wall = y + width / 2;
+    }
+    ground.rects.push_back(rect(-0.25, wall, 0.25, 30));
+    return {"gates", ground, block(10, 20), moved(block(10, 20), {-18, 0}), {18, aside}, 20};
+}
+/// A row of posts of 1 m with gaps across the way.
+inline Scene posts(int n, double gap, const Points& shape) {
+    Scene scene{"posts", {rect(-40, -20, 40, 20), {}}, shape, moved(shape, {-18, 0}), {18, 0}, 18};
+    for (int k = 0; k < n; ++k) {
+        const double y = (k - (n - 1) / 2.0) * (gap + 1.0);
+        scene.ground.rects.push_back(rect(-0.5, y - 0.5, 0.5, y + 0.5));
+    }
+    return scene;
 }
 /// A block into a corner, from `from`.
 inline Scene corner(double from) {

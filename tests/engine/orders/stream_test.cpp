@@ -4,6 +4,7 @@
 #include <doctest.h>
 
 #include "engine/orders/stream_scenes.h"
+#include "engine/orders/stream_ways.h"
 
 using namespace muster;
 using namespace muster::stream_scenes;
@@ -95,7 +96,7 @@ TEST_CASE("where the ground is as wide as the formation a stream is the rigid fo
 TEST_CASE("marches among walls arrive in time, keep apart and stay on free ground") {
     checkScene(corner(15.6), {13.6, 0.7});
     checkScene(corner(32.2), {2.0, 0.7});
-    checkScene(roundHouse(), {16.5, 0.25});
+    checkScene(roundHouse(), {16.5, 0.6});
     checkScene(beside(22.2, 28.2), {26.0, 0.9});
     checkScene(beside(19, 25), {28.0, 0.65});
     checkScene(door(1), {78.0, 0.45});
@@ -107,6 +108,56 @@ TEST_CASE("marches among walls arrive in time, keep apart and stay on free groun
     checkScene(narrow(), {28.5, 0.75});
     checkScene(pillar(), {27.5, 0.95});
     checkScene(edge(), {20.3, 0.9});
+    checkScene(gates(5, 2, 6, 0), {24.5, 0.6});
+    checkScene(gates(5, 2, 6, 3), {28.5, 0.4});
+    checkScene(gates(6, 2, 4, 0), {24.0, 0.6});
+}
+
+TEST_CASE("of a march straight on and one along its way the one that arrives first is marched") {
+    StreamWays ways;
+    Stream on, round;
+    for (const Scene& scene : {posts(5, 2.0, block(5, 12)), gates(6, 2, 4, 0), gates(5, 2, 6, 3), pillar()}) {
+        CAPTURE(scene.name);
+        const Task task = taskOf(scene, false);
+        const auto ground = [&](Vec2 p) { return scene.ground.room(p); };
+        REQUIRE(ways.plan(task.def(), ground) == StreamStatus::Flowing);
+        REQUIRE(task.way.size() > 2);
+        const double seconds = play(scene.ground, task, ways.best()).seconds;
+        CHECK(seconds == doctest::Approx(ways.best().length() / kSpeed).epsilon(0.12));
+        StreamDef def = task.def();
+        def.drawn = def.measured = true;
+        round.plan(def, ground);
+        const Points straight{task.way.front(), task.way.back()};
+        def.way = straight;
+        on.plan(def, ground);
+        double least = 1e9;
+        for (const Stream* plan : {&on, &round})
+            if (plan->status() == StreamStatus::Flowing) least = std::min(least, plan->length());
+        CHECK(ways.best().length() <= 1.001 * std::max(least, distance(task.way.front(), task.way.back())));
+        // In slices it comes to the same.
+        ways.start(task.def());
+        while (ways.advance(ground, 1000) == StreamStatus::Planning) {
+        }
+        CHECK(play(scene.ground, task, ways.best()).seconds == seconds);
+    }
+}
+
+TEST_CASE("a drawn way is the only one, and where straight on is a wall the way is marched") {
+    const Scene scene = posts(5, 2.0, block(5, 12));
+    const auto ground = [&](Vec2 p) { return scene.ground.room(p); };
+    Task task = taskOf(scene, true);
+    task.way = {task.way.front(), {0, -15}, task.way.back()};
+    StreamDef def = task.def();
+    StreamWays ways;
+    REQUIRE(ways.plan(def, ground) == StreamStatus::Flowing);
+    CHECK(play(scene.ground, task, ways.best()).seconds < 20.0);
+    def.drawn = true;
+    REQUIRE(ways.plan(def, ground) == StreamStatus::Flowing);
+    CHECK(play(scene.ground, task, ways.best()).seconds > 20.0);
+    const Ground walled{rect(-40, -40, 40, 40), {rect(-0.5, -8, 0.5, 40)}};
+    def.drawn = false;
+    REQUIRE(ways.plan(def, [&](Vec2 p) { return walled.room(p); }) == StreamStatus::Flowing);
+    CHECK(play(walled, task, ways.best()).seconds > 20.0);
 }
 
 TEST_CASE("a stream is the same forwards, backwards and planned again in slices") {

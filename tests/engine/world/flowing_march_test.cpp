@@ -218,3 +218,43 @@ TEST_CASE("an order to go each for itself among thin walls exchanges few") {
     CHECK(swaps <= 80);
     for (const Vec2 p : world.characters().position) CHECK(distance(p, {10, 2}) < 4.5);
 }
+
+TEST_CASE(
+    "giants in a formation closer than they are wide march between posts about as fast as on their own") {
+    WorldDef def;
+    def.box = {{-30, -20}, {30, 20}};
+    for (const double y : {-4.8, 0.0, 4.8}) def.obstacles.push_back(block(-0.5, y - 0.5, 0.5, y + 0.5));
+    GroupDef group;
+    group.count = 5;
+    group.formation.files = 5;
+    group.position = {-18, 0};
+    Body giant;
+    giant.radius = 1.1;
+    group.bodies = {giant};
+    def.groups.push_back(group);
+    double extent = 0.0;
+    CHECK(playOrder(def, Order::move({18, 0}), extent) < 26.0);
+}
+
+TEST_CASE("a block that goes back on the other side of a wall does not fold up") {
+    WorldDef def = square(36, 6, {-10, -8});
+    def.box = {{-30, -25}, {30, 25}};
+    def.obstacles = {block(-30, -0.3, 10, 0.3)};
+    double extent = 0.0;
+    CHECK(playOrder(def, Order::move({-10, 8}), extent) < 40.0);
+}
+
+TEST_CASE("two hundred march through five gates about as fast as on their own, straight on or not") {
+    for (const double aside : {0.0, 3.0}) {
+        WorldDef def = square(200, 20, {-18, 0});
+        def.box = {{-50, -30}, {50, 30}};
+        double wall = -30.0;
+        for (const double y : {-12.0, -6.0, 0.0, 6.0, 12.0}) {
+            def.obstacles.push_back(block(-0.25, wall, 0.25, y - 1.0));
+            wall = y + 1.0;
+        }
+        def.obstacles.push_back(block(-0.25, wall, 0.25, 30.0));
+        double extent = 0.0;
+        CHECK(playOrder(def, Order::move({18, aside}), extent) < 30.0);
+    }
+}

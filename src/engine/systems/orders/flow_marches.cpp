@@ -36,11 +36,20 @@ Rotation turnedTo(const Rotation& from, const Rotation& to, double share) {
     return {out.c / size, out.s / size};
 }
 
+/// From the begin of a way to its first point that is so far from it.
+template <class Point>
+Vec2 endOfWay(Point begin, Point end, double reach) {
+    Point at = begin + 1;
+    while (at + 1 != end && distance(*at, *begin) < reach) ++at;
+    return *at - *begin;
+}
+
 }  // namespace
 
 // Each place begins where the one is that goes to it with the least crossing, and those who held that go with
-// it. Where weights or demands differ places stay whose they are.
-void FlowMarches::exchange(WorldState& state, Group& group) {
+// it: who is ahead on the way or to the left of it stays so. Where weights or demands differ places stay
+// whose they are.
+void FlowMarches::exchange(WorldState& state, Group& group, double reach) {
     MarchFlow& flow = group.flow;
     Characters& c = state.characters;
     const std::vector<Vec2>& now = group.places.positions();
@@ -49,8 +58,15 @@ void FlowMarches::exchange(WorldState& state, Group& group) {
     const std::span<const std::uint8_t> classes = group.placeClass.size() == now.size()
                                                       ? std::span<const std::uint8_t>(group.placeClass)
                                                       : std::span<const std::uint8_t>();
-    const auto to = pairing_.pair(now, flow.ends, classes, classes);
     group.renumbered = true;
+    const Vec2 first = normalized(endOfWay(flow.way.begin(), flow.way.end(), reach), {1, 0});
+    const Vec2 last = normalized(-endOfWay(flow.way.rbegin(), flow.way.rend(), reach), {1, 0});
+    const Vec2 between = normalized(first + last, perpendicular(last));
+    const Rotation turn{dot(last, between), cross(last, between)};
+    targets_ = flow.ends;
+    for (Vec2& p : targets_)
+        if (flow.way.size() > 2) p = turn.apply(p);
+    const auto to = pairing_.pair(now, targets_, classes, classes);
     places_.assign(to.begin(), to.end());
     for (std::size_t k = 0; k < now.size(); ++k) flow.starts[places_[k]] = now[k];
     for (const std::int32_t i : group.members) {
@@ -82,9 +98,20 @@ PlaceDef FlowMarches::layOut(WorldState& state, Group& group, EndDef def, std::v
     // The stages of routes and regions come later in the step.
     const RouteGraph& routes = state.refreshRoutes(group.groundClass);
     const FreeSpace space(places, routes, mainRegion(state, group, regions_), nearest_);
-    def.spacing = spacingOf(group);
+    def.spacing = std::max(spacingOf(group), places.apart());
     endPlaces_.find(def, space, places.apart(), ends, to);
     return places;
+}
+
+// The offsets of places in the formation. One that is closer than its bodies takes as much more room as they
+// need: returns by how much it is larger.
+double FlowMarches::takeOffsets(const WorldState& state, const Group& group, std::vector<Vec2>& offsets) {
+    group.mesh.restPlaces(offsets);
+    const double room = std::max(1.0, placeDefOf(state, group).apart() / spacingOf(group));
+    const Vec2 middle = meanOf(offsets);
+    if (room > 1.0)
+        for (Vec2& offset : offsets) offset = middle + (offset - middle) * room;
+    return room;
 }
 
 // Where the group's formation is to stand, beside other groups.
@@ -93,7 +120,8 @@ EndDef FlowMarches::endsAt(const WorldState& state, const Group& group, const Po
     findTaken(state, group);
     EndDef ends;
     ends.offsets = offsets;
-    ends.reach = extentOf(group).reach;
+    ends.reach = 0.0;
+    for (const Vec2 offset : offsets) ends.reach = std::max(ends.reach, length(offset));
     ends.pose = end;
     ends.taken = taken_;
     ends.from = meanOf(group.places.positions());
@@ -102,7 +130,7 @@ EndDef FlowMarches::endsAt(const WorldState& state, const Group& group, const Po
 
 bool FlowMarches::pays(WorldState& state, Group& group, Vec2 at, std::optional<double> facing) {
     std::vector<Vec2> offsets;
-    group.mesh.restPlaces(offsets);
+    takeOffsets(state, group, offsets);
     if (group.places.positions().size() != offsets.size()) return true;
     // On another ground the ends of before may lie in walls.
     if (group.flow.leads() && group.flow.ground != state.groundEdits) return true;
@@ -122,13 +150,13 @@ bool FlowMarches::pays(WorldState& state, Group& group, Vec2 at, std::optional<d
 bool FlowMarches::findEnds(WorldState& state, Group& group, const Pose& end) {
     MarchFlow& flow = group.flow;
     flow.end();
-    group.mesh.restPlaces(flow.offsets);
+    const double room = takeOffsets(state, group, flow.offsets);
     if (group.places.positions().size() != flow.offsets.size()) return false;
     const EndDef ends = endsAt(state, group, end, flow.offsets);
     flow.radius = lineRadius(layOut(state, group, ends, flow.ends, flow.to));
     flow.version = group.formationVersion;
     flow.ground = state.groundEdits;
-    flow.spacing = spacingOf(group);
+    flow.spacing = room * spacingOf(group);
     flow.from = group.mesh.pose();
     flow.q = flow.speed = flow.rate = 0.0;
     flow.spent = 0;
@@ -219,11 +247,12 @@ void FlowMarches::start(WorldState& state, Group& group, const Pose& end, std::s
     const Vec2 moves = meanVelocity(group);
     if (!findEnds(state, group, end)) return;
     flow.drawn = drawn;
-    exchange(state, group);
     flow.way.assign(way.begin(), way.end());
-    if (flow.way.size() < 2) flow.way = {meanOf(flow.starts), meanOf(flow.ends)};
-    flow.way.front() = meanOf(flow.starts);
+    const Vec2 middle = meanOf(group.places.positions());
+    if (flow.way.size() < 2) flow.way = {middle, meanOf(flow.ends)};
+    flow.way.front() = middle;
     flow.way.back() = flow.to.position;
+    exchange(state, group, extentOf(group).reach);
     listHeld(state, group, flow.held);
     // Who is on the move goes on.
     flow.speed = std::max(0.0, dot(moves, normalized(flow.way[1] - flow.way[0])));
@@ -267,7 +296,7 @@ void FlowMarches::move(WorldState& state, Group& group, const MarchDef& def) {
     speeds_.resize(flow.places.size());
     for (std::size_t i = 0; i < speeds_.size(); ++i)
         speeds_[i] = std::max(1e-3, flow.speed * ground[grid.index(grid.nearestCell(flow.places[i]))]);
-    if (flow.speed > 1e-4) flow.q = flow.stream.next(flow.q, dt, speeds_, flow.places, flow.rate);
+    if (flow.speed > 1e-4) flow.q = flow.stream.best().next(flow.q, dt, speeds_, flow.places, flow.rate);
     Pose pose;
     pose.rotation = turnedTo(flow.from.rotation, flow.to.rotation, flow.q);
     pose.position = meanOf(flow.places) - pose.rotation.apply(meanOf(flow.offsets));

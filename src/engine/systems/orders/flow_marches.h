@@ -39,6 +39,7 @@ public:
     bool advance(WorldState& state, const WayGround& ground, Group& group, const MarchDef& def);
 
 private:
+    static double takeOffsets(const WorldState& state, const Group& group, std::vector<Vec2>& offsets);
     PlaceDef layOut(WorldState& state, Group& group, EndDef def, std::vector<Vec2>& ends, Pose& to);
     EndDef endsAt(const WorldState& state, const Group& group, const Pose& end,
                   std::span<const Vec2> offsets);
@@ -47,7 +48,7 @@ private:
     static bool isInWalls(const Group& group);
     bool isOnOthers(const WorldState& state, const Group& group);
     void findTaken(const WorldState& state, const Group& group);
-    void exchange(WorldState& state, Group& group);
+    void exchange(WorldState& state, Group& group, double reach);
     void move(WorldState& state, Group& group, const MarchDef& def);
 
     std::int64_t budget_ = 0;

@@ -1,0 +1,50 @@
+#include "engine/orders/stream_ways.h"
+
+#include <limits>
+
+namespace muster {
+
+void StreamWays::start(const StreamDef& def) {
+    other_ = !def.drawn && def.way.size() > 2;
+    way_ = 0.0;
+    for (std::size_t k = 1; k < def.way.size(); ++k) way_ += distance(def.way[k - 1], def.way[k]);
+    best_ = 0;
+    StreamDef on = def, round = def;
+    on.measured = round.measured = other_;
+    const std::array<Vec2, 2> straight{def.way.front(), def.way.back()};
+    if (other_) on.way = straight;
+    plans_[0].start(on);
+    round.drawn = true;
+    plans_[1].start(round);
+    status_ = plans_[0].status();
+}
+
+StreamStatus StreamWays::advance(StreamGround ground, std::int64_t operations) {
+    const std::int64_t until = this->operations() + operations;
+    while (status_ == StreamStatus::Planning && this->operations() < until) {
+        if (plans_[best_].advance(ground, until - this->operations()) != StreamStatus::Planning) compare();
+    }
+    return status_;
+}
+
+// Whoever touches a wall straight on goes the other way.
+void StreamWays::compare() {
+    const Stream &on = plans_[0], &round = plans_[1];
+    if (best_ == 0 && other_ &&
+        (on.status() == StreamStatus::Blocked || on.tight() > 0 || on.length() > way_)) {
+        best_ = 1;
+        return;
+    }
+    if (best_ == 1 && on.status() != StreamStatus::Blocked &&
+        (round.status() == StreamStatus::Blocked || on.tight() < round.tight() ||
+         (on.tight() == round.tight() && on.length() <= round.length())))
+        best_ = 0;
+    status_ = plans_[best_].status();
+}
+
+StreamStatus StreamWays::plan(const StreamDef& def, StreamGround ground) {
+    start(def);
+    return advance(ground, std::numeric_limits<std::int64_t>::max() / 2);
+}
+
+}  // namespace muster
