@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "engine/orders/held_spot.h"
@@ -54,6 +56,17 @@ struct MarchFlow {
     }
     /// What it is planned from.
     StreamDef def() const { return {offsets, starts, ends, way, spacing, radius, drawn}; }
+
+    /// Takes over the plan of `before`, which becomes useless, where it was made from the same, just as far.
+    void keepPlanOf(MarchFlow& before) {
+        const auto inputs = [](const MarchFlow& f) {
+            return std::tie(f.version, f.ground, f.drawn, f.spacing, f.radius, f.offsets, f.starts, f.ends,
+                            f.way, f.held);
+        };
+        if (moves() && before.stream.places() > 0 && before.stream.operations() == spent &&
+            inputs(*this) == inputs(before))
+            stream = std::move(before.stream);
+    }
 
     /// Lets an archive read or write everything but the cache.
     template <class Archive>

@@ -150,6 +150,7 @@ void keepCaches(WorldState& earlier, WorldState& later) {
         Group* const before = later.findGroup(group.id);
         if (before == nullptr) continue;
         group.mesh.keepCachesOf(before->mesh);
+        group.flow.keepPlanOf(before->flow);
         // Fields of another class of ground are of other walls.
         if (group.groundClass == before->groundClass) group.plan->keepFieldsOf(*before->plan);
     }
