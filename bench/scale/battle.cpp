@@ -90,16 +90,16 @@ Result<BattleRow> measureBattle(const BattleDef& def) {
 
 std::string battleText(const BattleDef& def, const BattleRow& row) {
     char text[1024];
-    std::snprintf(text, sizeof(text),
-                  "%d characters in %d groups, %d obstacles on %.0f m, seed %llu, %.0f s, %d orders: step p50 %.2f, "
-                  "p95 %.2f, first %.1f, worst %.1f ms (%s); %.2f changes of place a character and order; %d "
-                  "silently stuck; overlap %.1f %%; %.3f of top speed; %.0f MB more than after a minute; 20 s after "
-                  "the stop %d out of place, the farthest %.1f m, step p50 %.2f ms; hash %016llx\n",
-                  row.characters, def.groups, def.obstacles, def.side,
-                  static_cast<unsigned long long>(def.seed), def.seconds, row.orders, row.p50, row.p95, row.first,
-                  row.worst, row.worstStages.c_str(), row.changes, row.stuck, 100.0 * row.overlap, row.speed,
-                  row.growth, row.outOfPlace, row.farthest, row.restP50,
-                  static_cast<unsigned long long>(row.hash));
+    std::snprintf(
+        text, sizeof(text),
+        "%d characters in %d groups, %d obstacles on %.0f m, seed %llu, %.0f s, %d orders: step p50 %.2f, "
+        "p95 %.2f, first %.1f, worst %.1f ms (%s); %.2f changes of place a character and order; %d "
+        "silently stuck; overlap %.1f %%; %.3f of top speed; %.0f MB more than after a minute; 20 s after "
+        "the stop %d out of place, the farthest %.1f m, step p50 %.2f ms; hash %016llx\n",
+        row.characters, def.groups, def.obstacles, def.side, static_cast<unsigned long long>(def.seed),
+        def.seconds, row.orders, row.p50, row.p95, row.first, row.worst, row.worstStages.c_str(), row.changes,
+        row.stuck, 100.0 * row.overlap, row.speed, row.growth, row.outOfPlace, row.farthest, row.restP50,
+        static_cast<unsigned long long>(row.hash));
     std::string whole = text;
     whole += "p50 by minute:";
     for (const double minute : row.minutes) {

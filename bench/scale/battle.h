@@ -14,7 +14,7 @@ struct BattleDef {
     std::int32_t groups = 20;     ///< Of both sides together, 30 to 60 characters each; 2 to 200.
     std::int32_t obstacles = 60;  ///< Blocks and discs of 3 to 12 m on the ground, 0 to 5,000.
     double side = 200.0;          ///< Of the ground [m], 100 to 4,000.
-    double seconds = 60.0;        ///< World time, before all are told to stop [s], 1 to 3,600.
+    double seconds = 60.0;        ///< World time, before all are ordered to stop [s], 1 to 3,600.
     std::uint64_t seed = 1;       ///< Of everything.
 };
 
@@ -30,10 +30,10 @@ struct BattleRow {
     std::vector<double> minutes;  ///< Median of each minute [ms].
     double growth = 0.0;          ///< Memory in use at the end over that after the first minute [MB].
     double changes = 0.0;         ///< Changes of place of a character per order to its group, in the mean.
-    std::int32_t stuck = 0;       ///< Who stood 10 s away from its place and no event told of it.
-    double overlap = 0.0;  ///< Deepest share of a radius sum, but for 2 s after a building was put up.
-    double speed = 0.0;    ///< Highest speed over one's own top speed.
-    double restP50 = 0.0;  ///< Median of the steps after the stop [ms].
+    std::int32_t stuck = 0;       ///< Who stood 10 s away from its place and no event said so.
+    double overlap = 0.0;         ///< Deepest share of a radius sum, but for 2 s after a building was put up.
+    double speed = 0.0;           ///< Highest speed over one's own top speed.
+    double restP50 = 0.0;         ///< Median of the steps after the stop [ms].
     std::int32_t outOfPlace = 0;  ///< Who is more than 0.5 m from its place 20 s after the stop.
     double farthest = 0.0;        ///< The farthest of them [m].
     std::uint64_t hash = 0;       ///< Of the last state.

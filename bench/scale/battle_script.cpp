@@ -14,7 +14,7 @@ constexpr std::uint32_t kJoinSteps = 300;      // The same of joiners,
 constexpr std::uint32_t kBuildingSteps = 180;  // of buildings.
 constexpr std::size_t kBuildings = 6;          // That stand; older ones are torn down.
 constexpr std::int32_t kJoiners = 12;
-constexpr double kObstacleGap = 3.0;  // Between obstacles at least [m].
+constexpr double kObstacleGap = 3.0;    // Between obstacles at least [m].
 constexpr std::size_t kMostGroups = 3;  // Times those of the beginning.
 
 // Three classes, with their radius [m], top speed [m/s], acceleration [m/s^2] and mass.
@@ -180,7 +180,8 @@ CommandBody BattleScript::regroup(const World& world, std::size_t group, std::in
 CommandBody BattleScript::fallen(const World& world) {
     RemoveCharacters remove;
     const auto ids = world.characters().id;
-    for (int k = 0; k < 3; ++k) remove.ids.push_back(ids[random_.below(static_cast<std::uint32_t>(ids.size()))]);
+    for (int k = 0; k < 3; ++k)
+        remove.ids.push_back(ids[random_.below(static_cast<std::uint32_t>(ids.size()))]);
     std::sort(remove.ids.begin(), remove.ids.end());
     remove.ids.erase(std::unique(remove.ids.begin(), remove.ids.end()), remove.ids.end());
     return remove;

@@ -1,4 +1,4 @@
-// What happens in a battle: where all begin, and who is told what.
+// What happens in a battle: where all begin, and who is ordered what.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 namespace muster::scale {
 
 /// Gives each side an order every 0.3 s: marches, lines, queues, pursuits, formations, splits, merges, stops;
-/// characters fall and join, buildings are put up and torn down. It reads the world, so a battle repeats bit by
-/// bit only with the same program.
+/// characters fall and join, buildings are put up and torn down. It reads the world, so a battle repeats bit
+/// by bit only with the same program.
 class BattleScript {
 public:
     explicit BattleScript(const BattleDef& def);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kFarFromPlace = 1.5;  // Farther from its place somebody should walk [m].
 constexpr double kMoved = 0.3;         // Who has not moved so far stands [m].
-constexpr double kStands = 10.0;        // For so long [s].
+constexpr double kStands = 10.0;       // For so long [s].
 
 double radiusOf(const World& world, std::size_t character) {
     const double own = world.characters().body[character].radius;
@@ -58,7 +58,7 @@ void BattleWatch::lookAt(const World& world, std::size_t i, double topSpeed) {
     }
     if (distanceFromTarget(world, i) <= kFarFromPlace) record.away = now;
     if (record.counted || now - record.since < kStands || now - record.away < kStands) return;
-    if (record.told >= record.since) return;
+    if (record.reported >= record.since) return;
     record.counted = true;
     ++stuck_;
 }
@@ -66,7 +66,7 @@ void BattleWatch::lookAt(const World& world, std::size_t i, double topSpeed) {
 void BattleWatch::look(const World& world, bool overlaps) {
     for (const Event& event : world.events()) {
         if (event.kind == EventKind::Swap) ++changes_;
-        if (event.kind == EventKind::Stuck) records_[event.subject].told = world.time();
+        if (event.kind == EventKind::Stuck) records_[event.subject].reported = world.time();
     }
     const CharactersView characters = world.characters();
     for (std::size_t i = 0; i < characters.size(); ++i) {

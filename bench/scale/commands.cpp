@@ -111,7 +111,8 @@ Status run(const CommandsDef& def, const std::vector<Kind>& kinds, std::vector<d
         world->step();
         times[s] = std::min(times[s], threadMilliseconds() - began);
         if (s >= kUnmeasured && (s - kUnmeasured) % kPeriod == 0)
-            stages[static_cast<std::size_t>((s - kUnmeasured) / kPeriod) % kinds.size()] = stagesText(world->stageTimes(), 0.2);
+            stages[static_cast<std::size_t>((s - kUnmeasured) / kPeriod) % kinds.size()] = stagesText(
+                world->stageTimes(), 0.2);
         if (!world->rejections().empty()) return world->rejections()[0].status;
     }
     const std::uint64_t last = hash;

@@ -153,8 +153,9 @@ int readOptions(int argc, const char* const* argv, Options& options) {
         options.orders);
     describeCommands(*app.add_subcommand("commands", "Orders, deaths, splits...: time above a plain step"),
                      options.commands);
-    describeBattle(*app.add_subcommand("battle", "Two sides of many groups, as a strategy game directs them: "
-                                                 "time of a step, and how everybody fares"),
+    describeBattle(*app.add_subcommand("battle",
+                                       "Two sides of many groups, as a strategy game directs them: "
+                                       "time of a step, and how everybody fares"),
                    options.battle);
     describeRewind(*app.add_subcommand("rewind", "Eight steps, back, and the same again: time of both"),
                    options.rewind);

@@ -31,10 +31,10 @@ private:
     const Environment* environment_ = nullptr;
     std::uint64_t instance_ = 0, version_ = 0;
     Grid fine_, grid_;
-    std::int32_t factor_ = 1;          // Fine cells along the edge of a coarse one.
-    std::vector<Vec2> point_;          // Centre of the fine cell with most room, per coarse cell [m].
-    std::vector<float> clearance_;     // There [m].
-    std::vector<float> distance_;      // From the centre of a coarse cell [m].
+    std::int32_t factor_ = 1;       // Fine cells along the edge of a coarse one.
+    std::vector<Vec2> point_;       // Centre of the fine cell with most room, per coarse cell [m].
+    std::vector<float> clearance_;  // There [m].
+    std::vector<float> distance_;   // From the centre of a coarse cell [m].
 };
 
 }  // namespace muster

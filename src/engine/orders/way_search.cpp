@@ -178,7 +178,7 @@ void WaySearch::reach(std::int32_t cell, std::int32_t from, double cost, double 
 }
 
 // A step between the points of neighbouring cells is clear where their discs overlap, else by exact geometry,
-// which is asked last because it is dear.
+// which is asked last because it is costly.
 void WaySearch::expand(const WayGround& ground, std::int32_t cell) {
     const Grid& grid = ground.grid();
     const WayNeeds& needs = query_.needs;
@@ -199,7 +199,8 @@ void WaySearch::expand(const WayGround& ground, std::int32_t cell) {
         if (seen && cost >= cost_[to]) continue;
         if (own + room < step + overlap && !ground.environment().clearStaticLine(here, there, needs.radius))
             continue;
-        if (clearOf(needs.held, here, there, needs.radius)) reach(to, cell, cost, cost + distance(there, goal));
+        if (clearOf(needs.held, here, there, needs.radius))
+            reach(to, cell, cost, cost + distance(there, goal));
     }
 }
 

@@ -62,8 +62,8 @@ Status checkArrays(const Characters& c) {
     for (const std::size_t size :
          {c.group.size(), c.position.size(), c.velocity.size(), c.heading.size(), c.place.size(),
           c.direction.size(), c.cost.size(), c.motion.size(), c.phase.size(), c.motionTime.size(),
-          c.patch.size(), c.lastSingle.size(), c.walk.size(), c.claim.size(), c.chosen.size(),
-          c.body.size(), c.driver.size(), c.wanted.size()})
+          c.patch.size(), c.lastSingle.size(), c.walk.size(), c.claim.size(), c.chosen.size(), c.body.size(),
+          c.driver.size(), c.wanted.size()})
         if (size != n) return wrong("arrays of different lengths");
     if (!arePlaces(c.position) || !std::all_of(c.velocity.begin(), c.velocity.end(), isVelocity) ||
         !std::all_of(c.heading.begin(), c.heading.end(), isUnitOrNull) ||
@@ -75,8 +75,7 @@ Status checkArrays(const Characters& c) {
         return wrong("a character that nobody moves");
     for (std::size_t i = 0; i < n; ++i)
         if (std::isnan(c.cost[i]) || !(c.motionTime[i] >= 0.0 && c.motionTime[i] <= 1e9) ||
-            c.phase[i] > MotionPhase::Locked || !isPlace(c.walk[i].anchor) ||
-            !isPlace(c.walk[i].camp))
+            c.phase[i] > MotionPhase::Locked || !isPlace(c.walk[i].anchor) || !isPlace(c.walk[i].camp))
             return wrong("a character with a number out of range");
     return {};
 }
@@ -204,8 +203,7 @@ Status checkGroup(const Group& group, const Grid& grid) {
         if (!arePlaces(*points)) return wrong("a mesh that is out of range");
     if (!(group.meanLag >= 0.0 && group.meanLag <= kMaxCoordinate * 100.0))
         return wrong("a lag out of range");
-    if (!isPlace(group.settling.centre))
-        return wrong("a group with a number out of range");
+    if (!isPlace(group.settling.centre)) return wrong("a group with a number out of range");
     if (group.room.wanted.size() != group.room.given.size() || !arePlaces(group.room.wanted) ||
         !arePlaces(group.room.given))
         return wrong("room of places out of range");

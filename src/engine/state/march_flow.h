@@ -44,7 +44,7 @@ struct MarchFlow {
     bool leads() const { return phase != FlowPhase::None; }
     /// True while they are on their way, or about to be.
     bool moves() const { return phase == FlowPhase::Planning || phase == FlowPhase::Flowing; }
-    /// True where places stand where people were told to stop, whatever the formation is.
+    /// True where places stand where people were ordered to stop, whatever the formation is.
     bool isStop() const { return phase == FlowPhase::Standing && offsets.empty(); }
     /// The mesh leads again.
     void end() { phase = FlowPhase::None; }

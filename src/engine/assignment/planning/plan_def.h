@@ -33,8 +33,8 @@ struct PlanDef {
     /// Lets an archive read or write the definition.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(exponent, commitThreshold, commitThresholdShare, bottleneck, geodesic, groups,
-                groupRank, firstPlans, firstPlanRank, starts, reassign);
+        archive(exponent, commitThreshold, commitThresholdShare, bottleneck, geodesic, groups, groupRank,
+                firstPlans, firstPlanRank, starts, reassign);
     }
 };
 

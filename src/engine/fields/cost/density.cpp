@@ -75,7 +75,8 @@ void DensityField::splat(std::span<const Vec2> positions, std::span<const Vec2> 
     }
     const Box box = grid_.box();  // Positions in it are finite.
     for (std::size_t k = 0; k < positions.size(); ++k)
-        if (box.contains(positions[k]) && isFinite(velocities[k])) add(splatStencil(positions[k]), velocities[k]);
+        if (box.contains(positions[k]) && isFinite(velocities[k]))
+            add(splatStencil(positions[k]), velocities[k]);
     listOccupied();
     for (const std::int32_t cell : occupied_) {
         velocityX_[cell] /= density_[cell];

@@ -27,9 +27,9 @@ constexpr double kReplanShare = 0.25;  // and than this share of the straight di
 constexpr double kNearSight = 4.0;
 constexpr double kSightPeriod = 0.25;
 constexpr std::int32_t kMostOrdered = 20000;  // Cells over which places that jumped are put in order.
-constexpr std::size_t kRanks = 24;             // Ranks in which places may cross each other,
-constexpr int kRankPasses = 4;                 // and how often these are looked through.
-constexpr double kStill = 5e-5;                // A target that moves less rests [m].
+constexpr std::size_t kRanks = 24;            // Ranks in which places may cross each other,
+constexpr int kRankPasses = 4;                // and how often these are looked through.
+constexpr double kStill = 5e-5;               // A target that moves less rests [m].
 
 }  // namespace
 

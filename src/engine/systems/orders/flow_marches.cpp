@@ -15,7 +15,7 @@ namespace {
 constexpr double kMostOff = 0.25;         // Share of places that may be elsewhere than the mesh wants them.
 constexpr std::uint32_t kLookSteps = 30;  // Steps between two looks whether others stand where a mesh rests.
 constexpr double kSameFacing = 0.99;      // Cosine of the angle by which headings that are alike may differ.
-constexpr double kPays = 0.25;             // Of a walk that does not lead to the target: so much nearer it has to come.
+constexpr double kPays = 0.25;  // Of a walk that does not lead to the target: so much nearer it has to come.
 
 Vec2 meanOf(std::span<const Vec2> points) {
     Vec2 sum;
@@ -86,7 +86,8 @@ void FlowMarches::findTaken(const WorldState& state, const Group& group) {
     for (const Group& other : state.groups) {
         if (other.id == group.id || other.members.empty()) continue;
         if (!other.orders.orders.empty() && !other.orders.begun) continue;
-        const std::vector<Vec2>& places = other.flow.leads() ? other.flow.ends : other.places.reachableTargets();
+        const std::vector<Vec2>& places = other.flow.leads() ? other.flow.ends
+                                                             : other.places.reachableTargets();
         if (other.flow.leads() || other.settling.rests())
             taken_.insert(taken_.end(), places.begin(), places.end());
     }
@@ -180,9 +181,11 @@ void FlowMarches::findStanding(const WorldState& state, const Group& group) {
     const auto holds = [](const Group& g) { return g.def.conduct.stance == Stance::Hold; };
     for (const Group& other : state.groups) {
         if (other.id == group.id || other.members.empty() || !other.settling.rests()) continue;
-        const bool before = holds(other) != holds(group) ? holds(other)
-                                                         : other.flow.leads() || other.id.value < group.id.value;
-        const std::vector<Vec2>& places = other.flow.leads() ? other.flow.ends : other.places.reachableTargets();
+        const bool before = holds(other) != holds(group)
+                                ? holds(other)
+                                : other.flow.leads() || other.id.value < group.id.value;
+        const std::vector<Vec2>& places = other.flow.leads() ? other.flow.ends
+                                                             : other.places.reachableTargets();
         if (before) taken_.insert(taken_.end(), places.begin(), places.end());
     }
 }

@@ -262,12 +262,14 @@ void OrderStage::avoid(const WorldState& state, Group& group, const MarchDef& de
     group.mesh.setPose(avoidance_.advance(state, ways_.ground(), def, group));
 }
 
-// One group searches at a time, until its way is found, since a search that another one interrupts begins again.
+// One group searches at a time, until its way is found, since a search that another one interrupts begins
+// again.
 bool OrderStage::searchWay(WorldState& state, Group& group, std::int32_t region, bool drawn) {
     March& march = group.orders.march;
     const bool busy = searching_ != 0 && searching_ != group.id.value;
     const WayNeeds needs = needsOf(state, group, group.orders.orders.front().order);
-    const bool whole = ways_.advance(state, state.routesOf(group), region, drawn, needs, busy, march, budget_);
+    const bool whole = ways_.advance(state, state.routesOf(group), region, drawn, needs, busy, march,
+                                     budget_);
     if (!busy) searching_ = march.searched > 0 ? group.id.value : 0;
     return whole;
 }
@@ -538,7 +540,7 @@ void OrderStage::runQueue(WorldState& state, Group& group, ThreadPool& pool, std
     OrderQueue& queue = group.orders;
     const bool led = group.flow.version != group.formationVersion || isHandled(group) ||
                      !samePose(queue.march.last, group.mesh.pose());
-    // On another ground places that stand are found again, but where people were told to stop.
+    // On another ground places that stand are found again, but not where people were ordered to stop.
     const bool stale = queue.orders.empty() && group.flow.ground != state.groundEdits;
     if (group.flow.leads() && (led || (stale && !group.flow.isStop()))) group.flow.end();
     if (queue.orders.empty()) {

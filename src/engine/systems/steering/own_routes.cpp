@@ -142,7 +142,8 @@ bool OwnRoutes::search(WorldState& state, std::int32_t i, OwnRoute& route) {
     };
     constexpr std::int64_t kWhole = std::numeric_limits<std::int64_t>::max();
     RouteStatus status = find(closed_, closed_.empty() ? kWhole : kRouteWork);
-    // Where those who hold their ground leave no way, or none that is soon found, it waits for one before them.
+    // Where those who hold their ground leave no way, or none that is soon found, it waits for one before
+    // them.
     if (status != RouteStatus::Found && !closed_.empty()) status = find({}, kWhole);
     if (status != RouteStatus::Found || search_.path().size() < 2) return false;
     route.path.assign(search_.path().begin() + 1, search_.path().end());

@@ -28,7 +28,7 @@ constexpr std::int32_t kMaxStepsPerRound = 6;  // Ten rounds a second.
 constexpr std::int32_t kSearchShare = 3;       // One search may settle this fraction of all nodes.
 constexpr std::int32_t kMaxSearch = 4000;      // Nodes that one search may settle, at most.
 constexpr double kMaxSettled = 40000.0;        // Nodes that all searches of a step may settle.
-constexpr std::int32_t kFieldsOfGroups = 2;  // Fields that a step solves for all groups together.
+constexpr std::int32_t kFieldsOfGroups = 2;    // Fields that a step solves for all groups together.
 constexpr std::int32_t kStartNodes = 400;  // Nodes that a start takes over in a step, all groups together.
 constexpr double kStartSteps = 10.0;       // In so many steps a large crowd is taken over.
 

@@ -45,10 +45,10 @@ private:
     template <class Self, class Archive>
     static void visit(Self& self, Archive& archive) {
         archive(self.def_, self.characters_, self.places_, self.usable_, self.incumbent_, self.connected_,
-                self.slowness_, self.characterClass_, self.placeClass_,
-                self.incumbentCost_, self.guidance_, self.guidedPlace_, self.guidanceRound_, self.pending_,
-                self.assigned_, self.assignment_, self.targets_, self.waitingPlace_, self.waitingCursor_,
-                self.everFinished_, self.first_, self.known_, self.records_, self.edits_);
+                self.slowness_, self.characterClass_, self.placeClass_, self.incumbentCost_, self.guidance_,
+                self.guidedPlace_, self.guidanceRound_, self.pending_, self.assigned_, self.assignment_,
+                self.targets_, self.waitingPlace_, self.waitingCursor_, self.everFinished_, self.first_,
+                self.known_, self.records_, self.edits_);
     }
     bool consistent() const;
     PlannedWays ways() const { return {way_, reach_, onward_}; }

@@ -17,8 +17,8 @@ class GeodesicCostOracle final : public CostOracle {
 public:
     /// Takes the state of this step; all must outlive the last query. `incumbentCost` is the cost of each
     /// character to its place in `incumbent` (-1 for none) [m]. `geodesic` is false for straight-line costs.
-    /// `slowness` is as in PlanInput; `incumbentCost` counts it. Other places than its own cost a character more
-    /// by the share `reluctance`, 0 or more.
+    /// `slowness` is as in PlanInput; `incumbentCost` counts it. Other places than its own cost a character
+    /// more by the share `reluctance`, 0 or more.
     void set(const Geodesics& geodesics, const PlannedWays& ways, bool geodesic,
              std::span<const Vec2> characters, std::span<const Vec2> places,
              std::span<const std::int32_t> incumbent, std::span<const float> incumbentCost,
