@@ -9,10 +9,13 @@
 
 namespace muster {
 
+/// Who goes past somebody that holds its ground keeps so far from it [m].
+inline constexpr double kHeldMargin = 0.12;
+
 /// One who holds its ground.
 struct HeldSpot {
     Vec2 position;        ///< [m]
-    double radius = 0.0;  ///< Of the body [m].
+    double radius = 0.0;  ///< Of the body, and what is kept from it [m].
 
     /// Lets an archive read or write it.
     template <class Archive>

@@ -1,5 +1,7 @@
 #include "engine/state/held_ground.h"
 
+#include <utility>
+
 #include "engine/steering/crowd_bodies.h"
 
 namespace muster {
@@ -15,9 +17,15 @@ void listHeld(const WorldState& state, const Group& group, std::vector<HeldSpot>
     const Characters& c = state.characters;
     for (const Group& other : state.groups) {
         if (other.id == group.id || other.def.conduct.stance != Stance::Hold) continue;
-        for (const std::int32_t i : other.members)
-            if (held.size() < kMostHeld && lengthSquared(c.velocity[i]) < kStands * kStands)
-                held.push_back({c.position[i], radiusOf(state.parameters.character, c.body[i])});
+        const std::vector<Vec2>& places = other.places.reachableTargets();
+        for (const std::int32_t i : other.members) {
+            const bool stands = lengthSquared(c.velocity[i]) < kStands * kStands;
+            const bool comes = other.orders.orders.empty() && c.place[i] >= 0 &&
+                               std::cmp_less(c.place[i], places.size());
+            if (held.size() >= kMostHeld || !(stands || comes)) continue;
+            const double radius = radiusOf(state.parameters.character, c.body[i]);
+            held.push_back({stands ? c.position[i] : places[c.place[i]], radius + kHeldMargin});
+        }
     }
 }
 

@@ -8,7 +8,8 @@
 
 namespace muster {
 
-/// Lists those of other groups who hold their ground and stand, the first 64 of them.
+/// Lists those of other groups who hold their ground, the first 64 of them: where they stand, or where the
+/// places of those are who have no order and still come to them.
 void listHeld(const WorldState& state, const Group& group, std::vector<HeldSpot>& held);
 
 }  // namespace muster

@@ -5,11 +5,12 @@
 #include <limits>
 #include <tuple>
 
+#include "engine/orders/held_spot.h"
+
 namespace muster {
 namespace {
 
-constexpr double kLookAhead = 8.0;     // A cluster farther ahead is not gone round yet [m].
-constexpr double kRoundMargin = 0.12;  // Kept from it [m].
+constexpr double kLookAhead = 8.0;  // A cluster farther ahead is not gone round yet [m].
 
 // True where the stretch from `from` along the unit vector `way` meets the box.
 bool meets(const Box& box, Vec2 from, Vec2 way, double far) {
@@ -49,7 +50,7 @@ std::int32_t GoRound::rootOf(std::int32_t k) {
 
 // Two holders of one group belong together where nobody of the usual size fits between them.
 void GoRound::findClusters(const WorldState& state, const CrowdBodies& bodies) {
-    const double passage = 2.0 * (bodies.usual().radius + kRoundMargin);
+    const double passage = 2.0 * (bodies.usual().radius + kHeldMargin);
     pairs_.build(positions_, 2.0 * bodies.largestRadius() + passage);
     root_.resize(holders_.size());
     order_.resize(holders_.size());
@@ -92,7 +93,7 @@ bool GoRound::isLeftShorter(const Characters& c, const CrowdBodies& bodies, cons
     double mostLeft = -std::numeric_limits<double>::infinity(), mostRight = -mostLeft;
     for (std::size_t k = cluster.first; k < cluster.end; ++k) {
         const std::int32_t i = members_[k];
-        const double keep = bodies.touching(character, i) + kRoundMargin;
+        const double keep = bodies.touching(character, i) + kHeldMargin;
         const double across = cross(way, c.position[i] - here);
         if (across + keep > mostLeft) {
             mostLeft = across + keep;
@@ -114,7 +115,7 @@ void GoRound::turn(Characters& c, const CrowdBodies& bodies, const Cluster& clus
     const double far = std::min(kLookAhead, distance(here, target));
     const auto members = std::span(members_).subspan(cluster.first, cluster.end - cluster.first);
     const bool barred = std::any_of(members.begin(), members.end(), [&](std::int32_t i) {
-        const double keep = bodies.touching(character, i) + kRoundMargin;
+        const double keep = bodies.touching(character, i) + kHeldMargin;
         const Vec2 to = c.position[i] - here;
         const double along = dot(to, way);
         return along > 0.0 && along < far && std::fabs(cross(way, to)) < keep;
@@ -127,7 +128,7 @@ void GoRound::turn(Characters& c, const CrowdBodies& bodies, const Cluster& clus
     };
     Vec2 outermost = way;
     for (const std::int32_t i : members) {
-        const double keep = bodies.touching(character, i) + kRoundMargin;
+        const double keep = bodies.touching(character, i) + kHeldMargin;
         const Vec2 to = c.position[i] - here;
         if (dot(to, way) < -keep) continue;
         const double away = std::max(length(to), 1e-9), sine = std::min(1.0, keep / away);
@@ -147,7 +148,7 @@ void GoRound::run(WorldState& state, const CrowdBodies& bodies, std::span<const 
         if (c.direction[i] == Vec2{} || bodies.isFixed(i)) continue;
         const double far = std::min(kLookAhead, distance(c.position[i], targets[i]));
         for (const Cluster& cluster : clusters_) {
-            const double keep = cluster.largest + bodies.radius(i) + kRoundMargin;
+            const double keep = cluster.largest + bodies.radius(i) + kHeldMargin;
             if (!cluster.box.grown(keep + far).contains(c.position[i]) ||
                 c.group[members_[cluster.first]] == c.group[i])
                 continue;
