@@ -73,7 +73,6 @@ void BattleScript::addObstacles(WorldDef& def) {
             def.obstacles.push_back(block(at, width, height, angle));
         }
     }
-    started_ = def.obstacles.size();
 }
 
 // Of five groups of a side two are on foot, one is mounted, one has guns in its rear, one has all three.

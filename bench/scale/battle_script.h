@@ -44,7 +44,6 @@ private:
     Random random_;
     std::vector<std::uint8_t> sideOf_;  // By group id.
     std::vector<ObstacleId> buildings_;
-    std::size_t started_ = 0;  // Obstacles of the beginning.
     std::size_t characters_ = 0;
     std::uint32_t sequence_ = 0, lastBuilding_ = 0;
     std::int32_t orders_ = 0;

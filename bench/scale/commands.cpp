@@ -107,9 +107,7 @@ Status run(const CommandsDef& def, const std::vector<Kind>& kinds, std::vector<d
             const Status given = world->submit({world->stepCount(), 1, 0, kind.make(*world, round)});
             if (!given.ok()) return given.within(kind.name);
         }
-        const double began = threadMilliseconds();
-        world->step();
-        times[s] = std::min(times[s], threadMilliseconds() - began);
+        times[s] = std::min(times[s], timedStep(*world));
         if (s >= kUnmeasured && (s - kUnmeasured) % kPeriod == 0)
             stages[static_cast<std::size_t>((s - kUnmeasured) / kPeriod) % kinds.size()] = stagesText(
                 world->stageTimes(), 0.2);

@@ -9,6 +9,7 @@
 #include "engine/world/inspect.h"
 #include "muster/event.h"
 #include "scale/meter.h"
+#include "scale/stages.h"
 
 namespace muster::scale {
 namespace {
@@ -97,9 +98,7 @@ private:
     }
 
     void measure(World& world) {
-        const double began = threadMilliseconds();
-        world.step();
-        times_.push_back(threadMilliseconds() - began);
+        times_.push_back(timedStep(world));
         const StageTimes stages = world.stageTimes();
         for (std::size_t k = 0; k < row_.stages.size(); ++k) row_.stages[k] += stages.milliseconds[k];
         for (const Event& event : world.events()) row_.swaps += event.kind == EventKind::Swap ? 1 : 0;

@@ -8,6 +8,7 @@
 #include "scale/case.h"
 #include "scale/drag.h"
 #include "scale/meter.h"
+#include "scale/stages.h"
 
 namespace muster::scale {
 namespace {
@@ -35,9 +36,7 @@ Result<double> window(const RewindDef& def, World& world, Drag& drag) {
                 !status.ok())
                 return status;
         }
-        const double began = threadMilliseconds();
-        world.step();
-        sum += threadMilliseconds() - began;
+        sum += timedStep(world);
     }
     return sum;
 }

@@ -134,7 +134,7 @@ test('the sample with Vite’s development server', async () => {
 
 test('the sample with three.js alone: the blue company is sent through between the houses', async () => {
   await withPage(sample('js_three', 'three'), '', async (page) => {
-    await wait(page, () => /Step \d+/.test(document.querySelector('#line').textContent));
+    await wait(page, () => /Step \d+, 0\.00 m from/.test(document.querySelector('#line').textContent));
     await page.mouse.click(760, 430);
     await wait(page, () => Number(document.querySelector('#line').textContent.match(/([\d.]+) m from/)[1]) > 0);
     if (process.env.SHOTS) await page.waitForTimeout(25000);

@@ -36,6 +36,17 @@ Rotation turnedTo(const Rotation& from, const Rotation& to, double share) {
     return {out.c / size, out.s / size};
 }
 
+double reachOf(std::span<const Vec2> offsets) {
+    double reach = 0.0;
+    for (const Vec2 offset : offsets) reach = std::max(reach, length(offset));
+    return reach;
+}
+
+/// Where a group stands, or will stand when its march is over.
+const std::vector<Vec2>& endsOf(const Group& group) {
+    return group.flow.leads() ? group.flow.ends : group.places.reachableTargets();
+}
+
 /// From the begin of a way to its first point that is so far from it.
 template <class Point>
 Vec2 endOfWay(Point begin, Point end, double reach) {
@@ -86,8 +97,7 @@ void FlowMarches::findTaken(const WorldState& state, const Group& group) {
     for (const Group& other : state.groups) {
         if (other.id == group.id || other.members.empty()) continue;
         if (!other.orders.orders.empty() && !other.orders.begun) continue;
-        const std::vector<Vec2>& places = other.flow.leads() ? other.flow.ends
-                                                             : other.places.reachableTargets();
+        const std::vector<Vec2>& places = endsOf(other);
         if (other.flow.leads() || other.settling.rests())
             taken_.insert(taken_.end(), places.begin(), places.end());
     }
@@ -121,8 +131,7 @@ EndDef FlowMarches::endsAt(const WorldState& state, const Group& group, const Po
     findTaken(state, group);
     EndDef ends;
     ends.offsets = offsets;
-    ends.reach = 0.0;
-    for (const Vec2 offset : offsets) ends.reach = std::max(ends.reach, length(offset));
+    ends.reach = reachOf(offsets);
     ends.pose = end;
     ends.taken = taken_;
     ends.from = meanOf(group.places.positions());
@@ -130,9 +139,8 @@ EndDef FlowMarches::endsAt(const WorldState& state, const Group& group, const Po
 }
 
 bool FlowMarches::pays(WorldState& state, Group& group, Vec2 at, std::optional<double> facing) {
-    std::vector<Vec2> offsets;
-    takeOffsets(state, group, offsets);
-    if (group.places.positions().size() != offsets.size()) return true;
+    takeOffsets(state, group, offsets_);
+    if (group.places.positions().size() != offsets_.size()) return true;
     // On another ground the ends of before may lie in walls.
     if (group.flow.leads() && group.flow.ground != state.groundEdits) return true;
     Pose to, end = group.flow.leads() ? group.flow.to : group.mesh.pose();
@@ -141,7 +149,7 @@ bool FlowMarches::pays(WorldState& state, Group& group, Vec2 at, std::optional<d
         const Rotation asked{cosine(*facing), sine(*facing)};
         if (asked.c * end.rotation.c + asked.s * end.rotation.s < kSameFacing) return true;
     }
-    layOut(state, group, endsAt(state, group, end, offsets), targets_, to);
+    layOut(state, group, endsAt(state, group, end, offsets_), targets_, to);
     const Vec2 target = group.orders.orders.front().order.target;
     const Vec2 now = meanOf(group.flow.leads() ? group.flow.ends : group.places.positions());
     const Vec2 then = meanOf(targets_);
@@ -184,8 +192,7 @@ void FlowMarches::findStanding(const WorldState& state, const Group& group) {
         const bool before = holds(other) != holds(group)
                                 ? holds(other)
                                 : other.flow.leads() || other.id.value < group.id.value;
-        const std::vector<Vec2>& places = other.flow.leads() ? other.flow.ends
-                                                             : other.places.reachableTargets();
+        const std::vector<Vec2>& places = endsOf(other);
         if (before) taken_.insert(taken_.end(), places.begin(), places.end());
     }
 }
@@ -224,14 +231,10 @@ void FlowMarches::settle(WorldState& state, Group& group) {
     MarchFlow& flow = group.flow;
     const Vec2 middle = meanOf(asked);
     flow.offsets.clear();
-    double reach = 0.0;
-    for (const Vec2 p : asked) {
-        flow.offsets.push_back(p - middle);
-        reach = std::max(reach, distance(p, middle));
-    }
+    for (const Vec2 p : asked) flow.offsets.push_back(p - middle);
     EndDef ends;
     ends.offsets = flow.offsets;
-    ends.reach = reach;
+    ends.reach = reachOf(flow.offsets);
     ends.pose.position = middle;
     ends.moves = onOthers;
     if (onOthers) ends.taken = taken_;

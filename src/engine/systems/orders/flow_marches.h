@@ -57,7 +57,7 @@ private:
     Pairing pairing_;
     std::vector<std::int32_t> places_, regions_;
     std::vector<double> speeds_;
-    std::vector<Vec2> taken_, together_, targets_;
+    std::vector<Vec2> taken_, together_, targets_, offsets_;
     CellList cells_;
 };
 
