@@ -192,7 +192,7 @@ CommandBody BattleScript::joiners(const World& world, std::int32_t side) {
     add.group = world.group(own[random_.below(static_cast<std::uint32_t>(own.size()))]).id;
     const Vec2 camp{(side == 0 ? -0.425 : 0.425) * def_.side, 0.0};
     for (int k = 0; k < kJoiners; ++k)
-        add.positions.push_back(camp + Vec2{1.3 * (k % 4), 1.3 * static_cast<double>(k / 4)});
+        add.positions.push_back(camp + 1.3 * Vec2{static_cast<double>(k % 4), std::floor(k / 4.0)});
     add.bodies = {bodyOf(1)};
     return add;
 }
