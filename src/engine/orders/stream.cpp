@@ -11,6 +11,7 @@ constexpr double kMissShare = 0.125;     // Of the way, over which what coordina
 constexpr std::int32_t kMostTries = 12;  // Of a step; one is the rule.
 constexpr double kClose = 0.95;          // A step that uses so much of the top speed is good enough,
 constexpr double kAim = 0.997;           // and so much is aimed at.
+constexpr std::size_t kFollow = 10;      // One place in so many may be faster than the march.
 
 double faded(double q, double share) {
     return std::max(0.0, 1.0 - q / share);
@@ -70,15 +71,18 @@ void Stream::at(double q, std::span<Vec2> places) const {
     }
 }
 
-/// The largest move of a place as a share of what it may move.
+// The largest move of a place as a share of what it may move, but for the one in ten that moves most: where a
+// few have to go far aside, all others need not wait for them.
 double Stream::overshoot(std::span<const Vec2> from, std::span<const Vec2> to, double reach,
-                         std::span<const double> speeds) const {
-    double most = 0.0;
+                         std::span<const double> speeds) {
+    moves_.resize(from.size());
     for (std::size_t i = 0; i < from.size(); ++i) {
         const double may = speeds.empty() ? reach : reach * speeds[i];
-        most = std::max(most, lengthSquared(to[i] - from[i]) / (may * may));
+        moves_[i] = lengthSquared(to[i] - from[i]) / (may * may);
     }
-    return std::sqrt(most);
+    const auto at = moves_.end() - 1 - static_cast<std::ptrdiff_t>(moves_.size() / kFollow);
+    std::nth_element(moves_.begin(), at, moves_.end());
+    return std::sqrt(*at);
 }
 
 double Stream::follow(double q, double dt, double speed, std::span<const double> speeds,

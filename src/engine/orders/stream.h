@@ -26,6 +26,8 @@ struct StreamDef {
         way;                ///< From the middle of the starts to that of the ends, two points or more [m].
     double spacing = 1.0;   ///< Of the formation [m], above 0.
     double radius = 0.25;   ///< Of bodies [m], above 0.
+    double closest = 1e9;   ///< So near places may come to each other in narrow ground [m], above 0; the spacing
+                            ///< where that is less.
     bool drawn = false;     ///< True where the way is kept to also where the ground between is free.
     bool measured = false;  ///< True where length() will be asked for.
 };
@@ -55,18 +57,19 @@ public:
     std::size_t places() const { return starts_.size(); }  ///< Number of places.
     /// Places that stand or end so close behind a wall that they touch it on their first or last metre.
     std::int32_t tight() const { return tight_; }
-    /// How far the fastest place goes, whichever that is [m]: at a speed they arrive after length() / speed.
+    /// How far the fastest of nine in ten places goes, whichever that is [m]: at a speed they arrive after
+    /// length() / speed.
     /// Of a march that flows only where its definition wants it measured, else 0.
     double length() const { return status_ == StreamStatus::Straight ? most_ : length_; }
     double stretch() const { return status_ == StreamStatus::Flowing ? stretch_.most() : 1.0; }  ///< At most.
 
     /// Where the places are at `q`, exactly their starts at 0 and their ends at 1. Only once planned.
     void at(double q, std::span<Vec2> places) const;
-    /// The next q, `dt` [s] later (earlier where it is negative), such that no place goes faster than `speed`
-    /// [m/s] above 0. `places` are those at `q`, and then those at the next.
+    /// The next q, `dt` [s] later (earlier where it is negative), such that nine in ten places go no faster than
+    /// `speed` [m/s] above 0. `places` are those at `q`, and then those at the next.
     double next(double q, double dt, double speed, std::span<Vec2> places);
-    /// The same with a speed for each place. `rate` is how much q grows while the fastest goes a metre, as it
-    /// was found by the last call, or 0; with it one try is the rule.
+    /// The same with a speed for each place. `rate` is how much q grows while the fastest of nine in ten goes
+    /// a metre, as it was found by the last call, or 0; with it one try is the rule.
     double next(double q, double dt, std::span<const double> speeds, std::span<Vec2> places, double& rate);
 
 private:
@@ -120,7 +123,7 @@ private:
     void closeUp(double q, Depths& ahead) const;
     Vec2 raw(std::size_t i, double q, const Depths& ahead) const;
     double overshoot(std::span<const Vec2> from, std::span<const Vec2> to, double reach,
-                     std::span<const double> speeds) const;
+                     std::span<const double> speeds);
     double follow(double q, double dt, double speed, std::span<const double> speeds, std::span<Vec2> places,
                   double& rate);
 
@@ -131,7 +134,8 @@ private:
     std::int64_t spent_ = 0;
     double length_ = 0.0;
     std::vector<Vec2> offsets_, starts_, ends_, way_, moved_, last_;
-    double spacing_ = 1.0, radius_ = 0.25;
+    std::vector<double> moves_;  // Of places in a step, squared.
+    double spacing_ = 1.0, radius_ = 0.25, closest_ = 1.0;
     double back_ = 0.0, fore_ = 0.0, startReach_ = 0.0,
            endReach_ = 0.0;                   // How far starts and ends reach [m].
     double fadeStart_ = 1.0, fadeEnd_ = 1.0;  // Shares of the way by which the formation is made and left.

@@ -170,10 +170,7 @@ void Stream::measure() {
     const double q = (static_cast<double>(next_) + 0.5) / kMeasures;
     at(q, last_);
     at(q + kMeasured, moved_);
-    double most = 0.0;
-    for (std::size_t i = 0; i < moved_.size(); ++i)
-        most = std::max(most, lengthSquared(moved_[i] - last_[i]));
-    length_ += std::sqrt(most) / (kMeasured * kMeasures);
+    length_ += overshoot(last_, moved_, kMeasured * kMeasures, {});
     spent_ += 3 * static_cast<std::int64_t>(moved_.size());
     if (++next_ == kMeasures) status_ = StreamStatus::Flowing;
 }

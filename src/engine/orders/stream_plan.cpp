@@ -10,7 +10,7 @@ namespace muster {
 bool Stream::valid() const {
     const std::size_t n = starts_.size();
     if (n == 0 || ends_.size() != n || offsets_.size() != n || way_.size() < 2) return false;
-    if (!(spacing_ > 0.0) || !(radius_ > 0.0)) return false;
+    if (!(spacing_ > 0.0) || !(radius_ > 0.0) || !(closest_ > 0.0)) return false;
     const auto finite = [](const std::vector<Vec2>& list) {
         return std::all_of(list.begin(), list.end(), isFinite);
     };
@@ -27,6 +27,7 @@ void Stream::start(const StreamDef& def) {
     if (way_.size() == 1) way_.push_back(way_[0] + Vec2{1e-3, 0.0});
     spacing_ = def.spacing;
     radius_ = def.radius;
+    closest_ = std::min(def.closest, def.spacing);
     measured_ = def.measured;
     spent_ = 0;
     tight_ = 0;
@@ -142,7 +143,7 @@ void Stream::stepCourses() {
     } else if (done == Stage::Lay) {
         orderRows();
         beside_ = order_;
-        stretch_.start(line_, spacing_);
+        stretch_.start(line_, spacing_, closest_);
     }
 }
 

@@ -18,11 +18,12 @@ constexpr double kLeastRoom = 1.5;     // ... and over that much at least [m].
 
 }  // namespace
 
-void StreamStretch::start(const StreamLine& line, double spacing) {
+void StreamStretch::start(const StreamLine& line, double spacing, double closest) {
     step_ = line.step();
     spacing_ = spacing;
+    closest_ = closest;
     most_ = 1.0;
-    sigma_.assign(line.rows(), 1.0);
+    narrow_.assign(line.rows(), 1.0);
     bend_.assign(line.rows(), -kMostSpread);
 }
 
@@ -37,19 +38,19 @@ void StreamStretch::compare(const StreamPaths& paths, const StreamBanks& banks, 
         const double now = std::fabs(leftB[k] - leftA[k]) + spacing_;
         if ((b.ordinate - a.ordinate + spacing_) <= now) continue;
         const double own = std::fabs(b.nominal(k * step_) - a.nominal(k * step_)) + spacing_;
-        if (own > now * sigma_[k]) sigma_[k] = own / now;
+        if (own > now * narrow_[k]) narrow_[k] = own / now;
     }
 }
 
 void StreamStretch::widen(const StreamLine& line, const StreamRuns& runs, const StreamBanks& banks) {
-    const auto rows = static_cast<std::int32_t>(sigma_.size());
+    const auto rows = static_cast<std::int32_t>(narrow_.size());
     for (std::int32_t k = 0; k < rows; ++k) {
         const double bend = line.row(k).bend;
         for (std::int32_t r = runs.first(k); r < runs.first(k + 1); ++r) {
             const StreamLoad& load = banks.loads()[r];
             if (!load.used()) continue;
             const double now = std::max(0.0, load.left - load.right) + spacing_;
-            sigma_[k] = std::max(sigma_[k], (load.high - load.low + spacing_) / now);
+            narrow_[k] = std::max(narrow_[k], (load.high - load.low + spacing_) / now);
             bend_[k] = std::max(bend_[k], bend > 0.0 ? bend * load.left : bend * load.right);
         }
     }
@@ -60,13 +61,16 @@ void StreamStretch::widen(const StreamLine& line, const StreamRuns& runs, const 
         for (std::int32_t j = k - kBendRows; j <= k + kBendRows; ++j)
             sum += bend_[std::clamp(j, 0, rows - 1)];
         const double inside = std::clamp(1.0 - sum / (2.0 * kBendRows + 1.0), kLeastBend, 1.0 + kMostSpread);
-        sigma_[k] /= inside > 1.0 ? inside : std::min(1.0, inside / kInside);
-        if (sigma_[k] < kUnfelt) sigma_[k] = 1.0;
-        most_ = std::max(most_, sigma_[k]);
+        narrow_[k] /= inside > 1.0 ? inside : std::min(1.0, inside / kInside);
+        if (narrow_[k] < kUnfelt) narrow_[k] = 1.0;
+        most_ = std::max(most_, narrow_[k]);
     }
 }
 
 void StreamStretch::settle(double shift) {
+    const double area = closest_ * closest_ / (spacing_ * spacing_);
+    sigma_.resize(narrow_.size());
+    for (std::size_t k = 0; k < sigma_.size(); ++k) sigma_[k] = std::max(1.0, narrow_[k] * area);
     xi_.resize(sigma_.size());
     xi_[0] = 0.0;
     for (std::size_t k = 1; k < sigma_.size(); ++k) {
@@ -100,7 +104,7 @@ void StreamStretch::blend(double shift) {
     if (most_ <= 1.0) return;
     for (std::size_t k = 0; k < xi_.size(); ++k) {
         double& sample = single_[static_cast<std::size_t>(xi_[k] / kSample)];
-        sample = std::max(sample, std::min(1.0, (sigma_[k] - 1.0) / kSingle));
+        sample = std::max(sample, std::min(1.0, (narrow_[k] - 1.0) / kSingle));
     }
     for (std::int32_t k = 0; k < n; ++k)
         for (std::int32_t j = std::max(0, k - reach); j <= std::min(n - 1, k + reach); ++j)

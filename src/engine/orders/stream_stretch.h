@@ -9,12 +9,13 @@
 
 namespace muster {
 
-/// Per row the stretch sigma, own width over the width that is left, 1 or more; and xi, the integral of ds /
-/// sigma.
+/// Per row how narrow it is, own width over the width that is left, 1 or more; the stretch sigma, which is less
+/// by as much as places may come nearer to each other, but 1 or more; and xi, the integral of ds / sigma.
 class StreamStretch {
 public:
-    /// Begins: no row is stretched.
-    void start(const StreamLine& line, double spacing);
+    /// Begins: no row is stretched. Places that are `spacing` apart in the formation may come as near to each
+    /// other as `closest`, which is no more [m].
+    void start(const StreamLine& line, double spacing, double closest);
     /// Stretches rows in which two courses some spacings apart are nearer to each other than in the
     /// formation.
     void compare(const StreamPaths& paths, const StreamBanks& banks, const StreamCourse& a,
@@ -35,7 +36,7 @@ public:
         const auto k = static_cast<std::int32_t>(x);
         return sigma_[k] + (sigma_[k + 1] - sigma_[k]) * (x - k);
     }
-    double most() const { return most_; }  ///< Of all rows.
+    double most() const { return most_; }  ///< How narrow the narrowest row is.
     /// How far rows are in single order, [0, 1]: 1 where they are narrow. Changes slowly along xi.
     double single(double xi) const {
         if (most_ <= 1.0) return 0.0;
@@ -51,10 +52,10 @@ private:
     void index();
     void blend(double shift);
 
-    double step_ = 0.5, spacing_ = 1.0, most_ = 1.0, bin_ = 1.0;
-    std::vector<double> sigma_, bend_, xi_;  // By row.
-    std::vector<std::int32_t> rowAt_;        // By bins of xi: the last row that begins before it.
-    std::vector<double> single_, wide_;      // By samples of xi.
+    double step_ = 0.5, spacing_ = 1.0, closest_ = 1.0, most_ = 1.0, bin_ = 1.0;
+    std::vector<double> narrow_, sigma_, bend_, xi_;  // By row.
+    std::vector<std::int32_t> rowAt_;                 // By bins of xi: the last row that begins before it.
+    std::vector<double> single_, wide_;               // By samples of xi.
 };
 
 }  // namespace muster

@@ -24,8 +24,8 @@ enum class FlowPhase : std::uint8_t {
 struct MarchFlow {
     FlowPhase phase = FlowPhase::None;
     double q = 0.0;             ///< How much of it is done, [0, 1].
-    double speed = 0.0;         ///< Of the fastest place [m/s].
-    double rate = 0.0;          ///< How much q grew lately while the fastest place went a metre; 0 at first.
+    double speed = 0.0;         ///< Of the fastest of nine in ten places [m/s].
+    double rate = 0.0;          ///< How much q grew lately while the march went a metre; 0 at first.
     std::uint32_t version = 0;  ///< Of the formation for which it was planned.
     std::uint32_t ground = 0;   ///< Version of the ground for which it was planned.
     std::int64_t spent = 0;     ///< Operations of the plan.
@@ -33,6 +33,7 @@ struct MarchFlow {
     bool drawn = false;         ///< The way was drawn.
     double spacing = 1.0;       ///< Of the formation [m].
     double radius = 0.25;       ///< Of bodies [m].
+    double closest = 1.0;       ///< As near as places may come to each other [m].
     /// What it was planned from: of each place the offset in its formation, and where it starts and ends [m].
     std::vector<Vec2> offsets, starts, ends;
     std::vector<Vec2> way;       ///< [m]
@@ -55,12 +56,12 @@ struct MarchFlow {
         phase = FlowPhase::Standing;
     }
     /// What it is planned from.
-    StreamDef def() const { return {offsets, starts, ends, way, spacing, radius, drawn}; }
+    StreamDef def() const { return {offsets, starts, ends, way, spacing, radius, closest, drawn}; }
 
     /// Takes over the plan of `before`, which becomes useless, where it was made from the same, just as far.
     void keepPlanOf(MarchFlow& before) {
         const auto inputs = [](const MarchFlow& f) {
-            return std::tie(f.version, f.ground, f.drawn, f.spacing, f.radius, f.offsets, f.starts, f.ends,
+            return std::tie(f.version, f.ground, f.drawn, f.spacing, f.radius, f.closest, f.offsets, f.starts, f.ends,
                             f.way, f.held);
         };
         if (moves() && before.stream.places() > 0 && before.stream.operations() == spent &&
@@ -72,7 +73,7 @@ struct MarchFlow {
     template <class Archive>
     void visit(Archive& archive) {
         archive(phase, q, speed, rate, version, ground, spent, from.position, from.rotation.c,
-                from.rotation.s, to.position, to.rotation.c, to.rotation.s, drawn, spacing, radius, offsets,
+                from.rotation.s, to.position, to.rotation.c, to.rotation.s, drawn, spacing, radius, closest, offsets,
                 starts, ends, way, held, places);
         if constexpr (Archive::kReading) stream = {};
     }

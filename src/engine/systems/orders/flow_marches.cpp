@@ -162,7 +162,9 @@ bool FlowMarches::findEnds(WorldState& state, Group& group, const Pose& end) {
     const double room = takeOffsets(state, group, flow.offsets);
     if (group.places.positions().size() != flow.offsets.size()) return false;
     const EndDef ends = endsAt(state, group, end, flow.offsets);
-    flow.radius = lineRadius(layOut(state, group, ends, flow.ends, flow.to));
+    const PlaceDef places = layOut(state, group, ends, flow.ends, flow.to);
+    flow.radius = lineRadius(places);
+    flow.closest = places.apart();
     flow.version = group.formationVersion;
     flow.ground = state.groundEdits;
     flow.spacing = room * spacingOf(group);
