@@ -22,10 +22,6 @@ WorldDef twoGroups() {
     return def;
 }
 
-void run(World& world, double seconds) {
-    for (int s = 0; s < std::lround(seconds * 60); ++s) world.step();
-}
-
 double worstToPlace(const World& world, std::size_t group) {
     double worst = 0.0;
     const CharactersView c = world.characters();

@@ -194,6 +194,29 @@ TEST_CASE("a patrol goes round; hold, resume, cancel and stop") {
     CHECK(world.rejections().size() == 1);
 }
 
+TEST_CASE("who goes each for itself stops to hold and where its order is cancelled, and goes on to its end") {
+    for (const QueueEdit edit : {QueueEdit::Hold, QueueEdit::Cancel}) {
+        CAPTURE(static_cast<int>(edit));
+        World world = World::create(yard()).value();
+        std::uint32_t n = 0;
+        Log log;
+        const GroupId id = world.group(0).id;
+        REQUIRE(give(world, n, GiveOrder{id, QueueMode::Replace, 0, Order::go({25, 25})}).ok());
+        run(world, 3, log);
+        REQUIRE(give(world, n, EditQueue{id, edit}).ok());
+        run(world, 2, log);
+        const Vec2 held = centre(world);
+        CHECK(distance(held, {25, 25}) > 5.0);
+        run(world, 4, log);
+        CHECK(distance(centre(world), held) < 0.1);
+        if (edit == QueueEdit::Cancel) continue;
+        REQUIRE(give(world, n, EditQueue{id, QueueEdit::Resume}).ok());
+        run(world, 30, log);
+        CHECK(distance(centre(world), {25, 25}) < 1.0);
+        CHECK(log.count(EventKind::OrderDone) == 1);
+    }
+}
+
 TEST_CASE("who is told to stop stands where it is, however far from its place") {
     WorldDef def = yard();
     Random random(5);

@@ -1,6 +1,8 @@
 // Small worlds that the world's tests share.
 #pragma once
 
+#include <cmath>
+
 #include "base/random.h"
 #include "muster/world.h"
 
@@ -15,6 +17,12 @@ inline WorldDef openFloor(std::int32_t count = 25) {
     group.position = {-6, 0};
     def.groups.push_back(group);
     return def;
+}
+
+/// So many seconds of steps.
+inline void run(World& world, double seconds) {
+    const long steps = std::lround(seconds / world.parameters().stepTime);
+    for (long s = 0; s < steps; ++s) world.step();
 }
 
 /// A copy of what a view shows, to compare with later.

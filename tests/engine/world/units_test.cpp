@@ -48,10 +48,6 @@ double farthestMove(const std::map<std::uint32_t, Vec2>& before, const std::map<
     return most;
 }
 
-void run(World& world, double seconds) {
-    for (int s = 0; s < seconds * 60.0; ++s) world.step();
-}
-
 /// A field with one square group that walks to the right: every place is under way for half a minute.
 WorldDef field(std::int32_t count) {
     WorldDef def;

@@ -28,11 +28,6 @@ double worstDistanceToPlace(const World& world) {
     return worst;
 }
 
-void run(World& world, double seconds) {
-    const int steps = static_cast<int>(std::lround(seconds / world.parameters().stepTime));
-    for (int s = 0; s < steps; ++s) world.step();
-}
-
 int countEvents(World& world, double seconds, EventKind kind) {
     int n = 0;
     const int steps = static_cast<int>(std::lround(seconds / world.parameters().stepTime));

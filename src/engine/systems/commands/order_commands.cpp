@@ -19,12 +19,6 @@ bool isFree(const OrderQueue& queue) {
            queue.orders.front().order.manner == Manner::Free;
 }
 
-/// Ends the order that is carried out, which is about to leave the queue.
-void endFirst(Group& group, bool stays) {
-    if (stays && isFree(group.orders)) standWhereItIs(group);
-    group.orders.end();
-}
-
 // Where a character comes to a stand by its own brakes [m].
 Vec2 stopOf(const WorldState& state, std::int32_t i) {
     const Characters& c = state.characters;
@@ -64,10 +58,21 @@ void standStill(WorldState& state, Group& group) {
     if (group.flow.leads()) group.orders.march.last = group.mesh.pose();
 }
 
+/// Who goes freely stops: its place is at the end.
+void stopFree(WorldState& state, Group& group) {
+    if (isFree(group.orders)) standStill(state, group);
+}
+
+/// Ends the order that is carried out, which is about to leave the queue.
+void endFirst(WorldState& state, Group& group, bool stays) {
+    if (stays) stopFree(state, group);
+    group.orders.end();
+}
+
 Status cancel(WorldState& state, Group& group, std::uint32_t id) {
     OrderQueue& queue = group.orders;
     if (id == 0) {
-        if (!queue.orders.empty()) endFirst(group, true);
+        if (!queue.orders.empty()) endFirst(state, group, true);
         if (Gathering* const gathering = state.continuum.find(group.id)) gathering->active = false;
         queue.orders.clear();
         queue.march.speed = queue.march.spin = 0.0;
@@ -78,13 +83,13 @@ Status cancel(WorldState& state, Group& group, std::uint32_t id) {
     if (at == queue.orders.end())
         return {StatusCode::NotFound,
                 "group " + std::to_string(group.id.value) + " has no order of the id " + std::to_string(id)};
-    if (at == queue.orders.begin()) endFirst(group, queue.orders.size() == 1);
+    if (at == queue.orders.begin()) endFirst(state, group, queue.orders.size() == 1);
     queue.orders.erase(at);
     return {};
 }
 
-void hold(Group& group) {
-    if (isFree(group.orders)) standWhereItIs(group);
+void hold(WorldState& state, Group& group) {
+    stopFree(state, group);
     group.orders.held = true;
     group.orders.march.speed = group.orders.march.spin = 0.0;
 }
@@ -181,7 +186,7 @@ Status editQueue(WorldState& state, const EditQueue& command, std::vector<Event>
         case QueueEdit::Cancel:
             return cancel(state, *group, command.order);
         case QueueEdit::Hold:
-            hold(*group);
+            hold(state, *group);
             break;
         case QueueEdit::Resume:
             resume(*group);

@@ -19,6 +19,9 @@ constexpr std::int32_t kCellsPerStep = 2000;     // Of searches for ways.
 constexpr std::int64_t kFlowOperations = 60000;  // Of plans of marches, in a step.
 constexpr double kLongest = 20.0;  // Who has moved to and fro on one spot for so long is not waited for [s].
 constexpr double kSoonDone = 5.0;  // Following ends so soon where another order waits [s].
+constexpr double kSightShare = 0.125;  // Of the way to its place beside the leader, between two looks at walls.
+constexpr double kFollowStale = 2.0;   // A march that follows is made anew where its end has moved so far [m]...
+constexpr double kFollowShare = 0.25;  // ... and by that share of the distance.
 
 /// True while fingers hold the mesh, or their ways are followed.
 bool isHandled(const Group& group) {
@@ -348,47 +351,70 @@ bool OrderStage::isDone(const WorldState& state, Group& group) {
     return stuck && quiet >= patience;
 }
 
+// The place beside what is followed, or as much of the way to it as the leader sees.
+Vec2 OrderStage::besideLead(const WorldState& state, const Group& group, const Lead& lead, Vec2 offset) {
+    const double radius = groundRadius(state.parameters.character.radius, group.groundClass);
+    const Vec2 at = state.environment.def().box.clamp(facingPose(lead.position, lead.facing).apply(offset));
+    double share = 1.0;
+    while (share > 0.0 &&
+           !state.environment.clearStaticLine(lead.position, lerp(lead.position, at, share), radius))
+        share -= kSightShare;
+    return lerp(lead.position, at, std::max(0.0, share));
+}
+
 OrderStage::Outcome OrderStage::follow(WorldState& state, Group& group, const MarchDef& def) {
     OrderQueue& queue = group.orders;
-    group.flow.end();
     March& march = queue.march;
     const Order& order = queue.orders.front().order;
     const Lead lead = leadOf(state, order);
     if (!lead.found) return Outcome::Done;
     if (queue.orders.size() > 1 && state.stepCount - queue.begunAt >= stepsIn(state, kSoonDone))
         return Outcome::Done;
-    const Pose leading = facingPose(lead.position, lead.facing);
     const Pose pose = group.mesh.pose();
-    const double dt = state.parameters.stepTime;
-    const double radius = groundRadius(state.parameters.character.radius, group.groundClass);
-    const Vec2 goal = state.environment.def().box.clamp(leading.apply(order.offset));
-    const std::int32_t region = regionOf(state, group);
-    const bool free = region < 0 || state.routesOf(group).region(goal) == region;
-    if (free && state.environment.clearStaticLine(pose.position, goal, radius)) {
+    const Vec2 goal = besideLead(state, group, lead, order.offset);
+    const double room = def.reach + groundRadius(state.parameters.character.radius, group.groundClass);
+    if (state.environment.clearStaticLine(pose.position, goal, room)) {
+        // On open ground the formation moves as a whole.
+        group.flow.end();
         march.phase = MarchPhase::Idle;
+        const double dt = state.parameters.stepTime;
         group.mesh.setPose(advanceTowards(def, march, pose, goal, lead.velocity, lead.facing, dt));
-        march.last = group.mesh.pose();
-        return Outcome::GoesOn;
+    } else {
+        followAlong(state, group, def, facingPose(goal, lead.facing));
     }
-    const double stale = std::max(2.0, 0.25 * distance(pose.position, goal));
-    const bool under = march.phase == MarchPhase::Search || march.phase == MarchPhase::Go;
-    if (!under || distance(queue.target, goal) > stale) {
-        queue.target = goal;
+    march.last = group.mesh.pose();
+    return Outcome::GoesOn;
+}
+
+// Among walls it marches, each time to where the leader is by then; the march of before goes on while the way is
+// searched.
+void OrderStage::followAlong(WorldState& state, Group& group, const MarchDef& def, const Pose& end) {
+    OrderQueue& queue = group.orders;
+    March& march = queue.march;
+    const double stale = std::max(kFollowStale, kFollowShare * distance(group.mesh.pose().position, end.position));
+    if (march.phase == MarchPhase::Idle || distance(queue.target, end.position) > stale) {
+        const std::int32_t region = regionOf(state, group);
+        const RouteGraph& routes = state.routesOf(group);
+        const bool free = region < 0 || routes.region(end.position) == region;
+        queue.target = end.position;
         march.turns = false;
         march.searched = 0;
-        march.legs.assign(1, free ? goal : state.routesOf(group).nearestReachable(goal, region));
-        march.way.assign(1, pose.position);
+        march.legs.assign(1, free ? end.position : state.routesOf(group).nearestReachable(end.position, region));
+        beginWay(state, group, region);
         march.next = 1;
         march.phase = MarchPhase::Search;
     }
-    if (march.phase == MarchPhase::Search && budget_ > 0 && searchWay(state, group, region, false))
+    if (march.phase == MarchPhase::Search && budget_ > 0 &&
+        searchWay(state, group, regionOf(state, group), false)) {
+        flows_.start(state, group, {march.way.back(), end.rotation}, march.way, false);
         march.phase = MarchPhase::Go;
-    if (march.phase == MarchPhase::Go && group.def.conduct.avoids)
-        avoid(state, group, def);
-    else
-        group.mesh.setPose(advanceMarch(def, march, pose, dt));
-    march.last = group.mesh.pose();
-    return Outcome::GoesOn;
+    }
+    if (!group.flow.moves()) return;
+    if (!flows_.advance(state, ways_.ground(), group, def)) {
+        group.mesh.setPose(end);
+        flows_.stand(state, group);
+    }
+    march.speed = group.flow.speed;
 }
 
 OrderStage::Outcome OrderStage::guard(WorldState& state, Group& group) {

@@ -54,7 +54,9 @@ private:
     bool searchWay(WorldState& state, Group& group, std::int32_t region, bool drawn);
     void goOn(WorldState& state, Group& group, const MarchDef& def);
     void avoid(const WorldState& state, Group& group, const MarchDef& def);
+    static Vec2 besideLead(const WorldState& state, const Group& group, const Lead& lead, Vec2 offset);
     Outcome follow(WorldState& state, Group& group, const MarchDef& def);
+    void followAlong(WorldState& state, Group& group, const MarchDef& def, const Pose& end);
     Outcome guard(WorldState& state, Group& group);
     Outcome gather(WorldState& state, Group& group);
     bool isDone(const WorldState& state, Group& group);

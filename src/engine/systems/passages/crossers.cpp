@@ -1,11 +1,14 @@
 #include "engine/systems/passages/crossers.h"
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 #include <utility>
 
 #include "base/infinite_cost.h"
 #include "engine/geometry/polygon.h"
 #include "engine/passages/way_number.h"
+#include "engine/state/held_ground.h"
 #include "engine/systems/passages/goals.h"
 
 namespace muster {
@@ -23,7 +26,42 @@ Vec2 mouthOf(const Passage& passage, bool onLeft) {
     return passage.middle() + left * (onLeft ? passage.left + kBeforeMouth : -passage.right - kBeforeMouth);
 }
 
+/// True where the middle of a body of this radius can be somewhere on the passage beside those who hold.
+bool hasRoom(const Passage& passage, std::span<const HeldSpot> held, double radius) {
+    const Vec2 along = (passage.b - passage.a) / passage.width();
+    const double end = passage.width() - radius;
+    double open = radius;
+    // From one end to the other: each time whoever covers the point farthest along moves it on.
+    for (bool moved = true; moved && open <= end;) {
+        moved = false;
+        for (const HeldSpot& spot : held) {
+            const Vec2 to = spot.position - passage.a;
+            const double reach = spot.radius + radius, beside = cross(along, to);
+            if (std::fabs(beside) >= reach) continue;
+            const double half = std::sqrt(reach * reach - beside * beside), middle = dot(along, to);
+            if (middle - half > open || middle + half <= open) continue;
+            open = middle + half;
+            moved = true;
+        }
+    }
+    return open <= end;
+}
+
 }  // namespace
+
+void Crossers::findHeld(const WorldState& state) {
+    passages_ = state.passages.size();
+    held_.clear();
+    const bool any = std::any_of(state.groups.begin(), state.groups.end(), [](const Group& group) {
+        return group.def.conduct.stance == Stance::Hold;
+    });
+    if (!any) return;
+    for (const Group& group : state.groups) {
+        listHeld(state, group, spots_);
+        for (const Passage& passage : state.passages)
+            held_.push_back(hasRoom(passage, spots_, state.parameters.character.radius) ? 0 : 1);
+    }
+}
 
 void Crossers::gatherMember(const WorldState& state, const WayFields& fields, const Group& group,
                             std::int32_t pool, std::int32_t character) {
@@ -38,7 +76,7 @@ void Crossers::gatherMember(const WorldState& state, const WayFields& fields, co
     double least = kInfiniteCost;
     for (std::size_t p = 0; p < all; ++p) {
         const Walk here = fields.walk(p, from), there = fields.walk(p, to);
-        const bool candidate = onOppositeSides(here, there);
+        const bool candidate = onOppositeSides(here, there) && !isHeld(pool, p);
         if (candidate) least = std::min(least, here.cost + there.cost);
         arrival_.push_back(candidate ? here.cost / speed : kInfiniteCost);
         onward_.push_back(candidate ? there.cost / speed : kInfiniteCost);
@@ -72,6 +110,7 @@ void Crossers::gather(const WorldState& state, const WayFields& fields) {
     arrival_.clear();
     onward_.clear();
     side_.clear();
+    findHeld(state);
     for (std::size_t g = 0; g < state.groups.size(); ++g) {
         if (state.groups[g].groundClass != 0) continue;  // Passages are those of usual bodies.
         for (const std::int32_t i : state.groups[g].members)

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/orders/held_spot.h"
 #include "engine/state/world_state.h"
 #include "engine/systems/passages/way_fields.h"
 
@@ -20,6 +21,10 @@ class Crossers {
 public:
     /// Finds all of them, and keeps the passages with the shortest ways.
     void gather(const WorldState& state, const WayFields& fields);
+    /// True where others hold a passage so that nobody of a group comes through; both by index, after gather().
+    bool isHeld(std::size_t group, std::size_t passage) const {
+        return !held_.empty() && held_[group * passages_ + passage] != 0;
+    }
 
     /// Closes for each character that has a passage those to which it would have to walk past another one,
     /// through those who wait there. `way` holds an index in used() for each, -1 for none.
@@ -37,6 +42,7 @@ public:
     std::int32_t wayOf(std::size_t crosser, std::size_t used) const;
 
 private:
+    void findHeld(const WorldState& state);
     void gatherMember(const WorldState& state, const WayFields& fields, const Group& group, std::int32_t pool,
                       std::int32_t character);
     bool seesGoal(const WorldState& state, const WayFields& fields, std::int32_t character, Vec2 goal,
@@ -51,6 +57,9 @@ private:
     // Per used passage, side (right, left) and used passage: time of the walk from there [s].
     std::vector<double> between_;
     std::vector<double> arrivalBefore_;  // Of one character.
+    std::size_t passages_ = 0;           // All that are known.
+    std::vector<std::uint8_t> held_;     // Per group and passage; empty where nobody holds.
+    std::vector<HeldSpot> spots_;        // Of those who hold, as one group sees them.
 };
 
 }  // namespace muster

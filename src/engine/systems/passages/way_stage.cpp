@@ -142,7 +142,7 @@ void WayStage::dropPassed(WorldState& state, ThreadPool& pool) {
     });
 }
 
-// Drops the ways of those who see their goals, or are beyond and have to go through no passage; true where
+// Drops the ways of those whose passage is held, who see their goals, or are beyond and have to go through no passage; true where
 // anybody is left with one. Whose place is on its own side for now keeps its way: when places are exchanged
 // it may need it again.
 bool WayStage::keepCrossers(WorldState& state) {
@@ -153,6 +153,10 @@ bool WayStage::keepCrossers(WorldState& state) {
     bool anyWay = false;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         const Vec2 at = state.characters.position[i];
+        const std::int32_t way = chosen[i].way;
+        if (way >= 0 && crossers_.isHeld(state.characters.group[i], passageOf(way)) &&
+            !fields_.isInside(way, at))
+            chosen[i].way = -1;
         if (marked_[i] == 0 && !fields_.isInside(chosen[i].way, at) && !fields_.isBefore(chosen[i].way, at))
             chosen[i].way = -1;
         anyWay = anyWay || chosen[i].way >= 0;

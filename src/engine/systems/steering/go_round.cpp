@@ -5,6 +5,7 @@
 #include <limits>
 #include <tuple>
 
+#include "base/infinite_cost.h"
 #include "engine/orders/held_spot.h"
 
 namespace muster {
@@ -27,6 +28,12 @@ bool meets(const Box& box, Vec2 from, Vec2 way, double far) {
     clip(from.x, way.x, box.min.x, box.max.x);
     clip(from.y, way.y, box.min.y, box.max.y);
     return enter <= leave;
+}
+
+// True for who has a route of its own, which leads round those who hold.
+bool goesRoute(const WorldState& state, std::size_t i) {
+    const OwnRoute* const route = ownRouteOf(state.ownRoutes, state.characters.id[i]);
+    return route != nullptr && route->place == state.characters.place[i] && !route->path.empty();
 }
 
 }  // namespace
@@ -84,10 +91,11 @@ void GoRound::findClusters(const WorldState& state, const CrowdBodies& bodies) {
     }
 }
 
-// Whether the shorter way to the target leads round the left end of the cluster. The ends are its outermost
-// members as seen along the way.
-bool GoRound::isLeftShorter(const Characters& c, const CrowdBodies& bodies, const Cluster& cluster,
-                            Vec2 target, std::int32_t character) const {
+// The side of the cluster by which the way to the target is shorter, of those that no wall closes; none where
+// both are closed. Its ends are the outermost members as seen along the way.
+GoRound::Side GoRound::sideOf(const WorldState& state, const CrowdBodies& bodies, const Cluster& cluster,
+                              Vec2 target, std::int32_t character) const {
+    const Characters& c = state.characters;
     const Vec2 here = c.position[character], way = c.direction[character];
     Vec2 left, right;  // The outermost members, moved sideways by the distance to keep.
     double mostLeft = -std::numeric_limits<double>::infinity(), mostRight = -mostLeft;
@@ -104,13 +112,22 @@ bool GoRound::isLeftShorter(const Characters& c, const CrowdBodies& bodies, cons
             right = c.position[i] - perpendicular(way) * keep;
         }
     }
-    const auto round = [&](Vec2 end) { return distance(here, end) + distance(end, target); };
-    return round(left) < round(right);
+    // Past the end the way goes on for a body's length or two.
+    const Vec2 past = way * (cluster.largest + bodies.radius(character) + kHeldMargin);
+    const auto round = [&](Vec2 end) {
+        return state.environment.clearStaticLine(end - past, end + past, bodies.radius(character))
+                   ? distance(here, end) + distance(end, target)
+                   : kInfiniteCost;
+    };
+    const double byLeft = round(left), byRight = round(right);
+    if (byLeft == kInfiniteCost && byRight == kInfiniteCost) return Side::None;
+    return byLeft < byRight ? Side::Left : Side::Right;
 }
 
 // Turns a way that leads into the cluster to the outermost tangent of its members on the shorter side.
-void GoRound::turn(Characters& c, const CrowdBodies& bodies, const Cluster& cluster, Vec2 target,
-                   std::int32_t character) const {
+void GoRound::turn(WorldState& state, const CrowdBodies& bodies, const Cluster& cluster, Vec2 target,
+                   std::int32_t character) {
+    Characters& c = state.characters;
     const Vec2 here = c.position[character], way = c.direction[character];
     const double far = std::min(kLookAhead, distance(here, target));
     const auto members = std::span(members_).subspan(cluster.first, cluster.end - cluster.first);
@@ -121,7 +138,10 @@ void GoRound::turn(Characters& c, const CrowdBodies& bodies, const Cluster& clus
         return along > 0.0 && along < far && std::fabs(cross(way, to)) < keep;
     });
     if (!barred) return;
-    const double side = isLeftShorter(c, bodies, cluster, target, character) ? 1.0 : -1.0;
+    const Side shorter = sideOf(state, bodies, cluster, target, character);
+    if (shorter == Side::None) barred_[character] = 1;
+    if (shorter == Side::None) return;
+    const double side = shorter == Side::Left ? 1.0 : -1.0;
     // Grows with the angle from the way to the side.
     const auto turned = [&](Vec2 unit) {
         return std::copysign(1.0 - dot(way, unit), side * cross(way, unit));
@@ -141,11 +161,13 @@ void GoRound::turn(Characters& c, const CrowdBodies& bodies, const Cluster& clus
 
 void GoRound::run(WorldState& state, const CrowdBodies& bodies, std::span<const Vec2> targets) {
     findHolders(state);
+    barred_.clear();
     if (holders_.empty()) return;
     findClusters(state, bodies);
     Characters& c = state.characters;
+    barred_.assign(c.size(), 0);
     for (std::size_t i = 0; i < c.size(); ++i) {
-        if (c.direction[i] == Vec2{} || bodies.isFixed(i)) continue;
+        if (c.direction[i] == Vec2{} || bodies.isFixed(i) || goesRoute(state, i)) continue;
         const double far = std::min(kLookAhead, distance(c.position[i], targets[i]));
         for (const Cluster& cluster : clusters_) {
             const double keep = cluster.largest + bodies.radius(i) + kHeldMargin;
@@ -155,7 +177,7 @@ void GoRound::run(WorldState& state, const CrowdBodies& bodies, std::span<const 
             if (!meets(cluster.box.grown(keep), c.position[i], c.direction[i], far) ||
                 !bodies.isFirmer(members_[cluster.first], i))
                 continue;
-            turn(c, bodies, cluster, targets[i], static_cast<std::int32_t>(i));
+            turn(state, bodies, cluster, targets[i], static_cast<std::int32_t>(i));
         }
     }
 }

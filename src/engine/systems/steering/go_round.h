@@ -17,8 +17,12 @@ class GoRound {
 public:
     /// Changes directions. `targets` is where each heads for in the end [m].
     void run(WorldState& state, const CrowdBodies& bodies, std::span<const Vec2> targets);
+    /// After run(), by character: 1 where a cluster closes its way between walls. Empty where nobody holds.
+    std::span<const std::uint8_t> barred() const { return barred_; }
 
 private:
+    enum class Side : std::uint8_t { Left, Right, None };
+
     // Holders that leave no gap for others.
     struct Cluster {
         std::size_t first, end;  // Of its members in members_.
@@ -29,10 +33,10 @@ private:
     void findHolders(const WorldState& state);
     void findClusters(const WorldState& state, const CrowdBodies& bodies);
     std::int32_t rootOf(std::int32_t k);
-    bool isLeftShorter(const Characters& c, const CrowdBodies& bodies, const Cluster& cluster, Vec2 target,
-                       std::int32_t character) const;
-    void turn(Characters& c, const CrowdBodies& bodies, const Cluster& cluster, Vec2 target,
-              std::int32_t character) const;
+    Side sideOf(const WorldState& state, const CrowdBodies& bodies, const Cluster& cluster, Vec2 target,
+                std::int32_t character) const;
+    void turn(WorldState& state, const CrowdBodies& bodies, const Cluster& cluster, Vec2 target,
+              std::int32_t character);
 
     std::vector<std::int32_t> holders_;  // Characters.
     std::vector<Vec2> positions_;        // Of these [m].
@@ -41,6 +45,7 @@ private:
     std::vector<std::int32_t> members_;  // Characters, cluster by cluster.
     std::vector<std::int32_t> order_;    // Of holders, by root.
     std::vector<Cluster> clusters_;
+    std::vector<std::uint8_t> barred_;  // By character.
 };
 
 }  // namespace muster

@@ -75,11 +75,14 @@ bool hasTurn(const WorldState& state, std::int32_t i) {
 
 }  // namespace
 
+bool OwnRoutes::mayHave(const WorldState& state, std::int32_t i) {
+    const Characters& c = state.characters;
+    return !c.walk[i].within && c.place[i] >= 0 && c.chosen[i].way < 0;
+}
+
 // True for who has been on its way for long without getting farther than about a step or two.
 bool OwnRoutes::camps(const WorldState& state, std::int32_t i) {
-    const Characters& c = state.characters;
-    const WalkProgress& walk = c.walk[i];
-    if (walk.within || c.place[i] < 0 || c.chosen[i].way >= 0) return false;
+    const WalkProgress& walk = state.characters.walk[i];
     return (state.stepCount - walk.campedAt) * state.parameters.stepTime >= kCampsFor;
 }
 
@@ -106,7 +109,8 @@ void OwnRoutes::dropEnded(WorldState& state) {
     routes.resize(kept);
 }
 
-// A cross on each of the nearest who hold their ground, as wide as both bodies.
+// A cross on each of the nearest who hold their ground, as wide as both bodies; who is nearer goes out between
+// them.
 void OwnRoutes::closeHeld(const WorldState& state, std::int32_t i) {
     const Vec2 from = state.characters.position[i];
     const Group& group = state.groups[state.characters.group[i]];
@@ -121,7 +125,8 @@ void OwnRoutes::closeHeld(const WorldState& state, std::int32_t i) {
         });
     closed_.clear();
     for (std::size_t k = 0; k < count; ++k) {
-        const double reach = held_[k].radius + routesFor(state, i).radius();
+        const double reach = std::min(held_[k].radius + routesFor(state, i).radius(),
+                                      distance(held_[k].position, from));
         for (const Vec2 arm : {Vec2{reach, 0.0}, Vec2{0.0, reach}})
             closed_.push_back({held_[k].position - arm, held_[k].position + arm});
     }
@@ -150,11 +155,12 @@ bool OwnRoutes::search(WorldState& state, std::int32_t i, OwnRoute& route) {
     return true;
 }
 
-// Those who camp get a route, as far as the budget goes.
-void OwnRoutes::begin(WorldState& state) {
+// Those who camp or are barred get a route, as far as the budget goes.
+void OwnRoutes::begin(WorldState& state, std::span<const std::uint8_t> barred) {
     const auto count = static_cast<std::int32_t>(state.characters.size());
     for (std::int32_t i = 0; i < count && budget_ > 0; ++i) {
-        if (!hasTurn(state, i) || !camps(state, i)) continue;
+        if (!hasTurn(state, i) || !mayHave(state, i)) continue;
+        if (!camps(state, i) && (barred.empty() || barred[i] == 0)) continue;
         std::vector<OwnRoute>& routes = state.ownRoutes;
         const std::uint32_t id = state.characters.id[i];
         const auto at = std::lower_bound(
@@ -185,9 +191,12 @@ void OwnRoutes::follow(WorldState& state, std::int32_t i, OwnRoute& route) {
     const bool lost = route.path.empty() || !ground.lineClear(here, route.path.front());
     if ((moved || lost) && hasTurn(state, i) && budget_ > 0) search(state, i, route);
     if (route.place != c.place[i] || route.path.empty()) return;
+    listHeld(state, state.groups[c.group[i]], held_);
+    const double radius = routesFor(state, i).radius();
+    const auto sees = [&](Vec2 p) { return ground.lineClear(here, p) && clearOf(held_, here, p, radius); };
     std::size_t passed = 0;
     while (passed + 1 < route.path.size() &&
-           (distance(here, route.path[passed]) < kAtCorner || ground.lineClear(here, route.path[passed + 1])))
+           (distance(here, route.path[passed]) < kAtCorner || sees(route.path[passed + 1])))
         ++passed;
     route.path.erase(route.path.begin(), route.path.begin() + static_cast<std::ptrdiff_t>(passed));
     if (route.path.size() == 1) route.path.front() = placeOf(state, i);
@@ -218,10 +227,10 @@ double exactCost(const WorldState& state, std::int32_t i) {
     return nearCost(state, i);
 }
 
-void OwnRoutes::run(WorldState& state) {
+void OwnRoutes::run(WorldState& state, std::span<const std::uint8_t> barred) {
     budget_ = kRouteWork;
     dropEnded(state);
-    begin(state);
+    begin(state, barred);
     goStraight(state);
     for (std::size_t k = 0; k < state.ownRoutes.size(); ++k) follow(state, index_[k], state.ownRoutes[k]);
 }

@@ -15,17 +15,19 @@ namespace muster {
 /// be clear. Negative where that is not known.
 double exactCost(const WorldState& state, std::int32_t i);
 
-/// Who has been about the same spot for a while although its place is elsewhere follows a route by the exact
-/// ground, and keeps it until it has arrived: so no two sources of directions alternate.
+/// Who has been about the same spot for a while although its place is elsewhere, or is barred by others who hold
+/// their ground, follows a route by the exact ground, and keeps it until it has arrived: so no two sources of directions alternate.
 class OwnRoutes {
 public:
-    /// Writes the directions and costs of those with a route, after the plans and passages.
-    void run(WorldState& state);
+    /// Writes the directions and costs of those with a route, after the plans and passages. `barred` marks
+    /// characters whose way others who hold their ground close; empty where there are none.
+    void run(WorldState& state, std::span<const std::uint8_t> barred);
 
 private:
+    static bool mayHave(const WorldState& state, std::int32_t i);
     static bool camps(const WorldState& state, std::int32_t i);
     void dropEnded(WorldState& state);
-    void begin(WorldState& state);
+    void begin(WorldState& state, std::span<const std::uint8_t> barred);
     bool search(WorldState& state, std::int32_t i, OwnRoute& route);
     void follow(WorldState& state, std::int32_t i, OwnRoute& route);
     static void goStraight(WorldState& state);

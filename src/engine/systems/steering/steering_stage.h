@@ -43,7 +43,7 @@ public:
     /// Directs those to their passage who have to go through one.
     void guideToPassages(WorldState& state, const WayStage& ways);
     /// Directs those by a route of their own who have not got on for a while.
-    void followOwnRoutes(WorldState& state) { ownRoutes_.run(state); }
+    void followOwnRoutes(WorldState& state) { ownRoutes_.run(state, goRound_.barred()); }
     /// Writes at which share of their speed members of groups walk that keep together.
     void setPaces(const WorldState& state);
     /// Turns directions round those who hold their ground.

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kChunk = 128;  // Characters in one piece of parallel work.
 // Other places cost this share more for each change of place since places have come to rest.
-constexpr float kReluctance = 0.01f;
+constexpr float kReluctance = 0.004f;
 constexpr double kPlaceRests = 1e-4;   // A place that moves less in a step rests [m].
 constexpr float kDistantCost = 25.0f;  // Beyond, a direction serves for two steps [m].
 constexpr std::int32_t

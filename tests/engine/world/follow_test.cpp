@@ -1,0 +1,85 @@
+// Groups that follow another one among walls: their places lie on the way, not behind walls.
+#include <doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/world/scenes.h"
+
+using namespace muster;
+using namespace muster::testing;
+
+namespace {
+
+/// Four groups of six in a row, before a street of 2.6 m with three corners.
+WorldDef streetOfCorners() {
+    WorldDef def;
+    def.box = {{-30, -20}, {40, 20}};
+    def.obstacles = {block(0, 1.3, 8.7, 20), block(0, -20, 18.7, -1.3), block(11.3, -1.3, 18.7, 6.7),
+                     block(8.7, 9.3, 21.3, 20), block(21.3, -6, 21.6, 20)};
+    GroupDef group;
+    group.count = 6;
+    for (int k = 0; k < 4; ++k) {
+        group.position = {-6.0 - 4.0 * k, 0};
+        def.groups.push_back(group);
+    }
+    return def;
+}
+
+}  // namespace
+
+TEST_CASE("three groups follow a fourth round the corners of a street, each behind the one before") {
+    WorldDef def = streetOfCorners();
+    World world = World::create(def).value();
+    std::uint32_t n = 0;
+    REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::move({30, -12})}).ok());
+    for (std::size_t g = 1; g < 4; ++g)
+        REQUIRE(give(world, n,
+                     GiveOrder{world.group(g).id, QueueMode::Replace, 0,
+                               Order::follow(world.group(g - 1).id, {-4, 0})})
+                    .ok());
+    double arrived = 0.0;
+    while (world.time() < 60.0) {
+        world.step();
+        if (arrived == 0.0 && world.group(0).orders.empty()) arrived = world.time();
+        if (arrived > 0.0 && world.time() > arrived + 8.0) break;
+    }
+    // 64 m at 1.94 m/s, as far as the street lets six go side by side.
+    CHECK(arrived > 0.0);
+    CHECK(arrived < 45.0);
+    for (std::size_t g = 1; g < 4; ++g)
+        for (const std::int32_t i : world.group(g).members) {
+            CAPTURE(g);
+            CHECK(world.characters().position[i].x > 19.0);
+            CHECK(length(world.characters().velocity[i]) < 0.3);
+        }
+}
+
+TEST_CASE("who follows a single one beside a wall has no place behind the wall") {
+    WorldDef def;
+    def.box = {{-20, -10}, {20, 10}};
+    def.obstacles = {block(-15, 1.0, 15, 1.3)};
+    GroupDef group;
+    group.count = 1;
+    group.position = {-12, 0};
+    def.groups.push_back(group);
+    group.count = 4;
+    group.position = {-16, -2};
+    def.groups.push_back(group);
+    World world = World::create(def).value();
+    std::uint32_t n = 0;
+    REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::move({10, 0})}).ok());
+    // To the left of who it follows, which is the other side of the wall.
+    REQUIRE(give(world, n,
+                 GiveOrder{world.group(1).id, QueueMode::Replace, 0, Order::follow(world.group(0).id, {0, 4})})
+                .ok());
+    while (world.time() < 25.0) {
+        world.step();
+        if (world.time() < 5.0) continue;
+        for (const std::int32_t i : world.group(1).members) REQUIRE(world.characters().position[i].y < 1.0);
+    }
+    for (const std::int32_t i : world.group(1).members) {
+        CHECK(distance(world.characters().position[i], Vec2{10, 0}) < 4.0);
+        CHECK(length(world.characters().velocity[i]) < 0.1);
+    }
+}
