@@ -118,7 +118,16 @@ PlaceDef FlowMarches::layOut(WorldState& state, Group& group, EndDef def, std::v
 // need: returns by how much it is larger.
 double FlowMarches::takeOffsets(const WorldState& state, const Group& group, std::vector<Vec2>& offsets) {
     group.mesh.restPlaces(offsets);
-    const double room = std::max(1.0, placeDefOf(state, group).apart() / spacingOf(group));
+    const double apart = placeDefOf(state, group).apart();
+    double least = apart;
+    if (spacingOf(group) < apart) {
+        // Listed points may be farther from each other than the spacing says.
+        cells_.sort(offsets, apart);
+        cells_.forPairs(apart, [&](std::int32_t i, std::int32_t j) {
+            least = std::min(least, distance(offsets[i], offsets[j]));
+        });
+    }
+    const double room = apart / std::max(least, std::min(apart, spacingOf(group)));
     const Vec2 middle = meanOf(offsets);
     if (room > 1.0)
         for (Vec2& offset : offsets) offset = middle + (offset - middle) * room;
@@ -167,7 +176,7 @@ bool FlowMarches::findEnds(WorldState& state, Group& group, const Pose& end) {
     flow.closest = places.apart();
     flow.version = group.formationVersion;
     flow.ground = state.groundEdits;
-    flow.spacing = room * spacingOf(group);
+    flow.spacing = std::max(room * spacingOf(group), flow.closest);
     flow.from = group.mesh.pose();
     flow.q = flow.speed = flow.rate = 0.0;
     flow.spent = 0;

@@ -39,7 +39,7 @@ public:
     bool advance(WorldState& state, const WayGround& ground, Group& group, const MarchDef& def);
 
 private:
-    static double takeOffsets(const WorldState& state, const Group& group, std::vector<Vec2>& offsets);
+    double takeOffsets(const WorldState& state, const Group& group, std::vector<Vec2>& offsets);
     PlaceDef layOut(WorldState& state, Group& group, EndDef def, std::vector<Vec2>& ends, Pose& to);
     EndDef endsAt(const WorldState& state, const Group& group, const Pose& end,
                   std::span<const Vec2> offsets);

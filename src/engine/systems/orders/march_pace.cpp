@@ -8,7 +8,7 @@ namespace muster {
 namespace {
 
 constexpr double kLagFree = 0.6;    // The mesh does not wait for lags below [m]...
-constexpr double kLagMost = 2.0;    // ... and stands for those above [m].
+constexpr double kLagMost = 5.0;    // ... and stands for those above [m].
 constexpr double kLagShare = 0.95;  // Of the group, whose lag counts.
 constexpr double kShifted = 1.5;    // Places so far off the formation are not waited for [m].
 constexpr double kWaits = 0.2;      // At a pace below it waits.

@@ -236,7 +236,10 @@ void OrderStage::restart(WorldState& state, Group& group) {
         Vec2 middle;
         for (const std::int32_t i : group.members) middle += state.characters.position[i];
         middle = middle / std::max(1.0, static_cast<double>(group.members.size()));
-        Vec2 front = normalized(queue.target - middle, march.front(pose));
+        // Over less than a spacing the way has no direction worth turning to.
+        Vec2 front = march.front(pose);
+        if (distance(queue.target, middle) > group.def.formation.spacing)
+            front = normalized(queue.target - middle);
         if (order.facing) front = {cosine(*order.facing), sine(*order.facing)};
         march.reversed = false;
         group.mesh.setPose(facingPose(queue.target, front));
