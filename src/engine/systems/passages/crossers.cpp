@@ -16,8 +16,9 @@ namespace {
 
 constexpr std::size_t kMaxChoices = 6;  // Passages among which is chosen at a time.
 constexpr double kPast = 0.75;  // A detour of this share of the walk between two passages leads past one.
-constexpr double kRoundabout = 2.0;   // Ways through passages this many times as long as the straight one...
+constexpr double kRoundabout = 1.25;  // Ways through passages this many times as long as the one of the plan...
 constexpr double kLeastRound = 2.0;   // ... and this much longer are none [m].
+constexpr double kSameGoal = 0.5;     // A goal this near to a place is that place [m].
 constexpr double kBeforeMouth = 0.4;  // Where people wait for a passage [m].
 
 /// Where people on its left or right side wait for a passage.
@@ -82,30 +83,35 @@ void Crossers::gatherMember(const WorldState& state, const WayFields& fields, co
         onward_.push_back(candidate ? there.cost / speed : kInfiniteCost);
         side_.push_back(static_cast<std::int8_t>(here.side));
     }
-    const bool seen = least < kInfiniteCost && seesGoal(state, fields, character, to.point, least);
-    if (least < kInfiniteCost && !seen) {
+    const bool past = least < kInfiniteCost &&
+                      needsNone(state, fields, group, character, to.point, least);
+    if (least < kInfiniteCost && !past) {
         characters_.push_back(character);
         pool_.push_back(pool);
         return;
     }
-    if (seen) inSight_.push_back(character);
+    if (past) past_.push_back(character);
     for (auto* table : {&arrival_, &onward_}) table->resize(table->size() - all);
     side_.resize(side_.size() - all);
 }
 
-bool Crossers::seesGoal(const WorldState& state, const WayFields& fields, std::int32_t character, Vec2 goal,
-                        double byPassage) const {
-    const Vec2 from = state.characters.position[character];
-    const StaticGround& ground = fields.ground();
-    if (byPassage < kRoundabout * ground.lineCost(from, goal) + kLeastRound) return false;
+// True where the way of a character leads past all passages: its goal is in sight, or the plan knows a way that is
+// much shorter than by any of them.
+bool Crossers::needsNone(const WorldState& state, const WayFields& fields, const Group& group,
+                         std::int32_t character, Vec2 goal, double byPassage) const {
+    const Characters& c = state.characters;
+    const Vec2 from = c.position[character];
     const bool through = std::any_of(state.passages.begin(), state.passages.end(),
                                      [&](const Passage& p) { return segmentsCross(from, goal, p.a, p.b); });
-    return !through && ground.collisionFree(from, goal);
+    if (!through && fields.ground().collisionFree(from, goal)) return true;
+    const bool planned = c.chosen[character].way < 0 &&
+                         distance(group.places.positions()[c.place[character]], goal) < kSameGoal;
+    return planned && kRoundabout * c.cost[character] + kLeastRound < byPassage;
 }
 
 void Crossers::gather(const WorldState& state, const WayFields& fields) {
     characters_.clear();
-    inSight_.clear();
+    past_.clear();
     pool_.clear();
     arrival_.clear();
     onward_.clear();

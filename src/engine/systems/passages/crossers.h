@@ -31,9 +31,9 @@ public:
     void shutPast(const WorldState& state, const WayFields& fields, std::span<const std::int32_t> way);
 
     const std::vector<std::int32_t>& characters() const { return characters_; }  ///< Who they are.
-    /// Those whose goals are in sight, much nearer than through any passage: the two sides of a passage that
-    /// stands alone meet where the ways round it are equally long, and nothing parts them there.
-    const std::vector<std::int32_t>& inSight() const { return inSight_; }
+    /// Those whose way leads past all passages: the two sides of a passage that stands alone meet where the ways
+    /// round it are equally long, and nothing parts them there.
+    const std::vector<std::int32_t>& past() const { return past_; }
     const std::vector<std::int32_t>& pool() const { return pool_; }  ///< The group of each crosser.
     const std::vector<std::int32_t>& used() const { return used_; }  ///< Passages of the tables, ascending.
     const std::vector<double>& arrival() const { return arrival_; }  ///< Times to the passages [s].
@@ -45,12 +45,12 @@ private:
     void findHeld(const WorldState& state);
     void gatherMember(const WorldState& state, const WayFields& fields, const Group& group, std::int32_t pool,
                       std::int32_t character);
-    bool seesGoal(const WorldState& state, const WayFields& fields, std::int32_t character, Vec2 goal,
-                  double byPassage) const;
+    bool needsNone(const WorldState& state, const WayFields& fields, const Group& group, std::int32_t character,
+                   Vec2 goal, double byPassage) const;
     void keepNearest(std::size_t all);
     void measureBetween(const WorldState& state, const WayFields& fields);
 
-    std::vector<std::int32_t> characters_, inSight_, pool_, used_;
+    std::vector<std::int32_t> characters_, past_, pool_, used_;
     std::vector<double> arrival_, onward_;
     std::vector<std::int8_t> side_;  // From which they come.
     std::vector<double> least_;      // Per passage: time of the shortest way [s].

@@ -142,14 +142,14 @@ void WayStage::dropPassed(WorldState& state, ThreadPool& pool) {
     });
 }
 
-// Drops the ways of those whose passage is held, who see their goals, or are beyond and have to go through no passage; true where
+// Drops the ways of those whose passage is held, whose way leads past it, or are beyond and have to go through no passage; true where
 // anybody is left with one. Whose place is on its own side for now keeps its way: when places are exchanged
 // it may need it again.
 bool WayStage::keepCrossers(WorldState& state) {
     std::vector<ChosenWay>& chosen = state.characters.chosen;
     marked_.assign(chosen.size(), 0);
     for (const std::int32_t i : crossers_.characters()) marked_[i] = 1;
-    for (const std::int32_t i : crossers_.inSight()) chosen[i].way = -1;
+    for (const std::int32_t i : crossers_.past()) chosen[i].way = -1;
     bool anyWay = false;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         const Vec2 at = state.characters.position[i];
