@@ -65,7 +65,8 @@ private:
         }
     }
 
-    // Finds the points of a range that are near a point. Which are is as good as random, so there is no branch.
+    // Finds the points of a range that are near a point. Which are is as good as random, so there is no
+    // branch.
     template <class Visit>
     void find(std::int32_t u, std::int32_t from, std::int32_t to, double reach2, Found& found,
               const Visit& visit) const {

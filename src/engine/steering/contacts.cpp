@@ -18,8 +18,8 @@ constexpr double kWedgeReach = 0.02;       // Walls on either side within this o
 constexpr double kWedgeCosine = -0.5;      // The directions of these walls differ by more than that.
 constexpr double kRounding = 1e-6;         // More than sums of positions are rounded by [m].
 constexpr std::size_t kClosePerCharacter = 4;  // Room that is kept for pairs that may touch.
-constexpr int kReachRounds = 4;            // Of projections between obstacle and reach.
-constexpr std::size_t kMarkedPerTask = 1024;  // Characters per task.
+constexpr int kReachRounds = 4;                // Of projections between obstacle and reach.
+constexpr std::size_t kMarkedPerTask = 1024;   // Characters per task.
 
 }  // namespace
 

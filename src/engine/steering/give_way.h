@@ -49,7 +49,7 @@ private:
     std::vector<Lane> lanes_;
     std::vector<Vec2> leaving_;  // Of each character, the velocity at which it leaves a lane; null for none.
     std::vector<std::uint8_t> leaves_;  // 1 for those who leave one.
-    std::vector<double> slack_;  // Of those, the time that is left over [s].
+    std::vector<double> slack_;         // Of those, the time that is left over [s].
 };
 
 }  // namespace muster

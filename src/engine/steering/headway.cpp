@@ -76,8 +76,8 @@ double Headway::shareOf(const CrowdBodies& bodies, NeighbourPair pair, const Hea
     return lowFirst ? own : 1.0 - own;
 }
 
-// In step, no limit of two is near unless they close their gap while any law looks ahead. Who does is as good as
-// random, so they are noted without a branch.
+// In step, no limit of two is near unless they close their gap while any law looks ahead. Who does is as good
+// as random, so they are noted without a branch.
 std::span<const Headway::Meeting> Headway::findMeetings(const CrowdBodies& bodies, const Characters& now,
                                                         const NeighbourList& neighbours,
                                                         std::span<const Vec2> velocity) {
@@ -91,8 +91,9 @@ std::span<const Headway::Meeting> Headway::findMeetings(const CrowdBodies& bodie
         const Vec2 between = position[pair.high] - position[pair.low];
         const double touching = bodies.touching(pair.low, pair.high), apart = length(between);
         const double near = apart - touching - kSlack * ahead;
-        const bool apartForLong = static_cast<int>(near > 0.0) & static_cast<int>(
-            near * near > ahead2 * lengthSquared(velocity[pair.low] - velocity[pair.high]));
+        const bool apartForLong = static_cast<int>(near > 0.0) &
+                                  static_cast<int>(near * near > ahead2 * lengthSquared(velocity[pair.low] -
+                                                                                        velocity[pair.high]));
         *next = {pair, between, apart, touching};
         next += all || !apartForLong ? 1 : 0;
     }

@@ -73,7 +73,7 @@ private:
     double relax(std::span<Vec2> velocity);
 
     double headway_ = 0.2, inStep_ = 1.0;  // [s], share.
-    std::vector<Meeting> meetings_;  // Room that only grows.
+    std::vector<Meeting> meetings_;        // Room that only grows.
     std::vector<Limit> limits_;
     std::vector<std::uint8_t> nearObstacle_;
 };

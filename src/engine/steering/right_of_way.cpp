@@ -107,7 +107,8 @@ void RightOfWay::sort(const CrowdBodies& bodies, const Characters& now, std::spa
     for (const std::int32_t i : byAge_) order_[first[class_[i]]++] = i;
 }
 
-// The larger first, then the elder, then the lower index. The last order is near to this one, which is unique.
+// The larger first, then the elder, then the lower index. The last order is near to this one, which is
+// unique.
 void RightOfWay::sortByAge(const CrowdBodies& bodies, std::span<const Claim> claims) {
     const auto before = [&](std::int32_t a, std::int32_t b) {
         if (bodies.radius(a) != bodies.radius(b)) return bodies.radius(a) > bodies.radius(b);

@@ -68,7 +68,7 @@ private:
     std::vector<std::int32_t> byAge_, order_, files_, rank_, stack_;
     std::vector<std::uint8_t> class_, done_;
     std::vector<std::uint8_t> open_;  // The class of who is in no file yet.
-    std::vector<Vec2> own_;  // Directions along the own way, as shares of top speed.
+    std::vector<Vec2> own_;           // Directions along the own way, as shares of top speed.
     std::vector<Lender> lender_;
 };
 

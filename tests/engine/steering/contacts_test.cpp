@@ -162,9 +162,8 @@ TEST_CASE("pairs that cannot come to touch make no difference, bit for bit") {
         NeighbourList wide, close;
         wide.build(before, 2.0);
         close.build(before, 2.0);
-        close.dropPairs([&](NeighbourPair pair) {
-            return distance(before[pair.low], before[pair.high]) > 1.2;
-        });
+        close.dropPairs(
+            [&](NeighbourPair pair) { return distance(before[pair.low], before[pair.high]) > 1.2; });
         for (Vec2& p : positions) p += clampLength({random.uniform(-1, 1), random.uniform(-1, 1)}, step);
         std::vector<Vec2> same = positions;
         const ContactReport report = contacts.resolve({8}, {}, environment, positions, &wide, nullptr,

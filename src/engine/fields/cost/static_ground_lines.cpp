@@ -20,7 +20,7 @@ static_assert(kInterpolated + kLeastStep < GapIndex::kReach);
 
 // What the squares of four neighbouring cells are like, prepared for many readings.
 struct StaticGround::Squares {
-    Vec2 most;               // As bilinearPoint() takes them.
+    Vec2 most;  // As bilinearPoint() takes them.
     Cell last;
     std::int32_t right, up;  // Steps to the next column and row; 0 where there is none.
 
@@ -64,14 +64,12 @@ bool StaticGround::lineOfSight(Vec2 a, Vec2 b, double length) const {
     if (uniform())
         return traceSpheres(a, b, length,
                             [&](Cell c, std::int32_t cell) { return extendedClearance(c, cell); });
-    return traceSpheres(a, b, length,
-                        [&](Cell c, std::int32_t cell) { return uniformClearanceOf(c, cell); });
+    return traceSpheres(a, b, length, [&](Cell c, std::int32_t cell) { return uniformClearanceOf(c, cell); });
 }
 
 bool StaticGround::collisionFree(Vec2 a, Vec2 b) const {
-    return open_ || traceSpheres(a, b, distance(a, b), [&](Cell c, std::int32_t cell) {
-               return extendedClearance(c, cell);
-           });
+    return open_ || traceSpheres(a, b, distance(a, b),
+                                 [&](Cell c, std::int32_t cell) { return extendedClearance(c, cell); });
 }
 
 // Sphere tracing (Hart 1996): steps along the line as far as the clearance at each point reaches.
