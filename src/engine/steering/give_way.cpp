@@ -144,6 +144,7 @@ void GiveWay::run(const CrowdBodies& bodies, const Characters& now, const Enviro
             lanes_.push_back(laneOf(piece, def.radius));
     leaving_.assign(now.size(), {});
     slack_.assign(now.size(), 0.0);
+    leaves_.reserve(now.size());
     bool any = false;
     for (std::size_t i = 0; i < now.size(); ++i) {
         const double radius = bodies.radius(i), wider = radius - def.radius;

@@ -31,10 +31,19 @@ enum : std::uint8_t { kLeaves, kWalks, kFollows, kMoved, kRests, kLast, kClasses
 
 }  // namespace
 
+// So that nothing is allocated where somebody is blocked for the first time.
+void RightOfWay::reserve(std::size_t count) {
+    for (auto* array : {&byAge_, &order_, &files_, &rank_, &stack_}) array->reserve(count);
+    for (auto* array : {&class_, &done_, &open_}) array->reserve(count);
+    own_.reserve(count);
+    lender_.reserve(count);
+}
+
 bool RightOfWay::count(const ClaimInput& input, const Characters& characters, std::span<Claim> claims) {
     const auto time = static_cast<float>(input.dt);
     const auto share = static_cast<float>(std::min(1.0, input.dt / kSmoothing));
     MUSTER_ASSERT(claims.size() == characters.size());
+    reserve(characters.size());
     bool any = false;
     for (std::size_t i = 0; i < characters.size(); ++i) {
         Claim& claim = claims[i];
@@ -126,7 +135,6 @@ void RightOfWay::sortByAge(const CrowdBodies& bodies, std::span<const Claim> cla
 // Who follows close behind somebody, the same way, comes right after him: a file passes as one.
 void RightOfWay::joinFiles(const Characters& now, const NearRows& rows, std::span<const Vec2> own) {
     open_.assign(class_.begin(), class_.end());
-    files_.reserve(now.size());
     files_.clear();
     for (const std::int32_t head : order_) {
         if (open_[head] == kClasses) continue;
@@ -188,7 +196,6 @@ void RightOfWay::lend(std::int32_t asker, const Near& near, Vec2 along, const Cr
 void RightOfWay::askFrom(std::int32_t first, const CrowdBodies& bodies, const Environment& environment,
                          const NearRows& rows, std::span<const double> topSpeed, const Characters& characters,
                          std::span<Claim> claims, std::span<Vec2> wanted) {
-    stack_.reserve(characters.size());
     stack_.assign(1, first);
     while (!stack_.empty()) {
         const std::int32_t a = stack_.back();

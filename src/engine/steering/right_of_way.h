@@ -54,6 +54,7 @@ private:
         double need = 0.0;     // Others nearer than this are asked in turn [m].
     };
 
+    void reserve(std::size_t count);
     void sort(const CrowdBodies& bodies, const Characters& now, std::span<const Vec2> leaving,
               std::span<const Claim> claims);
     void sortByAge(const CrowdBodies& bodies, std::span<const Claim> claims);
