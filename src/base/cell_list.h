@@ -1,6 +1,7 @@
 // Cell list (Hockney and Eastwood 1981): points sorted by grid cell.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -24,7 +25,9 @@ public:
     /// fixed order. `reach` is at most the `minEdge` of sort().
     template <class Visit>
     void forPairs(double reach, const Visit& visit) const {
-        for (std::int32_t y = 0; y < grid_.height; ++y) forPairsOfRow(y, reach * reach, visit);
+        Found found;
+        for (std::int32_t y = 0; y < grid_.height; ++y) forPairsOfRow(y, reach * reach, found, visit);
+        visitFound(found, visit);
     }
     /// Indices of the points in the cells from `first` to `last`, both included, in row-major order.
     std::span<const std::int32_t> within(std::int32_t first, std::int32_t last) const {
@@ -34,19 +37,21 @@ public:
 private:
     std::int32_t begin(std::int32_t cell) const { return start_[cell]; }
 
-    // Visits the pairs of each point of a row with the points after it in the order of cells: the rest of its
+    // Pairs of positions in item_ that were found and not visited yet.
+    struct Found {
+        static constexpr std::int32_t kRoom = 256, kAtOnce = 64;
+        struct Pair {
+            std::int32_t u, v;
+        };
+        Pair pair[kRoom];
+        std::int32_t count = 0;
+    };
+
+    // Finds the pairs of each point of a row with the points after it in the order of cells: the rest of its
     // cell and the cell to the right, which are contiguous in memory, and three cells of the row above, which
     // are so too.
     template <class Visit>
-    void forPairsOfRow(std::int32_t y, double reach2, const Visit& visit) const {
-        const auto test = [&](std::int32_t u, std::int32_t from, std::int32_t to) {
-            const Vec2 p = sorted_[u];
-            for (std::int32_t v = from; v < to; ++v) {
-                if (!(lengthSquared(sorted_[v] - p) < reach2)) continue;
-                const std::int32_t i = item_[u], j = item_[v];
-                visit(i < j ? i : j, i < j ? j : i);
-            }
-        };
+    void forPairsOfRow(std::int32_t y, double reach2, Found& found, const Visit& visit) const {
         const std::int32_t first = grid_.index({0, y}), last = first + grid_.width - 1;
         const bool top = y + 1 == grid_.height;
         // Iterates over points instead of cells, most of which may be empty.
@@ -54,9 +59,37 @@ private:
             const std::int32_t cell = cellOf_[item_[u]];
             const std::int32_t left = cell > first ? cell - 1 : cell;
             const std::int32_t right = cell < last ? cell + 1 : cell;
-            test(u, u + 1, begin(right + 1));
-            if (!top) test(u, begin(left + grid_.width), begin(right + grid_.width + 1));
+            find(u, u + 1, begin(right + 1), reach2, found, visit);
+            if (!top)
+                find(u, begin(left + grid_.width), begin(right + grid_.width + 1), reach2, found, visit);
         }
+    }
+
+    // Finds the points of a range that are near a point. Which are is as good as random, so there is no
+    // branch.
+    template <class Visit>
+    void find(std::int32_t u, std::int32_t from, std::int32_t to, double reach2, Found& found,
+              const Visit& visit) const {
+        const Vec2 p = sorted_[u];
+        while (from < to) {
+            const std::int32_t end = std::min(to, from + Found::kAtOnce);
+            std::int32_t count = found.count;
+            for (; from < end; ++from) {
+                found.pair[count] = {u, from};
+                count += lengthSquared(sorted_[from] - p) < reach2 ? 1 : 0;
+            }
+            found.count = count;
+            if (count > Found::kRoom - Found::kAtOnce) visitFound(found, visit);
+        }
+    }
+
+    template <class Visit>
+    void visitFound(Found& found, const Visit& visit) const {
+        for (std::int32_t k = 0; k < found.count; ++k) {
+            const std::int32_t i = item_[found.pair[k].u], j = item_[found.pair[k].v];
+            visit(std::min(i, j), std::max(i, j));
+        }
+        found.count = 0;
     }
 
     Grid grid_;

@@ -30,10 +30,16 @@ public:
     void build(std::span<const Vec2> points, double reach, double skin = 0.0);
     /// Does nothing where the list is valid for these points; else as build().
     void update(std::span<const Vec2> points, double reach, double skin);
-    /// Drops listed pairs for which `drops(pair)` is true; it must hold as long as the list is valid.
+    /// Drops listed pairs for which `drops(pair)` is true; it must hold as long as the list is valid. Which
+    /// are dropped is as good as random, so there is no branch.
     template <class Drops>
     void dropPairs(const Drops& drops) {
-        std::erase_if(pairs_, drops);
+        std::size_t kept = 0;
+        for (const NeighbourPair pair : pairs_) {
+            pairs_[kept] = pair;
+            kept += drops(pair) ? 0 : 1;
+        }
+        pairs_.resize(kept);
     }
     /// Makes the list invalid.
     void clear() {

@@ -16,8 +16,10 @@ constexpr double kReachTolerance = 1.005;  // Sliding along an obstacle may exce
 constexpr double kWedgeSlack = 0.9e-3;     // In a gap as wide as itself a body is thinner by this [m].
 constexpr double kWedgeReach = 0.02;       // Walls on either side within this of the body make a gap [m].
 constexpr double kWedgeCosine = -0.5;      // The directions of these walls differ by more than that.
-constexpr int kReachRounds = 4;            // Of projections between obstacle and reach.
-constexpr std::size_t kMarkedPerTask = 1024;  // Characters per task.
+constexpr double kRounding = 1e-6;         // More than sums of positions are rounded by [m].
+constexpr std::size_t kClosePerCharacter = 4;  // Room that is kept for pairs that may touch.
+constexpr int kReachRounds = 4;                // Of projections between obstacle and reach.
+constexpr std::size_t kMarkedPerTask = 1024;   // Characters per task.
 
 }  // namespace
 
@@ -33,7 +35,7 @@ Vec2 Contacts::withinReach(std::size_t character, Vec2 position) const {
 template <bool kAlike>
 double Contacts::separatePairs(std::span<Vec2> positions) {
     double worst = 0.0;
-    for (const NeighbourPair pair : pairs_->pairs()) {
+    for (const NeighbourPair pair : close_) {
         const double touching = kAlike ? diameter_ : bodies_->touching(pair.low, pair.high);
         Vec2& a = positions[pair.low];
         Vec2& b = positions[pair.high];
@@ -162,7 +164,7 @@ void Contacts::takeBack(const Environment& environment, std::span<Vec2> position
     for (bool changed = true; changed;) {
         changed = false;
         if (outdatedByCorrections(positions)) findPairs(positions);
-        for (const NeighbourPair pair : pairs_->pairs()) {
+        for (const NeighbourPair pair : close_) {
             const double least = (1.0 - kDeepest) * bodies_->touching(pair.low, pair.high);
             const double d2 = lengthSquared(positions[pair.low] - positions[pair.high]);
             if (d2 >= least * least || d2 >= lengthSquared(bounds_.from[pair.low] - bounds_.from[pair.high]))
@@ -177,7 +179,7 @@ void Contacts::takeBack(const Environment& environment, std::span<Vec2> position
 ContactReport Contacts::report(std::span<const Vec2> positions) {
     ContactReport result;
     if (outdatedByCorrections(positions)) findPairs(positions);
-    for (const NeighbourPair pair : pairs_->pairs()) {
+    for (const NeighbourPair pair : close_) {
         const double touching = bodies_->touching(pair.low, pair.high);
         const double d2 = lengthSquared(positions[pair.low] - positions[pair.high]);
         if (d2 >= touching * touching) continue;
@@ -192,6 +194,39 @@ void Contacts::findPairs(std::span<const Vec2> positions) {
     ownPairs_.build(positions, diameter_, kPairSkin);
     bodies_->shorten(positions, ownPairs_);
     pairs_ = &ownPairs_;
+    findClose(positions);
+}
+
+// Within their reach most pairs cannot come to touch.
+void Contacts::findClose(std::span<const Vec2> positions) {
+    const std::span<const NeighbourPair> pairs = pairs_->pairs();
+    if (bounds_.from.empty()) {
+        farthest_ = std::numeric_limits<double>::infinity();
+        close_.assign(pairs.begin(), pairs.end());
+        return;
+    }
+    farthest_ = 0.0;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const double reach = bounds_.reach[i] * kReachTolerance;
+        farthest_ = std::max({farthest_, reach, distance(positions[i], bounds_.from[i])});
+    }
+    farthest_ += kRounding;
+    close_.clear();
+    close_.reserve(kClosePerCharacter * positions.size());
+    for (const NeighbourPair pair : pairs) {
+        const double most = bodies_->touching(pair.low, pair.high) + 2.0 * farthest_;
+        if (lengthSquared(bounds_.from[pair.low] - bounds_.from[pair.high]) < most * most)
+            close_.push_back(pair);
+    }
+}
+
+// Who was pushed by an obstacle may have got farther than others reach.
+void Contacts::findCloseToPushed(std::span<const Vec2> positions) {
+    const bool pushed = std::any_of(
+        obstacleCandidates_.begin(), obstacleCandidates_.end(), [&](const ObstacleCandidate& candidate) {
+            return distance(positions[candidate.index], bounds_.from[candidate.index]) > farthest_;
+        });
+    if (pushed) findClose(positions);
 }
 
 // Candidates are so near an obstacle or the edge of the world that nobody else reaches one while the pairs
@@ -243,7 +278,10 @@ ContactReport Contacts::resolve(const Parameters::Contact& def, const Parameters
     diameter_ = 2.0 * bodies_->largestRadius();
     bounds_ = bounds;
     pairs_ = neighbours;
-    if (pairs_ == nullptr || !pairs_->holdsFor(positions, slack())) findPairs(positions);
+    if (pairs_ == nullptr || !pairs_->holdsFor(positions, slack()))
+        findPairs(positions);
+    else
+        findClose(positions);
     corrected_ = false;
     findObstacleCandidates(environment, positions, pool);
     const bool alike = bodies_->alike();
@@ -258,7 +296,10 @@ ContactReport Contacts::resolve(const Parameters::Contact& def, const Parameters
         findObstacleCandidates(environment, positions, pool);
     }
     leaveObstaclesFinally(environment, positions);
-    if (!bounds.from.empty()) takeBack(environment, positions);
+    if (!bounds.from.empty()) {
+        findCloseToPushed(positions);
+        takeBack(environment, positions);
+    }
     return report(positions);
 }
 

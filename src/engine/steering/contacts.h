@@ -60,6 +60,8 @@ private:
     Vec2 walkOut(double radius, const Environment& environment, std::size_t character, Vec2 free) const;
     ContactReport report(std::span<const Vec2> positions);
     void findPairs(std::span<const Vec2> positions);
+    void findClose(std::span<const Vec2> positions);
+    void findCloseToPushed(std::span<const Vec2> positions);
     void findObstacleCandidates(const Environment& environment, std::span<const Vec2> positions,
                                 ThreadPool* pool);
     double slack() const;
@@ -74,6 +76,8 @@ private:
 
     NeighbourList ownPairs_;
     const NeighbourList* pairs_ = nullptr;  // Given by the caller, or ownPairs_.
+    std::vector<NeighbourPair> close_;      // Those of pairs_ that may touch in this step, in their order.
+    double farthest_ = 0.0;                 // Nobody in close_ comes farther from where the step began [m].
     bool corrected_ = false;  // True where a position was corrected since pairs_ was last checked.
     std::vector<ObstacleCandidate> obstacleCandidates_;
     std::vector<std::uint8_t> nearObstacle_;  // Per character, 1 for candidates.

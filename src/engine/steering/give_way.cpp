@@ -109,22 +109,27 @@ void GiveWay::giveWay(const Lane& lane, const Environment& environment, Vec2 pos
 
 // Who is touched by somebody leaving goes the same way, and so on.
 void GiveWay::passOn(const CrowdBodies& bodies, const Characters& now, const NeighbourList& neighbours) {
+    leaves_.resize(leaving_.size());
+    for (std::size_t i = 0; i < leaving_.size(); ++i) leaves_[i] = leaving_[i] == Vec2{} ? 0 : 1;
     bool changed = true;
     const auto press = [&](std::int32_t from, std::int32_t to, Vec2 between) {
-        if (leaving_[from] == Vec2{} || !(leaving_[to] == Vec2{})) return;
         const double pressed = dot(leaving_[from], between);
         if (pressed <= kPressCosine * length(between) * length(leaving_[from])) return;
         leaving_[to] = leaving_[from];
+        leaves_[to] = 1;
         changed = true;
     };
     for (int pass = 0; pass < kPasses && changed; ++pass) {
         changed = false;
         for (const NeighbourPair pair : neighbours.pairs()) {
+            if (leaves_[pair.low] == leaves_[pair.high]) continue;
             const Vec2 between = now.position[pair.high] - now.position[pair.low];
             const double reach = bodies.touching(pair.low, pair.high) + kPressGap;
             if (lengthSquared(between) > reach * reach) continue;
-            press(pair.low, pair.high, between);
-            press(pair.high, pair.low, -between);
+            if (leaves_[pair.low] != 0)
+                press(pair.low, pair.high, between);
+            else
+                press(pair.high, pair.low, -between);
         }
     }
 }
@@ -139,6 +144,7 @@ void GiveWay::run(const CrowdBodies& bodies, const Characters& now, const Enviro
             lanes_.push_back(laneOf(piece, def.radius));
     leaving_.assign(now.size(), {});
     slack_.assign(now.size(), 0.0);
+    leaves_.reserve(now.size());
     bool any = false;
     for (std::size_t i = 0; i < now.size(); ++i) {
         const double radius = bodies.radius(i), wider = radius - def.radius;

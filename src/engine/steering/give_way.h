@@ -1,6 +1,7 @@
 // Giving way: people leave the ground that a moving obstacle is about to sweep, or do not enter it (SPEC A5).
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -47,7 +48,8 @@ private:
 
     std::vector<Lane> lanes_;
     std::vector<Vec2> leaving_;  // Of each character, the velocity at which it leaves a lane; null for none.
-    std::vector<double> slack_;  // Of those, the time that is left over [s].
+    std::vector<std::uint8_t> leaves_;  // 1 for those who leave one.
+    std::vector<double> slack_;         // Of those, the time that is left over [s].
 };
 
 }  // namespace muster

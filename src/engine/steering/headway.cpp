@@ -13,6 +13,7 @@ constexpr double kInFront = 0.5;      // Of two who go the same way one is ahead
 constexpr double kSlack = 0.3;        // A limit this far from being reached is left out [m/s].
 constexpr double kPenetration = 0.2;  // Share of an overlap that is taken back in a step.
 constexpr double kWallReach = 0.3;    // Walls beyond this gap are left out [m].
+constexpr std::size_t kPairsPerCharacter = 16;   // Room that is kept for them.
 constexpr std::size_t kLimitsPerCharacter = 16;  // Room that is kept for them.
 constexpr int kSweeps = 8;
 constexpr double kSweptOut = 1e-3;  // A sweep that changes no limit by more is the last [m/s].
@@ -75,17 +76,35 @@ double Headway::shareOf(const CrowdBodies& bodies, NeighbourPair pair, const Hea
     return lowFirst ? own : 1.0 - own;
 }
 
-void Headway::addPair(const CrowdBodies& bodies, const Characters& now, NeighbourPair pair,
+// In step, no limit of two is near unless they close their gap while any law looks ahead. Who does is as good
+// as random, so they are noted without a branch.
+std::span<const Headway::Meeting> Headway::findMeetings(const CrowdBodies& bodies, const Characters& now,
+                                                        const NeighbourList& neighbours,
+                                                        std::span<const Vec2> velocity) {
+    const std::span<const NeighbourPair> pairs = neighbours.pairs();
+    const double ahead = std::max(kForesight, headway_), ahead2 = ahead * ahead;
+    const bool all = inStep_ != 1.0;
+    const std::span<const Vec2> position = now.position;
+    meetings_.resize(std::max({meetings_.size(), pairs.size(), kPairsPerCharacter * now.size()}));
+    Meeting* next = meetings_.data();
+    for (const NeighbourPair pair : pairs) {
+        const Vec2 between = position[pair.high] - position[pair.low];
+        const double touching = bodies.touching(pair.low, pair.high), apart = length(between);
+        const double near = apart - touching - kSlack * ahead;
+        const bool apartForLong = static_cast<int>(near > 0.0) &
+                                  static_cast<int>(near * near > ahead2 * lengthSquared(velocity[pair.low] -
+                                                                                        velocity[pair.high]));
+        *next = {pair, between, apart, touching};
+        next += all || !apartForLong ? 1 : 0;
+    }
+    return {meetings_.data(), next};
+}
+
+void Headway::addPair(const CrowdBodies& bodies, const Characters& now, const Meeting& two,
                       const HeadwayInput& input, std::span<const Vec2> velocity) {
-    const std::int32_t a = pair.low, b = pair.high;
-    const Vec2 between = now.position[b] - now.position[a];
-    const double touching = bodies.touching(a, b), apart = length(between), gap = apart - touching;
-    // In step, no limit of this pair is near unless they close their gap while any law looks ahead.
-    const double ahead = std::max(kForesight, headway_), near = gap - kSlack * ahead;
-    if (inStep_ == 1.0 && near > 0.0 &&
-        near * near > ahead * ahead * lengthSquared(velocity[a] - velocity[b]))
-        return;
-    const Vec2 towards = apart > 1e-9 ? between / apart : Vec2{1.0, 0.0};
+    const std::int32_t a = two.pair.low, b = two.pair.high;
+    const double apart = two.distance, touching = two.touching, gap = apart - touching;
+    const Vec2 between = two.between, towards = apart > 1e-9 ? between / apart : Vec2{1.0, 0.0};
     const bool fixedA = bodies.isFixed(a), fixedB = bodies.isFixed(b);
     if (fixedA && fixedB) return;
     if (fixedA || bodies.isFirmer(a, b)) return follow(b, a, -towards, gap, input.dt, velocity);
@@ -93,7 +112,7 @@ void Headway::addPair(const CrowdBodies& bodies, const Characters& now, Neighbou
     if (differ(input.wanted[a], input.wanted[b])) {
         const Tangent tangent = tangentOf({between, towards, apart, touching}, velocity[a] - velocity[b],
                                           kForesight, input.dt);
-        return share(pair, shareOf(bodies, pair, input), tangent, velocity);
+        return share(two.pair, shareOf(bodies, two.pair, input), tangent, velocity);
     }
     const double topA = std::max(input.topSpeed[a], 1e-9), topB = std::max(input.topSpeed[b], 1e-9);
     const double lead = dot(towards, input.wanted[a] / topA + input.wanted[b] / topB);
@@ -106,7 +125,7 @@ void Headway::addPair(const CrowdBodies& bodies, const Characters& now, Neighbou
                       : follow(a, b, towards, gap, input.dt, velocity);
     const Tangent tangent = tangentOf({between, towards, apart, touching}, velocity[a] - velocity[b],
                                       headway_, input.dt);
-    share(pair, bodies.share(a, b), tangent, velocity);
+    share(two.pair, bodies.share(a, b), tangent, velocity);
 }
 
 // Pieces are listed in no certain order: the limits of a character are sorted.
@@ -170,7 +189,8 @@ void Headway::run(const CrowdBodies& bodies, const Characters& now, const Enviro
     inStep_ = bodies.usual().inStep;
     limits_.clear();
     limits_.reserve(kLimitsPerCharacter * now.size());
-    for (const NeighbourPair pair : neighbours.pairs()) addPair(bodies, now, pair, input, velocity);
+    for (const Meeting& two : findMeetings(bodies, now, neighbours, velocity))
+        addPair(bodies, now, two, input, velocity);
     addWalls(bodies, now, environment, input, velocity);
     for (int sweep = 0; sweep < kSweeps; ++sweep)
         if (relax(velocity) < kSweptOut) break;

@@ -1,5 +1,6 @@
 #include "engine/steering/near_rows.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace muster {
@@ -11,22 +12,29 @@ constexpr std::size_t kNearPerCharacter = 32;  // Room that is kept for them.
 
 void NearRows::build(const CrowdBodies& bodies, std::span<const Vec2> positions,
                      std::span<const NeighbourPair> pairs) {
+    bodies_ = &bodies;
+    positions_ = positions;
     first_.assign(positions.size() + 2, 0);
     for (const NeighbourPair pair : pairs) {
         ++first_[pair.low + 2];
         ++first_[pair.high + 2];
     }
     for (std::size_t i = 2; i < first_.size(); ++i) first_[i] += first_[i - 1];
-    near_.reserve(kNearPerCharacter * positions.size());
-    near_.resize(2 * pairs.size());
+    other_.reserve(kNearPerCharacter * positions.size());
+    other_.resize(2 * pairs.size());
     for (const NeighbourPair pair : pairs) {
-        const Vec2 between = positions[pair.high] - positions[pair.low];
-        const Vec2 towards = normalized(between, {1.0, 0.0});
-        const double gap = length(between) - bodies.touching(pair.low, pair.high);
-        near_[first_[pair.low + 1]++] = {pair.high, towards, gap};
-        near_[first_[pair.high + 1]++] = {pair.low, -towards, gap};
+        other_[first_[pair.low + 1]++] = pair.high;
+        other_[first_[pair.high + 1]++] = pair.low;
     }
     first_.pop_back();
+}
+
+Near NearRows::near(std::int32_t character, std::int32_t other) const {
+    const std::int32_t low = std::min(character, other), high = std::max(character, other);
+    const Vec2 between = positions_[high] - positions_[low];
+    const Vec2 towards = normalized(between, {1.0, 0.0});
+    const double gap = length(between) - bodies_->touching(low, high);
+    return {other, character == low ? towards : -towards, gap};
 }
 
 }  // namespace muster

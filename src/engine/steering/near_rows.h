@@ -20,17 +20,21 @@ struct Near {
 /// Rows of neighbours, made from a list of pairs. Memory is reused.
 class NearRows {
 public:
-    /// Makes the rows of all characters.
+    /// Makes the rows of all characters. Bodies and positions must live as long as rows are read.
     void build(const CrowdBodies& bodies, std::span<const Vec2> positions,
                std::span<const NeighbourPair> pairs);
     /// The neighbours of a character, in the order of the pairs.
-    std::span<const Near> of(std::int32_t character) const {
-        return std::span(near_).subspan(first_[character], first_[character + 1] - first_[character]);
+    std::span<const std::int32_t> of(std::int32_t character) const {
+        return std::span(other_).subspan(first_[character], first_[character + 1] - first_[character]);
     }
+    /// How a neighbour of a character stands to it.
+    Near near(std::int32_t character, std::int32_t other) const;
 
 private:
-    std::vector<std::size_t> first_;  // Per character its first in near_; and the end.
-    std::vector<Near> near_;
+    const CrowdBodies* bodies_ = nullptr;  // Those of the last build().
+    std::span<const Vec2> positions_;
+    std::vector<std::size_t> first_;  // Per character its first in other_; and the end.
+    std::vector<std::int32_t> other_;
 };
 
 }  // namespace muster

@@ -1,6 +1,7 @@
 #include "engine/steering/right_of_way.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -26,14 +27,23 @@ constexpr float kLends = 0.6f;        // A way is lent for so long [s],
 constexpr float kLendsAtRest = 1.5f;  // by somebody at rest for so long.
 constexpr double kClear = 0.05;       // Kept beside who passes [m].
 
-enum : std::uint8_t { kLeaves, kWalks, kFollows, kMoved, kRests, kLast };
+enum : std::uint8_t { kLeaves, kWalks, kFollows, kMoved, kRests, kLast, kClasses };
 
 }  // namespace
+
+// So that nothing is allocated where somebody is blocked for the first time.
+void RightOfWay::reserve(std::size_t count) {
+    for (auto* array : {&byAge_, &order_, &files_, &rank_, &stack_}) array->reserve(count);
+    for (auto* array : {&class_, &done_, &open_}) array->reserve(count);
+    own_.reserve(count);
+    lender_.reserve(count);
+}
 
 bool RightOfWay::count(const ClaimInput& input, const Characters& characters, std::span<Claim> claims) {
     const auto time = static_cast<float>(input.dt);
     const auto share = static_cast<float>(std::min(1.0, input.dt / kSmoothing));
     MUSTER_ASSERT(claims.size() == characters.size());
+    reserve(characters.size());
     bool any = false;
     for (std::size_t i = 0; i < characters.size(); ++i) {
         Claim& claim = claims[i];
@@ -97,39 +107,49 @@ void RightOfWay::sort(const CrowdBodies& bodies, const Characters& now, std::spa
                     : aside             ? kMoved
                                         : kRests;
     }
+    sortByAge(bodies, claims);
+    // By class and within a class by age.
+    std::array<std::int32_t, kClasses + 1> first{};
+    for (const std::uint8_t c : class_) ++first[c + 1];
+    for (std::size_t c = 1; c < first.size(); ++c) first[c] += first[c - 1];
+    order_.resize(count);
+    for (const std::int32_t i : byAge_) order_[first[class_[i]]++] = i;
+}
+
+// The larger first, then the elder, then the lower index. The last order is near to this one, which is
+// unique.
+void RightOfWay::sortByAge(const CrowdBodies& bodies, std::span<const Claim> claims) {
     const auto before = [&](std::int32_t a, std::int32_t b) {
-        if (class_[a] != class_[b]) return class_[a] < class_[b];
         if (bodies.radius(a) != bodies.radius(b)) return bodies.radius(a) > bodies.radius(b);
         if (claims[a].since != claims[b].since) return claims[a].since < claims[b].since;
         return a < b;
     };
-    // The last order is near to this one, which is unique.
-    if (order_.size() != count) {
-        order_.resize(count);
-        std::iota(order_.begin(), order_.end(), 0);
+    if (byAge_.size() != claims.size()) {
+        byAge_.resize(claims.size());
+        std::iota(byAge_.begin(), byAge_.end(), 0);
     }
-    if (!std::is_sorted(order_.begin(), order_.end(), before))
-        std::sort(order_.begin(), order_.end(), before);
+    if (!std::is_sorted(byAge_.begin(), byAge_.end(), before))
+        std::sort(byAge_.begin(), byAge_.end(), before);
 }
 
 // Who follows close behind somebody, the same way, comes right after him: a file passes as one.
 void RightOfWay::joinFiles(const Characters& now, const NearRows& rows, std::span<const Vec2> own) {
-    done_.assign(now.size(), 0);
-    files_.reserve(now.size());
+    open_.assign(class_.begin(), class_.end());
     files_.clear();
     for (const std::int32_t head : order_) {
-        if (done_[head]) continue;
-        done_[head] = 1;
+        if (open_[head] == kClasses) continue;
+        open_[head] = kClasses;
         files_.push_back(head);
-        if (class_[head] == kLeaves || class_[head] > kFollows) continue;
+        const std::uint8_t joining = class_[head];
+        if (joining == kLeaves || joining > kFollows) continue;
         for (std::size_t at = files_.size() - 1; at < files_.size(); ++at) {
             const std::int32_t a = files_[at];
             const Vec2 ahead = normalized(own[a]);
-            for (const Near& near : rows.of(a)) {
-                const std::int32_t b = near.other;
-                if (done_[b] || near.gap > kFileGap || class_[a] != class_[b]) continue;
-                if (dot(own[a], own[b]) <= kFileCosine || dot(near.towards, ahead) >= -0.5) continue;
-                done_[b] = 1;
+            for (const std::int32_t b : rows.of(a)) {
+                if (open_[b] != joining || dot(own[a], own[b]) <= kFileCosine) continue;
+                const Near near = rows.near(a, b);
+                if (near.gap > kFileGap || dot(near.towards, ahead) >= -0.5) continue;
+                open_[b] = kClasses;
                 files_.push_back(b);
             }
         }
@@ -158,11 +178,11 @@ void RightOfWay::lend(std::int32_t asker, const Near& near, Vec2 along, const Cr
             environment.distanceToObstacle(lerp(here, spot, 0.5), radius) < radius - 0.02)
             continue;
         double cost = need;
-        for (const Near& o : rows.of(b)) {
-            if (o.other == asker) continue;
-            const double touching = bodies.touching(b, o.other);
-            if (lengthSquared(characters.position[o.other] - spot) < touching * touching)
-                cost += done_[o.other] ? 1.0 : 0.3;
+        for (const std::int32_t other : rows.of(b)) {
+            if (other == asker) continue;
+            const double touching = bodies.touching(b, other);
+            if (lengthSquared(characters.position[other] - spot) < touching * touching)
+                cost += done_[other] ? 1.0 : 0.3;
         }
         if (cost >= least) continue;
         least = cost;
@@ -176,7 +196,6 @@ void RightOfWay::lend(std::int32_t asker, const Near& near, Vec2 along, const Cr
 void RightOfWay::askFrom(std::int32_t first, const CrowdBodies& bodies, const Environment& environment,
                          const NearRows& rows, std::span<const double> topSpeed, const Characters& characters,
                          std::span<Claim> claims, std::span<Vec2> wanted) {
-    stack_.reserve(characters.size());
     stack_.assign(1, first);
     while (!stack_.empty()) {
         const std::int32_t a = stack_.back();
@@ -187,11 +206,10 @@ void RightOfWay::askFrom(std::int32_t first, const CrowdBodies& bodies, const En
         Claim& claim = claims[a];
         const bool lends = lender_[a].to >= 0;
         if (!lends && claim.stuck <= kAskResting) continue;
-        for (const Near& near : rows.of(a)) {
-            const std::int32_t b = near.other;
-            if (done_[b] || class_[b] == kLeaves || near.gap > (lends ? lender_[a].need : kAskGap) ||
-                bodies.isFixed(b) || bodies.isFirmer(b, a))
-                continue;
+        for (const std::int32_t b : rows.of(a)) {
+            if (done_[b] || class_[b] == kLeaves || bodies.isFixed(b) || bodies.isFirmer(b, a)) continue;
+            const Near near = rows.near(a, b);
+            if (near.gap > (lends ? lender_[a].need : kAskGap)) continue;
             const double apart = near.gap + bodies.touching(a, b);
             if (dot(near.towards, along) <= 0.0 ||
                 std::fabs(cross(along, near.towards)) * apart > bodies.touching(a, b) + 0.03)
@@ -238,7 +256,8 @@ void RightOfWay::run(const CrowdBodies& bodies, const Environment& environment, 
         done_[top] = 1;
         if (claims[top].lends > 0.0f && class_[top] != kLeaves)
             wanted[top] = {};  // Asked a moment ago, and not now: waits.
-        askFrom(top, bodies, environment, rows, topSpeed, characters, claims, wanted);
+        if (claims[top].stuck > kAskResting)
+            askFrom(top, bodies, environment, rows, topSpeed, characters, claims, wanted);
     }
 }
 

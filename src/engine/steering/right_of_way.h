@@ -54,8 +54,10 @@ private:
         double need = 0.0;     // Others nearer than this are asked in turn [m].
     };
 
+    void reserve(std::size_t count);
     void sort(const CrowdBodies& bodies, const Characters& now, std::span<const Vec2> leaving,
               std::span<const Claim> claims);
+    void sortByAge(const CrowdBodies& bodies, std::span<const Claim> claims);
     void joinFiles(const Characters& now, const NearRows& rows, std::span<const Vec2> own);
     void askFrom(std::int32_t first, const CrowdBodies& bodies, const Environment& environment,
                  const NearRows& rows, std::span<const double> topSpeed, const Characters& characters,
@@ -64,9 +66,10 @@ private:
               const Environment& environment, const NearRows& rows, double topSpeed,
               const Characters& characters, Vec2& wanted);
 
-    std::vector<std::int32_t> order_, files_, rank_, stack_;
+    std::vector<std::int32_t> byAge_, order_, files_, rank_, stack_;
     std::vector<std::uint8_t> class_, done_;
-    std::vector<Vec2> own_;  // Directions along the own way, as shares of top speed.
+    std::vector<std::uint8_t> open_;  // The class of who is in no file yet.
+    std::vector<Vec2> own_;           // Directions along the own way, as shares of top speed.
     std::vector<Lender> lender_;
 };
 

@@ -144,6 +144,38 @@ TEST_CASE("contacts move nobody out of its reach, and a crowd that presses stays
     }
 }
 
+TEST_CASE("pairs that cannot come to touch make no difference, bit for bit") {
+    Random random(17);
+    Environment environment = emptyFloor(12);
+    ObstacleDef cart;
+    cart.polygon = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    cart.path.waypoints = {{0.0, {-6, 0}, 0.0}, {4.0, {6, 0}, 0.0}};
+    REQUIRE(environment.addObstacle(cart).ok());
+    std::vector<Vec2> positions;
+    for (int i = 0; i < 300; ++i) positions.push_back({0.52 * (i % 20) - 5.0, 0.52 * (i / 20) - 3.5});
+    Contacts contacts, other;
+    const double step = 2.0 / 60.0;
+    const std::vector<double> reach(positions.size(), 1.04 * step);
+    for (int k = 0; k < 120; ++k) {
+        environment.setTime(k / 30.0);
+        const std::vector<Vec2> before = positions;
+        NeighbourList wide, close;
+        wide.build(before, 2.0);
+        close.build(before, 2.0);
+        close.dropPairs(
+            [&](NeighbourPair pair) { return distance(before[pair.low], before[pair.high]) > 1.2; });
+        for (Vec2& p : positions) p += clampLength({random.uniform(-1, 1), random.uniform(-1, 1)}, step);
+        std::vector<Vec2> same = positions;
+        const ContactReport report = contacts.resolve({8}, {}, environment, positions, &wide, nullptr,
+                                                      {before, reach});
+        const ContactReport again = other.resolve({8}, {}, environment, same, &close, nullptr,
+                                                  {before, reach});
+        CHECK(positions == same);
+        CHECK(report.worstPenetration == again.worstPenetration);
+        CHECK(report.overlapPairs == again.overlapPairs);
+    }
+}
+
 TEST_CASE("an obstacle put on a character lets it walk out, a moving one pushes it") {
     Environment environment = emptyFloor(10);
     ObstacleDef block;

@@ -110,6 +110,7 @@ private:
     bool isBlocked(Vec2 p) const;
     double interpolateMovingCost(Vec2 p) const;
     double readSparse(const BilinearPoint& at) const;
+    double movingAlong(Vec2 a, Vec2 b, double length, Centroid& centroid) const;
     double sumAlong(Vec2 a, Vec2 b, double length, Centroid& centroid) const;
     double sumOnGround(const StaticGround& ground, Vec2 a, Vec2 b, double length, Centroid& centroid) const;
     double crowdCost(Vec2 p, const Direction& direction) const;

@@ -30,6 +30,18 @@ double meanAlong(Vec2 a, Vec2 b, std::int32_t samples, const Read& read) {
     return sum * share;
 }
 
+// Narrows a range of samples to those that may lie between two bounds along one axis, where a line begins at
+// `from` and leads so far in all. A sample more at either end makes up for rounding.
+void narrow(double min, double max, double from, double line, std::int32_t samples, double& first,
+            double& last) {
+    constexpr double kAlong = 1e-6;  // A line that leads less far stays where it is [m].
+    if (std::fabs(line) < kAlong) return;
+    const double perMetre = samples / line;
+    const double one = (min - from) * perMetre - 0.5, other = (max - from) * perMetre - 0.5;
+    first = std::max(first, std::min(one, other) - 1.0);
+    last = std::min(last, std::max(one, other) + 1.0);
+}
+
 }  // namespace
 
 struct DynamicCost::Direction {
@@ -149,6 +161,24 @@ struct DynamicCost::Centroid {
     }
 };
 
+// The mean of the moving cost along a line. Samples outside the bounds are zero.
+inline double DynamicCost::movingAlong(Vec2 a, Vec2 b, double length, Centroid& centroid) const {
+    const std::int32_t samples = samplesAlong(length, kMovingStep);
+    const double share = 1.0 / samples;
+    const Vec2 line = b - a;
+    double first = 0.0, last = samples - 1.0;
+    narrow(movingBounds_.min.x, movingBounds_.max.x, a.x, line.x, samples, first, last);
+    narrow(movingBounds_.min.y, movingBounds_.max.y, a.y, line.y, samples, first, last);
+    double sum = 0.0;
+    const std::int32_t end = first <= last ? static_cast<std::int32_t>(last) + 1 : 0;
+    for (std::int32_t k = end > 0 ? static_cast<std::int32_t>(first) : 0; k < end; ++k) {
+        const double fraction = (k + 0.5) * share;
+        sum += centroid.add(movingCostAt(a + line * fraction), fraction);
+    }
+    centroid.samples = samples;
+    return sum * share;
+}
+
 // Crowd and moving cost with spacings of their own.
 inline double DynamicCost::sumAlong(Vec2 a, Vec2 b, double length, Centroid& centroid) const {
     const bool crowd = crowdMeets(a, b);
@@ -160,9 +190,7 @@ inline double DynamicCost::sumAlong(Vec2 a, Vec2 b, double length, Centroid& cen
         mean += meanAlong(a, b, samplesAlong(length, grid_.cell),
                           [&](Vec2 p, double) { return crowdCost(p, direction); });
     }
-    if (moving)
-        mean += meanAlong(a, b, samplesAlong(length, kMovingStep),
-                          [&](Vec2 p, double fraction) { return centroid.add(movingCostAt(p), fraction); });
+    if (moving) mean += movingAlong(a, b, length, centroid);
     return mean * length;
 }
 
@@ -198,8 +226,7 @@ DynamicCost::LineCost DynamicCost::costAndCentroid(const StaticGround& ground, V
 double DynamicCost::movingCostCentroid(Vec2 a, Vec2 b, double length) const {
     if (!movingCostMeets(a, b)) return -1.0;
     Centroid centroid;
-    meanAlong(a, b, samplesAlong(length, kMovingStep),
-              [&](Vec2 p, double fraction) { return centroid.add(movingCostAt(p), fraction); });
+    movingAlong(a, b, length, centroid);
     return centroid.fraction();
 }
 

@@ -72,8 +72,9 @@ public:
     bool blocked(std::int32_t cell) const { return clearance(cell) < 0.0f; }
     /// Lower bound of the distance from the centre of a cell to the nearest wall or ground of another unit
     /// cost, less the radius for walls [m]; beyond the environment's limit too.
-    float uniformClearanceOf(Cell c) const {
-        const std::int32_t cell = grid_.index(c);
+    float uniformClearanceOf(Cell c) const { return uniformClearanceOf(c, grid_.index(c)); }
+    /// The same where the index of the cell is known.
+    float uniformClearanceOf(Cell c, std::int32_t cell) const {
         const float walls = extendedClearance(c, cell);
         return uniform() || walls < toOtherGround_[cell] ? walls : toOtherGround_[cell];
     }
@@ -128,8 +129,9 @@ private:
     }
     template <class Clearance>
     bool traceSpheres(Vec2 a, Vec2 b, double length, const Clearance& clearance) const;
+    struct Squares;
     template <class Clearance>
-    double interpolate(Vec2 inCells, const Clearance& clearance) const;
+    double interpolate(const Squares& squares, Vec2 inCells, const Clearance& clearance) const;
     bool findChanges(const Environment& environment, double openCost, double radius);
     void noteChanges(bool all);
     void updatePatches();

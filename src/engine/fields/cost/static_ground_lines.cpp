@@ -18,20 +18,34 @@ static_assert(kInterpolated + kLeastStep < GapIndex::kReach);
 
 }  // namespace
 
+// What the squares of four neighbouring cells are like, prepared for many readings.
+struct StaticGround::Squares {
+    Vec2 most;  // As bilinearPoint() takes them.
+    Cell last;
+    std::int32_t right, up;  // Steps to the next column and row; 0 where there is none.
+
+    explicit Squares(const Grid& grid)
+        : most{grid.width - 1.0, grid.height - 1.0},
+          last{std::max(0, grid.width - 2), std::max(0, grid.height - 2)},
+          right(grid.width > 1 ? 1 : 0),
+          up(grid.height > 1 ? 1 : 0) {}
+};
+
 template <class Clearance>
-double StaticGround::interpolate(Vec2 inCells, const Clearance& clearance) const {
-    const BilinearPoint at = bilinearPoint(grid_, inCells.x, inCells.y);
-    const std::int32_t right = grid_.width > 1 ? 1 : 0;
-    const std::int32_t up = grid_.height > 1 ? 1 : 0;
-    const Cell low = at.low;
-    return interpolateBilinear(clearance(low), clearance(Cell{low.x + right, low.y}),
-                               clearance(Cell{low.x, low.y + up}), clearance(Cell{low.x + right, low.y + up}),
+double StaticGround::interpolate(const Squares& squares, Vec2 inCells, const Clearance& clearance) const {
+    const BilinearPoint at = bilinearPoint(inCells.x, inCells.y, squares.most, squares.last);
+    const Cell low = at.low, high{low.x + squares.right, low.y + squares.up};
+    const std::int32_t below = low.y * grid_.width, above = high.y * grid_.width;
+    return interpolateBilinear(clearance(low, below + low.x), clearance(Cell{high.x, low.y}, below + high.x),
+                               clearance(Cell{low.x, high.y}, above + low.x), clearance(high, above + high.x),
                                at.fx, at.fy);
 }
 
 double StaticGround::interpolatedClearance(Vec2 p) const {
     const Vec2 at = inCells(p);
-    return holds(at) ? interpolate(at, [&](Cell c) { return uniformClearanceOf(c); }) : -1.0;
+    if (!holds(at)) return -1.0;
+    return interpolate(Squares(grid_), at,
+                       [&](Cell c, std::int32_t cell) { return uniformClearanceOf(c, cell); });
 }
 
 double StaticGround::lineCost(Vec2 a, Vec2 b) const {
@@ -48,13 +62,14 @@ bool StaticGround::lineOfSight(Vec2 a, Vec2 b, double length) const {
     if (!uniform() && unitCost(b) > lowest_)
         return unitCost(a) == unitCost(b) && uniformClearance(a) + uniformClearance(b) >= length;
     if (uniform())
-        return traceSpheres(a, b, length, [&](Cell c) { return extendedClearance(c, grid_.index(c)); });
-    return traceSpheres(a, b, length, [&](Cell c) { return uniformClearanceOf(c); });
+        return traceSpheres(a, b, length,
+                            [&](Cell c, std::int32_t cell) { return extendedClearance(c, cell); });
+    return traceSpheres(a, b, length, [&](Cell c, std::int32_t cell) { return uniformClearanceOf(c, cell); });
 }
 
 bool StaticGround::collisionFree(Vec2 a, Vec2 b) const {
-    return open_ ||
-           traceSpheres(a, b, distance(a, b), [&](Cell c) { return extendedClearance(c, grid_.index(c)); });
+    return open_ || traceSpheres(a, b, distance(a, b),
+                                 [&](Cell c, std::int32_t cell) { return extendedClearance(c, cell); });
 }
 
 // Sphere tracing (Hart 1996): steps along the line as far as the clearance at each point reaches.
@@ -65,19 +80,22 @@ bool StaticGround::traceSpheres(Vec2 a, Vec2 b, double length, const Clearance& 
     if (length <= radius_) return gaps_.empty() || !grid_.box().contains(a) || !gaps_.crossed(a, b, a);
     const Vec2 from = inCells(a), to = inCells(b);
     const auto lowerBound = [&](Vec2 at) {
-        return holds(at) ? static_cast<double>(clearance(cellAt(at))) - halfDiagonal_ : -1.0;
+        if (!holds(at)) return -1.0;
+        const Cell cell = cellAt(at);
+        return static_cast<double>(clearance(cell, grid_.index(cell))) - halfDiagonal_;
     };
     // The disc round the end needs no steps.
     const double last = length - std::max(lowerBound(to), 0.0);
     double free = lowerBound(from);
     if (free >= kInterpolated && free >= last) return true;
     const Vec2 direction = (b - a) / length;
+    const Squares squares(grid_);
     for (double at = 0.0; at < last;) {
         const Vec2 p = inCells(a + direction * at);
         free = lowerBound(p);
         if (free < kInterpolated) {
             if (!holds(p)) return false;
-            free = interpolate(p, clearance);
+            free = interpolate(squares, p, clearance);
             // A step leads at most kInterpolated onward, and no gap is nearer to where a larger one begins.
             if (!gaps_.empty() && gaps_.crossed(a, b, a + direction * at)) return false;
         }

@@ -88,15 +88,16 @@ CostEstimate Geodesics::Impl::estimateByFields(const CostQuery& q) const {
     return guess(q);
 }
 
-// Over long distances a large crowd reads far fields, which is cheaper than a line of sight and tells the
-// same. A small one looks first, since a field costs more than all its lines of sight. The dynamic cost is
-// left out.
+// Over long distances far fields are read, which is cheaper than a line of sight and tells the same. Where
+// there is none yet a small crowd looks first, since a field costs more than all its lines of sight. The
+// dynamic cost is left out.
 std::optional<CostEstimate> Geodesics::Impl::byDistantFields(const CostQuery& q) const {
     if (q.line < (ground->hasWideCoarse() ? kFarDistanceInBox : kFarDistance) || ground->open()) return {};
-    if (places.size() < kFewPlaces && ground->lineOfSight(q.from, q.to, q.line))
+    const double cost = farCost(q);
+    const bool looks = places.size() < kFewPlaces && !(cost < kInfiniteCost);
+    if (looks && ground->lineOfSight(q.from, q.to, q.line))
         return CostEstimate{ground->unitCost(q.to) * q.line, CostSource::LineOfSight};
     farRequests.add(q.place);
-    const double cost = farCost(q);
     if (!(cost < kInfiniteCost)) return {};
     return CostEstimate{cost, CostSource::FarFields};
 }

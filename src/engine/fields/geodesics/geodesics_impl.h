@@ -47,7 +47,8 @@ struct Geodesics::Impl {
     /// From this many places on the budgets of fields hold for each kind, and grow in proportion to the
     /// places.
     static constexpr std::int64_t kManyPlaces = 2500;
-    /// Below, one field is solved in a step, and lines of sight are looked for at any distance.
+    /// Below, one field is solved in a step, and lines of sight are looked for at any distance where there is
+    /// no far field yet.
     static constexpr std::size_t kFewPlaces = 500;
     /// From this distance on far fields are read first, whether or not there is a line of sight [m].
     static constexpr double kFarDistance = 20.0;

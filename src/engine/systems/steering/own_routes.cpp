@@ -44,10 +44,11 @@ const RouteGraph& routesFor(const WorldState& state, std::int32_t i) {
 
 // True where ground may cost more than its length, because something moves there.
 bool nearMoving(const Environment& environment, Vec2 p) {
+    const auto areas = environment.movingObstacleAreas();
+    if (areas.empty()) return false;
     const Grid& grid = environment.grid();
     const Cell here = grid.nearestCell(p);
     const auto reach = static_cast<std::int32_t>(kMovingReach / grid.cell);
-    const auto areas = environment.movingObstacleAreas();
     return std::any_of(areas.begin(), areas.end(), [&](const CellRect& area) {
         return !area.empty() && here.x >= area.low.x - reach && here.x <= area.high.x + reach &&
                here.y >= area.low.y - reach && here.y <= area.high.y + reach;

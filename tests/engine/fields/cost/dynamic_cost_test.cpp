@@ -140,6 +140,34 @@ TEST_CASE("ground ahead of a moving obstacle is expensive, under it blocked, and
     CHECK(dynamic.relativeAlong({1, -2}, {1, 2}) == 0.0);
 }
 
+TEST_CASE("of a line that passes something moving no sample is left out") {
+    Environment environment = squareWorld(16.0);
+    ObstacleDef cart = rectangle(-1, -0.5, 1, 0.5);
+    cart.path.waypoints = {{0.0, {0, 0}, 0.0}, {5.0, {10, 0}, 0.0}};
+    REQUIRE(environment.addObstacle(cart).ok());
+    environment.setTime(0.5);
+    const DensityField density({{-16, -16}, {16, 16}}, {});
+    DynamicCost dynamic;
+    dynamic.update({}, environment, density, 0.25);
+    Random random(3);
+    int costly = 0;
+    for (int round = 0; round < 3000; ++round) {
+        const Vec2 a{random.uniform(-15, 15), random.uniform(-15, 15)};
+        Vec2 b{random.uniform(-15, 15), random.uniform(-15, 15)};
+        if (round % 5 == 0) b.x = a.x;
+        if (round % 7 == 0) b.y = a.y + 1e-9;
+        const double whole = distance(a, b);
+        if (!(whole > 0.0)) continue;
+        const int samples = std::min(16, static_cast<int>(whole / 0.5) + 1);
+        const double share = 1.0 / samples;
+        double sum = 0.0;
+        for (int k = 0; k < samples; ++k) sum += dynamic.movingCostAt(a + (b - a) * ((k + 0.5) * share));
+        CHECK(dynamic.relativeAlong(a, b) == sum * share * whole);
+        costly += sum > 0.0 ? 1 : 0;
+    }
+    CHECK(costly > 300);
+}
+
 TEST_CASE("no part of a crowd is missed, wherever it stands near a line") {
     const Environment environment = squareWorld(16.0);
     Random random(12);

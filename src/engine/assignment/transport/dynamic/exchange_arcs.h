@@ -25,21 +25,18 @@ public:
         if (head < 0 || head == tail || slot >= end) return;
         const auto row = head_.begin() + static_cast<std::ptrdiff_t>(tail) * kArcsPerNode;
         if (std::find(row, row + slot, head) != row + slot) return;
-        row[slot++] = head;
-        indexed_ = false;
+        setHead(tail * kArcsPerNode + slot++, head);
     }
     /// Fills the slots from `slot` to `end` with self loops.
     void padWithSelfLoops(std::int32_t node, std::int32_t& slot, std::int32_t end) {
-        for (; slot < end; ++slot) head_[node * kArcsPerNode + slot] = node;
-        indexed_ = false;
+        for (; slot < end; ++slot) setHead(node * kArcsPerNode + slot, node);
     }
     /// The arc that column generation added to a node; a self loop where there is none.
     static std::int32_t generatedArc(std::int32_t node) { return node * kArcsPerNode + kGeneratedSlot; }
     /// Replaces that arc.
     void setGeneratedArc(std::int32_t tail, std::int32_t head, float cost) {
-        head_[generatedArc(tail)] = head;
+        setHead(generatedArc(tail), head);
         cost_[generatedArc(tail)] = cost;
-        indexed_ = false;
     }
     /// Sets an arc cost.
     void setCost(std::int32_t arc, float cost) { cost_[arc] = cost; }
@@ -70,6 +67,11 @@ public:
     }
 
 private:
+    // The index holds on where the head stays the same.
+    void setHead(std::int32_t arc, std::int32_t head) {
+        indexed_ = indexed_ && head_[arc] == head;
+        head_[arc] = head;
+    }
     bool consistent() const;
 
     std::vector<std::int32_t> head_;  // Per arc: node.
