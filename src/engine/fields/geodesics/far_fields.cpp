@@ -233,6 +233,7 @@ std::int32_t FarFields::solveRequested(std::int32_t most, ThreadPool& pool) {
 void FarFields::keepFieldsOf(FarFields& before) {
     if (before.ground_ == nullptr) return;
     cache_.keepFieldsOf(before.cache_);
+    workers_ = std::move(before.workers_);
     version_ = before.version_;
     kept_ = true;
 }
