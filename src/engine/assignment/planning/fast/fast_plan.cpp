@@ -97,7 +97,9 @@ void FastPlan::takeAmounts(const PlanInput& input) {
 void FastPlan::updateGeodesics(ThreadPool& pool, PlanCosts& costs, std::span<const Vec2> characters,
                                std::span<const Vec2> places) {
     geodesics_.retainFields(targets_);
-    geodesics_.shareSteps(std::max(1, (def_.groups + 1) / kFieldsOfGroups), def_.groupRank);
+    const bool many = def_.groups > kFieldsOfGroups;
+    geodesics_.shareSteps(std::max(1, (def_.groups + 1) / kFieldsOfGroups), def_.groupRank,
+                          many ? costs.farFields() : nullptr);
     geodesics_.update(costs.staticGround(), costs.dynamicCost(), places, pool);
     if (RouteGraph* const routes = costs.routes()) geodesics_.findRoutes(*routes, characters, targets_);
 }
