@@ -18,7 +18,7 @@ public:
     WayStatus advance(const WayGround& ground, const WayQuery& query, std::int32_t searched,
                       std::int32_t cells);
 
-    std::int32_t searched() const { return searched_; }        ///< Cells, after the last advance().
+    std::int32_t searched() const { return searched_; }       ///< Cells, after the last advance().
     const std::vector<Vec2>& path() const { return *path_; }  ///< Once found, both ends included [m].
 
 private:

@@ -32,7 +32,8 @@ struct Planner {
         return spent;
     }
     void resume(MarchPlans& plans, std::int64_t spent, GroundVersion ground = kGround) {
-        plans.resume(task.def(), {}, ground, [&](Vec2 p) { return scene.ground.room(p); }, spent);
+        plans.resume(
+            task.def(), {}, ground, [&](Vec2 p) { return scene.ground.room(p); }, spent);
     }
     Points at(MarchPlans& plans, double q) const {
         Points places(task.starts.size());

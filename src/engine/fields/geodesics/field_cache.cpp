@@ -80,8 +80,8 @@ void FieldCache::keepFieldsOf(FieldCache& before) {
     std::erase_if(missing_, [&](std::int32_t slot) {
         const std::int32_t landmark = landmark_[slot], used = before.find(landmark);
         const auto known = used >= 0 ? before.holds_.begin() + used
-                                     : std::find(before.holds_.begin() + before.count_,
-                                                 before.holds_.end(), landmark);
+                                     : std::find(before.holds_.begin() + before.count_, before.holds_.end(),
+                                                 landmark);
         if (known == before.holds_.end()) return false;
         fields_[slot] = std::move(before.fields_[known - before.holds_.begin()]);
         holds_[slot] = landmark;

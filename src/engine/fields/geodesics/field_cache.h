@@ -52,17 +52,15 @@ public:
     std::int32_t solveRequested(std::int32_t most, ThreadPool& pool, const Solve& solve) {
         if (most <= 0) return 0;
         admitRequests(most);
-        pool.run(static_cast<std::int32_t>(admitted_.size()), [&](std::int32_t item, std::int32_t worker) {
-            solveSlot(admitted_[item], worker, solve);
-        });
+        pool.run(static_cast<std::int32_t>(admitted_.size()),
+                 [&](std::int32_t item, std::int32_t worker) { solveSlot(admitted_[item], worker, solve); });
         return static_cast<std::int32_t>(admitted_.size());
     }
     /// Solves the fields that an archive named and keepFieldsOf() did not bring.
     template <class Solve>
     void solveMissing(ThreadPool& pool, const Solve& solve) {
-        pool.run(static_cast<std::int32_t>(missing_.size()), [&](std::int32_t item, std::int32_t worker) {
-            solveSlot(missing_[item], worker, solve);
-        });
+        pool.run(static_cast<std::int32_t>(missing_.size()),
+                 [&](std::int32_t item, std::int32_t worker) { solveSlot(missing_[item], worker, solve); });
         missing_.clear();
     }
     /// Takes from `before` the fields of the landmarks that an archive named, and what else it has for later;

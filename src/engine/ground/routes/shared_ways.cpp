@@ -14,7 +14,7 @@ constexpr std::uint32_t kMostAge = 600;    // Ways are kept for so many steps.
 constexpr double kLeastLength = 4.0;       // Shorter ways are not kept [m].
 constexpr double kSlack = 1.08;         // A joined path is at most this much longer than the shortest can be,
 constexpr double kAbsoluteSlack = 0.5;  // plus this [m].
-constexpr double kRounding = 1e-6;         // Added to boxes round ways [m].
+constexpr double kRounding = 1e-6;      // Added to boxes round ways [m].
 constexpr std::int64_t kJoinLineWork = 6;  // Operations counted for the test of a line.
 
 }  // namespace

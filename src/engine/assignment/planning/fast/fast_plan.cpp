@@ -15,9 +15,9 @@ namespace {
 constexpr std::size_t kChunk = 128;  // Characters in one piece of parallel work.
 // Other places cost this share more for each change of place since places have come to rest.
 constexpr float kReluctance = 0.01f;
-constexpr double kPlaceRests = 1e-4;   // A place that moves less in a step rests [m].
-constexpr float kDistantCost = 25.0f;  // Beyond, a direction serves for two steps [m],
-constexpr std::uint32_t kDistantSteps = 4;  // or for so many where groups take turns.
+constexpr double kPlaceRests = 1e-4;        // A place that moves less in a step rests [m].
+constexpr float kDistantCost = 25.0f;       // Beyond, a direction serves for two steps [m],
+constexpr std::uint32_t kDistantSteps = 4;  // or for so many where its group waits to plan.
 constexpr std::int32_t
     kWaitingPerPlan = 32;                    // Unmatched characters whose waiting place is searched per plan.
 constexpr std::size_t kPrefetchPoints = 24;  // Characters from which a first plan prefetches fields, about.
@@ -365,8 +365,8 @@ void FastPlan::guide(const GuidanceInput& input, ThreadPool& pool, std::span<Vec
         cost[i] = kInfiniteCost;
         if (place < 0 || std::cmp_greater_equal(place, input.places.size())) return;
         const bool same = known && guidedPlace_[i] == place;
-        const bool serves = evaluated || (guidance_[i].cost > kDistantCost &&
-                                          (i + guidanceRound_) % kDistantSteps != 1);
+        const bool serves = evaluated ||
+                            (guidance_[i].cost > kDistantCost && (i + guidanceRound_) % kDistantSteps != 1);
         const Guidance guidance = same && serves
                                       ? guidance_[i]
                                       : geodesics_.guidance(input.characters[i], place, targets_[i]);
