@@ -35,8 +35,12 @@ inline bool clearOf(std::span<const HeldSpot> held, Vec2 a, Vec2 b, double radiu
 
 /// The room at `p`, which is `clearance` without those who hold [m].
 inline double clearanceBeside(std::span<const HeldSpot> held, Vec2 p, double clearance) {
-    for (const HeldSpot& spot : held)
-        clearance = std::min(clearance, distance(p, spot.position) - spot.radius);
+    constexpr double kRounding = 1e-9;  // [m]
+    for (const HeldSpot& spot : held) {
+        const double reach = std::max(0.0, clearance + spot.radius + kRounding);
+        if (lengthSquared(p - spot.position) < reach * reach)
+            clearance = std::min(clearance, distance(p, spot.position) - spot.radius);
+    }
     return clearance;
 }
 

@@ -17,11 +17,11 @@ constexpr float kDiagonal = 1.351f;  // ... (Borgefors 1986).
 }  // namespace
 
 void WayGround::update(const Environment& environment) {
-    const bool same = instance_ == environment.instance() && version_ == environment.staticVersion();
+    const GroundVersion version = versionOf(environment);
+    const bool same = version_ == version;
     environment_ = &environment;
     if (same && !point_.empty()) return;
-    instance_ = environment.instance();
-    version_ = environment.staticVersion();
+    version_ = version;
     fine_ = environment.grid();
     const double area = static_cast<double>(fine_.count()) * fine_.cell * fine_.cell;
     const double edge = std::max(kLeastCell, std::sqrt(area / kMostCells));

@@ -9,6 +9,16 @@
 
 namespace muster {
 
+/// Says which ground it is: the instance of an environment, and the version of what stands still.
+struct GroundVersion {
+    std::uint64_t instance = 0, version = 0;
+    friend bool operator==(const GroundVersion&, const GroundVersion&) = default;
+};
+/// The version of an environment's ground as it is.
+inline GroundVersion versionOf(const Environment& environment) {
+    return {environment.instance(), environment.staticVersion()};
+}
+
 /// The ground in coarse cells with the distance to what stands still: exact near obstacles, a lower bound in
 /// the open. A cache: it follows from the ground alone.
 class WayGround {
@@ -17,6 +27,7 @@ public:
     void update(const Environment& environment);
 
     const Environment& environment() const { return *environment_; }  ///< Of the last update.
+    GroundVersion version() const { return version_; }                ///< Of the last update.
     const Grid& grid() const { return grid_; }                        ///< Coarse cells.
     /// Where somebody in the cell has most room [m].
     Vec2 point(std::int32_t cell) const { return point_[cell]; }
@@ -29,7 +40,7 @@ private:
     void distances(std::span<const float> near);
 
     const Environment* environment_ = nullptr;
-    std::uint64_t instance_ = 0, version_ = 0;
+    GroundVersion version_;
     Grid fine_, grid_;
     std::int32_t factor_ = 1;       // Fine cells along the edge of a coarse one.
     std::vector<Vec2> point_;       // Centre of the fine cell with most room, per coarse cell [m].

@@ -149,6 +149,7 @@ void WaySearch::start(const WayGround& ground, const WayQuery& query) {
     const auto count = static_cast<std::size_t>(ground.grid().count());
     if (seen_.size() != count) {
         seen_.assign(count, 0);
+        held_.assign(count, 0);
         cost_.resize(count);
         parent_.resize(count);
         closed_.resize(count);
@@ -157,6 +158,7 @@ void WaySearch::start(const WayGround& ground, const WayQuery& query) {
     ++mark_;
     open_.clear();
     path_.clear();
+    markHeld(ground);
     const std::int32_t from = cellNear(ground, query.from);
     goal_ = cellNear(ground, query.to);
     status_ = from < 0 || goal_ < 0 ? WayStatus::None : WayStatus::Searching;
@@ -174,6 +176,18 @@ void WaySearch::reach(std::int32_t cell, std::int32_t from, double cost, double 
     parent_[cell] = from;
     open_.push_back({estimate, cell});
     std::push_heap(open_.begin(), open_.end());
+}
+
+// A step leads two cells along each axis at most.
+void WaySearch::markHeld(const WayGround& ground) {
+    const Grid& grid = ground.grid();
+    for (const HeldSpot& spot : query_.needs.held) {
+        const double reach = spot.radius + query_.needs.radius + 3.0 * grid.cell;
+        const Cell low = grid.nearestCell(spot.position - Vec2{reach, reach});
+        const Cell high = grid.nearestCell(spot.position + Vec2{reach, reach});
+        for (std::int32_t y = low.y; y <= high.y; ++y)
+            for (std::int32_t x = low.x; x <= high.x; ++x) held_[grid.index({x, y})] = mark_;
+    }
 }
 
 // A step between the points of neighbouring cells is clear where their discs overlap, else by exact geometry,
@@ -198,7 +212,7 @@ void WaySearch::expand(const WayGround& ground, std::int32_t cell) {
         if (seen && cost >= cost_[to]) continue;
         if (own + room < step + overlap && !ground.environment().clearStaticLine(here, there, needs.radius))
             continue;
-        if (clearOf(needs.held, here, there, needs.radius))
+        if (held_[cell] != mark_ || clearOf(needs.held, here, there, needs.radius))
             reach(to, cell, cost, cost + distance(there, goal));
     }
 }

@@ -41,6 +41,7 @@ private:
 
     std::int32_t cellNear(const WayGround& ground, Vec2 p) const;
     void reach(std::int32_t cell, std::int32_t from, double cost, double estimate);
+    void markHeld(const WayGround& ground);
     void expand(const WayGround& ground, std::int32_t cell);
     void trace(const WayGround& ground);
 
@@ -50,7 +51,9 @@ private:
     std::int32_t goal_ = -1;
     std::uint32_t mark_ = 0;           // Cells of this search have it.
     std::vector<std::uint32_t> seen_;  // Per cell.
-    std::vector<double> cost_;         // From the start.
+    std::vector<std::uint32_t>
+        held_;                  // Per cell: mark_ where somebody who holds may be in the way of a step.
+    std::vector<double> cost_;  // From the start.
     std::vector<std::int32_t> parent_;
     std::vector<std::uint8_t> closed_;
     std::vector<Open> open_;  // A heap.

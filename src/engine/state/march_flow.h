@@ -2,12 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 #include "engine/orders/held_spot.h"
-#include "engine/orders/stream_ways.h"
+#include "engine/orders/march_plans.h"
 #include "muster/vec2.h"
 
 namespace muster {
@@ -39,7 +37,7 @@ struct MarchFlow {
     std::vector<Vec2> way;       ///< [m]
     std::vector<HeldSpot> held;  ///< Those on the way who hold their ground.
     std::vector<Vec2> places;    ///< Where they are now [m].
-    StreamWays stream;           ///< The plan; a cache, made again from the above where it is missing.
+    MarchPlans plans;            ///< The plan; a cache, made again from the above where it is missing.
 
     /// True while it says where places are.
     bool leads() const { return phase != FlowPhase::None; }
@@ -58,24 +56,13 @@ struct MarchFlow {
     /// What it is planned from.
     StreamDef def() const { return {offsets, starts, ends, way, spacing, radius, closest, drawn}; }
 
-    /// Takes over the plan of `before`, which becomes useless, where it was made from the same, just as far.
-    void keepPlanOf(MarchFlow& before) {
-        const auto inputs = [](const MarchFlow& f) {
-            return std::tie(f.version, f.ground, f.drawn, f.spacing, f.radius, f.closest, f.offsets, f.starts, f.ends,
-                            f.way, f.held);
-        };
-        if (moves() && before.stream.places() > 0 && before.stream.operations() == spent &&
-            inputs(*this) == inputs(before))
-            stream = std::move(before.stream);
-    }
-
     /// Lets an archive read or write everything but the cache.
     template <class Archive>
     void visit(Archive& archive) {
         archive(phase, q, speed, rate, version, ground, spent, from.position, from.rotation.c,
                 from.rotation.s, to.position, to.rotation.c, to.rotation.s, drawn, spacing, radius, closest, offsets,
                 starts, ends, way, held, places);
-        if constexpr (Archive::kReading) stream = {};
+        if constexpr (Archive::kReading) plans = {};
     }
 };
 

@@ -150,7 +150,7 @@ void keepCaches(WorldState& earlier, WorldState& later) {
         Group* const before = later.findGroup(group.id);
         if (before == nullptr) continue;
         group.mesh.keepCachesOf(before->mesh);
-        group.flow.keepPlanOf(before->flow);
+        group.flow.plans.keep(before->flow.plans);
         // Fields of another class of ground are of other walls.
         if (group.groundClass == before->groundClass) group.plan->keepFieldsOf(*before->plan);
     }

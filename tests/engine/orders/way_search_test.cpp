@@ -4,6 +4,7 @@
 #include <doctest.h>
 
 #include "base/random.h"
+#include "engine/orders/way_searches.h"
 
 using namespace muster;
 
@@ -131,4 +132,34 @@ TEST_CASE("a search in small shares finds the same way, bit for bit") {
         if (!whole.empty()) CHECK(leastRoom(environment, whole) >= n.radius - 1e-3);
         for (const Vec2 p : whole) CHECK(isFinite(p));
     }
+}
+
+TEST_CASE("a search that is asked for again counts as it did, whatever is known of it") {
+    const Environment environment = ground({wall(-10, -10, 10, 10), wall(-20, 5, -15, 30)});
+    WayGround map;
+    map.update(environment);
+    const WayQuery query{{-35, 0}, {35, 0}, needs(2.0)}, other{{-35, 30}, {35, -30}, needs(1.0)};
+    // Plays a search in shares of so many cells from where `searched` of them are done.
+    const auto play = [&](WaySearches& searches, const WayQuery& asked, std::int32_t searched,
+                          std::int32_t cells) {
+        std::vector<std::int32_t> done;
+        while (searches.advance(map, asked, searched, cells) == WayStatus::Searching)
+            done.push_back(searched = searches.searched());
+        done.push_back(searches.searched());
+        return done;
+    };
+    WaySearches first, again;
+    const auto whole = play(first, query, 0, 50);
+    const std::vector<Vec2> path = first.path();
+    CHECK(path == search(environment, query.from, query.to, query.needs));
+    REQUIRE(whole.size() > 4);
+    play(first, other, 0, 77);
+    CHECK(play(first, query, 0, 50) == whole);
+    CHECK(first.path() == path);
+    // Of one that is under way, too, and of one that nobody knows.
+    for (std::int32_t k = 0; k < 3; ++k) again.advance(map, query, 50 * k, 50);
+    CHECK(play(again, query, 50, 50) == std::vector<std::int32_t>(whole.begin() + 1, whole.end()));
+    CHECK(again.path() == path);
+    WaySearches unknown;
+    CHECK(play(unknown, query, 150, 50) == std::vector<std::int32_t>(whole.begin() + 3, whole.end()));
 }

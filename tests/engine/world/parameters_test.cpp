@@ -81,8 +81,14 @@ TEST_CASE("a plan's period is what was set, or else what suits the solver") {
     CHECK(planPeriod(p.plan) == 4);
     p.plan.solver = PlanSolver::Fast;
     CHECK(planPeriod(p.plan) == 1);
+    // Many groups of many take turns.
+    CHECK(planPeriod(p.plan, 20, 599) == 1);
+    CHECK(planPeriod(p.plan, 20, 600) == 4);
+    CHECK(planPeriod(p.plan, 3, 5000) == 3);
+    CHECK(planPeriod(p.plan, 20, 5000) == 6);
     p.plan.period = 9;
     CHECK(planPeriod(p.plan) == 9);
+    CHECK(planPeriod(p.plan, 20, 5000) == 9);
     // The paper solves exactly whatever the default is.
     const auto paper = parameterPreset("paper");
     CHECK(paper->plan.solver == PlanSolver::Exact);

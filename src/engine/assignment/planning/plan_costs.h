@@ -4,6 +4,7 @@
 #include "engine/fields/cost/dynamic_cost.h"
 #include "engine/fields/cost/static_ground.h"
 #include "engine/fields/cost/unit_cost.h"
+#include "engine/fields/geodesics/shared_far_fields.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/ground/routes/route_graph.h"
 
@@ -21,6 +22,8 @@ public:
     virtual const StaticGround& staticGround() = 0;      ///< What stands still.
     virtual const DynamicCost& dynamicCost() = 0;        ///< What crowd and moving things add.
     virtual RouteGraph* routes() { return nullptr; }     ///< Where characters can walk; null for unknown.
+    /// Far fields that all groups share on the static ground; null for none.
+    virtual SharedFarFields* farFields() { return nullptr; }
     /// The costs for larger or smaller bodies; 0 for usual ones. Valid as long as these.
     virtual PlanCosts& ofClass(std::int32_t /*groundClass*/) { return *this; }
 };

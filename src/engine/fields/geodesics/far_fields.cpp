@@ -17,8 +17,6 @@ constexpr double kMaxLandmarks = 100.0;  // Over a formation of one place per sq
 // and kSlackCells cells more. Only such landmarks are interpolated.
 constexpr double kNearlyStraight = 1.15;
 constexpr double kSlackCells = 1.5;
-// From a landmark to the edge of its field, where that does not cover all ground [coarse cells].
-constexpr std::int32_t kHalfWidth = 64;
 
 }  // namespace
 
@@ -38,31 +36,15 @@ bool FarFields::beginStep(const StaticGround& ground, std::size_t places) {
     spacing_ = spacing;
     if (isNew) resetLattices();
     if (changed && sameLattice)
-        dropChanged(before);
+        dropChangedFarFields(ground, before, changes_, cache_);
     else if (changed)
         cache_.clear();
     cache_.beginStep();
     return changed;
 }
 
-// A field depends on the ground in its box only, where it has one.
-void FarFields::dropChanged(std::uint32_t before) {
-    changes_.clear();
-    if (!ground_->hasWideCoarse() || !ground_->changesSince(before, changes_)) return cache_.clear();
-    const auto ratio = static_cast<std::int32_t>(ground_->coarse().grid.cell / ground_->grid().cell + 0.5);
-    // An edge reads the ground of its two cells, a partially blocked cell that of its neighbours too.
-    for (CellRect& area : changes_)
-        area = {{area.low.x / ratio - 2, area.low.y / ratio - 2},
-                {area.high.x / ratio + 2, area.high.y / ratio + 2}};
-    cache_.drop([&](std::int32_t landmark) {
-        const CellRect box = boxRound(landmark);
-        return std::any_of(changes_.begin(), changes_.end(),
-                           [&](const CellRect& area) { return !area.common(box).empty(); });
-    });
-}
-
 std::int32_t FarFields::cellsOfField() const {
-    if (ground_->hasWideCoarse()) return (2 * kHalfWidth + 1) * (2 * kHalfWidth + 1);
+    if (ground_->hasWideCoarse()) return (2 * kFarFieldHalfWidth + 1) * (2 * kFarFieldHalfWidth + 1);
     return std::max(1, ground_->coarse().grid.count());
 }
 
@@ -170,7 +152,7 @@ InterpolationStencil FarFields::stencil(Vec2 place) {
 bool FarFields::covers(std::int32_t slot, Vec2 from) const {
     if (!ground_->hasWideCoarse()) return true;
     const Vec2 off = from - cache_.field(slot).source();
-    const double reach = kHalfWidth * ground_->coarse().grid.cell;
+    const double reach = kFarFieldHalfWidth * ground_->coarse().grid.cell;
     return std::fabs(off.x) < reach && std::fabs(off.y) < reach;
 }
 
@@ -222,17 +204,26 @@ void FarFields::reserve(const StaticGround& ground) {
     cache_.reserve(kReservedFields, ground.coarse().grid.count(), kReservedSources);
 }
 
-std::int32_t FarFields::solveRequested(std::int32_t most, ThreadPool& pool) {
+std::int32_t FarFields::solveRequested(std::int32_t most, ThreadPool& pool, SharedFarFields* shared) {
     growWorkers(pool);
-    return cache_.solveRequested(most, pool,
-                                 [this](std::int32_t landmark, CostField& field, std::int32_t worker) {
-                                     solve(landmark, field, workers_[worker]);
-                                 });
+    const std::int32_t solved = cache_.solveRequested(
+        most, pool, [&](std::int32_t landmark, CostField& field, std::int32_t worker) {
+            const CostField* const known = shared == nullptr ? nullptr : shared->find(landmark);
+            if (known == nullptr)
+                solve(landmark, field, workers_[worker]);
+            else
+                field = *known;
+        });
+    for (std::int32_t k = 0; shared != nullptr && k < solved; ++k)
+        shared->keep(cache_.landmark(cache_.count() - solved + k), cache_.field(cache_.count() - solved + k),
+                     pool);
+    return solved;
 }
 
 void FarFields::keepFieldsOf(FarFields& before) {
     if (before.ground_ == nullptr) return;
     cache_.keepFieldsOf(before.cache_);
+    workers_ = std::move(before.workers_);
     version_ = before.version_;
     kept_ = true;
 }
@@ -254,17 +245,9 @@ void FarFields::solve(std::int32_t landmark, CostField& field, Worker& worker) c
         field.lowerValue(partial.cell, field.value(partial.neighbour) + partial.cost);
 }
 
-CellRect FarFields::boxRound(std::int32_t landmark) const {
-    const Grid& grid = ground_->coarse().grid;
-    const Cell middle = grid.at(landmark);
-    return CellRect{{middle.x - kHalfWidth, middle.y - kHalfWidth},
-                    {middle.x + kHalfWidth, middle.y + kHalfWidth}}
-        .common({{0, 0}, {grid.width - 1, grid.height - 1}});
-}
-
 void FarFields::solveInBox(std::int32_t landmark, CostField& field, Worker& worker) const {
     const UnitCost& whole = ground_->coarse();
-    const CellRect box = boxRound(landmark);
+    const CellRect box = farFieldBox(*ground_, landmark);
     const Vec2 shift{box.low.x * whole.grid.cell, box.low.y * whole.grid.cell};
     UnitCost& crop = worker.crop;
     crop.grid = {whole.grid.origin + shift, whole.grid.cell, box.high.x - box.low.x + 1,

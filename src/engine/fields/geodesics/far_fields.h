@@ -9,6 +9,7 @@
 #include "engine/fields/eikonal/eikonal_solver.h"
 #include "engine/fields/geodesics/field_cache.h"
 #include "engine/fields/geodesics/interpolation_stencil.h"
+#include "engine/fields/geodesics/shared_far_fields.h"
 
 namespace muster {
 
@@ -24,8 +25,9 @@ public:
     bool beginStep(const StaticGround& ground, std::size_t places);
     /// Allocates memory for the fields that a moving crowd needs on this ground.
     void reserve(const StaticGround& ground);
-    /// Solves at most `most` of the requested fields; returns their number.
-    std::int32_t solveRequested(std::int32_t most, ThreadPool& pool);
+    /// Solves at most `most` of the requested fields, or takes them from those that groups share, where these
+    /// are given; returns their number.
+    std::int32_t solveRequested(std::int32_t most, ThreadPool& pool, SharedFarFields* shared = nullptr);
     /// Takes over the fields of `before` that an archive named. Call after reading it.
     void keepFieldsOf(FarFields& before);
     /// Says on which ground the fields are that an archive named: that of the archive. Call after
@@ -73,8 +75,6 @@ private:
     void growWorkers(const ThreadPool& pool);
     void solve(std::int32_t landmark, CostField& field, Worker& worker) const;
     void solveInBox(std::int32_t landmark, CostField& field, Worker& worker) const;
-    CellRect boxRound(std::int32_t landmark) const;
-    void dropChanged(std::uint32_t before);
     bool covers(std::int32_t slot, Vec2 from) const;
     double boundedSquaredCost(const InterpolationStencil& stencil, Vec2 from) const;
     bool nearlyStraight(const CostField& field, Vec2 place, double squaredCost) const;

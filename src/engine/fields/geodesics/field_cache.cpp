@@ -10,6 +10,7 @@ namespace {
 constexpr std::uint32_t kIdleSteps = 240;   // A field unused for more steps may be evicted.
 constexpr std::size_t kMaxRequests = 8192;  // Requests between two calls of solveRequested().
 constexpr std::size_t kMostAdmitted = 64;   // Fields solved in a step for which there is memory at first.
+constexpr std::int32_t kGiven = -2;         // In place of a landmark: another cache has the field.
 constexpr std::size_t kFilterSize = 4096;   // Entries of the filter against double requests.
 
 }  // namespace
@@ -30,13 +31,14 @@ void FieldCache::clear() {
     landmark_.clear();
     lastUse_.clear();
     requests_.clear();
+    std::fill(holds_.begin(), holds_.end(), -1);
     std::fill(filter_.begin(), filter_.end(), -1);
     std::fill(table_.begin(), table_.end(), -1);
 }
 
 void FieldCache::reserve(std::size_t fields, std::size_t cells, std::size_t pseudoSources) {
     const std::size_t first = fields_.size();
-    fields_.resize(std::max(first, std::min<std::size_t>(fields, capacity_)));
+    growFields(std::min<std::size_t>(fields, capacity_));
     for (std::size_t k = first; k < fields_.size(); ++k) fields_[k].reserve(cells, pseudoSources);
 }
 
@@ -76,15 +78,29 @@ void FieldCache::insert(std::int32_t landmark, std::int32_t slot) {
 void FieldCache::keepFieldsOf(FieldCache& before) {
     if (!before.missing_.empty()) return;
     std::erase_if(missing_, [&](std::int32_t slot) {
-        const std::int32_t known = before.find(landmark_[slot]);
-        if (known < 0) return false;
-        std::swap(fields_[slot], before.fields_[known]);
-        before.landmark_[known] = -1;  // It has nothing more to give.
+        const std::int32_t landmark = landmark_[slot], used = before.find(landmark);
+        const auto known = used >= 0 ? before.holds_.begin() + used
+                                     : std::find(before.holds_.begin() + before.count_, before.holds_.end(),
+                                                 landmark);
+        if (known == before.holds_.end()) return false;
+        fields_[slot] = std::move(before.fields_[known - before.holds_.begin()]);
+        holds_[slot] = landmark;
+        *known = kGiven;
         return true;
     });
-    // The memory of the others serves later fields.
-    for (std::size_t k = fields_.size(); k < before.fields_.size(); ++k)
+    // Later steps may ask for the others, else their memory serves.
+    for (std::size_t k = 0; k < before.fields_.size(); ++k) {
+        if (before.holds_[k] == kGiven) continue;
         fields_.push_back(std::move(before.fields_[k]));
+        // Of a cache that had not begun nobody knows the ground.
+        holds_.push_back(begun() ? before.holds_[k] : -1);
+    }
+}
+
+// Brings the field of its landmark to a slot, where it lies beyond those in use.
+void FieldCache::takeKnown(std::int32_t slot) {
+    const auto known = std::find(holds_.begin() + slot, holds_.end(), landmark_[slot]);
+    if (known != holds_.end()) swapFields(slot, known - holds_.begin());
 }
 
 void FieldCache::rebuildTable() {
@@ -115,10 +131,11 @@ void FieldCache::admitRequests(std::int32_t most) {
             if (count_ >= capacity_) break;
         }
         const std::int32_t slot = count_++;
-        if (std::cmp_greater_equal(slot, fields_.size())) fields_.resize(slot + 1);
+        growFields(slot + 1);
         landmark_.push_back(landmark);
         lastUse_.push_back(clock_);
         insert(landmark, slot);
+        takeKnown(slot);
         admitted_.push_back(slot);
     }
     requests_.clear();

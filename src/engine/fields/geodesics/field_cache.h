@@ -14,7 +14,8 @@ namespace muster {
 
 /// Cost fields by landmark (the index of a cell), found by open addressing. A requested landmark gets its
 /// field in the next solveRequested(). At capacity the fields that nobody has used for some seconds are
-/// evicted.
+/// evicted. A field that was evicted, or that a rewound world had later, is not solved again: it counts as
+/// solved and is taken from where it lies, as long as the ground is the same.
 class FieldCache {
 public:
     /// Holds at most `capacity` fields.
@@ -29,6 +30,8 @@ public:
         const std::int32_t before = count_;
         keepWhere([&](std::int32_t slot) { return !isBad(landmark_[slot]); });
         if (count_ != before) ++generation_;
+        for (std::int32_t& landmark : holds_)
+            if (landmark >= 0 && isBad(landmark)) landmark = -1;
         std::erase_if(requests_, isBad);
         rebuildFilter();
     }
@@ -49,22 +52,19 @@ public:
     std::int32_t solveRequested(std::int32_t most, ThreadPool& pool, const Solve& solve) {
         if (most <= 0) return 0;
         admitRequests(most);
-        pool.run(static_cast<std::int32_t>(admitted_.size()), [&](std::int32_t item, std::int32_t worker) {
-            const std::int32_t slot = admitted_[item];
-            solve(landmark_[slot], fields_[slot], worker);
-        });
+        pool.run(static_cast<std::int32_t>(admitted_.size()),
+                 [&](std::int32_t item, std::int32_t worker) { solveSlot(admitted_[item], worker, solve); });
         return static_cast<std::int32_t>(admitted_.size());
     }
     /// Solves the fields that an archive named and keepFieldsOf() did not bring.
     template <class Solve>
     void solveMissing(ThreadPool& pool, const Solve& solve) {
-        pool.run(static_cast<std::int32_t>(missing_.size()), [&](std::int32_t item, std::int32_t worker) {
-            const std::int32_t slot = missing_[item];
-            solve(landmark_[slot], fields_[slot], worker);
-        });
+        pool.run(static_cast<std::int32_t>(missing_.size()),
+                 [&](std::int32_t item, std::int32_t worker) { solveSlot(missing_[item], worker, solve); });
         missing_.clear();
     }
-    /// Takes from `before` the fields of the landmarks that an archive named; both are of one ground.
+    /// Takes from `before` the fields of the landmarks that an archive named, and what else it has for later;
+    /// both are of one ground.
     void keepFieldsOf(FieldCache& before);
     /// The fields of landmarks for which `isLost(landmark)` are missing, whatever was kept: the ground is
     /// another.
@@ -77,6 +77,8 @@ public:
             next += missing ? 1 : 0;
             if (missing || isLost(landmark_[slot])) missing_.push_back(slot);
         }
+        for (std::int32_t& landmark : holds_)
+            if (landmark >= 0 && isLost(landmark)) landmark = -1;
     }
     /// The field in a slot.
     const CostField& field(std::int32_t slot) const { return fields_[slot]; }
@@ -100,7 +102,7 @@ private:
         if (count_ < 0 || count_ > capacity_ || !std::cmp_equal(landmark_.size(), count_) ||
             !std::cmp_equal(lastUse_.size(), count_))
             return archive.fail();
-        fields_.resize(std::max(fields_.size(), landmark_.size()));
+        growFields(landmark_.size());
         rebuildTable();
         rebuildFilter();
         missing_.clear();
@@ -119,7 +121,7 @@ private:
             if (remaining != slot) {
                 landmark_[remaining] = landmark_[slot];
                 lastUse_[remaining] = lastUse_[slot];
-                std::swap(fields_[remaining], fields_[slot]);
+                swapFields(remaining, slot);
             }
             ++remaining;
         }
@@ -130,6 +132,22 @@ private:
         lastUse_.resize(remaining);
         rebuildTable();
     }
+    // Fills a slot, where it does not hold the field already.
+    template <class Solve>
+    void solveSlot(std::int32_t slot, std::int32_t worker, const Solve& solve) {
+        if (holds_[slot] == landmark_[slot]) return;
+        solve(landmark_[slot], fields_[slot], worker);
+        holds_[slot] = landmark_[slot];
+    }
+    void growFields(std::size_t count) {
+        fields_.resize(std::max(fields_.size(), count));
+        holds_.resize(fields_.size(), -1);
+    }
+    void swapFields(std::size_t a, std::size_t b) {
+        std::swap(fields_[a], fields_[b]);
+        std::swap(holds_[a], holds_[b]);
+    }
+    void takeKnown(std::int32_t slot);
     void admitRequests(std::int32_t most);
     void evictUnused();
     void rebuildTable();
@@ -144,6 +162,7 @@ private:
     std::vector<std::int32_t> landmark_;  // Of each slot.
     std::vector<std::uint32_t> lastUse_;  // Of each slot: the step in which it was last used.
     std::vector<CostField> fields_;  // Of each slot; fields beyond `count_` keep their memory for later ones.
+    std::vector<std::int32_t> holds_;     // The landmark that each of fields_ is of on this ground; -1: none.
     std::vector<std::int32_t> table_;     // Hash table: slots by landmark, -1 for none.
     std::vector<std::int32_t> requests_;  // Landmarks, in the order of the requests.
     std::vector<std::int32_t> filter_;   // Last request of each hash, so that few landmarks are listed twice.

@@ -69,16 +69,16 @@ bool Geodesics::Impl::solveRequested(ThreadPool& pool) {
     if (std::cmp_greater_equal(places.size(), kManyPlaces)) {
         fine.solveRequested(scaledBudget(def.finePerStep), pool);
         middle.solveRequested(scaledBudget(def.middlePerStep), pool);
-        return far.solveRequested(def.farPerStep, pool) > 0;
+        return far.solveRequested(def.farPerStep, pool, sharedFar) > 0;
     }
     if ((step + shareRank) % sharePeriod != 0) return false;
     std::int32_t left = places.size() < kFewPlaces ? 1 : def.finePerStep;
     if ((step + shareRank) / sharePeriod % 2 == 0) {
         left -= fine.solveRequested(left, pool);
         left -= middle.solveRequested(left, pool);
-        return far.solveRequested(left, pool) > 0;
+        return far.solveRequested(left, pool, sharedFar) > 0;
     }
-    const std::int32_t solved = far.solveRequested(std::min(left, def.farPerStep), pool);
+    const std::int32_t solved = far.solveRequested(std::min(left, def.farPerStep), pool, sharedFar);
     left -= solved;
     left -= middle.solveRequested(std::min(left, def.middlePerStep), pool);
     fine.solveRequested(left, pool);
@@ -142,8 +142,9 @@ void Geodesics::Impl::requestFarWhereUnknown(std::span<const Vec2> from) {
                     farRequests.add(j);
 }
 
-void Geodesics::shareSteps(std::int32_t period, std::int32_t rank) {
+void Geodesics::shareSteps(std::int32_t period, std::int32_t rank, SharedFarFields* fields) {
     impl_->sharePeriod = static_cast<std::uint32_t>(period);
+    impl_->sharedFar = fields;
     impl_->shareRank = period > 1 ? static_cast<std::uint32_t>(rank) : 0;
 }
 
@@ -164,7 +165,7 @@ bool Geodesics::prefetch(std::span<const Vec2> from, bool thorough, std::int64_t
     const auto most = static_cast<std::int32_t>(std::clamp<std::int64_t>(cells / each, 0, 1000));
     if (thorough || s.step % kUnknownPeriod == 0) s.requestFarWhereUnknown(from);
     s.updateFarStencils(true);
-    const std::int32_t solved = s.far.solveRequested(most, pool);
+    const std::int32_t solved = s.far.solveRequested(most, pool, s.sharedFar);
     cells -= solved * each;
     const bool whole = solved < most;
     s.updateFarStencils(true);

@@ -12,6 +12,7 @@
 #include "base/parallel.h"
 #include "engine/fields/cost/dynamic_cost.h"
 #include "engine/fields/cost/static_ground.h"
+#include "engine/fields/geodesics/shared_far_fields.h"
 #include "engine/ground/routes/route_graph.h"
 
 namespace muster {
@@ -86,8 +87,8 @@ public:
     void update(const StaticGround& ground, const DynamicCost& dynamicCost, std::span<const Vec2> places,
                 ThreadPool& pool);
     /// From the next update on fields are solved in one step out of `period`, 1 or more; `rank` says in
-    /// which. So several geodesics share a budget.
-    void shareSteps(std::int32_t period, std::int32_t rank);
+    /// which. So several geodesics share a budget, and the far fields, where these are given.
+    void shareSteps(std::int32_t period, std::int32_t rank, SharedFarFields* fields = nullptr);
     /// Solves fields that queries from these points would request, for a first plan: local ones, then far
     /// ones, with at most `cells` cells in all (local fields count more), which are taken off. True where no
     /// far field is missing any more. Only a `thorough` call looks for all that is missing; others do so in

@@ -68,6 +68,7 @@ struct Geodesics::Impl {
     std::vector<std::uint8_t> farStencilKnown;
     std::uint32_t step = 0;
     std::uint32_t sharePeriod = 1, shareRank = 0;  // Fields are solved in one step out of so many.
+    SharedFarFields* sharedFar = nullptr;          // Of all groups; null for none.
     SharedWays ways;                               // Found by findRoutes().
     std::uint32_t nextRoute = 0;                   // Character at which the round robin of routes begins.
     bool loaded = false;                           // An archive was read whose fields are not solved yet.

@@ -193,6 +193,7 @@ std::int32_t LocalFields::solveRequested(std::int32_t most, ThreadPool& pool) {
 void LocalFields::keepFieldsOf(LocalFields& before) {
     if (!before.level_.has_value()) return;
     cache_.keepFieldsOf(before.cache_);
+    workers_ = std::move(before.workers_);
     version_ = before.version_;
     kept_ = true;
 }

@@ -17,14 +17,15 @@ constexpr double kRoomShare = 0.25;  // The same as a share of the radius; the s
 // A stand point lies within this of the centre of its cell, along each axis [cells].
 constexpr double kCellReach = 0.65;
 
+// Most are far from each other: boxes first. Collinear segments meet where their boxes do.
 bool segmentsMeet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+    if (std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x) ||
+        std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y))
+        return false;
     const double c1 = cross(b - a, c - a), c2 = cross(b - a, d - a);
     const double c3 = cross(d - c, a - c), c4 = cross(d - c, b - c);
-    if ((c1 > 0.0 && c2 > 0.0) || (c1 < 0.0 && c2 < 0.0) || (c3 > 0.0 && c4 > 0.0) || (c3 < 0.0 && c4 < 0.0))
-        return false;
-    // Collinear segments meet where their boxes do.
-    return std::max(a.x, b.x) >= std::min(c.x, d.x) && std::max(c.x, d.x) >= std::min(a.x, b.x) &&
-           std::max(a.y, b.y) >= std::min(c.y, d.y) && std::max(c.y, d.y) >= std::min(a.y, b.y);
+    return !((c1 > 0.0 && c2 > 0.0) || (c1 < 0.0 && c2 < 0.0) || (c3 > 0.0 && c4 > 0.0) ||
+             (c3 < 0.0 && c4 < 0.0));
 }
 
 }  // namespace
@@ -109,7 +110,10 @@ std::optional<Vec2> RouteGround::stepPoint(Cell a, Vec2 pointA, Cell b, Vec2 poi
     const std::int32_t i = grid_.index(a), j = grid_.index(b);
     const Vec2 middle = 0.5 * (pointA + pointB);
     const bool free = isFree(i) && isFree(j);
-    if (free && stepClearByRaster(i, j, a.x != b.x && a.y != b.y)) return middle;
+    if (free && isClearByRaster(i, j, a.x != b.x && a.y != b.y)) {
+        if (crossesClosed(pointA, pointB)) return {};
+        return middle;
+    }
     if (lineClear(pointA, pointB)) return middle;
     if (free) return {};
     const std::optional<Vec2> beside = roomiest(middle, grid_.cell);

@@ -49,13 +49,16 @@ public:
     }
     /// True where the raster tells that a step between the centres of neighbouring cells is clear.
     bool stepClearByRaster(std::int32_t a, std::int32_t b, bool diagonal) const {
-        // At any point of the step the clearance is at least half of what is left of the sum.
-        return closed_.empty() && clearance_[a] + clearance_[b] >= (diagonal ? diagonalSum_ : straightSum_);
+        return closed_.empty() && isClearByRaster(a, b, diagonal);
     }
     /// True where the line crosses or touches a closed one.
     bool crossesClosed(Vec2 a, Vec2 b) const;
 
 private:
+    // At any point of the step the clearance is at least half of what is left of the sum.
+    bool isClearByRaster(std::int32_t a, std::int32_t b, bool diagonal) const {
+        return clearance_[a] + clearance_[b] >= (diagonal ? diagonalSum_ : straightSum_);
+    }
     std::optional<Vec2> roomiest(Vec2 start, double reach) const;
     double pushOut(Vec2& p, const Box& inner, double wanted, double share) const;
 

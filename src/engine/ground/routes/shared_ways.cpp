@@ -14,6 +14,7 @@ constexpr std::uint32_t kMostAge = 600;    // Ways are kept for so many steps.
 constexpr double kLeastLength = 4.0;       // Shorter ways are not kept [m].
 constexpr double kSlack = 1.08;         // A joined path is at most this much longer than the shortest can be,
 constexpr double kAbsoluteSlack = 0.5;  // plus this [m].
+constexpr double kRounding = 1e-6;      // Added to boxes round ways [m].
 constexpr std::int64_t kJoinLineWork = 6;  // Operations counted for the test of a line.
 
 }  // namespace
@@ -55,6 +56,7 @@ void SharedWays::add(const std::vector<Vec2>& path) {
     ways_.back().path.reserve(kReservedWays);
     ways_.back().path = path;
     ways_.back().age = 0;
+    ways_.back().findBox();
     clear_.back() = 1;
 }
 
@@ -65,16 +67,35 @@ void SharedWays::add(const SharedWays& others) {
     clear_.assign(ways_.size(), -1);
 }
 
+void SharedWays::Way::findBox() {
+    box = {{kInfiniteCost, kInfiniteCost}, {-kInfiniteCost, -kInfiniteCost}};
+    for (const Vec2 p : path) {
+        box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
+        box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
+    }
+}
+
+// False where no point of the way is within reach.
+bool SharedWays::Way::isNear(Vec2 p, double reach) const {
+    const double margin = reach + kRounding;
+    return p.x >= box.min.x - margin && p.x <= box.max.x + margin && p.y >= box.min.y - margin &&
+           p.y <= box.max.y + margin;
+}
+
 SharedWays::Foot SharedWays::nearestFoot(const std::vector<Vec2>& path, Vec2 p) {
     Foot best;
     best.distance = distance(path[0], p);
     best.point = path[0];
+    double least = lengthSquared(path[0] - p);
     for (std::size_t k = 0; k + 1 < path.size(); ++k) {
         const Vec2 along = path[k + 1] - path[k];
         const double squared = lengthSquared(along);
         const double t = squared > 0.0 ? std::clamp(dot(p - path[k], along) / squared, 0.0, 1.0) : 0.0;
         const Vec2 point = path[k] + along * t;
-        const double d = distance(point, p);
+        const double apart = lengthSquared(point - p);
+        if (apart >= least) continue;
+        least = apart;
+        const double d = std::sqrt(apart);
         if (d < best.distance) best = {k, point, d};
     }
     return best;
@@ -120,6 +141,7 @@ bool SharedWays::join(const RouteGround& ground, Vec2 from, Vec2 to, std::vector
 double SharedWays::lengthAlong(Vec2 from, Vec2 to, double reach) const {
     double least = kInfiniteCost;
     for (const Way& way : ways_) {
+        if (!way.isNear(from, reach) || !way.isNear(to, reach)) continue;
         const Foot first = nearestFoot(way.path, from);
         if (first.distance > reach) continue;
         const Foot last = nearestFoot(way.path, to);

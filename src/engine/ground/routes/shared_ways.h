@@ -42,10 +42,14 @@ private:
     struct Way {
         std::vector<Vec2> path;  // [m]
         std::uint32_t age = 0;   // Steps.
+        Box box;                 // Round the path; follows from it.
 
+        void findBox();
+        bool isNear(Vec2 p, double reach) const;
         template <class Archive>
         void visit(Archive& archive) {
             archive(path, age);
+            if constexpr (Archive::kReading) findBox();
         }
     };
     // The point of a way that is nearest to another point.

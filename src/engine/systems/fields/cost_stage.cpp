@@ -23,6 +23,7 @@ void CostStage::reset(WorldState& state) {
 void CostStage::splatDensity(WorldState& state) {
     const Parameters::Density& def = state.parameters.density;
     if (&state != state_ || def.cell != def_.cell || def.lambda != def_.lambda) reset(state);
+    farFields_.beginStep();
     density_.splat(state.characters.position, state.characters.velocity);
     unitCostBuilt_ = dynamicCostBuilt_ = false;
     for (const auto& own : classes_) own.second->begin();
@@ -49,6 +50,11 @@ const StaticGround& CostStage::staticGround() {
     const Parameters::Cost& cost = state_->parameters.cost;
     ground_.update(state_->environment, cost.alpha + cost.beta, state_->parameters.character.radius);
     return ground_;
+}
+
+SharedFarFields* CostStage::farFields() {
+    farFields_.update(staticGround());
+    return &farFields_;
 }
 
 const DynamicCost& CostStage::dynamicCost() {
@@ -80,6 +86,11 @@ const StaticGround& CostStage::ClassCosts::staticGround() {
     const Parameters::Cost& cost = stage_.state_->parameters.cost;
     ground_.update(environment(), cost.alpha + cost.beta, radius());
     return ground_;
+}
+
+SharedFarFields* CostStage::ClassCosts::farFields() {
+    farFields_.update(staticGround());
+    return &farFields_;
 }
 
 const DynamicCost& CostStage::ClassCosts::dynamicCost() {

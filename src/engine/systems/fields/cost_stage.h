@@ -30,6 +30,7 @@ public:
     const StaticGround& staticGround() override;
     const DynamicCost& dynamicCost() override;
     RouteGraph* routes() override { return &state_->refreshRoutes(); }
+    SharedFarFields* farFields() override;
     PlanCosts& ofClass(std::int32_t groundClass) override;
 
 private:
@@ -38,13 +39,17 @@ private:
     public:
         ClassCosts(CostStage& stage, std::int32_t groundClass) : stage_(stage), class_(groundClass) {}
         // Costs of the last step are out of date.
-        void begin() { unitCostBuilt_ = dynamicCostBuilt_ = false; }
+        void begin() {
+            unitCostBuilt_ = dynamicCostBuilt_ = false;
+            farFields_.beginStep();
+        }
 
         const Environment& environment() const override { return stage_.environment(); }
         const UnitCost& unitCost() override;
         const StaticGround& staticGround() override;
         const DynamicCost& dynamicCost() override;
         RouteGraph* routes() override { return &stage_.state_->refreshRoutes(class_); }
+        SharedFarFields* farFields() override;
 
     private:
         double radius() const;
@@ -54,6 +59,7 @@ private:
         UnitCostBuilder builder_;
         bool unitCostBuilt_ = false;
         StaticGround ground_;
+        SharedFarFields farFields_;
         DynamicCost dynamicCost_;
         bool dynamicCostBuilt_ = false;
     };
@@ -67,6 +73,7 @@ private:
     bool unitCostBuilt_ = false;       // For the density as it is.
     std::int32_t unitCostUnread_ = 0;  // Steps since the unit cost was last asked for.
     StaticGround ground_;
+    SharedFarFields farFields_;
     DynamicCost dynamicCost_;
     bool dynamicCostBuilt_ = false;  // For the density as it is.
     std::map<std::int32_t, std::unique_ptr<ClassCosts>> classes_;

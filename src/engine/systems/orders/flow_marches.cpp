@@ -275,21 +275,19 @@ void FlowMarches::start(WorldState& state, Group& group, const Pose& end, std::s
     flow.speed = std::max(0.0, dot(moves, normalized(flow.way[1] - flow.way[0])));
     flow.places = flow.starts;
     flow.phase = FlowPhase::Planning;
-    flow.stream.start(flow.def());
+    flow.plans.start(flow.def(), flow.held, versionOf(state.environment));
 }
 
 bool FlowMarches::advance(WorldState& state, const WayGround& ground, Group& group, const MarchDef& def) {
     MarchFlow& flow = group.flow;
     const auto room = [&](Vec2 p) { return clearanceBeside(flow.held, p, ground.clearanceAt(p)); };
     // After a restore the plan is made again up to where it was.
-    if (flow.stream.places() == 0 && flow.moves()) {
-        flow.stream.start(flow.def());
-        if (flow.spent > 0) flow.stream.advance(room, flow.spent);
-    }
+    if (!flow.plans.begun() && flow.moves())
+        flow.plans.resume(flow.def(), flow.held, ground.version(), room, flow.spent);
     if (flow.phase == FlowPhase::Planning && budget_ > 0) {
-        const StreamStatus status = flow.stream.advance(room, budget_);
-        budget_ -= flow.stream.operations() - flow.spent;
-        flow.spent = flow.stream.operations();
+        const StreamStatus status = flow.plans.advance(room, budget_);
+        budget_ -= flow.plans.operations() - flow.spent;
+        flow.spent = flow.plans.operations();
         if (status == StreamStatus::Blocked) {
             flow.end();
             return false;
@@ -313,7 +311,7 @@ void FlowMarches::move(WorldState& state, Group& group, const MarchDef& def) {
     speeds_.resize(flow.places.size());
     for (std::size_t i = 0; i < speeds_.size(); ++i)
         speeds_[i] = std::max(1e-3, flow.speed * ground[grid.index(grid.nearestCell(flow.places[i]))]);
-    if (flow.speed > 1e-4) flow.q = flow.stream.best().next(flow.q, dt, speeds_, flow.places, flow.rate);
+    if (flow.speed > 1e-4) flow.q = flow.plans.best().next(flow.q, dt, speeds_, flow.places, flow.rate);
     Pose pose;
     pose.rotation = turnedTo(flow.from.rotation, flow.to.rotation, flow.q);
     pose.position = meanOf(flow.places) - pose.rotation.apply(meanOf(flow.offsets));

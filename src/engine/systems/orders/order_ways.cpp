@@ -211,23 +211,15 @@ bool WayFinder::advance(WorldState& state, RouteGraph& routes, std::int32_t regi
             if (busy) return false;
             march.query = {from, to, needs};
         }
-        // Another ground, or a search that somebody else has had meanwhile: from the start.
-        const bool fresh = march.searched == 0 || march.ground != state.groundEdits;
-        const bool lost = !(search_.query() == march.query) || searchGround_ != state.groundEdits ||
-                          search_.expanded() != march.searched;
-        if (fresh || lost) {
-            search_.start(ground_, march.query);
-            searchGround_ = state.groundEdits;
-            if (!fresh) search_.advance(ground_, march.searched);
-        }
+        // On another ground from the start.
+        const std::int32_t before = march.ground == state.groundEdits ? march.searched : 0;
+        const WayStatus status = searches_.advance(ground_, march.query, before, budget);
         march.ground = state.groundEdits;
-        const std::int32_t before = search_.expanded();
-        const WayStatus status = search_.advance(ground_, budget);
-        budget -= std::max(1, search_.expanded() - before);
-        march.searched = search_.expanded();
+        march.searched = searches_.searched();
+        budget -= std::max(1, march.searched - before);
         if (status == WayStatus::Searching) return false;
         if (status == WayStatus::Found) {
-            append(state, needs, march, search_.path());
+            append(state, needs, march, searches_.path());
         } else {
             const std::vector<Vec2> route = findRoute(routes, from, to);
             if (route.size() > 1)

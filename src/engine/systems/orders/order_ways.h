@@ -7,7 +7,7 @@
 
 #include "engine/orders/march.h"
 #include "engine/orders/way_ground.h"
-#include "engine/orders/way_search.h"
+#include "engine/orders/way_searches.h"
 #include "engine/state/world_state.h"
 #include "muster/order.h"
 
@@ -68,8 +68,7 @@ private:
     double roomBeside(Vec2 p, Vec2 side, double most) const;
 
     WayGround ground_;
-    WaySearch search_;
-    std::uint32_t searchGround_ = 0;  // Version of the ground for which the search began.
+    WaySearches searches_;
     std::vector<Vec2> centred_;
 };
 

@@ -18,10 +18,11 @@ constexpr std::size_t kFirstShare = 10;
 
 constexpr std::int32_t kExactPeriod = 4;  // Exact plans take several steps, fast ones one.
 constexpr std::int32_t kFastPeriod = 1;
-// Many groups take turns: fast plans are made for so many characters in one step, and for each group in every
-// fourth step at least.
-constexpr std::size_t kTurnCharacters = 300;
-constexpr std::size_t kPlanTurns = 4;
+// Many groups take turns in worlds of so many characters: fast plans are made for so many in one step, and
+// for each group in every sixth step at least.
+constexpr std::size_t kManyCharacters = 600;
+constexpr std::size_t kTurnCharacters = 150;
+constexpr std::size_t kPlanTurns = 6;
 
 constexpr double kMostSlowness = 10.0;  // Beyond, speeds count as that much slower, or faster.
 constexpr float kLeastCost = 0.01f;     // Of a place whose cost is known [m].
@@ -60,7 +61,7 @@ std::int32_t planPeriod(const Parameters::Plan& plan) {
 
 std::int32_t planPeriod(const Parameters::Plan& plan, std::size_t groups, std::size_t characters) {
     const std::int32_t period = planPeriod(plan);
-    if (plan.period > 0 || plan.solver == PlanSolver::Exact) return period;
+    if (plan.period > 0 || plan.solver == PlanSolver::Exact || characters < kManyCharacters) return period;
     const std::size_t turns = std::min(characters / kTurnCharacters, std::min(groups, kPlanTurns));
     return std::max(period, static_cast<std::int32_t>(turns));
 }

@@ -140,3 +140,26 @@ TEST_CASE(
     other.cache.solveMissing(copy.pool, solve);
     CHECK(solved == 2 + 9);
 }
+
+TEST_CASE("a field that a rewound cache had later is taken when it is asked for, not one of other ground") {
+    CacheScene before(32);
+    for (const std::int32_t landmark : {100, 161, 222}) before.cache.request(landmark);
+    before.solve(9);
+    Writer writer;
+    before.cache.visit(writer);
+    for (const std::int32_t landmark : {500, 501, 502}) before.cache.request(landmark);
+    before.solve(9);
+    CacheScene copy(32);
+    Reader reader(writer.bytes());
+    copy.cache.visit(reader);
+    copy.cache.keepFieldsOf(before.cache);
+    copy.cache.drop([](std::int32_t landmark) { return landmark == 501; });
+    for (const std::int32_t landmark : {502, 501, 600}) copy.cache.request(landmark);
+    CHECK(copy.solve(9) == 3);  // All count.
+    CHECK(copy.solved == std::vector<std::int32_t>{501, 600});
+    CHECK(copy.consistent());
+    copy.cache.clear();
+    copy.cache.request(500);
+    CHECK(copy.solve(9) == 1);
+    CHECK(copy.solved.back() == 500);
+}

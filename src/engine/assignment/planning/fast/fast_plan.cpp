@@ -15,8 +15,9 @@ namespace {
 constexpr std::size_t kChunk = 128;  // Characters in one piece of parallel work.
 // Other places cost this share more for each change of place since places have come to rest.
 constexpr float kReluctance = 0.004f;
-constexpr double kPlaceRests = 1e-4;   // A place that moves less in a step rests [m].
-constexpr float kDistantCost = 25.0f;  // Beyond, a direction serves for two steps [m].
+constexpr double kPlaceRests = 1e-4;        // A place that moves less in a step rests [m].
+constexpr float kDistantCost = 25.0f;       // Beyond, a direction serves for two steps [m],
+constexpr std::uint32_t kDistantSteps = 4;  // or for so many where its group waits to plan.
 constexpr std::int32_t
     kWaitingPerPlan = 32;                    // Unmatched characters whose waiting place is searched per plan.
 constexpr std::size_t kPrefetchPoints = 24;  // Characters from which a first plan prefetches fields, about.
@@ -97,7 +98,9 @@ void FastPlan::takeAmounts(const PlanInput& input) {
 void FastPlan::updateGeodesics(ThreadPool& pool, PlanCosts& costs, std::span<const Vec2> characters,
                                std::span<const Vec2> places) {
     geodesics_.retainFields(targets_);
-    geodesics_.shareSteps(std::max(1, (def_.groups + 1) / kFieldsOfGroups), def_.groupRank);
+    const bool many = def_.groups > kFieldsOfGroups;
+    geodesics_.shareSteps(std::max(1, (def_.groups + 1) / kFieldsOfGroups), def_.groupRank,
+                          many ? costs.farFields() : nullptr);
     geodesics_.update(costs.staticGround(), costs.dynamicCost(), places, pool);
     if (RouteGraph* const routes = costs.routes()) geodesics_.findRoutes(*routes, characters, targets_);
 }
@@ -352,17 +355,22 @@ void FastPlan::guide(const GuidanceInput& input, ThreadPool& pool, std::span<Vec
     MUSTER_ASSERT(input.place.size() == input.characters.size() &&
                   direction.size() == input.characters.size() && cost.size() == input.characters.size());
     if (!geodesicsUpdated_) updateGeodesics(pool, *input.costs, input.characters, input.places);
-    const bool evaluated = geodesicsUpdated_ && guidedPlace_.size() == input.characters.size();
-    geodesicsUpdated_ = false;
+    const bool known = guidedPlace_.size() == input.characters.size();
+    const bool evaluated = std::exchange(geodesicsUpdated_, false);
+    if (!evaluated) ++guidanceRound_;
     targets_.resize(input.characters.size());
     forChunks(&pool, input.characters.size(), kChunk, [&](std::size_t i) {
         const std::int32_t place = input.place[i];
         direction[i] = {};
         cost[i] = kInfiniteCost;
         if (place < 0 || std::cmp_greater_equal(place, input.places.size())) return;
-        const Guidance guidance = evaluated && guidedPlace_[i] == place
+        const bool same = known && guidedPlace_[i] == place;
+        const bool serves = evaluated ||
+                            (guidance_[i].cost > kDistantCost && (i + guidanceRound_) % kDistantSteps != 1);
+        const Guidance guidance = same && serves
                                       ? guidance_[i]
                                       : geodesics_.guidance(input.characters[i], place, targets_[i]);
+        if (same) guidance_[i] = guidance;
         direction[i] = guidance.direction;
         const bool unknown = guidance.direction == Vec2{} && guidance.cost > 0.0f;
         cost[i] = unknown ? kInfiniteCost : static_cast<double>(guidance.cost);
