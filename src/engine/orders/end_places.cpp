@@ -6,7 +6,8 @@
 namespace muster {
 namespace {
 
-constexpr double kPoseStep = 0.5;  // Between poses that are tried [m].
+constexpr double kPoseStep = 0.5;     // Between poses that are tried [m]...
+constexpr double kPoseGrowth = 0.05;  // ... or so much of how far they are, where that is more.
 constexpr double kFarthest = 1.0;  // A pose is moved by so many reaches of the formation at most.
 // Tangents of the angles to its own way at which a formation comes to stand beside others.
 constexpr double kSlopes[] = {0.0, -0.2, 0.2, -0.4, 0.4, -0.6, 0.6, -0.8,
@@ -110,7 +111,8 @@ bool EndPlaces::isOpenTo(const EndDef& def, Vec2 at) const {
 bool EndPlaces::findBeside(const EndDef& def, const FreeSpace& space, Vec2 there, Vec2& at) const {
     const Vec2 back = normalized(def.from - there), side = perpendicular(back);
     const double whole = distance(there, def.from);
-    for (double diameter = kPoseStep; diameter < whole; diameter += kPoseStep)
+    for (double diameter = kPoseStep; diameter < whole;
+         diameter += std::max(kPoseStep, kPoseGrowth * diameter))
         for (const double slope : kSlopes) {
             at = there + (back + side * slope) * (diameter / (1.0 + slope * slope));
             if (space.contains(at) && fits(def, space, at, true) && isOpenTo(def, at) &&

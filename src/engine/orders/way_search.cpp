@@ -13,7 +13,8 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kSlack = 0.05;        // Narrower by so much is not felt [m].
 constexpr double kMarginCost = 0.35;   // More for a metre beside an obstacle, where it is wide enough.
-constexpr double kNarrower = 1.0;      // More for a metre that is narrower, by the share that is missing.
+constexpr double kNarrowCost = 1.0;    // More for a metre that is narrower than the formation...
+constexpr double kNarrower = 3.0;      // ... and still more by the share that is missing.
 constexpr double kForbidden = 1000.0;  // More for a metre where it may not narrow so far.
 constexpr std::array<Cell, 8> kSteps{{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
@@ -32,7 +33,7 @@ double WayNeeds::cost(double clearance, double halfWidth) const {
     if (clearance >= halfWidth - kSlack)
         return 1.0 + kMarginCost * std::min(1.0, (halfWidth + margin - clearance) / std::max(margin, 1e-9));
     const double missing = 1.0 - clearance / halfWidth;
-    const double narrow = 1.0 + kMarginCost + kNarrower * missing;
+    const double narrow = 1.0 + kMarginCost + kNarrowCost + kNarrower * missing;
     return clearance < least * halfWidth - kSlack ? narrow + kForbidden : narrow;
 }
 

@@ -16,12 +16,11 @@ void listHeld(const WorldState& state, const Group& group, std::vector<HeldSpot>
     held.clear();
     const Characters& c = state.characters;
     for (const Group& other : state.groups) {
-        if (other.id == group.id || other.def.conduct.stance != Stance::Hold) continue;
+        if (other.id == group.id || !holdsGround(other)) continue;
         const std::vector<Vec2>& places = other.places.reachableTargets();
         for (const std::int32_t i : other.members) {
             const bool stands = lengthSquared(c.velocity[i]) < kStands * kStands;
-            const bool comes = other.orders.orders.empty() && c.place[i] >= 0 &&
-                               std::cmp_less(c.place[i], places.size());
+            const bool comes = c.place[i] >= 0 && std::cmp_less(c.place[i], places.size());
             if (held.size() >= kMostHeld || !(stands || comes)) continue;
             const double radius = radiusOf(state.parameters.character, c.body[i]);
             held.push_back({stands ? c.position[i] : places[c.place[i]], radius + kHeldMargin});

@@ -8,6 +8,10 @@
 
 namespace muster {
 
+/// True for a group that holds its ground: not while an order leads it elsewhere.
+inline bool holdsGround(const Group& group) {
+    return group.def.conduct.stance == Stance::Hold && (group.orders.orders.empty() || group.orders.held);
+}
 /// Lists those of other groups who hold their ground, the first 64 of them: where they stand, or where the
 /// places of those are who have no order and still come to them.
 void listHeld(const WorldState& state, const Group& group, std::vector<HeldSpot>& held);

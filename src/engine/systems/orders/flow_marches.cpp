@@ -197,11 +197,10 @@ void FlowMarches::stand(WorldState& state, Group& group) {
 // else who is older.
 void FlowMarches::findStanding(const WorldState& state, const Group& group) {
     taken_.clear();
-    const auto holds = [](const Group& g) { return g.def.conduct.stance == Stance::Hold; };
     for (const Group& other : state.groups) {
         if (other.id == group.id || other.members.empty() || !other.settling.rests()) continue;
-        const bool before = holds(other) != holds(group)
-                                ? holds(other)
+        const bool before = holdsGround(other) != holdsGround(group)
+                                ? holdsGround(other)
                                 : other.flow.leads() || other.id.value < group.id.value;
         const std::vector<Vec2>& places = endsOf(other);
         if (before) taken_.insert(taken_.end(), places.begin(), places.end());

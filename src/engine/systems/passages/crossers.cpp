@@ -53,10 +53,7 @@ bool hasRoom(const Passage& passage, std::span<const HeldSpot> held, double radi
 void Crossers::findHeld(const WorldState& state) {
     passages_ = state.passages.size();
     held_.clear();
-    const bool any = std::any_of(state.groups.begin(), state.groups.end(), [](const Group& group) {
-        return group.def.conduct.stance == Stance::Hold;
-    });
-    if (!any) return;
+    if (std::none_of(state.groups.begin(), state.groups.end(), holdsGround)) return;
     for (const Group& group : state.groups) {
         listHeld(state, group, spots_);
         for (const Passage& passage : state.passages)

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "base/infinite_cost.h"
-#include "engine/orders/held_spot.h"
+#include "engine/state/held_ground.h"
 
 namespace muster {
 namespace {
@@ -42,7 +42,7 @@ void GoRound::findHolders(const WorldState& state) {
     holders_.clear();
     positions_.clear();
     for (const Group& group : state.groups) {
-        if (group.def.conduct.stance != Stance::Hold) continue;
+        if (!holdsGround(group)) continue;
         for (const std::int32_t i : group.members) {
             holders_.push_back(i);
             positions_.push_back(state.characters.position[i]);

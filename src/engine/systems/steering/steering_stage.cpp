@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "engine/state/held_ground.h"
+
 namespace muster {
 namespace {
 
@@ -35,7 +37,7 @@ void SteeringStage::resolveBodies(const WorldState& state) {
     firmness_.clear();
     for (const Group& group : state.groups) {
         const Stance stance = group.def.conduct.stance;
-        firmness_.push_back(stance == Stance::Hold ? 2 : stance == Stance::Normal ? 1 : 0);
+        firmness_.push_back(holdsGround(group) ? 2 : stance != Stance::Yield ? 1 : 0);
     }
     bodies_.resolve(state.parameters.character, state.characters, firmness_);
 }
