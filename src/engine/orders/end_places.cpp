@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kPoseStep = 0.5;     // Between poses that are tried [m]...
 constexpr double kPoseGrowth = 0.05;  // ... or so much of how far they are, where that is more.
-constexpr double kFarthest = 1.0;  // A pose is moved by so many reaches of the formation at most.
+constexpr double kFarthest = 1.0;     // A pose is moved by so many reaches of the formation at most.
 // Tangents of the angles to its own way at which a formation comes to stand beside others.
 constexpr double kSlopes[] = {0.0, -0.2, 0.2, -0.4, 0.4, -0.6, 0.6, -0.8,
                               0.8, -1.0, 1.0, -1.3, 1.3, -1.6, 1.6};

@@ -23,11 +23,11 @@ struct StreamDef {
     std::span<const Vec2> starts;   ///< Where they are now [m].
     std::span<const Vec2> ends;     ///< Where they end, on free ground [m].
     std::span<const Vec2>
-        way;                ///< From the middle of the starts to that of the ends, two points or more [m].
-    double spacing = 1.0;   ///< Of the formation [m], above 0.
-    double radius = 0.25;   ///< Of bodies [m], above 0.
-    double closest = 1e9;   ///< So near places may come to each other in narrow ground [m], above 0; the spacing
-                            ///< where that is less.
+        way;               ///< From the middle of the starts to that of the ends, two points or more [m].
+    double spacing = 1.0;  ///< Of the formation [m], above 0.
+    double radius = 0.25;  ///< Of bodies [m], above 0.
+    double closest = 1e9;  ///< So near places may come to each other in narrow ground [m], above 0; the
+                           ///< spacing where that is less.
     bool drawn = false;     ///< True where the way is kept to also where the ground between is free.
     bool measured = false;  ///< True where length() will be asked for.
 };
@@ -65,8 +65,8 @@ public:
 
     /// Where the places are at `q`, exactly their starts at 0 and their ends at 1. Only once planned.
     void at(double q, std::span<Vec2> places) const;
-    /// The next q, `dt` [s] later (earlier where it is negative), such that nine in ten places go no faster than
-    /// `speed` [m/s] above 0. `places` are those at `q`, and then those at the next.
+    /// The next q, `dt` [s] later (earlier where it is negative), such that nine in ten places go no faster
+    /// than `speed` [m/s] above 0. `places` are those at `q`, and then those at the next.
     double next(double q, double dt, double speed, std::span<Vec2> places);
     /// The same with a speed for each place. `rate` is how much q grows while the fastest of nine in ten goes
     /// a metre, as it was found by the last call, or 0; with it one try is the rule.

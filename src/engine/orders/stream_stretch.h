@@ -9,8 +9,9 @@
 
 namespace muster {
 
-/// Per row how narrow it is, own width over the width that is left, 1 or more; the stretch sigma, which is less
-/// by as much as places may come nearer to each other, but 1 or more; and xi, the integral of ds / sigma.
+/// Per row how narrow it is, own width over the width that is left, 1 or more; the stretch sigma, which is
+/// less by as much as places may come nearer to each other, but 1 or more; and xi, the integral of ds /
+/// sigma.
 class StreamStretch {
 public:
     /// Begins: no row is stretched. Places that are `spacing` apart in the formation may come as near to each

@@ -60,8 +60,8 @@ struct MarchFlow {
     template <class Archive>
     void visit(Archive& archive) {
         archive(phase, q, speed, rate, version, ground, spent, from.position, from.rotation.c,
-                from.rotation.s, to.position, to.rotation.c, to.rotation.s, drawn, spacing, radius, closest, offsets,
-                starts, ends, way, held, places);
+                from.rotation.s, to.position, to.rotation.c, to.rotation.s, drawn, spacing, radius, closest,
+                offsets, starts, ends, way, held, places);
         if constexpr (Archive::kReading) plans = {};
     }
 };

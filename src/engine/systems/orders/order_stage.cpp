@@ -19,8 +19,10 @@ constexpr std::int32_t kCellsPerStep = 2000;     // Of searches for ways.
 constexpr std::int64_t kFlowOperations = 60000;  // Of plans of marches, in a step.
 constexpr double kLongest = 20.0;  // Who has moved to and fro on one spot for so long is not waited for [s].
 constexpr double kSoonDone = 5.0;  // Following ends so soon where another order waits [s].
-constexpr double kSightShare = 0.125;  // Of the way to its place beside the leader, between two looks at walls.
-constexpr double kFollowStale = 2.0;   // A march that follows is made anew where its end has moved so far [m]...
+constexpr double
+    kSightShare = 0.125;  // Of the way to its place beside the leader, between two looks at walls.
+constexpr double
+    kFollowStale = 2.0;  // A march that follows is made again where its end has moved so far [m]...
 constexpr double kFollowShare = 0.25;  // ... and by that share of the distance.
 
 /// True while fingers hold the mesh, or their ways are followed.
@@ -389,12 +391,13 @@ OrderStage::Outcome OrderStage::follow(WorldState& state, Group& group, const Ma
     return Outcome::GoesOn;
 }
 
-// Among walls it marches, each time to where the leader is by then; the march of before goes on while the way is
-// searched.
+// Among walls it marches, each time to where the leader is by then; the march of before goes on while the way
+// is searched.
 void OrderStage::followAlong(WorldState& state, Group& group, const MarchDef& def, const Pose& end) {
     OrderQueue& queue = group.orders;
     March& march = queue.march;
-    const double stale = std::max(kFollowStale, kFollowShare * distance(group.mesh.pose().position, end.position));
+    const double stale = std::max(kFollowStale,
+                                  kFollowShare * distance(group.mesh.pose().position, end.position));
     if (march.phase == MarchPhase::Idle || distance(queue.target, end.position) > stale) {
         const std::int32_t region = regionOf(state, group);
         const RouteGraph& routes = state.routesOf(group);
@@ -402,7 +405,8 @@ void OrderStage::followAlong(WorldState& state, Group& group, const MarchDef& de
         queue.target = end.position;
         march.turns = false;
         march.searched = 0;
-        march.legs.assign(1, free ? end.position : state.routesOf(group).nearestReachable(end.position, region));
+        march.legs.assign(1,
+                          free ? end.position : state.routesOf(group).nearestReachable(end.position, region));
         beginWay(state, group, region);
         march.next = 1;
         march.phase = MarchPhase::Search;

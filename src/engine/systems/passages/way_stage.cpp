@@ -142,9 +142,9 @@ void WayStage::dropPassed(WorldState& state, ThreadPool& pool) {
     });
 }
 
-// Drops the ways of those whose passage is held, whose way leads past it, or are beyond and have to go through no passage; true where
-// anybody is left with one. Whose place is on its own side for now keeps its way: when places are exchanged
-// it may need it again.
+// Drops the ways of those whose passage is held, whose way leads past it, or are beyond and have to go
+// through no passage; true where anybody is left with one. Whose place is on its own side for now keeps its
+// way: when places are exchanged it may need it again.
 bool WayStage::keepCrossers(WorldState& state) {
     std::vector<ChosenWay>& chosen = state.characters.chosen;
     marked_.assign(chosen.size(), 0);

@@ -110,8 +110,8 @@ void OwnRoutes::dropEnded(WorldState& state) {
     routes.resize(kept);
 }
 
-// A cross on each of the nearest who hold their ground, as wide as both bodies; who is nearer goes out between
-// them.
+// A cross on each of the nearest who hold their ground, as wide as both bodies; who is nearer goes out
+// between them.
 void OwnRoutes::closeHeld(const WorldState& state, std::int32_t i) {
     const Vec2 from = state.characters.position[i];
     const Group& group = state.groups[state.characters.group[i]];

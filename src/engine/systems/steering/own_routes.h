@@ -15,8 +15,9 @@ namespace muster {
 /// be clear. Negative where that is not known.
 double exactCost(const WorldState& state, std::int32_t i);
 
-/// Who has been about the same spot for a while although its place is elsewhere, or is barred by others who hold
-/// their ground, follows a route by the exact ground, and keeps it until it has arrived: so no two sources of directions alternate.
+/// Who has been about the same spot for a while although its place is elsewhere, or is barred by others who
+/// hold their ground, follows a route by the exact ground, and keeps it until it has arrived: so no two
+/// sources of directions alternate.
 class OwnRoutes {
 public:
     /// Writes the directions and costs of those with a route, after the plans and passages. `barred` marks
