@@ -23,11 +23,11 @@ struct StreamDef {
     std::span<const Vec2> starts;   ///< Where they are now [m].
     std::span<const Vec2> ends;     ///< Where they end, on free ground [m].
     std::span<const Vec2>
-        way;               ///< From the middle of the starts to that of the ends, two points or more [m].
-    double spacing = 1.0;  ///< Of the formation [m], above 0.
-    double radius = 0.25;  ///< Of bodies [m], above 0.
-    double closest = 1e9;  ///< So near places may come to each other in narrow ground [m], above 0; the
-                           ///< spacing where that is less.
+        way;                ///< From the middle of the starts to that of the ends, two points or more [m].
+    double spacing = 1.0;   ///< Of the formation [m], above 0.
+    double radius = 0.25;   ///< Of bodies [m], above 0.
+    double closest = 1e9;   ///< So near places may come to each other in narrow ground [m], above 0; the
+                            ///< spacing where that is less.
     bool drawn = false;     ///< True where the way is kept to also where the ground between is free.
     bool measured = false;  ///< True where length() will be asked for.
 };
