@@ -159,7 +159,8 @@ bool Contacts::takeBackOne(const Environment& environment, std::int32_t characte
 }
 
 // The iteration does not always converge in a dense crowd, but nobody was too deep when the step began: of
-// pairs that have become too deep, both are put back, and so on with those that came after them.
+// pairs that have become too deep, the one that has come nearer is put back, then the other, and so on with
+// those that came after them. Who gets away from a knot does so.
 void Contacts::takeBack(const Environment& environment, std::span<Vec2> positions) {
     for (bool changed = true; changed;) {
         changed = false;
@@ -169,8 +170,13 @@ void Contacts::takeBack(const Environment& environment, std::span<Vec2> position
             const double d2 = lengthSquared(positions[pair.low] - positions[pair.high]);
             if (d2 >= least * least || d2 >= lengthSquared(bounds_.from[pair.low] - bounds_.from[pair.high]))
                 continue;
-            for (const std::int32_t character : {pair.low, pair.high})
-                changed = takeBackOne(environment, character, positions) || changed;
+            const Vec2 between = bounds_.from[pair.high] - bounds_.from[pair.low];
+            const double low = dot(positions[pair.low] - bounds_.from[pair.low], between);
+            const double high = dot(bounds_.from[pair.high] - positions[pair.high], between);
+            const auto [nearer, other] = low >= high ? std::pair(pair.low, pair.high)
+                                                     : std::pair(pair.high, pair.low);
+            changed = takeBackOne(environment, nearer, positions) ||
+                      takeBackOne(environment, other, positions) || changed;
         }
     }
 }

@@ -2,6 +2,7 @@
 #include <doctest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
@@ -55,4 +56,49 @@ TEST_CASE("a building set on a crowd is left at walking speed, by people and pla
     setOnCrowd(100, 1.0, 2.0, 3.0);
     setOnCrowd(100, 0.8, 1.5, 6.0);
     setOnCrowd(360, 1.0, 4.0, 4.0);
+}
+
+TEST_CASE(
+    "two buildings that overlap, set on a march of large and small: all get out of the corner between, and "
+    "arrive") {
+    for (const bool mixed : {false, true}) {
+        CAPTURE(mixed);
+        WorldDef def;
+        def.box = {{-60, -60}, {60, 60}};
+        def.parameters.character.radius = 0.3;
+        def.parameters.character.maxSpeed = def.parameters.place.speed = 3.0;
+        GroupDef group;
+        group.count = 100;
+        group.formation.spacing = 1.6;
+        for (int i = 0; mixed && i < 100; ++i)
+            group.bodies.push_back({.radius = i % 2 ? 0.3 : 0.6, .maxSpeed = i % 2 ? 3.0 : 5.0});
+        def.groups.push_back(group);
+        World world = World::create(def).value();
+        std::uint32_t sequence = 0;
+        run(world, 1.0);
+        REQUIRE(
+            give(world, sequence, GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::move({40, 0})})
+                .ok());
+        run(world, 2.0);
+        Vec2 middle;
+        for (const Vec2 p : world.characters().position) middle += p / 100.0;
+        const auto building = [](Vec2 centre, double angle) {
+            ObstacleDef out;
+            const Pose pose{centre, {std::cos(angle), std::sin(angle)}};
+            for (const Vec2 corner : {Vec2{-6, -6}, Vec2{6, -6}, Vec2{6, 6}, Vec2{-6, 6}})
+                out.polygon.push_back(pose.apply(corner));
+            return out;
+        };
+        REQUIRE(give(world, sequence, AddObstacle{building(middle, 0.3)}).ok());
+        REQUIRE(give(world, sequence, AddObstacle{building(middle + Vec2{9.6, 0}, -0.5)}).ok());
+        run(world, 8.0);
+        CHECK(world.contacts().overlapPairs == 0);
+        run(world, 22.0);
+        CHECK(world.group(0).orders.empty());
+        for (const std::int32_t i : world.group(0).members) {
+            const std::int32_t place = world.characters().place[i];
+            REQUIRE(place >= 0);
+            CHECK(distance(world.characters().position[i], world.group(0).placeTargets[place]) < 0.5);
+        }
+    }
 }

@@ -258,3 +258,92 @@ TEST_CASE("two hundred march through five gates about as fast as on their own, s
         CHECK(playOrder(def, Order::move({18, aside}), extent) < 30.0);
     }
 }
+
+TEST_CASE("a march through a door takes about as long as each for itself") {
+    struct Case {
+        std::int32_t count, files;
+        double spacing, from, width, bound;
+    };
+    // In a room of 12 m that they fill; close before a wall; from afar.
+    for (const Case& c : {Case{150, 13, 0.85, 0.0, 1.2, 1.15}, Case{100, 10, 1.0, 1.0, 2.0, 1.2},
+                          Case{60, 8, 1.0, -9.0, 1.0, 1.2}}) {
+        double seconds[2] = {};
+        for (const Manner manner : {Manner::Free, Manner::March}) {
+            WorldDef def;
+            def.box = {{-30, -20}, {60, 20}};
+            def.obstacles = {block(6, 0.5 * c.width, 6.3, 20), block(6, -20, 6.3, -0.5 * c.width)};
+            if (c.count == 150)
+                def.obstacles.insert(def.obstacles.end(), {block(-6.3, -6.3, -6, 6.3), block(-6, 6, 6, 6.3),
+                                                           block(-6, -6.3, 6, -6)});
+            GroupDef group;
+            group.count = c.count;
+            group.formation.files = c.files;
+            group.formation.spacing = c.spacing;
+            group.position = {c.from, 0};
+            def.groups.push_back(group);
+            World world = World::create(def).value();
+            std::uint32_t n = 0;
+            Order order = Order::move({25, 0});
+            order.manner = manner;
+            REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, order}).ok());
+            world.step();
+            while (!world.group(0).orders.empty() && world.time() < 100.0) world.step();
+            seconds[manner == Manner::March ? 1 : 0] = world.time();
+            CHECK(world.contacts().overlapPairs == 0);
+        }
+        CAPTURE(seconds[0]);
+        CAPTURE(seconds[1]);
+        CHECK(seconds[1] < c.bound * seconds[0]);
+    }
+}
+
+TEST_CASE("points of a formation that are far enough apart stay as they are, whatever its spacing says") {
+    WorldDef def;
+    def.box = {{-30, -20}, {40, 20}};
+    GroupDef group;
+    group.count = 4;
+    group.formation.kind = FormationKind::Points;
+    group.formation.points = {{0, 0}, {-2.6, 0}, {-5.2, 0}, {-7.8, 0}};
+    group.bodies = {Body{.radius = 1.0}};
+    def.groups.push_back(group);
+    World world = World::create(def).value();
+    std::uint32_t n = 0;
+    for (const Manner manner : {Manner::March, Manner::Free}) {
+        Order order = Order::move({manner == Manner::March ? 15.0 : 25.0, 0});
+        order.manner = manner;
+        REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, order}).ok());
+        run(world, 25.0);
+        double least = 1e9, most = -1e9;
+        for (const Vec2 p : world.characters().position) {
+            least = std::min(least, p.x);
+            most = std::max(most, p.x);
+        }
+        CHECK(most - least == doctest::Approx(7.8).epsilon(0.05));
+    }
+}
+
+TEST_CASE("who is ordered to where it stands already does not turn about") {
+    for (const Manner manner : {Manner::March, Manner::Free}) {
+        WorldDef def;
+        def.box = {{-20, -20}, {20, 20}};
+        def.obstacles = {block(4, -20, 4.3, 0)};
+        GroupDef group;
+        group.count = 36;
+        group.position = {-4, 0};
+        def.groups.push_back(group);
+        World world = World::create(def).value();
+        run(world, 2.0);
+        const auto before = copyOf(world.characters().position);
+        std::uint32_t n = 0;
+        for (int k = 0; k < 6; ++k) {
+            Vec2 middle;
+            for (const Vec2 p : world.characters().position) middle += p / 36.0;
+            Order order = Order::move(middle + Vec2{0.01, -0.02});
+            order.manner = manner;
+            REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, order}).ok());
+            run(world, 0.5);
+        }
+        for (std::size_t i = 0; i < before.size(); ++i)
+            CHECK(distance(before[i], world.characters().position[i]) < 0.5);
+    }
+}

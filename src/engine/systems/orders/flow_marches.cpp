@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kMostOff = 0.25;         // Share of places that may be elsewhere than the mesh wants them.
 constexpr std::uint32_t kLookSteps = 30;  // Steps between two looks whether others stand where a mesh rests.
+constexpr double kBuiltOn = 0.5;          // Nearer to a wall, in radii, a place is no place to start from.
 constexpr double kSameFacing = 0.99;      // Cosine of the angle by which headings that are alike may differ.
 constexpr double kPays = 0.25;  // Of a walk that does not lead to the target: so much nearer it has to come.
 
@@ -57,14 +58,33 @@ Vec2 endOfWay(Point begin, Point end, double reach) {
 
 }  // namespace
 
+// Where places are now; those that something was built on are where their holders stand.
+void FlowMarches::findStarts(WorldState& state, const Group& group) {
+    const Characters& c = state.characters;
+    const PlaceDef places = placeDefOf(state, group);
+    const RouteGraph& routes = state.refreshRoutes(group.groundClass);
+    const FreeSpace space(places, routes, mainRegion(state, group, regions_), nearest_);
+    starts_ = group.places.positions();
+    const auto isBuiltOn = [&](Vec2 p) {
+        return !routes.environment().clearStaticLine(p, p, kBuiltOn * places.radius);
+    };
+    for (const std::int32_t i : group.members) {
+        const std::int32_t place = c.place[i];
+        if (place < 0 || std::cmp_greater_equal(place, starts_.size()) || !isBuiltOn(starts_[place]))
+            continue;
+        starts_[place] = space.nearest(c.position[i]);
+    }
+}
+
 // Each place begins where the one is that goes to it with the least crossing, and those who held that go with
 // it: who is ahead on the way or to the left of it stays so. Where weights or demands differ places stay
 // whose they are.
 void FlowMarches::exchange(WorldState& state, Group& group, double reach) {
     MarchFlow& flow = group.flow;
     Characters& c = state.characters;
-    const std::vector<Vec2>& now = group.places.positions();
-    flow.starts.assign(now.begin(), now.end());
+    findStarts(state, group);
+    const std::vector<Vec2>& now = starts_;
+    flow.starts = now;
     if (hasWeights(state, group)) return;
     const std::span<const std::uint8_t> classes = group.placeClass.size() == now.size()
                                                       ? std::span<const std::uint8_t>(group.placeClass)

@@ -48,6 +48,7 @@ private:
     static bool isInWalls(const Group& group);
     bool isOnOthers(const WorldState& state, const Group& group);
     void findTaken(const WorldState& state, const Group& group);
+    void findStarts(WorldState& state, const Group& group);
     void exchange(WorldState& state, Group& group, double reach);
     void move(WorldState& state, Group& group, const MarchDef& def);
 
@@ -57,7 +58,7 @@ private:
     Pairing pairing_;
     std::vector<std::int32_t> places_, regions_;
     std::vector<double> speeds_;
-    std::vector<Vec2> taken_, together_, targets_, offsets_;
+    std::vector<Vec2> taken_, together_, targets_, offsets_, starts_;
     CellList cells_;
 };
 

@@ -73,6 +73,11 @@ void passCorners(March& march, double share) {
         ++march.next;
 }
 
+/// False where a way is so short that it has no direction worth turning to.
+bool leadsOn(const Group& group, Vec2 from, Vec2 to) {
+    return distance(from, to) > group.def.formation.spacing;
+}
+
 /// Where somebody has joined or left, the middle of the formation goes the way.
 void recentre(Group& group) {
     if (!group.refitted) return;
@@ -181,7 +186,7 @@ Pose OrderStage::endPose(const Group& group) const {
     Vec2 front = march.front(now);
     if (order.facing)
         front = {cosine(*order.facing), sine(*order.facing)};
-    else if (order.turn != Turn::Keep && march.way.size() > 1)
+    else if (order.turn != Turn::Keep && march.way.size() > 1 && leadsOn(group, now.position, at))
         front = normalized(march.way.back() - march.way[march.way.size() - 2], front);
     return facingPose(at, front);
 }
@@ -238,10 +243,8 @@ void OrderStage::restart(WorldState& state, Group& group) {
         Vec2 middle;
         for (const std::int32_t i : group.members) middle += state.characters.position[i];
         middle = middle / std::max(1.0, static_cast<double>(group.members.size()));
-        // Over less than a spacing the way has no direction worth turning to.
         Vec2 front = march.front(pose);
-        if (distance(queue.target, middle) > group.def.formation.spacing)
-            front = normalized(queue.target - middle);
+        if (leadsOn(group, middle, queue.target)) front = normalized(queue.target - middle, front);
         if (order.facing) front = {cosine(*order.facing), sine(*order.facing)};
         march.reversed = false;
         group.mesh.setPose(facingPose(queue.target, front));
