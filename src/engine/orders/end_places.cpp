@@ -7,7 +7,7 @@ namespace muster {
 namespace {
 
 constexpr double kPoseStep = 0.5;     // Between poses that are tried [m]...
-constexpr double kPoseGrowth = 0.05;  // ... or so much of how far they are, where that is more.
+constexpr double kPoseGrowth = 0.02;  // ... or so much of how far they are, where that is more.
 constexpr double kFarthest = 1.0;     // A pose is moved by so many reaches of the formation at most.
 // Tangents of the angles to its own way at which a formation comes to stand beside others.
 constexpr double kSlopes[] = {0.0, -0.2, 0.2, -0.4, 0.4, -0.6, 0.6, -0.8,
