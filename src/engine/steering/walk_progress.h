@@ -12,7 +12,7 @@ inline constexpr double kArrivedFor = 1.0;    ///< ... for this long [s].
 inline constexpr double kStuckMove = 0.25;    ///< "Stuck": moved less than this [m]...
 inline constexpr double kStuckFor = 5.0;      ///< ... for this long [s].
 inline constexpr double kStayedFor = 3.0;  ///< Who is within reach of its place for so long stays there [s].
-inline constexpr double kCampReach = 1.0;  ///< Who walks to and fro within this distance camps [m].
+inline constexpr double kCampReach = 2.0;  ///< Who walks to and fro within this distance camps [m].
 
 /// How one character gets on with its way.
 struct WalkProgress {

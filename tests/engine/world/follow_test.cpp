@@ -84,3 +84,30 @@ TEST_CASE("who follows a single one beside a wall has no place behind the wall")
         CHECK(length(world.characters().velocity[i]) < 0.1);
     }
 }
+
+TEST_CASE("who follows a group that goes each for itself follows its people, not their target") {
+    WorldDef def;
+    def.box = {{-20, -20}, {60, 20}};
+    GroupDef group;
+    group.count = 8;
+    def.groups.push_back(group);
+    def.groups[0].bodies = {Body{.maxSpeed = 1.0}};
+    group.position = {-8, 0};
+    def.groups.push_back(group);
+    World world = World::create(def).value();
+    std::uint32_t n = 0;
+    REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::go({40, 0})}).ok());
+    REQUIRE(
+        give(world, n,
+             GiveOrder{world.group(1).id, QueueMode::Replace, 0, Order::follow(world.group(0).id, {-5, 0})})
+            .ok());
+    const auto middle = [&](std::size_t g) {
+        Vec2 sum;
+        for (const std::int32_t i : world.group(g).members) sum += world.characters().position[i] / 8.0;
+        return sum;
+    };
+    for (int k = 0; k < 8; ++k) {
+        run(world, 5.0);
+        CHECK(middle(0).x - middle(1).x == doctest::Approx(5.0).epsilon(0.4));
+    }
+}

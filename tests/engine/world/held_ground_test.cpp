@@ -85,6 +85,32 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("two who hold, of different groups, are one to those who cannot come through between them") {
+    for (const double gap : {0.1, 0.35}) {
+        CAPTURE(gap);
+        WorldDef def;
+        def.box = {{-20, -12}, {20, 12}};
+        GroupDef group;
+        group.count = 6;
+        group.position = {-10, 0};
+        def.groups.push_back(group);
+        group.count = 1;
+        group.conduct.stance = Stance::Hold;
+        group.bodies = {Body{.radius = 0.9}};
+        // The line from one to the other is oblique to the way.
+        for (const double side : {1.0, -1.0}) {
+            group.position = {0.2 - 0.2 * side, side * (0.88 + 0.5 * gap)};
+            def.groups.push_back(group);
+        }
+        World world = World::create(def).value();
+        std::uint32_t n = 0;
+        REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::go({10, 0})}).ok());
+        world.step();
+        CHECK(play(world, 40.0) > 0.0);
+        CHECK(world.time() < 15.0);
+    }
+}
+
 TEST_CASE("four in a door of two hold it: thirty take the next one at once, each for itself") {
     WorldDef def;
     def.box = {{-25, -15}, {25, 15}};

@@ -18,6 +18,7 @@ namespace {
 constexpr std::int32_t kCellsPerStep = 2000;     // Of searches for ways.
 constexpr std::int64_t kFlowOperations = 60000;  // Of plans of marches, in a step.
 constexpr double kLongest = 20.0;  // Who has moved to and fro on one spot for so long is not waited for [s].
+constexpr double kWalks = 0.3;     // Who is faster faces where it walks [m/s].
 constexpr double kSoonDone = 5.0;  // Following ends so soon where another order waits [s].
 constexpr double
     kSightShare = 0.125;  // Of the way to its place beside the leader, between two looks at walls.
@@ -39,6 +40,11 @@ Pose facingPose(Vec2 position, Vec2 front) {
 
 bool samePose(const Pose& a, const Pose& b) {
     return a.position == b.position && a.rotation.c == b.rotation.c && a.rotation.s == b.rotation.s;
+}
+
+bool goesFree(const OrderQueue& queue) {
+    return queue.begun && !queue.orders.empty() && queue.orders.front().order.kind == OrderKind::Move &&
+           queue.orders.front().order.manner == Manner::Free;
 }
 
 bool isContinuum(const Order& order) {
@@ -93,6 +99,16 @@ std::int32_t OrderStage::regionOf(WorldState& state, const Group& group) {
     return mainRegion(state, group, regions_);
 }
 
+void OrderStage::leadByPeople(const WorldState& state, const Group& group, Lead& lead) {
+    const Characters& c = state.characters;
+    lead.position = lead.velocity = {};
+    for (const std::int32_t i : group.members) {
+        lead.position += c.position[i] / static_cast<double>(group.members.size());
+        lead.velocity += c.velocity[i] / static_cast<double>(group.members.size());
+    }
+    if (length(lead.velocity) > kWalks) lead.facing = normalized(lead.velocity);
+}
+
 OrderStage::Lead OrderStage::leadOf(const WorldState& state, const Order& order) {
     Lead lead;
     if (order.character != 0) {
@@ -105,6 +121,8 @@ OrderStage::Lead OrderStage::leadOf(const WorldState& state, const Order& order)
         if (group.id != order.group) continue;
         lead = {true, group.mesh.pose().position, group.orders.march.front(group.mesh.pose()),
                 meanVelocity(group)};
+        // The places of who goes each for itself are at the end already.
+        if (goesFree(group.orders) && !group.members.empty()) leadByPeople(state, group, lead);
     }
     return lead;
 }

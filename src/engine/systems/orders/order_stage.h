@@ -61,6 +61,7 @@ private:
     Outcome gather(WorldState& state, Group& group);
     bool isDone(const WorldState& state, Group& group);
     std::int32_t regionOf(WorldState& state, const Group& group);
+    static void leadByPeople(const WorldState& state, const Group& group, Lead& lead);
     static Lead leadOf(const WorldState& state, const Order& order);
 
     WayFinder ways_;

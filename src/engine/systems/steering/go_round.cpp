@@ -55,19 +55,17 @@ std::int32_t GoRound::rootOf(std::int32_t k) {
     return k;
 }
 
-// Two holders of one group belong together where nobody of the usual size fits between them.
-void GoRound::findClusters(const WorldState& state, const CrowdBodies& bodies) {
+// Two holders belong together where nobody of the usual size fits between them.
+void GoRound::findClusters(const CrowdBodies& bodies) {
     const double passage = 2.0 * (bodies.usual().radius + kHeldMargin);
     pairs_.build(positions_, 2.0 * bodies.largestRadius() + passage);
     root_.resize(holders_.size());
     order_.resize(holders_.size());
     for (std::size_t k = 0; k < holders_.size(); ++k) root_[k] = order_[k] = static_cast<std::int32_t>(k);
-    const Characters& c = state.characters;
     for (const NeighbourPair pair : pairs_.pairs()) {
         const std::int32_t a = holders_[pair.low], b = holders_[pair.high];
         const double reach = bodies.touching(a, b) + passage;
-        if (c.group[a] == c.group[b] &&
-            lengthSquared(positions_[pair.low] - positions_[pair.high]) < reach * reach) {
+        if (lengthSquared(positions_[pair.low] - positions_[pair.high]) < reach * reach) {
             const std::int32_t x = rootOf(pair.low), y = rootOf(pair.high);
             root_[std::max(x, y)] = std::min(x, y);
         }
@@ -77,6 +75,7 @@ void GoRound::findClusters(const WorldState& state, const CrowdBodies& bodies) {
               [&](std::int32_t a, std::int32_t b) { return std::tie(root_[a], a) < std::tie(root_[b], b); });
     clusters_.clear();
     members_.clear();
+    places_.clear();
     for (std::size_t k = 0; k < order_.size(); ++k) {
         const std::int32_t i = holders_[order_[k]];
         const Vec2 p = positions_[order_[k]];
@@ -88,7 +87,14 @@ void GoRound::findClusters(const WorldState& state, const CrowdBodies& bodies) {
         cluster.box.max = {std::max(cluster.box.max.x, p.x), std::max(cluster.box.max.y, p.y)};
         cluster.largest = std::max(cluster.largest, bodies.radius(i));
         members_.push_back(i);
+        places_.push_back(p);
     }
+}
+
+bool GoRound::hasOwn(const Characters& c, const Cluster& cluster, std::uint32_t group) const {
+    return std::any_of(members_.begin() + static_cast<std::ptrdiff_t>(cluster.first),
+                       members_.begin() + static_cast<std::ptrdiff_t>(cluster.end),
+                       [&](std::int32_t i) { return c.group[i] == group; });
 }
 
 // The side of the cluster by which the way to the target is shorter, of those that no wall closes; none where
@@ -115,13 +121,25 @@ GoRound::Side GoRound::sideOf(const WorldState& state, const CrowdBodies& bodies
     // Past the end the way goes on for a body's length or two.
     const Vec2 past = way * (cluster.largest + bodies.radius(character) + kHeldMargin);
     const auto round = [&](Vec2 end) {
-        return state.environment.clearStaticLine(end - past, end + past, bodies.radius(character))
+        return state.environment.clearStaticLine(end - past, end + past, bodies.radius(character)) &&
+                       !isClosedByOthers(bodies, cluster, end, character)
                    ? distance(here, end) + distance(end, target)
                    : kInfiniteCost;
     };
     const double byLeft = round(left), byRight = round(right);
     if (byLeft == kInfiniteCost && byRight == kInfiniteCost) return Side::None;
     return byLeft < byRight ? Side::Left : Side::Right;
+}
+
+// True where a member of another cluster leaves no room at the end of this one.
+bool GoRound::isClosedByOthers(const CrowdBodies& bodies, const Cluster& cluster, Vec2 end,
+                               std::int32_t character) const {
+    for (std::size_t k = 0; k < members_.size(); ++k) {
+        const double touching = bodies.touching(character, members_[k]);
+        const bool other = k < cluster.first || k >= cluster.end;
+        if (other && lengthSquared(places_[k] - end) < touching * touching) return true;
+    }
+    return false;
 }
 
 // Turns a way that leads into the cluster to the outermost tangent of its members on the shorter side.
@@ -163,7 +181,7 @@ void GoRound::run(WorldState& state, const CrowdBodies& bodies, std::span<const 
     findHolders(state);
     barred_.clear();
     if (holders_.empty()) return;
-    findClusters(state, bodies);
+    findClusters(bodies);
     Characters& c = state.characters;
     barred_.assign(c.size(), 0);
     for (std::size_t i = 0; i < c.size(); ++i) {
@@ -171,8 +189,7 @@ void GoRound::run(WorldState& state, const CrowdBodies& bodies, std::span<const 
         const double far = std::min(kLookAhead, distance(c.position[i], targets[i]));
         for (const Cluster& cluster : clusters_) {
             const double keep = cluster.largest + bodies.radius(i) + kHeldMargin;
-            if (!cluster.box.grown(keep + far).contains(c.position[i]) ||
-                c.group[members_[cluster.first]] == c.group[i])
+            if (!cluster.box.grown(keep + far).contains(c.position[i]) || hasOwn(c, cluster, c.group[i]))
                 continue;
             if (!meets(cluster.box.grown(keep), c.position[i], c.direction[i], far) ||
                 !bodies.isFirmer(members_[cluster.first], i))

@@ -31,8 +31,11 @@ private:
     };
 
     void findHolders(const WorldState& state);
-    void findClusters(const WorldState& state, const CrowdBodies& bodies);
+    void findClusters(const CrowdBodies& bodies);
     std::int32_t rootOf(std::int32_t k);
+    bool hasOwn(const Characters& c, const Cluster& cluster, std::uint32_t group) const;
+    bool isClosedByOthers(const CrowdBodies& bodies, const Cluster& cluster, Vec2 end,
+                          std::int32_t character) const;
     Side sideOf(const WorldState& state, const CrowdBodies& bodies, const Cluster& cluster, Vec2 target,
                 std::int32_t character) const;
     void turn(WorldState& state, const CrowdBodies& bodies, const Cluster& cluster, Vec2 target,
@@ -42,7 +45,8 @@ private:
     std::vector<Vec2> positions_;        // Of these [m].
     NeighbourList pairs_;
     std::vector<std::int32_t> root_;     // Union-find over holders.
-    std::vector<std::int32_t> members_;  // Characters, cluster by cluster.
+    std::vector<std::int32_t> members_;  // Characters, cluster by cluster...
+    std::vector<Vec2> places_;           // ... and where they stand [m].
     std::vector<std::int32_t> order_;    // Of holders, by root.
     std::vector<Cluster> clusters_;
     std::vector<std::uint8_t> barred_;  // By character.

@@ -23,6 +23,7 @@ constexpr double kAtCorner = 0.1;    // A corner this near is reached [m].
 constexpr std::uint32_t kSearchTurns = 8;   // Each may search in one step of so many.
 constexpr std::int64_t kRouteWork = 12000;  // Searches begin in a step until they have used so much.
 constexpr std::size_t kMostClosed = 16;     // Of those who hold their ground, round whom a search goes.
+constexpr double kTightMargin = 0.02;       // Kept from them where there is no wider way [m].
 constexpr double kMovingReach = 6.0;        // Of the discomfort round moving obstacles [m].
 
 double lengthFrom(Vec2 from, const std::vector<Vec2>& path) {
@@ -112,7 +113,7 @@ void OwnRoutes::dropEnded(WorldState& state) {
 
 // A cross on each of the nearest who hold their ground, as wide as both bodies; who is nearer goes out
 // between them.
-void OwnRoutes::closeHeld(const WorldState& state, std::int32_t i) {
+void OwnRoutes::closeHeld(const WorldState& state, std::int32_t i, double margin) {
     const Vec2 from = state.characters.position[i];
     const Group& group = state.groups[state.characters.group[i]];
     listHeld(state, group, held_);
@@ -126,7 +127,7 @@ void OwnRoutes::closeHeld(const WorldState& state, std::int32_t i) {
         });
     closed_.clear();
     for (std::size_t k = 0; k < count; ++k) {
-        const double reach = std::min(held_[k].radius + routesFor(state, i).radius(),
+        const double reach = std::min(held_[k].radius - kHeldMargin + margin + routesFor(state, i).radius(),
                                       distance(held_[k].position, from));
         for (const Vec2 arm : {Vec2{reach, 0.0}, Vec2{0.0, reach}})
             closed_.push_back({held_[k].position - arm, held_[k].position + arm});
@@ -139,7 +140,6 @@ bool OwnRoutes::search(WorldState& state, std::int32_t i, OwnRoute& route) {
     const Vec2 from = state.characters.position[i];
     route.place = state.characters.place[i];
     route.goal = placeOf(state, i);
-    closeHeld(state, i);
     const auto find = [&](std::span<const ClosedLine> closed, std::int64_t most) {
         search_.start(graph, from, route.goal, closed, !state.environment.movingObstacleAreas().empty());
         const RouteStatus status = search_.advance(graph, most);
@@ -147,7 +147,12 @@ bool OwnRoutes::search(WorldState& state, std::int32_t i, OwnRoute& route) {
         return status;
     };
     constexpr std::int64_t kWhole = std::numeric_limits<std::int64_t>::max();
-    RouteStatus status = find(closed_, closed_.empty() ? kWhole : kRouteWork);
+    RouteStatus status = RouteStatus::Unreachable;
+    for (const double margin : {kHeldMargin, kTightMargin}) {
+        closeHeld(state, i, margin);
+        status = find(closed_, closed_.empty() ? kWhole : kRouteWork);
+        if (status == RouteStatus::Found || closed_.empty()) break;
+    }
     // Where those who hold their ground leave no way, or none that is soon found, it waits for one before
     // them.
     if (status != RouteStatus::Found && !closed_.empty()) status = find({}, kWhole);

@@ -33,7 +33,7 @@ private:
     void follow(WorldState& state, std::int32_t i, OwnRoute& route);
     static void goStraight(WorldState& state);
 
-    void closeHeld(const WorldState& state, std::int32_t i);
+    void closeHeld(const WorldState& state, std::int32_t i, double margin);
 
     RouteSearch search_;
     std::vector<HeldSpot> held_;
