@@ -9,6 +9,9 @@
 
 namespace muster {
 
+/// On the inside of a bend rows are never nearer to each other than by that share.
+inline constexpr double kLeastBend = 0.45;
+
 /// A row across the way.
 struct StreamRow {
     Vec2 centre;        ///< On the middle line [m].

@@ -8,7 +8,6 @@ namespace {
 
 constexpr double kUnfelt = 1.015;      // A smaller stretch is none.
 constexpr double kSingle = 0.4;        // From that stretch more on rows are in single order.
-constexpr double kLeastBend = 0.45;    // Rows in a bend are never nearer to each other than by that share.
 constexpr double kInside = 0.75;       // Down to that share of their distance they need no more room.
 constexpr double kMostSpread = 1.0;    // ... and count as farther apart on the outside by that at most.
 constexpr std::int32_t kBendRows = 4;  // Bends are evened over so many rows to both sides.
