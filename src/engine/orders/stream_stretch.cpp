@@ -108,14 +108,8 @@ void StreamStretch::blend(double shift) {
     for (std::int32_t k = 0; k < n; ++k)
         for (std::int32_t j = std::max(0, k - reach); j <= std::min(n - 1, k + reach); ++j)
             wide_[k] = std::max(wide_[k], single_[j]);
-    double sum = 0.0;
     const auto at = [&](std::int32_t k) { return wide_[std::clamp(k, 0, n - 1)]; };
-    for (std::int32_t k = -reach; k <= reach; ++k) sum += at(k);
-    for (std::int32_t k = 0; k < n; ++k) {
-        single_[k] = sum / (2.0 * reach + 1.0);
-        if (single_[k] < 1e-12) single_[k] = 0.0;
-        sum += at(k + reach + 1) - at(k - reach);
-    }
+    runningMeans(n, reach, at, [&](std::int32_t k, double mean) { single_[k] = mean < 1e-12 ? 0.0 : mean; });
 }
 
 double StreamStretch::xi(double s) const {
