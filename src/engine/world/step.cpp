@@ -95,7 +95,8 @@ constexpr StageRow kStages[] = {
       "Turns directions round clusters of others that hold their ground."},
      [](WorldEngine& w) { w.steering.goRound(w.state); }},
     {{"own routes", "walks, exact ground, firm bodies", "direction and cost of characters, own routes",
-      "Gives a character that has camped on one spot, or is barred by others that hold their ground, a route of its "
+      "Gives a character that has camped on one spot, or is barred by others that hold their ground, a route "
+      "of its "
       "own by the exact ground."},
      [](WorldEngine& w) { w.steering.followOwnRoutes(w.state); }},
     {{"cohesion", "costs, conduct", "pace of characters", "Slows those ahead in groups that keep together."},

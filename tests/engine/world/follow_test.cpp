@@ -70,9 +70,10 @@ TEST_CASE("who follows a single one beside a wall has no place behind the wall")
     std::uint32_t n = 0;
     REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::move({10, 0})}).ok());
     // To the left of who it follows, which is the other side of the wall.
-    REQUIRE(give(world, n,
-                 GiveOrder{world.group(1).id, QueueMode::Replace, 0, Order::follow(world.group(0).id, {0, 4})})
-                .ok());
+    REQUIRE(
+        give(world, n,
+             GiveOrder{world.group(1).id, QueueMode::Replace, 0, Order::follow(world.group(0).id, {0, 4})})
+            .ok());
     while (world.time() < 25.0) {
         world.step();
         if (world.time() < 5.0) continue;

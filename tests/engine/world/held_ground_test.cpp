@@ -59,7 +59,8 @@ TEST_CASE("who has come into a door after others were on their way through is go
     CHECK(play(world, 90.0) > 0.0);
 }
 
-TEST_CASE("who goes for itself passes a holder on the side on which there is room, not into a pocket at the wall") {
+TEST_CASE(
+    "who goes for itself passes a holder on the side on which there is room, not into a pocket at the wall") {
     for (const double gap : {0.1, 2.1}) {
         CAPTURE(gap);
         WorldDef def;
@@ -76,7 +77,8 @@ TEST_CASE("who goes for itself passes a holder on the side on which there is roo
         def.groups.push_back(group);
         World world = World::create(def).value();
         std::uint32_t n = 0;
-        REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::go({12, 1.2})}).ok());
+        REQUIRE(
+            give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::go({12, 1.2})}).ok());
         world.step();
         CHECK(play(world, 40.0) > 0.0);
         CHECK(world.time() < 16.0);

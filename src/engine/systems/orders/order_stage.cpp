@@ -22,7 +22,7 @@ constexpr double kSoonDone = 5.0;  // Following ends so soon where another order
 constexpr double
     kSightShare = 0.125;  // Of the way to its place beside the leader, between two looks at walls.
 constexpr double
-    kFollowStale = 2.0;  // A march that follows is made anew where its end has moved so far [m]...
+    kFollowStale = 2.0;  // A march that follows is made again where its end has moved so far [m]...
 constexpr double kFollowShare = 0.25;  // ... and by that share of the distance.
 
 /// True while fingers hold the mesh, or their ways are followed.

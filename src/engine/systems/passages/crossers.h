@@ -21,7 +21,8 @@ class Crossers {
 public:
     /// Finds all of them, and keeps the passages with the shortest ways.
     void gather(const WorldState& state, const WayFields& fields);
-    /// True where others hold a passage so that nobody of a group comes through; both by index, after gather().
+    /// True where others hold a passage so that nobody of a group comes through; both by index, after
+    /// gather().
     bool isHeld(std::size_t group, std::size_t passage) const {
         return !held_.empty() && held_[group * passages_ + passage] != 0;
     }
@@ -31,8 +32,8 @@ public:
     void shutPast(const WorldState& state, const WayFields& fields, std::span<const std::int32_t> way);
 
     const std::vector<std::int32_t>& characters() const { return characters_; }  ///< Who they are.
-    /// Those whose way leads past all passages: the two sides of a passage that stands alone meet where the ways
-    /// round it are equally long, and nothing parts them there.
+    /// Those whose way leads past all passages: the two sides of a passage that stands alone meet where the
+    /// ways round it are equally long, and nothing parts them there.
     const std::vector<std::int32_t>& past() const { return past_; }
     const std::vector<std::int32_t>& pool() const { return pool_; }  ///< The group of each crosser.
     const std::vector<std::int32_t>& used() const { return used_; }  ///< Passages of the tables, ascending.
@@ -45,8 +46,8 @@ private:
     void findHeld(const WorldState& state);
     void gatherMember(const WorldState& state, const WayFields& fields, const Group& group, std::int32_t pool,
                       std::int32_t character);
-    bool needsNone(const WorldState& state, const WayFields& fields, const Group& group, std::int32_t character,
-                   Vec2 goal, double byPassage) const;
+    bool needsNone(const WorldState& state, const WayFields& fields, const Group& group,
+                   std::int32_t character, Vec2 goal, double byPassage) const;
     void keepNearest(std::size_t all);
     void measureBetween(const WorldState& state, const WayFields& fields);
 
