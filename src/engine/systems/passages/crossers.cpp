@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::size_t kMaxChoices = 6;  // Passages among which is chosen at a time.
 constexpr double kPast = 0.75;  // A detour of this share of the walk between two passages leads past one.
-constexpr double kRoundabout = 1.25;  // Ways through passages this many times as long as the one of the plan...
+constexpr double
+    kRoundabout = 1.25;  // Ways through passages this many times as long as the one of the plan...
 constexpr double kLeastRound = 2.0;   // ... and this much longer are none [m].
 constexpr double kSameGoal = 0.5;     // A goal this near to a place is that place [m].
 constexpr double kBeforeMouth = 0.4;  // Where people wait for a passage [m].
@@ -80,8 +81,7 @@ void Crossers::gatherMember(const WorldState& state, const WayFields& fields, co
         onward_.push_back(candidate ? there.cost / speed : kInfiniteCost);
         side_.push_back(static_cast<std::int8_t>(here.side));
     }
-    const bool past = least < kInfiniteCost &&
-                      needsNone(state, fields, group, character, to.point, least);
+    const bool past = least < kInfiniteCost && needsNone(state, fields, group, character, to.point, least);
     if (least < kInfiniteCost && !past) {
         characters_.push_back(character);
         pool_.push_back(pool);
@@ -92,8 +92,8 @@ void Crossers::gatherMember(const WorldState& state, const WayFields& fields, co
     side_.resize(side_.size() - all);
 }
 
-// True where the way of a character leads past all passages: its goal is in sight, or the plan knows a way that is
-// much shorter than by any of them.
+// True where the way of a character leads past all passages: its goal is in sight, or the plan knows a way
+// that is much shorter than by any of them.
 bool Crossers::needsNone(const WorldState& state, const WayFields& fields, const Group& group,
                          std::int32_t character, Vec2 goal, double byPassage) const {
     const Characters& c = state.characters;
