@@ -1,4 +1,4 @@
-// Bounding boxes.
+// Bounding boxes and means of points.
 #pragma once
 
 #include <algorithm>
@@ -18,6 +18,13 @@ inline Box boundsOf(std::span<const Vec2> points) {
         box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
     }
     return box;
+}
+
+/// The mean of points; zero for none.
+inline Vec2 meanOf(std::span<const Vec2> points) {
+    Vec2 sum;
+    for (const Vec2 p : points) sum += p;
+    return sum / std::max(1.0, static_cast<double>(points.size()));
 }
 
 }  // namespace muster

@@ -33,6 +33,16 @@ public:
     std::span<const std::int32_t> within(std::int32_t first, std::int32_t last) const {
         return std::span(item_).subspan(start_[first], start_[last + 1] - start_[first]);
     }
+    /// True where `accept(i)` holds for a point in the cell that is nearest to `p`, or in one beside it.
+    template <class Accept>
+    bool anyBeside(Vec2 p, const Accept& accept) const {
+        const Cell at = grid_.nearestCell(p);
+        const std::int32_t left = std::max(at.x - 1, 0), right = std::min(at.x + 1, grid_.width - 1);
+        for (std::int32_t y = std::max(at.y - 1, 0); y <= std::min(at.y + 1, grid_.height - 1); ++y)
+            for (const std::int32_t i : within(grid_.index({left, y}), grid_.index({right, y})))
+                if (accept(i)) return true;
+        return false;
+    }
 
 private:
     std::int32_t begin(std::int32_t cell) const { return start_[cell]; }

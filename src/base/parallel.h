@@ -46,6 +46,9 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
+/// Calls in an item of forChunks() where nothing speaks for another number.
+inline constexpr std::size_t kPerTask = 256;
+
 /// Calls `each(i)` for all i in [0, count), in items of `chunk` calls; in the calling thread where `pool` is
 /// null or one item is enough. Calls must not touch each other's results.
 template <class Each>

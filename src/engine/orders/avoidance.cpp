@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/infinite_cost.h"
 #include "base/maths.h"
 
 namespace muster {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
 // Angles to the way [degrees], the right first, so that those who meet head-on both pass to the right.
 constexpr double kAngles[] = {-15, 15, -30, 30, -50, 50, -80, 80};
 constexpr double kShares[] = {1.0, 0.6};
@@ -33,13 +33,12 @@ constexpr double kChange = 0.3;       // Of a change by its whole speed [s].
 constexpr double kTowards = 4.0;      // Of going into somebody whom it overlaps, at its whole speed [s].
 constexpr double kKept = 0.6;         // Share of the margin to which it goes on with what it does.
 constexpr double kStopMargin = 0.2;   // It stops farther off [m].
-constexpr double kStands = 0.3;       // Who is slower stands [m/s].
 constexpr double kLater = 0.05;       // A contact is later by more than this [s].
 constexpr double kMargins[] = {1.0, 0.75, 0.5, 0.25, 0.0};
 
 Vec2 velocityOf(const AvoidanceQuery& query, const Manoeuvre& manoeuvre) {
     const Vec2 way = normalized(query.ahead.front() - query.middle, query.own.axis);
-    return Rotation{cosine(manoeuvre.angle), sine(manoeuvre.angle)}.apply(way) * manoeuvre.speed;
+    return rotationBy(manoeuvre.angle).apply(way) * manoeuvre.speed;
 }
 
 }  // namespace
@@ -81,7 +80,7 @@ void Avoider::readNeighbours(const AvoidanceQuery& query, std::span<const Neighb
 double Avoider::contactOf(const AvoidanceQuery& query, const Candidate& candidate, bool whole) {
     const bool stops = candidate.manoeuvre.stops;
     const Course course = courseOf(query, candidate.manoeuvre);
-    double first = kNever;
+    double first = kInfiniteCost;
     for (std::size_t k = 0; k < near_.size(); ++k) {
         const std::size_t index = k == 0 ? first_ : k <= first_ ? k - 1 : k;
         const auto& [neighbour, stopMargin] = near_[index];
@@ -89,7 +88,7 @@ double Avoider::contactOf(const AvoidanceQuery& query, const Candidate& candidat
                               : stops        ? stopMargin
                                              : neighbour.margin;
         first = std::min(first, firstContact(query, course, stops, neighbour, margin));
-        if (first == kNever || whole) continue;
+        if (first == kInfiniteCost || whole) continue;
         first_ = index;
         return first;
     }
@@ -107,7 +106,7 @@ Avoider::Hindrance Avoider::hindranceOf(const AvoidanceQuery& query, const Manoe
         const MovingBox& box = neighbour.box;
         // From the left: it comes across, and not from ahead.
         const bool across = cross(way, box.velocity) < -0.4 * length(box.velocity);
-        hindrance = {contact, length(box.velocity) < kStands, neighbour.isMesh,
+        hindrance = {contact, length(box.velocity) < kMeshStands, neighbour.isMesh,
                      neighbour.shares && across && cross(way, box.centre - query.own.centre) > 0.0, k};
     }
     return hindrance;
@@ -115,8 +114,7 @@ Avoider::Hindrance Avoider::hindranceOf(const AvoidanceQuery& query, const Manoe
 
 // The time that is lost by it, and some more for what others do not expect.
 double Avoider::costOf(const AvoidanceQuery& query, const Hindrance& hindrance, double alone,
-                       const Candidate& candidate) const {
-    const Manoeuvre& manoeuvre = candidate.manoeuvre;
+                       const Manoeuvre& manoeuvre) const {
     const double cruise = query.cruise;
     const double along = manoeuvre.speed * cosine(manoeuvre.angle);
     double cost = 0.0;
@@ -139,9 +137,9 @@ double Avoider::costOf(const AvoidanceQuery& query, const Hindrance& hindrance, 
 void Avoider::listCandidates(const AvoidanceQuery& query, const Hindrance& hindrance, double alone) {
     constexpr double kDegree = kPi / 180.0;
     const auto add = [&](Manoeuvre manoeuvre, bool kept = false) {
-        Candidate candidate{manoeuvre, 0.0, kNever, kept};
-        candidate.cost = costOf(query, hindrance, alone, candidate);
-        candidates_.push_back(candidate);
+        order_.emplace_back(costOf(query, hindrance, alone, manoeuvre),
+                            static_cast<std::int32_t>(candidates_.size()));
+        candidates_.push_back({manoeuvre, kInfiniteCost, kept});
     };
     if (query.hindered && query.last.seconds > 0.0) add(query.last, true);
     if (query.top > 1.05 * query.preferred) add({query.top, 0.0, kHurries, false});
@@ -155,9 +153,6 @@ void Avoider::listCandidates(const AvoidanceQuery& query, const Hindrance& hindr
     for (const double angle : kStopAngles)
         for (const double share : kStopShares) add({share * query.top, angle * kDegree, kStopsIn, true});
     add({0.0, 0.0, kStopsIn, true});
-    order_.clear();
-    for (std::size_t k = 0; k < candidates_.size(); ++k)
-        order_.emplace_back(candidates_[k].cost, static_cast<std::int32_t>(k));
     std::sort(order_.begin(), order_.end());
 }
 
@@ -184,14 +179,15 @@ AvoidanceChoice Avoider::choose(const AvoidanceQuery& query, std::span<const Nei
     readNeighbours(query, neighbours);
     const Manoeuvre alone{query.preferred, 0.0, kMoverHorizon, false};
     const Hindrance hindrance = hindranceOf(query, alone);
-    if (hindrance.contact == kNever && met_.empty()) return {alone, false, true};
-    candidates_.assign(1, {alone, 0.0, kNever, false});
+    if (hindrance.contact == kInfiniteCost && met_.empty()) return {alone, false, true};
+    candidates_.assign(1, {alone, kInfiniteCost, false});
+    order_.assign(1, {0.0, 0});
     listCandidates(query, hindrance, arrivalOf(query, {query.cruise, 0.0, 0.0, false}));
     first_ = hindrance.who;
     for (const auto& [cost, k] : order_) {
         Candidate& candidate = candidates_[k];
         candidate.contact = contactOf(query, candidate, false);
-        if (candidate.contact < kNever) continue;
+        if (candidate.contact < kInfiniteCost) continue;
         const Manoeuvre& manoeuvre = candidate.manoeuvre;
         if (manoeuvre.angle == 0.0 || hasRoom(velocityOf(query, manoeuvre))) return {manoeuvre, k > 0, true};
     }

@@ -83,6 +83,8 @@ struct Course {
     std::size_t count = 0;
 };
 
+/// Who is slower stands, and is not counted upon to keep clear [m/s].
+inline constexpr double kMeshStands = 0.3;
 /// Of meshes, contacts so far ahead count [s].
 inline constexpr double kMeshHorizon = 8.0;
 /// Of moving obstacles, whose paths are known [s].
@@ -113,7 +115,6 @@ public:
 private:
     struct Candidate {
         Manoeuvre manoeuvre;
-        double cost = 0.0;     // [s]
         double contact = 0.0;  // With whom it was looked at first [s].
         bool kept = false;     // What it does already.
     };
@@ -135,7 +136,7 @@ private:
     double contactOf(const AvoidanceQuery& query, const Candidate& candidate, bool whole);
     Hindrance hindranceOf(const AvoidanceQuery& query, const Manoeuvre& alone) const;
     double costOf(const AvoidanceQuery& query, const Hindrance& hindrance, double alone,
-                  const Candidate& candidate) const;
+                  const Manoeuvre& manoeuvre) const;
     AvoidanceChoice latest(const AvoidanceQuery& query, HasRoom hasRoom);
     void listCandidates(const AvoidanceQuery& query, const Hindrance& hindrance, double alone);
 

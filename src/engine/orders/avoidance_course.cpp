@@ -2,22 +2,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/infinite_cost.h"
 #include "base/maths.h"
 #include "engine/orders/avoidance.h"
 
 namespace muster {
 namespace {
 
-constexpr double kNotInTime = std::numeric_limits<double>::infinity();
 constexpr double kTurnTime = 2.0;     // Within which it has turned to its way [s].
 constexpr double kAskew = 0.05;       // It faces along its way within this angle [rad].
 constexpr double kMostTurn = 1.0;     // Larger turns are as wide [rad].
 constexpr double kCertain = 2.5;      // So long a mesh keeps its velocity, whatever the other does [s].
 constexpr double kCertainStop = 3.5;  // The same where this one stops.
-
-Vec2 turnedBy(Vec2 a, double angle) {
-    return Rotation{cosine(angle), sine(angle)}.apply(a);
-}
 
 /// Adds parts one after the other.
 class CourseBuilder {
@@ -108,7 +104,7 @@ private:
 double arrivalOf(const AvoidanceQuery& query, const Manoeuvre& manoeuvre) {
     Vec2 at = query.middle;
     const Vec2 way = normalized(query.ahead.front() - at, query.own.axis);
-    const Vec2 velocity = turnedBy(way, manoeuvre.angle) * manoeuvre.speed;
+    const Vec2 velocity = rotationBy(manoeuvre.angle).apply(way) * manoeuvre.speed;
     const double ramp = distance(query.own.velocity, velocity) / query.acceleration;
     double seconds = ramp + manoeuvre.seconds;
     double gone = 0.0;
@@ -131,7 +127,7 @@ Course courseOf(const AvoidanceQuery& query, const Manoeuvre& manoeuvre) {
     WayAhead ahead(query);
     const Vec2 way = ahead.along(query.middle);
     const Vec2 axis = query.own.axis;
-    Vec2 velocity = turnedBy(way, manoeuvre.angle) * manoeuvre.speed;
+    Vec2 velocity = rotationBy(manoeuvre.angle).apply(way) * manoeuvre.speed;
     const double askew = std::fabs(cross(axis, way));
     double grown = 0.0;
     if (query.wheels && askew > kAskew)
@@ -175,7 +171,7 @@ double firstContact(const AvoidanceQuery& query, const Course& course, bool stop
         const TimeSpan shared = contactSpan(part, other, margin);
         if (!shared.empty() && shared.from <= kMeshHorizon) return shared.from;
     }
-    return kNotInTime;
+    return kInfiniteCost;
 }
 
 }  // namespace muster

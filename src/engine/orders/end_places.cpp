@@ -26,14 +26,8 @@ constexpr Vec2 kAround[16] = {{1, 0},  {.924, .383},   {.707, .707},   {.383, .9
 
 // True where somebody else stands or will stand.
 bool EndPlaces::isTaken(Vec2 p) const {
-    if (takenAt_.empty()) return false;
-    const Grid& grid = taken_.grid();
-    const Cell cell = grid.nearestCell(p);
-    for (std::int32_t y = std::max(cell.y - 1, 0); y <= std::min(cell.y + 1, grid.height - 1); ++y)
-        for (std::int32_t x = std::max(cell.x - 1, 0); x <= std::min(cell.x + 1, grid.width - 1); ++x)
-            for (const std::int32_t k : taken_.within(grid.index({x, y}), grid.index({x, y})))
-                if (lengthSquared(takenAt_[k] - p) < apart_ * apart_) return true;
-    return false;
+    const auto isNear = [&](std::int32_t k) { return lengthSquared(takenAt_[k] - p) < apart_ * apart_; };
+    return !takenAt_.empty() && taken_.anyBeside(p, isNear);
 }
 
 // `beside`: whether what others have taken counts.

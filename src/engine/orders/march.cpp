@@ -16,37 +16,19 @@ constexpr double kTurned = 1e-4;          // A smaller angle is none [rad].
 constexpr double kLeastAim = 1.5;         // It heads for a point so far ahead on its way at least [m]...
 constexpr double kMostAim = 8.0;          // ... and at most [m].
 
-Rotation turned(Rotation r, double angle) {
-    const double c = cosine(angle), s = sine(angle);
-    Rotation out{r.c * c - r.s * s, r.s * c + r.c * s};
-    const double size = std::sqrt(out.c * out.c + out.s * out.s);
-    return {out.c / size, out.s / size};
-}
-
 double approach(double from, double to, double most) {
     return from + std::clamp(to - from, -most, most);
 }
 
-/// The point at a distance ahead on the way.
-Vec2 pointAhead(const March& march, Vec2 from, double reach) {
-    for (std::size_t k = march.next; k < march.way.size(); ++k) {
-        const double part = distance(from, march.way[k]);
-        if (part >= reach) return lerp(from, march.way[k], reach / part);
-        reach -= part;
-        from = march.way[k];
-    }
-    return from;
-}
-
-/// Moves a point along the way.
-Vec2 walk(March& march, Vec2 from, double reach) {
-    while (march.next < march.way.size()) {
-        const Vec2 corner = march.way[march.next];
+/// The point at a distance ahead on the way, and the corner that comes next.
+Vec2 walk(const March& march, std::uint32_t& next, Vec2 from, double reach) {
+    while (next < march.way.size()) {
+        const Vec2 corner = march.way[next];
         const double part = distance(from, corner);
         if (part > reach) return lerp(from, corner, reach / part);
         reach -= part;
         from = corner;
-        ++march.next;
+        ++next;
     }
     return from;
 }
@@ -95,7 +77,8 @@ struct FrontError {
 };
 
 FrontError errorOfFront(const MarchDef& def, const March& march, const Pose& pose) {
-    const Vec2 aim = pointAhead(march, pose.position, std::clamp(0.5 + def.depth, kLeastAim, kMostAim));
+    std::uint32_t corner = march.next;
+    const Vec2 aim = walk(march, corner, pose.position, std::clamp(0.5 + def.depth, kLeastAim, kMostAim));
     const Vec2 front = march.front(pose);
     const Vec2 ahead = normalized(aim - pose.position, front);
     // Near the end the way says little about where to face.
@@ -120,6 +103,13 @@ double speedAt(const MarchDef& def, const March& march, double error, double lef
 }
 
 }  // namespace
+
+Rotation turned(Rotation r, double angle) {
+    const double c = cosine(angle), s = sine(angle);
+    Rotation out{r.c * c - r.s * s, r.s * c + r.c * s};
+    const double size = std::sqrt(out.c * out.c + out.s * out.s);
+    return {out.c / size, out.s / size};
+}
 
 double angleBetween(Vec2 from, Vec2 to) {
     return arcTangent2(cross(from, to), dot(from, to));
@@ -149,7 +139,7 @@ Pose advanceMarch(const MarchDef& def, March& march, const Pose& pose, double dt
     march.speed = std::clamp(wanted, march.speed - 2.0 * def.acceleration * dt,
                              march.speed + def.acceleration * dt);
     march.speed = std::max(0.0, march.speed);
-    next.position = walk(march, pose.position, march.speed * dt);
+    next.position = walk(march, march.next, pose.position, march.speed * dt);
     if (left < 1e-3 || march.next >= march.way.size()) {
         if (!march.way.empty()) next.position = march.way.back();
         march.phase = MarchPhase::Turn;

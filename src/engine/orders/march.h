@@ -45,15 +45,6 @@ struct March {
     }
     /// Direction of its front at a pose, of unit length.
     Vec2 front(const Pose& pose) const { return pose.rotation.apply({reversed ? -1.0 : 1.0, 0.0}); }
-    /// Ends it where it is.
-    void halt() {
-        phase = MarchPhase::Idle;
-        speed = spin = waited = 0.0;
-        searched = 0;
-        next = 0;
-        way.clear();
-        legs.clear();
-    }
 
     /// Lets an archive read or write it.
     template <class Archive>
@@ -97,5 +88,7 @@ double marchTime(const MarchDef& def, std::span<const Vec2> way, Vec2 front, std
 
 /// Signed angle from one unit vector to another, (-pi, pi] [rad].
 double angleBetween(Vec2 from, Vec2 to);
+/// A rotation turned by an angle [rad].
+Rotation turned(Rotation r, double angle);
 
 }  // namespace muster

@@ -6,7 +6,7 @@
 namespace muster {
 
 // The present plan becomes the one that was made from the same, or a new one.
-void MarchPlans::choose(const StreamDef& def, std::span<const HeldSpot> held, GroundVersion ground) {
+void MarchPlans::start(const StreamDef& def, std::span<const HeldSpot> held, GroundVersion ground) {
     wanted_.offsets.assign(def.offsets.begin(), def.offsets.end());
     wanted_.starts.assign(def.starts.begin(), def.starts.end());
     wanted_.ends.assign(def.ends.begin(), def.ends.end());
@@ -31,13 +31,9 @@ void MarchPlans::choose(const StreamDef& def, std::span<const HeldSpot> held, Gr
     plan.ways.start(plan.input.def());
 }
 
-void MarchPlans::start(const StreamDef& def, std::span<const HeldSpot> held, GroundVersion ground) {
-    choose(def, held, ground);
-}
-
 void MarchPlans::resume(const StreamDef& def, std::span<const HeldSpot> held, GroundVersion ground,
                         StreamGround room, std::int64_t spent) {
-    choose(def, held, ground);
+    start(def, held, ground);
     spent_ = spent;
     StreamWays& ways = kept_[now_].ways;
     if (ways.operations() < spent) ways.advance(room, spent - ways.operations());

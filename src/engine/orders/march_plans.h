@@ -55,8 +55,6 @@ private:
         std::vector<Turn> turns;
     };
 
-    void choose(const StreamDef& def, std::span<const HeldSpot> held, GroundVersion ground);
-
     std::array<Kept, 2> kept_;
     Input wanted_;
     std::size_t now_ = 0;     // The present one.

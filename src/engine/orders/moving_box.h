@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "base/maths.h"
 #include "muster/vec2.h"
 
 namespace muster {
@@ -20,6 +21,11 @@ struct MovingBox {
     /// Radius of the circle about its centre that holds it [m].
     double reach() const { return length(half) + round; }
 };
+
+/// The rotation by an angle [rad].
+inline Rotation rotationBy(double angle) {
+    return {cosine(angle), sine(angle)};
+}
 
 /// A span of time [s]; empty where `from` is the larger.
 struct TimeSpan {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/bounds.h"
+
 namespace muster {
 namespace {
 
@@ -11,9 +13,7 @@ constexpr int kPairPasses = 12;     // ... and so often at most.
 
 // Whole millimetres about the mean: so two sets that differ by a shift are split alike.
 void centre(std::span<const Vec2> points, std::vector<Vec2>& centred) {
-    Vec2 mean;
-    for (const Vec2 p : points) mean += p;
-    mean = mean / std::max(1.0, static_cast<double>(points.size()));
+    const Vec2 mean = meanOf(points);
     centred.clear();
     for (const Vec2 p : points)
         centred.push_back(
@@ -32,13 +32,9 @@ void sortAlong(bool x, const std::vector<Vec2>& points, std::int32_t* begin, std
 
 // About how far points that fill their box, or a line along it, are from each other.
 double meanSpacing(std::span<const Vec2> points) {
-    Vec2 low{1e300, 1e300}, high{-1e300, -1e300};
-    for (const Vec2 p : points) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
+    const Box box = boundsOf(points);
     const auto n = static_cast<double>(points.size());
-    const Vec2 size = high - low;
+    const Vec2 size = box.max - box.min;
     return std::max({1.0, std::sqrt(size.x * size.y / n), std::max(size.x, size.y) / n});
 }
 

@@ -85,44 +85,31 @@ double Stream::overshoot(std::span<const Vec2> from, std::span<const Vec2> to, d
     return std::sqrt(*at);
 }
 
-double Stream::follow(double q, double dt, double speed, std::span<const double> speeds,
-                      std::span<Vec2> places, double& rate) {
-    const double reach = std::fabs(dt) * (speeds.empty() ? speed : 1.0);
-    if (reach <= 0.0 || places.empty()) return q;
-    const double way = std::fabs(dt) * speed;
+double Stream::next(double q, double dt, std::span<const double> speeds, std::span<Vec2> places,
+                    double& rate) {
+    if (places.empty()) return q;
+    const double way = dt * *std::max_element(speeds.begin(), speeds.end());
     double step = way * (rate > 0.0 ? rate : 1.0 / std::max(most_, 1e-9));
     double next = q, share = 1.0;
     bool grown = false;
     for (std::int32_t k = 0; k < kMostTries; ++k) {
-        next = dt > 0.0 ? std::min(1.0, q + step) : std::max(0.0, q - step);
+        next = std::min(1.0, q + step);
         at(next, moved_);
-        share = overshoot(places, moved_, reach, speeds);
+        share = overshoot(places, moved_, dt, speeds);
         if (share > 1.0) {
             const double less = (1.0 - 1e-3 * (k + 1)) / share;
-            step = std::fabs(next - q) * (k < kMostTries / 2 ? less : std::min(0.5, less));
+            step = (next - q) * (k < kMostTries / 2 ? less : std::min(0.5, less));
             grown = true;
-        } else if (share > kClose || grown || next == 1.0 || next == 0.0) {
+        } else if (share > kClose || grown || next == 1.0) {
             break;
         } else {
             step *= std::min(4.0, 0.999 / std::max(share, 0.01));
             grown = true;
         }
     }
-    rate = std::fabs(next - q) / way * std::clamp(kAim / std::max(share, 1e-9), 0.5, 2.0);
+    rate = (next - q) / way * std::clamp(kAim / std::max(share, 1e-9), 0.5, 2.0);
     std::copy(moved_.begin(), moved_.end(), places.begin());
     return next;
-}
-
-double Stream::next(double q, double dt, double speed, std::span<Vec2> places) {
-    double rate = 0.0;
-    return follow(q, dt, speed, {}, places, rate);
-}
-
-double Stream::next(double q, double dt, std::span<const double> speeds, std::span<Vec2> places,
-                    double& rate) {
-    double fastest = 0.0;
-    for (const double speed : speeds) fastest = std::max(fastest, speed);
-    return follow(q, dt, fastest, speeds, places, rate);
 }
 
 }  // namespace muster

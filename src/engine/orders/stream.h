@@ -49,8 +49,6 @@ public:
     /// Goes on for about so many operations (of about 20 ns). The ground must stay as it is until the plan is
     /// done.
     StreamStatus advance(StreamGround ground, std::int64_t operations);
-    /// The same until it is done.
-    StreamStatus plan(const StreamDef& def, StreamGround ground);
 
     StreamStatus status() const { return status_; }        ///< Of the plan.
     std::int64_t operations() const { return spent_; }     ///< Since the start of the plan.
@@ -61,15 +59,13 @@ public:
     /// length() / speed.
     /// Of a march that flows only where its definition wants it measured, else 0.
     double length() const { return status_ == StreamStatus::Straight ? most_ : length_; }
-    double stretch() const { return status_ == StreamStatus::Flowing ? stretch_.most() : 1.0; }  ///< At most.
 
     /// Where the places are at `q`, exactly their starts at 0 and their ends at 1. Only once planned.
     void at(double q, std::span<Vec2> places) const;
-    /// The next q, `dt` [s] later (earlier where it is negative), such that nine in ten places go no faster
-    /// than `speed` [m/s] above 0. `places` are those at `q`, and then those at the next.
-    double next(double q, double dt, double speed, std::span<Vec2> places);
-    /// The same with a speed for each place. `rate` is how much q grows while the fastest of nine in ten goes
-    /// a metre, as it was found by the last call, or 0; with it one try is the rule.
+    /// The next q, `dt` [s] > 0 later, such that nine in ten places go no faster than their `speeds` [m/s]
+    /// above 0. `places` are those at `q`, and then those at the next. `rate` is how much q grows while the
+    /// fastest of nine in ten goes a metre, as it was found by the last call, or 0; with it one try is the
+    /// rule.
     double next(double q, double dt, std::span<const double> speeds, std::span<Vec2> places, double& rate);
 
 private:
@@ -124,8 +120,6 @@ private:
     Vec2 raw(std::size_t i, double q, const Depths& ahead) const;
     double overshoot(std::span<const Vec2> from, std::span<const Vec2> to, double reach,
                      std::span<const double> speeds);
-    double follow(double q, double dt, double speed, std::span<const double> speeds, std::span<Vec2> places,
-                  double& rate);
 
     StreamStatus status_ = StreamStatus::Blocked;
     Stage stage_ = Stage::Straight;

@@ -29,7 +29,7 @@ void StreamBanks::start(const StreamRuns& runs, double step, std::int32_t entrie
     share_.resize(entries);
 }
 
-void StreamBanks::load(const StreamRuns&, const StreamPaths& paths, const StreamCourse& course) {
+void StreamBanks::load(const StreamPaths& paths, const StreamCourse& course) {
     std::int32_t k = course.first;
     for (const std::int32_t number : paths.of(course)) {
         const double y = course.nominal(k++ * step_);

@@ -27,7 +27,7 @@ public:
     /// Begins.
     void start(const StreamRuns& runs, double step, std::int32_t entries);
     /// Adds a course to the loads of its runs.
-    void load(const StreamRuns& runs, const StreamPaths& paths, const StreamCourse& course);
+    void load(const StreamPaths& paths, const StreamCourse& course);
     /// Lets banks and places turn aside as steeply as the course needs.
     void steepen(const StreamRuns& runs, const StreamPaths& paths, const StreamCourse& course);
     /// To be called once between steepen() and lay().

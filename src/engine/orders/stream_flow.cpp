@@ -56,13 +56,13 @@ std::int32_t StreamFlow::advance(const StreamRuns& runs) {
             next_ = 0;
         }
     } else if (stage_ == Stage::Factor) {
-        if (next_ < pieces) work = factor(next_++);
+        work = factor(next_++);
         if (next_ >= pieces) {
             stage_ = Stage::Back;
             next_ = pieces - 1;
         }
     } else if (stage_ == Stage::Back) {
-        if (next_ >= 0) work = substitute(next_--);
+        work = substitute(next_--);
         if (next_ < 0) {
             stage_ = Stage::Shares;
             next_ = 0;

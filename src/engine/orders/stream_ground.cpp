@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/bounds.h"
 #include "engine/orders/stream.h"
 
 namespace muster {
@@ -41,11 +42,7 @@ void Stream::checkStraight(StreamGround ground) {
 }
 
 void Stream::makeLine() {
-    Vec2 least{1e300, 1e300}, most{-1e300, -1e300};
-    for (const Vec2 p : offsets_) {
-        least = {std::min(least.x, p.x), std::min(least.y, p.y)};
-        most = {std::max(most.x, p.x), std::max(most.y, p.y)};
-    }
+    const auto [least, most] = boundsOf(offsets_);
     const Vec2 middle = (least + most) * 0.5;
     for (Vec2& p : offsets_)
         p = {most.x - p.x, p.y - middle.y};  // From here on x is how far behind the front.

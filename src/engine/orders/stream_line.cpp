@@ -45,13 +45,7 @@ void StreamLine::round(double width) {
         return fine_[k];
     };
     scratch_.resize(n);
-    for (std::int32_t k = 0; k < n; ++k) scratch_[k] = {};
-    Vec2 sum;
-    for (std::int32_t k = -half; k <= half; ++k) sum += at(k);
-    for (std::int32_t k = 0; k < n; ++k) {
-        scratch_[k] = sum / (2.0 * half + 1.0);
-        sum += at(k + half + 1) - at(k - half);
-    }
+    runningMeans(n, half, at, [&](std::int32_t k, Vec2 mean) { scratch_[k] = mean; });
     fine_.swap(scratch_);
 }
 
@@ -99,13 +93,8 @@ void StreamLine::shift(std::vector<double>& left, double round) {
     // Twice the mean: no kinks.
     for (std::int32_t turn = 0; turn < 2; ++turn) {
         const auto at = [&](std::int32_t k) { return left[std::clamp(k, 0, rows() - 1)]; };
-        double sum = 0.0;
-        for (std::int32_t k = -half; k <= half; ++k) sum += at(k);
         means_.resize(rows());
-        for (std::int32_t k = 0; k < rows(); ++k) {
-            means_[k] = sum / (2.0 * half + 1.0);
-            sum += at(k + half + 1) - at(k - half);
-        }
+        runningMeans(rows(), half, at, [&](std::int32_t k, double mean) { means_[k] = mean; });
         left.swap(means_);
     }
     double whole = 0.0;

@@ -9,6 +9,20 @@
 
 namespace muster {
 
+/// On the inside of a bend rows are never nearer to each other than by that share.
+inline constexpr double kLeastBend = 0.45;
+
+/// Calls `set(k, mean)` for all k in [0, n) with the mean of at(k - half) to at(k + half).
+template <class At, class Set>
+void runningMeans(std::int32_t n, std::int32_t half, const At& at, const Set& set) {
+    decltype(at(0)) sum{};
+    for (std::int32_t k = -half; k <= half; ++k) sum += at(k);
+    for (std::int32_t k = 0; k < n; ++k) {
+        set(k, sum / (2.0 * half + 1.0));
+        sum += at(k + half + 1) - at(k - half);
+    }
+}
+
 /// A row across the way.
 struct StreamRow {
     Vec2 centre;        ///< On the middle line [m].

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "base/infinite_cost.h"
 
 namespace muster {
 namespace {
-
-constexpr double kNoCost = std::numeric_limits<double>::infinity();
 
 /// Number of the run of a row that is nearest to `d`; -1 where there is none.
 std::int32_t nearestRun(const StreamRuns& runs, std::int32_t k, double d) {
@@ -85,13 +84,13 @@ std::int32_t StreamPaths::search(const StreamRuns& runs, std::span<const StreamS
                                  const StreamCourse& course, std::int32_t from, std::int32_t to) {
     std::int32_t work = 0;
     for (std::int32_t r = runs.first(course.first); r < runs.first(course.first + 1); ++r)
-        cost_[r] = r == from ? 0.0 : kNoCost;
+        cost_[r] = r == from ? 0.0 : kInfiniteCost;
     for (std::int32_t k = course.first; k < course.last; ++k) {
         const std::span<const StreamRun> here = runs.row(k), there = runs.row(k + 1);
         const double y = course.nominal((k + 1) * step_);
         for (std::size_t b = 0; b < there.size(); ++b) {
             const std::int32_t number = runs.first(k + 1) + static_cast<std::int32_t>(b);
-            double least = kNoCost;
+            double least = kInfiniteCost;
             for (std::size_t a = 0; a < here.size(); ++a)
                 if (StreamRuns::join(here[a], there[b]) && cost_[runs.first(k) + a] < least) {
                     least = cost_[runs.first(k) + a];
@@ -101,7 +100,7 @@ std::int32_t StreamPaths::search(const StreamRuns& runs, std::span<const StreamS
         }
         work += 1 + static_cast<std::int32_t>(here.size() * there.size()) / 2;
     }
-    if (cost_[to] == kNoCost) {
+    if (cost_[to] == kInfiniteCost) {
         all_ = false;
         return work;
     }

@@ -47,11 +47,6 @@ StreamStatus Stream::advance(StreamGround ground, std::int64_t operations) {
     return status_;
 }
 
-StreamStatus Stream::plan(const StreamDef& def, StreamGround ground) {
-    start(def);
-    return advance(ground, std::numeric_limits<std::int64_t>::max() / 2);
-}
-
 void Stream::enter(Stage stage) {
     stage_ = stage;
     next_ = 0;
@@ -112,7 +107,7 @@ void Stream::stepCourses() {
     if (stage_ == Stage::Paths) {
         spent_ += paths_.choose(runs_, flow_.shares(), course);
     } else if (stage_ == Stage::Load) {
-        banks_.load(runs_, paths_, course);
+        banks_.load(paths_, course);
         spent_ += course.rows() / 4;
     } else if (stage_ == Stage::Steepen) {
         banks_.steepen(runs_, paths_, course);

@@ -6,10 +6,9 @@
 namespace muster {
 namespace {
 
-constexpr double kLeastProbe = 0.2;    // Blocked stretches of a row that are shorter may be missed [m].
-constexpr double kEdge = 1e-3;         // Ends of runs are exact to that [m].
-constexpr double kSkin = 0.03;         // Runs keep so much farther from walls, where they have room [m].
-constexpr double kLeastInside = 0.45;  // Of a bend: rows are never nearer to each other than by that share.
+constexpr double kLeastProbe = 0.2;  // Blocked stretches of a row that are shorter may be missed [m].
+constexpr double kEdge = 1e-3;       // Ends of runs are exact to that [m].
+constexpr double kSkin = 0.03;       // Runs keep so much farther from walls, where they have room [m].
 
 }  // namespace
 
@@ -53,7 +52,7 @@ void StreamRuns::keep(double low, double high, bool wallLow, bool wallHigh) {
 }
 
 std::int32_t StreamRuns::trace(const StreamRow& row, double half, StreamGround ground) {
-    const double fold = (1.0 - kLeastInside) / std::max(std::fabs(row.bend), 1e-9);
+    const double fold = (1.0 - kLeastBend) / std::max(std::fabs(row.bend), 1e-9);
     const double first = row.bend < 0.0 ? std::max(-half, -fold) : -half;
     const double last = row.bend > 0.0 ? std::min(half, fold) : half;
     const auto room = [&](double d) { return ground(row.centre + row.across * d) - radius_; };

@@ -8,7 +8,6 @@ namespace {
 
 constexpr double kUnfelt = 1.015;      // A smaller stretch is none.
 constexpr double kSingle = 0.4;        // From that stretch more on rows are in single order.
-constexpr double kLeastBend = 0.45;    // Rows in a bend are never nearer to each other than by that share.
 constexpr double kInside = 0.75;       // Down to that share of their distance they need no more room.
 constexpr double kMostSpread = 1.0;    // ... and count as farther apart on the outside by that at most.
 constexpr std::int32_t kBendRows = 4;  // Bends are evened over so many rows to both sides.
@@ -109,14 +108,8 @@ void StreamStretch::blend(double shift) {
     for (std::int32_t k = 0; k < n; ++k)
         for (std::int32_t j = std::max(0, k - reach); j <= std::min(n - 1, k + reach); ++j)
             wide_[k] = std::max(wide_[k], single_[j]);
-    double sum = 0.0;
     const auto at = [&](std::int32_t k) { return wide_[std::clamp(k, 0, n - 1)]; };
-    for (std::int32_t k = -reach; k <= reach; ++k) sum += at(k);
-    for (std::int32_t k = 0; k < n; ++k) {
-        single_[k] = sum / (2.0 * reach + 1.0);
-        if (single_[k] < 1e-12) single_[k] = 0.0;
-        sum += at(k + reach + 1) - at(k - reach);
-    }
+    runningMeans(n, reach, at, [&](std::int32_t k, double mean) { single_[k] = mean < 1e-12 ? 0.0 : mean; });
 }
 
 double StreamStretch::xi(double s) const {

@@ -42,9 +42,4 @@ void StreamWays::compare() {
     status_ = plans_[best_].status();
 }
 
-StreamStatus StreamWays::plan(const StreamDef& def, StreamGround ground) {
-    start(def);
-    return advance(ground, std::numeric_limits<std::int64_t>::max() / 2);
-}
-
 }  // namespace muster

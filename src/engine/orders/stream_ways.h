@@ -18,8 +18,6 @@ public:
     void start(const StreamDef& def);
     /// Goes on for about so many operations.
     StreamStatus advance(StreamGround ground, std::int64_t operations);
-    /// The same until it is done.
-    StreamStatus plan(const StreamDef& def, StreamGround ground);
 
     StreamStatus status() const { return status_; }  ///< Of the plan.
     std::int64_t operations() const {

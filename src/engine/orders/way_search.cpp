@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
+#include "base/infinite_cost.h"
 #include "base/maths.h"
 
 namespace muster {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kSlack = 0.05;        // Narrower by so much is not felt [m].
 constexpr double kMarginCost = 0.35;   // More for a metre beside an obstacle, where it is wide enough.
 constexpr double kNarrowCost = 1.0;    // More for a metre that is narrower than the formation...
@@ -28,7 +27,7 @@ double WayNeeds::halfAcross(Vec2 direction) const {
 }
 
 double WayNeeds::cost(double clearance, double halfWidth) const {
-    if (clearance < radius) return kInfinite;
+    if (clearance < radius) return kInfiniteCost;
     if (clearance >= halfWidth + margin) return 1.0;
     if (clearance >= halfWidth - kSlack)
         return 1.0 + kMarginCost * std::min(1.0, (halfWidth + margin - clearance) / std::max(margin, 1e-9));
@@ -49,8 +48,8 @@ double stretchCost(const WayGround& ground, const WayNeeds& needs, Vec2 a, Vec2 
         near = near || clearance < needs.radius + ground.grid().cell;
         sum += needs.cost(std::max(clearance, needs.radius), half);
     }
-    if (near && !ground.environment().clearStaticLine(a, b, needs.radius)) return kInfinite;
-    if (!clearOf(needs.held, a, b, needs.radius)) return kInfinite;
+    if (near && !ground.environment().clearStaticLine(a, b, needs.radius)) return kInfiniteCost;
+    if (!clearOf(needs.held, a, b, needs.radius)) return kInfiniteCost;
     return sum * whole / n;
 }
 
@@ -128,7 +127,7 @@ std::int32_t WaySearch::cellNear(const WayGround& ground, Vec2 p) const {
     const Grid& grid = ground.grid();
     const Cell middle = grid.nearestCell(p);
     std::int32_t best = -1;
-    double nearest = kInfinite;
+    double nearest = kInfiniteCost;
     for (std::int32_t dy = -1; dy <= 1; ++dy)
         for (std::int32_t dx = -1; dx <= 1; ++dx) {
             const Cell c{middle.x + dx, middle.y + dy};
@@ -169,7 +168,7 @@ void WaySearch::start(const WayGround& ground, const WayQuery& query) {
 void WaySearch::reach(std::int32_t cell, std::int32_t from, double cost, double estimate) {
     if (seen_[cell] != mark_) {
         seen_[cell] = mark_;
-        cost_[cell] = kInfinite;
+        cost_[cell] = kInfiniteCost;
         closed_[cell] = 0;
     }
     if (closed_[cell] != 0 || cost >= cost_[cell]) return;

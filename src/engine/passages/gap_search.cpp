@@ -109,7 +109,7 @@ std::optional<Passage> gapAt(const Environment& environment, std::span<const Vec
     Passage tight = passage;
     tighten(environment, one, other, tight);
     const bool valid = tight.width() > 1e-6 && environment.distanceToObstacle(tight.middle()) > 0.0 &&
-                       (way.empty() || crosses(way, tight.a, tight.b));
+                       crosses(way, tight.a, tight.b);
     if (valid) passage = tight;
     passage.speed = std::min(environment.ground(p).travelSpeed,
                              environment.ground(passage.middle()).travelSpeed);
@@ -124,10 +124,6 @@ std::optional<Passage> gapBeside(const Environment& environment, std::span<const
 }
 
 }  // namespace
-
-std::optional<Passage> gapAcross(const Environment& environment, Vec2 p) {
-    return gapAt(environment, {}, p);
-}
 
 std::optional<Passage> narrowestPassage(const Environment& environment, std::span<const Vec2> way) {
     std::optional<Passage> best;

@@ -41,8 +41,4 @@ struct Passage {
 /// across the way.
 std::optional<Passage> narrowestPassage(const Environment& environment, std::span<const Vec2> way);
 
-/// The gap across the way at `p`: from the nearest surface through `p` to the opposite one; none where no
-/// surface is within 3 m.
-std::optional<Passage> gapAcross(const Environment& environment, Vec2 p);
-
 }  // namespace muster

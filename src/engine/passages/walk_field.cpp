@@ -293,11 +293,6 @@ bool WalkSolver::advance(const UnitCost& ground, WalkField& field, std::int64_t&
     return true;
 }
 
-void WalkSolver::finish(const UnitCost& ground, WalkField& field) {
-    std::int64_t cells = field.grid_.count();
-    advance(ground, field, cells);
-}
-
 bool WalkSolver::want(std::int32_t cell, const WalkField& field) {
     if (field.open_[cell] == 0) return false;
     if ((mark_[cell] & kWanted) == 0) ++wanted_;

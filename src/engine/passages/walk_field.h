@@ -84,8 +84,6 @@ public:
     /// Solves up to `cells` cells and takes them off. True once the march has ended. The ground and the field
     /// must be those of begin().
     bool advance(const UnitCost& ground, WalkField& field, std::int64_t& cells);
-    /// The whole field at once.
-    void finish(const UnitCost& ground, WalkField& field);
 
 private:
     void reset(const WalkEdges& edges, WalkField& field);

@@ -107,29 +107,16 @@ std::int32_t WayChoice::nextOf(const std::vector<SortKey>& order, std::size_t& a
     return at < order.size() ? order[at].who : -1;
 }
 
-// Those who may leave a passage for another one, the least detour first; some may have left already.
-const std::vector<SortKey>& WayChoice::leavers(std::int32_t from, std::int32_t to) {
-    Order& order = leavers_[from * passages_ + to];
+// Those who may leave a passage for another one, the least detour first; some may have left already. The same
+// for goals, near ones first where the detour is equal.
+const std::vector<SortKey>& WayChoice::leavers(bool goals, std::int32_t from, std::int32_t to) {
+    Order& order = (goals ? goalLeavers_ : leavers_)[from * passages_ + to];
     if (order.known) return order.keys;
     order.keys.clear();
-    for (const Turn& turn : lines_[from].queue) {
-        const double there = cost(input_.arrival, turn.who, to);
-        if (free_[turn.who] != 0 && there < kInfiniteCost)
-            order.keys.push_back({there - turn.time, turn.who});
-    }
-    sort_.sort(order.keys);
-    order.known = true;
-    return order.keys;
-}
-
-// The same for goals, near ones first where the detour is equal.
-const std::vector<SortKey>& WayChoice::goalLeavers(std::int32_t from, std::int32_t to) {
-    Order& order = goalLeavers_[from * passages_ + to];
-    if (order.known) return order.keys;
-    order.keys.clear();
-    for (const Turn& turn : lines_[from].goals) {
-        const double behind = cost(input_.onward, turn.who, to);
-        if (behind < kInfiniteCost) order.keys.push_back({behind - (1.0 - kNearer) * turn.time, turn.who});
+    for (const Turn& turn : goals ? lines_[from].goals : lines_[from].queue) {
+        const double there = cost(goals ? input_.onward : input_.arrival, turn.who, to);
+        if (!(there < kInfiniteCost) || (!goals && free_[turn.who] == 0)) continue;
+        order.keys.push_back({there - (goals ? 1.0 - kNearer : 1.0) * turn.time, turn.who});
     }
     sort_.sort(order.keys);
     order.known = true;
@@ -140,14 +127,14 @@ bool WayChoice::move(std::int32_t from, std::int32_t to, std::int32_t batch) {
     movedPeople_.clear();
     movedGoals_.clear();
     wanted_.assign(pools_, 0);
-    for (const SortKey& k : leavers(from, to)) {
+    for (const SortKey& k : leavers(false, from, to)) {
         if (std::ssize(movedPeople_) >= batch) break;
         if (way_[k.who] != from) continue;
         movedPeople_.push_back(k.who);
         ++wanted_[input_.pool[k.who]];
     }
     if (movedPeople_.empty()) return false;
-    for (const SortKey& k : goalLeavers(from, to)) {
+    for (const SortKey& k : leavers(true, from, to)) {
         if (movedGoals_.size() >= movedPeople_.size()) break;
         if (goalWay_[k.who] != from || wanted_[input_.pool[k.who]] == 0) continue;
         movedGoals_.push_back(k.who);
@@ -171,10 +158,10 @@ bool WayChoice::improveFrom(std::int32_t from, std::int32_t batch) {
     for (std::int32_t to = 0; std::cmp_less(to, passages_); ++to) {
         // More people make no line shorter.
         if (to == from || last_[to] >= least || !move(from, to, batch)) continue;
-        double later = lastWithout(from, least);
+        double later = lastOf(from, nobody_, least, nullptr);
         if (later < least) {
             fillMoved(to);
-            later = std::max(later, lastWithMoved(to, least));
+            later = std::max(later, lastOf(to, moved_, least, nullptr));
         }
         if (later < least) {
             least = later;
@@ -215,6 +202,7 @@ void WayChoice::read(const WayChoiceInput& input) {
     if (people_ == 0 || passages_ == 0) return;
     last_.assign(passages_, 0.0);
     pools_ = 1 + static_cast<std::size_t>(*std::max_element(input.pool.begin(), input.pool.end()));
+    nobody_.poolEnd.assign(pools_, 0);
     leavers_.resize(std::max(leavers_.size(), passages_ * passages_));
     goalLeavers_.resize(leavers_.size());
 }
@@ -232,7 +220,7 @@ double WayChoice::longestWait() {
 }
 
 void WayChoice::readSlots(std::span<double> slot) {
-    for (std::int32_t p = 0; std::cmp_less(p, passages_); ++p) lastOf(p, slot.data());
+    for (std::int32_t p = 0; std::cmp_less(p, passages_); ++p) lastOf(p, nobody_, kInfiniteCost, slot.data());
 }
 
 // Frees those of the movable who have a passage. True where there are any.

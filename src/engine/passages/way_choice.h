@@ -54,23 +54,6 @@ private:
         std::vector<Turn> goals;            // By pool, the farthest first.
         std::vector<std::int32_t> poolEnd;  // Per pool: behind its last goal.
     };
-    // Serves one after another.
-    struct Service {
-        double each;        // [s]
-        double limit;       // [s]
-        double free = 0.0;  // When the next one can be served [s].
-        double last = 0.0;  // When the last one is in place [s].
-
-        double serve(double arrival) {
-            const double served = std::max(arrival, free);
-            free = served + each;
-            return served;
-        }
-        bool isTooLate(double inPlace) {
-            last = std::max(last, inPlace);
-            return last >= limit;
-        }
-    };
     // Sorted when they are asked for, of a passage and another one.
     struct Order {
         std::vector<SortKey> keys;
@@ -80,8 +63,7 @@ private:
     void begin(std::span<const std::int32_t> way);
     double improve();
     bool improveFrom(std::int32_t from, std::int32_t batch);
-    const std::vector<SortKey>& leavers(std::int32_t from, std::int32_t to);
-    const std::vector<SortKey>& goalLeavers(std::int32_t from, std::int32_t to);
+    const std::vector<SortKey>& leavers(bool goals, std::int32_t from, std::int32_t to);
     bool move(std::int32_t from, std::int32_t to, std::int32_t batch);
     void takeBack(std::int32_t from);
     void fillMoved(std::int32_t to);
@@ -99,12 +81,7 @@ private:
     void fill(Line& line, std::vector<SortKey>& people, std::vector<SortKey>& goals);
     void dropLeft(const Line& line, std::int32_t passage, Line& out) const;
     static void merge(const Line& one, const Line& other, Line& out);
-    Service beginService(std::int32_t passage, double limit) const {
-        return {1.0 / input_.capacity[passage], limit};
-    }
-    double lastOf(std::int32_t passage, double* slot);
-    double lastWithout(std::int32_t passage, double limit);
-    double lastWithMoved(std::int32_t passage, double limit);
+    double lastOf(std::int32_t passage, const Line& joining, double limit, double* slot);
     double cost(std::span<const double> table, std::int32_t i, std::int32_t p) const {
         return table[static_cast<std::size_t>(i) * passages_ + p];
     }
@@ -119,10 +96,10 @@ private:
     std::vector<std::uint8_t> free_;
     std::vector<double> last_;  // Per passage [s].
     std::vector<Line> lines_;   // Per passage.
-    Line moved_, other_;
+    Line moved_, other_, nobody_;
     std::vector<Order> leavers_, goalLeavers_;  // Per two passages.
     std::vector<std::int32_t> movedPeople_, movedGoals_, wanted_;
-    std::vector<std::int32_t> cursor_, movedCursor_;  // Per pool.
+    std::vector<std::int32_t> cursor_, joiningCursor_;  // Per pool.
     std::vector<std::int32_t> before_, beforeGoals_;
     std::vector<std::uint8_t> settled_;                  // Per passage.
     std::vector<SortKey> there_, back_;                  // Those who may be exchanged.

@@ -22,7 +22,7 @@ void WayChoice::fillLines() {
     }
     for (std::int32_t p = 0; std::cmp_less(p, passages_); ++p) {
         fill(lines_[p], keys_[p], goalKeys_[p]);
-        last_[p] = lastOf(p, nullptr);
+        last_[p] = lastOf(p, nobody_, kInfiniteCost, nullptr);
     }
     for (auto* orders : {&leavers_, &goalLeavers_})
         for (Order& order : *orders) order.known = false;
@@ -82,61 +82,36 @@ void WayChoice::merge(const Line& one, const Line& other, Line& out) {
         out.poolEnd[pool] = one.poolEnd[pool] + other.poolEnd[pool];
 }
 
-// Serves in the order of arrival; who is served first gets the farthest of the goals. Writes when each is
-// served, and returns when the last one is there [s].
-double WayChoice::lastOf(std::int32_t passage, double* slot) {
+// Serves those who go through a passage, and who joins them, in the order of arrival; who is served first
+// gets the farthest of the goals. Writes when each is served, and returns when the last one is there [s];
+// from `limit` on the result may be too early.
+double WayChoice::lastOf(std::int32_t passage, const Line& joining, double limit, double* slot) {
     const Line& line = lines_[passage];
-    Service service = beginService(passage, kInfiniteCost);
-    cursor_.assign(1, 0);
-    cursor_.insert(cursor_.end(), line.poolEnd.begin(), line.poolEnd.end());
-    for (const Turn& turn : line.queue) {
-        const double served = service.serve(turn.time);
+    const auto begin = [](const Line& of, std::vector<std::int32_t>& cursor) {
+        cursor.assign(1, 0);
+        cursor.insert(cursor.end(), of.poolEnd.begin(), of.poolEnd.end());
+    };
+    begin(line, cursor_);
+    begin(joining, joiningCursor_);
+    double free = 0.0, last = 0.0;
+    for (std::size_t k = 0, m = 0; k < line.queue.size() || m < joining.queue.size();) {
+        const bool fromLine = m == joining.queue.size() ||
+                              (k < line.queue.size() && isSooner(line.queue[k], joining.queue[m]));
+        const Turn& turn = fromLine ? line.queue[k++] : joining.queue[m++];
+        if (way_[turn.who] != passage) continue;  // It has left.
+        const double served = std::max(turn.time, free);
+        free = served + 1.0 / input_.capacity[passage];
         if (slot != nullptr) slot[turn.who] = served;
         std::int32_t& at = cursor_[turn.pool];
-        if (at < line.poolEnd[turn.pool])
-            service.last = std::max(service.last, served + line.goals[at++].time);
-    }
-    return service.last;
-}
-
-// The same without those who have another passage now. From `limit` on the result may be too early.
-double WayChoice::lastWithout(std::int32_t passage, double limit) {
-    const Line& line = lines_[passage];
-    Service service = beginService(passage, limit);
-    cursor_.assign(1, 0);
-    cursor_.insert(cursor_.end(), line.poolEnd.begin(), line.poolEnd.end());
-    for (const Turn& turn : line.queue) {
-        if (way_[turn.who] != passage) continue;
-        const double served = service.serve(turn.time);
-        std::int32_t& at = cursor_[turn.pool];
+        std::int32_t& joiningAt = joiningCursor_[turn.pool];
         while (at < line.poolEnd[turn.pool] && goalWay_[line.goals[at].who] != passage) ++at;
-        if (at < line.poolEnd[turn.pool] && service.isTooLate(served + line.goals[at++].time)) break;
-    }
-    return service.last;
-}
-
-// The same with those who have been moved.
-double WayChoice::lastWithMoved(std::int32_t passage, double limit) {
-    const Line& line = lines_[passage];
-    Service service = beginService(passage, limit);
-    cursor_.assign(1, 0);
-    cursor_.insert(cursor_.end(), line.poolEnd.begin(), line.poolEnd.end());
-    movedCursor_.assign(1, 0);
-    movedCursor_.insert(movedCursor_.end(), moved_.poolEnd.begin(), moved_.poolEnd.end());
-    for (std::size_t k = 0, m = 0; k < line.queue.size() || m < moved_.queue.size();) {
-        const bool fromLine = m == moved_.queue.size() ||
-                              (k < line.queue.size() && isSooner(line.queue[k], moved_.queue[m]));
-        const Turn& turn = fromLine ? line.queue[k++] : moved_.queue[m++];
-        const double served = service.serve(turn.time);
-        std::int32_t& at = cursor_[turn.pool];
-        std::int32_t& movedAt = movedCursor_[turn.pool];
-        const bool here = at < line.poolEnd[turn.pool], there = movedAt < moved_.poolEnd[turn.pool];
+        const bool here = at < line.poolEnd[turn.pool], there = joiningAt < joining.poolEnd[turn.pool];
         if (!here && !there) continue;
-        const bool farther = here && (!there || line.goals[at].time >= moved_.goals[movedAt].time);
-        const double onward = farther ? line.goals[at++].time : moved_.goals[movedAt++].time;
-        if (service.isTooLate(served + onward)) break;
+        const bool farther = here && (!there || line.goals[at].time >= joining.goals[joiningAt].time);
+        last = std::max(last, served + (farther ? line.goals[at++] : joining.goals[joiningAt++]).time);
+        if (last >= limit) break;
     }
-    return service.last;
+    return last;
 }
 
 // Sorts those who have been moved to a passage.
@@ -157,7 +132,7 @@ void WayChoice::keepMove(std::int32_t from, std::int32_t to) {
     fillMoved(to);
     merge(lines_[to], moved_, other_);
     std::swap(lines_[to], other_);
-    for (const std::int32_t p : {from, to}) last_[p] = lastOf(p, nullptr);
+    for (const std::int32_t p : {from, to}) last_[p] = lastOf(p, nobody_, kInfiniteCost, nullptr);
     for (std::size_t q = 0; q < passages_; ++q)
         leavers_[to * passages_ + q].known = goalLeavers_[to * passages_ + q].known = false;
 }

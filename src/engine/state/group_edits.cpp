@@ -170,12 +170,25 @@ void startAtPlaces(WorldState& state, const Group& group) {
 }
 
 /// Puts the places of a group on their reachable targets.
-void resetPlaces(WorldState& state, Group& group, const std::vector<Vec2>& targets) {
+void resetPlaces(WorldState& state, Group& group) {
+    std::vector<Vec2> targets;
+    group.mesh.placePositions(targets);
     std::vector<std::int32_t> counts;
     const std::int32_t before = std::exchange(group.groundClass, groundClassFor(state, group));
     RouteGraph& routes = state.refreshRoutes(group.groundClass);
     group.places.reset(placeDefOf(state, group), targets, routes, mainRegion(state, group, counts));
     group.groundClass = before;  // Until updateGroundClasses() exchanges its plan.
+}
+
+/// A group that stands elsewhere or otherwise at once is planned from the start.
+void planAfresh(WorldState& state, Group& group) {
+    resetPlaces(state, group);
+    group.planNow = true;
+    group.assigned = false;
+    group.refitted = false;
+    group.lastAssignment.clear();
+    ++group.formationVersion;
+    group.order.begin(state.stepCount);
 }
 
 /// True where places are still far from where the mesh has them.
@@ -223,7 +236,7 @@ Status addGroup(WorldState& state, const GroupDef& def) {
     state.checkpointState.resize(state.checkpoints.size() * state.groups.size(), 0);
     state.refreshMembers();
     partAtStart(state);
-    resetPlaces(state, state.groups.back(), targets);
+    resetPlaces(state, state.groups.back());
     if (def.starts.empty() && anyInside(state)) startAtPlaces(state, state.groups.back());
     return {};
 }
@@ -242,16 +255,10 @@ Status standAt(WorldState& state, Group& group, const Pose& pose) {
                       [&](const OwnRoute& route) { return route.character == state.characters.id[i]; });
     }
     partAtStart(state);
-    resetPlaces(state, group, targets);
+    planAfresh(state, group);
     if (anyInside(state)) startAtPlaces(state, group);
-    group.planNow = true;
-    group.assigned = false;
-    group.refitted = false;
-    group.lastAssignment.clear();
     group.visitors.clear();
     group.settling = {};
-    ++group.formationVersion;
-    group.order.begin(state.stepCount);
     return {};
 }
 
@@ -311,15 +318,7 @@ Status changeFormation(WorldState& state, Group& group, const FormationDef& def,
     group.def.count = count;
     if (!group.def.demands.empty()) group.def.demands.resize(static_cast<std::size_t>(count), 1.0);
     group.controls.rebind(group.mesh.formation().mesh, group.mesh.userMesh());
-    std::vector<Vec2> targets;
-    group.mesh.placePositions(targets);
-    resetPlaces(state, group, targets);
-    group.planNow = true;
-    group.assigned = false;
-    group.refitted = false;
-    group.lastAssignment.clear();
-    ++group.formationVersion;
-    group.order.begin(state.stepCount);
+    planAfresh(state, group);
     for (const std::int32_t i : group.members) state.characters.place[i] = -1;
     return {};
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/bounds.h"
 #include "engine/geometry/triangulation.h"
 
 namespace muster {
@@ -25,17 +26,6 @@ double distanceToOutline(const TriangleMesh& mesh, const std::vector<std::vector
             nearest = std::min(nearest, lengthSquared(p - a - along * share));
         }
     return std::sqrt(nearest);
-}
-
-// The middle between the extremes along each axis.
-Vec2 middleOf(const std::vector<Vec2>& places) {
-    if (places.empty()) return {};
-    Box box{places[0], places[0]};
-    for (const Vec2 p : places) {
-        box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
-        box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
-    }
-    return (box.min + box.max) * 0.5;
 }
 
 // What is least for the places that an area takes first [m].
@@ -69,7 +59,8 @@ std::uint8_t roleClass(std::span<const RoleDef> roles, std::uint8_t unitClass) {
 void PlaceClasses::sortPlaces(const Formation& formation, std::span<const RoleDef> roles) {
     roles_.assign(roles.begin(), roles.end());
     rest_ = now_;
-    const Vec2 middle = middleOf(rest_);
+    const Box box = rest_.empty() ? Box{} : boundsOf(rest_);
+    const Vec2 middle = (box.min + box.max) * 0.5;
     const auto loops = boundaryLoops(formation.mesh);
     order_.resize(roles_.size());
     key_.resize(rest_.size());

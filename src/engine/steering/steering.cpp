@@ -8,13 +8,12 @@ namespace {
 
 // A character within a single-step motion deviates at most 20 degrees from its heading (cosine and sine).
 constexpr Rotation kLockedDeviation{0.93969262078590838405, 0.34202014332566873304};
-constexpr double kLockEnd = 0.6;      // Within this distance of its place the heading is not locked [m].
-constexpr double kHeadingRate = 8.0;  // Gain of the heading [1/s].
-constexpr double kLyingRate = 2.0;    // Gain of the heading of who leans or lies [1/s].
-constexpr double kBrakes = 0.8;       // Share of its acceleration with which a character brakes.
-constexpr double kNear = 0.5;         // Who can reach each other within this time are near [s].
-constexpr std::size_t kSteeredPerTask = 256;  // Characters per task.
-constexpr double kWalkingSpeed = 0.15;        // A slower character stands and faces with the formation [m/s].
+constexpr double kLockEnd = 0.6;        // Within this distance of its place the heading is not locked [m].
+constexpr double kHeadingRate = 8.0;    // Gain of the heading [1/s].
+constexpr double kLyingRate = 2.0;      // Gain of the heading of who leans or lies [1/s].
+constexpr double kBrakes = 0.8;         // Share of its acceleration with which a character brakes.
+constexpr double kNear = 0.5;           // Who can reach each other within this time are near [s].
+constexpr double kWalkingSpeed = 0.15;  // A slower character stands and faces with the formation [m/s].
 
 // The direction, or the nearest one that a locked heading allows.
 Vec2 limitDeviation(Vec2 direction, Vec2 heading) {
@@ -74,7 +73,7 @@ void Steering::run(const CrowdBodies& bodies, Characters& now, const SteeringInp
     preferred_.resize(count);
     topSpeed_.resize(count);
     const bool patches = !environment.patchIds().empty();
-    forChunks(pool, count, kSteeredPerTask, [&](std::size_t i) {
+    forChunks(pool, count, kPerTask, [&](std::size_t i) {
         topSpeed_[i] = patches ? bodies.maxSpeed(i) * environment.ground(now.position[i]).travelSpeed
                                : bodies.maxSpeed(i);
         if (!input.pace.empty()) topSpeed_[i] *= input.pace[i];
@@ -98,14 +97,14 @@ void Steering::run(const CrowdBodies& bodies, Characters& now, const SteeringInp
     const StepGains gains{std::min(1.0, def.velocityGain * dt), std::min(1.0, kHeadingRate * dt),
                           std::min(1.0, kLyingRate * dt)};
     const std::vector<ClipFacts>& clips = environment.def().clips;
-    forChunks(pool, count, kSteeredPerTask, [&, gains](std::size_t i) {
+    forChunks(pool, count, kPerTask, [&, gains](std::size_t i) {
         velocity[i] = bodies.isFixed(i) ? now.velocity[i]
                                         : nextVelocity(gains.velocityShare, bodies.acceleration(i) * dt,
                                                        now.velocity[i], preferred_[i], topSpeed_[i]);
     });
     const HeadwayInput headway{preferred_, topSpeed_, now.claim, blocked ? &right_ : nullptr, dt};
     headway_.run(bodies, now, environment, neighbours_, headway, velocity);
-    forChunks(pool, count, kSteeredPerTask, [&, gains, patches](std::size_t i) {
+    forChunks(pool, count, kPerTask, [&, gains, patches](std::size_t i) {
         const double turn = patches && clips[now.motion[i]].reachAhead > 0.0 ? gains.lyingShare
                                                                              : gains.headingShare;
         const Vec2 next = velocity[i];

@@ -224,6 +224,13 @@ inline double ofNineInTen(const Points& a, const Points& b) {
     return ways[ways.size() - 1 - ways.size() / 10];
 }
 
+/// Plans a march whole.
+template <class Plan>
+StreamStatus plan(Plan& plan, const StreamDef& def, StreamGround ground) {
+    plan.start(def);
+    return plan.advance(ground, std::numeric_limits<std::int64_t>::max() / 2);
+}
+
 /// Plays a planned march.
 inline Played play(const Ground& ground, const Task& task, Stream& stream, double limit = 600.0) {
     Played out;
@@ -232,6 +239,7 @@ inline Played play(const Ground& ground, const Task& task, Stream& stream, doubl
     if (out.status == StreamStatus::Blocked) return out;
     out.bound = ofNineInTen(task.starts, task.ends) / kSpeed;
     Points places(task.starts.size());
+    const std::vector<double> speeds(places.size(), kSpeed);
     double q = 0.0, endRoom = kRadius;
     stream.at(0.0, places);
     for (const Points* list : {&task.starts, &task.ends})
@@ -242,7 +250,8 @@ inline Played play(const Ground& ground, const Task& task, Stream& stream, doubl
         for (const Vec2 p : places) out.room = std::min(out.room, ground.room(p) - endRoom);
         if (q >= 1.0 || out.seconds >= limit) break;
         const Points before = places;
-        q = stream.next(q, kSceneStep, kSpeed, places);
+        double rate = 0.0;
+        q = stream.next(q, kSceneStep, speeds, places, rate);
         out.fastest = std::max(out.fastest, ofNineInTen(before, places) / kSceneStep);
         out.seconds += kSceneStep;
     }
@@ -267,7 +276,7 @@ inline Played best(const Scene& scene, Stream& stream, bool searched = true) {
         const Task task = taskOf(scene, straight);
         if (task.starts.empty()) continue;
         const auto ground = [&](Vec2 p) { return scene.ground.room(p); };
-        if (stream.plan(task.def(), ground) == StreamStatus::Blocked) continue;
+        if (plan(stream, task.def(), ground) == StreamStatus::Blocked) continue;
         const Played played = play(scene.ground, task, stream);
         if (first.status == StreamStatus::Blocked || played.seconds < first.seconds) first = played;
     }

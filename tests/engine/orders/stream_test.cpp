@@ -50,7 +50,7 @@ TEST_CASE("on open ground places go straight, all at once") {
     const Points block10 = block(10, 10);
     Task task{block10, block10, moved(block10, {40, 0}), {{0, 0}, {40, 0}}};
     Stream stream;
-    CHECK(stream.plan(task.def(), open) == StreamStatus::Straight);
+    CHECK(plan(stream, task.def(), open) == StreamStatus::Straight);
     Points places(100);
     for (const double q : {0.1, 0.37, 0.9}) {
         stream.at(q, places);
@@ -77,11 +77,11 @@ TEST_CASE("where the ground is as wide as the formation a stream is the rigid fo
     task.ends = moved(shape, {115, 20});
     Stream stream;
     const auto room = [&](Vec2 p) { return ground.room(p); };
-    if (stream.plan(task.def(), room) == StreamStatus::Straight) {
+    if (plan(stream, task.def(), room) == StreamStatus::Straight) {
         task.starts = moved(shape, {10, 21});
         task.ends = moved(shape, {115, 21});
         task.way = {{10, 21}, {115, 21}};
-        stream.plan(task.def(), room);
+        plan(stream, task.def(), room);
     }
     REQUIRE(stream.status() == StreamStatus::Flowing);
     Points places(shape.size());
@@ -123,10 +123,10 @@ TEST_CASE("where the ground narrows places come as near to each other as they ma
         CAPTURE(width);
         Stream stream;
         StreamDef def = task.def();
-        stream.plan(def, ground);
+        plan(stream, def, ground);
         const Played apart = play(scene.ground, task, stream);
         def.closest = 0.7;
-        REQUIRE(stream.plan(def, ground) == StreamStatus::Flowing);
+        REQUIRE(plan(stream, def, ground) == StreamStatus::Flowing);
         const Played close = play(scene.ground, task, stream);
         CHECK(close.seconds - close.bound < 0.75 * (apart.seconds - apart.bound));
         CHECK(close.seconds >= close.bound);
@@ -134,7 +134,7 @@ TEST_CASE("where the ground narrows places come as near to each other as they ma
         CHECK(close.room >= -0.01);
         // More room than the formation has is none to come nearer by.
         def.closest = 2.0;
-        stream.plan(def, ground);
+        plan(stream, def, ground);
         CHECK(play(scene.ground, task, stream).seconds == apart.seconds);
     }
 }
@@ -146,16 +146,16 @@ TEST_CASE("of a march straight on and one along its way the one that arrives fir
         CAPTURE(scene.name);
         const Task task = taskOf(scene, false);
         const auto ground = [&](Vec2 p) { return scene.ground.room(p); };
-        REQUIRE(ways.plan(task.def(), ground) == StreamStatus::Flowing);
+        REQUIRE(plan(ways, task.def(), ground) == StreamStatus::Flowing);
         REQUIRE(task.way.size() > 2);
         const double seconds = play(scene.ground, task, ways.best()).seconds;
         CHECK(seconds == doctest::Approx(ways.best().length() / kSpeed).epsilon(0.12));
         StreamDef def = task.def();
         def.drawn = def.measured = true;
-        round.plan(def, ground);
+        plan(round, def, ground);
         const Points straight{task.way.front(), task.way.back()};
         def.way = straight;
-        on.plan(def, ground);
+        plan(on, def, ground);
         double least = 1e9;
         for (const Stream* plan : {&on, &round})
             if (plan->status() == StreamStatus::Flowing) least = std::min(least, plan->length());
@@ -175,14 +175,14 @@ TEST_CASE("a drawn way is the only one, and where straight on is a wall the way 
     task.way = {task.way.front(), {0, -15}, task.way.back()};
     StreamDef def = task.def();
     StreamWays ways;
-    REQUIRE(ways.plan(def, ground) == StreamStatus::Flowing);
+    REQUIRE(plan(ways, def, ground) == StreamStatus::Flowing);
     CHECK(play(scene.ground, task, ways.best()).seconds < 20.0);
     def.drawn = true;
-    REQUIRE(ways.plan(def, ground) == StreamStatus::Flowing);
+    REQUIRE(plan(ways, def, ground) == StreamStatus::Flowing);
     CHECK(play(scene.ground, task, ways.best()).seconds > 20.0);
     const Ground walled{rect(-40, -40, 40, 40), {rect(-0.5, -8, 0.5, 40)}};
     def.drawn = false;
-    REQUIRE(ways.plan(def, [&](Vec2 p) { return walled.room(p); }) == StreamStatus::Flowing);
+    REQUIRE(plan(ways, def, [&](Vec2 p) { return walled.room(p); }) == StreamStatus::Flowing);
     CHECK(play(walled, task, ways.best()).seconds > 20.0);
 }
 
@@ -191,8 +191,8 @@ TEST_CASE("a stream is the same forwards, backwards and planned again in slices"
     const Task task = taskOf(scene, true);
     const auto ground = [&](Vec2 p) { return scene.ground.room(p); };
     Stream whole, sliced;
-    REQUIRE(whole.plan(task.def(), ground) == StreamStatus::Flowing);
-    sliced.plan(taskOf(beside(19, 25), true).def(), ground);
+    REQUIRE(plan(whole, task.def(), ground) == StreamStatus::Flowing);
+    plan(sliced, taskOf(beside(19, 25), true).def(), ground);
     sliced.start(task.def());
     int slices = 0;
     while (sliced.advance(ground, 500) == StreamStatus::Planning) ++slices;
@@ -209,17 +209,13 @@ TEST_CASE("a stream is the same forwards, backwards and planned again in slices"
         whole.at(k / 40.0, a);
         CHECK(a == b);
     }
-    // A step back takes it about to where it was.
-    whole.at(0.3, a);
-    const double ahead = whole.next(0.3, 0.1, kSpeed, a), back = whole.next(ahead, -0.1, kSpeed, a);
-    CHECK(back == doctest::Approx(0.3).epsilon(0.01));
 }
 
 TEST_CASE("each place has its own top speed where they differ, and nine in ten keep to it") {
     const Scene scene = narrow();
     const Task task = taskOf(scene, true);
     Stream stream;
-    stream.plan(task.def(), [&](Vec2 p) { return scene.ground.room(p); });
+    plan(stream, task.def(), [&](Vec2 p) { return scene.ground.room(p); });
     std::vector<double> speeds(task.starts.size(), 2.0);
     for (std::size_t i = 0; i < speeds.size(); i += 5) speeds[i] = 1.0;
     Points places(task.starts.size());
@@ -242,13 +238,13 @@ TEST_CASE("what cannot flow is told") {
     const Ground closed{rect(0, 0, 60, 20), {rect(30, 0, 31, 20)}};
     Task task{shape, moved(shape, {10, 10}), moved(shape, {50, 10}), {{10, 10}, {50, 10}}};
     Stream stream;
-    CHECK(stream.plan(task.def(), [&](Vec2 p) { return closed.room(p); }) == StreamStatus::Blocked);
+    CHECK(plan(stream, task.def(), [&](Vec2 p) { return closed.room(p); }) == StreamStatus::Blocked);
     task.ends.pop_back();
-    CHECK(stream.plan(task.def(), open) == StreamStatus::Blocked);
+    CHECK(plan(stream, task.def(), open) == StreamStatus::Blocked);
     task.ends.push_back({std::nan(""), 0.0});
-    CHECK(stream.plan(task.def(), open) == StreamStatus::Blocked);
+    CHECK(plan(stream, task.def(), open) == StreamStatus::Blocked);
     task = {{}, {}, {}, {{0, 0}, {1, 0}}};
-    CHECK(stream.plan(task.def(), open) == StreamStatus::Blocked);
+    CHECK(plan(stream, task.def(), open) == StreamStatus::Blocked);
 }
 
 TEST_CASE("random scenes: finite, free, bounded speed, exact ends, no jumps") {
@@ -259,7 +255,7 @@ TEST_CASE("random scenes: finite, free, bounded speed, exact ends, no jumps") {
         const Task task = taskOf(scene, false);
         if (task.starts.empty() || task.starts.size() != task.offsets.size()) continue;
         Stream stream;
-        if (stream.plan(task.def(), [&](Vec2 p) { return scene.ground.room(p); }) == StreamStatus::Blocked)
+        if (plan(stream, task.def(), [&](Vec2 p) { return scene.ground.room(p); }) == StreamStatus::Blocked)
             continue;
         CAPTURE(seed);
         checkEnds(task, stream);

@@ -27,7 +27,8 @@ void solve(const StaticGround& ground, const Source& source, std::span<const Pas
     if constexpr (std::is_same_v<Source, Passage>) edges.close(source);
     WalkSolver solver;
     solver.begin(ground.coarse(), edges, source, field);
-    solver.finish(ground.coarse(), field);
+    std::int64_t cells = ground.coarse().grid.count();
+    solver.advance(ground.coarse(), field, cells);
 }
 
 }  // namespace

@@ -16,13 +16,6 @@ Order gatherAt(Vec2 target) {
     return order;
 }
 
-Vec2 middle(const World& world, std::size_t group = 0) {
-    Vec2 sum;
-    const GroupView view = world.group(group);
-    for (const std::int32_t i : view.members) sum += world.characters().position[i];
-    return sum / static_cast<double>(view.members.size());
-}
-
 double farthest(const World& world, Vec2 from, std::size_t group = 0) {
     double most = 0.0;
     const GroupView view = world.group(group);
@@ -80,7 +73,7 @@ TEST_CASE("a group without places goes round a wall, gathers at its target and s
     CHECK(steps * world.parameters().stepTime > 25.0 / world.parameters().character.maxSpeed);
     CHECK(steps * world.parameters().stepTime < 40.0 / world.parameters().character.maxSpeed);
     for (int s = 0; s < 300; ++s) world.step();
-    CHECK(distance(middle(world), Vec2{7, -4}) < 1.0);
+    CHECK(distance(middleOf(world), Vec2{7, -4}) < 1.0);
     CHECK(farthest(world, {7, -4}) < 2.6);
     CHECK(fastest(world) < 0.1);
     for (const std::int32_t place : world.characters().place) CHECK(place == -1);
@@ -114,8 +107,8 @@ TEST_CASE("two groups go through each other") {
     REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, gatherAt({6, 0})}).ok());
     REQUIRE(give(world, n, GiveOrder{world.group(1).id, QueueMode::Replace, 0, gatherAt({-6, 0})}).ok());
     for (int s = 0; s < 1500; ++s) world.step();
-    CHECK(distance(middle(world, 0), Vec2{6, 0}) < 1.0);
-    CHECK(distance(middle(world, 1), Vec2{-6, 0}) < 1.0);
+    CHECK(distance(middleOf(world, 0), Vec2{6, 0}) < 1.0);
+    CHECK(distance(middleOf(world, 1), Vec2{-6, 0}) < 1.0);
     CHECK(fastest(world) < 0.1);
 }
 
@@ -143,7 +136,7 @@ TEST_CASE("a target within an obstacle is gathered at where ground is free; one 
     }
     CHECK(told);
     CHECK(done);
-    CHECK(middle(cut).x < 0.0);
+    CHECK(middleOf(cut).x < 0.0);
     CHECK(fastest(cut) < 0.1);
 }
 
@@ -202,19 +195,19 @@ TEST_CASE("queued points are passed one after the other, and a stop stops") {
     double highest = -12.0;
     for (int s = 0; s < 1400; ++s) {
         world.step();
-        highest = std::max(highest, middle(world).y);
+        highest = std::max(highest, middleOf(world).y);
     }
     CHECK(highest > 6.5);
-    CHECK(distance(middle(world), Vec2{6, -8}) < 0.8);
+    CHECK(distance(middleOf(world), Vec2{6, -8}) < 0.8);
     REQUIRE(give(world, n, GiveOrder{id, QueueMode::Replace, 0, gatherAt({-6, -8})}).ok());
     for (int s = 0; s < 120; ++s) world.step();
     CHECK(fastest(world) > 1.0);
     REQUIRE(give(world, n, EditQueue{id, QueueEdit::Stop, 0}).ok());
     for (int s = 0; s < 120; ++s) world.step();
-    const Vec2 stopped = middle(world);
+    const Vec2 stopped = middleOf(world);
     CHECK(fastest(world) < 0.1);
     for (int s = 0; s < 240; ++s) world.step();
-    CHECK(distance(middle(world), stopped) < 0.2);
+    CHECK(distance(middleOf(world), stopped) < 0.2);
 }
 
 TEST_CASE("other orders and poses give everybody a place again") {
@@ -235,5 +228,5 @@ TEST_CASE("other orders and poses give everybody a place again") {
     for (int s = 0; s < 600; ++s) world.step();
     REQUIRE(give(world, n, SetPose{id, {0, 5}, 0.0}).ok());
     for (int s = 0; s < 600; ++s) world.step();
-    CHECK(distance(middle(world), Vec2{0, 5}) < 0.3);
+    CHECK(distance(middleOf(world), Vec2{0, 5}) < 0.3);
 }

@@ -24,17 +24,6 @@ double freeDistance(const World& world) {
     return least;
 }
 
-double worstToPlace(const World& world) {
-    double worst = 0.0;
-    const CharactersView c = world.characters();
-    for (std::size_t i = 0; i < c.size(); ++i) {
-        if (c.place[i] < 0) continue;
-        const auto places = world.group(c.group[i]).placePositions;
-        worst = std::max(worst, distance(c.position[i], places[c.place[i]]));
-    }
-    return worst;
-}
-
 std::int32_t matched(const World& world) {
     const std::span place = world.characters().place;
     return static_cast<std::int32_t>(

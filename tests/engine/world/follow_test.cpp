@@ -101,13 +101,8 @@ TEST_CASE("who follows a group that goes each for itself follows its people, not
         give(world, n,
              GiveOrder{world.group(1).id, QueueMode::Replace, 0, Order::follow(world.group(0).id, {-5, 0})})
             .ok());
-    const auto middle = [&](std::size_t g) {
-        Vec2 sum;
-        for (const std::int32_t i : world.group(g).members) sum += world.characters().position[i] / 8.0;
-        return sum;
-    };
     for (int k = 0; k < 8; ++k) {
         run(world, 5.0);
-        CHECK(middle(0).x - middle(1).x == doctest::Approx(5.0).epsilon(0.4));
+        CHECK(middleOf(world, 0).x - middleOf(world, 1).x == doctest::Approx(5.0).epsilon(0.4));
     }
 }

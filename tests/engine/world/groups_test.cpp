@@ -22,16 +22,6 @@ WorldDef twoGroups() {
     return def;
 }
 
-double worstToPlace(const World& world, std::size_t group) {
-    double worst = 0.0;
-    const CharactersView c = world.characters();
-    for (std::size_t i = 0; i < c.size(); ++i) {
-        if (c.group[i] != group || c.place[i] < 0) continue;
-        worst = std::max(worst, distance(c.position[i], world.group(group).placePositions[c.place[i]]));
-    }
-    return worst;
-}
-
 /// Every character of a group has a place of that group, nobody the same as another.
 void checkPlaces(const World& world) {
     std::set<std::pair<std::uint32_t, std::int32_t>> taken;

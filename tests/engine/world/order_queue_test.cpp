@@ -45,13 +45,6 @@ void run(World& world, double seconds, Log& log) {
     }
 }
 
-Vec2 centre(const World& world, std::size_t group = 0) {
-    Vec2 sum;
-    const GroupView view = world.group(group);
-    for (const std::int32_t i : view.members) sum += world.characters().position[i];
-    return sum / static_cast<double>(view.members.size());
-}
-
 }  // namespace
 
 TEST_CASE("queued orders are carried out one after the other") {
@@ -76,7 +69,7 @@ TEST_CASE("queued orders are carried out one after the other") {
         if (kind == EventKind::OrderDone) done.push_back(value);
     CHECK(done == order);
     CHECK(world.group(0).orders.empty());
-    CHECK(distance(centre(world), {10, 10}) < 0.5);
+    CHECK(distance(middleOf(world), {10, 10}) < 0.5);
 }
 
 TEST_CASE("a queued target that cannot be reached is skipped; the last one is approached") {
@@ -93,8 +86,8 @@ TEST_CASE("a queued target that cannot be reached is skipped; the last one is ap
     CHECK(log.has(EventKind::OrderDone, 2));
     CHECK(log.has(EventKind::OrderBegun, 3));
     CHECK(log.has(EventKind::OrderSkipped, 3));
-    CHECK(distance(centre(world), {15, 15}) < 10.0);
-    CHECK(distance(centre(world), {15, 15}) > 5.0);
+    CHECK(distance(middleOf(world), {15, 15}) < 10.0);
+    CHECK(distance(middleOf(world), {15, 15}) > 5.0);
     const OrderForecast inside = world.forecast(world.group(0).id, Order::move({15, 15}));
     CHECK_FALSE(inside.arrives);
     CHECK(std::isinf(inside.seconds));
@@ -175,19 +168,19 @@ TEST_CASE("a patrol goes round; hold, resume, cancel and stop") {
     const GroupId id = world.group(0).id;
     REQUIRE(give(world, n, EditQueue{id, QueueEdit::Hold}).ok());
     run(world, 2, log);
-    const Vec2 held = centre(world);
+    const Vec2 held = middleOf(world);
     run(world, 3, log);
-    CHECK(distance(centre(world), held) < 0.2);
+    CHECK(distance(middleOf(world), held) < 0.2);
     CHECK(world.group(0).held);
     REQUIRE(give(world, n, EditQueue{id, QueueEdit::Resume}).ok());
     run(world, 3, log);
-    CHECK(distance(centre(world), held) > 0.5);
+    CHECK(distance(middleOf(world), held) > 0.5);
     REQUIRE(give(world, n, GiveOrder{id, QueueMode::Replace, 0, Order::go({25, 25})}).ok());
     run(world, 3, log);
     REQUIRE(give(world, n, EditQueue{id, QueueEdit::Stop}).ok());
-    const Vec2 stopped = centre(world);
+    const Vec2 stopped = middleOf(world);
     run(world, 4, log);
-    CHECK(distance(centre(world), stopped) < 1.0);
+    CHECK(distance(middleOf(world), stopped) < 1.0);
     CHECK(world.group(0).orders.empty());
     REQUIRE(give(world, n, EditQueue{id, QueueEdit::Cancel, 77}).ok());
     world.step();
@@ -205,14 +198,14 @@ TEST_CASE("who goes each for itself stops to hold and where its order is cancell
         run(world, 3, log);
         REQUIRE(give(world, n, EditQueue{id, edit}).ok());
         run(world, 2, log);
-        const Vec2 held = centre(world);
+        const Vec2 held = middleOf(world);
         CHECK(distance(held, {25, 25}) > 5.0);
         run(world, 4, log);
-        CHECK(distance(centre(world), held) < 0.1);
+        CHECK(distance(middleOf(world), held) < 0.1);
         if (edit == QueueEdit::Cancel) continue;
         REQUIRE(give(world, n, EditQueue{id, QueueEdit::Resume}).ok());
         run(world, 30, log);
-        CHECK(distance(centre(world), {25, 25}) < 1.0);
+        CHECK(distance(middleOf(world), {25, 25}) < 1.0);
         CHECK(log.count(EventKind::OrderDone) == 1);
     }
 }
@@ -258,7 +251,7 @@ TEST_CASE("two groups that are told to stop while they pass through each other s
                  GiveOrder{world.group(g).id, QueueMode::Replace, 0, Order::move({g == 0 ? 20.0 : -20.0, 0})})
                 .ok());
     run(world, 5, log);
-    REQUIRE(distance(centre(world), {0, 0}) < 4.0);
+    REQUIRE(distance(middleOf(world), {0, 0}) < 4.0);
     for (std::size_t g = 0; g < 2; ++g)
         REQUIRE(give(world, n, EditQueue{world.group(g).id, QueueEdit::Stop}).ok());
     const CharactersView c = world.characters();
@@ -288,12 +281,12 @@ TEST_CASE("fingers take over, and the order goes on from where they leave the me
     REQUIRE(give(world, n, TouchUp{1, world.time()}).ok());
     run(world, 30, log);
     CHECK(log.count(EventKind::OrderDone) == 1);
-    CHECK(distance(centre(world), {20, 0}) < 0.5);
+    CHECK(distance(middleOf(world), {20, 0}) < 0.5);
     REQUIRE(give(world, n, GiveOrder{id, QueueMode::Replace, 0, Order::move({-20, 0})}).ok());
     REQUIRE(give(world, n, SetPose{id, {20, 5}, 0.0}).ok());
     run(world, 10, log);
     CHECK(world.group(0).orders.empty());
-    CHECK(distance(centre(world), {20, 5}) < 0.5);
+    CHECK(distance(middleOf(world), {20, 5}) < 0.5);
 }
 
 TEST_CASE("one group follows another, and stops where that is gone") {
@@ -312,7 +305,7 @@ TEST_CASE("one group follows another, and stops where that is gone") {
             .ok());
     run(world, 40, log);
     const Pose lead = world.group(0).pose;
-    CHECK(distance(centre(world, 1), lead.apply({-6, 0})) < 0.7);
+    CHECK(distance(middleOf(world, 1), lead.apply({-6, 0})) < 0.7);
     REQUIRE(give(world, n, RemoveGroup{world.group(0).id}).ok());
     run(world, 1, log);
     CHECK(log.has(EventKind::OrderDone, 2));

@@ -1,7 +1,9 @@
 // Small worlds that the world's tests share.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/random.h"
 #include "muster/world.h"
@@ -29,6 +31,25 @@ inline void run(World& world, double seconds) {
 template <class T>
 std::vector<T> copyOf(std::span<const T> values) {
     return {values.begin(), values.end()};
+}
+
+/// The mean position of the members of a group [m].
+inline Vec2 middleOf(const World& world, std::size_t group = 0) {
+    Vec2 sum;
+    const GroupView view = world.group(group);
+    for (const std::int32_t i : view.members) sum += world.characters().position[i];
+    return sum / static_cast<double>(view.members.size());
+}
+
+/// The farthest that a matched character is from its place: of one group, or of all [m].
+inline double worstToPlace(const World& world, std::optional<std::size_t> group = {}) {
+    double worst = 0.0;
+    const CharactersView c = world.characters();
+    for (std::size_t i = 0; i < c.size(); ++i) {
+        if (c.place[i] < 0 || (group && c.group[i] != *group)) continue;
+        worst = std::max(worst, distance(c.position[i], world.group(c.group[i]).placePositions[c.place[i]]));
+    }
+    return worst;
 }
 
 inline ObstacleDef block(double x0, double y0, double x1, double y1) {

@@ -56,15 +56,6 @@ std::vector<int> occupancy(const World& world) {
     return counts;
 }
 
-double farthest(const World& world) {
-    double most = 0.0;
-    const CharactersView c = world.characters();
-    for (const std::int32_t i : world.group(0).members)
-        if (c.place[i] >= 0)
-            most = std::max(most, distance(c.position[i], world.group(0).placePositions[c.place[i]]));
-    return most;
-}
-
 // Deaths, joins, splits, merges and other weights at random: one call per step.
 struct WeightDirector {
     Random random;
@@ -140,7 +131,7 @@ TEST_CASE("a group with weights goes round a block, arrives, and stays near the 
         CHECK(events[EventKind::Stuck] == 0);
         CHECK(events[EventKind::Swap] < 2 * 49);
         CHECK(worst < 0.02);
-        CHECK(farthest(world) < 1.6);
+        CHECK(worstToPlace(world) < 1.6);
         // Once there, nobody changes places any more.
         CHECK(play(world, 10.0)[EventKind::Swap] == 0);
     }
@@ -162,7 +153,7 @@ TEST_CASE("places that demand six take six, who stand around them as good as the
     const std::vector<int> counts = occupancy(world);
     for (int k = 0; k < 36; ++k) CHECK(counts[k] == (k % 6 == 2 ? 6 : 0));
     CHECK(play(world, 10.0)[EventKind::Swap] == 0);
-    CHECK(farthest(world) < 1.2);
+    CHECK(worstToPlace(world) < 1.2);
     for (const Vec2 velocity : world.characters().velocity) CHECK(length(velocity) < 0.05);
 }
 

@@ -19,7 +19,7 @@ bool FreeSpace::inRegion(Vec2 p) const {
 
 // Where the point itself is blocked, the free ground nearest to it counts.
 bool FreeSpace::isCutOff(Vec2 p) const {
-    if (region_ < 0 || undivided_) return false;
+    if (undivided_) return false;
     const std::int32_t region = routes_.region(p);
     return (region >= 0 ? region : routes_.region(nearest_.find(routes_, p, -1))) != region_;
 }

@@ -68,7 +68,7 @@ public:
     /// `p` where the free space contains it, else a near point of the free space. Not from several threads.
     Vec2 nearest(Vec2 p) const;
     /// True where all free ground is in the region.
-    bool undivided() const { return region_ < 0 || undivided_; }
+    bool undivided() const { return undivided_; }
     /// True where the ground at `p` is cut off from the region. Not from several threads.
     bool isCutOff(Vec2 p) const;
     /// The nearest ground of the region. Not from several threads.

@@ -14,7 +14,6 @@ namespace {
 constexpr std::int64_t kWorkPerStep = 15000;
 constexpr double kLeastProgress = 0.1;    // A place that moves by less than this share of a step is blocked.
 constexpr double kAttractionSpeed = 2.0;  // Of reachable targets to their targets, in top speeds of places.
-constexpr std::size_t kPlacesPerMove = 256;  // Places per task.
 // A new path is searched when the goal has moved farther than this [m]
 constexpr double kReplanDistance = 1.0;
 constexpr std::size_t kReservedCorners = 64;  // For which a new path has memory.
@@ -31,15 +30,14 @@ constexpr std::size_t kRanks = 24;            // Ranks in which places may cross
 constexpr int kRankPasses = 4;                // and how often these are looked through.
 constexpr double kStill = 5e-5;               // A target that moves less rests [m].
 
-}  // namespace
+// The detour of a place, or where it belongs among the others.
+template <class Detours>
+auto detourAt(Detours& detours, std::int32_t place) {
+    return std::lower_bound(detours.begin(), detours.end(), place,
+                            [](const auto& d, std::int32_t p) { return d.place < p; });
+}
 
-// Compiled here once, since they are long.
-PlaceTracker::PlaceTracker() = default;
-PlaceTracker::PlaceTracker(const PlaceTracker& other) = default;
-PlaceTracker& PlaceTracker::operator=(const PlaceTracker& other) = default;
-PlaceTracker::PlaceTracker(PlaceTracker&& other) noexcept = default;
-PlaceTracker& PlaceTracker::operator=(PlaceTracker&& other) noexcept = default;
-PlaceTracker::~PlaceTracker() = default;
+}  // namespace
 
 // The arrays must fit together, and numbers be so small that steps stay finite.
 bool PlaceTracker::consistent() const {
@@ -355,8 +353,7 @@ void PlaceTracker::assemble(std::span<const Origin> origins) {
         targets.target.push_back(from != nullptr ? from->targets_.target[place] : origin.position);
         if (from == nullptr) continue;
         if (std::find(sources.begin(), sources.end(), from) == sources.end()) sources.push_back(from);
-        const auto detour = std::lower_bound(from->detours_.begin(), from->detours_.end(), origin.place,
-                                             [](const Detour& d, std::int32_t p) { return d.place < p; });
+        const auto detour = detourAt(from->detours_, origin.place);
         if (detour == from->detours_.end() || detour->place != origin.place) continue;
         detours.push_back(*detour);
         detours.back().place = static_cast<std::int32_t>(k);
@@ -376,13 +373,6 @@ void PlaceTracker::assemble(std::span<const Origin> origins) {
 }
 
 namespace {
-
-// The detour of a place, or where it belongs among the others.
-template <class Detours>
-auto detourAt(Detours& detours, std::int32_t place) {
-    return std::lower_bound(detours.begin(), detours.end(), place,
-                            [](const auto& d, std::int32_t p) { return d.place < p; });
-}
 
 // The detour of a place. Where it has none one is inserted, with memory of paths that ended.
 template <class Detours, class Paths>
@@ -437,22 +427,16 @@ void PlaceTracker::searchPaths(RouteGraph& routes) {
 void PlaceTracker::moveAll(Mover& mover, ThreadPool* pool) {
     const std::size_t n = position_.size();
     needs_.resize(n);
-    const auto task = [&](std::int32_t chunk, std::int32_t) {
-        const std::size_t begin = chunk * kPlacesPerMove;
-        const auto first = static_cast<std::int32_t>(begin);
-        const auto end = static_cast<std::int32_t>(std::min(n, begin + kPlacesPerMove));
+    forChunks(pool, (n + kPerTask - 1) / kPerTask, 1, [&](std::size_t chunk) {
+        const auto first = static_cast<std::int32_t>(chunk * kPerTask);
+        const auto end = static_cast<std::int32_t>(std::min(n, (chunk + 1) * kPerTask));
         auto next = detourAt(detours_, first);
         for (std::int32_t place = first; place < end; ++place) {
             const bool known = next != detours_.end() && next->place == place;
             needs_[place] = mover.move(place, known ? &*next : nullptr);
             if (known) ++next;
         }
-    };
-    const auto chunks = static_cast<std::int32_t>((n + kPlacesPerMove - 1) / kPlacesPerMove);
-    if (pool != nullptr && chunks > 1)
-        pool->run(chunks, task);
-    else
-        for (std::int32_t c = 0; c < chunks; ++c) task(c, 0);
+    });
 }
 
 void PlaceTracker::advance(const PlaceDef& def, std::span<const Vec2> targets, RouteGraph& routes,

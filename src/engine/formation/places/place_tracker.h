@@ -18,13 +18,6 @@ namespace muster {
 /// bounded speed.
 class PlaceTracker {
 public:
-    PlaceTracker();
-    PlaceTracker(const PlaceTracker& other);
-    PlaceTracker& operator=(const PlaceTracker& other);
-    PlaceTracker(PlaceTracker&& other) noexcept;
-    PlaceTracker& operator=(PlaceTracker&& other) noexcept;
-    ~PlaceTracker();
-
     /// Puts every place on its reachable target at once (a new group).
     void reset(const PlaceDef& def, std::span<const Vec2> targets, const RouteGraph& routes,
                std::int32_t region);

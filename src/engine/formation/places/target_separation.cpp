@@ -117,14 +117,8 @@ private:
         const double limit = separation_ * separation_;
         for (const Vec2 taken : memory_.taken)
             if (lengthSquared(taken - p) < limit) return true;
-        const Grid& grid = memory_.cells.grid();
-        const Cell cell = grid.cellOf(p);
-        const std::int32_t left = std::max(cell.x - 1, 0), right = std::min(cell.x + 1, grid.width - 1);
-        if (left > right) return false;
-        for (std::int32_t y = std::max(cell.y - 1, 0); y <= std::min(cell.y + 1, grid.height - 1); ++y)
-            for (const std::int32_t k : memory_.cells.within(grid.index({left, y}), grid.index({right, y})))
-                if (fit_[k] == 1 && lengthSquared(targets_[k] - p) < limit) return true;
-        return false;
+        return memory_.cells.anyBeside(
+            p, [&](std::int32_t k) { return fit_[k] == 1 && lengthSquared(targets_[k] - p) < limit; });
     }
 
     const FreeSpace& space_;

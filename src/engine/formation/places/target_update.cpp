@@ -12,7 +12,6 @@ namespace {
 // Most that a reachable target moves in a step, as a share of the separation.
 constexpr double kMaxStep = 0.3;
 constexpr double kStray = 3.0;  // Times as far from its target as others are, a place in a wall leaps to it.
-constexpr std::size_t kPlacesPerTask = 256;
 // If more than one in this many targets jump, all are separated again.
 constexpr std::size_t kDiscontinuousShare = 8;
 constexpr std::int32_t kBaseBudget = 400;   // Points examined per step by places that search,
@@ -278,7 +277,7 @@ bool TargetUpdate::run(std::span<const Vec2> targets, ThreadPool* pool) {
     for (auto* marks : {&m_.level, &m_.exact, &m_.inWall, &m_.yielding}) marks->resize(n);
     for (auto* list : {&m_.yields, &m_.lowered, &m_.searching, &m_.relocated}) list->reserve(n);
     const bool recalls = restingHold();
-    forChunks(pool, n, kPlacesPerTask,
+    forChunks(pool, n, kPerTask,
               [&](std::size_t k) { proposeOrRecall(static_cast<std::int32_t>(k), targets[k], recalls); });
     const std::size_t jumps = std::count(m_.level.begin(), m_.level.end(), std::uint8_t{Discontinuous});
     if (jumps * kDiscontinuousShare > n) return false;

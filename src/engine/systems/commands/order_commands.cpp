@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "base/bounds.h"
 #include "engine/formation/mesh/rigid_fit.h"
 #include "engine/state/shared_places.h"
 #include "engine/state/validation.h"
@@ -110,13 +111,10 @@ void stop(WorldState& state, Group& group) {
 }  // namespace
 
 void standWhereItIs(Group& group) {
-    const Formation& formation = group.mesh.formation();
     const std::vector<Vec2>& places = group.places.positions();
-    if (places.empty() || places.size() != formation.places.size()) return;
     std::vector<Vec2> rest;
-    rest.reserve(places.size());
-    for (const MeshPoint& place : formation.places)
-        rest.push_back(place.position(formation.mesh.triangles, formation.mesh.vertices));
+    group.mesh.restPlaces(rest);
+    if (places.empty() || places.size() != rest.size()) return;
     group.mesh.setPose(bestRigidFit(rest, places));
 }
 
@@ -127,9 +125,7 @@ void shareOrders(WorldState& state, std::span<Group* const> parts, Vec2 middle) 
         queue = whole;
         std::vector<Vec2> places;
         parts[p]->mesh.placePositions(places);
-        Vec2 own;
-        for (const Vec2 place : places) own += place;
-        const Vec2 shift = places.empty() ? Vec2{} : own / static_cast<double>(places.size()) - middle;
+        const Vec2 shift = places.empty() ? Vec2{} : meanOf(places) - middle;
         queue.march.phase = MarchPhase::Idle;
         queue.march.searched = 0;
         queue.own.reset();

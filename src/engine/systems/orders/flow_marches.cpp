@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/bounds.h"
 #include "base/maths.h"
 #include "engine/state/ground_class.h"
 #include "engine/state/held_ground.h"
@@ -18,23 +19,8 @@ constexpr double kBuiltOn = 0.5;          // Nearer to a wall, in radii, a place
 constexpr double kSameFacing = 0.99;      // Cosine of the angle by which headings that are alike may differ.
 constexpr double kPays = 0.25;  // Of a walk that does not lead to the target: so much nearer it has to come.
 
-Vec2 meanOf(std::span<const Vec2> points) {
-    Vec2 sum;
-    for (const Vec2 p : points) sum += p;
-    return sum / std::max(1.0, static_cast<double>(points.size()));
-}
-
 double spacingOf(const Group& group) {
     return std::max(group.def.formation.spacing, 1e-3);
-}
-
-/// The rotation at a share of the turn from one to another, the shorter way.
-Rotation turnedTo(const Rotation& from, const Rotation& to, double share) {
-    const double angle = share * angleBetween({from.c, from.s}, {to.c, to.s});
-    const double c = cosine(angle), s = sine(angle);
-    const Rotation out{from.c * c - from.s * s, from.s * c + from.c * s};
-    const double size = std::sqrt(out.c * out.c + out.s * out.s);
-    return {out.c / size, out.s / size};
 }
 
 double reachOf(std::span<const Vec2> offsets) {
@@ -43,9 +29,16 @@ double reachOf(std::span<const Vec2> offsets) {
     return reach;
 }
 
-/// Where a group stands, or will stand when its march is over.
-const std::vector<Vec2>& endsOf(const Group& group) {
-    return group.flow.leads() ? group.flow.ends : group.places.reachableTargets();
+/// Where those of other groups stand who count, or will stand when their marches are over.
+template <class Counts>
+void listEnds(const WorldState& state, const Group& group, std::vector<Vec2>& ends, const Counts& counts) {
+    ends.clear();
+    for (const Group& other : state.groups) {
+        if (other.id == group.id || other.members.empty() || !counts(other)) continue;
+        const std::vector<Vec2>& places = other.flow.leads() ? other.flow.ends
+                                                             : other.places.reachableTargets();
+        ends.insert(ends.end(), places.begin(), places.end());
+    }
 }
 
 /// From the begin of a way to its first point that is so far from it.
@@ -113,14 +106,10 @@ void FlowMarches::exchange(WorldState& state, Group& group, double reach) {
 // Where other groups stand, or will stand when their marches are over. A group that is about to go elsewhere
 // takes nothing.
 void FlowMarches::findTaken(const WorldState& state, const Group& group) {
-    taken_.clear();
-    for (const Group& other : state.groups) {
-        if (other.id == group.id || other.members.empty()) continue;
-        if (!other.orders.orders.empty() && !other.orders.begun) continue;
-        const std::vector<Vec2>& places = endsOf(other);
-        if (other.flow.leads() || other.settling.rests())
-            taken_.insert(taken_.end(), places.begin(), places.end());
-    }
+    listEnds(state, group, taken_, [](const Group& other) {
+        return (other.orders.orders.empty() || other.orders.begun) &&
+               (other.flow.leads() || other.settling.rests());
+    });
 }
 
 // Lays ends out on the present ground. Returns how the group's places are led.
@@ -216,15 +205,12 @@ void FlowMarches::stand(WorldState& state, Group& group) {
 // Where those stand for whom the group makes room: who holds its ground, else who was laid out beside others,
 // else who is older.
 void FlowMarches::findStanding(const WorldState& state, const Group& group) {
-    taken_.clear();
-    for (const Group& other : state.groups) {
-        if (other.id == group.id || other.members.empty() || !other.settling.rests()) continue;
-        const bool before = holdsGround(other) != holdsGround(group)
-                                ? holdsGround(other)
-                                : other.flow.leads() || other.id.value < group.id.value;
-        const std::vector<Vec2>& places = endsOf(other);
-        if (before) taken_.insert(taken_.end(), places.begin(), places.end());
-    }
+    listEnds(state, group, taken_, [&](const Group& other) {
+        if (!other.settling.rests()) return false;
+        return holdsGround(other) != holdsGround(group)
+                   ? holdsGround(other)
+                   : other.flow.leads() || other.id.value < group.id.value;
+    });
 }
 
 // True where many of the points that the mesh wants cannot be reached.
@@ -332,7 +318,8 @@ void FlowMarches::move(WorldState& state, Group& group, const MarchDef& def) {
         speeds_[i] = std::max(1e-3, flow.speed * ground[grid.index(grid.nearestCell(flow.places[i]))]);
     if (flow.speed > 1e-4) flow.q = flow.plans.best().next(flow.q, dt, speeds_, flow.places, flow.rate);
     Pose pose;
-    pose.rotation = turnedTo(flow.from.rotation, flow.to.rotation, flow.q);
+    const Rotation from = flow.from.rotation, to = flow.to.rotation;
+    pose.rotation = turned(from, flow.q * angleBetween({from.c, from.s}, {to.c, to.s}));
     pose.position = meanOf(flow.places) - pose.rotation.apply(meanOf(flow.offsets));
     if (flow.q >= 1.0) {
         pose = flow.to;

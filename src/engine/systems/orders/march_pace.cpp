@@ -32,7 +32,7 @@ double MarchPace::of(const WorldState& state, Group& group) {
 double MarchPace::byLags(const WorldState& state, const Group& group) {
     if (!state.parameters.opposing.enabled) return 1.0;
     const Characters& c = state.characters;
-    const std::uint32_t patience = stepsIn(state, kWaitedFor);
+    const std::uint32_t patience = stepsIn(state, kStuckFor);
     lags_.clear();
     for (const std::int32_t i : group.members) {
         if (c.place[i] < 0 || c.driver[i] != Driver::Muster) continue;

@@ -10,8 +10,6 @@ namespace muster {
 /// The pace of marches. Its working memory is reused.
 class MarchPace {
 public:
-    static constexpr double kWaitedFor = 5.0;  ///< Who has not got on for so long is not waited for [s].
-
     /// The pace of a group in this step: a share of its speed, [0, 1]. Counts how long it has waited.
     double of(const WorldState& state, Group& group);
 

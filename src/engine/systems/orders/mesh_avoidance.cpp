@@ -16,7 +16,6 @@ constexpr double kMeshMargin = 0.5;   // Between two meshes [m].
 constexpr double kMoverMargin = 0.8;  // Between a mesh and a moving obstacle [m].
 constexpr double kStraggler = 2.0;    // Who is farther from their place does not count [m].
 constexpr double kThere = 1.0;        // A mesh is where its places are, if these are so near [m].
-constexpr double kSlow = 0.3;         // Who is slower is not counted upon [m/s].
 constexpr double kStraight = 0.02;    // A smaller turn is none [rad].
 constexpr std::size_t kMostLegs = 8;  // Of a path within the horizon.
 constexpr double kOnWay = 0.1;        // Slower across its way it is on it [m/s].
@@ -28,10 +27,6 @@ constexpr double kMoverPatience = 60.0;       // ... and moving obstacles [s].
 constexpr double kPressed = 4.0;              // Beyond its own size, before it keeps clear again [m].
 constexpr double kLooks[] = {1.0, 2.0, 3.0};  // When it must have room [s].
 constexpr double kBack = 10.0;                // So far towards its way it must have room [m].
-
-Rotation rotationBy(double angle) {
-    return {cosine(angle), sine(angle)};
-}
 
 /// Bounds of points in the axes of a pose.
 struct Bounds {
@@ -166,12 +161,11 @@ void MeshAvoidance::readBodies(const WorldState& state) {
         const Group& group = state.groups[g];
         Body& body = bodies_[g];
         body = {};
-        body.exists = !group.members.empty();
-        if (!body.exists) continue;
+        if (group.members.empty()) continue;
         body.box = boxOf(state, group);
         body.box.velocity = group.avoidance.under ? group.avoidance.velocity : meanVelocity(group);
         body.shares = group.avoidance.under && group.avoidance.press == 0 &&
-                      length(body.box.velocity) > kSlow;
+                      length(body.box.velocity) > kMeshStands;
     }
 }
 
@@ -236,7 +230,7 @@ void MeshAvoidance::listNeighbours(const WorldState& state, const Group& group) 
     for (std::size_t g = 0; g < state.groups.size(); ++g) {
         const Group& other = state.groups[g];
         const bool together = &other == &group || staysWith(group, other.id) || staysWith(other, group.id);
-        if (together || !bodies_[g].exists) continue;
+        if (together || other.members.empty()) continue;
         neighbours_.push_back({bodies_[g].box, kMeshMargin, true, bodies_[g].shares});
     }
 }

@@ -23,7 +23,6 @@ private:
     struct Body {
         MovingBox box;
         bool shares = false;  // It keeps clear of others, too.
-        bool exists = false;
     };
 
     void readBodies(const WorldState& state);

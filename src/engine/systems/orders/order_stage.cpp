@@ -84,6 +84,32 @@ bool leadsOn(const Group& group, Vec2 from, Vec2 to) {
     return distance(from, to) > group.def.formation.spacing;
 }
 
+/// True where enough of a group are there, or none of the others gets on any more. It counts since when
+/// nobody new has come, and is not so before `least` steps after that.
+template <class There, class Stuck>
+bool isOver(const WorldState& state, Group& group, std::uint32_t least, const There& isThere,
+            const Stuck& isStuck) {
+    OrderQueue& queue = group.orders;
+    std::int32_t arrived = 0, awaited = 0;
+    bool stuck = true;
+    for (const std::int32_t i : group.members) {
+        if (!fitsGround(state, group, i)) continue;
+        ++awaited;
+        if (isThere(i))
+            ++arrived;
+        else
+            stuck = stuck && isStuck(i);
+    }
+    if (arrived > queue.arrived) {
+        queue.arrived = arrived;
+        queue.stoodAt = state.stepCount;
+    }
+    const double share = queue.orders.front().order.share * static_cast<double>(awaited);
+    const std::uint32_t quiet = state.stepCount - queue.stoodAt;
+    if (quiet >= least && arrived >= static_cast<std::int32_t>(std::ceil(share - 1e-9))) return true;
+    return stuck && quiet >= stepsIn(state, kStuckFor);
+}
+
 /// Where somebody has joined or left, the middle of the formation goes the way.
 void recentre(Group& group) {
     if (!group.refitted) return;
@@ -101,11 +127,10 @@ std::int32_t OrderStage::regionOf(WorldState& state, const Group& group) {
 
 void OrderStage::leadByPeople(const WorldState& state, const Group& group, Lead& lead) {
     const Characters& c = state.characters;
-    lead.position = lead.velocity = {};
-    for (const std::int32_t i : group.members) {
-        lead.position += c.position[i] / static_cast<double>(group.members.size());
+    lead.position = middleOf(state, group);
+    lead.velocity = {};
+    for (const std::int32_t i : group.members)
         lead.velocity += c.velocity[i] / static_cast<double>(group.members.size());
-    }
     if (length(lead.velocity) > kWalks) lead.facing = normalized(lead.velocity);
 }
 
@@ -214,6 +239,8 @@ void OrderStage::beginWay(WorldState& state, Group& group, std::int32_t region) 
     March& march = group.orders.march;
     const Vec2 middle = group.mesh.pose().position;
     march.way.assign(1, middle);
+    march.next = 1;
+    march.phase = MarchPhase::Search;
     if (region < 0 || march.legs.empty() || state.routesOf(group).region(middle) == region) return;
     const Vec2 to = march.legs.front();
     const std::vector<Vec2>& places = group.places.positions();
@@ -258,9 +285,7 @@ void OrderStage::restart(WorldState& state, Group& group) {
     }
     if (order.kind != OrderKind::Move) return;
     if (order.manner == Manner::Free && order.route.empty()) {
-        Vec2 middle;
-        for (const std::int32_t i : group.members) middle += state.characters.position[i];
-        middle = middle / std::max(1.0, static_cast<double>(group.members.size()));
+        const Vec2 middle = middleOf(state, group);
         Vec2 front = march.front(pose);
         if (leadsOn(group, middle, queue.target)) front = normalized(queue.target - middle, front);
         if (order.facing) front = {cosine(*order.facing), sine(*order.facing)};
@@ -282,18 +307,13 @@ void OrderStage::restart(WorldState& state, Group& group) {
     const OrderGoal goal = goalOf(state.routesOf(group), region, extentOf(group).width, order.target);
     listLegs(state.routesOf(group), region, order, goal, march.legs);
     beginWay(state, group, region);
-    march.next = 1;
-    march.phase = MarchPhase::Search;
-}
-
-void OrderStage::avoid(const WorldState& state, Group& group, const MarchDef& def) {
-    avoids_ = true;
-    group.mesh.setPose(avoidance_.advance(state, ways_.ground(), def, group));
 }
 
 // One group searches at a time, until its way is found, since a search that another one interrupts begins
 // again.
-bool OrderStage::searchWay(WorldState& state, Group& group, std::int32_t region, bool drawn) {
+bool OrderStage::searchWay(WorldState& state, Group& group, bool drawn) {
+    if (budget_ <= 0) return false;
+    const std::int32_t region = regionOf(state, group);
     March& march = group.orders.march;
     const bool busy = searching_ != 0 && searching_ != group.id.value;
     const WayNeeds needs = needsOf(state, group, group.orders.orders.front().order);
@@ -307,24 +327,23 @@ void OrderStage::goOn(WorldState& state, Group& group, const MarchDef& def) {
     OrderQueue& queue = group.orders;
     March& march = queue.march;
     const Order& order = queue.orders.front().order;
-    if (march.phase == MarchPhase::Search && budget_ > 0) {
-        const std::int32_t region = regionOf(state, group);
-        if (searchWay(state, group, region, !order.route.empty())) {
-            if (!(march.way.back() == queue.target)) march.way.push_back(queue.target);
-            if (flowsBy(group, order))
-                flows_.start(state, group, endPose(group), march.way, !order.route.empty());
-            march.phase = MarchPhase::Go;
-        }
+    if (march.phase == MarchPhase::Search && searchWay(state, group, !order.route.empty())) {
+        if (!(march.way.back() == queue.target)) march.way.push_back(queue.target);
+        if (flowsBy(group, order))
+            flows_.start(state, group, endPose(group), march.way, !order.route.empty());
+        march.phase = MarchPhase::Go;
     }
     const double dt = state.parameters.stepTime;
-    if (march.phase == MarchPhase::Search)
+    if (march.phase == MarchPhase::Search) {
         march.speed = std::max(0.0, march.speed - def.acceleration * dt);
-    else if (flowsBy(group, order))
+    } else if (flowsBy(group, order)) {
         flow(state, group, def);
-    else if (march.phase == MarchPhase::Go && group.def.conduct.avoids)
-        avoid(state, group, def);
-    else
+    } else if (march.phase == MarchPhase::Go && group.def.conduct.avoids) {
+        avoids_ = true;
+        group.mesh.setPose(avoidance_.advance(state, ways_.ground(), def, group));
+    } else {
         group.mesh.setPose(advanceMarch(def, march, group.mesh.pose(), dt));
+    }
     march.last = group.mesh.pose();
 }
 
@@ -350,31 +369,18 @@ bool OrderStage::isDone(const WorldState& state, Group& group) {
         return false;
     }
     const Characters& c = state.characters;
-    const std::uint32_t patience = stepsIn(state, MarchPace::kWaitedFor);
-    const std::uint32_t longest = stepsIn(state, kLongest);
-    std::int32_t arrived = 0, awaited = 0;
-    bool stuck = true;
+    const std::uint32_t patience = stepsIn(state, kStuckFor), longest = stepsIn(state, kLongest);
     shared_.find(state, group);
-    for (const std::int32_t i : group.members) {
-        if (!fitsGround(state, group, i)) continue;
-        ++awaited;
+    const auto isThere = [&](std::int32_t i) {
         const std::int32_t place = c.place[i];
-        const Vec2 target = place >= 0 ? group.places.reachableTargets()[place] : Vec2{};
-        if (place >= 0 && distance(c.position[i], target) <= kArrivedReach + shared_.room(i))
-            ++arrived;
-        else
-            stuck = stuck && (state.stepCount - c.walk[i].movedAt >= patience ||
-                              state.stepCount - c.walk[i].campedAt >= longest);
-    }
-    if (arrived > queue.arrived) {
-        queue.arrived = arrived;
-        queue.stoodAt = state.stepCount;
-    }
-    const double share = queue.orders.front().order.share * static_cast<double>(awaited);
-    // Targets follow the mesh in this step.
-    const std::uint32_t quiet = state.stepCount - queue.stoodAt;
-    if (quiet > 1 && arrived >= static_cast<std::int32_t>(std::ceil(share - 1e-9))) return true;
-    return stuck && quiet >= patience;
+        return place >= 0 && distance(c.position[i], group.places.reachableTargets()[place]) <=
+                                 kArrivedReach + shared_.room(i);
+    };
+    const auto isStuck = [&](std::int32_t i) {
+        return state.stepCount - c.walk[i].movedAt >= patience ||
+               state.stepCount - c.walk[i].campedAt >= longest;
+    };
+    return isOver(state, group, 2, isThere, isStuck);  // Targets follow the mesh in this step.
 }
 
 // The place beside what is followed, or as much of the way to it as the leader sees.
@@ -429,11 +435,8 @@ void OrderStage::followAlong(WorldState& state, Group& group, const MarchDef& de
         march.legs.assign(1,
                           free ? end.position : state.routesOf(group).nearestReachable(end.position, region));
         beginWay(state, group, region);
-        march.next = 1;
-        march.phase = MarchPhase::Search;
     }
-    if (march.phase == MarchPhase::Search && budget_ > 0 &&
-        searchWay(state, group, regionOf(state, group), false)) {
+    if (march.phase == MarchPhase::Search && searchWay(state, group, false)) {
         flows_.start(state, group, {march.way.back(), end.rotation}, march.way, false);
         march.phase = MarchPhase::Go;
     }
@@ -485,24 +488,12 @@ OrderStage::Outcome OrderStage::gather(WorldState& state, Group& group) {
     gathering = state.continuum.find(group.id);
     const Characters& c = state.characters;
     const double reach = gatheringReach(group.members.size(), state.parameters.character.radius);
-    const std::uint32_t patience = stepsIn(state, MarchPace::kWaitedFor);
-    std::int32_t arrived = 0, awaited = 0;
-    bool stuck = true;
-    for (const std::int32_t i : group.members) {
-        if (!fitsGround(state, group, i)) continue;
-        ++awaited;
-        if (distance(c.position[i], queue.target) <= reach || gathering->hasArrived(c.id[i]))
-            ++arrived;
-        else
-            stuck = stuck && state.stepCount - c.walk[i].movedAt >= patience;
-    }
-    if (arrived > queue.arrived) {
-        queue.arrived = arrived;
-        queue.stoodAt = state.stepCount;
-    }
-    const double share = queue.orders.front().order.share * static_cast<double>(awaited);
-    const bool enough = arrived >= static_cast<std::int32_t>(std::ceil(share - 1e-9));
-    return enough || (stuck && state.stepCount - queue.stoodAt >= patience) ? Outcome::Done : Outcome::GoesOn;
+    const std::uint32_t patience = stepsIn(state, kStuckFor);
+    const auto isThere = [&](std::int32_t i) {
+        return distance(c.position[i], queue.target) <= reach || gathering->hasArrived(c.id[i]);
+    };
+    const auto isStuck = [&](std::int32_t i) { return state.stepCount - c.walk[i].movedAt >= patience; };
+    return isOver(state, group, 0, isThere, isStuck) ? Outcome::Done : Outcome::GoesOn;
 }
 
 // The formation of a group without places stays where its people are, so that fingers can take it there.
@@ -514,10 +505,8 @@ void OrderStage::followPeople(WorldState& state) {
     for (const Gathering& gathering : state.continuum.gatherings) {
         Group& group = *state.findGroup(gathering.group);
         if (group.members.empty()) continue;
-        Vec2 sum;
-        for (const std::int32_t i : group.members) sum += state.characters.position[i];
         Pose pose = group.mesh.pose();
-        pose.position = sum / static_cast<double>(group.members.size());
+        pose.position = middleOf(state, group);
         group.mesh.setPose(pose);
     }
 }
@@ -620,14 +609,14 @@ OrderForecast OrderStage::forecast(WorldState& state, const Group& group, const 
     const std::int32_t region = regionOf(state, group);
     const FormationExtent extent = extentOf(group);
     if (asked.kind == OrderKind::Face) asked.target = pose.position;
-    const OrderGoal goal = goalOf(state.refreshRoutes(group.groundClass), region, extent.width, asked.target);
+    RouteGraph& routes = state.refreshRoutes(group.groundClass);
+    const OrderGoal goal = goalOf(routes, region, extent.width, asked.target);
     March march;
     march.reversed = from == nullptr && group.orders.march.reversed;
     march.way.assign(1, pose.position);
-    listLegs(state.routesOf(group), region, asked, goal, march.legs);
+    listLegs(routes, region, asked, goal, march.legs);
     std::int32_t budget = state.environment.grid().count() + 1;
     // A search that is under way is run again up to where it was.
-    RouteGraph& routes = state.refreshRoutes(group.groundClass);
     while (!ways_.advance(state, routes, region, !asked.route.empty(), needsOf(state, group, asked), false,
                           march, budget))
         budget = state.environment.grid().count() + 1;

@@ -51,9 +51,8 @@ private:
     Outcome advance(WorldState& state, Group& group, ThreadPool& pool);
     Pose endPose(const Group& group) const;
     void flow(WorldState& state, Group& group, const MarchDef& def);
-    bool searchWay(WorldState& state, Group& group, std::int32_t region, bool drawn);
+    bool searchWay(WorldState& state, Group& group, bool drawn);
     void goOn(WorldState& state, Group& group, const MarchDef& def);
-    void avoid(const WorldState& state, Group& group, const MarchDef& def);
     static Vec2 besideLead(const WorldState& state, const Group& group, const Lead& lead, Vec2 offset);
     Outcome follow(WorldState& state, Group& group, const MarchDef& def);
     void followAlong(WorldState& state, Group& group, const MarchDef& def, const Pose& end);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/bounds.h"
 #include "base/maths.h"
 #include "engine/ground/routes/route_search.h"
 #include "engine/state/ground_class.h"
@@ -35,9 +36,13 @@ FormationExtent extentOf(const Group& group) {
 }
 
 Vec2 meanVelocity(const Group& group) {
+    return meanOf(group.places.velocities());
+}
+
+Vec2 middleOf(const WorldState& state, const Group& group) {
     Vec2 sum;
-    for (const Vec2 v : group.places.velocities()) sum += v;
-    return sum / std::max(1.0, static_cast<double>(group.places.velocities().size()));
+    for (const std::int32_t i : group.members) sum += state.characters.position[i];
+    return sum / std::max(1.0, static_cast<double>(group.members.size()));
 }
 
 OrderGoal goalOf(RouteGraph& routes, std::int32_t region, double width, Vec2 target) {

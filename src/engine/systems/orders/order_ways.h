@@ -31,6 +31,8 @@ struct OrderGoal {
 FormationExtent extentOf(const Group& group);
 /// Mean velocity of the places of a group; zero where it has none [m/s].
 Vec2 meanVelocity(const Group& group);
+/// Mean position of the members of a group; zero where it has none [m].
+Vec2 middleOf(const WorldState& state, const Group& group);
 /// Where a group in a region comes by an order to go to `target` [m].
 OrderGoal goalOf(RouteGraph& routes, std::int32_t region, double width, Vec2 target);
 /// The room that a group needs on its way.
@@ -69,7 +71,6 @@ private:
 
     WayGround ground_;
     WaySearches searches_;
-    std::vector<Vec2> centred_;
 };
 
 }  // namespace muster

@@ -6,12 +6,6 @@
 #include "engine/systems/passages/goals.h"
 
 namespace muster {
-namespace {
-
-constexpr std::size_t kGoalChunk = 128;  // Goals in one piece of parallel work.
-
-}  // namespace
-
 void GroupWays::readChosen(const WorldState& state, const Group& group, std::span<const float> reach) {
     const double speed = metresPerSecond(state.parameters), now = state.time();
     const std::size_t count = group.members.size();
@@ -38,7 +32,7 @@ void GroupWays::prepare(const WorldState& state, const WayFields& fields, const 
     for (std::size_t w = 0; w < used_.size(); ++w) {
         if (used_[w] == 0) continue;
         const auto way = static_cast<std::int32_t>(w);
-        forChunks(&pool, goals.size(), kGoalChunk, [&](std::size_t j) {
+        forChunks(&pool, goals.size(), kPerTask, [&](std::size_t j) {
             const Walk walk = fields.walk(passageOf(way), goals[j] + group.foreseen);
             const bool beyond = walk.side == sideBehind(way);
             onward_[w * goals.size() + j] = beyond ? static_cast<float>(walk.cost) : kUnreachableCost;

@@ -20,7 +20,6 @@ constexpr std::int64_t kLeastCells = 12000;       // ... but at least so many...
 constexpr std::int64_t kFirstPlansShare = 4;      // ... and this part of them while a first plan is made.
 constexpr double kNoWait = 1.0;                   // Where all wait less than this, nobody is sent round [s].
 constexpr double kWaitOver = 0.1;        // Where all wait less than this, nobody goes round any more [s].
-constexpr std::size_t kChunk = 128;      // Characters in one piece of parallel work.
 constexpr double kPatience = 4.0;        // Who has not moved for so long gives its passage up [s].
 constexpr double kAlmostThere = 1.0;     // Who is let through so soon does not turn back [s].
 constexpr std::uint32_t kMostTurns = 1;  // Changes of the passage without a command.
@@ -133,7 +132,7 @@ void WayStage::dropIfPassed(WorldState& state, std::size_t i, bool behind) {
 void WayStage::dropPassed(WorldState& state, ThreadPool& pool) {
     const Characters& now = state.characters;
     reach_.resize(now.size());
-    forChunks(&pool, now.size(), kChunk, [&](std::size_t i) {
+    forChunks(&pool, now.size(), kPerTask, [&](std::size_t i) {
         const std::int32_t way = now.chosen[i].way;
         if (way < 0) return;
         const Walk walk = fields_.walk(passageOf(way), now.position[i]);

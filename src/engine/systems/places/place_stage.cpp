@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/bounds.h"
 #include "engine/state/ground_class.h"
 
 namespace muster {
@@ -43,9 +44,7 @@ void PlaceStage::makeRoom(WorldState& state) {
 void PlaceStage::watchRest(WorldState& state) const {
     for (std::size_t g = 0; g < targets_.size(); ++g) {
         Group& group = state.groups[g];
-        Vec2 centre;
-        for (const Vec2 p : targets_[g]) centre += p;
-        centre = centre / std::max(1.0, static_cast<double>(targets_[g].size()));
+        const Vec2 centre = meanOf(targets_[g]);
         const bool rests = distance(centre, group.settling.centre) < kRestMove && !isLed(group);
         group.settling.restSteps = rests ? group.settling.restSteps + 1 : 0;
         group.settling.centre = centre;

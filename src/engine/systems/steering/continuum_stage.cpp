@@ -91,14 +91,8 @@ void ContinuumStage::findArrived(const WorldState& state, const Group& group, Ga
     const double touching = 2.0 * largest + kTouchGap;
     if (!standing_.empty()) cells_.sort(standing_, touching);
     const auto touches = [&](Vec2 p) {
-        if (standing_.empty()) return false;
-        const Grid& grid = cells_.grid();
-        const Cell low = grid.nearestCell(p - Vec2{touching, touching});
-        const Cell high = grid.nearestCell(p + Vec2{touching, touching});
-        for (std::int32_t y = low.y; y <= high.y; ++y)
-            for (const std::int32_t k : cells_.within(grid.index({low.x, y}), grid.index({high.x, y})))
-                if (distance(standing_[k], p) <= touching) return true;
-        return false;
+        const auto isNear = [&](std::int32_t k) { return distance(standing_[k], p) <= touching; };
+        return !standing_.empty() && cells_.anyBeside(p, isNear);
     };
     const std::uint32_t patience = stepsIn(state, kNoRoomFor);
     for (const std::int32_t i : group.members) {

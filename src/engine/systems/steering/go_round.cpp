@@ -7,6 +7,7 @@
 
 #include "base/infinite_cost.h"
 #include "engine/state/held_ground.h"
+#include "engine/systems/steering/own_routes.h"
 
 namespace muster {
 namespace {
@@ -28,12 +29,6 @@ bool meets(const Box& box, Vec2 from, Vec2 way, double far) {
     clip(from.x, way.x, box.min.x, box.max.x);
     clip(from.y, way.y, box.min.y, box.max.y);
     return enter <= leave;
-}
-
-// True for who has a route of its own, which leads round those who hold.
-bool goesRoute(const WorldState& state, std::size_t i) {
-    const OwnRoute* const route = ownRouteOf(state.ownRoutes, state.characters.id[i]);
-    return route != nullptr && route->place == state.characters.place[i] && !route->path.empty();
 }
 
 }  // namespace
@@ -185,7 +180,8 @@ void GoRound::run(WorldState& state, const CrowdBodies& bodies, std::span<const 
     Characters& c = state.characters;
     barred_.assign(c.size(), 0);
     for (std::size_t i = 0; i < c.size(); ++i) {
-        if (c.direction[i] == Vec2{} || bodies.isFixed(i) || goesRoute(state, i)) continue;
+        // A route of its own leads round those who hold.
+        if (c.direction[i] == Vec2{} || bodies.isFixed(i) || followedRoute(state, i) != nullptr) continue;
         const double far = std::min(kLookAhead, distance(c.position[i], targets[i]));
         for (const Cluster& cluster : clusters_) {
             const double keep = cluster.largest + bodies.radius(i) + kHeldMargin;

@@ -226,11 +226,15 @@ void OwnRoutes::goStraight(WorldState& state) {
     }
 }
 
-double exactCost(const WorldState& state, std::int32_t i) {
+const OwnRoute* followedRoute(const WorldState& state, std::size_t i) {
     const OwnRoute* const route = ownRouteOf(state.ownRoutes, state.characters.id[i]);
-    if (route != nullptr && route->place == state.characters.place[i] && !route->path.empty())
-        return std::max(0.0, route->cost - kCommitment);
-    return nearCost(state, i);
+    const bool leads = route != nullptr && route->place == state.characters.place[i] && !route->path.empty();
+    return leads ? route : nullptr;
+}
+
+double exactCost(const WorldState& state, std::int32_t i) {
+    const OwnRoute* const route = followedRoute(state, i);
+    return route != nullptr ? std::max(0.0, route->cost - kCommitment) : nearCost(state, i);
 }
 
 void OwnRoutes::run(WorldState& state, std::span<const std::uint8_t> barred) {

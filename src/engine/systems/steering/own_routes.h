@@ -10,6 +10,9 @@
 
 namespace muster {
 
+/// The route of its own that leads a character to its place; null where there is none.
+const OwnRoute* followedRoute(const WorldState& state, std::size_t i);
+
 /// What the place of a character costs it by the exact ground [m]: where it follows a route of its own (then
 /// somewhat less, so that it keeps the place), or stands so near its place that the straight line is known to
 /// be clear. Negative where that is not known.

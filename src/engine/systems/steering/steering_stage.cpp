@@ -7,7 +7,6 @@
 namespace muster {
 namespace {
 
-constexpr double kTouching = 0.15;        // Who stands in the way of another is nearer than this [m].
 constexpr double kFarAhead = 100.0;       // Where somebody heads who goes through a passage [m].
 constexpr double kWaitingDistance = 2.0;  // The unmatched stop this far from the nearest place [m].
 
