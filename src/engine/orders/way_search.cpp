@@ -22,7 +22,7 @@ constexpr std::array<Cell, 8> kSteps{{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, 
 double WayNeeds::halfAcross(Vec2 direction) const {
     const double angle = arcTangent2(direction.y, direction.x);
     const double turn = angle < 0.0 ? angle + kPi : angle;
-    const auto k = static_cast<std::size_t>(turn / kPi * kDirections + 0.5);
+    const auto k = static_cast<std::size_t>(std::floor(turn / kPi * kDirections + 0.5));
     return half[k % kDirections];
 }
 
