@@ -26,7 +26,7 @@ bool FarFields::beginStep(const StaticGround& ground, std::size_t places) {
     double metres = kMinSpacing;
     while (static_cast<double>(places) / (metres * metres) > kMaxLandmarks) metres *= 2.0;
     const Grid& grid = ground.coarse().grid;
-    const auto spacing = std::max(2, static_cast<std::int32_t>(metres / grid.cell + 0.5));
+    const auto spacing = std::max(2, static_cast<std::int32_t>(std::floor(metres / grid.cell + 0.5)));
     const bool isNew = ground_ == nullptr || version_ != ground.version() || spacing != spacing_;
     const bool changed = ground_ != nullptr && isNew;
     const bool sameLattice = spacing == spacing_;

@@ -1,6 +1,7 @@
 #include "engine/fields/geodesics/shared_far_fields.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace muster {
 
@@ -17,7 +18,8 @@ void dropChangedFarFields(const StaticGround& ground, std::uint32_t since, std::
                           FieldCache& cache) {
     changes.clear();
     if (!ground.hasWideCoarse() || !ground.changesSince(since, changes)) return cache.clear();
-    const auto ratio = static_cast<std::int32_t>(ground.coarse().grid.cell / ground.grid().cell + 0.5);
+    const auto ratio = static_cast<std::int32_t>(
+        std::floor(ground.coarse().grid.cell / ground.grid().cell + 0.5));
     // An edge reads the ground of its two cells, a partially blocked cell that of its neighbours too.
     for (CellRect& area : changes)
         area = {{area.low.x / ratio - 2, area.low.y / ratio - 2},
