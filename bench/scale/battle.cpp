@@ -1,6 +1,7 @@
 #include "scale/battle.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "scale/battle_script.h"
@@ -28,7 +29,7 @@ Status stopAll(World& world) {
 // Plays the battle itself; times of all steps [ms].
 Status play(const BattleDef& def, World& world, BattleScript& script, BattleWatch& watch, BattleRow& row,
             std::vector<double>& times) {
-    const auto steps = static_cast<std::uint32_t>(def.seconds / world.parameters().stepTime + 0.5);
+    const auto steps = static_cast<std::uint32_t>(std::lround(def.seconds / world.parameters().stepTime));
     double early = 0.0;
     while (world.stepCount() < steps) {
         if (Status status = script.before(world); !status.ok()) return status;
