@@ -28,6 +28,11 @@ struct OrderQueue {
     std::int32_t files = 0;  ///< Files to which it has narrowed; 0 where it has not.
     double clearOf = 0.0;    ///< Length of way after which it may widen again [m].
 
+    /// True while everybody goes to the target of an order by its own way: places are there already.
+    bool goesFree() const {
+        return begun && !orders.empty() && orders.front().order.kind == OrderKind::Move &&
+               orders.front().order.manner == Manner::Free;
+    }
     /// Forgets the order that is carried out, so that the next one can begin.
     void end() {
         begun = false;

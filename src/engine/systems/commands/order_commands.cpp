@@ -15,11 +15,6 @@
 namespace muster {
 namespace {
 
-bool isFree(const OrderQueue& queue) {
-    return queue.begun && queue.orders.front().order.kind == OrderKind::Move &&
-           queue.orders.front().order.manner == Manner::Free;
-}
-
 // Where a character comes to a stand by its own brakes [m].
 Vec2 stopOf(const WorldState& state, std::int32_t i) {
     const Characters& c = state.characters;
@@ -61,7 +56,7 @@ void standStill(WorldState& state, Group& group) {
 
 /// Who goes freely stops: its place is at the end.
 void stopFree(WorldState& state, Group& group) {
-    if (isFree(group.orders)) standStill(state, group);
+    if (group.orders.goesFree()) standStill(state, group);
 }
 
 /// Ends the order that is carried out, which is about to leave the queue.
@@ -99,7 +94,7 @@ void hold(WorldState& state, Group& group) {
 void resume(Group& group) {
     OrderQueue& queue = group.orders;
     queue.held = false;
-    if (isFree(queue)) queue.march.phase = MarchPhase::Idle;
+    if (queue.goesFree()) queue.march.phase = MarchPhase::Idle;
 }
 
 void stop(WorldState& state, Group& group) {

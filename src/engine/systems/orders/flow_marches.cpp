@@ -51,15 +51,20 @@ Vec2 endOfWay(Point begin, Point end, double reach) {
 
 }  // namespace
 
+// The free space of a group's places. The stages of routes and regions come later in the step.
+FreeSpace FlowMarches::spaceOf(WorldState& state, const Group& group, const PlaceDef& places) {
+    const RouteGraph& routes = state.refreshRoutes(group.groundClass);
+    return {places, routes, mainRegion(state, group, regions_), nearest_};
+}
+
 // Where places are now; those that something was built on are where their holders stand.
 void FlowMarches::findStarts(WorldState& state, const Group& group) {
     const Characters& c = state.characters;
     const PlaceDef places = placeDefOf(state, group);
-    const RouteGraph& routes = state.refreshRoutes(group.groundClass);
-    const FreeSpace space(places, routes, mainRegion(state, group, regions_), nearest_);
+    const FreeSpace space = spaceOf(state, group, places);
     starts_ = group.places.positions();
     const auto isBuiltOn = [&](Vec2 p) {
-        return !routes.environment().clearStaticLine(p, p, kBuiltOn * places.radius);
+        return !state.environment.clearStaticLine(p, p, kBuiltOn * places.radius);
     };
     for (const std::int32_t i : group.members) {
         const std::int32_t place = c.place[i];
@@ -115,9 +120,7 @@ void FlowMarches::findTaken(const WorldState& state, const Group& group) {
 // Lays ends out on the present ground. Returns how the group's places are led.
 PlaceDef FlowMarches::layOut(WorldState& state, Group& group, EndDef def, std::vector<Vec2>& ends, Pose& to) {
     const PlaceDef places = placeDefOf(state, group);
-    // The stages of routes and regions come later in the step.
-    const RouteGraph& routes = state.refreshRoutes(group.groundClass);
-    const FreeSpace space(places, routes, mainRegion(state, group, regions_), nearest_);
+    const FreeSpace space = spaceOf(state, group, places);
     def.spacing = std::max(spacingOf(group), places.apart());
     endPlaces_.find(def, space, places.apart(), ends, to);
     return places;

@@ -48,6 +48,7 @@ private:
     static bool isInWalls(const Group& group);
     bool isOnOthers(const WorldState& state, const Group& group);
     void findTaken(const WorldState& state, const Group& group);
+    FreeSpace spaceOf(WorldState& state, const Group& group, const PlaceDef& places);
     void findStarts(WorldState& state, const Group& group);
     void exchange(WorldState& state, Group& group, double reach);
     void move(WorldState& state, Group& group, const MarchDef& def);

@@ -18,13 +18,6 @@ namespace {
 constexpr std::int32_t kCellsPerStep = 2000;     // Of searches for ways.
 constexpr std::int64_t kFlowOperations = 60000;  // Of plans of marches, in a step.
 constexpr double kLongest = 20.0;  // Who has moved to and fro on one spot for so long is not waited for [s].
-constexpr double kWalks = 0.3;     // Who is faster faces where it walks [m/s].
-constexpr double kSoonDone = 5.0;  // Following ends so soon where another order waits [s].
-constexpr double
-    kSightShare = 0.125;  // Of the way to its place beside the leader, between two looks at walls.
-constexpr double
-    kFollowStale = 2.0;  // A march that follows is made again where its end has moved so far [m]...
-constexpr double kFollowShare = 0.25;  // ... and by that share of the distance.
 
 /// True while fingers hold the mesh, or their ways are followed.
 bool isHandled(const Group& group) {
@@ -34,17 +27,8 @@ bool isHandled(const Group& group) {
     return false;
 }
 
-Pose facingPose(Vec2 position, Vec2 front) {
-    return {position, {front.x, front.y}};
-}
-
 bool samePose(const Pose& a, const Pose& b) {
     return a.position == b.position && a.rotation.c == b.rotation.c && a.rotation.s == b.rotation.s;
-}
-
-bool goesFree(const OrderQueue& queue) {
-    return queue.begun && !queue.orders.empty() && queue.orders.front().order.kind == OrderKind::Move &&
-           queue.orders.front().order.manner == Manner::Free;
 }
 
 bool isContinuum(const Order& order) {
@@ -123,33 +107,6 @@ void recentre(Group& group) {
 std::int32_t OrderStage::regionOf(WorldState& state, const Group& group) {
     state.refreshRoutes(group.groundClass);
     return mainRegion(state, group, regions_);
-}
-
-void OrderStage::leadByPeople(const WorldState& state, const Group& group, Lead& lead) {
-    const Characters& c = state.characters;
-    lead.position = middleOf(state, group);
-    lead.velocity = {};
-    for (const std::int32_t i : group.members)
-        lead.velocity += c.velocity[i] / static_cast<double>(group.members.size());
-    if (length(lead.velocity) > kWalks) lead.facing = normalized(lead.velocity);
-}
-
-OrderStage::Lead OrderStage::leadOf(const WorldState& state, const Order& order) {
-    Lead lead;
-    if (order.character != 0) {
-        const Characters& c = state.characters;
-        const std::int32_t i = c.indexOf(order.character);
-        if (i < 0) return lead;
-        return {true, c.position[i], normalized(c.heading[i], {1.0, 0.0}), c.velocity[i]};
-    }
-    for (const Group& group : state.groups) {
-        if (group.id != order.group) continue;
-        lead = {true, group.mesh.pose().position, group.orders.march.front(group.mesh.pose()),
-                meanVelocity(group)};
-        // The places of who goes each for itself are at the end already.
-        if (goesFree(group.orders) && !group.members.empty()) leadByPeople(state, group, lead);
-    }
-    return lead;
 }
 
 // Finds the point that the order leads to on the present ground.
@@ -381,71 +338,6 @@ bool OrderStage::isDone(const WorldState& state, Group& group) {
                state.stepCount - c.walk[i].campedAt >= longest;
     };
     return isOver(state, group, 2, isThere, isStuck);  // Targets follow the mesh in this step.
-}
-
-// The place beside what is followed, or as much of the way to it as the leader sees.
-Vec2 OrderStage::besideLead(const WorldState& state, const Group& group, const Lead& lead, Vec2 offset) {
-    const double radius = groundRadius(state.parameters.character.radius, group.groundClass);
-    const Vec2 at = state.environment.def().box.clamp(facingPose(lead.position, lead.facing).apply(offset));
-    double share = 1.0;
-    while (share > 0.0 &&
-           !state.environment.clearStaticLine(lead.position, lerp(lead.position, at, share), radius))
-        share -= kSightShare;
-    return lerp(lead.position, at, std::max(0.0, share));
-}
-
-OrderStage::Outcome OrderStage::follow(WorldState& state, Group& group, const MarchDef& def) {
-    OrderQueue& queue = group.orders;
-    March& march = queue.march;
-    const Order& order = queue.orders.front().order;
-    const Lead lead = leadOf(state, order);
-    if (!lead.found) return Outcome::Done;
-    if (queue.orders.size() > 1 && state.stepCount - queue.begunAt >= stepsIn(state, kSoonDone))
-        return Outcome::Done;
-    const Pose pose = group.mesh.pose();
-    const Vec2 goal = besideLead(state, group, lead, order.offset);
-    const double room = def.reach + groundRadius(state.parameters.character.radius, group.groundClass);
-    if (state.environment.clearStaticLine(pose.position, goal, room)) {
-        // On open ground the formation moves as a whole.
-        group.flow.end();
-        march.phase = MarchPhase::Idle;
-        const double dt = state.parameters.stepTime;
-        group.mesh.setPose(advanceTowards(def, march, pose, goal, lead.velocity, lead.facing, dt));
-    } else {
-        followAlong(state, group, def, facingPose(goal, lead.facing));
-    }
-    march.last = group.mesh.pose();
-    return Outcome::GoesOn;
-}
-
-// Among walls it marches, each time to where the leader is by then; the march of before goes on while the way
-// is searched.
-void OrderStage::followAlong(WorldState& state, Group& group, const MarchDef& def, const Pose& end) {
-    OrderQueue& queue = group.orders;
-    March& march = queue.march;
-    const double stale = std::max(kFollowStale,
-                                  kFollowShare * distance(group.mesh.pose().position, end.position));
-    if (march.phase == MarchPhase::Idle || distance(queue.target, end.position) > stale) {
-        const std::int32_t region = regionOf(state, group);
-        const RouteGraph& routes = state.routesOf(group);
-        const bool free = region < 0 || routes.region(end.position) == region;
-        queue.target = end.position;
-        march.turns = false;
-        march.searched = 0;
-        march.legs.assign(1,
-                          free ? end.position : state.routesOf(group).nearestReachable(end.position, region));
-        beginWay(state, group, region);
-    }
-    if (march.phase == MarchPhase::Search && searchWay(state, group, false)) {
-        flows_.start(state, group, {march.way.back(), end.rotation}, march.way, false);
-        march.phase = MarchPhase::Go;
-    }
-    if (!group.flow.moves()) return;
-    if (!flows_.advance(state, ways_.ground(), group, def)) {
-        group.mesh.setPose(end);
-        flows_.stand(state, group);
-    }
-    march.speed = group.flow.speed;
 }
 
 OrderStage::Outcome OrderStage::guard(WorldState& state, Group& group) {

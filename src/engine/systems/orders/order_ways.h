@@ -27,6 +27,10 @@ struct OrderGoal {
     bool reachable = true;  ///< False where that is not the target.
 };
 
+/// At a point, facing along a unit vector.
+inline Pose facingPose(Vec2 position, Vec2 front) {
+    return {position, {front.x, front.y}};
+}
 /// The extent of a group's formation.
 FormationExtent extentOf(const Group& group);
 /// Mean velocity of the places of a group; zero where it has none [m/s].

@@ -197,9 +197,13 @@ void OwnRoutes::follow(WorldState& state, std::int32_t i, OwnRoute& route) {
     const bool lost = route.path.empty() || !ground.lineClear(here, route.path.front());
     if ((moved || lost) && hasTurn(state, i) && budget_ > 0) search(state, i, route);
     if (route.place != c.place[i] || route.path.empty()) return;
-    listHeld(state, state.groups[c.group[i]], held_);
-    const double radius = routesFor(state, i).radius();
-    const auto sees = [&](Vec2 p) { return ground.lineClear(here, p) && clearOf(held_, here, p, radius); };
+    bool listed = false;
+    const auto sees = [&](Vec2 p) {
+        if (!ground.lineClear(here, p)) return false;
+        if (!listed) listHeld(state, state.groups[c.group[i]], held_);
+        listed = true;
+        return clearOf(held_, here, p, routesFor(state, i).radius());
+    };
     std::size_t passed = 0;
     while (passed + 1 < route.path.size() &&
            (distance(here, route.path[passed]) < kAtCorner || sees(route.path[passed + 1])))

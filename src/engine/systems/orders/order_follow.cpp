@@ -1,0 +1,112 @@
+// Groups that stay with another one, or with a character.
+#include <algorithm>
+
+#include "base/maths.h"
+#include "engine/state/ground_class.h"
+#include "engine/systems/events/standstill.h"
+#include "engine/systems/orders/order_stage.h"
+
+namespace muster {
+namespace {
+
+constexpr double kWalks = 0.3;         // Who is faster faces where it walks [m/s].
+constexpr double kSoonDone = 5.0;      // Following ends so soon where another order waits [s].
+constexpr double kSightShare = 0.125;  // Of the way to its place beside the leader, between looks at walls.
+constexpr double kFollowStale = 2.0;   // A march is made again where its end has moved so far [m]...
+constexpr double kFollowShare = 0.25;  // ... and by that share of the distance.
+
+}  // namespace
+
+void OrderStage::leadByPeople(const WorldState& state, const Group& group, Lead& lead) {
+    const Characters& c = state.characters;
+    lead.position = middleOf(state, group);
+    lead.velocity = {};
+    for (const std::int32_t i : group.members)
+        lead.velocity += c.velocity[i] / static_cast<double>(group.members.size());
+    if (length(lead.velocity) > kWalks) lead.facing = normalized(lead.velocity);
+}
+
+OrderStage::Lead OrderStage::leadOf(const WorldState& state, const Order& order) {
+    Lead lead;
+    if (order.character != 0) {
+        const Characters& c = state.characters;
+        const std::int32_t i = c.indexOf(order.character);
+        if (i < 0) return lead;
+        return {true, c.position[i], normalized(c.heading[i], {1.0, 0.0}), c.velocity[i]};
+    }
+    for (const Group& group : state.groups) {
+        if (group.id != order.group) continue;
+        lead = {true, group.mesh.pose().position, group.orders.march.front(group.mesh.pose()),
+                meanVelocity(group)};
+        // The places of who goes each for itself are at the end already.
+        if (group.orders.goesFree() && !group.members.empty()) leadByPeople(state, group, lead);
+    }
+    return lead;
+}
+
+// The place beside what is followed, or as much of the way to it as the leader sees.
+Vec2 OrderStage::besideLead(const WorldState& state, const Group& group, const Lead& lead, Vec2 offset) {
+    const double radius = groundRadius(state.parameters.character.radius, group.groundClass);
+    const Vec2 at = state.environment.def().box.clamp(facingPose(lead.position, lead.facing).apply(offset));
+    double share = 1.0;
+    while (share > 0.0 &&
+           !state.environment.clearStaticLine(lead.position, lerp(lead.position, at, share), radius))
+        share -= kSightShare;
+    return lerp(lead.position, at, std::max(0.0, share));
+}
+
+OrderStage::Outcome OrderStage::follow(WorldState& state, Group& group, const MarchDef& def) {
+    OrderQueue& queue = group.orders;
+    March& march = queue.march;
+    const Order& order = queue.orders.front().order;
+    const Lead lead = leadOf(state, order);
+    if (!lead.found) return Outcome::Done;
+    if (queue.orders.size() > 1 && state.stepCount - queue.begunAt >= stepsIn(state, kSoonDone))
+        return Outcome::Done;
+    const Pose pose = group.mesh.pose();
+    const Vec2 goal = besideLead(state, group, lead, order.offset);
+    const double room = def.reach + groundRadius(state.parameters.character.radius, group.groundClass);
+    if (state.environment.clearStaticLine(pose.position, goal, room)) {
+        // On open ground the formation moves as a whole.
+        group.flow.end();
+        march.phase = MarchPhase::Idle;
+        const double dt = state.parameters.stepTime;
+        group.mesh.setPose(advanceTowards(def, march, pose, goal, lead.velocity, lead.facing, dt));
+    } else {
+        followAlong(state, group, def, facingPose(goal, lead.facing));
+    }
+    march.last = group.mesh.pose();
+    return Outcome::GoesOn;
+}
+
+// Among walls it marches, each time to where the leader is by then; the march of before goes on while the way
+// is searched.
+void OrderStage::followAlong(WorldState& state, Group& group, const MarchDef& def, const Pose& end) {
+    OrderQueue& queue = group.orders;
+    March& march = queue.march;
+    const double stale = std::max(kFollowStale,
+                                  kFollowShare * distance(group.mesh.pose().position, end.position));
+    if (march.phase == MarchPhase::Idle || distance(queue.target, end.position) > stale) {
+        const std::int32_t region = regionOf(state, group);
+        const RouteGraph& routes = state.routesOf(group);
+        const bool free = region < 0 || routes.region(end.position) == region;
+        queue.target = end.position;
+        march.turns = false;
+        march.searched = 0;
+        march.legs.assign(1,
+                          free ? end.position : state.routesOf(group).nearestReachable(end.position, region));
+        beginWay(state, group, region);
+    }
+    if (march.phase == MarchPhase::Search && searchWay(state, group, false)) {
+        flows_.start(state, group, {march.way.back(), end.rotation}, march.way, false);
+        march.phase = MarchPhase::Go;
+    }
+    if (!group.flow.moves()) return;
+    if (!flows_.advance(state, ways_.ground(), group, def)) {
+        group.mesh.setPose(end);
+        flows_.stand(state, group);
+    }
+    march.speed = group.flow.speed;
+}
+
+}  // namespace muster
