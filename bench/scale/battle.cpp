@@ -31,9 +31,11 @@ Status play(const BattleDef& def, World& world, BattleScript& script, BattleWatc
             std::vector<double>& times) {
     const auto steps = static_cast<std::uint32_t>(std::lround(def.seconds / world.parameters().stepTime));
     double early = 0.0;
+    StageMeans means;
     while (world.stepCount() < steps) {
         if (Status status = script.before(world); !status.ok()) return status;
         times.push_back(timedStep(world));
+        if (times.size() > 1) means.add(world.stageTimes());
         script.after(world);
         if (times.size() > 1 && times.back() > row.worst) {
             row.worst = times.back();
@@ -43,6 +45,7 @@ Status play(const BattleDef& def, World& world, BattleScript& script, BattleWatc
         watch.look(world, building == 0 || world.stepCount() > building + kAfterBuilding);
         if (world.stepCount() == kMinute) early = residentMemory();
     }
+    row.meanStages = means.text(0.03);
     if (early > 0.0) row.growth = residentMemory() - early;
     return {};
 }
@@ -102,7 +105,7 @@ std::string battleText(const BattleDef& def, const BattleRow& row) {
         row.stuck, 100.0 * row.overlap, row.speed, row.growth, row.outOfPlace, row.farthest, row.restP50,
         static_cast<unsigned long long>(row.hash));
     std::string whole = text;
-    whole += "p50 by minute:";
+    whole += "mean of the stages [ms]: " + row.meanStages + "\np50 by minute:";
     for (const double minute : row.minutes) {
         std::snprintf(text, sizeof(text), " %.2f", minute);
         whole += text;

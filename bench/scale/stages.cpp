@@ -1,5 +1,6 @@
 #include "scale/stages.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "scale/meter.h"
@@ -17,11 +18,22 @@ std::string stagesText(const StageTimes& times, double least) {
     for (std::size_t k = 0; k < times.milliseconds.size(); ++k) {
         if (times.milliseconds[k] < least) continue;
         char part[64];
-        std::snprintf(part, sizeof(part), "%s%s %.1f", text.empty() ? "" : ", ", stepStages()[k].name.data(),
+        std::snprintf(part, sizeof(part), "%s%s %.2f", text.empty() ? "" : ", ", stepStages()[k].name.data(),
                       times.milliseconds[k]);
         text += part;
     }
     return text;
+}
+
+void StageMeans::add(const StageTimes& times) {
+    for (std::size_t k = 0; k < times.milliseconds.size(); ++k) sums_.milliseconds[k] += times.milliseconds[k];
+    ++steps_;
+}
+
+std::string StageMeans::text(double least) const {
+    StageTimes means = sums_;
+    for (double& time : means.milliseconds) time /= static_cast<double>(std::max<std::int64_t>(1, steps_));
+    return stagesText(means, least);
 }
 
 }  // namespace muster::scale
