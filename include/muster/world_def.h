@@ -110,7 +110,7 @@ struct WorldDef {
     std::vector<ObstacleDef> obstacles;                 ///< At most 20,000 obstacles.
     std::vector<PatchDef> patches;                      ///< At most 20,000 patches.
     std::optional<MapGround> map;                       ///< Map that adds obstacles and patches; may be none.
-    std::vector<GroupDef> groups;                       ///< At most 200 groups.
+    std::vector<GroupDef> groups;                       ///< At most 20,000 groups.
     std::vector<FormationCheckpointDef> checkpoints;    ///< Discs that change formations.
     std::vector<ItemDef> items;                         ///< Items to collect.
     Parameters parameters;                              ///< Parameters of behaviour.

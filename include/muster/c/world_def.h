@@ -130,7 +130,7 @@ typedef struct MusterWorldDef {
     const MusterPatchDef* patches;           ///< At most 20,000 patches.
     int32_t patchCount;                      ///< Their number.
     const MusterMapDef* map;                 ///< Map that adds obstacles and patches; null for none.
-    const MusterGroupDef* groups;            ///< At most 200 groups.
+    const MusterGroupDef* groups;            ///< At most 20,000 groups.
     int32_t groupCount;                      ///< Their number.
     const MusterCheckpointDef* checkpoints;  ///< Discs that change formations.
     int32_t checkpointCount;                 ///< Their number.

@@ -232,9 +232,10 @@ Status addGroup(WorldState& state, const GroupDef& def) {
                      bodyOf(def, static_cast<std::size_t>(i)));
     for (const Order& order : def.orders) group.orders.orders.push_back({state.nextOrder++, order});
     group.orders.patrols = def.patrols;
+    for (std::int32_t i = 0; i < def.count; ++i)
+        group.members.push_back(static_cast<std::int32_t>(state.characters.size()) - def.count + i);
     state.groups.push_back(std::move(group));
     state.checkpointState.resize(state.checkpoints.size() * state.groups.size(), 0);
-    state.refreshMembers();
     partAtStart(state);
     resetPlaces(state, state.groups.back());
     if (def.starts.empty() && anyInside(state)) startAtPlaces(state, state.groups.back());

@@ -8,7 +8,7 @@ namespace muster {
 inline constexpr std::int32_t kMaxCharacters = 200000;  ///< Of a world.
 /// Of a world with exact plans: they keep a cost for every pair.
 inline constexpr std::int32_t kMaxExact = 5000;
-inline constexpr std::size_t kMaxGroups = 200;     ///< Of a world: their indices travel as bytes.
+inline constexpr std::size_t kMaxGroups = 20000;   ///< Of a world; their indices travel in 16 bits.
 inline constexpr std::size_t kMaxOrders = 1000;    ///< In the queue of one group.
 inline constexpr std::size_t kMaxCorners = 10000;  ///< Of one polygon, and waypoints of one path.
 inline constexpr std::size_t

@@ -1,13 +1,16 @@
 #include "engine/state/world_state.h"
 
+#include <algorithm>
+
 #include "engine/state/ground_class.h"
 
 namespace muster {
 
 Group* WorldState::findGroup(GroupId id) {
-    for (Group& group : groups)
-        if (group.id == id) return &group;
-    return nullptr;
+    const auto at = std::lower_bound(
+        groups.begin(), groups.end(), id.value,
+        [](const Group& group, std::uint32_t value) { return group.id.value < value; });
+    return at != groups.end() && at->id == id ? &*at : nullptr;
 }
 
 void WorldState::refreshMembers() {

@@ -99,6 +99,7 @@ Result<World> World::createOn(std::unique_ptr<ThreadPool> pool, const WorldDef& 
     state.items = def.items;
     state.collected.assign(def.items.size(), 0);
     for (std::size_t i = 0; i < def.items.size(); ++i) state.itemIds.push_back(ItemId{state.nextItem++});
+    state.groups.reserve(def.groups.size());
     for (std::size_t i = 0; i < def.groups.size(); ++i) {
         const Status added = addGroup(state, def.groups[i]);
         if (!added.ok()) return added.within("groups[" + std::to_string(i) + "]");

@@ -243,3 +243,27 @@ TEST_CASE("late arrivals shift inward: those already there move on instead of be
     }
     CHECK(front > back + 1.0);
 }
+
+TEST_CASE("a thousand units, each a group of its own, go where each is sent") {
+    constexpr int kSide = 32, kUnits = 1000;
+    WorldDef def = openFloor(1);
+    def.box = {{-60, -60}, {60, 60}};
+    def.groups.assign(kUnits, def.groups.front());
+    for (int k = 0; k < kUnits; ++k)
+        def.groups[k].position = {-40.0 + 2.0 * (k % kSide), 3.0 * (k / kSide) - 45.0};
+    World world = World::create(def).value();
+    std::uint32_t sequence = 0;
+    const auto targetOf = [&](int k) { return def.groups[k].position + Vec2{12.0, 0.0}; };
+    for (int k = 0; k < kUnits; ++k)
+        give(world, sequence, GiveOrder{world.group(k).id, QueueMode::Replace, 0, Order::move(targetOf(k))});
+    run(world, 10.0);
+    std::size_t begun = 0, there = 0;
+    for (int k = 0; k < kUnits; ++k) {
+        const Vec2 p = ofGroup(world, k).front();
+        begun += distance(p, def.groups[k].position) > 1.0 ? 1 : 0;
+        there += distance(p, targetOf(k)) < 0.5 ? 1 : 0;
+    }
+    CHECK(begun == kUnits);
+    CHECK(there == kUnits);
+    checkPlaces(world);
+}

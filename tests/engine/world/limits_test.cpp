@@ -30,6 +30,14 @@ bool holds(const std::string& text, const char* part) {
 
 }  // namespace
 
+TEST_CASE("a world holds as many groups as their numbers can tell apart") {
+    WorldDef def = openFloor(1);
+    def.groups.assign(kMaxGroups + 1, def.groups.front());
+    const auto many = World::create(def);
+    REQUIRE_FALSE(many.ok());
+    CHECK(holds(many.status().message(), "groups: found 20001, at most 20000"));
+}
+
 TEST_CASE("a world is checked whole before it is made") {
     WorldDef def = openFloor(4);
     def.parameters.plan.period = -1;

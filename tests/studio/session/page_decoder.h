@@ -17,7 +17,7 @@ namespace muster::testing {
 struct PageFrame {
     std::uint32_t frame = 0;
     std::vector<std::uint32_t> ids;
-    std::vector<std::uint8_t> group;
+    std::vector<std::uint16_t> group;
     std::vector<double> x, y;     ///< [m]
     std::vector<double> heading;  ///< [rad], from 0 to a full turn.
     std::vector<std::uint8_t> clip;

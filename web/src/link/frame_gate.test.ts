@@ -8,7 +8,7 @@ function frame(number: number, ids: number[] = [], events: number[] = []): Studi
     type: 'Frame',
     frame: number,
     ids: Uint32Array.from(ids),
-    group: Uint8Array.from(ids.map(() => 0)),
+    group: Uint16Array.from(ids.map(() => 0)),
     events: events.map((subject) => ({ subject }) as EventFrame),
   };
   return part as unknown as StudioFrame;

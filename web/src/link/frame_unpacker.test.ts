@@ -66,7 +66,7 @@ function frameOf(group: Partial<GroupFrame>): Frame {
     touchEcho: 0,
     sceneRevision: 1,
     ids: Uint32Array.of(1),
-    group: Uint8Array.of(0),
+    group: Uint16Array.of(0),
     unitClass: new Uint8Array(),
     radius: new Uint8Array(),
     crowd,

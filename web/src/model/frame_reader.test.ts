@@ -20,7 +20,7 @@ const scene = parseScene(
 function frame(group: number[], groups: number[] = [4, 9]): StudioFrame {
   const part = {
     type: 'Frame',
-    group: Uint8Array.from(group),
+    group: Uint16Array.from(group),
     unitClass: Uint8Array.from(group, (_, i) => (i === 0 ? 2 : 0)),
     x: new Float32Array(3),
     groups: groups.map((id) => ({ id, controls: [], ...kIdle, walkSum: 3, walkSquares: 5, walkLongest: 2 })),
@@ -120,7 +120,7 @@ describe('FrameReader', () => {
 });
 
 it('countGroups ignores indices of groups that are not there', () => {
-  expect(countGroups(Uint8Array.from([0, 1, 1, 7]), 2)).toEqual([1, 2]);
+  expect(countGroups(Uint16Array.from([0, 1, 1, 7]), 2)).toEqual([1, 2]);
 });
 
 it('sceneKey sees other ground, but no other groups, counts and formations', () => {

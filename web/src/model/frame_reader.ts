@@ -10,7 +10,7 @@ import { countClasses, type ClassCount } from './roles';
 import type { GroupInfo, StudioState, UnitInfo } from './studio_state';
 
 /** Characters per group index. */
-export function countGroups(group: Uint8Array, groups: number): number[] {
+export function countGroups(group: Uint16Array, groups: number): number[] {
   const counts = new Array<number>(groups).fill(0);
   for (const index of group) if (index < groups) counts[index]! += 1;
   return counts;

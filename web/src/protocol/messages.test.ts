@@ -113,7 +113,7 @@ describe('a frame of the server', () => {
     expect([frame.playing, frame.recordedSeconds, frame.sceneRevision]).toEqual([true, -1, 3]);
     expect([frame.replaying, frame.demonstrating]).toEqual([false, true]);
     expect(frame.ids).toEqual(Uint32Array.of(1, 2));
-    expect(frame.group).toEqual(Uint8Array.of(0, 1));
+    expect(frame.group).toEqual(Uint16Array.of(0, 1));
     const { crowd } = frame;
     expect([crowd.count, crowd.x0, crowd.y0, crowd.quantum]).toEqual([2, -32.5, 16, 1 / 1024]);
     expect([crowd.stepX, crowd.stepY]).toEqual([Int8Array.of(-128, 127), Int8Array.of(0, -1)]);

@@ -192,7 +192,7 @@ export interface Frame {
   /** of characters; empty where unchanged since the last frame sent */
   ids: Uint32Array;
   /** index into groups */
-  group: Uint8Array;
+  group: Uint16Array;
   /** of characters, where ids are known; empty: all are of none */
   unitClass: Uint8Array;
   /** of characters, where ids are known [cm]; empty: all have the usual one */
@@ -223,7 +223,7 @@ export function readFrame(r: ByteReader): Frame {
     touchEcho: r.f64(),
     sceneRevision: r.u32(),
     ids: r.u32s(),
-    group: r.u8s(),
+    group: r.u16s(),
     unitClass: r.u8s(),
     radius: r.u8s(),
     crowd: readCrowdFrame(r),
@@ -250,7 +250,7 @@ export function writeFrame(w: ByteWriter, m: Frame): void {
   w.f64(m.touchEcho);
   w.u32(m.sceneRevision);
   w.u32s(m.ids);
-  w.u8s(m.group);
+  w.u16s(m.group);
   w.u8s(m.unitClass);
   w.u8s(m.radius);
   writeCrowdFrame(w, m.crowd);

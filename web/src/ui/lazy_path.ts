@@ -27,7 +27,7 @@ export function openPathsLazily(parts: PathParts): void {
   let desk: PathDesk | null = null;
   let take: TakeState | null = null;
   let loading = false;
-  const members: Members = { ids: new Uint32Array(), group: new Uint8Array() };
+  const members: Members = { ids: new Uint32Array(), group: new Uint16Array() };
   client.on('frame', ({ frame: { ids, group } }) => {
     if (ids.length > 0) Object.assign(members, { ids, group });
   });

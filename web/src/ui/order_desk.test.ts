@@ -34,7 +34,7 @@ function frame(groups: readonly [id: number, x: number][], members: number[], ev
   });
   const ids = Uint32Array.from(members, (_, i) => i + 1);
   const x = new Float32Array(members.length);
-  return { groups: made, ids, group: Uint8Array.from(members), x, events } as unknown as StudioFrame;
+  return { groups: made, ids, group: Uint16Array.from(members), x, events } as unknown as StudioFrame;
 }
 
 /** The events of all Commands that were sent. */

@@ -612,7 +612,7 @@ export interface WorldDef {
   patches: PatchDef[];
   /** Map that adds obstacles and patches; null for none. */
   map: MapDef | null;
-  /** At most 200 groups. */
+  /** At most 20,000 groups. */
   groups: GroupDef[];
   /** Discs that change formations. */
   checkpoints: CheckpointDef[];
@@ -648,7 +648,7 @@ export interface WorldDefInit {
   readonly patches?: readonly PatchDefInit[] | undefined;
   /** Map that adds obstacles and patches; null for none. */
   readonly map?: MapDefInit | null | undefined;
-  /** At most 200 groups. */
+  /** At most 20,000 groups. */
   readonly groups?: readonly GroupDefInit[] | undefined;
   /** Discs that change formations. */
   readonly checkpoints?: readonly CheckpointDefInit[] | undefined;

@@ -49,7 +49,7 @@ std::int32_t FarFields::cellsOfField() const {
 }
 
 void FarFields::resetLattices() {
-    if (ground_->coarse().cells.empty()) return;
+    if (ground_->open() || ground_->coarse().cells.empty()) return;
     lattice_.reset(ground_->coarse().grid, spacing_);
     slowLattice_.reset(ground_->coarse().grid, std::max(1, spacing_ / 2));
 }

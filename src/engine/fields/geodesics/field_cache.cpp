@@ -15,10 +15,14 @@ constexpr std::size_t kFilterSize = 4096;   // Entries of the filter against dou
 
 }  // namespace
 
-FieldCache::FieldCache(std::int32_t capacity) : capacity_(capacity) {
-    table_.assign(std::bit_ceil(static_cast<std::uint32_t>(2 * capacity)), -1);
-    landmark_.reserve(capacity);
-    lastUse_.reserve(capacity);
+// The other memory comes with the first field: on open ground there is none.
+FieldCache::FieldCache(std::int32_t capacity) : capacity_(capacity) {}
+
+void FieldCache::prepare() {
+    if (!table_.empty()) return;
+    table_.assign(std::bit_ceil(static_cast<std::uint32_t>(2 * capacity_)), -1);
+    landmark_.reserve(capacity_);
+    lastUse_.reserve(capacity_);
     requests_.reserve(kMaxRequests);
     admitted_.reserve(kMostAdmitted);
     filter_.assign(kFilterSize, -1);
@@ -37,6 +41,7 @@ void FieldCache::clear() {
 }
 
 void FieldCache::reserve(std::size_t fields, std::size_t cells, std::size_t pseudoSources) {
+    prepare();
     const std::size_t first = fields_.size();
     growFields(std::min<std::size_t>(fields, capacity_));
     for (std::size_t k = first; k < fields_.size(); ++k) fields_[k].reserve(cells, pseudoSources);
@@ -49,6 +54,7 @@ std::uint32_t FieldCache::hashOf(std::int32_t landmark) const {
 }
 
 std::int32_t FieldCache::find(std::int32_t landmark) const {
+    if (count_ == 0) return -1;
     const auto mask = static_cast<std::uint32_t>(table_.size() - 1);
     for (std::uint32_t at = hashOf(landmark); table_[at] >= 0; at = (at + 1) & mask)
         if (landmark_[table_[at]] == landmark) return table_[at];
@@ -62,6 +68,7 @@ std::int32_t FieldCache::use(std::int32_t landmark) {
 }
 
 void FieldCache::request(std::int32_t landmark) {
+    prepare();
     std::int32_t& last = filter_[hashOf(landmark) % kFilterSize];
     if (last == landmark || requests_.size() >= kMaxRequests) return;
     last = landmark;
@@ -104,11 +111,13 @@ void FieldCache::takeKnown(std::int32_t slot) {
 }
 
 void FieldCache::rebuildTable() {
+    if (count_ > 0) prepare();
     std::fill(table_.begin(), table_.end(), -1);
     for (std::int32_t slot = 0; slot < count_; ++slot) insert(landmark_[slot], slot);
 }
 
 void FieldCache::rebuildFilter() {
+    if (!requests_.empty()) prepare();
     std::fill(filter_.begin(), filter_.end(), -1);
     for (const std::int32_t landmark : requests_) filter_[hashOf(landmark) % kFilterSize] = landmark;
 }

@@ -147,6 +147,7 @@ private:
         std::swap(fields_[a], fields_[b]);
         std::swap(holds_[a], holds_[b]);
     }
+    void prepare();
     void takeKnown(std::int32_t slot);
     void admitRequests(std::int32_t most);
     void evictUnused();

@@ -36,8 +36,8 @@ void TilePaths::run(const RouteGround& ground, const BorderTile& tile, Cell from
     if (steps.empty()) steps.assign(kTileArea, 0);
     known_ = true;
     origin_ = tile.cells.low;
-    cost_.fill(kUnreached);
-    back_.fill(-1);
+    cost_.assign(kTileArea, kUnreached);
+    back_.assign(kTileArea, -1);
     open_.clear();
     cost_[TileGrid::localOf(from)] = 0.0f;
     open_.push_back({0.0f, TileGrid::localOf(from)});

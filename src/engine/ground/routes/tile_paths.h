@@ -1,7 +1,6 @@
 // Shortest paths within one tile: Dijkstra 1959 over its cells, then pulled taut.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -18,7 +17,11 @@ public:
     /// Searches from `from`. `steps` belongs to the tile and the ground; it starts empty.
     void run(const RouteGround& ground, const BorderTile& tile, Cell from, TileSteps& steps);
     /// Allocates memory for searches.
-    void reserve() { open_.reserve(2 * kTileArea); }
+    void reserve() {
+        cost_.reserve(kTileArea);
+        back_.reserve(kTileArea);
+        open_.reserve(2 * kTileArea);
+    }
     /// Forgets the search.
     void clear() { known_ = false; }
     bool known() const { return known_; }  ///< True after run().
@@ -37,10 +40,9 @@ private:
     std::uint32_t stepsOf(const RouteGround& ground, const BorderTile& tile, Cell c, TileSteps& steps) const;
 
     bool known_ = false;
-    Cell origin_;                          // Lower left cell of the tile.
-    std::array<float, kTileArea> cost_{};  // [cells]
-    std::array<std::int8_t, kTileArea>
-        back_{};  // Direction to the cell before; -1 at the first and where none.
+    Cell origin_;                    // Lower left cell of the tile.
+    std::vector<float> cost_;        // Of each cell of the tile [cells].
+    std::vector<std::int8_t> back_;  // Direction to the cell before; -1 at the first and where none.
     std::vector<Open> open_;
 };
 

@@ -17,6 +17,8 @@ namespace {
 
 constexpr std::int32_t kCellsPerStep = 2000;     // Of searches for ways.
 constexpr std::int64_t kFlowOperations = 60000;  // Of plans of marches, in a step.
+constexpr std::size_t
+    kLookedAt = 2'000'000;         // Groups and characters that those who begin look at, in a step.
 constexpr double kLongest = 20.0;  // Who has moved to and fro on one spot for so long is not waited for [s].
 
 /// True while fingers hold the mesh, or their ways are followed.
@@ -457,6 +459,7 @@ void OrderStage::run(WorldState& state, ThreadPool& pool, std::vector<Event>& ev
     ways_.update(state);
     avoidance_.begin();
     searching_ = 0;
+    lookedAt_ = 0;
     for (const Group& group : state.groups) {
         const OrderQueue& queue = group.orders;
         const bool searches = !queue.orders.empty() && queue.march.phase == MarchPhase::Search &&
@@ -487,6 +490,12 @@ void OrderStage::runQueue(WorldState& state, Group& group, ThreadPool& pool, std
     if (queue.held || isHandled(group) || group.members.empty()) {
         queue.march.speed = queue.march.spin = 0.0;
         return;
+    }
+    // Whoever begins has to know where all others are: of very many groups some begin in later steps.
+    if (!queue.begun || queue.march.phase == MarchPhase::Idle) {
+        const std::size_t all = state.groups.size() + state.characters.size();
+        if (lookedAt_ > 0 && lookedAt_ + all > kLookedAt) return;
+        lookedAt_ += all;
     }
     runGroup(state, group, pool, events);
 }

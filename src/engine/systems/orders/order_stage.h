@@ -70,6 +70,7 @@ private:
     MeshAvoidance avoidance_;
     bool avoids_ = false;                // The mesh of the present group keeps clear of others.
     std::uint32_t searching_ = 0;        // Group whose search is under way; 0 for none.
+    std::size_t lookedAt_ = 0;           // By those who have begun an order in this step.
     std::int32_t budget_ = 0;            // Cells that may be searched in this step.
     std::vector<double> speeds_;         // Of the members of one group.
     std::vector<std::int32_t> regions_;  // Members of one group by region.

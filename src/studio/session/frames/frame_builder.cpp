@@ -180,8 +180,7 @@ void FrameBuilder::buildCharacters(const World& world, protocol::Frame& frame) {
     crowd_.place(characters.position);
     frame.ids.assign(characters.id.begin(), characters.id.end());
     frame.group.resize(count);
-    for (std::size_t i = 0; i < count; ++i)
-        frame.group[i] = static_cast<std::uint8_t>(std::min<std::uint32_t>(characters.group[i], 255));
+    for (std::size_t i = 0; i < count; ++i) frame.group[i] = static_cast<std::uint16_t>(characters.group[i]);
     fillBodies(world, frame);
     if (frame.ids == ids_ && frame.group == groups_ && frame.unitClass == classes_ && frame.radius == radii_)
         return;

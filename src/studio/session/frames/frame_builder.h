@@ -35,7 +35,7 @@ private:
     std::uint64_t swapSum_ = 0;
     std::size_t observed_ = 0;        // Number of steps observed.
     std::vector<std::uint32_t> ids_;  // Ids at the last build.
-    std::vector<std::uint8_t> groups_;
+    std::vector<std::uint16_t> groups_;
     std::vector<std::uint8_t> classes_;
     std::vector<std::uint8_t> radii_;
     std::uint32_t idsVersion_ = 0;

@@ -46,7 +46,8 @@ void FrameSender::send(const WorldPicture& picture, double echo, std::vector<pro
     frame.events.swap(events);
     // Ids, groups and bodies are left out of this message where the client already has them.
     std::vector<std::uint32_t> ids;
-    std::vector<std::uint8_t> groups, classes, radii;
+    std::vector<std::uint16_t> groups;
+    std::vector<std::uint8_t> classes, radii;
     const auto swapMembers = [&] {
         if (!known) return;
         ids.swap(frame.ids);

@@ -8,8 +8,8 @@
 
 namespace muster::protocol {
 
-inline constexpr std::uint32_t kVersion = 11;                 ///< Raised by any change of a message.
-inline constexpr const char* kSubprotocol = "muster.v11";  ///< Of the WebSocket.
+inline constexpr std::uint32_t kVersion = 12;                 ///< Raised by any change of a message.
+inline constexpr const char* kSubprotocol = "muster.v12";  ///< Of the WebSocket.
 
 /// Marks the input as bad where an enumeration read from it has no such value.
 template <class Archive, class Enum>

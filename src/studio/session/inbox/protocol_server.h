@@ -87,7 +87,7 @@ struct Frame {
     double touchEcho = 0.0;  ///< newest page clock among touches that this frame shows; 0 for none
     std::uint32_t sceneRevision = 0;
     std::vector<std::uint32_t> ids;  ///< of characters; empty where unchanged since the last frame sent
-    std::vector<std::uint8_t> group;  ///< index into groups
+    std::vector<std::uint16_t> group;  ///< index into groups
     std::vector<std::uint8_t> unitClass;  ///< of characters, where ids are known; empty: all are of none
     std::vector<std::uint8_t> radius;  ///< of characters, where ids are known [cm]; empty: all have the usual one
     CrowdFrame crowd;

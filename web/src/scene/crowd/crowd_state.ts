@@ -19,7 +19,7 @@ const kScaleMost = 4;
 export class CrowdState {
   count = 0;
   ids = new Uint32Array(0);
-  group = new Uint8Array(0);
+  group = new Uint16Array(0);
   /** Size of each character relative to the skeleton. */
   size = new Float32Array(0);
   /** How much larger than usual each body is drawn. */
@@ -52,7 +52,7 @@ export class CrowdState {
     this.count = count;
     this.version += 1;
     this.ids = Uint32Array.from(ids);
-    this.group = Uint8Array.from(group);
+    this.group = Uint16Array.from(group);
     [this.size, this.look, this.bodyDraw_] = [new Float32Array(count), new Uint8Array(count), new Uint8Array(count)];
     this.unitClass = Uint8Array.from({ length: count }, (_, i) => unitClass[i] ?? 0);
     this.radiiTold_ = Uint8Array.from(radius);

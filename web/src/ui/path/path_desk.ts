@@ -26,7 +26,7 @@ export interface PathParts {
 export interface Members {
   ids: Uint32Array;
   /** Index into the frame's groups. */
-  group: Uint8Array;
+  group: Uint16Array;
 }
 
 /** How near a finger and a mouse take hold of a path [CSS px]. */

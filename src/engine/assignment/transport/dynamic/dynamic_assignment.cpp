@@ -37,6 +37,7 @@ void DynamicAssignment::reset(const DynamicAssignmentDef& def, std::size_t chara
     round_ = stepOfRound_ = fitDelay_ = violatedNodes_ = unstarted_ = 0;
     far_ = near_ = false;
     graph_.reset(static_cast<std::int32_t>(characters), static_cast<std::int32_t>(places));
+    initialAssignment_.reserve(characters, places);
     searchLimit_ = def.searchLimit;
     cycleCancelling_.reset(graph_.count(), def.searchLimit);
     columnGeneration_.reset(graph_.count());

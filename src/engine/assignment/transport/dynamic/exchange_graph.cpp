@@ -42,9 +42,10 @@ void ExchangeGraph::reserve() {
     tightArcsNodes_.reserve(n);
     invalidatedArcs_.reserve(arcs_.heads().size());
     cycleAssignees_.reserve(n + 1);
-    queuedArcs_.reserve(kArcsPerBatch);
-    pairs_.reserve(kPairsPerBatch);
-    pairCosts_.reserve(kPairsPerBatch);
+    queuedArcs_.reserve(std::min<std::size_t>(kArcsPerBatch, arcs_.heads().size()));
+    const std::size_t pairs = std::min(kPairsPerBatch, arcs_.heads().size());
+    pairs_.reserve(pairs);
+    pairCosts_.reserve(pairs);
 }
 
 bool ExchangeGraph::consistent() const {

@@ -42,10 +42,11 @@ std::span<std::int32_t> leaf(std::vector<std::int32_t>& indices, const std::vect
 
 }  // namespace
 
-InitialAssignment::InitialAssignment() {
-    choices_.reserve(kGreedyPairs);
-    pairs_.reserve(kEvaluatedPairs);
-    pairCosts_.reserve(kEvaluatedPairs);
+void InitialAssignment::reserve(std::size_t characters, std::size_t places) {
+    choices_.reserve(std::min(kGreedyPairs, characters * places));
+    const std::size_t evaluated = std::min(kEvaluatedPairs, characters * places);
+    pairs_.reserve(evaluated);
+    pairCosts_.reserve(evaluated);
 }
 
 void InitialAssignment::run(const AssignmentProblem& problem, AssignmentNodes& nodes) {

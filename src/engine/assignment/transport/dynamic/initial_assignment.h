@@ -16,8 +16,8 @@ namespace muster {
 /// until they are small enough for an exact assignment by straight distance. Owns its working memory.
 class InitialAssignment {
 public:
-    /// Allocates what the greedy case needs.
-    InitialAssignment();
+    /// Allocates what the greedy case needs for so many.
+    void reserve(std::size_t characters, std::size_t places);
     /// Matches the characters and places that AssignmentNodes::update listed.
     void run(const AssignmentProblem& problem, AssignmentNodes& nodes);
 
