@@ -24,7 +24,8 @@ struct Waypoint {
     friend bool operator==(const Waypoint&, const Waypoint&) = default;
 };
 
-/// Piecewise linear motion through waypoints of strictly rising time.
+/// Piecewise linear motion through waypoints of strictly rising time. An obstacle whose path is over becomes
+/// ground: the world then holds it where it stands, without a path.
 struct TimedPath {
     std::vector<Waypoint> waypoints;  ///< At least 1e-6 s apart; empty for an object that stands still.
     bool loop = false;                ///< True to start again after the last waypoint; false to stay there.

@@ -9,6 +9,7 @@
 #include "engine/state/group_edits.h"
 #include "engine/state/validation.h"
 #include "engine/systems/commands/body_commands.h"
+#include "engine/systems/commands/ended_paths.h"
 #include "engine/systems/commands/order_commands.h"
 #include "engine/systems/commands/place_commands.h"
 #include "engine/systems/commands/role_commands.h"
@@ -249,6 +250,7 @@ void applyCommands(WorldState& state, ThreadPool& pool, std::vector<Event>& even
     }
     queue.erase(queue.begin(), queue.begin() + done);
     state.environment.setTime(state.time());
+    settleEndedPaths(state, pool);
     updateGroundClasses(state, pool);
 }
 

@@ -156,9 +156,8 @@ void PlanStage::start(const WorldState& state, PlanCosts& costs, const PlannedWa
     input.usable = group.places.fit();
     input.incumbent = incumbent_;
     input.costs = &costs.ofClass(group.groundClass);
-    // Where obstacles move it is another ground in every step.
-    const bool moving = !state.environment.movingObstacleAreas().empty();
-    input.edits = moving ? state.groundEdits + state.stepCount : state.groundEdits;
+    // While obstacles move it is another ground in every step.
+    input.edits = state.environment.moves() ? state.groundEdits + state.stepCount : state.groundEdits;
     findConnected(state, group, members.positions());
     input.connected = connected_;
     gatherKnown(state, group);

@@ -198,8 +198,10 @@ void OwnRoutes::follow(WorldState& state, std::int32_t i, OwnRoute& route) {
     if ((moved || lost) && hasTurn(state, i) && budget_ > 0) search(state, i, route);
     if (route.place != c.place[i] || route.path.empty()) return;
     bool listed = false;
+    const bool moving = !state.environment.movingObstacleAreas().empty();
     const auto sees = [&](Vec2 p) {
         if (!ground.lineClear(here, p)) return false;
+        if (moving && !state.environment.clearLine(here, p, ground.radius())) return false;
         if (!listed) listHeld(state, state.groups[c.group[i]], held_);
         listed = true;
         return clearOf(held_, here, p, routesFor(state, i).radius());

@@ -1,0 +1,13 @@
+// Obstacles whose paths are over: what will never move again is ground like any other.
+#pragma once
+
+#include "base/parallel.h"
+#include "engine/state/world_state.h"
+
+namespace muster {
+
+/// Puts the obstacles whose paths are over on the ground where they stand, as edits of the ground: ways lead
+/// round them from now on, and who has no other way hears of it.
+void settleEndedPaths(WorldState& state, ThreadPool& pool);
+
+}  // namespace muster
