@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "base/bounds.h"
 #include "base/maths.h"
 #include "base/neighbour_list.h"
 #include "engine/formation/shapes/formation.h"
@@ -239,6 +240,8 @@ Status addGroup(WorldState& state, const GroupDef& def) {
     partAtStart(state);
     resetPlaces(state, state.groups.back());
     if (def.starts.empty() && anyInside(state)) startAtPlaces(state, state.groups.back());
+    // Nobody has moved it yet: others count it as standing from the first step.
+    state.groups.back().settling = {meanOf(targets), Settling::kRestSteps};
     return {};
 }
 

@@ -112,8 +112,11 @@ void FlowMarches::exchange(WorldState& state, Group& group, double reach) {
 // takes nothing.
 void FlowMarches::findTaken(const WorldState& state, const Group& group) {
     listEnds(state, group, taken_, [](const Group& other) {
-        return (other.orders.orders.empty() || other.orders.begun) &&
-               (other.flow.leads() || other.settling.rests());
+        const OrderQueue& queue = other.orders;
+        const bool searches = queue.march.phase == MarchPhase::Idle ||
+                              queue.march.phase == MarchPhase::Search;
+        const bool goes = !queue.orders.empty() && (!queue.begun || searches);
+        return !goes && (other.flow.leads() || other.settling.rests());
     });
 }
 
