@@ -58,6 +58,11 @@ OrderGoal goalOf(RouteGraph& routes, std::int32_t region, double width, Vec2 tar
     return {nearest, nearest, false};
 }
 
+bool flowsBy(const Group& group, const Order& order) {
+    return order.manner == Manner::March && order.turn == Turn::Flow && !group.def.conduct.avoids &&
+           group.def.conduct.squeeze >= 1.0;
+}
+
 WayNeeds needsOf(const WorldState& state, const Group& group, const Order& order) {
     const Formation& formation = group.mesh.formation();
     WayNeeds needs;
