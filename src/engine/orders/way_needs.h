@@ -18,6 +18,7 @@ struct WayNeeds {
     double margin = 0.0;         ///< Keeps so much farther from obstacles where that costs little [m].
     double least = 0.0;          ///< Share of its width below which it does not narrow, [0, 1].
     double radius = 0.25;        ///< Radius of bodies [m].
+    bool flows = false;          ///< Places flow where it is narrower: that costs no more than a margin.
     std::vector<HeldSpot> held;  ///< Those through whom nobody goes.
 
     /// Half its width across a direction, a vector of any length [m].
@@ -29,7 +30,7 @@ struct WayNeeds {
     /// Lets an archive read or write it.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(half, margin, least, radius, held);
+        archive(half, margin, least, radius, flows, held);
     }
     friend bool operator==(const WayNeeds&, const WayNeeds&) = default;
 };

@@ -29,7 +29,7 @@ double WayNeeds::halfAcross(Vec2 direction) const {
 double WayNeeds::cost(double clearance, double halfWidth) const {
     if (clearance < radius) return kInfiniteCost;
     if (clearance >= halfWidth + margin) return 1.0;
-    if (clearance >= halfWidth - kSlack)
+    if (flows || clearance >= halfWidth - kSlack)
         return 1.0 + kMarginCost * std::min(1.0, (halfWidth + margin - clearance) / std::max(margin, 1e-9));
     const double missing = 1.0 - clearance / halfWidth;
     const double narrow = 1.0 + kMarginCost + kNarrowCost + kNarrower * missing;

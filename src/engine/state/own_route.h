@@ -15,7 +15,7 @@ struct OwnRoute {
     std::int32_t place = -1;      ///< Where it leads.
     std::uint32_t since = 0;      ///< Step in which the character began to follow routes.
     Vec2 goal;                    ///< Position of the place when the route was searched [m].
-    float cost = 0.0f;            ///< Length of what is left of it [m].
+    float cost = 0.0f;            ///< Length of what is left of it, in metres of open ground.
     std::vector<Vec2> path;       ///< Corners still ahead, the goal last [m].
 
     /// Lets an archive read or write it.

@@ -21,6 +21,7 @@ void CrowdBodies::reset(const Parameters::Character& def) {
     largest_ = def.radius;
     fastest_ = def.maxSpeed;
     radius_.clear();
+    longestBraking_ = brakingTime(0);
 }
 
 void CrowdBodies::resolve(const Parameters::Character& def, const Characters& now,
@@ -46,6 +47,7 @@ void CrowdBodies::resolve(const Parameters::Character& def, const Characters& no
         firmness_[i] = group_[i] < firmness.size() ? firmness[group_[i]] : std::uint8_t{0};
         largest_ = std::max(largest_, radius_[i]);
         fastest_ = std::max(fastest_, maxSpeed_[i]);
+        longestBraking_ = std::max(longestBraking_, brakingTime(i));
     }
 }
 

@@ -53,6 +53,9 @@ public:
     double acceleration(std::size_t i) const {  ///< [m/s^2]
         return alike() ? def_.acceleration : acceleration_[i];
     }
+    /// The distance in which it brakes from its top speed, as a time at that speed [s].
+    double brakingTime(std::size_t i) const { return 0.5 * maxSpeed(i) / acceleration(i); }
+    double longestBraking() const { return longestBraking_; }  ///< Of all [s].
     /// True where steering and contacts do not move it.
     bool isFixed(std::size_t i) const { return !alike() && inverseMass_[i] == 0.0; }
     /// Distance at which two touch [m].
@@ -73,7 +76,7 @@ private:
     double ownShare(std::size_t a, std::size_t b) const;
 
     Parameters::Character def_;
-    double largest_ = 0.0, fastest_ = 0.0;
+    double largest_ = 0.0, fastest_ = 0.0, longestBraking_ = 0.0;
     std::vector<double> radius_, maxSpeed_, acceleration_;
     std::vector<double> inverseMass_;     // 0 for who is fixed.
     std::vector<std::uint8_t> firmness_;  // That of its group.

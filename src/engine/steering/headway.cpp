@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kFree = 0.6;         // Share of its top speed from which who meets takes its whole share.
 constexpr double kToTheRight = 0.25;  // Tangent by which who meet pass each other on the right.
-constexpr double kForesight = 1.0;    // Time for which who meet keep clear of each other [s].
+constexpr double kForesight = 1.0;    // Time for which who meet keep clear of each other at least [s].
 constexpr double kInFront = 0.5;      // Of two who go the same way one is ahead from twice this cosine.
 constexpr double kSlack = 0.3;        // A limit this far from being reached is left out [m/s].
 constexpr double kPenetration = 0.2;  // Share of an overlap that is taken back in a step.
@@ -82,7 +82,7 @@ std::span<const Headway::Meeting> Headway::findMeetings(const CrowdBodies& bodie
                                                         const NeighbourList& neighbours,
                                                         std::span<const Vec2> velocity) {
     const std::span<const NeighbourPair> pairs = neighbours.pairs();
-    const double ahead = std::max(kForesight, headway_), ahead2 = ahead * ahead;
+    const double ahead = std::max({kForesight, headway_, bodies.longestBraking()}), ahead2 = ahead * ahead;
     const bool all = inStep_ != 1.0;
     const std::span<const Vec2> position = now.position;
     meetings_.resize(std::max({meetings_.size(), pairs.size(), kPairsPerCharacter * now.size()}));
@@ -110,8 +110,10 @@ void Headway::addPair(const CrowdBodies& bodies, const Characters& now, const Me
     if (fixedA || bodies.isFirmer(a, b)) return follow(b, a, -towards, gap, input.dt, velocity);
     if (fixedB || bodies.isFirmer(b, a)) return follow(a, b, towards, gap, input.dt, velocity);
     if (differ(input.wanted[a], input.wanted[b])) {
+        // Who brakes slowly looks ahead as far as it needs to stop.
+        const double ahead = std::max({kForesight, bodies.brakingTime(a), bodies.brakingTime(b)});
         const Tangent tangent = tangentOf({between, towards, apart, touching}, velocity[a] - velocity[b],
-                                          kForesight, input.dt);
+                                          ahead, input.dt);
         return share(two.pair, shareOf(bodies, two.pair, input), tangent, velocity);
     }
     const double topA = std::max(input.topSpeed[a], 1e-9), topB = std::max(input.topSpeed[b], 1e-9);

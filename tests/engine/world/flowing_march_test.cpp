@@ -129,6 +129,36 @@ TEST_CASE("twenty orders a second to one target do not slow a group") {
     CHECK(world.group(0).pose.position.x > -5.0);
 }
 
+TEST_CASE("a block goes through a winding street narrower than itself, however often it is ordered") {
+    WorldDef def;
+    def.box = {{-40, -30}, {50, 30}};
+    def.obstacles = {block(-6.15, 1.2, 4.8, 1.5),      block(4.5, 1.2, 4.8, 11.5),
+                     block(4.5, 11.2, 20.15, 11.5),    block(-6.15, -1.5, 7.5, -1.2),
+                     block(7.2, -1.5, 7.5, 8.8),       block(7.2, 8.5, 20.15, 8.8),
+                     block(-6.15, 1.25, -5.85, 28.15), block(-6.15, -28.15, -5.85, -1.25)};
+    GroupDef group;
+    group.count = 30;
+    group.position = {-14, 0};
+    def.groups.push_back(group);
+    // Once, every second and every 0.3 s; round the walls it is 83 m instead of 53.
+    for (const std::uint32_t every : {10000u, 60u, 18u}) {
+        CAPTURE(every);
+        World world = World::create(def).value();
+        std::uint32_t sequence = 0;
+        bool done = false;
+        while (!done && world.time() < 80.0) {
+            const double off = world.stepCount() % 36 == 0 ? 0.1 : 0.0;
+            if (world.stepCount() % every == 0 && world.time() < 19.0)
+                REQUIRE(give(world, sequence,
+                             GiveOrder{GroupId{1}, QueueMode::Replace, 0, Order::move({28 + off, 10})})
+                            .ok());
+            world.step();
+            for (const Event& e : world.events()) done = done || e.kind == EventKind::OrderDone;
+        }
+        CHECK(world.time() < 38.0);
+    }
+}
+
 TEST_CASE("a block ordered into a corner of the ground stays a block") {
     double extent = 0.0;
     const double seconds = playOrder(square(100, 10, {30, 30}), Order::move({54, 54}), extent);

@@ -230,3 +230,21 @@ TEST_CASE("a ring that only just fits stands round a tower; one that does not fi
             CHECK(std::fabs(distance(world.characters().position[i], Vec2{5, 0}) - 2.6) < 0.3);
     }
 }
+
+TEST_CASE("who holds its ground beside a wall stays where it was put") {
+    WorldDef def;
+    def.box = {{-25, -12}, {25, 12}};
+    def.obstacles = {block(-6, 2, 6, 6), block(-6, -6, 6, -2)};
+    GroupDef group;
+    group.count = 4;
+    group.formation.kind = FormationKind::Points;
+    group.formation.points = {{0, -0.7}, {0, 0}, {0, 0.7}, {-8, 0}};
+    group.position = {2, 1.0};
+    group.conduct.stance = Stance::Hold;
+    def.groups.push_back(group);
+    World world = World::create(def).value();
+    const std::vector<Vec2> before(world.characters().position.begin(), world.characters().position.end());
+    for (int s = 0; s < 300; ++s) world.step();
+    for (std::size_t i = 0; i < before.size(); ++i)
+        CHECK(distance(world.characters().position[i], before[i]) < 0.02);
+}

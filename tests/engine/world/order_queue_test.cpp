@@ -72,6 +72,33 @@ TEST_CASE("queued orders are carried out one after the other") {
     CHECK(distance(middleOf(world), {10, 10}) < 0.5);
 }
 
+TEST_CASE(
+    "a gate that opens before an order has ended lets it go on, and one that opens later moves nobody") {
+    for (const Manner manner : {Manner::March, Manner::Free})
+        for (const double opens : {4.0, 30.0}) {
+            CAPTURE(static_cast<int>(manner));
+            CAPTURE(opens);
+            WorldDef def = yard();
+            for (const ObstacleDef& wall :
+                 {block(-0.3, -30, 0.3, -2), block(-0.3, 2, 0.3, 30), block(-0.3, -2, 0.3, 2)})
+                def.obstacles.push_back(wall);
+            def.groups[0].position = {-15, 0};
+            Order order = Order::move({12, 0});
+            order.manner = manner;
+            def.groups[0].orders = {order};
+            World world = World::create(def).value();
+            Log log;
+            run(world, opens, log);
+            std::uint32_t n = 0;
+            REQUIRE(give(world, n, RemoveObstacle{world.obstacleIds().back()}).ok());
+            run(world, 40, log);
+            const bool goesOn = opens < 10.0;
+            CHECK(log.count(EventKind::OrderDone) == (goesOn ? 1 : 0));
+            CHECK(log.count(EventKind::OrderSkipped) == (goesOn ? 0 : 1));
+            CHECK((middleOf(world).x > 10.0) == goesOn);
+        }
+}
+
 TEST_CASE("a queued target that cannot be reached is skipped; the last one is approached") {
     WorldDef def = yard();
     // A closed room.

@@ -49,6 +49,29 @@ TEST_CASE("routes lead to the places of those who camp, along the exact ground")
     }
 }
 
+TEST_CASE("routes lead round slow ground where that is quicker") {
+    WorldDef def = twoDoors(Stance::Hold);
+    PatchDef bog;
+    bog.polygon = {{-5, -7}, {-0.5, -7}, {-0.5, -2}, {-5, -2}};
+    bog.speed = 0.2;
+    def.patches = {bog};
+    World world = World::create(def).value();
+    std::uint32_t n = 0;
+    Order order = Order::move({9, 0});
+    order.manner = Manner::Free;
+    REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, order}).ok());
+    int routes = 0;
+    while (world.time() < 40.0) {
+        world.step();
+        routes += routesOf(world).empty() ? 0 : 1;
+        for (const Vec2 p : world.characters().position)
+            CHECK(!(p.x > -4.8 && p.x < -0.5 && p.y > -6.8 && p.y < -2.2));
+    }
+    CHECK(routes > 0);
+    for (std::size_t i = 0; i + 1 < world.characters().size(); ++i)
+        CHECK(world.characters().position[i].x > 2.0);
+}
+
 TEST_CASE("a route ends once its character stays at its place") {
     World world = untilSomebodyCamps();
     REQUIRE(!routesOf(world).empty());

@@ -247,6 +247,10 @@ void FormationMesh::applyEnvironment(const Parameters::Field& field, const Envir
     }
 }
 
+void FormationMesh::keepDisplacement() {
+    for (std::size_t v = 0; v < user_.size(); ++v) final_[v] = user_[v] + displacement_[v];
+}
+
 void FormationMesh::placePositions(std::vector<Vec2>& positions) const {
     placesOn(final_, positions);
 }

@@ -44,6 +44,8 @@ public:
     /// Computes Vf after `dt` [s]: the potential field displaces each vertex at bounded speed, and vertices
     /// inside obstacles are moved to the nearest surface.
     void applyEnvironment(const Parameters::Field& field, const Environment& environment, double dt);
+    /// Moves the final mesh along with the user mesh, as far displaced as it is.
+    void keepDisplacement();
 
     const Formation& formation() const { return formation_; }      ///< Rest shape and places.
     const Pose& pose() const { return pose_; }                     ///< Pose of the rest shape.

@@ -261,13 +261,19 @@ Vec2 Environment::obstacleCentre(ObstacleId id) const {
     return placement.apply(placement.pivot);
 }
 
-Polygon Environment::patchPolygon(PatchId id) const {
+void Environment::patchPolygon(PatchId id, Polygon& polygon) const {
+    polygon.clear();
     const std::ptrdiff_t at = indexOf(impl_->patchIds, id);
-    if (at < 0) return {};
+    if (at < 0) return;
     const PatchEntry& entry = impl_->patches[at];
-    Polygon polygon = entry.outline;
-    if (entry.def.path.still()) return polygon;
+    polygon.assign(entry.outline.begin(), entry.outline.end());
+    if (entry.def.path.still()) return;
     for (Vec2& p : polygon) p = entry.placement.apply(p);
+}
+
+Polygon Environment::patchPolygon(PatchId id) const {
+    Polygon polygon;
+    patchPolygon(id, polygon);
     return polygon;
 }
 

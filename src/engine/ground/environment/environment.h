@@ -101,6 +101,8 @@ public:
     Vec2 obstacleCentre(ObstacleId id) const;
     /// A patch's polygon where it stands now; empty for an unknown id.
     Polygon patchPolygon(PatchId id) const;
+    /// The same, into a polygon that may have memory already.
+    void patchPolygon(PatchId id, Polygon& polygon) const;
 
     /// Changes range [m] and strength of the field of obstacles that give none; ignores numbers that are
     /// negative or not finite.
@@ -148,6 +150,8 @@ public:
 
     /// What lies under `p` (exact polygons, not cells).
     GroundSample ground(Vec2 p) const;
+    /// Length of the straight line from `a` to `b` in metres of open ground, by travel speed.
+    double travelLength(Vec2 a, Vec2 b) const;
     /// True where both patches have one motion and overlap as they stand now, so that they count as one patch
     /// (SPEC C1).
     bool onePatch(PatchId a, PatchId b) const;

@@ -137,6 +137,16 @@ GroundSample Environment::ground(Vec2 p) const {
     return {s.patchIds[slowest], s.patches[slowest].def.motion, s.patches[slowest].speed};
 }
 
+double Environment::travelLength(Vec2 a, Vec2 b) const {
+    const double length = distance(a, b);
+    if (patchIds().empty()) return length;
+    const auto samples = static_cast<std::int32_t>(2.0 * length / impl_->grid.cell) + 1;
+    double slowness = 0.0;
+    for (std::int32_t k = 0; k < samples; ++k)
+        slowness += 1.0 / ground(lerp(a, b, (k + 0.5) / samples)).travelSpeed;
+    return length * slowness / samples;
+}
+
 bool Environment::onePatch(PatchId a, PatchId b) const {
     impl_->ensure();
     const Impl& s = *impl_;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/state/held_ground.h"
+
 namespace muster {
 
 void advanceControls(WorldState& state) {
@@ -26,8 +28,13 @@ void deformUserMeshes(WorldState& state) {
 
 void deformFinalMeshes(WorldState& state) {
     const Parameters& parameters = state.parameters;
-    for (Group& group : state.groups)
-        group.mesh.applyEnvironment(parameters.field, state.environment, parameters.stepTime);
+    for (Group& group : state.groups) {
+        // Who holds its ground stands where it is.
+        if (holdsGround(group) && group.controls.controls().empty())
+            group.mesh.keepDisplacement();
+        else
+            group.mesh.applyEnvironment(parameters.field, state.environment, parameters.stepTime);
+    }
 }
 
 }  // namespace muster

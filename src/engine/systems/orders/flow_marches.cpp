@@ -17,6 +17,7 @@ constexpr double kMostOff = 0.25;         // Share of places that may be elsewhe
 constexpr std::uint32_t kLookSteps = 30;  // Steps between two looks whether others stand where a mesh rests.
 constexpr double kBuiltOn = 0.5;          // Nearer to a wall, in radii, a place is no place to start from.
 constexpr double kSameFacing = 0.99;      // Cosine of the angle by which headings that are alike may differ.
+constexpr double kFirstShare = 0.02;      // Of a march, by which its first direction is known.
 constexpr double kPays = 0.25;  // Of a walk that does not lead to the target: so much nearer it has to come.
 
 double spacingOf(const Group& group) {
@@ -282,11 +283,21 @@ void FlowMarches::start(WorldState& state, Group& group, const Pose& end, std::s
     flow.way.back() = flow.to.position;
     exchange(state, group, extentOf(group).reach);
     listHeld(state, group, flow.held);
-    // Who is on the move goes on.
-    flow.speed = std::max(0.0, dot(moves, normalized(flow.way[1] - flow.way[0])));
+    flow.speed = length(moves);
     flow.places = flow.starts;
     flow.phase = FlowPhase::Planning;
     flow.plans.start(flow.def(), flow.held, versionOf(state.environment));
+}
+
+// Who is on the move goes on, as far as the plan leads the same way.
+void FlowMarches::keepSpeed(const WorldState& state, Group& group) {
+    MarchFlow& flow = group.flow;
+    Vec2 moves;
+    for (const std::int32_t i : group.members) moves += state.characters.velocity[i];
+    targets_ = flow.starts;
+    flow.plans.best().at(kFirstShare, targets_);
+    const Vec2 along = normalized(meanOf(targets_) - meanOf(flow.starts));
+    flow.speed *= std::max(0.0, dot(normalized(moves), along));
 }
 
 bool FlowMarches::advance(WorldState& state, const WayGround& ground, Group& group, const MarchDef& def) {
@@ -303,7 +314,10 @@ bool FlowMarches::advance(WorldState& state, const WayGround& ground, Group& gro
             flow.end();
             return false;
         }
-        if (status != StreamStatus::Planning) flow.phase = FlowPhase::Flowing;
+        if (status != StreamStatus::Planning) {
+            flow.phase = FlowPhase::Flowing;
+            keepSpeed(state, group);
+        }
     }
     if (flow.phase == FlowPhase::Flowing) move(state, group, def);
     return true;

@@ -51,6 +51,7 @@ private:
     FreeSpace spaceOf(WorldState& state, const Group& group, const PlaceDef& places);
     void findStarts(WorldState& state, const Group& group);
     void exchange(WorldState& state, Group& group, double reach);
+    void keepSpeed(const WorldState& state, Group& group);
     void move(WorldState& state, Group& group, const MarchDef& def);
 
     std::int64_t budget_ = 0;

@@ -47,13 +47,6 @@ void raiseNoPath(std::vector<Event>& events, const Group& group, std::int32_t co
                       group.orders.orders.front().order.target});
 }
 
-/// True where the places of a group flow along its way. By a request for a manner of turning, for its width
-/// or for keeping clear of others the formation stays whole.
-bool flowsBy(const Group& group, const Order& order) {
-    return order.manner == Manner::March && order.turn == Turn::Flow && !group.def.conduct.avoids &&
-           group.def.conduct.squeeze >= 1.0;
-}
-
 /// Marks those corners of the way as passed that lie before a share of it.
 void passCorners(March& march, double share) {
     double whole = 0.0;
@@ -234,7 +227,11 @@ void OrderStage::restart(WorldState& state, Group& group) {
         queue.stoodAt = state.stepCount;
         return;
     }
-    group.flow.end();
+    // The march of before goes on while the way of the next one is searched.
+    const bool goesOn = order.kind == OrderKind::Move && flowsBy(group, order) && group.flow.moves() &&
+                        group.flow.version == group.formationVersion &&
+                        group.flow.ground == state.groundEdits;
+    if (!goesOn) group.flow.end();
     if (order.kind == OrderKind::Face) {
         march.way.assign(2, pose.position);
         march.next = 1;
@@ -293,7 +290,9 @@ void OrderStage::goOn(WorldState& state, Group& group, const MarchDef& def) {
         march.phase = MarchPhase::Go;
     }
     const double dt = state.parameters.stepTime;
-    if (march.phase == MarchPhase::Search) {
+    if (march.phase == MarchPhase::Search && group.flow.moves()) {
+        flows_.advance(state, ways_.ground(), group, def);
+    } else if (march.phase == MarchPhase::Search) {
         march.speed = std::max(0.0, march.speed - def.acceleration * dt);
     } else if (flowsBy(group, order)) {
         flow(state, group, def);

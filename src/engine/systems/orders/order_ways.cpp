@@ -58,12 +58,18 @@ OrderGoal goalOf(RouteGraph& routes, std::int32_t region, double width, Vec2 tar
     return {nearest, nearest, false};
 }
 
+bool flowsBy(const Group& group, const Order& order) {
+    return order.manner == Manner::March && order.turn == Turn::Flow && !group.def.conduct.avoids &&
+           group.def.conduct.squeeze >= 1.0;
+}
+
 WayNeeds needsOf(const WorldState& state, const Group& group, const Order& order) {
     const Formation& formation = group.mesh.formation();
     WayNeeds needs;
     needs.radius = groundRadius(state.parameters.character.radius, group.groundClass);
     needs.margin = state.parameters.field.enabled ? std::min(1.5, state.parameters.field.range) : 0.5;
     needs.least = 1.0 - group.def.conduct.squeeze;
+    needs.flows = flowsBy(group, order);
     for (std::size_t k = 0; k < WayNeeds::kDirections; ++k) {
         Vec2 across{0.0, 1.0};
         if (order.turn == Turn::Keep) {

@@ -39,6 +39,9 @@ Vec2 meanVelocity(const Group& group);
 Vec2 middleOf(const WorldState& state, const Group& group);
 /// Where a group in a region comes by an order to go to `target` [m].
 OrderGoal goalOf(RouteGraph& routes, std::int32_t region, double width, Vec2 target);
+/// True where the places of a group flow along its way. By a request for a manner of turning, for its width
+/// or for keeping clear of others the formation stays whole.
+bool flowsBy(const Group& group, const Order& order);
 /// The room that a group needs on its way.
 WayNeeds needsOf(const WorldState& state, const Group& group, const Order& order);
 /// The bounds of a group's march: at the speed of the slowest, or without cohesion at one that few do not

@@ -22,11 +22,8 @@ public:
     ContactReport run(WorldState& state, SteeringStage& steering, double dt, ThreadPool& pool);
 
 private:
-    void holdAtEdges(const Environment& environment, std::span<Vec2> positions) const;
-
     Contacts contacts_;
     std::vector<double> reach_;  // Of each character in a step [m].
-    std::vector<Vec2> steered_;  // Where steering has moved them [m].
 };
 
 }  // namespace muster

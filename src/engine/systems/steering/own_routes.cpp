@@ -24,12 +24,15 @@ constexpr std::uint32_t kSearchTurns = 8;   // Each may search in one step of so
 constexpr std::int64_t kRouteWork = 12000;  // Searches begin in a step until they have used so much.
 constexpr std::size_t kMostClosed = 16;     // Of those who hold their ground, round whom a search goes.
 constexpr double kTightMargin = 0.02;       // Kept from them where there is no wider way [m].
+constexpr double kSlowMargin = 0.1;         // Kept from slow ground that a route goes round [m].
+constexpr double kNoSlower = 1e-6;          // Rounding of lengths that are compared [m].
 constexpr double kMovingReach = 6.0;        // Of the discomfort round moving obstacles [m].
 
-double lengthFrom(Vec2 from, const std::vector<Vec2>& path) {
+// In metres of open ground.
+double lengthFrom(const Environment& environment, Vec2 from, std::span<const Vec2> path) {
     double sum = 0.0;
     for (const Vec2 corner : path) {
-        sum += distance(from, corner);
+        sum += environment.travelLength(from, corner);
         from = corner;
     }
     return sum;
@@ -134,30 +137,86 @@ void OwnRoutes::closeHeld(const WorldState& state, std::int32_t i, double margin
     }
 }
 
+RouteStatus OwnRoutes::find(WorldState& state, std::int32_t i, std::span<const ClosedLine> closed,
+                            std::int64_t most) {
+    RouteGraph& graph = state.routesOf(state.groups[state.characters.group[i]]);
+    search_.start(graph, state.characters.position[i], placeOf(state, i), closed,
+                  !state.environment.movingObstacleAreas().empty());
+    const RouteStatus status = search_.advance(graph, most);
+    budget_ -= search_.work() + 1;
+    return status;
+}
+
+// Closes a patch at a little distance, so that a route leads past it. False where an end of the route lies in
+// it, or it is closed.
+bool OwnRoutes::close(std::span<const Vec2> outline, Vec2 from, Vec2 to) {
+    const double room = std::min(signedDistance(outline, from), signedDistance(outline, to));
+    if (room <= 0.0) return false;
+    const double margin = std::min(kSlowMargin, 0.5 * room);
+    const std::size_t count = outline.size();
+    const auto corner = [&](std::size_t k) {
+        const Vec2 in = normalized(outline[k] - outline[(k + count - 1) % count], {1.0, 0.0});
+        const Vec2 out = normalized(outline[(k + 1) % count] - outline[k], {1.0, 0.0});
+        return outline[k] - margin * perpendicular(in + out) / std::max(0.5, 1.0 + dot(in, out));
+    };
+    const ClosedLine first{corner(0), corner(1)};
+    const auto same = [&](const ClosedLine& line) { return line.a == first.a && line.b == first.b; };
+    if (std::any_of(closed_.begin(), closed_.end(), same)) return false;
+    for (std::size_t k = 0; k < count; ++k) closed_.push_back({corner(k), corner((k + 1) % count)});
+    return true;
+}
+
+// Closes the slow patches that the route of the last search leads into, but for those in which it begins or
+// ends. False where there are none that are still open.
+bool OwnRoutes::closeSlow(const Environment& environment) {
+    const std::vector<Vec2>& path = search_.path();
+    bool any = false;
+    PatchId last;
+    for (std::size_t k = 1; k < path.size(); ++k) {
+        const double part = distance(path[k - 1], path[k]);
+        for (double s = 0.0; s < part; s += 0.5 * environment.grid().cell) {
+            const GroundSample ground = environment.ground(lerp(path[k - 1], path[k], s / part));
+            if (ground.travelSpeed >= 1.0 || ground.patch == last) continue;
+            last = ground.patch;
+            environment.patchPolygon(last, outline_);
+            any = close(outline_, path.front(), path.back()) || any;
+        }
+    }
+    return any;
+}
+
+// Where the shortest route leads over slow ground, the one round that is taken if it is quicker.
+void OwnRoutes::avoidSlow(WorldState& state, std::int32_t i, std::vector<Vec2>& path) {
+    const Environment& environment = state.environment;
+    const Vec2 from = state.characters.position[i];
+    double least = lengthFrom(environment, from, path);
+    while (budget_ > 0 && closeSlow(environment) &&
+           find(state, i, closed_, kRouteWork) == RouteStatus::Found && search_.path().size() > 1) {
+        const auto round = std::span(search_.path()).subspan(1);
+        const double length = lengthFrom(environment, from, round);
+        if (length >= least) continue;
+        least = length;
+        path.assign(round.begin(), round.end());
+    }
+}
+
 // False where no way leads to the place.
 bool OwnRoutes::search(WorldState& state, std::int32_t i, OwnRoute& route) {
-    RouteGraph& graph = state.routesOf(state.groups[state.characters.group[i]]);
-    const Vec2 from = state.characters.position[i];
     route.place = state.characters.place[i];
     route.goal = placeOf(state, i);
-    const auto find = [&](std::span<const ClosedLine> closed, std::int64_t most) {
-        search_.start(graph, from, route.goal, closed, !state.environment.movingObstacleAreas().empty());
-        const RouteStatus status = search_.advance(graph, most);
-        budget_ -= search_.work() + 1;
-        return status;
-    };
     constexpr std::int64_t kWhole = std::numeric_limits<std::int64_t>::max();
     RouteStatus status = RouteStatus::Unreachable;
     for (const double margin : {kHeldMargin, kTightMargin}) {
         closeHeld(state, i, margin);
-        status = find(closed_, closed_.empty() ? kWhole : kRouteWork);
+        status = find(state, i, closed_, closed_.empty() ? kWhole : kRouteWork);
         if (status == RouteStatus::Found || closed_.empty()) break;
     }
     // Where those who hold their ground leave no way, or none that is soon found, it waits for one before
     // them.
-    if (status != RouteStatus::Found && !closed_.empty()) status = find({}, kWhole);
+    if (status != RouteStatus::Found && !closed_.empty()) status = find(state, i, {}, kWhole);
     if (status != RouteStatus::Found || search_.path().size() < 2) return false;
     route.path.assign(search_.path().begin() + 1, search_.path().end());
+    if (!state.environment.patchIds().empty()) avoidSlow(state, i, route.path);
     return true;
 }
 
@@ -199,20 +258,23 @@ void OwnRoutes::follow(WorldState& state, std::int32_t i, OwnRoute& route) {
     if (route.place != c.place[i] || route.path.empty()) return;
     bool listed = false;
     const bool moving = !state.environment.movingObstacleAreas().empty();
-    const auto sees = [&](Vec2 p) {
+    const auto sees = [&](Vec2 corner, Vec2 p) {
         if (!ground.lineClear(here, p)) return false;
         if (moving && !state.environment.clearLine(here, p, ground.radius())) return false;
+        const Vec2 round[] = {corner, p};
+        if (state.environment.travelLength(here, p) > lengthFrom(state.environment, here, round) + kNoSlower)
+            return false;
         if (!listed) listHeld(state, state.groups[c.group[i]], held_);
         listed = true;
         return clearOf(held_, here, p, routesFor(state, i).radius());
     };
     std::size_t passed = 0;
-    while (passed + 1 < route.path.size() &&
-           (distance(here, route.path[passed]) < kAtCorner || sees(route.path[passed + 1])))
+    while (passed + 1 < route.path.size() && (distance(here, route.path[passed]) < kAtCorner ||
+                                              sees(route.path[passed], route.path[passed + 1])))
         ++passed;
     route.path.erase(route.path.begin(), route.path.begin() + static_cast<std::ptrdiff_t>(passed));
     if (route.path.size() == 1) route.path.front() = placeOf(state, i);
-    route.cost = static_cast<float>(lengthFrom(here, route.path));
+    route.cost = static_cast<float>(lengthFrom(state.environment, here, route.path));
     c.direction[i] = normalized(route.path.front() - here, c.direction[i]);
     c.cost[i] = route.cost;
 }

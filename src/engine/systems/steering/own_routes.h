@@ -19,8 +19,8 @@ const OwnRoute* followedRoute(const WorldState& state, std::size_t i);
 double exactCost(const WorldState& state, std::int32_t i);
 
 /// Who has been about the same spot for a while although its place is elsewhere, or is barred by others who
-/// hold their ground, follows a route by the exact ground, and keeps it until it has arrived: so no two
-/// sources of directions alternate.
+/// hold their ground, follows a route by the exact ground, the quickest it knows, and keeps it until it has
+/// arrived: so no two sources of directions alternate.
 class OwnRoutes {
 public:
     /// Writes the directions and costs of those with a route, after the plans and passages. `barred` marks
@@ -32,6 +32,11 @@ private:
     static bool camps(const WorldState& state, std::int32_t i);
     void dropEnded(WorldState& state);
     void begin(WorldState& state, std::span<const std::uint8_t> barred);
+    RouteStatus find(WorldState& state, std::int32_t i, std::span<const ClosedLine> closed,
+                     std::int64_t most);
+    bool close(std::span<const Vec2> outline, Vec2 from, Vec2 to);
+    bool closeSlow(const Environment& environment);
+    void avoidSlow(WorldState& state, std::int32_t i, std::vector<Vec2>& path);
     bool search(WorldState& state, std::int32_t i, OwnRoute& route);
     void follow(WorldState& state, std::int32_t i, OwnRoute& route);
     static void goStraight(WorldState& state);
@@ -41,6 +46,7 @@ private:
     RouteSearch search_;
     std::vector<HeldSpot> held_;
     std::vector<ClosedLine> closed_;
+    Polygon outline_;                       // Of a patch.
     std::int64_t budget_ = 0;               // Operations left in this step.
     std::vector<std::int32_t> index_;       // Of the character of each route.
     std::vector<std::vector<Vec2>> spare_;  // Memory of routes that ended.
