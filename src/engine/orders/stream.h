@@ -11,6 +11,7 @@
 #include "engine/orders/stream_flow.h"
 #include "engine/orders/stream_line.h"
 #include "engine/orders/stream_paths.h"
+#include "engine/orders/stream_piece.h"
 #include "engine/orders/stream_runs.h"
 #include "engine/orders/stream_stretch.h"
 
@@ -29,13 +30,14 @@ struct StreamDef {
     double closest = 1e9;   ///< So near places may come to each other in narrow ground [m], above 0; the
                             ///< spacing where that is less.
     bool drawn = false;     ///< True where the way is kept to also where the ground between is free.
-    bool measured = false;  ///< True where length() will be asked for.
+    std::span<const Pose> poses = {};  ///< Of a march in one piece; none for one that may flow.
+    bool measured = false;             ///< True where length() will be asked for.
 };
 
 /// What a plan has come to.
 enum class StreamStatus : std::uint8_t {
     Planning,  ///< It goes on.
-    Straight,  ///< Every place goes straight from its start to its end.
+    Straight,  ///< Every place goes straight from its start to its end, or all go in one piece.
     Flowing,   ///< They go along the way.
     Blocked,   ///< The way is blocked, or the definition is bad: there is no march.
 };
@@ -60,6 +62,8 @@ public:
     /// Of a march that flows only where its definition wants it measured, else 0.
     double length() const { return status_ == StreamStatus::Straight ? most_ : length_; }
 
+    /// The pose at `q` of a march in one piece.
+    Pose pieceAt(double q) const { return piece_.empty() ? Pose{} : piece_.at(q); }
     /// Where the places are at `q`, exactly their starts at 0 and their ends at 1. Only once planned.
     void at(double q, std::span<Vec2> places) const;
     /// The next q, `dt` [s] > 0 later, such that nine in ten places go no faster than their `speeds` [m/s]
@@ -96,6 +100,9 @@ private:
     void step(StreamGround ground);
     bool valid() const;
     void checkStraight(StreamGround ground);
+    void startPiece(std::span<const Pose> poses);
+    Vec2 straight(std::size_t i, double q, const Pose& pose) const;
+    Vec2 miss(std::size_t i, double q) const;
     void makeLine();
     void placeOnLine();
     void reachOut();
@@ -143,6 +150,7 @@ private:
     std::vector<double> half_, shift_;
     std::vector<std::uint8_t> street_;
     Pairing slots_;
+    StreamPiece piece_;
     StreamLine line_;
     StreamRuns runs_;
     StreamFlow flow_;

@@ -24,15 +24,17 @@ constexpr double kLeastLook = 0.05;  // Between looks along a straight way [m].
 
 }  // namespace
 
-// One place a time: whether the straight way is free. Who starts or ends near a wall may be as near there.
+// One place a time: whether the straight way, or that of the whole in one piece, is free. Who starts or ends
+// near a wall may be as near there.
 void Stream::checkStraight(StreamGround ground) {
     const Vec2 a = starts_[next_], b = ends_[next_];
-    const double whole = distance(a, b), atA = ground(a), atB = ground(b);
+    const double whole = piece_.empty() ? distance(a, b) : most_, atA = ground(a), atB = ground(b);
     for (double s = 0.0; s < whole;) {
-        const double room = ground(lerp(a, b, s / whole));
+        const double room = ground(straight(next_, s / whole, pieceAt(s / whole)));
         const double gap = room - std::min({radius_, atA + s, atB + whole - s}) + kTouch;
         ++spent_;
         if (gap < 0.0) {
+            if (!piece_.empty()) status_ = StreamStatus::Blocked;
             enter(Stage::Line);
             return;
         }

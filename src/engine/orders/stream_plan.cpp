@@ -38,7 +38,22 @@ void Stream::start(const StreamDef& def) {
     length_ = 0.0;
     most_ = 0.0;
     for (std::size_t i = 0; i < starts_.size(); ++i) most_ = std::max(most_, distance(starts_[i], ends_[i]));
-    enter(def.drawn ? Stage::Line : Stage::Straight);
+    startPiece(def.poses);
+    enter(def.drawn && piece_.empty() ? Stage::Line : Stage::Straight);
+}
+
+// In one piece: what starts and ends are off the formation fades.
+void Stream::startPiece(std::span<const Pose> poses) {
+    double reach = 0.0;
+    for (const Vec2 offset : offsets_) reach = std::max(reach, distance(offset, {}));
+    piece_.start(poses, reach);
+    if (piece_.empty()) return;
+    most_ = std::max(most_, piece_.length());
+    legs_.assign(offsets_.size(), {});
+    for (std::size_t i = 0; i < offsets_.size(); ++i) {
+        legs_[i].missFrom = starts_[i] - poses.front().apply(offsets_[i]);
+        legs_[i].missTo = ends_[i] - poses.back().apply(offsets_[i]);
+    }
 }
 
 StreamStatus Stream::advance(StreamGround ground, std::int64_t operations) {

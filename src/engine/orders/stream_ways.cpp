@@ -5,7 +5,7 @@
 namespace muster {
 
 void StreamWays::start(const StreamDef& def) {
-    other_ = !def.drawn && def.way.size() > 2;
+    other_ = !def.drawn && def.poses.empty() && def.way.size() > 2;
     way_ = 0.0;
     for (std::size_t k = 1; k < def.way.size(); ++k) way_ += distance(def.way[k - 1], def.way[k]);
     best_ = 0;

@@ -124,7 +124,6 @@ void shareOrders(WorldState& state, std::span<Group* const> parts, Vec2 middle) 
         queue.march.phase = MarchPhase::Idle;
         queue.march.searched = 0;
         queue.own.reset();
-        queue.files = 0;
         for (QueuedOrder& queued : queue.orders) {
             if (p > 0) queued.id = state.nextOrder++;
             if (queued.order.kind != OrderKind::Move || queued.order.manner == Manner::Continuum) continue;

@@ -91,7 +91,6 @@ void OrderStage::followAlong(WorldState& state, Group& group, const MarchDef& de
         const RouteGraph& routes = state.routesOf(group);
         const bool free = region < 0 || routes.region(end.position) == region;
         queue.target = end.position;
-        march.turns = false;
         march.searched = 0;
         march.legs.assign(1,
                           free ? end.position : state.routesOf(group).nearestReachable(end.position, region));

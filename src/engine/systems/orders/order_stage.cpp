@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "base/maths.h"
 #include "engine/state/ground_class.h"
@@ -27,10 +28,6 @@ bool isHandled(const Group& group) {
     return false;
 }
 
-bool samePose(const Pose& a, const Pose& b) {
-    return a.position == b.position && a.rotation.c == b.rotation.c && a.rotation.s == b.rotation.s;
-}
-
 bool isContinuum(const Order& order) {
     return order.kind == OrderKind::Move && order.manner == Manner::Continuum;
 }
@@ -43,13 +40,6 @@ void raise(std::vector<Event>& events, EventKind kind, const Group& group, std::
 void raiseNoPath(std::vector<Event>& events, const Group& group, std::int32_t count) {
     events.push_back({EventKind::NoPath, group.id.value, static_cast<std::uint32_t>(count),
                       group.orders.orders.front().order.target});
-}
-
-/// True where the places of a group flow along its way. By a request for a manner of turning, for its width
-/// or for keeping clear of others the formation stays whole.
-bool flowsBy(const Group& group, const Order& order) {
-    return order.manner == Manner::March && order.turn == Turn::Flow && !group.def.conduct.avoids &&
-           group.def.conduct.squeeze >= 1.0;
 }
 
 /// Marks those corners of the way as passed that lie before a share of it.
@@ -97,7 +87,7 @@ bool isOver(const WorldState& state, Group& group, std::uint32_t least, const Th
 /// Where somebody has joined or left, the middle of the formation goes the way.
 void recentre(Group& group) {
     if (!group.refitted) return;
-    const bool led = !samePose(group.orders.march.last, group.mesh.pose());
+    const bool led = !(group.orders.march.last == group.mesh.pose());
     recentreFormation(group);
     if (!led) group.orders.march.last = group.mesh.pose();
 }
@@ -158,7 +148,6 @@ OrderStage::Outcome OrderStage::begin(WorldState& state, Group& group, ThreadPoo
     queue.begunAt = queue.stoodAt = state.stepCount;
     queue.arrived = 0;
     queue.march.phase = MarchPhase::Idle;
-    group.avoidance = {};
     group.controls.clear();
     if (isContinuum(order))
         state.continuum.begin(group.id, queue.target);
@@ -212,8 +201,7 @@ void OrderStage::beginWay(WorldState& state, Group& group, std::int32_t region) 
 bool OrderStage::staysNear(WorldState& state, Group& group) {
     const OrderQueue& queue = group.orders;
     const Order& order = queue.orders.front().order;
-    const bool flows = flowsBy(group, order) || order.manner == Manner::Free;
-    if (queue.reachable || order.kind != OrderKind::Move || !order.route.empty() || !flows) return false;
+    if (queue.reachable || order.kind != OrderKind::Move || !order.route.empty()) return false;
     return !flows_.pays(state, group, queue.target, order.facing);
 }
 
@@ -225,8 +213,6 @@ void OrderStage::restart(WorldState& state, Group& group) {
     const Pose pose = group.mesh.pose();
     march.last = pose;
     march.searched = 0;
-    march.facing = order.facing.value_or(0.0);
-    march.turns = order.facing.has_value();
     if (staysNear(state, group)) {
         march.phase = group.flow.moves() ? MarchPhase::Go : MarchPhase::Stand;
         queue.stoodAt = state.stepCount;
@@ -236,8 +222,7 @@ void OrderStage::restart(WorldState& state, Group& group) {
     if (order.kind == OrderKind::Face) {
         march.way.assign(2, pose.position);
         march.next = 1;
-        if (flowsBy(group, order)) flows_.start(state, group, endPose(group), {});
-        march.phase = flowsBy(group, order) ? MarchPhase::Go : MarchPhase::Turn;
+        beginMarch(state, group);
         return;
     }
     if (order.kind != OrderKind::Move) return;
@@ -254,11 +239,6 @@ void OrderStage::restart(WorldState& state, Group& group) {
         march.speed = march.spin = 0.0;
         queue.stoodAt = state.stepCount;
         return;
-    }
-    if (order.manner == Manner::Free && !march.turns) {
-        const Vec2 last = queue.target - order.route.back();
-        march.turns = length(last) > 0.0;
-        march.facing = arcTangent2(last.y, last.x);
     }
     const std::int32_t region = regionOf(state, group);
     const OrderGoal goal = goalOf(state.routesOf(group), region, extentOf(group).width, order.target);
@@ -280,34 +260,53 @@ bool OrderStage::searchWay(WorldState& state, Group& group, bool drawn) {
     return whole;
 }
 
+// A formation that is to turn as a whole goes in one piece, another one flows.
+void OrderStage::beginMarch(WorldState& state, Group& group) {
+    March& march = group.orders.march;
+    const Order& order = group.orders.orders.front().order;
+    const bool free = order.manner == Manner::Free;
+    const Pose end = endPose(group);
+    // Who may not narrow keeps to its way, which was searched for its width.
+    const bool kept = !order.route.empty() || group.def.conduct.squeeze < 1.0;
+    march.phase = MarchPhase::Go;
+    if (order.turn == Turn::Flow && !free) {
+        const bool stays = order.kind == OrderKind::Face;
+        flows_.start(state, group, end, stays ? std::span<const Vec2>() : march.way, kept);
+        return;
+    }
+    PieceDef piece{group.mesh.pose(), march.way, order.turn, order.facing, extentOf(group).reach};
+    if (free) {
+        piece.turn = Turn::Keep;
+        piece.facing = arcTangent2(end.rotation.s, end.rotation.c);
+    }
+    flows_.startPiece(state, group, piece, kept);
+}
+
 void OrderStage::goOn(WorldState& state, Group& group, const MarchDef& def) {
     OrderQueue& queue = group.orders;
     March& march = queue.march;
     const Order& order = queue.orders.front().order;
     if (march.phase == MarchPhase::Search && searchWay(state, group, !order.route.empty())) {
         if (!(march.way.back() == queue.target)) march.way.push_back(queue.target);
-        if (flowsBy(group, order))
-            flows_.start(state, group, endPose(group), march.way, !order.route.empty());
-        march.phase = MarchPhase::Go;
+        beginMarch(state, group);
     }
     const double dt = state.parameters.stepTime;
     if (march.phase == MarchPhase::Search) {
         march.speed = std::max(0.0, march.speed - def.acceleration * dt);
-    } else if (flowsBy(group, order)) {
-        flow(state, group, def);
-    } else if (march.phase == MarchPhase::Go && group.def.conduct.avoids) {
-        avoids_ = true;
-        group.mesh.setPose(avoidance_.advance(state, ways_.ground(), def, group));
     } else {
-        group.mesh.setPose(advanceMarch(def, march, group.mesh.pose(), dt));
+        flow(state, group, def);
     }
     march.last = group.mesh.pose();
 }
 
-void OrderStage::flow(WorldState& state, Group& group, const MarchDef& def) {
+void OrderStage::flow(WorldState& state, Group& group, MarchDef def) {
     March& march = group.orders.march;
     if (march.phase != MarchPhase::Go) return;
-    if (group.flow.leads() && flows_.advance(state, ways_.ground(), group, def)) {
+    Vec2 aside;
+    if (group.flow.phase == FlowPhase::Flowing &&
+        (group.def.conduct.avoids || !(group.avoidance.aside == Vec2{})))
+        aside = avoidance_.advance(state, ways_.ground(), def, group);
+    if (group.flow.leads() && flows_.advance(state, ways_.ground(), group, def, aside)) {
         passCorners(march, group.flow.q);
         march.speed = group.flow.speed;
         if (group.flow.phase == FlowPhase::Standing) march.phase = MarchPhase::Stand;
@@ -403,7 +402,7 @@ void OrderStage::followPeople(WorldState& state) {
     }
 }
 
-OrderStage::Outcome OrderStage::advance(WorldState& state, Group& group, ThreadPool& pool) {
+OrderStage::Outcome OrderStage::advance(WorldState& state, Group& group) {
     OrderQueue& queue = group.orders;
     const Order& order = queue.orders.front().order;
     if (order.kind == OrderKind::Guard) return guard(state, group);
@@ -414,13 +413,10 @@ OrderStage::Outcome OrderStage::advance(WorldState& state, Group& group, ThreadP
     if (order.manner != Manner::Free) def.pace = pace_.of(state, group);
     if (order.kind == OrderKind::Follow) return follow(state, group, def);
     // Led away by fingers, it goes on from where it is.
-    const bool lost = queue.march.phase == MarchPhase::Go && !group.flow.leads() && flowsBy(group, order);
-    if (queue.march.phase == MarchPhase::Idle || lost || !samePose(queue.march.last, group.mesh.pose()))
+    const bool lost = queue.march.phase == MarchPhase::Go && !group.flow.leads();
+    if (queue.march.phase == MarchPhase::Idle || lost || !(queue.march.last == group.mesh.pose()))
         restart(state, group);
     goOn(state, group, def);
-    if (order.kind == OrderKind::Move && order.manner == Manner::March && !flowsBy(group, order) &&
-        order.turn != Turn::Keep)
-        squeeze(state, group, extent, ways_, pool);
     if (!isDone(state, group)) return Outcome::GoesOn;
     return queue.reachable ? Outcome::Done : Outcome::Skipped;
 }
@@ -434,7 +430,7 @@ void OrderStage::runGroup(WorldState& state, Group& group, ThreadPool& pool, std
             if (!group.controls.controls().empty()) group.controls.clear();
             recentre(group);
             if (queue.ground != state.groundEdits) judgeAgain(state, group, pool, events);
-            outcome = advance(state, group, pool);
+            outcome = advance(state, group);
         }
         if (outcome == Outcome::GoesOn) return;
         const QueuedOrder done = queue.orders.front();
@@ -464,17 +460,13 @@ void OrderStage::run(WorldState& state, ThreadPool& pool, std::vector<Event>& ev
                               !group.members.empty();
         if (searches && searching_ == 0) searching_ = group.id.value;
     }
-    for (Group& group : state.groups) {
-        avoids_ = false;
-        runQueue(state, group, pool, events);
-        if (!avoids_) group.avoidance = {};
-    }
+    for (Group& group : state.groups) runQueue(state, group, pool, events);
 }
 
 void OrderStage::runQueue(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events) {
     OrderQueue& queue = group.orders;
     const bool led = group.flow.version != group.formationVersion || isHandled(group) ||
-                     !samePose(queue.march.last, group.mesh.pose());
+                     !(queue.march.last == group.mesh.pose());
     // On another ground places that stand are found again, but not where people were ordered to stop.
     const bool stale = queue.orders.empty() && group.flow.ground != state.groundEdits;
     if (group.flow.leads() && (led || (stale && !group.flow.isStop()))) group.flow.end();

@@ -103,11 +103,10 @@ MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& or
     }
     MarchDef def;
     def.turn = order.manner == Manner::Free ? Turn::Keep : order.turn;
-    def.speed = def.top = kKeepUp * slowest;
+    def.speed = kKeepUp * slowest;
     if (order.pace > 0.0) def.speed = std::min(def.speed, order.pace);
     def.acceleration = std::min(kMostAcceleration, least);
     def.reach = std::max(extent.reach, 0.5);
-    def.depth = extent.depth;
     return def;
 }
 
@@ -236,31 +235,6 @@ bool WayFinder::advance(WorldState& state, RouteGraph& routes, std::int32_t regi
         march.legs.erase(march.legs.begin());
     }
     return march.legs.empty();
-}
-
-double WayFinder::narrowest(const March& march, Vec2 from, double behind, double ahead, double most) const {
-    double least = most;
-    const auto look = [&](Vec2 a, Vec2 b, double reach) {
-        const double whole = distance(a, b);
-        const Vec2 side = perpendicular(normalized(b - a));
-        for (double at = 0.0; at <= std::min(whole, reach); at += 2.0 * kStep) {
-            const Vec2 p = whole > 0.0 ? lerp(a, b, at / whole) : a;
-            if (ground_.clearanceAt(p) >= 0.5 * least) continue;
-            least = std::min(least, roomBeside(p, side, least) + roomBeside(p, -side, least));
-        }
-        return reach - whole;
-    };
-    Vec2 at = from;
-    for (std::size_t k = march.next; k < march.way.size() && ahead > 0.0; ++k) {
-        ahead = look(at, march.way[k], ahead);
-        at = march.way[k];
-    }
-    at = from;
-    for (std::size_t k = march.next; k-- > 0 && behind > 0.0;) {
-        behind = look(at, march.way[k], behind);
-        at = march.way[k];
-    }
-    return least;
 }
 
 }  // namespace muster

@@ -63,9 +63,6 @@ public:
     /// it. True once the whole way is known. Begins no search where it is `busy` with that of another march.
     bool advance(WorldState& state, RouteGraph& routes, std::int32_t region, bool drawn,
                  const WayNeeds& needs, bool busy, March& march, std::int32_t& budget);
-    /// Length of way ahead, and some behind, whose narrowest width is asked for; the width [m], `most` where
-    /// wider.
-    double narrowest(const March& march, Vec2 from, double behind, double ahead, double most) const;
 
 private:
     bool straight(const WorldState& state, bool drawn, const WayNeeds& needs, Vec2 from, Vec2 to) const;
