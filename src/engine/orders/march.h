@@ -26,9 +26,6 @@ struct March {
     std::uint32_t next = 0;  ///< Index of the corner that it heads for.
     std::vector<Vec2>
         legs;            ///< While it is searched: points that it leads through and that are still ahead [m].
-    double speed = 0.0;  ///< Of the middle of the formation [m/s].
-    double spin = 0.0;   ///< Rate of turn of one that follows, counter-clockwise [rad/s].
-    double waited = 0.0;        ///< Time for which it has waited for others [s].
     bool reversed = false;      ///< True: the rear of the formation is its front.
     Pose last;                  ///< Of the mesh, as it was last set.
     WayQuery query;             ///< Of the present search.
@@ -45,7 +42,7 @@ struct March {
     /// Lets an archive read or write it.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(phase, way, next, legs, speed, spin, waited, reversed, last, query, searched, ground);
+        archive(phase, way, next, legs, reversed, last, query, searched, ground);
     }
 };
 
@@ -57,11 +54,6 @@ struct MarchDef {
     double reach = 1.0;         ///< From the middle to the farthest place [m], above 0.
     double pace = 1.0;          ///< Share of its speed: less where somebody falls behind, [0, 1].
 };
-
-/// One step towards a pose that moves at `velocity` [m/s]: straight there, and turning on the way. The front
-/// takes the heading `facing`, a unit vector.
-Pose advanceTowards(const MarchDef& def, March& march, const Pose& pose, Vec2 goal, Vec2 velocity,
-                    Vec2 facing, double dt);
 
 /// Time that a march along a way takes from standing to standing, about [s].
 double marchTime(const MarchDef& def, std::span<const Vec2> way, Vec2 front, std::optional<double> facing);

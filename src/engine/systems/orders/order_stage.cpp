@@ -236,7 +236,6 @@ void OrderStage::restart(WorldState& state, Group& group) {
         flows_.stand(state, group);
         march.last = group.mesh.pose();
         march.phase = MarchPhase::Stand;
-        march.speed = march.spin = 0.0;
         queue.stoodAt = state.stepCount;
         return;
     }
@@ -253,7 +252,7 @@ bool OrderStage::searchWay(WorldState& state, Group& group, bool drawn) {
     const std::int32_t region = regionOf(state, group);
     March& march = group.orders.march;
     const bool busy = searching_ != 0 && searching_ != group.id.value;
-    const WayNeeds needs = needsOf(state, group, group.orders.orders.front().order);
+    const WayNeeds needs = needsOf(state, group);
     const bool whole = ways_.advance(state, state.routesOf(group), region, drawn, needs, busy, march,
                                      budget_);
     if (!busy) searching_ = march.searched > 0 ? group.id.value : 0;
@@ -290,12 +289,7 @@ void OrderStage::goOn(WorldState& state, Group& group, const MarchDef& def) {
         if (!(march.way.back() == queue.target)) march.way.push_back(queue.target);
         beginMarch(state, group);
     }
-    const double dt = state.parameters.stepTime;
-    if (march.phase == MarchPhase::Search) {
-        march.speed = std::max(0.0, march.speed - def.acceleration * dt);
-    } else {
-        flow(state, group, def);
-    }
+    if (march.phase != MarchPhase::Search) flow(state, group, def);
     march.last = group.mesh.pose();
 }
 
@@ -308,7 +302,6 @@ void OrderStage::flow(WorldState& state, Group& group, MarchDef def) {
         aside = avoidance_.advance(state, ways_.ground(), def, group);
     if (group.flow.leads() && flows_.advance(state, ways_.ground(), group, def, aside)) {
         passCorners(march, group.flow.q);
-        march.speed = group.flow.speed;
         if (group.flow.phase == FlowPhase::Standing) march.phase = MarchPhase::Stand;
         return;
     }
@@ -371,7 +364,6 @@ OrderStage::Outcome OrderStage::gather(WorldState& state, Group& group) {
     OrderQueue& queue = group.orders;
     group.flow.end();
     queue.march.phase = MarchPhase::Stand;
-    queue.march.speed = queue.march.spin = 0.0;
     queue.march.last = group.mesh.pose();
     const Gathering* gathering = state.continuum.find(group.id);
     // Fingers had taken the formation.
@@ -471,15 +463,11 @@ void OrderStage::runQueue(WorldState& state, Group& group, ThreadPool& pool, std
     const bool stale = queue.orders.empty() && group.flow.ground != state.groundEdits;
     if (group.flow.leads() && (led || (stale && !group.flow.isStop()))) group.flow.end();
     if (queue.orders.empty()) {
-        queue.march.speed = queue.march.spin = 0.0;
-        if (queue.own && !isHandled(group) && !group.flow.isStop()) restoreOwn(state, group, pool);
+            if (queue.own && !isHandled(group) && !group.flow.isStop()) restoreOwn(state, group, pool);
         if (!isHandled(group)) flows_.settle(state, group);
         return;
     }
-    if (queue.held || isHandled(group) || group.members.empty()) {
-        queue.march.speed = queue.march.spin = 0.0;
-        return;
-    }
+    if (queue.held || isHandled(group) || group.members.empty()) return;
     runGroup(state, group, pool, events);
 }
 
@@ -501,7 +489,7 @@ OrderForecast OrderStage::forecast(WorldState& state, const Group& group, const 
     listLegs(routes, region, asked, goal, march.legs);
     std::int32_t budget = state.environment.grid().count() + 1;
     // A search that is under way is run again up to where it was.
-    while (!ways_.advance(state, routes, region, !asked.route.empty(), needsOf(state, group, asked), false,
+    while (!ways_.advance(state, routes, region, !asked.route.empty(), needsOf(state, group), false,
                           march, budget))
         budget = state.environment.grid().count() + 1;
     if (!(march.way.back() == goal.target)) march.way.push_back(goal.target);

@@ -55,6 +55,7 @@ private:
     bool searchWay(WorldState& state, Group& group, bool drawn);
     void goOn(WorldState& state, Group& group, const MarchDef& def);
     static Vec2 besideLead(const WorldState& state, const Group& group, const Lead& lead, Vec2 offset);
+    static Pose stepBeside(const MarchDef& def, const Pose& pose, const Lead& lead, Vec2 goal, double dt);
     Outcome follow(WorldState& state, Group& group, const MarchDef& def);
     void followAlong(WorldState& state, Group& group, const MarchDef& def, const Pose& end);
     Outcome guard(WorldState& state, Group& group);

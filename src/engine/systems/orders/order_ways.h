@@ -40,7 +40,7 @@ Vec2 middleOf(const WorldState& state, const Group& group);
 /// Where a group in a region comes by an order to go to `target` [m].
 OrderGoal goalOf(RouteGraph& routes, std::int32_t region, double width, Vec2 target);
 /// The room that a group needs on its way.
-WayNeeds needsOf(const WorldState& state, const Group& group, const Order& order);
+WayNeeds needsOf(const WorldState& state, const Group& group);
 /// The bounds of a group's march: at the speed of the slowest, or without cohesion at one that few do not
 /// reach. `speeds` is working memory.
 MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& order,
@@ -66,9 +66,6 @@ public:
 
 private:
     bool straight(const WorldState& state, bool drawn, const WayNeeds& needs, Vec2 from, Vec2 to) const;
-    void append(WorldState& state, const WayNeeds& needs, March& march, const std::vector<Vec2>& path);
-    bool isWall(Vec2 p, Vec2 along) const;
-    double roomBeside(Vec2 p, Vec2 side, double most) const;
 
     WayGround ground_;
     WaySearches searches_;
