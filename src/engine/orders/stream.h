@@ -55,8 +55,6 @@ public:
     StreamStatus status() const { return status_; }        ///< Of the plan.
     std::int64_t operations() const { return spent_; }     ///< Since the start of the plan.
     std::size_t places() const { return starts_.size(); }  ///< Number of places.
-    /// Places that stand or end so close behind a wall that they touch it on their first or last metre.
-    std::int32_t tight() const { return tight_; }
     /// How far the fastest of nine in ten places goes, whichever that is [m]: at a speed they arrive after
     /// length() / speed.
     /// Of a march that flows only where its definition wants it measured, else 0.
@@ -84,8 +82,6 @@ private:
         Lay,
         Part,
         Smooth,
-        Ends,
-        Compare,
         Finish,
         Measure
     };
@@ -112,9 +108,6 @@ private:
     void enter(Stage stage);
     void stepCourses();
     void orderRows();
-    void bendEnds(StreamGround ground);
-    double roomAlong(StreamGround ground, StreamPoint a, StreamPoint b);
-    void compareNext();
     void finish();
     bool formUp();
     void takeSlots();
@@ -131,7 +124,6 @@ private:
     StreamStatus status_ = StreamStatus::Blocked;
     Stage stage_ = Stage::Straight;
     std::size_t next_ = 0;
-    std::int32_t tight_ = 0;
     std::int64_t spent_ = 0;
     double length_ = 0.0;
     std::vector<Vec2> offsets_, starts_, ends_, way_, moved_, last_;

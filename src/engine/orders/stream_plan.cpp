@@ -30,7 +30,6 @@ void Stream::start(const StreamDef& def) {
     closest_ = std::min(def.closest, def.spacing);
     measured_ = def.measured;
     spent_ = 0;
-    tight_ = 0;
     status_ = valid() ? StreamStatus::Planning : StreamStatus::Blocked;
     if (status_ == StreamStatus::Blocked) return;
     moved_.resize(starts_.size());
@@ -100,12 +99,6 @@ void Stream::step(StreamGround ground) {
         case Stage::Part:
             spent_ += banks_.part(runs_, paths_, courses_, beside_, static_cast<std::int32_t>(next_));
             if (++next_ == static_cast<std::size_t>(line_.rows())) enter(Stage::Smooth);
-            break;
-        case Stage::Ends:
-            bendEnds(ground);
-            break;
-        case Stage::Compare:
-            compareNext();
             break;
         case Stage::Finish:
             finish();

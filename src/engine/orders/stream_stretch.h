@@ -17,12 +17,8 @@ public:
     /// Begins: no row is stretched. Places that are `spacing` apart in the formation may come as near to each
     /// other as `closest`, which is no more [m].
     void start(const StreamLine& line, double spacing, double closest);
-    /// Stretches rows in which two courses some spacings apart are nearer to each other than in the
-    /// formation.
-    void compare(const StreamPaths& paths, const StreamBanks& banks, const StreamCourse& a,
-                 const StreamCourse& b);
-    /// Stretches rows whose runs are too narrow, and those in bends.
-    void widen(const StreamLine& line, const StreamRuns& runs, const StreamBanks& banks);
+    /// Stretches rows whose runs are too narrow.
+    void widen(const StreamRuns& runs, const StreamBanks& banks);
     /// Sums up. `shift` is by how much at most the single order moves a place along [m].
     void settle(double shift);
 
@@ -54,7 +50,7 @@ private:
     void blend(double shift);
 
     double step_ = 0.5, spacing_ = 1.0, closest_ = 1.0, most_ = 1.0, bin_ = 1.0;
-    std::vector<double> narrow_, sigma_, bend_, xi_;  // By row.
+    std::vector<double> narrow_, sigma_, xi_;  // By row.
     std::vector<std::int32_t> rowAt_;                 // By bins of xi: the last row that begins before it.
     std::vector<double> single_, wide_;               // By samples of xi.
 };

@@ -27,17 +27,15 @@ StreamStatus StreamWays::advance(StreamGround ground, std::int64_t operations) {
     return status_;
 }
 
-// Whoever touches a wall straight on goes the other way.
 void StreamWays::compare() {
     const Stream &on = plans_[0], &round = plans_[1];
     if (best_ == 0 && other_ &&
-        (on.status() == StreamStatus::Blocked || on.tight() > 0 || on.length() > way_)) {
+        (on.status() == StreamStatus::Blocked || on.length() > way_)) {
         best_ = 1;
         return;
     }
     if (best_ == 1 && on.status() != StreamStatus::Blocked &&
-        (round.status() == StreamStatus::Blocked || on.tight() < round.tight() ||
-         (on.tight() == round.tight() && on.length() <= round.length())))
+        (round.status() == StreamStatus::Blocked || on.length() <= round.length()))
         best_ = 0;
     status_ = plans_[best_].status();
 }
