@@ -6,51 +6,75 @@
 #include "base/infinite_cost.h"
 
 namespace muster {
+namespace {
+
+/// Lists the parts of a course one after the other.
+class CourseList {
+public:
+    CourseList(const CourseDef& def, double until, double times, Course& course)
+        : def_(def),
+          until_(until),
+          times_(times),
+          course_(course),
+          on_(def.middle - def.side * def.aside),
+          beside_(def.aside) {
+        course_.clear();
+    }
+    /// Goes on at a velocity along the way, and at a speed to the left [m/s], until a time [s].
+    void go(Vec2 velocity, double sideways, double end) {
+        end = std::min(end, until_);
+        if (end <= now_) return;
+        MovingBox part = def_.box;
+        part.velocity = velocity + def_.side * (times_ * sideways);
+        part.from = now_;
+        part.to = end;
+        const Vec2 middle = on_ + def_.side * (def_.aside + times_ * (beside_ - def_.aside));
+        part.centre += middle - def_.middle - part.velocity * now_;
+        course_.push_back(part);
+        on_ += velocity * (end - now_);
+        beside_ += sideways * (end - now_);
+        now_ = end;
+    }
+    /// Waits, and starts again. A change of speed counts as half of it at the one speed, half at the other.
+    void wait(double seconds) {
+        const Vec2 along = normalized(def_.ahead.front() - on_);
+        const double half = 0.5 / def_.acceleration, speed = seconds > 0.0 ? 0.0 : def_.speed;
+        if (seconds > 0.0) go(along * def_.speed, 0.0, half * def_.speed);
+        go(along * speed, 0.0, seconds + half * std::max(0.0, def_.cruise - speed));
+    }
+    /// Goes to a corner; to one side until `shifted` [s].
+    void follow(Vec2 corner, double sideways, double shifted) {
+        if (now_ < shifted) {
+            const Vec2 along = normalized(corner - on_) * (kOnwardShare * def_.cruise);
+            go(along, sideways,
+               std::min(shifted, now_ + distance(on_, corner) / (kOnwardShare * def_.cruise)));
+        }
+        if (now_ < shifted) return;
+        const Vec2 along = normalized(corner - on_) * def_.cruise;
+        go(along, 0.0, now_ + distance(on_, corner) / def_.cruise);
+    }
+    double now() const { return now_; }
+
+private:
+    const CourseDef& def_;
+    double until_, times_;
+    Course& course_;
+    Vec2 on_;  // On its way.
+    double beside_;
+    double now_ = 0.0;
+};
+
+}  // namespace
 
 void listCourse(const CourseDef& def, const Manoeuvre& manoeuvre, double until, Course& course,
                 double times) {
-    course.clear();
-    double now = 0.0;
-    Vec2 on = def.middle - def.side * def.aside;  // On its way.
-    double beside = def.aside;
-    const Vec2 offset = def.box.centre - def.middle;
-    const auto go = [&](Vec2 velocity, double sideways, double end) {
-        end = std::min(end, until);
-        if (end <= now) return;
-        MovingBox part = def.box;
-        part.velocity = velocity + def.side * (times * sideways);
-        part.from = now;
-        part.to = end;
-        part.centre = on + def.side * (def.aside + times * (beside - def.aside)) + offset - part.velocity * now;
-        course.push_back(part);
-        on += velocity * (end - now);
-        beside += sideways * (end - now);
-        now = end;
-    };
-    // A change of speed counts as half of it at the one speed, and half at the other.
-    const Vec2 along = normalized(def.ahead.front() - on);
-    const double half = 0.5 / def.acceleration;
-    if (manoeuvre.wait > 0.0) go(along * def.speed, 0.0, half * def.speed);
-    const double speed = manoeuvre.wait > 0.0 ? 0.0 : def.speed;
-    go(along * speed, 0.0, manoeuvre.wait + half * std::max(0.0, def.cruise - speed));
-    const double off = manoeuvre.aside - beside;
+    CourseList list(def, until, times, course);
+    list.wait(manoeuvre.wait);
+    const double off = manoeuvre.aside - def.aside;
     const double sideways = off < 0.0 ? -kAsideShare * def.cruise : kAsideShare * def.cruise;
-    const double shifted = now + off / sideways;
-    for (std::size_t k = 0; k < def.ahead.size() && now < until;) {
-        const Vec2 leg = def.ahead[k] - on;
-        const double part = length(leg);
-        const bool shifts = now < shifted;
-        const double pace = shifts ? kOnwardShare * def.cruise : def.cruise;
-        const double end = now + part / pace;
-        if (shifts && shifted < end) {
-            go(leg * (pace / part), sideways, shifted);
-            now = std::max(now, std::min(shifted, until));
-            continue;
-        }
-        if (part > 0.0) go(leg * (pace / part), shifts ? sideways : 0.0, end);
-        ++k;
-    }
-    go({}, 0.0, until);
+    const double shifted = list.now() + off / sideways;
+    for (const Vec2 corner : def.ahead) list.follow(corner, sideways, shifted);
+    list.go({}, 0.0, until);
 }
 
 double firstContact(std::span<const MovingBox> course, std::span<const MovingBox> other, double margin) {

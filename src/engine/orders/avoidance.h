@@ -25,9 +25,9 @@ struct Manoeuvre {
 
 /// What a group does to keep clear of others, as a world's state holds it.
 struct Avoidance {
-    Manoeuvre chosen;      ///< What it does.
-    Vec2 side;             ///< To the left of its course as that was chosen, of unit length; 0 where nothing was.
-    Vec2 aside;            ///< How far it is beside its course [m].
+    Manoeuvre chosen;  ///< What it does.
+    Vec2 side;         ///< To the left of its course as that was chosen, of unit length; 0 where nothing was.
+    Vec2 aside;        ///< How far it is beside its course [m].
     double waited = 0.0;   ///< How long it has waited for moving obstacles [s].
     bool free = false;     ///< It keeps clear of somebody so.
     bool presses = false;  ///< It has waited for too long, and goes on whatever comes.
@@ -57,7 +57,7 @@ using Course = std::vector<MovingBox>;
 /// So long after it goes on contacts count [s].
 inline constexpr double kCourseHorizon = 12.0;
 /// A formation waits no longer than that [s].
-inline constexpr double kLongestWait = 8.0;
+inline constexpr double kLongestWait = 12.0;
 /// So far ahead courses are known [s].
 inline constexpr double kKnownAhead = kCourseHorizon + kLongestWait;
 /// Share of its speed at which a formation goes aside.
@@ -65,8 +65,8 @@ inline constexpr double kAsideShare = 0.6;
 /// Share of its speed that is left on its way meanwhile: the other side of a right triangle.
 inline constexpr double kOnwardShare = 0.8;
 
-/// The course of a manoeuvre for so many seconds. `times`: how often the change to the side counts, twice where
-/// it is seen from somebody who goes as far to the other side.
+/// The course of a manoeuvre for so many seconds. `times`: how often the change to the side counts, twice
+/// where it is seen from somebody who goes as far to the other side.
 void listCourse(const CourseDef& def, const Manoeuvre& manoeuvre, double until, Course& course,
                 double times = 1.0);
 /// When two courses first come as near as `margin` [m] to each other [s]; infinite where they do not.

@@ -25,7 +25,7 @@ struct March {
     std::vector<Vec2> way;   ///< Corners of the way, where it began and its end included [m].
     std::uint32_t next = 0;  ///< Index of the corner that it heads for.
     std::vector<Vec2>
-        legs;            ///< While it is searched: points that it leads through and that are still ahead [m].
+        legs;  ///< While it is searched: points that it leads through and that are still ahead [m].
     bool reversed = false;      ///< True: the rear of the formation is its front.
     Pose last;                  ///< Of the mesh, as it was last set.
     WayQuery query;             ///< Of the present search.

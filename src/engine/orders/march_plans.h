@@ -46,9 +46,7 @@ private:
         std::vector<Pose> poses;
         GroundVersion ground;
 
-        StreamDef def() const {
-            return {offsets, starts, ends, way, spacing, radius, closest, drawn, poses};
-        }
+        StreamDef def() const { return {offsets, starts, ends, way, spacing, radius, closest, drawn, poses}; }
         friend bool operator==(const Input&, const Input&) = default;
     };
     /// A plan; it may be further than the world that uses it.

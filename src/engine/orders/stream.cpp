@@ -7,7 +7,6 @@
 namespace muster {
 namespace {
 
-constexpr double kMissShare = 0.125;     // Of the way, over which what coordinates miss at its ends fades.
 constexpr std::int32_t kMostTries = 12;  // Of a step; one is the rule.
 constexpr double kClose = 0.95;          // A step that uses so much of the top speed is good enough,
 constexpr double kAim = 0.997;           // and so much is aimed at.
@@ -60,7 +59,7 @@ Vec2 Stream::straight(std::size_t i, double q, const Pose& pose) const {
 
 // What coordinates miss of starts and ends.
 Vec2 Stream::miss(std::size_t i, double q) const {
-    return legs_[i].missFrom * faded(q, kMissShare) + legs_[i].missTo * faded(1.0 - q, kMissShare);
+    return legs_[i].missFrom * faded(q, kFade) + legs_[i].missTo * faded(1.0 - q, kFade);
 }
 
 void Stream::at(double q, std::span<Vec2> places) const {

@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "engine/orders/pairing.h"
 #include "engine/orders/stream_banks.h"
 #include "engine/orders/stream_flow.h"
 #include "engine/orders/stream_line.h"
@@ -24,12 +23,12 @@ struct StreamDef {
     std::span<const Vec2> starts;   ///< Where they are now [m].
     std::span<const Vec2> ends;     ///< Where they end, on free ground [m].
     std::span<const Vec2>
-        way;                ///< From the middle of the starts to that of the ends, two points or more [m].
-    double spacing = 1.0;   ///< Of the formation [m], above 0.
-    double radius = 0.25;   ///< Of bodies [m], above 0.
-    double closest = 1e9;   ///< So near places may come to each other in narrow ground [m], above 0; the
-                            ///< spacing where that is less.
-    bool drawn = false;     ///< True where the way is kept to also where the ground between is free.
+        way;               ///< From the middle of the starts to that of the ends, two points or more [m].
+    double spacing = 1.0;  ///< Of the formation [m], above 0.
+    double radius = 0.25;  ///< Of bodies [m], above 0.
+    double closest = 1e9;  ///< So near places may come to each other in narrow ground [m], above 0; the
+                           ///< spacing where that is less.
+    bool drawn = false;    ///< True where the way is kept to also where the ground between is free.
     std::span<const Pose> poses = {};  ///< Of a march in one piece; none for one that may flow.
     bool measured = false;             ///< True where length() will be asked for.
 };
@@ -110,8 +109,8 @@ private:
     void orderRows();
     void finish();
     bool formUp();
-    void takeSlots();
     void measure();
+    static constexpr double kFade = 0.125;       // Share of the way in which order can be made.
     static constexpr std::int32_t kDepths = 64;  // Of samples along the depth of the formation.
     using Depths = std::array<double, kDepths + 1>;
 
@@ -137,11 +136,10 @@ private:
     double nominalFront_ = 0.0;  // Xi of its front at q = 0 [m].
     double depthStep_ = 1.0;     // Between samples of its depth [m].
     Depths full_{};              // Share of its width that is full, by depth.
-    bool centred_ = false, formed_ = false, measured_ = false, exchanged_ = false;
+    bool centred_ = false, formed_ = false, measured_ = false;
     double startS_ = 0.0, endS_ = 0.0, low_ = 0.0, high_ = 0.0, travel_ = 0.0, most_ = 0.0;
     std::vector<double> half_, shift_;
     std::vector<std::uint8_t> street_;
-    Pairing slots_;
     StreamPiece piece_;
     StreamLine line_;
     StreamRuns runs_;
@@ -151,7 +149,6 @@ private:
     StreamStretch stretch_;
     std::vector<StreamCourse> courses_;
     std::vector<Leg> legs_;
-    std::vector<std::uint32_t> order_;   // By ordinate.
     std::vector<std::uint32_t> beside_;  // By ordinate in a row.
     std::vector<std::uint32_t> rank_;    // By row of the formation.
 };

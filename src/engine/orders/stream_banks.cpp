@@ -6,9 +6,7 @@
 namespace muster {
 namespace {
 
-constexpr double kBankSlope = 0.35;  // Of banks, where there is room for it.
-constexpr double kSteepPlace = 1.0;  // Of places, at most where banks are less steep.
-constexpr double kHair = 1e-6;       // Nobody sees less [m].
+constexpr double kHair = 1e-6;  // Nobody sees less [m].
 
 }  // namespace
 
@@ -18,8 +16,8 @@ void StreamBanks::start(const StreamRuns& runs, double step, std::int32_t entrie
     for (std::int32_t k = 0; k < runs.rows(); ++k)
         for (std::size_t r = 0; r < runs.row(k).size(); ++r)
             loads_[runs.first(k) + r].room = runs.row(k)[r].high - runs.row(k)[r].low;
-    bankRise_.assign(runs.rows(), kBankSlope * step);
-    placeRise_.assign(runs.rows(), kSteepPlace * step);
+    bankRise_.assign(runs.rows(), kGentle * step);
+    placeRise_.assign(runs.rows(), kSteep * step);
     near_.resize(runs.rows());
     for (auto* list : {&up_, &down_, &least_, &most_}) list->resize(runs.rows());
     left_.resize(entries);

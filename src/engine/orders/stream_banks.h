@@ -52,6 +52,9 @@ public:
     std::span<const StreamLoad> loads() const { return loads_; }  ///< By run.
 
 private:
+    static constexpr double kGentle = 0.35;  // Slope of banks and places, where there is room for it...
+    static constexpr double kSteep = 0.7;    // ... and of places where they keep apart, or runs want it.
+
     struct Bank {
         double value = 0.0;     // How far to the left [m].
         std::int32_t from = 0;  // The row that says so.
@@ -73,12 +76,12 @@ private:
 
     double step_ = 0.5;
     std::vector<StreamLoad> loads_;
-    std::vector<double> bankRise_, placeRise_;      // Per step from a row to the next [m].
-    std::vector<Banks> near_;                       // By row, of one course.
-    std::vector<double> up_, down_, least_, most_;  // The same.
-    std::vector<double> left_;                      // By entry [m].
-    std::vector<float> share_;                      // By entry: how far squeezed, 1 where not.
-    std::vector<std::uint32_t> inRun_;              // Those who come through a run.
+    std::vector<double> bankRise_, placeRise_;             // Per step from a row to the next [m].
+    std::vector<Banks> near_;                              // By row, of one course.
+    std::vector<double> up_, down_, least_, most_;         // The same.
+    std::vector<double> left_;                             // By entry [m].
+    std::vector<float> share_;                             // By entry: how far squeezed, 1 where not.
+    std::vector<std::uint32_t> inRun_;                     // Those who come through a run.
     std::vector<double> ordinate_, gap_, value_, weight_;  // Of those in a run.
 };
 

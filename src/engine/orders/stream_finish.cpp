@@ -8,8 +8,6 @@ namespace muster {
 namespace {
 
 constexpr double kGolden = 0.61803398874989485;  // The golden ratio, less 1.
-constexpr double kLeastOrder = 3.0;              // Single order comes over so much of the way at least [m]...
-constexpr double kOrderRoom = 3.0;               // ... and over so many times the shift.
 
 constexpr std::size_t kMeasures = 32;  // Looks by which the length of a march is known...
 constexpr double kMeasured = 1e-3;     // ... each over so much of q.
@@ -24,10 +22,10 @@ constexpr double kHollow = 0.95;       // Less full than that share of its width
 void Stream::orderRows() {
     const std::size_t n = offsets_.size();
     legs_.assign(n, {});
-    order_.resize(n);
+    beside_.resize(n);
     rank_.resize(n);
-    for (std::uint32_t i = 0; i < n; ++i) order_[i] = rank_[i] = i;
-    std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    for (std::uint32_t i = 0; i < n; ++i) beside_[i] = rank_[i] = i;
+    std::sort(beside_.begin(), beside_.end(), [&](std::uint32_t a, std::uint32_t b) {
         return offsets_[a].y != offsets_[b].y ? offsets_[a].y < offsets_[b].y : a < b;
     });
     struct Key {
@@ -104,7 +102,7 @@ void Stream::finish() {
     if (fadeStart_ < 1.0) fadeStart_ = std::min(1.0, fadeStart_ * longer);
     if (fadeEnd_ < 1.0) fadeEnd_ = std::min(1.0, fadeEnd_ * longer);
     fillDepths();
-    orderRate_ = std::max(1.0, std::fabs(travel_)) / std::max(kLeastOrder, kOrderRoom * shift);
+    orderRate_ = std::max(1.0, std::fabs(travel_)) / (2.0 * StreamStretch::orderRoom(shift));
     const Depths none{};
     for (std::size_t i = 0; i < n; ++i) {
         legs_[i].missFrom = starts_[i] - raw(i, 0.0, none);

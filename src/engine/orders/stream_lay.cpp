@@ -7,9 +7,7 @@
 namespace muster {
 namespace {
 
-constexpr double kPlaceSlope = 0.3;   // Places turn aside so gently, where banks allow it...
-constexpr double kSmoothSlope = 0.7;  // ... so steeply to keep their distances...
-constexpr double kNoBank = 1e9;       // Beyond all banks [m].
+constexpr double kNoBank = 1e9;  // Beyond all banks [m].
 
 /// How far to the left the straight stretch between two points is at `s` [m].
 double between(StreamPoint p, StreamPoint q, double s) {
@@ -77,7 +75,7 @@ void StreamBanks::lay(const StreamRuns& runs, const StreamPaths& paths, const St
     const std::span<const std::int32_t> path = paths.of(course);
     bound(runs, path, course);
     aim(path, course);
-    even(runs, path, course, kPlaceSlope);
+    even(runs, path, course, kGentle);
 }
 
 void StreamBanks::smooth(const StreamRuns& runs, const StreamPaths& paths, const StreamCourse& course) {
@@ -88,7 +86,7 @@ void StreamBanks::smooth(const StreamRuns& runs, const StreamPaths& paths, const
         least_[k] = -kNoBank;
         most_[k] = kNoBank;
     }
-    even(runs, path, course, kSmoothSlope);
+    even(runs, path, course, kSteep);
     for (std::int32_t k = course.first; k <= course.last; ++k) {
         StreamLoad& load = loads_[path[k - course.first]];
         load.right = std::min(load.right, left_[course.entry + k - course.first]);

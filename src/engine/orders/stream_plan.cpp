@@ -135,17 +135,12 @@ void Stream::stepCourses() {
         banks_.start(runs_, line_.step(), paths_.entries());
     } else if (done == Stage::Load) {
         if (formed_ || !formUp()) return;
-        // Whoever has another place in the formation has another path.
-        if (exchanged_)
-            paths_.start(runs_, line_.step());
-        else
-            banks_.start(runs_, line_.step(), paths_.entries());
-        enter(exchanged_ ? Stage::Paths : Stage::Load);
+        banks_.start(runs_, line_.step(), paths_.entries());
+        enter(Stage::Load);
     } else if (done == Stage::Steepen) {
         banks_.settle();
     } else if (done == Stage::Lay) {
         orderRows();
-        beside_ = order_;
         stretch_.start(line_, spacing_, closest_);
     }
 }

@@ -7,12 +7,8 @@
 namespace muster {
 namespace {
 
-constexpr double kUnfelt = 1.015;      // A smaller stretch is none.
-constexpr double kSingle = 0.4;        // From that stretch more on rows are in single order.
-constexpr double kBins = 4.0;          // Of xi, per row.
-constexpr double kShiftRoom = 1.4;     // Single order comes and goes over that many times the shift.
-constexpr double kLeastRoom = 1.5;     // ... and over that much at least [m].
-
+constexpr double kSingle = 0.4;  // From that stretch more on rows are in single order.
+constexpr double kBins = 4.0;    // Of xi, per row.
 }  // namespace
 
 void StreamStretch::start(const StreamLine& line, double spacing, double closest) {
@@ -30,7 +26,6 @@ void StreamStretch::widen(const StreamRuns& runs, const StreamBanks& banks) {
             const double now = std::max(0.0, load.left - load.right) + spacing_;
             if (load.used()) narrow_[k] = std::max(narrow_[k], (load.high - load.low + spacing_) / now);
         }
-        if (narrow_[k] < kUnfelt) narrow_[k] = 1.0;
         most_ = std::max(most_, narrow_[k]);
     }
 }
@@ -65,8 +60,7 @@ void StreamStretch::index() {
 // The single order by stretch; the most within reach, then the mean over it.
 void StreamStretch::blend(double shift) {
     const auto n = static_cast<std::int32_t>(xi_.back() / kSample) + 2;
-    const auto reach = static_cast<std::int32_t>(std::max(kLeastRoom, kShiftRoom * shift) / (2.0 * kSample)) +
-                       1;
+    const auto reach = static_cast<std::int32_t>(orderRoom(shift) / (2.0 * kSample)) + 1;
     single_.assign(n, 0.0);
     wide_.assign(n, 0.0);
     if (most_ <= 1.0) return;

@@ -29,8 +29,7 @@ StreamStatus StreamWays::advance(StreamGround ground, std::int64_t operations) {
 
 void StreamWays::compare() {
     const Stream &on = plans_[0], &round = plans_[1];
-    if (best_ == 0 && other_ &&
-        (on.status() == StreamStatus::Blocked || on.length() > way_)) {
+    if (best_ == 0 && other_ && (on.status() == StreamStatus::Blocked || on.length() > way_)) {
         best_ = 1;
         return;
     }

@@ -126,8 +126,8 @@ bool areSpots(const std::vector<HeldSpot>& held) {
 
 bool isSane(const WayNeeds& needs) {
     const auto isSize = [](double x) { return x >= 0.0 && x <= 1e9; };
-    return isSize(needs.half) && isSize(needs.margin) &&
-           isSize(needs.least) && needs.radius > 0.0 && needs.radius <= 1e3 && areSpots(needs.held);
+    return isSize(needs.half) && isSize(needs.margin) && isSize(needs.least) && needs.radius > 0.0 &&
+           needs.radius <= 1e3 && areSpots(needs.held);
 }
 
 bool isSane(const MarchFlow& flow) {
@@ -151,8 +151,7 @@ bool isSane(const MarchFlow& flow) {
 bool isSane(const March& march) {
     const Rotation& r = march.last.rotation;
     return march.phase <= MarchPhase::Stand && arePlaces(march.way) && arePlaces(march.legs) &&
-           march.next <= march.way.size() &&
-           isPlace(march.last.position) &&
+           march.next <= march.way.size() && isPlace(march.last.position) &&
            std::fabs(r.c * r.c + r.s * r.s - 1.0) < 1e-6 && isPlace(march.query.from) &&
            isPlace(march.query.to) && isSane(march.query.needs) && march.searched >= 0 &&
            march.searched <= 16'000'000 && (march.phase != MarchPhase::Go || march.next < march.way.size()) &&
@@ -176,7 +175,8 @@ Status checkOrders(const Group& group, std::uint32_t nextOrder) {
         if (Status s = validateFormation(*queue.own); !s.ok()) return s;
     const bool points = queue.own && queue.own->kind == FormationKind::Points;
     if (!isSane(queue.march) || !isSane(group.flow) || !isSane(group.avoidance) || !isPlace(queue.target) ||
-        queue.arrived < 0 || (queue.begun && queue.orders.empty()) || (points && std::cmp_less(queue.own->points.size(), 1)))
+        queue.arrived < 0 || (queue.begun && queue.orders.empty()) ||
+        (points && std::cmp_less(queue.own->points.size(), 1)))
         return wrong("an order that contradicts itself");
     for (const std::vector<std::uint32_t>& visitors : group.visitors)
         if (!std::is_sorted(visitors.begin(), visitors.end())) return wrong("numbers out of order");

@@ -24,7 +24,7 @@ struct OrderQueue {
     Vec2 target;                      ///< Where the formation goes [m].
     March march;                      ///< How it goes there.
     std::optional<FormationDef>
-        own;                 ///< The formation to take up again, where it has another one for a while.
+        own;  ///< The formation to take up again, where it has another one for a while.
 
     /// True while everybody goes to the target of an order by its own way: places are there already.
     bool goesFree() const {

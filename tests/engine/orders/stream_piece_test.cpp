@@ -69,9 +69,8 @@ TEST_CASE("who keeps its facing turns at the end alone") {
 
 TEST_CASE("ways of no length and of doubled corners end") {
     for (const Turn turn : {Turn::Wheel, Turn::Reverse, Turn::Keep})
-        for (const std::vector<Vec2>& way :
-             {std::vector<Vec2>{{0, 0}}, std::vector<Vec2>{{0, 0}, {0, 0}},
-              std::vector<Vec2>{{0, 0}, {5, 0}, {5, 0}, {5, 5}, {5, 5}}}) {
+        for (const std::vector<Vec2>& way : {std::vector<Vec2>{{0, 0}}, std::vector<Vec2>{{0, 0}, {0, 0}},
+                                             std::vector<Vec2>{{0, 0}, {5, 0}, {5, 0}, {5, 5}, {5, 5}}}) {
             const Walked walked = walk(turn, {}, way, 2.0);
             StreamPiece piece;
             piece.start(walked.poses, kReach);

@@ -5,10 +5,10 @@
 
 #include "base/bounds.h"
 #include "base/maths.h"
+#include "engine/orders/turning.h"
 #include "engine/state/ground_class.h"
 #include "engine/state/held_ground.h"
 #include "engine/state/shared_places.h"
-#include "engine/orders/turning.h"
 #include "engine/systems/orders/order_ways.h"
 
 namespace muster {
@@ -355,8 +355,7 @@ void FlowMarches::move(WorldState& state, Group& group, const MarchDef& def, Vec
         speeds_[i] = std::max(1e-3, flow.speed * ground[grid.index(grid.nearestCell(flow.places[i]))]);
     for (Vec2& p : flow.places) p -= group.avoidance.aside;
     if (flow.speed > 1e-4) flow.q = flow.plans.best().next(flow.q, dt, speeds_, flow.places, flow.rate);
-    Pose pose = flow.poses.empty() ? between(flow.from, flow.to, flow.q)
-                                   : flow.plans.best().pieceAt(flow.q);
+    Pose pose = flow.poses.empty() ? between(flow.from, flow.to, flow.q) : flow.plans.best().pieceAt(flow.q);
     group.avoidance.aside = flow.q < 1.0 ? aside : Vec2{};
     for (Vec2& p : flow.places) p += group.avoidance.aside;
     if (!flow.poses.empty())

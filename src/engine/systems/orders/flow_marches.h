@@ -37,8 +37,8 @@ public:
     /// Lays the places of a group out on the ground whose mesh rests where many of them cannot be, or where
     /// others stand who were there before.
     void settle(WorldState& state, Group& group);
-    /// One step: plans, or moves places at most at `def.speed` times the speed of the ground, so far `aside` of
-    /// their course [m]. False where the way is blocked; then the mesh leads, and stands at the end.
+    /// One step: plans, or moves places at most at `def.speed` times the speed of the ground, so far `aside`
+    /// of their course [m]. False where the way is blocked; then the mesh leads, and stands at the end.
     bool advance(WorldState& state, const WayGround& ground, Group& group, const MarchDef& def,
                  Vec2 aside = {});
 

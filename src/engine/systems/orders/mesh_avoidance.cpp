@@ -18,12 +18,13 @@ constexpr double kKept = 0.6;         // ... a share of it for who does what it 
 constexpr double kStraggler = 2.0;    // Who is farther from their place does not count [m].
 constexpr double kStraight = 0.02;    // A smaller turn is none [rad].
 constexpr std::size_t kMostLegs = 8;  // Of a path within the horizon.
+constexpr double kStands = 0.3;       // Who is slower stands [m/s].
 constexpr double kTowards = -0.5;     // Cosine of the angle from which on somebody comes towards it.
 constexpr double kChange = 0.3;       // Another manoeuvre has to pay by that [s].
-constexpr double kLeft = 1.2;         // To the left it counts for so many times as far: all pass on the right.
-constexpr double kAsideStep = 1.25;   // Between courses aside that are tried [m].
-constexpr int kMostAside = 10;        // Of them, to each side.
-constexpr double kDelays[] = {1.0, 2.0, 3.0, 4.5, 6.0, kLongestWait};  // [s]
+constexpr double kLeft = 1.2;        // To the left it counts for so many times as far: all pass on the right.
+constexpr double kAsideStep = 1.25;  // Between courses aside that are tried [m].
+constexpr int kMostAside = 10;       // Of them, to each side.
+constexpr double kDelays[] = {1.0, 2.0, 3.0, 4.5, 6.0, 8.0, kLongestWait};  // [s]
 constexpr double kPatience = 60.0;  // Who has waited so long for moving obstacles presses on...
 constexpr double kPresses = 6.0;    // ... so many times less long.
 
@@ -99,8 +100,7 @@ bool keepsClear(const Group& group) {
 
 }  // namespace
 
-CourseDef MeshAvoidance::courseDefOf(const WorldState& state, const Group& group,
-                                     const MarchDef& def) const {
+CourseDef MeshAvoidance::courseDefOf(const WorldState& state, const Group& group, const MarchDef& def) const {
     CourseDef own;
     own.box = boxOf(state, group);
     own.middle = meanOf(group.places.positions());
@@ -126,8 +126,7 @@ void MeshAvoidance::readMeshes(const WorldState& state) {
         if (mesh.shares) {
             MarchDef def;
             def.speed = std::max(group.flow.speed, def.speed);
-            listCourse(courseDefOf(state, group, def), group.avoidance.chosen, kKnownAhead,
-                       mesh.course);
+            listCourse(courseDefOf(state, group, def), group.avoidance.chosen, kKnownAhead, mesh.course);
             continue;
         }
         MovingBox box = boxOf(state, group);
@@ -155,43 +154,48 @@ void MeshAvoidance::readPath(const TimedPath& path, double now) {
     times_.push_back(kKnownAhead);
 }
 
-void MeshAvoidance::readMovers(const WorldState& state) {
-    std::size_t count = 0;
+// Legs of even velocity; an obstacle that turns is a disc.
+void MeshAvoidance::listLegs(const WorldState& state, const ObstaclePiece& piece, Course& course) {
     const Environment& environment = state.environment;
     const double now = environment.time();
-    for (const ObstaclePiece& piece : environment.pieces()) {
+    const TimedPath& path = environment.obstacle(piece.obstacle)->path;
+    const Waypoint here = path.at(now);
+    const Vec2 centroid = environment.obstacleCentre(piece.obstacle);
+    const MovingBox box = boxOf(piece);
+    readPath(path, now);
+    for (std::size_t k = 1; k < times_.size(); ++k) {
+        // A leap is no leg.
+        if (times_[k] - times_[k - 1] < state.parameters.stepTime) continue;
+        const double middle = 0.5 * (times_[k - 1] + times_[k]);
+        const Waypoint there = path.at(now + middle);
+        const double turning = path.angularVelocity(now + middle) * (times_[k] - times_[k - 1]);
+        const Rotation turned = rotationBy(there.angle - here.angle);
+        MovingBox leg = box;
+        leg.velocity = path.velocity(now + middle);
+        leg.from = times_[k - 1];
+        leg.to = times_[k];
+        leg.axis = turned.apply(box.axis);
+        leg.centre = centroid + there.position - here.position - leg.velocity * middle;
+        if (std::fabs(turning) > kStraight) {
+            leg.round = distance(box.centre, centroid) + box.reach();
+            leg.half = {};
+        } else {
+            leg.centre += turned.apply(box.centre - centroid);
+        }
+        course.push_back(leg);
+    }
+}
+
+void MeshAvoidance::readMovers(const WorldState& state) {
+    std::size_t count = 0;
+    for (const ObstaclePiece& piece : state.environment.pieces()) {
         if (!piece.moving) continue;
         if (count == movers_.size()) movers_.emplace_back();
         Neighbour& mover = movers_[count++];
         mover.margin = kMargin;
         mover.moves = true;
         mover.course.clear();
-        const TimedPath& path = environment.obstacle(piece.obstacle)->path;
-        const Waypoint here = path.at(now);
-        const Vec2 centroid = environment.obstacleCentre(piece.obstacle);
-        const MovingBox box = boxOf(piece);
-        readPath(path, now);
-        for (std::size_t k = 1; k < times_.size(); ++k) {
-            // A leap is no leg.
-            if (times_[k] - times_[k - 1] < state.parameters.stepTime) continue;
-            const double middle = 0.5 * (times_[k - 1] + times_[k]);
-            const Waypoint there = path.at(now + middle);
-            const double turning = path.angularVelocity(now + middle) * (times_[k] - times_[k - 1]);
-            const Rotation turned = rotationBy(there.angle - here.angle);
-            const Vec2 centre = centroid + there.position - here.position;
-            MovingBox leg = box;
-            leg.velocity = path.velocity(now + middle);
-            leg.from = times_[k - 1];
-            leg.to = times_[k];
-            leg.centre = centre + turned.apply(box.centre - centroid) - leg.velocity * middle;
-            leg.axis = turned.apply(box.axis);
-            if (std::fabs(turning) > kStraight) {
-                leg.centre = centre - leg.velocity * middle;
-                leg.round = distance(box.centre, centroid) + box.reach();
-                leg.half = {};
-            }
-            mover.course.push_back(leg);
-        }
+        listLegs(state, piece, mover.course);
     }
     movers_.resize(count);
 }
@@ -228,6 +232,19 @@ bool MeshAvoidance::meets(const CourseDef& own, const Manoeuvre& manoeuvre, bool
     });
 }
 
+// True where it is enough to stand until others have passed: none of them comes to it, and none who stands,
+// too, is on its way.
+bool MeshAvoidance::letsPass(const CourseDef& own) {
+    MovingBox still = own.box;
+    still.to = kKnownAhead;
+    listCourse(own, {0.0, own.aside}, kCourseHorizon, course_);
+    return std::none_of(near_.begin(), near_.end(), [&](const Neighbour* other) {
+        const bool stands = length(other->course.front().velocity) < kStands;
+        return firstContact({&still, 1}, other->course, kKept * other->margin) < kInfiniteCost ||
+               (stands && firstContact(course_, other->course, other->margin) < kInfiniteCost);
+    });
+}
+
 // True where the ground has as much room aside as the formation needs, or has on its way.
 bool MeshAvoidance::hasRoom(const WayGround& ground, double half, const CourseDef& own, double aside) {
     const Vec2 on = own.middle - own.side * own.aside;
@@ -245,8 +262,7 @@ bool MeshAvoidance::hasRoom(const WayGround& ground, double half, const CourseDe
 
 // The one that loses least time among those that meet nobody; where others leave none, among those that meet
 // no moving obstacle: people pass one by one.
-void MeshAvoidance::choose(const WayGround& ground, double half, const CourseDef& own,
-                           Avoidance& avoidance) {
+void MeshAvoidance::choose(const WayGround& ground, double half, const CourseDef& own, Avoidance& avoidance) {
     for (const bool movers : {false, true}) {
         Manoeuvre best{kDelays[0], own.aside};
         double least = kInfiniteCost;
@@ -270,6 +286,10 @@ void MeshAvoidance::choose(const WayGround& ground, double half, const CourseDef
         }
         for (const double wait : kDelays)
             for (const double aside : {0.0, avoidance.chosen.aside}) look({wait, aside});
+        if (least == kInfiniteCost && letsPass(own)) {
+            least = kLongestWait;
+            best = {kLongestWait, own.aside};
+        }
         if (least < kInfiniteCost || movers) {
             avoidance.free = !movers;
             avoidance.chosen = best;

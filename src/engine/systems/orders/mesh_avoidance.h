@@ -15,7 +15,8 @@ class MeshAvoidance {
 public:
     /// Begins a step.
     void begin() { known_ = false; }
-    /// One step of a group on its march: sets its speed, and says how far aside of its course it is to be [m].
+    /// One step of a group on its march: sets its speed, and says how far aside of its course it is to be
+    /// [m].
     Vec2 advance(const WorldState& state, const WayGround& ground, MarchDef& def, Group& group);
 
 private:
@@ -31,8 +32,10 @@ private:
     void readMeshes(const WorldState& state);
     void readMovers(const WorldState& state);
     void readPath(const TimedPath& path, double now);
+    void listLegs(const WorldState& state, const ObstaclePiece& piece, Course& course);
     void listNear(const WorldState& state, const Group& group, const CourseDef& own);
     bool meets(const CourseDef& own, const Manoeuvre& manoeuvre, bool movers, double share);
+    bool letsPass(const CourseDef& own);
     static bool hasRoom(const WayGround& ground, double half, const CourseDef& own, double aside);
     void choose(const WayGround& ground, double half, const CourseDef& own, Avoidance& avoidance);
     void decide(const WorldState& state, const WayGround& ground, const MarchDef& def, Group& group);

@@ -463,7 +463,7 @@ void OrderStage::runQueue(WorldState& state, Group& group, ThreadPool& pool, std
     const bool stale = queue.orders.empty() && group.flow.ground != state.groundEdits;
     if (group.flow.leads() && (led || (stale && !group.flow.isStop()))) group.flow.end();
     if (queue.orders.empty()) {
-            if (queue.own && !isHandled(group) && !group.flow.isStop()) restoreOwn(state, group, pool);
+        if (queue.own && !isHandled(group) && !group.flow.isStop()) restoreOwn(state, group, pool);
         if (!isHandled(group)) flows_.settle(state, group);
         return;
     }
@@ -489,8 +489,8 @@ OrderForecast OrderStage::forecast(WorldState& state, const Group& group, const 
     listLegs(routes, region, asked, goal, march.legs);
     std::int32_t budget = state.environment.grid().count() + 1;
     // A search that is under way is run again up to where it was.
-    while (!ways_.advance(state, routes, region, !asked.route.empty(), needsOf(state, group), false,
-                          march, budget))
+    while (!ways_.advance(state, routes, region, !asked.route.empty(), needsOf(state, group), false, march,
+                          budget))
         budget = state.environment.grid().count() + 1;
     if (!(march.way.back() == goal.target)) march.way.push_back(goal.target);
     forecast.arrives = goal.reachable;
