@@ -4,11 +4,6 @@
 #include <cmath>
 
 namespace muster {
-namespace {
-
-constexpr double kHair = 1e-6;  // Nobody sees less [m].
-
-}  // namespace
 
 void StreamBanks::start(const StreamRuns& runs, double step, std::int32_t entries) {
     step_ = step;
@@ -66,9 +61,9 @@ void StreamBanks::steepen(const StreamRuns& runs, const StreamPaths& paths, cons
         const std::int32_t k = back ? course.first : course.last;
         const double d = back ? course.a().d : course.b().d;
         const Bank high = near_[k].high, low = near_[k].low;
-        if (d > high.value + kHair && high.from != k)
+        if (d > high.value && high.from != k)
             raise(k, high.from, (d - near_[high.from].high.value) / (std::abs(high.from - k) * step_));
-        if (d < low.value - kHair && low.from != k)
+        if (d < low.value && low.from != k)
             raise(k, low.from, (near_[low.from].low.value - d) / (std::abs(low.from - k) * step_));
     }
 }

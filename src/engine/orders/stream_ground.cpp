@@ -14,7 +14,6 @@ constexpr double kLeastAside = 2.0;  // So far outside its own width a stream ma
 constexpr double kFelt = 0.1;        // Longer by less than that share, the outside of a bend is as good.
 constexpr double kComeBack = 0.2;    // Slope by which the line leaves the middle of a street.
 constexpr double kNarrow = 1.2;      // So much narrower than the formation makes a row narrow.
-constexpr double kFadeRoom = 2.0;    // Order is made over so many times what is out of it.
 constexpr double kTouch = 1e-3;      // So much nearer to a wall is not felt [m].
 constexpr double kLeastLook = 0.05;  // Between looks along a straight way [m].
 
@@ -159,8 +158,8 @@ bool Stream::formUp() {
         front = std::max(front, course.start.s);
         rear = std::min(rear, course.end.s);
     }
-    fadeStart_ = std::min(1.0, std::max({kFade, (first - front) / whole, kFadeRoom * most.x / whole}));
-    fadeEnd_ = std::min(1.0, std::max({kFade, (rear - last) / whole, kFadeRoom * most.y / whole}));
+    fadeStart_ = std::min(1.0, std::max({kFade, (first - front) / whole, most.x / whole}));
+    fadeEnd_ = std::min(1.0, std::max({kFade, (rear - last) / whole, most.y / whole}));
     for (StreamCourse& course : courses_) {
         course.perStart = 1.0 / fadeStart_;
         course.perEnd = 1.0 / fadeEnd_;

@@ -45,8 +45,11 @@ double stretchCost(const WayGround& ground, const WayNeeds& needs, Vec2 a, Vec2 
     return sum * whole / n;
 }
 
-void pullWay(const WayGround& ground, const WayNeeds& needs, std::vector<Vec2>& points,
-             std::vector<double>& prefix) {
+namespace {
+
+/// Leaves out corners where the straight stretch costs no more.
+void skip(const WayGround& ground, const WayNeeds& needs, std::vector<Vec2>& points,
+          std::vector<double>& prefix) {
     constexpr double kMore = 1.002;  // Costs that count as equal.
     prefix.assign(1, 0.0);
     for (std::size_t k = 1; k < points.size(); ++k)
@@ -74,6 +77,41 @@ void pullWay(const WayGround& ground, const WayNeeds& needs, std::vector<Vec2>& 
         points[++kept] = points[at];
     }
     points.resize(points.empty() ? 0 : kept + 1);
+}
+
+/// Replaces corners by two points on their sides where that costs less.
+void cut(const WayGround& ground, const WayNeeds& needs, std::vector<Vec2>& points, std::vector<Vec2>& out) {
+    constexpr int kTries = 4;
+    out.assign(1, points.front());
+    for (std::size_t k = 1; k + 1 < points.size(); ++k) {
+        const Vec2 a = out.back(), c = points[k], b = points[k + 1];
+        double reach = 0.6 * std::min(distance(a, c), distance(c, b));
+        bool done = false;
+        for (int tries = 0; tries < kTries && !done && reach > 0.2; ++tries, reach *= 0.5) {
+            const Vec2 p = c + normalized(a - c) * reach, q = c + normalized(b - c) * reach;
+            const double around = stretchCost(ground, needs, p, c) + stretchCost(ground, needs, c, q);
+            done = stretchCost(ground, needs, p, q) < around;
+            if (!done) continue;
+            out.push_back(p);
+            out.push_back(q);
+        }
+        if (!done) out.push_back(c);
+    }
+    out.push_back(points.back());
+    points.swap(out);
+}
+
+}  // namespace
+
+void pullWay(const WayGround& ground, const WayNeeds& needs, std::vector<Vec2>& points,
+             std::vector<Vec2>& scratch, std::vector<double>& prefix) {
+    constexpr int kPasses = 3;
+    if (points.size() < 3) return;
+    skip(ground, needs, points, prefix);
+    for (int pass = 0; pass < kPasses && points.size() > 2; ++pass) {
+        cut(ground, needs, points, scratch);
+        skip(ground, needs, points, prefix);
+    }
 }
 
 // The cell at `p` or beside it to whose point the line is clear, the nearest; -1 for none.
@@ -176,7 +214,7 @@ void WaySearch::trace(const WayGround& ground) {
     for (std::int32_t cell = goal_; cell >= 0; cell = parent_[cell]) path_.push_back(ground.point(cell));
     path_.push_back(query_.from);
     std::reverse(path_.begin(), path_.end());
-    pullWay(ground, query_.needs, path_, prefix_);
+    pullWay(ground, query_.needs, path_, scratch_, prefix_);
 }
 
 WayStatus WaySearch::advance(const WayGround& ground, std::int32_t cells) {

@@ -57,14 +57,14 @@ private:
     std::vector<std::int32_t> parent_;
     std::vector<std::uint8_t> closed_;
     std::vector<Open> open_;  // A heap.
-    std::vector<Vec2> path_;
+    std::vector<Vec2> path_, scratch_;
     std::vector<double> prefix_;
 };
 
 /// Cost of a straight stretch; infinite where bodies do not pass.
 double stretchCost(const WayGround& ground, const WayNeeds& needs, Vec2 a, Vec2 b);
-/// Leaves out corners where the straight stretch costs no more. `prefix` is working memory.
+/// Leaves out corners, and cuts them, where that costs no more. `scratch` and `prefix` are working memory.
 void pullWay(const WayGround& ground, const WayNeeds& needs, std::vector<Vec2>& points,
-             std::vector<double>& prefix);
+             std::vector<Vec2>& scratch, std::vector<double>& prefix);
 
 }  // namespace muster
