@@ -155,7 +155,7 @@ void MeshAvoidance::readPath(const TimedPath& path, double now) {
 }
 
 // Legs of even velocity; an obstacle that turns is a disc.
-void MeshAvoidance::listLegs(const WorldState& state, const ObstaclePiece& piece, Course& course) {
+void MeshAvoidance::readMover(const WorldState& state, const ObstaclePiece& piece, Course& course) {
     const Environment& environment = state.environment;
     const double now = environment.time();
     const TimedPath& path = environment.obstacle(piece.obstacle)->path;
@@ -195,7 +195,7 @@ void MeshAvoidance::readMovers(const WorldState& state) {
         mover.margin = kMargin;
         mover.moves = true;
         mover.course.clear();
-        listLegs(state, piece, mover.course);
+        readMover(state, piece, mover.course);
     }
     movers_.resize(count);
 }

@@ -32,7 +32,7 @@ private:
     void readMeshes(const WorldState& state);
     void readMovers(const WorldState& state);
     void readPath(const TimedPath& path, double now);
-    void listLegs(const WorldState& state, const ObstaclePiece& piece, Course& course);
+    void readMover(const WorldState& state, const ObstaclePiece& piece, Course& course);
     void listNear(const WorldState& state, const Group& group, const CourseDef& own);
     bool meets(const CourseDef& own, const Manoeuvre& manoeuvre, bool movers, double share);
     bool letsPass(const CourseDef& own);
