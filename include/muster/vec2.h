@@ -94,6 +94,13 @@ struct Rotation {
     constexpr Vec2 apply(Vec2 a) const { return {c * a.x - s * a.y, s * a.x + c * a.y}; }
     /// `a` rotated by the inverse.
     constexpr Vec2 applyInverse(Vec2 a) const { return {c * a.x + s * a.y, -s * a.x + c * a.y}; }
+
+    /// Lets an archive read or write it.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(c, s);
+    }
+    friend bool operator==(const Rotation&, const Rotation&) = default;
 };
 
 /// A rigid transform: rotation about the origin, then translation.
@@ -105,6 +112,13 @@ struct Pose {
     constexpr Vec2 apply(Vec2 local) const { return rotation.apply(local) + position; }
     /// From world to local coordinates.
     constexpr Vec2 applyInverse(Vec2 world) const { return rotation.applyInverse(world - position); }
+
+    /// Lets an archive read or write it.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(position, rotation);
+    }
+    friend bool operator==(const Pose&, const Pose&) = default;
 };
 
 /// An axis-aligned box.

@@ -1,8 +1,7 @@
-// A march: a formation goes along its way in one piece, at bounded speed and acceleration of all its places.
+// A march: how far a group is with going where an order leads, and within which bounds it goes.
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -17,7 +16,6 @@ enum class MarchPhase : std::uint8_t {
     Idle,    ///< Nothing yet.
     Search,  ///< Its way is searched.
     Go,      ///< It goes along its way.
-    Turn,    ///< It turns at the end of it.
     Stand,   ///< Its places are where the order wants them.
 };
 
@@ -27,13 +25,8 @@ struct March {
     std::vector<Vec2> way;   ///< Corners of the way, where it began and its end included [m].
     std::uint32_t next = 0;  ///< Index of the corner that it heads for.
     std::vector<Vec2>
-        legs;            ///< While it is searched: points that it leads through and that are still ahead [m].
-    double speed = 0.0;  ///< Of the middle of the formation [m/s].
-    double spin = 0.0;   ///< Rate of turn, counter-clockwise [rad/s].
-    double waited = 0.0;        ///< Time for which it has waited for others [s].
+        legs;  ///< While it is searched: points that it leads through and that are still ahead [m].
     bool reversed = false;      ///< True: the rear of the formation is its front.
-    double facing = 0.0;        ///< Heading of the front at the end [rad].
-    bool turns = false;         ///< True where it turns to that; else it faces as it has come.
     Pose last;                  ///< Of the mesh, as it was last set.
     WayQuery query;             ///< Of the present search.
     std::int32_t searched = 0;  ///< Cells that the search has come to; 0 where it has not begun.
@@ -49,46 +42,20 @@ struct March {
     /// Lets an archive read or write it.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(phase, way, next, legs, speed, spin, waited, reversed, facing, turns, last.position,
-                last.rotation.c, last.rotation.s, query, searched, ground);
+        archive(phase, way, next, legs, reversed, last, query, searched, ground);
     }
 };
 
 /// Bounds of a march.
 struct MarchDef {
-    Turn turn = Turn::Wheel;    ///< How it takes its turns.
+    Turn turn = Turn::Flow;     ///< How it takes its turns.
     double speed = 1.9;         ///< Top speed of every place [m/s], above 0.
     double acceleration = 3.0;  ///< Top acceleration of every place [m/s^2], above 0.
     double reach = 1.0;         ///< From the middle to the farthest place [m], above 0.
-    double depth = 1.0;         ///< Half the length of the formation [m].
     double pace = 1.0;          ///< Share of its speed: less where somebody falls behind, [0, 1].
-    double top = 1.9;           ///< Top speed where it has to hurry [m/s], `speed` or more.
-    double limit = std::numeric_limits<double>::infinity();  ///< Of the speed on its way [m/s], 0 or more.
 };
-
-/// The speed that it would have along its way, if it had it already [m/s].
-double wantedSpeed(const MarchDef& def, const March& march, const Pose& pose);
-/// Length of the way ahead [m].
-double lengthAhead(const March& march, Vec2 from);
-/// One step off its way: from `velocity` [m/s], which becomes that of this step, towards the one that is
-/// wanted. The front turns to the way.
-Pose advanceOffWay(const MarchDef& def, March& march, const Pose& pose, Vec2& velocity, Vec2 wanted,
-                   double dt);
-
-/// One step of `dt` [s] along the way, or of the turn at its end: the next pose. Moves on to the next phases.
-Pose advanceMarch(const MarchDef& def, March& march, const Pose& pose, double dt);
-
-/// One step towards a pose that moves at `velocity` [m/s]: straight there, and turning on the way. The front
-/// takes the heading `facing`, a unit vector.
-Pose advanceTowards(const MarchDef& def, March& march, const Pose& pose, Vec2 goal, Vec2 velocity,
-                    Vec2 facing, double dt);
 
 /// Time that a march along a way takes from standing to standing, about [s].
 double marchTime(const MarchDef& def, std::span<const Vec2> way, Vec2 front, std::optional<double> facing);
-
-/// Signed angle from one unit vector to another, (-pi, pi] [rad].
-double angleBetween(Vec2 from, Vec2 to);
-/// A rotation turned by an angle [rad].
-Rotation turned(Rotation r, double angle);
 
 }  // namespace muster

@@ -16,6 +16,7 @@ void MarchPlans::start(const StreamDef& def, std::span<const HeldSpot> held, Gro
     wanted_.radius = def.radius;
     wanted_.closest = def.closest;
     wanted_.drawn = def.drawn;
+    wanted_.poses.assign(def.poses.begin(), def.poses.end());
     wanted_.ground = ground;
     begun_ = true;
     spent_ = 0;

@@ -43,9 +43,10 @@ private:
         std::vector<HeldSpot> held;
         double spacing = 1.0, radius = 0.25, closest = 1.0;
         bool drawn = false;
+        std::vector<Pose> poses;
         GroundVersion ground;
 
-        StreamDef def() const { return {offsets, starts, ends, way, spacing, radius, closest, drawn}; }
+        StreamDef def() const { return {offsets, starts, ends, way, spacing, radius, closest, drawn, poses}; }
         friend bool operator==(const Input&, const Input&) = default;
     };
     /// A plan; it may be further than the world that uses it.

@@ -7,7 +7,6 @@
 namespace muster {
 namespace {
 
-constexpr double kMissShare = 0.125;     // Of the way, over which what coordinates miss at its ends fades.
 constexpr std::int32_t kMostTries = 12;  // Of a step; one is the rule.
 constexpr double kClose = 0.95;          // A step that uses so much of the top speed is good enough,
 constexpr double kAim = 0.997;           // and so much is aimed at.
@@ -53,20 +52,28 @@ Vec2 Stream::raw(std::size_t i, double q, const Depths& ahead) const {
     return line_.point({s, banks_.left(course, s)});
 }
 
+// Where a place is that does not flow, in one piece with the others at a pose.
+Vec2 Stream::straight(std::size_t i, double q, const Pose& pose) const {
+    return piece_.empty() ? lerp(starts_[i], ends_[i], q) : pose.apply(offsets_[i]) + miss(i, q);
+}
+
+// What coordinates miss of starts and ends.
+Vec2 Stream::miss(std::size_t i, double q) const {
+    return legs_[i].missFrom * faded(q, kFade) + legs_[i].missTo * faded(1.0 - q, kFade);
+}
+
 void Stream::at(double q, std::span<Vec2> places) const {
     Depths ahead;
     const bool flows = status_ != StreamStatus::Straight;
     if (flows && hollow_) closeUp(q, ahead);
+    const Pose pose = pieceAt(q);
     for (std::size_t i = 0; i < starts_.size(); ++i) {
         if (q <= 0.0) {
             places[i] = starts_[i];
         } else if (q >= 1.0) {
             places[i] = ends_[i];
-        } else if (flows) {
-            places[i] = raw(i, q, ahead) + legs_[i].missFrom * faded(q, kMissShare) +
-                        legs_[i].missTo * faded(1.0 - q, kMissShare);
         } else {
-            places[i] = lerp(starts_[i], ends_[i], q);
+            places[i] = flows ? raw(i, q, ahead) + miss(i, q) : straight(i, q, pose);
         }
     }
 }

@@ -6,11 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "engine/orders/pairing.h"
 #include "engine/orders/stream_banks.h"
 #include "engine/orders/stream_flow.h"
 #include "engine/orders/stream_line.h"
 #include "engine/orders/stream_paths.h"
+#include "engine/orders/stream_piece.h"
 #include "engine/orders/stream_runs.h"
 #include "engine/orders/stream_stretch.h"
 
@@ -23,19 +23,20 @@ struct StreamDef {
     std::span<const Vec2> starts;   ///< Where they are now [m].
     std::span<const Vec2> ends;     ///< Where they end, on free ground [m].
     std::span<const Vec2>
-        way;                ///< From the middle of the starts to that of the ends, two points or more [m].
-    double spacing = 1.0;   ///< Of the formation [m], above 0.
-    double radius = 0.25;   ///< Of bodies [m], above 0.
-    double closest = 1e9;   ///< So near places may come to each other in narrow ground [m], above 0; the
-                            ///< spacing where that is less.
-    bool drawn = false;     ///< True where the way is kept to also where the ground between is free.
-    bool measured = false;  ///< True where length() will be asked for.
+        way;               ///< From the middle of the starts to that of the ends, two points or more [m].
+    double spacing = 1.0;  ///< Of the formation [m], above 0.
+    double radius = 0.25;  ///< Of bodies [m], above 0.
+    double closest = 1e9;  ///< So near places may come to each other in narrow ground [m], above 0; the
+                           ///< spacing where that is less.
+    bool drawn = false;    ///< True where the way is kept to also where the ground between is free.
+    std::span<const Pose> poses = {};  ///< Of a march in one piece; none for one that may flow.
+    bool measured = false;             ///< True where length() will be asked for.
 };
 
 /// What a plan has come to.
 enum class StreamStatus : std::uint8_t {
     Planning,  ///< It goes on.
-    Straight,  ///< Every place goes straight from its start to its end.
+    Straight,  ///< Every place goes straight from its start to its end, or all go in one piece.
     Flowing,   ///< They go along the way.
     Blocked,   ///< The way is blocked, or the definition is bad: there is no march.
 };
@@ -53,13 +54,13 @@ public:
     StreamStatus status() const { return status_; }        ///< Of the plan.
     std::int64_t operations() const { return spent_; }     ///< Since the start of the plan.
     std::size_t places() const { return starts_.size(); }  ///< Number of places.
-    /// Places that stand or end so close behind a wall that they touch it on their first or last metre.
-    std::int32_t tight() const { return tight_; }
     /// How far the fastest of nine in ten places goes, whichever that is [m]: at a speed they arrive after
     /// length() / speed.
     /// Of a march that flows only where its definition wants it measured, else 0.
     double length() const { return status_ == StreamStatus::Straight ? most_ : length_; }
 
+    /// The pose at `q` of a march in one piece.
+    Pose pieceAt(double q) const { return piece_.empty() ? Pose{} : piece_.at(q); }
     /// Where the places are at `q`, exactly their starts at 0 and their ends at 1. Only once planned.
     void at(double q, std::span<Vec2> places) const;
     /// The next q, `dt` [s] > 0 later, such that nine in ten places go no faster than their `speeds` [m/s]
@@ -80,8 +81,6 @@ private:
         Lay,
         Part,
         Smooth,
-        Ends,
-        Compare,
         Finish,
         Measure
     };
@@ -96,6 +95,9 @@ private:
     void step(StreamGround ground);
     bool valid() const;
     void checkStraight(StreamGround ground);
+    void startPiece(std::span<const Pose> poses);
+    Vec2 straight(std::size_t i, double q, const Pose& pose) const;
+    Vec2 miss(std::size_t i, double q) const;
     void makeLine();
     void placeOnLine();
     void reachOut();
@@ -105,13 +107,10 @@ private:
     void enter(Stage stage);
     void stepCourses();
     void orderRows();
-    void bendEnds(StreamGround ground);
-    double roomAlong(StreamGround ground, StreamPoint a, StreamPoint b);
-    void compareNext();
     void finish();
     bool formUp();
-    void takeSlots();
     void measure();
+    static constexpr double kFade = 0.125;       // Share of the way in which order can be made.
     static constexpr std::int32_t kDepths = 64;  // Of samples along the depth of the formation.
     using Depths = std::array<double, kDepths + 1>;
 
@@ -124,7 +123,6 @@ private:
     StreamStatus status_ = StreamStatus::Blocked;
     Stage stage_ = Stage::Straight;
     std::size_t next_ = 0;
-    std::int32_t tight_ = 0;
     std::int64_t spent_ = 0;
     double length_ = 0.0;
     std::vector<Vec2> offsets_, starts_, ends_, way_, moved_, last_;
@@ -138,11 +136,11 @@ private:
     double nominalFront_ = 0.0;  // Xi of its front at q = 0 [m].
     double depthStep_ = 1.0;     // Between samples of its depth [m].
     Depths full_{};              // Share of its width that is full, by depth.
-    bool centred_ = false, formed_ = false, measured_ = false, exchanged_ = false;
+    bool centred_ = false, formed_ = false, measured_ = false;
     double startS_ = 0.0, endS_ = 0.0, low_ = 0.0, high_ = 0.0, travel_ = 0.0, most_ = 0.0;
     std::vector<double> half_, shift_;
     std::vector<std::uint8_t> street_;
-    Pairing slots_;
+    StreamPiece piece_;
     StreamLine line_;
     StreamRuns runs_;
     StreamFlow flow_;
@@ -151,7 +149,6 @@ private:
     StreamStretch stretch_;
     std::vector<StreamCourse> courses_;
     std::vector<Leg> legs_;
-    std::vector<std::uint32_t> order_;   // By ordinate.
     std::vector<std::uint32_t> beside_;  // By ordinate in a row.
     std::vector<std::uint32_t> rank_;    // By row of the formation.
 };

@@ -28,7 +28,7 @@ public:
     void start(const StreamRuns& runs, double step, std::int32_t entries);
     /// Adds a course to the loads of its runs.
     void load(const StreamPaths& paths, const StreamCourse& course);
-    /// Lets banks and places turn aside as steeply as the course needs.
+    /// Lets banks open and close as steeply as the course needs at its ends.
     void steepen(const StreamRuns& runs, const StreamPaths& paths, const StreamCourse& course);
     /// To be called once between steepen() and lay().
     void settle();
@@ -52,6 +52,9 @@ public:
     std::span<const StreamLoad> loads() const { return loads_; }  ///< By run.
 
 private:
+    static constexpr double kGentle = 0.35;  // Slope of banks and places, where there is room for it...
+    static constexpr double kSteep = 0.7;    // ... and of places where they keep apart, or runs want it.
+
     struct Bank {
         double value = 0.0;     // How far to the left [m].
         std::int32_t from = 0;  // The row that says so.
@@ -60,17 +63,9 @@ private:
         Bank low, high;
     };
 
-    void limitSlopes(std::vector<Banks>& banks, std::int32_t first, std::int32_t last) const;
     void bound(const StreamRuns& runs, std::span<const std::int32_t> path, const StreamCourse& course);
-    void feel(const StreamRuns& runs, std::span<const std::int32_t> path, const StreamCourse& course);
-    void squeeze(std::span<const std::int32_t> path, const StreamCourse& course, const Banks& banks, double y,
-                 double& least, double& most, double& narrow) const;
     void partRun(std::span<const StreamCourse> courses, std::int32_t k, const StreamRun& run);
-    void raise(std::vector<double>& rise, std::int32_t from, std::int32_t to, double slope);
-    void steepenEnds(const StreamCourse& course);
-    void steepenWidths(std::span<const std::int32_t> path, const StreamCourse& course);
-    void steepenPlaces(const StreamRuns& runs, std::span<const std::int32_t> path,
-                       const StreamCourse& course);
+    void raise(std::int32_t from, std::int32_t to, double slope);
     void aim(std::span<const std::int32_t> path, const StreamCourse& course);
     void even(const StreamRuns& runs, std::span<const std::int32_t> path, const StreamCourse& course,
               double slope);
@@ -81,13 +76,12 @@ private:
 
     double step_ = 0.5;
     std::vector<StreamLoad> loads_;
-    std::vector<double> bankRise_, placeRise_;      // Per step from a row to the next [m].
-    std::vector<Banks> near_;                       // By row, of one course: the nearest banks...
-    std::vector<Banks> felt_;                       // ... and those that move it most, as they are beside it.
-    std::vector<double> up_, down_, least_, most_;  // The same.
-    std::vector<double> left_;                      // By entry [m].
-    std::vector<float> share_;                      // By entry: how far squeezed, 1 where not.
-    std::vector<std::uint32_t> inRun_;              // Those who come through a run.
+    std::vector<double> bankRise_, placeRise_;             // Per step from a row to the next [m].
+    std::vector<Banks> near_;                              // By row, of one course.
+    std::vector<double> up_, down_, least_, most_;         // The same.
+    std::vector<double> left_;                             // By entry [m].
+    std::vector<float> share_;                             // By entry: how far squeezed, 1 where not.
+    std::vector<std::uint32_t> inRun_;                     // Those who come through a run.
     std::vector<double> ordinate_, gap_, value_, weight_;  // Of those in a run.
 };
 

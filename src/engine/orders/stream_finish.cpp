@@ -8,11 +8,6 @@ namespace muster {
 namespace {
 
 constexpr double kGolden = 0.61803398874989485;  // The golden ratio, less 1.
-constexpr double kLeastOrder = 3.0;              // Single order comes over so much of the way at least [m]...
-constexpr double kOrderRoom = 3.0;               // ... and over so many times the shift.
-constexpr std::int32_t kLooks = 6;               // Along the stretch from a start to its first row.
-constexpr double kKnee = 0.1;    // Share of that over which a place steps aside where it has to at once.
-constexpr double kTight = 0.01;  // Nearer to a wall by that is too near [m].
 
 constexpr std::size_t kMeasures = 32;  // Looks by which the length of a march is known...
 constexpr double kMeasured = 1e-3;     // ... each over so much of q.
@@ -27,10 +22,10 @@ constexpr double kHollow = 0.95;       // Less full than that share of its width
 void Stream::orderRows() {
     const std::size_t n = offsets_.size();
     legs_.assign(n, {});
-    order_.resize(n);
+    beside_.resize(n);
     rank_.resize(n);
-    for (std::uint32_t i = 0; i < n; ++i) order_[i] = rank_[i] = i;
-    std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    for (std::uint32_t i = 0; i < n; ++i) beside_[i] = rank_[i] = i;
+    std::sort(beside_.begin(), beside_.end(), [&](std::uint32_t a, std::uint32_t b) {
         return offsets_[a].y != offsets_[b].y ? offsets_[a].y < offsets_[b].y : a < b;
     });
     struct Key {
@@ -56,53 +51,6 @@ void Stream::orderRows() {
             legs_[rank_[k]].shift = spacing_ * (row + share - 0.5) - offsets_[rank_[k]].x;
         }
     }
-}
-
-// Least distance to a wall along a stretch [m].
-double Stream::roomAlong(StreamGround ground, StreamPoint a, StreamPoint b) {
-    double least = ground(line_.point(b));
-    for (std::int32_t k = 1; k < kLooks; ++k) {
-        const double f = static_cast<double>(k) / kLooks;
-        least = std::min(least, ground(line_.point({a.s + (b.s - a.s) * f, a.d + (b.d - a.d) * f})));
-    }
-    spent_ += 4 * kLooks;
-    return least;
-}
-
-// From its start to the first row a place goes straight where that is free; else first aside, or first ahead,
-// whichever has more room. The same at its end.
-void Stream::bendEnds(StreamGround ground) {
-    StreamCourse& course = courses_[next_];
-    for (const bool back : {true, false}) {
-        if (course.rows() == 0) break;
-        const StreamPoint end = back ? course.a() : course.b();
-        const StreamPoint row{(back ? course.first : course.last) * line_.step(),
-                              back ? banks_.of(course).front() : banks_.of(course).back()};
-        StreamPoint& knee = back ? course.fromA : course.toB;
-        knee = row;
-        double best = roomAlong(ground, end, row);
-        if (best >= radius_) continue;
-        for (const StreamPoint tried : {StreamPoint{end.s + kKnee * (row.s - end.s), row.d},
-                                        StreamPoint{row.s + kKnee * (end.s - row.s), end.d}}) {
-            const double room = std::min(roomAlong(ground, end, tried), roomAlong(ground, tried, row));
-            if (room <= best) continue;
-            best = room;
-            knee = tried;
-        }
-        if (best < std::min(radius_, ground(line_.point(end))) - kTight) ++tight_;
-    }
-    if (++next_ == courses_.size()) enter(Stage::Compare);
-}
-
-void Stream::compareNext() {
-    const StreamCourse& a = courses_[order_[next_]];
-    std::size_t k = next_ + 1;
-    for (const double apart : {0.999, 1.999}) {
-        while (k < order_.size() && courses_[order_[k]].ordinate < a.ordinate + apart * spacing_) ++k;
-        if (k < order_.size()) stretch_.compare(paths_, banks_, a, courses_[order_[k]]);
-        spent_ += a.rows() / 4;
-    }
-    if (++next_ == courses_.size()) enter(Stage::Finish);
 }
 
 // How full the rows of the formation are, by depth.
@@ -133,7 +81,7 @@ void Stream::fillDepths() {
 }
 
 void Stream::finish() {
-    stretch_.widen(line_, runs_, banks_);
+    stretch_.widen(runs_, banks_);
     double shift = 0.0, from = 0.0, to = 0.0;
     for (const Leg& leg : legs_) shift = std::max(shift, std::fabs(leg.shift));
     stretch_.settle(shift);
@@ -154,7 +102,7 @@ void Stream::finish() {
     if (fadeStart_ < 1.0) fadeStart_ = std::min(1.0, fadeStart_ * longer);
     if (fadeEnd_ < 1.0) fadeEnd_ = std::min(1.0, fadeEnd_ * longer);
     fillDepths();
-    orderRate_ = std::max(1.0, std::fabs(travel_)) / std::max(kLeastOrder, kOrderRoom * shift);
+    orderRate_ = std::max(1.0, std::fabs(travel_)) / (2.0 * StreamStretch::orderRoom(shift));
     const Depths none{};
     for (std::size_t i = 0; i < n; ++i) {
         legs_[i].missFrom = starts_[i] - raw(i, 0.0, none);

@@ -6,9 +6,7 @@
 namespace muster {
 namespace {
 
-constexpr double kPiece = 4.0;       // Runs are cut into pieces of that width [m] or more...
-constexpr double kMostPieces = 6.0;  // ... so that a row as wide as the formation has no more.
-constexpr double kAcross = 4.0;      // Conductance across a run, relative to along it.
+constexpr double kPieces = 6.0;      // Into which a row is cut that is as wide as the formation.
 constexpr double kLeak = 1e-9;       // Conductance of dead ends to nowhere, so that all potentials exist.
 constexpr double kBeyondAll = 1e9;   // Beyond all ordinates [m].
 constexpr double kLeastFlux = 1e-6;  // A row with less carries nothing.
@@ -24,7 +22,7 @@ void StreamFlow::start(const StreamRuns& runs, double step, std::int32_t from, s
     low_ = low;
     high_ = high;
     spacing_ = spacing;
-    cut_ = std::max(kPiece, (high - low) / kMostPieces);
+    cut_ = (high - low + spacing) / kPieces;
     width_ = 1;
     pieces_.clear();
     firstPiece_.assign(1, 0);
@@ -99,9 +97,7 @@ void StreamFlow::cut(const StreamRuns& runs, std::int32_t k) {
 double StreamFlow::conductance(std::int32_t a, std::int32_t b) const {
     const Piece &p = pieces_[a], &q = pieces_[b];
     const double overlap = std::min(p.high, q.high) - std::max(p.low, q.low);
-    if (overlap > 0.0) return (overlap + 0.1 * spacing_) / step_;
-    // Runs that join without facing each other do so by their nearest ends.
-    return overlap > -cut_ ? 0.02 * spacing_ / step_ : 0.0;
+    return overlap > 0.0 ? (overlap + 0.1 * spacing_) / step_ : 0.0;
 }
 
 bool StreamFlow::joined(const StreamRuns& runs, std::int32_t k, std::int32_t a, std::int32_t b) const {
@@ -121,7 +117,7 @@ std::int32_t StreamFlow::joinRow(const StreamRuns& runs, std::int32_t k) {
     for (std::int32_t a = first; a < last; ++a, ++work) {
         entry(a, a) += kLeak;
         if (a + 1 < last && pieces_[a].run == pieces_[a + 1].run)
-            add(a, a + 1, 2.0 * kAcross * step_ / (pieces_[a + 1].high - pieces_[a].low + 0.1));
+            add(a, a + 1, 2.0 * step_ / (pieces_[a + 1].high - pieces_[a].low + 0.1));
         const double inside = std::min(pieces_[a].high, high_) - std::max(pieces_[a].low, low_) + spacing_;
         if ((k == from_ || k == to_) && inside > 0.0) {
             entry(a, a) += 4.0 * inside;

@@ -10,29 +10,26 @@ namespace {
 
 constexpr double kBeyond = 2.0;      // The line goes on so far beyond starts and ends [m].
 constexpr double kMostRound = 12.0;  // Bends are as long as the formation is wide, but no longer [m].
-constexpr double kLeastAside = 2.0;  // So far outside its own width a stream may turn aside at least [m]...
-constexpr double kMostAside = 10.0;  // ... and at most, else half its width.
-constexpr double kWiden = 0.5;      // Rows are wider round starts and ends, less so by that share of the way.
-constexpr double kFelt = 0.1;       // Longer by less than that share, the outside of a bend is as good.
-constexpr double kComeBack = 0.2;   // Slope by which the line leaves the middle of a street.
-constexpr double kNarrow = 1.2;     // So much narrower than the formation makes a row narrow.
-constexpr double kLeastFade = 0.1;  // Share of the way in which order can be made.
-constexpr double kFadeRoom = 2.0;   // Order is made over so many times what is out of it.
-constexpr double kInPlace = 0.25;   // Spacings that they are out of formation at most as they are in it.
-constexpr double kTouch = 1e-3;     // So much nearer to a wall is not felt [m].
+constexpr double kLeastAside = 2.0;  // So far outside its own width a stream may turn aside at least [m].
+constexpr double kFelt = 0.1;        // Longer by less than that share, the outside of a bend is as good.
+constexpr double kComeBack = 0.2;    // Slope by which the line leaves the middle of a street.
+constexpr double kNarrow = 1.2;      // So much narrower than the formation makes a row narrow.
+constexpr double kTouch = 1e-3;      // So much nearer to a wall is not felt [m].
 constexpr double kLeastLook = 0.05;  // Between looks along a straight way [m].
 
 }  // namespace
 
-// One place a time: whether the straight way is free. Who starts or ends near a wall may be as near there.
+// One place a time: whether the straight way, or that of the whole in one piece, is free. Who starts or ends
+// near a wall may be as near there.
 void Stream::checkStraight(StreamGround ground) {
     const Vec2 a = starts_[next_], b = ends_[next_];
-    const double whole = distance(a, b), atA = ground(a), atB = ground(b);
+    const double whole = piece_.empty() ? distance(a, b) : most_, atA = ground(a), atB = ground(b);
     for (double s = 0.0; s < whole;) {
-        const double room = ground(lerp(a, b, s / whole));
+        const double room = ground(straight(next_, s / whole, pieceAt(s / whole)));
         const double gap = room - std::min({radius_, atA + s, atB + whole - s}) + kTouch;
         ++spent_;
         if (gap < 0.0) {
+            if (!piece_.empty()) status_ = StreamStatus::Blocked;
             enter(Stage::Line);
             return;
         }
@@ -129,22 +126,6 @@ bool Stream::centre() {
     return true;
 }
 
-// Who stands where in the formation of the march: near where it comes from and where it goes.
-void Stream::takeSlots() {
-    const std::size_t n = offsets_.size();
-    for (std::size_t i = 0; i < n; ++i) {
-        const StreamPoint a = courses_[i].start, b = courses_[i].end;
-        moved_[i] = {startS_ + endS_ - a.s - b.s, a.d + b.d};
-        last_[i] = offsets_[i] * 2.0;
-    }
-    const std::span<const std::int32_t> slots = slots_.pair(moved_, last_);
-    for (std::size_t i = 0; i < n; ++i) {
-        offsets_[i] = last_[slots[i]] * 0.5;
-        courses_[i].ordinate = offsets_[i].y;
-    }
-    spent_ += static_cast<std::int64_t>(n * std::min(n, Pairing::kExact)) / 2;
-}
-
 // The formation is made before the first row that is narrower than it and left behind the last one: there
 // everybody keeps the own turn. False where there is none: all go straight from start to end.
 bool Stream::formUp() {
@@ -172,18 +153,13 @@ bool Stream::formUp() {
         }
         return most;
     };
-    Vec2 most = off();
-    exchanged_ = std::max(most.x, most.y) > kInPlace * spacing_;
-    if (exchanged_) {
-        takeSlots();
-        most = off();
-    }
+    const Vec2 most = off();
     for (const StreamCourse& course : courses_) {
         front = std::max(front, course.start.s);
         rear = std::min(rear, course.end.s);
     }
-    fadeStart_ = std::min(1.0, std::max({kLeastFade, (first - front) / whole, kFadeRoom * most.x / whole}));
-    fadeEnd_ = std::min(1.0, std::max({kLeastFade, (rear - last) / whole, kFadeRoom * most.y / whole}));
+    fadeStart_ = std::min(1.0, std::max({kFade, (first - front) / whole, most.x / whole}));
+    fadeEnd_ = std::min(1.0, std::max({kFade, (rear - last) / whole, most.y / whole}));
     for (StreamCourse& course : courses_) {
         course.perStart = 1.0 / fadeStart_;
         course.perEnd = 1.0 / fadeEnd_;
@@ -201,7 +177,7 @@ void Stream::startFlow() {
 
 // How far the rows reach: as the formation, some more to turn aside, and as far as starts and ends.
 void Stream::reachOut() {
-    const double aside = std::clamp(0.5 * (high_ - low_), kLeastAside, kMostAside);
+    const double aside = std::max(kLeastAside, 0.5 * (high_ - low_));
     half_.assign(line_.rows(), std::max(high_, -low_) + aside);
     for (const StreamCourse& course : courses_)
         for (const StreamPoint p : {course.start, course.end}) {
@@ -209,9 +185,9 @@ void Stream::reachOut() {
                 half = half_[std::clamp(static_cast<std::int32_t>(p.s / line_.step()), 0, line_.rows() - 1)];
             half = std::max(half, std::fabs(p.d) + kLeastAside);
         }
-    const double step = kWiden * line_.step();
-    for (std::size_t k = 1; k < half_.size(); ++k) half_[k] = std::max(half_[k], half_[k - 1] - step);
-    for (std::size_t k = half_.size() - 1; k-- > 0;) half_[k] = std::max(half_[k], half_[k + 1] - step);
+    for (std::size_t k = 1; k < half_.size(); ++k) half_[k] = std::max(half_[k], half_[k - 1] - line_.step());
+    for (std::size_t k = half_.size() - 1; k-- > 0;)
+        half_[k] = std::max(half_[k], half_[k + 1] - line_.step());
 }
 
 }  // namespace muster

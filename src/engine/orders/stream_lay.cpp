@@ -7,9 +7,7 @@
 namespace muster {
 namespace {
 
-constexpr double kPlaceSlope = 0.3;   // Places turn aside so gently, where banks allow it...
-constexpr double kSmoothSlope = 0.7;  // ... so steeply to keep their distances...
-constexpr double kNoBank = 1e9;       // Beyond all banks [m].
+constexpr double kNoBank = 1e9;  // Beyond all banks [m].
 
 /// How far to the left the straight stretch between two points is at `s` [m].
 double between(StreamPoint p, StreamPoint q, double s) {
@@ -19,26 +17,19 @@ double between(StreamPoint p, StreamPoint q, double s) {
 
 }  // namespace
 
-// Between two banks those beside each other keep their distances, or are squeezed evenly.
-void StreamBanks::squeeze(std::span<const std::int32_t> path, const StreamCourse& course, const Banks& banks,
-                          double y, double& least, double& most, double& narrow) const {
-    const double right = std::min(y, loads_[path[banks.low.from - course.first]].low);
-    const double left = std::max(y, loads_[path[banks.high.from - course.first]].high);
-    const double width = std::max(0.0, banks.high.value - banks.low.value);
-    const double share = left - right > width ? width / (left - right) : 1.0;
-    narrow = std::min(narrow, share);
-    least = std::max(least, banks.low.value + (y - right) * share);
-    most = std::min(most, banks.high.value - (left - y) * share);
-}
-
-// Where the course would be by its banks alone.
+// Where the course would be by its banks alone: between them those beside each other keep their distances, or
+// are squeezed evenly.
 void StreamBanks::aim(std::span<const std::int32_t> path, const StreamCourse& course) {
     for (std::int32_t k = course.first; k <= course.last; ++k) {
+        const Banks& banks = near_[k];
         const double y = course.nominal(k * step_);
-        double least = -kNoBank, most = kNoBank, narrow = 1.0;
-        squeeze(path, course, near_[k], y, least, most, narrow);
-        squeeze(path, course, felt_[k], y, least, most, narrow);
-        share_[course.entry + k - course.first] = static_cast<float>(narrow);
+        const double right = std::min(y, loads_[path[banks.low.from - course.first]].low);
+        const double left = std::max(y, loads_[path[banks.high.from - course.first]].high);
+        const double width = std::max(0.0, banks.high.value - banks.low.value);
+        const double share = left - right > width ? width / (left - right) : 1.0;
+        double least = banks.low.value + (y - right) * share;
+        double most = banks.high.value - (left - y) * share;
+        share_[course.entry + k - course.first] = static_cast<float>(share);
         if (least > most) least = most = 0.5 * (least + most);
         least_[k] = least;
         most_[k] = most;
@@ -83,9 +74,8 @@ void StreamBanks::lay(const StreamRuns& runs, const StreamPaths& paths, const St
     if (course.rows() == 0) return;
     const std::span<const std::int32_t> path = paths.of(course);
     bound(runs, path, course);
-    feel(runs, path, course);
     aim(path, course);
-    even(runs, path, course, kPlaceSlope);
+    even(runs, path, course, kGentle);
 }
 
 void StreamBanks::smooth(const StreamRuns& runs, const StreamPaths& paths, const StreamCourse& course) {
@@ -96,7 +86,7 @@ void StreamBanks::smooth(const StreamRuns& runs, const StreamPaths& paths, const
         least_[k] = -kNoBank;
         most_[k] = kNoBank;
     }
-    even(runs, path, course, kSmoothSlope);
+    even(runs, path, course, kSteep);
     for (std::int32_t k = course.first; k <= course.last; ++k) {
         StreamLoad& load = loads_[path[k - course.first]];
         load.right = std::min(load.right, left_[course.entry + k - course.first]);
@@ -181,10 +171,8 @@ double StreamBanks::left(const StreamCourse& course, double s) const {
         return d + (next - d) * (x - k);
     }
     const bool back = x < course.first;
-    const StreamPoint end = back ? a : b, knee = back ? course.fromA : course.toB;
     const std::int32_t k = back ? course.first : course.last;
-    const StreamPoint row{k * step_, left[k - course.first]};
-    return back == (s < knee.s) ? between(end, knee, s) : between(knee, row, s);
+    return between(back ? a : b, {k * step_, left[k - course.first]}, s);
 }
 
 }  // namespace muster

@@ -19,8 +19,6 @@ struct StreamCourse {
     double perEnd = 1.0;     ///< ... and over that before its end in which it leaves it. 1: none is made.
     std::int32_t first = 0;  ///< The first row that it comes through...
     std::int32_t last = -1;  ///< ... and the last; before it where there is none.
-    StreamPoint fromA;       ///< A point between `a` and the first row, which it passes...
-    StreamPoint toB;         ///< ... and one between the last row and `b`.
     std::int32_t entry = 0;  ///< Of tables over all courses: where its rows begin.
 
     std::int32_t rows() const { return last - first + 1; }            ///< 0 or more.

@@ -30,7 +30,6 @@ void Stream::start(const StreamDef& def) {
     closest_ = std::min(def.closest, def.spacing);
     measured_ = def.measured;
     spent_ = 0;
-    tight_ = 0;
     status_ = valid() ? StreamStatus::Planning : StreamStatus::Blocked;
     if (status_ == StreamStatus::Blocked) return;
     moved_.resize(starts_.size());
@@ -38,7 +37,22 @@ void Stream::start(const StreamDef& def) {
     length_ = 0.0;
     most_ = 0.0;
     for (std::size_t i = 0; i < starts_.size(); ++i) most_ = std::max(most_, distance(starts_[i], ends_[i]));
-    enter(def.drawn ? Stage::Line : Stage::Straight);
+    startPiece(def.poses);
+    enter(def.drawn && piece_.empty() ? Stage::Line : Stage::Straight);
+}
+
+// In one piece: what starts and ends are off the formation fades.
+void Stream::startPiece(std::span<const Pose> poses) {
+    double reach = 0.0;
+    for (const Vec2 offset : offsets_) reach = std::max(reach, distance(offset, {}));
+    piece_.start(poses, reach);
+    if (piece_.empty()) return;
+    most_ = std::max(most_, piece_.length());
+    legs_.assign(offsets_.size(), {});
+    for (std::size_t i = 0; i < offsets_.size(); ++i) {
+        legs_[i].missFrom = starts_[i] - poses.front().apply(offsets_[i]);
+        legs_[i].missTo = ends_[i] - poses.back().apply(offsets_[i]);
+    }
 }
 
 StreamStatus Stream::advance(StreamGround ground, std::int64_t operations) {
@@ -86,12 +100,6 @@ void Stream::step(StreamGround ground) {
             spent_ += banks_.part(runs_, paths_, courses_, beside_, static_cast<std::int32_t>(next_));
             if (++next_ == static_cast<std::size_t>(line_.rows())) enter(Stage::Smooth);
             break;
-        case Stage::Ends:
-            bendEnds(ground);
-            break;
-        case Stage::Compare:
-            compareNext();
-            break;
         case Stage::Finish:
             finish();
             break;
@@ -127,17 +135,12 @@ void Stream::stepCourses() {
         banks_.start(runs_, line_.step(), paths_.entries());
     } else if (done == Stage::Load) {
         if (formed_ || !formUp()) return;
-        // Whoever has another place in the formation has another path.
-        if (exchanged_)
-            paths_.start(runs_, line_.step());
-        else
-            banks_.start(runs_, line_.step(), paths_.entries());
-        enter(exchanged_ ? Stage::Paths : Stage::Load);
+        banks_.start(runs_, line_.step(), paths_.entries());
+        enter(Stage::Load);
     } else if (done == Stage::Steepen) {
         banks_.settle();
     } else if (done == Stage::Lay) {
         orderRows();
-        beside_ = order_;
         stretch_.start(line_, spacing_, closest_);
     }
 }

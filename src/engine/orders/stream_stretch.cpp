@@ -2,19 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace muster {
 namespace {
 
-constexpr double kUnfelt = 1.015;      // A smaller stretch is none.
-constexpr double kSingle = 0.4;        // From that stretch more on rows are in single order.
-constexpr double kInside = 0.75;       // Down to that share of their distance they need no more room.
-constexpr double kMostSpread = 1.0;    // ... and count as farther apart on the outside by that at most.
-constexpr std::int32_t kBendRows = 4;  // Bends are evened over so many rows to both sides.
-constexpr double kBins = 4.0;          // Of xi, per row.
-constexpr double kShiftRoom = 1.4;     // Single order comes and goes over that many times the shift.
-constexpr double kLeastRoom = 1.5;     // ... and over that much at least [m].
-
+constexpr double kSingle = 0.4;  // From that stretch more on rows are in single order.
+constexpr double kBins = 4.0;    // Of xi, per row.
 }  // namespace
 
 void StreamStretch::start(const StreamLine& line, double spacing, double closest) {
@@ -23,45 +17,15 @@ void StreamStretch::start(const StreamLine& line, double spacing, double closest
     closest_ = closest;
     most_ = 1.0;
     narrow_.assign(line.rows(), 1.0);
-    bend_.assign(line.rows(), -kMostSpread);
 }
 
-void StreamStretch::compare(const StreamPaths& paths, const StreamBanks& banks, const StreamCourse& a,
-                            const StreamCourse& b) {
-    const std::int32_t first = std::max(a.first, b.first), last = std::min(a.last, b.last);
-    if (first > last) return;
-    const std::int32_t *runA = paths.of(a).data() - a.first, *runB = paths.of(b).data() - b.first;
-    const double *leftA = banks.of(a).data() - a.first, *leftB = banks.of(b).data() - b.first;
-    for (std::int32_t k = first; k <= last; ++k) {
-        if (runA[k] != runB[k]) continue;
-        const double now = std::fabs(leftB[k] - leftA[k]) + spacing_;
-        if ((b.ordinate - a.ordinate + spacing_) <= now) continue;
-        const double own = std::fabs(b.nominal(k * step_) - a.nominal(k * step_)) + spacing_;
-        if (own > now * narrow_[k]) narrow_[k] = own / now;
-    }
-}
-
-void StreamStretch::widen(const StreamLine& line, const StreamRuns& runs, const StreamBanks& banks) {
-    const auto rows = static_cast<std::int32_t>(narrow_.size());
-    for (std::int32_t k = 0; k < rows; ++k) {
-        const double bend = line.row(k).bend;
+void StreamStretch::widen(const StreamRuns& runs, const StreamBanks& banks) {
+    for (std::int32_t k = 0; std::cmp_less(k, narrow_.size()); ++k) {
         for (std::int32_t r = runs.first(k); r < runs.first(k + 1); ++r) {
             const StreamLoad& load = banks.loads()[r];
-            if (!load.used()) continue;
             const double now = std::max(0.0, load.left - load.right) + spacing_;
-            narrow_[k] = std::max(narrow_[k], (load.high - load.low + spacing_) / now);
-            bend_[k] = std::max(bend_[k], bend > 0.0 ? bend * load.left : bend * load.right);
+            if (load.used()) narrow_[k] = std::max(narrow_[k], (load.high - load.low + spacing_) / now);
         }
-    }
-    for (double& bend : bend_)
-        if (bend == -kMostSpread) bend = 0.0;
-    for (std::int32_t k = 0; k < rows; ++k) {
-        double sum = 0.0;
-        for (std::int32_t j = k - kBendRows; j <= k + kBendRows; ++j)
-            sum += bend_[std::clamp(j, 0, rows - 1)];
-        const double inside = std::clamp(1.0 - sum / (2.0 * kBendRows + 1.0), kLeastBend, 1.0 + kMostSpread);
-        narrow_[k] /= inside > 1.0 ? inside : std::min(1.0, inside / kInside);
-        if (narrow_[k] < kUnfelt) narrow_[k] = 1.0;
         most_ = std::max(most_, narrow_[k]);
     }
 }
@@ -96,8 +60,7 @@ void StreamStretch::index() {
 // The single order by stretch; the most within reach, then the mean over it.
 void StreamStretch::blend(double shift) {
     const auto n = static_cast<std::int32_t>(xi_.back() / kSample) + 2;
-    const auto reach = static_cast<std::int32_t>(std::max(kLeastRoom, kShiftRoom * shift) / (2.0 * kSample)) +
-                       1;
+    const auto reach = static_cast<std::int32_t>(orderRoom(shift) / (2.0 * kSample)) + 1;
     single_.assign(n, 0.0);
     wide_.assign(n, 0.0);
     if (most_ <= 1.0) return;

@@ -1,6 +1,7 @@
 // How a stream lengthens where it narrows: the coordinate along it in which a march is a translation.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -17,12 +18,8 @@ public:
     /// Begins: no row is stretched. Places that are `spacing` apart in the formation may come as near to each
     /// other as `closest`, which is no more [m].
     void start(const StreamLine& line, double spacing, double closest);
-    /// Stretches rows in which two courses some spacings apart are nearer to each other than in the
-    /// formation.
-    void compare(const StreamPaths& paths, const StreamBanks& banks, const StreamCourse& a,
-                 const StreamCourse& b);
-    /// Stretches rows whose runs are too narrow, and those in bends.
-    void widen(const StreamLine& line, const StreamRuns& runs, const StreamBanks& banks);
+    /// Stretches rows whose runs are too narrow.
+    void widen(const StreamRuns& runs, const StreamBanks& banks);
     /// Sums up. `shift` is by how much at most the single order moves a place along [m].
     void settle(double shift);
 
@@ -37,6 +34,8 @@ public:
         const auto k = static_cast<std::int32_t>(x);
         return sigma_[k] + (sigma_[k + 1] - sigma_[k]) * (x - k);
     }
+    /// Single order that moves places by `shift` [m] along comes, and goes, over so much [m].
+    static double orderRoom(double shift) { return 1.5 * std::max(1.0, shift); }
     double most() const { return most_; }  ///< How narrow the narrowest row is.
     /// How far rows are in single order, [0, 1]: 1 where they are narrow. Changes slowly along xi.
     double single(double xi) const {
@@ -54,9 +53,9 @@ private:
     void blend(double shift);
 
     double step_ = 0.5, spacing_ = 1.0, closest_ = 1.0, most_ = 1.0, bin_ = 1.0;
-    std::vector<double> narrow_, sigma_, bend_, xi_;  // By row.
-    std::vector<std::int32_t> rowAt_;                 // By bins of xi: the last row that begins before it.
-    std::vector<double> single_, wide_;               // By samples of xi.
+    std::vector<double> narrow_, sigma_, xi_;  // By row.
+    std::vector<std::int32_t> rowAt_;          // By bins of xi: the last row that begins before it.
+    std::vector<double> single_, wide_;        // By samples of xi.
 };
 
 }  // namespace muster

@@ -5,7 +5,7 @@
 namespace muster {
 
 void StreamWays::start(const StreamDef& def) {
-    other_ = !def.drawn && def.way.size() > 2;
+    other_ = !def.drawn && def.poses.empty() && def.way.size() > 2;
     way_ = 0.0;
     for (std::size_t k = 1; k < def.way.size(); ++k) way_ += distance(def.way[k - 1], def.way[k]);
     best_ = 0;
@@ -27,17 +27,14 @@ StreamStatus StreamWays::advance(StreamGround ground, std::int64_t operations) {
     return status_;
 }
 
-// Whoever touches a wall straight on goes the other way.
 void StreamWays::compare() {
     const Stream &on = plans_[0], &round = plans_[1];
-    if (best_ == 0 && other_ &&
-        (on.status() == StreamStatus::Blocked || on.tight() > 0 || on.length() > way_)) {
+    if (best_ == 0 && other_ && (on.status() == StreamStatus::Blocked || on.length() > way_)) {
         best_ = 1;
         return;
     }
     if (best_ == 1 && on.status() != StreamStatus::Blocked &&
-        (round.status() == StreamStatus::Blocked || on.tight() < round.tight() ||
-         (on.tight() == round.tight() && on.length() <= round.length())))
+        (round.status() == StreamStatus::Blocked || on.length() <= round.length()))
         best_ = 0;
     status_ = plans_[best_].status();
 }

@@ -1,7 +1,6 @@
 // What a formation needs of its way, and what a metre of a way costs it.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -12,25 +11,19 @@ namespace muster {
 
 /// The room that a formation needs.
 struct WayNeeds {
-    static constexpr std::size_t kDirections = 8;  ///< Of travel, from +x counter-clockwise to half a turn.
-
-    std::array<double, kDirections> half{};  ///< Half its width across each direction of travel [m].
+    double half = 0.0;           ///< Half its width [m].
     double margin = 0.0;         ///< Keeps so much farther from obstacles where that costs little [m].
     double least = 0.0;          ///< Share of its width below which it does not narrow, [0, 1].
     double radius = 0.25;        ///< Radius of bodies [m].
-    bool flows = false;          ///< Places flow where it is narrower: that costs no more than a margin.
     std::vector<HeldSpot> held;  ///< Those through whom nobody goes.
 
-    /// Half its width across a direction, a vector of any length [m].
-    double halfAcross(Vec2 direction) const;
-    /// Cost of a metre of a way with so much room to both sides, for half a width [m]; infinite where nobody
-    /// passes.
-    double cost(double clearance, double halfWidth) const;
+    /// Cost of a metre of a way with so much room to both sides [m]; infinite where nobody passes.
+    double cost(double clearance) const;
 
     /// Lets an archive read or write it.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(half, margin, least, radius, flows, held);
+        archive(half, margin, least, radius, held);
     }
     friend bool operator==(const WayNeeds&, const WayNeeds&) = default;
 };

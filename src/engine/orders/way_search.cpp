@@ -19,34 +19,26 @@ constexpr std::array<Cell, 8> kSteps{{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, 
 
 }  // namespace
 
-double WayNeeds::halfAcross(Vec2 direction) const {
-    const double angle = arcTangent2(direction.y, direction.x);
-    const double turn = angle < 0.0 ? angle + kPi : angle;
-    const auto k = static_cast<std::size_t>(std::floor(turn / kPi * kDirections + 0.5));
-    return half[k % kDirections];
-}
-
-double WayNeeds::cost(double clearance, double halfWidth) const {
+double WayNeeds::cost(double clearance) const {
     if (clearance < radius) return kInfiniteCost;
-    if (clearance >= halfWidth + margin) return 1.0;
-    if (flows || clearance >= halfWidth - kSlack)
-        return 1.0 + kMarginCost * std::min(1.0, (halfWidth + margin - clearance) / std::max(margin, 1e-9));
-    const double missing = 1.0 - clearance / halfWidth;
+    if (clearance >= half + margin) return 1.0;
+    if (clearance >= half - kSlack)
+        return 1.0 + kMarginCost * std::min(1.0, (half + margin - clearance) / std::max(margin, 1e-9));
+    const double missing = 1.0 - clearance / half;
     const double narrow = 1.0 + kMarginCost + kNarrowCost + kNarrower * missing;
-    return clearance < least * halfWidth - kSlack ? narrow + kForbidden : narrow;
+    return clearance < least * half - kSlack ? narrow + kForbidden : narrow;
 }
 
 double stretchCost(const WayGround& ground, const WayNeeds& needs, Vec2 a, Vec2 b) {
     const double whole = distance(a, b);
     if (whole < 1e-9) return 0.0;
-    const double half = needs.halfAcross(b - a);
     const auto n = std::max(1, static_cast<std::int32_t>(std::ceil(whole / ground.grid().cell)));
     double sum = 0.0;
     bool near = false;
     for (std::int32_t k = 0; k < n; ++k) {
         const double clearance = ground.clearanceAt(lerp(a, b, (k + 0.5) / n));
         near = near || clearance < needs.radius + ground.grid().cell;
-        sum += needs.cost(std::max(clearance, needs.radius), half);
+        sum += needs.cost(std::max(clearance, needs.radius));
     }
     if (near && !ground.environment().clearStaticLine(a, b, needs.radius)) return kInfiniteCost;
     if (!clearOf(needs.held, a, b, needs.radius)) return kInfiniteCost;
@@ -208,7 +200,7 @@ void WaySearch::expand(const WayGround& ground, std::int32_t cell) {
         if (std::min(own, room) < needs.radius) continue;
         const Vec2 there = ground.point(to);
         const double step = distance(here, there);
-        const double cost = cost_[cell] + step * needs.cost(std::min(own, room), needs.half[2 * (k % 4)]);
+        const double cost = cost_[cell] + step * needs.cost(std::min(own, room));
         if (seen && cost >= cost_[to]) continue;
         if (own + room < step + overlap && !ground.environment().clearStaticLine(here, there, needs.radius))
             continue;

@@ -99,9 +99,8 @@ struct Group {
     void visit(Archive& archive) {
         archive(id, def, mesh, controls, places, objective, gapBound, walk, meanLag, formationVersion,
                 planNow, provisional, assigned, reassigns, lastAssignment, placeClass, slice, slices, order,
-                orders, flow, visitors, settling, surveyFrom, surveyTo, waysFor, goalDrift, foreseen,
-                refitted, groundClass, room);
-        if (def.conduct.avoids) archive(avoidance);
+                orders, flow, avoidance, visitors, settling, surveyFrom, surveyTo, waysFor, goalDrift,
+                foreseen, refitted, groundClass, room);
     }
 };
 

@@ -28,13 +28,14 @@ struct MarchFlow {
     std::uint32_t ground = 0;   ///< Version of the ground for which it was planned.
     std::int64_t spent = 0;     ///< Operations of the plan.
     Pose from, to;              ///< Of the formation, before and after.
-    bool drawn = false;         ///< The way was drawn.
+    bool drawn = false;         ///< The way is kept to.
     double spacing = 1.0;       ///< Of the formation [m].
     double radius = 0.25;       ///< Of bodies [m].
     double closest = 1.0;       ///< As near as places may come to each other [m].
     /// What it was planned from: of each place the offset in its formation, and where it starts and ends [m].
     std::vector<Vec2> offsets, starts, ends;
     std::vector<Vec2> way;       ///< [m]
+    std::vector<Pose> poses;     ///< That it goes through in one piece; none where it may flow.
     std::vector<HeldSpot> held;  ///< Those on the way who hold their ground.
     std::vector<Vec2> places;    ///< Where they are now [m].
     MarchPlans plans;            ///< The plan; a cache, made again from the above where it is missing.
@@ -54,14 +55,13 @@ struct MarchFlow {
         phase = FlowPhase::Standing;
     }
     /// What it is planned from.
-    StreamDef def() const { return {offsets, starts, ends, way, spacing, radius, closest, drawn}; }
+    StreamDef def() const { return {offsets, starts, ends, way, spacing, radius, closest, drawn, poses}; }
 
     /// Lets an archive read or write everything but the cache.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(phase, q, speed, rate, version, ground, spent, from.position, from.rotation.c,
-                from.rotation.s, to.position, to.rotation.c, to.rotation.s, drawn, spacing, radius, closest,
-                offsets, starts, ends, way, held, places);
+        archive(phase, q, speed, rate, version, ground, spent, from, to, drawn, spacing, radius, closest,
+                offsets, starts, ends, way, poses, held, places);
         if constexpr (Archive::kReading) plans = {};
     }
 };

@@ -24,9 +24,7 @@ struct OrderQueue {
     Vec2 target;                      ///< Where the formation goes [m].
     March march;                      ///< How it goes there.
     std::optional<FormationDef>
-        own;                 ///< The formation to take up again, where it has another one for a while.
-    std::int32_t files = 0;  ///< Files to which it has narrowed; 0 where it has not.
-    double clearOf = 0.0;    ///< Length of way after which it may widen again [m].
+        own;  ///< The formation to take up again, where it has another one for a while.
 
     /// True while everybody goes to the target of an order by its own way: places are there already.
     bool goesFree() const {
@@ -48,7 +46,7 @@ struct OrderQueue {
     template <class Archive>
     void visit(Archive& archive) {
         archive(orders, held, patrols, begun, reachable, ground, begunAt, stoodAt, arrived, target, march,
-                own, files, clearOf);
+                own);
     }
 };
 

@@ -1,10 +1,9 @@
-// Choices of velocities: what meets whom is reckoned by closed forms here, and by small steps of time.
+// Courses of formations: what meets whom is reckoned by closed forms here, and by small steps of time.
 #include "engine/orders/avoidance.h"
 
 #include <doctest.h>
 
 #include <cmath>
-#include <functional>
 
 #include "base/maths.h"
 #include "base/random.h"
@@ -50,92 +49,24 @@ bool overlap(const MovingBox& a, const MovingBox& b, double time) {
     return false;
 }
 
-/// A mesh in the open with a straight way, and all it needs to go there.
-struct Walker {
-    Vec2 at, goal;
-    Vec2 velocity;
-    double radius = 2.0;
-    Vec2 half;  // A box instead, its length along its way.
-    bool avoids = true;
-    AvoidanceChoice choice{};
-    Avoider avoider{};
-
-    Vec2 way() const { return normalized(goal - at, {1.0, 0.0}); }
-    MovingBox box() const {
-        MovingBox box = disc(at, half == Vec2{} ? radius : 0.0, velocity);
-        box.half = half;
-        box.axis = way();
-        return box;
-    }
-    Vec2 wanted() const {
-        const double angle = choice.manoeuvre.angle;
-        return Rotation{cosine(angle), sine(angle)}.apply(way()) * choice.manoeuvre.speed;
-    }
-    void choose(std::span<const Neighbour> neighbours) {
-        AvoidanceQuery query;
-        query.own = box();
-        query.middle = at;
-        query.ahead = {&goal, 1};
-        query.wheels = false;
-        query.cruise = query.top = 2.0;
-        query.preferred = std::min(2.0, std::sqrt(8.0 * distance(at, goal)));
-        query.last = choice.manoeuvre;
-        query.last.seconds = std::max(0.0, query.last.seconds - 0.1);
-        query.hindered = choice.hindered;
-        const auto hasRoom = [](Vec2) { return true; };
-        choice = avoider.choose(query, neighbours, std::cref(hasRoom));
-    }
-    void move(double dt) {
-        velocity += clampLength(wanted() - velocity, 4.0 * dt);
-        at += velocity * dt;
-    }
-};
-
-struct Outcome {
-    double nearest = kNever;  // Distance between two surfaces of discs [m].
-    double seconds = kNever;  // Until all have arrived.
-    bool met = false;         // Boxes have overlapped.
-};
-
-/// All choose every tenth of a second.
-Outcome play(std::vector<Walker>& walkers, double most = 120.0) {
-    Outcome outcome;
-    constexpr double dt = 1.0 / 60.0;
-    std::vector<Neighbour> others;
-    for (int step = 0; step * dt < most; ++step) {
-        for (std::size_t i = 0; i < walkers.size() && step % 6 == 0; ++i) {
-            Walker& walker = walkers[i];
-            others.clear();
-            for (std::size_t j = 0; j < walkers.size(); ++j)
-                if (j != i) others.push_back({walkers[j].box(), 0.5, true, walkers[j].avoids});
-            if (!walker.avoids) others.clear();
-            walker.choose(others);
-        }
-        bool all = true;
-        for (Walker& walker : walkers) {
-            walker.move(dt);
-            all = all && distance(walker.at, walker.goal) < 0.3;
-        }
-        for (std::size_t i = 0; i < walkers.size(); ++i)
-            for (std::size_t j = 0; j < i; ++j) {
-                const Walker &a = walkers[i], &b = walkers[j];
-                outcome.nearest = std::min(outcome.nearest, distance(a.at, b.at) - a.radius - b.radius);
-                if (!(a.half == Vec2{})) outcome.met = outcome.met || overlap(a.box(), b.box(), 0.0);
-            }
-        if (all) {
-            outcome.seconds = step * dt;
-            break;
-        }
-    }
-    return outcome;
+/// A square formation with a straight way along +x.
+CourseDef formation(double speed) {
+    static const std::array<Vec2, 1> kEnd{Vec2{100, 0}};
+    CourseDef def;
+    def.box.half = {2, 2};
+    def.ahead = kEnd;
+    def.side = {0, 1};
+    def.speed = speed;
+    def.cruise = 2.0;
+    def.acceleration = 4.0;
+    return def;
 }
 
-Walker walker(Vec2 at, Vec2 goal, bool avoids = true) {
-    Walker made;
-    made.at = at;
-    made.goal = goal;
-    made.avoids = avoids;
-    return made;
+/// Where a course is at a time.
+Vec2 placeAt(const Course& course, double time) {
+    for (const MovingBox& part : course)
+        if (time <= part.to) return part.centre + part.velocity * time;
+    return course.back().centre;
 }
 
 }  // namespace
@@ -195,146 +126,50 @@ TEST_CASE("boxes meet when a look at every hundredth of a second says so") {
     CHECK(met > 60);
 }
 
-TEST_CASE("alone it goes as it would") {
-    Walker one = walker({0, 0}, {20, 0});
-    one.choose({});
-    CHECK_FALSE(one.choice.hindered);
-    CHECK(one.choice.manoeuvre.speed == 2.0);
-    CHECK(one.choice.manoeuvre.angle == 0.0);
-    // Somebody far to one side changes nothing.
-    const Neighbour far{disc({10, 8}, 2.0, {0, 0}), 0.5, true, false};
-    one.choose({&far, 1});
-    CHECK_FALSE(one.choice.hindered);
+TEST_CASE("a course goes on without a jump, waits as long as it should and comes aside as far") {
+    for (const double speed : {0.0, 2.0})
+        for (const double wait : {0.0, 3.0})
+            for (const double aside : {0.0, -4.0, 2.5}) {
+                Course course;
+                listCourse(formation(speed), {wait, aside}, kCourseHorizon, course);
+                REQUIRE(!course.empty());
+                CHECK(course.front().from == 0.0);
+                CHECK(course.back().to == kCourseHorizon);
+                for (std::size_t k = 1; k < course.size(); ++k) {
+                    CHECK(course[k].from == course[k - 1].to);
+                    CHECK(distance(course[k].centre + course[k].velocity * course[k].from,
+                                   course[k - 1].centre + course[k - 1].velocity * course[k].from) < 1e-9);
+                }
+                const Vec2 end = placeAt(course, kCourseHorizon);
+                CHECK(end.y == doctest::Approx(aside));
+                // Aside it is slower on its way; a start takes half a ramp.
+                const double slow = std::fabs(aside) / (kAsideShare * 2.0) * (1.0 - kOnwardShare);
+                const double walked = 2.0 * (kCourseHorizon - wait - slow);
+                CHECK(end.x > walked - 1.1);
+                CHECK(end.x < walked + 1.1);
+            }
 }
 
-TEST_CASE("a choice that is free stays clear of a disc at constant velocity, by the closest approach") {
-    Random random(7);
-    int hindered = 0;
-    for (int k = 0; k < 400; ++k) {
-        Walker one = walker({0, 0}, {60, 0});
-        one.velocity = {random.uniform(0, 2), random.uniform(-0.5, 0.5)};
-        const MovingBox other = disc({random.uniform(3, 20), random.uniform(-12, 12)}, random.uniform(0.5, 3),
-                                     {random.uniform(-4, 4), random.uniform(-4, 4)});
-        if (distance(one.at, other.centre) < one.radius + other.round + 1.0) continue;
-        const Neighbour neighbour{other, 0.5, false, false};
-        one.choose({&neighbour, 1});
-        if (!one.choice.free) continue;
-        hindered += one.choice.hindered ? 1 : 0;
-        // It changes its velocity evenly, and stops soon where it says so.
-        const bool stops = one.choice.manoeuvre.stops;
-        const Vec2 chosen = one.wanted();
-        const double ramp = distance(chosen, one.velocity) / 4.0;
-        double nearest = kNever;
-        for (int i = 0; i < 12 * 60; ++i) {
-            const Vec2 wanted = stops && i / 60.0 > 0.3 + ramp ? Vec2{} : chosen;
-            one.velocity += clampLength(wanted - one.velocity, 4.0 / 60.0);
-            one.at += one.velocity / 60.0;
-            const Vec2 there = other.centre + other.velocity * ((i + 1) / 60.0);
-            nearest = std::min(nearest, distance(one.at, there) - one.radius - other.round);
-        }
-        CAPTURE(k);
-        CHECK(nearest > 0.3);
-    }
-    CHECK(hindered > 50);
-}
-
-TEST_CASE("two head-on pass each other, both to the right, and lose little time") {
-    for (const double off : {0.0, 0.5, -0.5, 3.0}) {
-        std::vector<Walker> pair{walker({-25, 0}, {25, 0}), walker({25, off}, {-25, off})};
-        const Outcome outcome = play(pair);
-        CAPTURE(off);
-        MESSAGE("head-on, off by " << off << ": gap " << outcome.nearest << " m, " << outcome.seconds
-                                   << " s");
-        CHECK(outcome.nearest > 0.0);
-        CHECK(outcome.seconds < 1.15 * 25.5);
-    }
-    std::vector<Walker> pair{walker({-10, 0}, {25, 0}), walker({10, 0}, {-25, 0})};
-    for (int step = 0; step < 3 * 60; ++step) {
-        for (int i = 0; i < 2 && step % 6 == 0; ++i) {
-            const Neighbour other{pair[1 - i].box(), 0.5, true, true};
-            pair[i].choose({&other, 1});
-        }
-        for (Walker& w : pair) w.move(1.0 / 60.0);
-    }
-    CHECK(pair[0].at.y < -0.3);
-    CHECK(pair[1].at.y > 0.3);
-    CHECK(pair[0].at.y == doctest::Approx(-pair[1].at.y).epsilon(0.5));
-}
-
-TEST_CASE("two that cross, or one that overtakes, stay clear and arrive") {
-    std::vector<Walker> crossing{walker({-20, 0}, {20, 0}), walker({0, -20}, {0, 20})};
-    const Outcome across = play(crossing);
-    MESSAGE("crossing: gap " << across.nearest << " m, " << across.seconds << " s");
-    CHECK(across.nearest > 0.0);
-    CHECK(across.seconds < 1.25 * 20.5);
-    // Half as fast ahead on the same way: it takes nothing of the change.
-    Walker slow = walker({-14, 0}, {-8, 0}, false);
-    slow.goal = {60, 0};
-    std::vector<Walker> chase{walker({-25, 0}, {30, 0})};
-    double nearest = kNever, seconds = kNever;
-    for (int step = 0; step < 60 * 60 && seconds == kNever; ++step) {
-        slow.velocity = {0.8, 0};
-        const Neighbour ahead{slow.box(), 0.5, true, false};
-        if (step % 6 == 0) chase[0].choose({&ahead, 1});
-        chase[0].move(1.0 / 60.0);
-        slow.at += slow.velocity / 60.0;
-        nearest = std::min(nearest, distance(slow.at, chase[0].at) - 4.0);
-        if (distance(chase[0].at, chase[0].goal) < 0.3) seconds = step / 60.0;
-    }
-    MESSAGE("overtaking: gap " << nearest << " m, " << seconds << " s");
-    CHECK(nearest > 0.0);
-    CHECK(seconds < 1.25 * 28.0);
-}
-
-TEST_CASE("who meets one that does not avoid takes all of the change") {
-    std::vector<Walker> pair{walker({-25, 0}, {25, 0}), walker({25, 0}, {-25, 0}, false)};
-    const Outcome outcome = play(pair);
-    CHECK(outcome.nearest > 0.0);
-    CHECK(outcome.seconds < 1.25 * 25.5);
-    CHECK(std::fabs(pair[1].at.y) < 1e-9);
-}
-
-TEST_CASE("four that cross at one point, and boxes at any angle, stay clear and arrive") {
-    std::vector<Walker> four{walker({-25, 0}, {25, 0}), walker({0, -25}, {0, 25}), walker({25, 0}, {-25, 0}),
-                             walker({0, 25}, {0, -25})};
-    const Outcome outcome = play(four);
-    MESSAGE("four: gap " << outcome.nearest << " m, " << outcome.seconds << " s");
-    CHECK(outcome.nearest > 0.0);
-    CHECK(outcome.seconds < 60.0);
-    for (int k = 1; k < 12; ++k) {
-        const double angle = k * kPi / 6.0;
-        const Vec2 way{cosine(angle), sine(angle)};
-        std::vector<Walker> pair{walker({-30, 0}, {30, 0}), walker(way * -30.0, way * 30.0)};
-        for (Walker& w : pair) w.half = {2.5, 5.0};
-        const Outcome boxes = play(pair);
-        CAPTURE(k * 30);
-        MESSAGE("boxes at " << k * 30 << " degrees: " << boxes.seconds << " s");
-        CHECK_FALSE(boxes.met);
-        CHECK(boxes.seconds < 60.0);
-    }
-}
-
-TEST_CASE("before a stream without a gap it waits, and goes in the first that is long enough") {
-    // Cars of 4.5 m at 8 m/s, two of which are 60 m apart.
-    std::vector<double> cars;
-    for (double x = 10.0; x > -200.0; x -= x < -60.0 && x > -80.0 ? 60.0 : 20.0) cars.push_back(x);
-    Walker one = walker({0, -12}, {0, 15});
-    one.half = {2.5, 5.0};
-    bool met = false;
-    double seconds = kNever;
-    for (int step = 0; step < 60 * 60 && seconds == kNever; ++step) {
-        std::vector<Neighbour> lane;
-        for (const double x : cars) {
-            MovingBox car = disc({x + 8.0 * step / 60.0, 0}, 0.0, {8, 0});
-            car.half = {2.25, 0.9};
-            lane.push_back({car, 0.8, false, false});
-        }
-        if (step % 6 == 0) one.choose(lane);
-        one.move(1.0 / 60.0);
-        for (const Neighbour& car : lane) met = met || overlap(one.box(), car.box, 0.0);
-        if (distance(one.at, one.goal) < 0.3) seconds = step / 60.0;
-    }
-    MESSAGE("one lane: " << seconds << " s");
-    CHECK_FALSE(met);
-    CHECK(seconds < 25.0);
+TEST_CASE("who waits lets pass, and two who both go aside pass each other") {
+    MovingBox car;
+    car.centre = {10, -20};
+    car.axis = {0, 1};
+    car.half = {2, 1};
+    car.velocity = {0, 5};
+    Course course;
+    listCourse(formation(2.0), {}, kCourseHorizon, course);
+    CHECK(firstContact(course, {&car, 1}, 0.5) == doctest::Approx((10.0 - 2.0 - 1.0 - 0.5) / 2.0));
+    listCourse(formation(2.0), {3.0, 0.0}, kCourseHorizon, course);
+    CHECK(firstContact(course, {&car, 1}, 0.5) == kNever);
+    // Head-on each takes half.
+    CourseDef other = formation(2.0);
+    other.box.centre = other.middle = {40, 0};
+    const std::array<Vec2, 1> end{Vec2{-60, 0}};
+    other.ahead = end;
+    Course theirs;
+    listCourse(other, {}, kCourseHorizon, theirs);
+    listCourse(formation(2.0), {0.0, -2.5}, kCourseHorizon, course);
+    CHECK(firstContact(course, theirs, 0.5) < kCourseHorizon);
+    listCourse(formation(2.0), {0.0, -2.5}, kCourseHorizon, course, 2.0);
+    CHECK(firstContact(course, theirs, 0.5) == kNever);
 }

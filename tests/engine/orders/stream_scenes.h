@@ -157,7 +157,7 @@ inline Points searchWay(const Ground& ground, Vec2 from, Vec2 to, double width) 
     WayGround map;
     map.update(environment);
     WayQuery query{from, to, {}};
-    query.needs.half.fill(0.5 * width);
+    query.needs.half = 0.5 * width;
     query.needs.margin = 1.0;
     query.needs.radius = kRadius;
     WaySearch search;

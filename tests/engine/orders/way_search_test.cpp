@@ -27,7 +27,7 @@ Environment ground(const std::vector<ObstacleDef>& obstacles, double half = 40.0
 
 WayNeeds needs(double half, double least = 0.0) {
     WayNeeds n;
-    n.half.fill(half);
+    n.half = half;
     n.margin = 1.0;
     n.least = least;
     return n;

@@ -65,8 +65,7 @@ public:
     /// Lets an archive read or write the state (not the solver: that is a cache).
     template <class Archive>
     void visit(Archive& archive) {
-        archive(formation_, pose_.position, pose_.rotation.c, pose_.rotation.s, user_, final_, displacement_,
-                residual_, constraintHash_);
+        archive(formation_, pose_, user_, final_, displacement_, residual_, constraintHash_);
         if constexpr (Archive::kReading) {
             solverReady_ = false;
             if (!consistent()) archive.fail();

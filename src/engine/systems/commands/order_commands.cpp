@@ -71,7 +71,6 @@ Status cancel(WorldState& state, Group& group, std::uint32_t id) {
         if (!queue.orders.empty()) endFirst(state, group, true);
         if (Gathering* const gathering = state.continuum.find(group.id)) gathering->active = false;
         queue.orders.clear();
-        queue.march.speed = queue.march.spin = 0.0;
         return {};
     }
     const auto at = std::find_if(queue.orders.begin(), queue.orders.end(),
@@ -87,7 +86,6 @@ Status cancel(WorldState& state, Group& group, std::uint32_t id) {
 void hold(WorldState& state, Group& group) {
     stopFree(state, group);
     group.orders.held = true;
-    group.orders.march.speed = group.orders.march.spin = 0.0;
 }
 
 // Who goes freely gets its target again.
@@ -124,7 +122,6 @@ void shareOrders(WorldState& state, std::span<Group* const> parts, Vec2 middle) 
         queue.march.phase = MarchPhase::Idle;
         queue.march.searched = 0;
         queue.own.reset();
-        queue.files = 0;
         for (QueuedOrder& queued : queue.orders) {
             if (p > 0) queued.id = state.nextOrder++;
             if (queued.order.kind != OrderKind::Move || queued.order.manner == Manner::Continuum) continue;
@@ -141,7 +138,6 @@ void dropOrders(Group& group) {
     queue.end();
     queue.orders.clear();
     queue.held = queue.patrols = false;
-    queue.march.speed = queue.march.spin = 0.0;
 }
 
 Status giveOrder(WorldState& state, const GiveOrder& command, std::vector<Event>& events) {

@@ -163,7 +163,6 @@ void meetCheckpoints(WorldState& state, std::vector<Event>& events) {
             events.push_back({EventKind::Passed, group.id.value, value, checkpoint.position});
             if (!changeFormation(state, group, checkpoint.formation, group.def.count).ok()) continue;
             group.orders.own.reset();
-            group.orders.files = 0;
             events.push_back({EventKind::FormationChange, group.id.value, value, checkpoint.position});
         }
     }

@@ -5,6 +5,7 @@
 
 #include "base/bounds.h"
 #include "base/maths.h"
+#include "engine/orders/turning.h"
 #include "engine/state/ground_class.h"
 #include "engine/state/held_ground.h"
 #include "engine/state/shared_places.h"
@@ -194,6 +195,8 @@ bool FlowMarches::findEnds(WorldState& state, Group& group, const Pose& end) {
     flow.ground = state.groundEdits;
     flow.spacing = std::max(room * spacingOf(group), flow.closest);
     flow.from = group.mesh.pose();
+    flow.poses.clear();
+    group.avoidance = {};
     flow.q = flow.speed = flow.rate = 0.0;
     flow.spent = 0;
     return true;
@@ -274,14 +277,38 @@ void FlowMarches::start(WorldState& state, Group& group, const Pose& end, std::s
                         bool drawn) {
     MarchFlow& flow = group.flow;
     const Vec2 moves = meanVelocity(group);
+    way_.assign(way.begin(), way.end());
     if (!findEnds(state, group, end)) return;
+    group.orders.march.reversed = false;
     flow.drawn = drawn;
-    flow.way.assign(way.begin(), way.end());
+    flow.way = way_;
     const Vec2 middle = meanOf(group.places.positions());
     if (flow.way.size() < 2) flow.way = {middle, meanOf(flow.ends)};
     flow.way.front() = middle;
     flow.way.back() = flow.to.position;
     exchange(state, group, extentOf(group).reach);
+    plan(state, group, moves);
+}
+
+void FlowMarches::startPiece(WorldState& state, Group& group, const PieceDef& piece, bool drawn) {
+    MarchFlow& flow = group.flow;
+    const Vec2 moves = meanVelocity(group);
+    bool& reversed = group.orders.march.reversed;
+    listPoses(piece, reversed, poses_);
+    if (!findEnds(state, group, poses_.back())) return;
+    flow.poses = poses_;
+    for (std::size_t k = flow.poses.size(); k-- > 0 && flow.poses[k].position == poses_.back().position;)
+        flow.poses[k].position = flow.to.position;
+    flow.drawn = drawn;
+    flow.way.assign(piece.way.begin(), piece.way.end());
+    if (flow.way.size() < 2) flow.way.assign(2, flow.to.position);
+    flow.starts = group.places.positions();
+    plan(state, group, moves);
+}
+
+// Who is on the move goes on.
+void FlowMarches::plan(WorldState& state, Group& group, Vec2 moves) {
+    MarchFlow& flow = group.flow;
     listHeld(state, group, flow.held);
     flow.speed = length(moves);
     flow.places = flow.starts;
@@ -300,7 +327,8 @@ void FlowMarches::keepSpeed(const WorldState& state, Group& group) {
     flow.speed *= std::max(0.0, dot(normalized(moves), along));
 }
 
-bool FlowMarches::advance(WorldState& state, const WayGround& ground, Group& group, const MarchDef& def) {
+bool FlowMarches::advance(WorldState& state, const WayGround& ground, Group& group, const MarchDef& def,
+                          Vec2 aside) {
     MarchFlow& flow = group.flow;
     const auto room = [&](Vec2 p) { return clearanceBeside(flow.held, p, ground.clearanceAt(p)); };
     // After a restore the plan is made again up to where it was.
@@ -310,20 +338,27 @@ bool FlowMarches::advance(WorldState& state, const WayGround& ground, Group& gro
         const StreamStatus status = flow.plans.advance(room, budget_);
         budget_ -= flow.plans.operations() - flow.spent;
         flow.spent = flow.plans.operations();
-        if (status == StreamStatus::Blocked) {
+        if (status == StreamStatus::Blocked && flow.poses.empty()) {
             flow.end();
             return false;
+        }
+        if (status == StreamStatus::Blocked) {
+            Pose end = flow.to;
+            if (group.orders.march.reversed) end.rotation = {-end.rotation.c, -end.rotation.s};
+            way_ = flow.way;
+            start(state, group, end, way_, flow.drawn);
+            return group.flow.leads();
         }
         if (status != StreamStatus::Planning) {
             flow.phase = FlowPhase::Flowing;
             keepSpeed(state, group);
         }
     }
-    if (flow.phase == FlowPhase::Flowing) move(state, group, def);
+    if (flow.phase == FlowPhase::Flowing) move(state, group, def, aside);
     return true;
 }
 
-void FlowMarches::move(WorldState& state, Group& group, const MarchDef& def) {
+void FlowMarches::move(WorldState& state, Group& group, const MarchDef& def, Vec2 aside) {
     MarchFlow& flow = group.flow;
     const double dt = state.parameters.stepTime;
     const Grid& grid = state.environment.grid();
@@ -336,11 +371,15 @@ void FlowMarches::move(WorldState& state, Group& group, const MarchDef& def) {
     speeds_.resize(flow.places.size());
     for (std::size_t i = 0; i < speeds_.size(); ++i)
         speeds_[i] = std::max(1e-3, flow.speed * ground[grid.index(grid.nearestCell(flow.places[i]))]);
+    for (Vec2& p : flow.places) p -= group.avoidance.aside;
     if (flow.speed > 1e-4) flow.q = flow.plans.best().next(flow.q, dt, speeds_, flow.places, flow.rate);
-    Pose pose;
-    const Rotation from = flow.from.rotation, to = flow.to.rotation;
-    pose.rotation = turned(from, flow.q * angleBetween({from.c, from.s}, {to.c, to.s}));
-    pose.position = meanOf(flow.places) - pose.rotation.apply(meanOf(flow.offsets));
+    Pose pose = flow.poses.empty() ? between(flow.from, flow.to, flow.q) : flow.plans.best().pieceAt(flow.q);
+    group.avoidance.aside = flow.q < 1.0 ? aside : Vec2{};
+    for (Vec2& p : flow.places) p += group.avoidance.aside;
+    if (!flow.poses.empty())
+        pose.position += group.avoidance.aside;
+    else
+        pose.position = meanOf(flow.places) - pose.rotation.apply(meanOf(flow.offsets));
     if (flow.q >= 1.0) {
         pose = flow.to;
         flow.phase = FlowPhase::Standing;

@@ -20,11 +20,14 @@ class FlowMarches {
 public:
     /// Begins a step, in which plans may take about so many operations.
     void begin(std::int64_t operations) { budget_ = operations; }
-    /// Begins a march of the group to `end` along `way` [m], which was drawn or not, and begins and ends at
+    /// Begins a march of the group to `end` along `way` [m], which is kept to or not, and begins and ends at
     /// about its middle. Who goes to which place of it is found again, so that nobody crosses the way of
     /// others.
     void start(WorldState& state, Group& group, const Pose& end, std::span<const Vec2> way,
                bool drawn = false);
+    /// Begins one in one piece, in which everybody keeps the own place, to where that leads. Where the ground
+    /// has no room for it, it becomes one that flows.
+    void startPiece(WorldState& state, Group& group, const PieceDef& piece, bool drawn);
     /// True where the group, sent to a point [m] for want of a way to the target of its order, would come
     /// nearer to that by enough of its walk from where it stands or goes, or has to turn.
     bool pays(WorldState& state, Group& group, Vec2 at, std::optional<double> facing);
@@ -34,9 +37,10 @@ public:
     /// Lays the places of a group out on the ground whose mesh rests where many of them cannot be, or where
     /// others stand who were there before.
     void settle(WorldState& state, Group& group);
-    /// One step: plans, or moves places at most at `def.speed` times the speed of the ground. False where the
-    /// way is blocked; then the mesh leads, and stands at the end.
-    bool advance(WorldState& state, const WayGround& ground, Group& group, const MarchDef& def);
+    /// One step: plans, or moves places at most at `def.speed` times the speed of the ground, so far `aside`
+    /// of their course [m]. False where the way is blocked; then the mesh leads, and stands at the end.
+    bool advance(WorldState& state, const WayGround& ground, Group& group, const MarchDef& def,
+                 Vec2 aside = {});
 
 private:
     double takeOffsets(const WorldState& state, const Group& group, std::vector<Vec2>& offsets);
@@ -52,7 +56,8 @@ private:
     void findStarts(WorldState& state, const Group& group);
     void exchange(WorldState& state, Group& group, double reach);
     void keepSpeed(const WorldState& state, Group& group);
-    void move(WorldState& state, Group& group, const MarchDef& def);
+    static void plan(WorldState& state, Group& group, Vec2 moves);
+    void move(WorldState& state, Group& group, const MarchDef& def, Vec2 aside);
 
     std::int64_t budget_ = 0;
     EndPlaces endPlaces_;
@@ -60,7 +65,8 @@ private:
     Pairing pairing_;
     std::vector<std::int32_t> places_, regions_;
     std::vector<double> speeds_;
-    std::vector<Vec2> taken_, together_, targets_, offsets_, starts_;
+    std::vector<Vec2> taken_, together_, targets_, offsets_, starts_, way_;
+    std::vector<Pose> poses_;
     CellList cells_;
 };
 

@@ -10,12 +10,10 @@ namespace muster {
 /// The pace of marches. Its working memory is reused.
 class MarchPace {
 public:
-    /// The pace of a group in this step: a share of its speed, [0, 1]. Counts how long it has waited.
-    double of(const WorldState& state, Group& group);
+    /// The pace of a group in this step: a share of its speed, [0, 1].
+    double of(const WorldState& state, const Group& group);
 
 private:
-    double byLags(const WorldState& state, const Group& group);
-
     std::vector<double> lags_;  // Of one group [m].
 };
 

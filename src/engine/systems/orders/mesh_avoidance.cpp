@@ -1,32 +1,32 @@
 #include "engine/systems/orders/mesh_avoidance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
 
+#include "base/bounds.h"
+#include "base/infinite_cost.h"
 #include "base/maths.h"
 #include "engine/state/ground_class.h"
-#include "engine/systems/events/standstill.h"
 
 namespace muster {
 namespace {
 
 constexpr double kChoiceEvery = 0.2;  // Between two choices of a group [s].
-constexpr double kMeshMargin = 0.5;   // Between two meshes [m].
-constexpr double kMoverMargin = 0.8;  // Between a mesh and a moving obstacle [m].
+constexpr double kMargin = 0.8;       // To others [m]...
+constexpr double kKept = 0.6;         // ... a share of it for who does what it did.
 constexpr double kStraggler = 2.0;    // Who is farther from their place does not count [m].
-constexpr double kThere = 1.0;        // A mesh is where its places are, if these are so near [m].
 constexpr double kStraight = 0.02;    // A smaller turn is none [rad].
 constexpr std::size_t kMostLegs = 8;  // Of a path within the horizon.
-constexpr double kOnWay = 0.1;        // Slower across its way it is on it [m/s].
-constexpr double kOffWay = 0.5;       // Farther it is off it [m].
-constexpr double kProgress = 1.0;     // Less way is none [m].
-constexpr double
-    kMeshPatience = 15.0;  // Without progress it presses on, whatever meshes are in the way [s]...
-constexpr double kMoverPatience = 60.0;       // ... and moving obstacles [s].
-constexpr double kPressed = 4.0;              // Beyond its own size, before it keeps clear again [m].
-constexpr double kLooks[] = {1.0, 2.0, 3.0};  // When it must have room [s].
-constexpr double kBack = 10.0;                // So far towards its way it must have room [m].
+constexpr double kStands = 0.3;       // Who is slower stands [m/s].
+constexpr double kTowards = -0.5;     // Cosine of the angle from which on somebody comes towards it.
+constexpr double kChange = 0.3;       // Another manoeuvre has to pay by that [s].
+constexpr double kLeft = 1.2;        // To the left it counts for so many times as far: all pass on the right.
+constexpr double kAsideStep = 1.25;  // Between courses aside that are tried [m].
+constexpr int kMostAside = 10;       // Of them, to each side.
+constexpr double kDelays[] = {1.0, 2.0, 3.0, 4.5, 6.0, 8.0, kLongestWait};  // [s]
+constexpr double kPatience = 60.0;  // Who has waited so long for moving obstacles presses on...
+constexpr double kPresses = 6.0;    // ... so many times less long.
 
 /// Bounds of points in the axes of a pose.
 struct Bounds {
@@ -45,36 +45,22 @@ struct Bounds {
     }
 };
 
-/// The box that holds places and those who are near them, and the mesh where it is there.
+/// The box that holds the mesh, its places and those who are near them.
 MovingBox boxOf(const WorldState& state, const Group& group) {
     const Characters& c = state.characters;
     const Pose& pose = group.mesh.pose();
-    const Formation& formation = group.mesh.formation();
     const std::vector<Vec2>& places = group.places.positions();
     const double radius = groundRadius(state.parameters.character.radius, group.groundClass);
     Bounds bounds;
-    Vec2 off;
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        bounds.add(pose.applyInverse(places[k]), radius);
-        off += formation.places[k].position(formation.mesh.triangles, group.mesh.finalMesh()) - places[k];
-    }
+    for (const Vec2 p : places) bounds.add(pose.applyInverse(p), radius);
     for (const std::int32_t i : group.members) {
         const std::int32_t place = c.place[i];
         if (place >= 0 && distance(c.position[i], places[place]) <= kStraggler)
             bounds.add(pose.applyInverse(c.position[i]), radius);
     }
-    if (length(off) <= kThere * static_cast<double>(places.size()))
+    if (!group.flow.leads() || group.flow.phase == FlowPhase::Flowing)
         for (const Vec2 p : group.mesh.finalMesh()) bounds.add(pose.applyInverse(p));
     return bounds.box(pose);
-}
-
-/// True where the first order of a group is to stay with the other.
-bool staysWith(const Group& group, GroupId other) {
-    const auto& orders = group.orders.orders;
-    if (orders.empty() ||
-        (orders.front().order.kind != OrderKind::Follow && orders.front().order.kind != OrderKind::Guard))
-        return false;
-    return orders.front().order.group == other;
 }
 
 /// The box of a piece about its longest edge.
@@ -98,74 +84,54 @@ MovingBox boxOf(const ObstaclePiece& piece) {
     return bounds.box(pose);
 }
 
-Vec2 directionOf(const March& march, const Pose& pose) {
-    return normalized(march.way[march.next] - pose.position, march.front(pose));
+/// True where the first order of a group is to stay with the other.
+bool staysWith(const Group& group, GroupId other) {
+    const auto& orders = group.orders.orders;
+    if (orders.empty() ||
+        (orders.front().order.kind != OrderKind::Follow && orders.front().order.kind != OrderKind::Guard))
+        return false;
+    return orders.front().order.group == other;
 }
 
-std::uint32_t periodOf(const WorldState& state) {
-    return std::max(1u, stepsIn(state, kChoiceEvery));
-}
-
-/// Corners that it has passed off its way are left out.
-void skipPassed(const WayGround& ground, const WayNeeds& needs, March& march, Vec2 at) {
-    while (march.next > 0 && march.next + 1 < march.way.size()) {
-        const Vec2 from = march.way[march.next - 1], corner = march.way[march.next];
-        const Vec2 along = normalized(corner - from);
-        if (std::fabs(cross(along, at - from)) <= kOffWay || dot(corner - at, along) > 0.0) return;
-        const Vec2 next = march.way[march.next + 1];
-        const double through = stretchCost(ground, needs, at, corner) +
-                               stretchCost(ground, needs, corner, next);
-        if (!(stretchCost(ground, needs, at, next) <= 1.05 * through)) return;
-        ++march.next;
-    }
-}
-
-/// True where the ground permits to go off the way at a velocity: there is as much room as the mesh needs, or
-/// has now, and from there the way goes on.
-bool hasRoom(const WayGround& ground, const WayNeeds& needs, const March& march, const Pose& pose,
-             Vec2 velocity) {
-    const Vec2 at = pose.position, corner = march.way[march.next];
-    const double half = needs.halfAcross(directionOf(march, pose));
-    const double need = std::min(half, ground.clearanceAt(at));
-    for (const double seconds : kLooks)
-        if (ground.clearanceAt(at + velocity * seconds) < need) return false;
-    const Vec2 there = at + velocity * kLooks[1];
-    const double far = distance(there, corner);
-    const Vec2 back = far > kBack ? lerp(there, corner, kBack / far) : corner;
-    const double most = std::max(1.4 * distance(there, back), 1.1 * stretchCost(ground, needs, at, back));
-    return ground.environment().clearStaticLine(at, there, needs.radius) &&
-           stretchCost(ground, needs, there, back) < most;
-}
-
-/// Who gets on no more presses on, for as far as it takes to get past.
-void press(const WorldState& state, double left, double size, Avoidance& avoidance) {
-    if (left < avoidance.left - kProgress || !avoidance.hindered) {
-        avoidance.left = std::min(avoidance.left, left);
-        avoidance.got = state.stepCount;
-    }
-    if (avoidance.press > 0 && left <= avoidance.pressTo) avoidance.press = 0;
-    const std::uint32_t quiet = state.stepCount - avoidance.got;
-    const std::uint8_t wanted = quiet >= stepsIn(state, kMoverPatience)  ? 2
-                                : quiet >= stepsIn(state, kMeshPatience) ? 1
-                                                                         : 0;
-    if (wanted <= avoidance.press) return;
-    avoidance.press = wanted;
-    avoidance.pressTo = std::max(0.0, left - size - kPressed);
+bool keepsClear(const Group& group) {
+    return group.def.conduct.avoids && group.flow.phase == FlowPhase::Flowing && !group.avoidance.presses &&
+           !group.orders.march.ahead().empty();
 }
 
 }  // namespace
 
-void MeshAvoidance::readBodies(const WorldState& state) {
-    bodies_.resize(state.groups.size());
+CourseDef MeshAvoidance::courseDefOf(const WorldState& state, const Group& group, const MarchDef& def) const {
+    CourseDef own;
+    own.box = boxOf(state, group);
+    own.middle = meanOf(group.places.positions());
+    own.ahead = group.orders.march.ahead();
+    own.side = group.avoidance.side;
+    own.aside = dot(group.avoidance.aside, own.side);
+    own.speed = group.flow.speed;
+    own.cruise = def.speed;
+    own.acceleration = def.acceleration;
+    return own;
+}
+
+// Who keeps clear is known by what it has chosen, others by their velocity.
+void MeshAvoidance::readMeshes(const WorldState& state) {
+    meshes_.resize(state.groups.size());
     for (std::size_t g = 0; g < state.groups.size(); ++g) {
         const Group& group = state.groups[g];
-        Body& body = bodies_[g];
-        body = {};
+        Neighbour& mesh = meshes_[g];
+        mesh.margin = kMargin;
+        mesh.course.clear();
         if (group.members.empty()) continue;
-        body.box = boxOf(state, group);
-        body.box.velocity = group.avoidance.under ? group.avoidance.velocity : meanVelocity(group);
-        body.shares = group.avoidance.under && group.avoidance.press == 0 &&
-                      length(body.box.velocity) > kMeshStands;
+        mesh.shares = keepsClear(group) && !(group.avoidance.side == Vec2{});
+        if (mesh.shares) {
+            MarchDef def;
+            def.speed = std::max(group.flow.speed, def.speed);
+            listCourse(courseDefOf(state, group, def), group.avoidance.chosen, kKnownAhead, mesh.course);
+            continue;
+        }
+        MovingBox box = boxOf(state, group);
+        box.velocity = meanVelocity(group);
+        mesh.course.push_back(box);
     }
 }
 
@@ -179,129 +145,207 @@ void MeshAvoidance::readPath(const TimedPath& path, double now) {
     for (int round = 0; round < 2; ++round) {
         for (const Waypoint& waypoint : path.waypoints) {
             const double in = waypoint.time + shift;
-            if (in > times_.back() + 1e-6 && in < kMoverHorizon && times_.size() < kMostLegs)
+            if (in > times_.back() + 1e-6 && in < kKnownAhead && times_.size() < kMostLegs)
                 times_.push_back(in);
         }
         if (!loops) break;
         shift += last - first;
     }
-    times_.push_back(kMoverHorizon);
+    times_.push_back(kKnownAhead);
 }
 
-void MeshAvoidance::readMovers(const WorldState& state) {
-    movers_.clear();
+// Legs of even velocity; an obstacle that turns is a disc.
+void MeshAvoidance::readMover(const WorldState& state, const ObstaclePiece& piece, Course& course) {
     const Environment& environment = state.environment;
     const double now = environment.time();
-    for (const ObstaclePiece& piece : environment.pieces()) {
-        if (!piece.moving) continue;
-        const TimedPath& path = environment.obstacle(piece.obstacle)->path;
-        const Waypoint here = path.at(now);
-        const Vec2 centroid = environment.obstacleCentre(piece.obstacle);
-        const MovingBox box = boxOf(piece);
-        readPath(path, now);
-        for (std::size_t k = 1; k < times_.size(); ++k) {
-            // A leap is no leg.
-            if (times_[k] - times_[k - 1] < state.parameters.stepTime) continue;
-            const double middle = 0.5 * (times_[k - 1] + times_[k]);
-            const Waypoint there = path.at(now + middle);
-            const double turning = path.angularVelocity(now + middle) * (times_[k] - times_[k - 1]);
-            const Rotation turned = rotationBy(there.angle - here.angle);
-            const Vec2 centre = centroid + there.position - here.position;
-            MovingBox leg = box;
-            leg.velocity = path.velocity(now + middle);
-            leg.from = times_[k - 1];
-            leg.to = times_[k];
-            leg.centre = centre + turned.apply(box.centre - centroid) - leg.velocity * middle;
-            leg.axis = turned.apply(box.axis);
-            if (std::fabs(turning) > kStraight) {
-                leg.centre = centre - leg.velocity * middle;
-                leg.round = distance(box.centre, centroid) + box.reach();
-                leg.half = {};
-            }
-            movers_.push_back({leg, kMoverMargin, false, false});
+    const TimedPath& path = environment.obstacle(piece.obstacle)->path;
+    const Waypoint here = path.at(now);
+    const Vec2 centroid = environment.obstacleCentre(piece.obstacle);
+    const MovingBox box = boxOf(piece);
+    readPath(path, now);
+    for (std::size_t k = 1; k < times_.size(); ++k) {
+        // A leap is no leg.
+        if (times_[k] - times_[k - 1] < state.parameters.stepTime) continue;
+        const double middle = 0.5 * (times_[k - 1] + times_[k]);
+        const Waypoint there = path.at(now + middle);
+        const double turning = path.angularVelocity(now + middle) * (times_[k] - times_[k - 1]);
+        const Rotation turned = rotationBy(there.angle - here.angle);
+        MovingBox leg = box;
+        leg.velocity = path.velocity(now + middle);
+        leg.from = times_[k - 1];
+        leg.to = times_[k];
+        leg.axis = turned.apply(box.axis);
+        leg.centre = centroid + there.position - here.position - leg.velocity * middle;
+        if (std::fabs(turning) > kStraight) {
+            leg.round = distance(box.centre, centroid) + box.reach();
+            leg.half = {};
+        } else {
+            leg.centre += turned.apply(box.centre - centroid);
         }
+        course.push_back(leg);
     }
 }
 
-void MeshAvoidance::listNeighbours(const WorldState& state, const Group& group) {
-    neighbours_.clear();
-    if (group.avoidance.press < 2) neighbours_.assign(movers_.begin(), movers_.end());
-    if (group.avoidance.press > 0) return;
-    for (std::size_t g = 0; g < state.groups.size(); ++g) {
-        const Group& other = state.groups[g];
+void MeshAvoidance::readMovers(const WorldState& state) {
+    std::size_t count = 0;
+    for (const ObstaclePiece& piece : state.environment.pieces()) {
+        if (!piece.moving) continue;
+        if (count == movers_.size()) movers_.emplace_back();
+        Neighbour& mover = movers_[count++];
+        mover.margin = kMargin;
+        mover.moves = true;
+        mover.course.clear();
+        readMover(state, piece, mover.course);
+    }
+    movers_.resize(count);
+}
+
+// Those that it could meet and has not met yet.
+void MeshAvoidance::listNear(const WorldState& state, const Group& group, const CourseDef& own) {
+    near_.clear();
+    for (const Neighbour& mover : movers_) near_.push_back(&mover);
+    for (const Group& other : state.groups) {
+        const Neighbour& mesh = meshes_[&other - state.groups.data()];
         const bool together = &other == &group || staysWith(group, other.id) || staysWith(other, group.id);
-        if (together || other.members.empty()) continue;
-        neighbours_.push_back({bodies_[g].box, kMeshMargin, true, bodies_[g].shares});
+        if (!together && !mesh.course.empty()) near_.push_back(&mesh);
+    }
+    MovingBox still = own.box;
+    std::erase_if(near_, [&](const Neighbour* other) {
+        MovingBox wide = own.box;
+        wide.round += own.cruise * kKnownAhead;
+        still.to = state.parameters.stepTime;
+        return firstContact({&wide, 1}, other->course, other->margin) == kInfiniteCost ||
+               firstContact({&still, 1}, other->course, 0.0) < kInfiniteCost;
+    });
+}
+
+// True where it meets somebody. Who comes towards it goes aside by as much, the other way.
+bool MeshAvoidance::meets(const CourseDef& own, const Manoeuvre& manoeuvre, bool movers, double share) {
+    const double until = manoeuvre.wait + kCourseHorizon;
+    listCourse(own, manoeuvre, until, course_);
+    listCourse(own, manoeuvre, until, shared_, 2.0);
+    return std::any_of(near_.begin(), near_.end(), [&](const Neighbour* other) {
+        if (movers && !other->moves) return false;
+        const bool shares = other->shares && dot(other->course.front().axis, own.box.axis) < kTowards;
+        const Course& mine = shares ? shared_ : course_;
+        return firstContact(mine, other->course, share * other->margin) < kInfiniteCost;
+    });
+}
+
+// True where it is enough to stand until others have passed: none of them comes to it, and none who stands,
+// too, is on its way.
+bool MeshAvoidance::letsPass(const CourseDef& own) {
+    MovingBox still = own.box;
+    still.to = kKnownAhead;
+    listCourse(own, {0.0, own.aside}, kCourseHorizon, course_);
+    return std::none_of(near_.begin(), near_.end(), [&](const Neighbour* other) {
+        const bool stands = length(other->course.front().velocity) < kStands;
+        return firstContact({&still, 1}, other->course, kKept * other->margin) < kInfiniteCost ||
+               (stands && firstContact(course_, other->course, other->margin) < kInfiniteCost);
+    });
+}
+
+// True where the ground has as much room aside as the formation needs, or has on its way.
+bool MeshAvoidance::hasRoom(const WayGround& ground, double half, const CourseDef& own, double aside) {
+    const Vec2 on = own.middle - own.side * own.aside;
+    const Vec2 along = normalized(own.ahead.front() - on);
+    const double whole = std::min(own.cruise * kCourseHorizon, distance(own.ahead.front(), on));
+    const double step = std::max(1.0, 0.5 * half);
+    for (double s = 0.0; s <= whole; s += step) {
+        const double share = std::min(1.0, s * kAsideShare / kOnwardShare / std::max(1e-9, std::fabs(aside)));
+        const Vec2 p = on + along * s;
+        if (ground.clearanceAt(p + own.side * (aside * share)) < std::min(half, ground.clearanceAt(p)))
+            return false;
+    }
+    return true;
+}
+
+// The one that loses least time among those that meet nobody; where others leave none, among those that meet
+// no moving obstacle: people pass one by one.
+void MeshAvoidance::choose(const WayGround& ground, double half, const CourseDef& own, Avoidance& avoidance) {
+    for (const bool movers : {false, true}) {
+        Manoeuvre best{kDelays[0], own.aside};
+        double least = kInfiniteCost;
+        const auto look = [&](const Manoeuvre& tried) {
+            double cost = timeLost(own, tried) * (tried.aside > 0.0 ? kLeft : 1.0);
+            const bool same = tried.aside == avoidance.chosen.aside &&
+                              (tried.wait > 0.0) == (avoidance.chosen.wait > 0.0);
+            if (!same) cost += kChange;
+            if (cost >= least) return;
+            if (tried.aside != 0.0 && tried.aside != own.aside && !hasRoom(ground, half, own, tried.aside))
+                return;
+            if (meets(own, tried, movers, same ? kKept : 1.0)) return;
+            least = cost;
+            best = tried;
+        };
+        look({});
+        look({0.0, avoidance.chosen.aside});
+        for (int k = 1; k <= kMostAside; ++k) {
+            look({0.0, -kAsideStep * k});
+            look({0.0, kAsideStep * k});
+        }
+        for (const double wait : kDelays)
+            for (const double aside : {0.0, avoidance.chosen.aside}) look({wait, aside});
+        if (least == kInfiniteCost && letsPass(own)) {
+            least = kLongestWait;
+            best = {kLongestWait, own.aside};
+        }
+        if (least < kInfiniteCost || movers) {
+            avoidance.free = !movers;
+            avoidance.chosen = best;
+            return;
+        }
     }
 }
 
 void MeshAvoidance::decide(const WorldState& state, const WayGround& ground, const MarchDef& def,
                            Group& group) {
-    March& march = group.orders.march;
     Avoidance& avoidance = group.avoidance;
-    const Pose pose = group.mesh.pose();
     if (!known_) {
-        readBodies(state);
+        readMeshes(state);
         readMovers(state);
         known_ = true;
     }
-    const WayNeeds needs = needsOf(state, group, group.orders.orders.front().order);
-    skipPassed(ground, needs, march, pose.position);
-    AvoidanceQuery query;
-    query.own = bodies_[&group - state.groups.data()].box;
-    query.own.velocity = avoidance.velocity;
-    press(state, lengthAhead(march, pose.position), 2.0 * query.own.reach(), avoidance);
-    listNeighbours(state, group);
-    query.middle = pose.position;
-    query.ahead = march.ahead();
-    query.wheels = def.turn != Turn::Keep;
-    query.preferred = wantedSpeed(def, march, pose);
-    query.cruise = def.speed;
-    query.top = std::max(0.0, def.top - std::fabs(march.spin) * def.reach);
-    query.acceleration = def.acceleration;
-    query.last = avoidance.chosen;
-    query.last.seconds = std::max(0.0, query.last.seconds - periodOf(state) * state.parameters.stepTime);
-    query.hindered = avoidance.hindered;
-    const auto room = [&](Vec2 velocity) { return hasRoom(ground, needs, march, pose, velocity); };
-    const AvoidanceChoice choice = avoider_.choose(query, neighbours_, std::cref(room));
-    avoidance.chosen = choice.manoeuvre;
-    avoidance.hindered = choice.hindered;
+    const Vec2 on = meanOf(group.places.positions()) - avoidance.aside;
+    const Vec2 along = normalized(group.orders.march.ahead().front() - on);
+    if (!(along == Vec2{})) avoidance.side = perpendicular(along);
+    const CourseDef own = courseDefOf(state, group, def);
+    listNear(state, group, own);
+    const WayNeeds needs = needsOf(state, group);
+    const bool chooses = !near_.empty() && keepsClear(group);
+    if (chooses)
+        choose(ground, needs.half, own, avoidance);
+    else
+        avoidance.chosen = {};
+    avoidance.free = avoidance.free && chooses;
+    Neighbour& mesh = meshes_[&group - state.groups.data()];
+    mesh.shares = keepsClear(group);
+    listCourse(own, avoidance.chosen, kKnownAhead, mesh.course);
 }
 
-Pose MeshAvoidance::advance(const WorldState& state, const WayGround& ground, MarchDef def, Group& group) {
-    March& march = group.orders.march;
+Vec2 MeshAvoidance::advance(const WorldState& state, const WayGround& ground, MarchDef& def, Group& group) {
     Avoidance& avoidance = group.avoidance;
-    const Pose pose = group.mesh.pose();
     const double dt = state.parameters.stepTime;
-    const bool fresh = !avoidance.under;
-    if (fresh) {
-        avoidance = {};
-        avoidance.under = true;
-        avoidance.left = lengthAhead(march, pose.position);
-        avoidance.got = state.stepCount;
-        avoidance.velocity = directionOf(march, pose) * march.speed;
+    const auto period = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(kChoiceEvery / dt + 0.5));
+    const bool fresh = avoidance.side == Vec2{};
+    if (fresh || (state.stepCount + group.id.value) % period == 0) decide(state, ground, def, group);
+    const bool waits = avoidance.chosen.wait > 0.0;
+    avoidance.waited = std::max(0.0, avoidance.waited + (waits ? dt : -kPresses * dt));
+    avoidance.presses = avoidance.presses ? avoidance.waited > 0.0 : avoidance.waited > kPatience;
+    // Nobody is waited for in a street.
+    if (avoidance.free) def.pace = 1.0;
+    if (waits) {
+        def.speed = std::max(0.0, group.flow.speed - def.acceleration * dt);
+        return avoidance.aside;
     }
-    if (fresh || (state.stepCount + group.id.value) % periodOf(state) == 0) decide(state, ground, def, group);
-    const Manoeuvre& chosen = avoidance.chosen;
-    if (avoidance.hindered) {
-        def.limit = chosen.speed;
-        if (chosen.speed > def.speed * def.pace) {
-            def.speed = std::max(def.speed, chosen.speed);
-            def.pace = 1.0;
-        }
-    }
-    const Vec2 way = directionOf(march, pose);
-    const bool along = !avoidance.hindered || chosen.angle == 0.0;
-    if (along && std::fabs(cross(way, avoidance.velocity)) <= kOnWay) {
-        march.speed = std::max(0.0, dot(way, avoidance.velocity));
-        const Pose next = advanceMarch(def, march, pose, dt);
-        avoidance.velocity = (next.position - pose.position) / dt;
-        return next;
-    }
-    Vec2 wanted = way * std::min(wantedSpeed(def, march, pose), def.limit);
-    if (!along) wanted = rotationBy(chosen.angle).apply(way) * chosen.speed;
-    def.speed = std::max(def.speed, def.top);
-    return advanceOffWay(def, march, pose, avoidance.velocity, wanted, dt);
+    // By the end it is back on its course.
+    double left = 0.0;
+    for (std::size_t k = 1; k < group.flow.way.size(); ++k)
+        left += (1.0 - group.flow.q) * distance(group.flow.way[k - 1], group.flow.way[k]);
+    const Vec2 wanted = clampLength(avoidance.side * avoidance.chosen.aside, left);
+    const Vec2 step = clampLength(wanted - avoidance.aside, kAsideShare * def.speed * dt);
+    if (!(step == Vec2{})) def.speed *= kOnwardShare;
+    return clampLength(avoidance.aside + step, left);
 }
 
 }  // namespace muster

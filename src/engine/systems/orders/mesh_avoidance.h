@@ -1,4 +1,4 @@
-// Keeps marching meshes clear of other meshes and of moving obstacles (SPEC B3).
+// Keeps marching formations clear of others and of moving obstacles (SPEC B3).
 #pragma once
 
 #include <cstdint>
@@ -10,32 +10,41 @@
 
 namespace muster {
 
-/// Moves the meshes of groups that keep clear. Its memory is a cache.
+/// Says how groups that keep clear go on. Its memory is a cache.
 class MeshAvoidance {
 public:
     /// Begins a step.
     void begin() { known_ = false; }
-    /// One step of the march of a group along its way: the next pose.
-    Pose advance(const WorldState& state, const WayGround& ground, MarchDef def, Group& group);
+    /// One step of a group on its march: sets its speed, and says how far aside of its course it is to be
+    /// [m].
+    Vec2 advance(const WorldState& state, const WayGround& ground, MarchDef& def, Group& group);
 
 private:
-    /// What is known of a group's mesh.
-    struct Body {
-        MovingBox box;
-        bool shares = false;  // It keeps clear of others, too.
+    /// Something to keep clear of.
+    struct Neighbour {
+        Course course;
+        double margin = 0.0;  // To keep to it [m].
+        bool moves = false;   // A moving obstacle.
+        bool shares = false;  // A formation that keeps clear, too.
     };
 
-    void readBodies(const WorldState& state);
+    CourseDef courseDefOf(const WorldState& state, const Group& group, const MarchDef& def) const;
+    void readMeshes(const WorldState& state);
     void readMovers(const WorldState& state);
     void readPath(const TimedPath& path, double now);
-    void listNeighbours(const WorldState& state, const Group& group);
+    void readMover(const WorldState& state, const ObstaclePiece& piece, Course& course);
+    void listNear(const WorldState& state, const Group& group, const CourseDef& own);
+    bool meets(const CourseDef& own, const Manoeuvre& manoeuvre, bool movers, double share);
+    bool letsPass(const CourseDef& own);
+    static bool hasRoom(const WayGround& ground, double half, const CourseDef& own, double aside);
+    void choose(const WayGround& ground, double half, const CourseDef& own, Avoidance& avoidance);
     void decide(const WorldState& state, const WayGround& ground, const MarchDef& def, Group& group);
 
-    bool known_ = false;        // Bodies and movers are those of this step.
-    std::vector<Body> bodies_;  // Of each group.
-    std::vector<Neighbour> movers_, neighbours_;
-    std::vector<double> times_;  // Until the waypoints of one path [s].
-    Avoider avoider_;
+    bool known_ = false;  // The present places of all are known.
+    std::vector<Neighbour> meshes_, movers_;
+    std::vector<const Neighbour*> near_;
+    std::vector<double> times_;
+    Course course_, shared_;
 };
 
 }  // namespace muster

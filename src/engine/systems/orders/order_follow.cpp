@@ -1,7 +1,9 @@
 // Groups that stay with another one, or with a character.
 #include <algorithm>
+#include <cmath>
 
 #include "base/maths.h"
+#include "engine/orders/turning.h"
 #include "engine/state/ground_class.h"
 #include "engine/systems/events/standstill.h"
 #include "engine/systems/orders/order_stage.h"
@@ -12,6 +14,7 @@ namespace {
 constexpr double kWalks = 0.3;         // Who is faster faces where it walks [m/s].
 constexpr double kSoonDone = 5.0;      // Following ends so soon where another order waits [s].
 constexpr double kSightShare = 0.125;  // Of the way to its place beside the leader, between looks at walls.
+constexpr double kCatchUp = 1.5;       // Share of what is missing that is made up for in a second.
 constexpr double kFollowStale = 2.0;   // A march is made again where its end has moved so far [m]...
 constexpr double kFollowShare = 0.25;  // ... and by that share of the distance.
 
@@ -55,6 +58,15 @@ Vec2 OrderStage::besideLead(const WorldState& state, const Group& group, const L
     return lerp(lead.position, at, std::max(0.0, share));
 }
 
+// One step to the place beside what is followed, along with it, so that no place is too fast.
+Pose OrderStage::stepBeside(const MarchDef& def, const Pose& pose, const Lead& lead, Vec2 goal, double dt) {
+    const Pose along{pose.position + lead.velocity * dt, pose.rotation};
+    const Pose next = between(along, facingPose(goal, lead.facing), kCatchUp * dt);
+    const double far = distance(pose.position, next.position) +
+                       def.reach * std::fabs(angleBetween(pose.rotation, next.rotation));
+    return between(pose, next, std::min(1.0, def.speed * def.pace * dt / std::max(far, 1e-9)));
+}
+
 OrderStage::Outcome OrderStage::follow(WorldState& state, Group& group, const MarchDef& def) {
     OrderQueue& queue = group.orders;
     March& march = queue.march;
@@ -70,8 +82,7 @@ OrderStage::Outcome OrderStage::follow(WorldState& state, Group& group, const Ma
         // On open ground the formation moves as a whole.
         group.flow.end();
         march.phase = MarchPhase::Idle;
-        const double dt = state.parameters.stepTime;
-        group.mesh.setPose(advanceTowards(def, march, pose, goal, lead.velocity, lead.facing, dt));
+        group.mesh.setPose(stepBeside(def, pose, lead, goal, state.parameters.stepTime));
     } else {
         followAlong(state, group, def, facingPose(goal, lead.facing));
     }
@@ -91,7 +102,6 @@ void OrderStage::followAlong(WorldState& state, Group& group, const MarchDef& de
         const RouteGraph& routes = state.routesOf(group);
         const bool free = region < 0 || routes.region(end.position) == region;
         queue.target = end.position;
-        march.turns = false;
         march.searched = 0;
         march.legs.assign(1,
                           free ? end.position : state.routesOf(group).nearestReachable(end.position, region));
@@ -106,7 +116,6 @@ void OrderStage::followAlong(WorldState& state, Group& group, const MarchDef& de
         group.mesh.setPose(end);
         flows_.stand(state, group);
     }
-    march.speed = group.flow.speed;
 }
 
 }  // namespace muster

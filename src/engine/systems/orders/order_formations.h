@@ -13,8 +13,5 @@ namespace muster {
 void takeUpFormation(WorldState& state, Group& group, const Order& order, ThreadPool& pool);
 /// Takes up its own formation again, where it has another for an order.
 void restoreOwn(WorldState& state, Group& group, ThreadPool& pool);
-/// Narrows before passages, as far as they ask, and widens behind them (SPEC B11).
-void squeeze(WorldState& state, Group& group, const FormationExtent& extent, WayFinder& ways,
-             ThreadPool& pool);
 
 }  // namespace muster

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "base/maths.h"
 #include "engine/state/ground_class.h"
@@ -27,10 +28,6 @@ bool isHandled(const Group& group) {
         for (const ControlPoint& point : control.points)
             if (point.down || !point.trajectory.empty()) return true;
     return false;
-}
-
-bool samePose(const Pose& a, const Pose& b) {
-    return a.position == b.position && a.rotation.c == b.rotation.c && a.rotation.s == b.rotation.s;
 }
 
 bool isContinuum(const Order& order) {
@@ -92,7 +89,7 @@ bool isOver(const WorldState& state, Group& group, std::uint32_t least, const Th
 /// Where somebody has joined or left, the middle of the formation goes the way.
 void recentre(Group& group) {
     if (!group.refitted) return;
-    const bool led = !samePose(group.orders.march.last, group.mesh.pose());
+    const bool led = !(group.orders.march.last == group.mesh.pose());
     recentreFormation(group);
     if (!led) group.orders.march.last = group.mesh.pose();
 }
@@ -153,7 +150,6 @@ OrderStage::Outcome OrderStage::begin(WorldState& state, Group& group, ThreadPoo
     queue.begunAt = queue.stoodAt = state.stepCount;
     queue.arrived = 0;
     queue.march.phase = MarchPhase::Idle;
-    group.avoidance = {};
     group.controls.clear();
     if (isContinuum(order))
         state.continuum.begin(group.id, queue.target);
@@ -207,8 +203,7 @@ void OrderStage::beginWay(WorldState& state, Group& group, std::int32_t region) 
 bool OrderStage::staysNear(WorldState& state, Group& group) {
     const OrderQueue& queue = group.orders;
     const Order& order = queue.orders.front().order;
-    const bool flows = flowsBy(group, order) || order.manner == Manner::Free;
-    if (queue.reachable || order.kind != OrderKind::Move || !order.route.empty() || !flows) return false;
+    if (queue.reachable || order.kind != OrderKind::Move || !order.route.empty()) return false;
     return !flows_.pays(state, group, queue.target, order.facing);
 }
 
@@ -220,23 +215,20 @@ void OrderStage::restart(WorldState& state, Group& group) {
     const Pose pose = group.mesh.pose();
     march.last = pose;
     march.searched = 0;
-    march.facing = order.facing.value_or(0.0);
-    march.turns = order.facing.has_value();
     if (staysNear(state, group)) {
         march.phase = group.flow.moves() ? MarchPhase::Go : MarchPhase::Stand;
         queue.stoodAt = state.stepCount;
         return;
     }
     // The march of before goes on while the way of the next one is searched.
-    const bool goesOn = order.kind == OrderKind::Move && flowsBy(group, order) && group.flow.moves() &&
-                        group.flow.version == group.formationVersion &&
+    const bool goesOn = order.kind == OrderKind::Move && order.manner == Manner::March &&
+                        group.flow.moves() && group.flow.version == group.formationVersion &&
                         group.flow.ground == state.groundEdits;
     if (!goesOn) group.flow.end();
     if (order.kind == OrderKind::Face) {
         march.way.assign(2, pose.position);
         march.next = 1;
-        if (flowsBy(group, order)) flows_.start(state, group, endPose(group), {});
-        march.phase = flowsBy(group, order) ? MarchPhase::Go : MarchPhase::Turn;
+        beginMarch(state, group);
         return;
     }
     if (order.kind != OrderKind::Move) return;
@@ -250,14 +242,8 @@ void OrderStage::restart(WorldState& state, Group& group) {
         flows_.stand(state, group);
         march.last = group.mesh.pose();
         march.phase = MarchPhase::Stand;
-        march.speed = march.spin = 0.0;
         queue.stoodAt = state.stepCount;
         return;
-    }
-    if (order.manner == Manner::Free && !march.turns) {
-        const Vec2 last = queue.target - order.route.back();
-        march.turns = length(last) > 0.0;
-        march.facing = arcTangent2(last.y, last.x);
     }
     const std::int32_t region = regionOf(state, group);
     const OrderGoal goal = goalOf(state.routesOf(group), region, extentOf(group).width, order.target);
@@ -272,11 +258,33 @@ bool OrderStage::searchWay(WorldState& state, Group& group, bool drawn) {
     const std::int32_t region = regionOf(state, group);
     March& march = group.orders.march;
     const bool busy = searching_ != 0 && searching_ != group.id.value;
-    const WayNeeds needs = needsOf(state, group, group.orders.orders.front().order);
+    const WayNeeds needs = needsOf(state, group);
     const bool whole = ways_.advance(state, state.routesOf(group), region, drawn, needs, busy, march,
                                      budget_);
     if (!busy) searching_ = march.searched > 0 ? group.id.value : 0;
     return whole;
+}
+
+// A formation that is to turn as a whole goes in one piece, another one flows.
+void OrderStage::beginMarch(WorldState& state, Group& group) {
+    March& march = group.orders.march;
+    const Order& order = group.orders.orders.front().order;
+    const bool free = order.manner == Manner::Free;
+    const Pose end = endPose(group);
+    // Who may not narrow keeps to its way, which was searched for its width.
+    const bool kept = !order.route.empty() || group.def.conduct.squeeze < 1.0;
+    march.phase = MarchPhase::Go;
+    if (order.turn == Turn::Flow && !free) {
+        const bool stays = order.kind == OrderKind::Face;
+        flows_.start(state, group, end, stays ? std::span<const Vec2>() : march.way, kept);
+        return;
+    }
+    PieceDef piece{group.mesh.pose(), march.way, order.turn, order.facing, extentOf(group).reach};
+    if (free) {
+        piece.turn = Turn::Keep;
+        piece.facing = arcTangent2(end.rotation.s, end.rotation.c);
+    }
+    flows_.startPiece(state, group, piece, kept);
 }
 
 void OrderStage::goOn(WorldState& state, Group& group, const MarchDef& def) {
@@ -285,32 +293,25 @@ void OrderStage::goOn(WorldState& state, Group& group, const MarchDef& def) {
     const Order& order = queue.orders.front().order;
     if (march.phase == MarchPhase::Search && searchWay(state, group, !order.route.empty())) {
         if (!(march.way.back() == queue.target)) march.way.push_back(queue.target);
-        if (flowsBy(group, order))
-            flows_.start(state, group, endPose(group), march.way, !order.route.empty());
-        march.phase = MarchPhase::Go;
+        beginMarch(state, group);
     }
-    const double dt = state.parameters.stepTime;
-    if (march.phase == MarchPhase::Search && group.flow.moves()) {
-        flows_.advance(state, ways_.ground(), group, def);
-    } else if (march.phase == MarchPhase::Search) {
-        march.speed = std::max(0.0, march.speed - def.acceleration * dt);
-    } else if (flowsBy(group, order)) {
+    // The march of before goes on while the way is searched.
+    if (march.phase != MarchPhase::Search)
         flow(state, group, def);
-    } else if (march.phase == MarchPhase::Go && group.def.conduct.avoids) {
-        avoids_ = true;
-        group.mesh.setPose(avoidance_.advance(state, ways_.ground(), def, group));
-    } else {
-        group.mesh.setPose(advanceMarch(def, march, group.mesh.pose(), dt));
-    }
+    else if (group.flow.moves())
+        flows_.advance(state, ways_.ground(), group, def, {});
     march.last = group.mesh.pose();
 }
 
-void OrderStage::flow(WorldState& state, Group& group, const MarchDef& def) {
+void OrderStage::flow(WorldState& state, Group& group, MarchDef def) {
     March& march = group.orders.march;
     if (march.phase != MarchPhase::Go) return;
-    if (group.flow.leads() && flows_.advance(state, ways_.ground(), group, def)) {
+    Vec2 aside;
+    if (group.flow.phase == FlowPhase::Flowing &&
+        (group.def.conduct.avoids || !(group.avoidance.aside == Vec2{})))
+        aside = avoidance_.advance(state, ways_.ground(), def, group);
+    if (group.flow.leads() && flows_.advance(state, ways_.ground(), group, def, aside)) {
         passCorners(march, group.flow.q);
-        march.speed = group.flow.speed;
         if (group.flow.phase == FlowPhase::Standing) march.phase = MarchPhase::Stand;
         return;
     }
@@ -373,7 +374,6 @@ OrderStage::Outcome OrderStage::gather(WorldState& state, Group& group) {
     OrderQueue& queue = group.orders;
     group.flow.end();
     queue.march.phase = MarchPhase::Stand;
-    queue.march.speed = queue.march.spin = 0.0;
     queue.march.last = group.mesh.pose();
     const Gathering* gathering = state.continuum.find(group.id);
     // Fingers had taken the formation.
@@ -404,7 +404,7 @@ void OrderStage::followPeople(WorldState& state) {
     }
 }
 
-OrderStage::Outcome OrderStage::advance(WorldState& state, Group& group, ThreadPool& pool) {
+OrderStage::Outcome OrderStage::advance(WorldState& state, Group& group) {
     OrderQueue& queue = group.orders;
     const Order& order = queue.orders.front().order;
     if (order.kind == OrderKind::Guard) return guard(state, group);
@@ -415,13 +415,10 @@ OrderStage::Outcome OrderStage::advance(WorldState& state, Group& group, ThreadP
     if (order.manner != Manner::Free) def.pace = pace_.of(state, group);
     if (order.kind == OrderKind::Follow) return follow(state, group, def);
     // Led away by fingers, it goes on from where it is.
-    const bool lost = queue.march.phase == MarchPhase::Go && !group.flow.leads() && flowsBy(group, order);
-    if (queue.march.phase == MarchPhase::Idle || lost || !samePose(queue.march.last, group.mesh.pose()))
+    const bool lost = queue.march.phase == MarchPhase::Go && !group.flow.leads();
+    if (queue.march.phase == MarchPhase::Idle || lost || !(queue.march.last == group.mesh.pose()))
         restart(state, group);
     goOn(state, group, def);
-    if (order.kind == OrderKind::Move && order.manner == Manner::March && !flowsBy(group, order) &&
-        order.turn != Turn::Keep)
-        squeeze(state, group, extent, ways_, pool);
     if (!isDone(state, group)) return Outcome::GoesOn;
     return queue.reachable ? Outcome::Done : Outcome::Skipped;
 }
@@ -435,7 +432,7 @@ void OrderStage::runGroup(WorldState& state, Group& group, ThreadPool& pool, std
             if (!group.controls.controls().empty()) group.controls.clear();
             recentre(group);
             if (queue.ground != state.groundEdits) judgeAgain(state, group, pool, events);
-            outcome = advance(state, group, pool);
+            outcome = advance(state, group);
         }
         if (outcome == Outcome::GoesOn) return;
         const QueuedOrder done = queue.orders.front();
@@ -466,30 +463,22 @@ void OrderStage::run(WorldState& state, ThreadPool& pool, std::vector<Event>& ev
                               !group.members.empty();
         if (searches && searching_ == 0) searching_ = group.id.value;
     }
-    for (Group& group : state.groups) {
-        avoids_ = false;
-        runQueue(state, group, pool, events);
-        if (!avoids_) group.avoidance = {};
-    }
+    for (Group& group : state.groups) runQueue(state, group, pool, events);
 }
 
 void OrderStage::runQueue(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events) {
     OrderQueue& queue = group.orders;
     const bool led = group.flow.version != group.formationVersion || isHandled(group) ||
-                     !samePose(queue.march.last, group.mesh.pose());
+                     !(queue.march.last == group.mesh.pose());
     // On another ground places that stand are found again, but not where people were ordered to stop.
     const bool stale = queue.orders.empty() && group.flow.ground != state.groundEdits;
     if (group.flow.leads() && (led || (stale && !group.flow.isStop()))) group.flow.end();
     if (queue.orders.empty()) {
-        queue.march.speed = queue.march.spin = 0.0;
         if (queue.own && !isHandled(group) && !group.flow.isStop()) restoreOwn(state, group, pool);
         if (!isHandled(group)) flows_.settle(state, group);
         return;
     }
-    if (queue.held || isHandled(group) || group.members.empty()) {
-        queue.march.speed = queue.march.spin = 0.0;
-        return;
-    }
+    if (queue.held || isHandled(group) || group.members.empty()) return;
     // Whoever begins has to know where all others are: of very many groups some begin in later steps.
     if (!queue.begun || queue.march.phase == MarchPhase::Idle) {
         const std::size_t all = state.groups.size() + state.characters.size();
@@ -517,8 +506,8 @@ OrderForecast OrderStage::forecast(WorldState& state, const Group& group, const 
     listLegs(routes, region, asked, goal, march.legs);
     std::int32_t budget = state.environment.grid().count() + 1;
     // A search that is under way is run again up to where it was.
-    while (!ways_.advance(state, routes, region, !asked.route.empty(), needsOf(state, group, asked), false,
-                          march, budget))
+    while (!ways_.advance(state, routes, region, !asked.route.empty(), needsOf(state, group), false, march,
+                          budget))
         budget = state.environment.grid().count() + 1;
     if (!(march.way.back() == goal.target)) march.way.push_back(goal.target);
     forecast.arrives = goal.reachable;

@@ -48,12 +48,14 @@ private:
     static void beginWay(WorldState& state, Group& group, std::int32_t region);
     bool staysNear(WorldState& state, Group& group);
     void restart(WorldState& state, Group& group);
-    Outcome advance(WorldState& state, Group& group, ThreadPool& pool);
+    Outcome advance(WorldState& state, Group& group);
     Pose endPose(const Group& group) const;
-    void flow(WorldState& state, Group& group, const MarchDef& def);
+    void flow(WorldState& state, Group& group, MarchDef def);
+    void beginMarch(WorldState& state, Group& group);
     bool searchWay(WorldState& state, Group& group, bool drawn);
     void goOn(WorldState& state, Group& group, const MarchDef& def);
     static Vec2 besideLead(const WorldState& state, const Group& group, const Lead& lead, Vec2 offset);
+    static Pose stepBeside(const MarchDef& def, const Pose& pose, const Lead& lead, Vec2 goal, double dt);
     Outcome follow(WorldState& state, Group& group, const MarchDef& def);
     void followAlong(WorldState& state, Group& group, const MarchDef& def, const Pose& end);
     Outcome guard(WorldState& state, Group& group);
@@ -68,7 +70,6 @@ private:
     FlowMarches flows_;
     SharedPlaces shared_;
     MeshAvoidance avoidance_;
-    bool avoids_ = false;                // The mesh of the present group keeps clear of others.
     std::uint32_t searching_ = 0;        // Group whose search is under way; 0 for none.
     std::size_t lookedAt_ = 0;           // By those who have begun an order in this step.
     std::int32_t budget_ = 0;            // Cells that may be searched in this step.

@@ -16,9 +16,6 @@ constexpr double kKeepUp = 0.97;           // Of the top speed of the slowest: s
 constexpr double kLeftBehind = 0.05;       // Share of a group without cohesion that may be slower.
 constexpr double kMostAcceleration = 4.0;  // Of a formation [m/s^2].
 constexpr double kNearTarget = 1.0;   // A target in an obstacle counts as reached so near to it at least [m].
-constexpr double kStep = 0.25;        // Of looks for walls [m].
-constexpr double kPost = 2.0;         // A wall is longer than this [m].
-constexpr double kCentring = 1.0;     // Between points that are moved to the middle of a passage [m].
 constexpr std::int32_t kLegWork = 5;  // Cells for which a straight leg counts.
 
 }  // namespace
@@ -58,31 +55,12 @@ OrderGoal goalOf(RouteGraph& routes, std::int32_t region, double width, Vec2 tar
     return {nearest, nearest, false};
 }
 
-bool flowsBy(const Group& group, const Order& order) {
-    return order.manner == Manner::March && order.turn == Turn::Flow && !group.def.conduct.avoids &&
-           group.def.conduct.squeeze >= 1.0;
-}
-
-WayNeeds needsOf(const WorldState& state, const Group& group, const Order& order) {
-    const Formation& formation = group.mesh.formation();
+WayNeeds needsOf(const WorldState& state, const Group& group) {
     WayNeeds needs;
     needs.radius = groundRadius(state.parameters.character.radius, group.groundClass);
     needs.margin = state.parameters.field.enabled ? std::min(1.5, state.parameters.field.range) : 0.5;
     needs.least = 1.0 - group.def.conduct.squeeze;
-    needs.flows = flowsBy(group, order);
-    for (std::size_t k = 0; k < WayNeeds::kDirections; ++k) {
-        Vec2 across{0.0, 1.0};
-        if (order.turn == Turn::Keep) {
-            const double angle = kPi * (static_cast<double>(k) / WayNeeds::kDirections + 0.5);
-            across = group.mesh.pose().rotation.applyInverse({cosine(angle), sine(angle)});
-        }
-        double half = 0.0;
-        for (const MeshPoint& place : formation.places)
-            half = std::max(
-                half,
-                std::fabs(dot(across, place.position(formation.mesh.triangles, formation.mesh.vertices))));
-        needs.half[k] = half + needs.radius;
-    }
+    needs.half = extentOf(group).width + needs.radius;
     listHeld(state, group, needs.held);
     return needs;
 }
@@ -109,11 +87,10 @@ MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& or
     }
     MarchDef def;
     def.turn = order.manner == Manner::Free ? Turn::Keep : order.turn;
-    def.speed = def.top = kKeepUp * slowest;
+    def.speed = kKeepUp * slowest;
     if (order.pace > 0.0) def.speed = std::min(def.speed, order.pace);
     def.acceleration = std::min(kMostAcceleration, least);
     def.reach = std::max(extent.reach, 0.5);
-    def.depth = extent.depth;
     return def;
 }
 
@@ -157,53 +134,6 @@ bool WayFinder::straight(const WorldState& state, bool drawn, const WayNeeds& ne
     return stretchCost(ground_, needs, from, to) <= 1.001 * distance(from, to);
 }
 
-// Single trees and posts are no walls: a formation lets them through.
-bool WayFinder::isWall(Vec2 p, Vec2 along) const {
-    const Box& box = ground_.environment().def().box;
-    const auto blocked = [&](Vec2 q) { return !box.contains(q) || ground_.clearanceAt(q) < 0.5 * kStep; };
-    if (!blocked(p)) return false;
-    for (const Vec2 direction : {along, -along, perpendicular(along), -perpendicular(along)})
-        if (blocked(p + direction * (0.5 * kPost)) && blocked(p + direction * kPost)) return true;
-    return false;
-}
-
-double WayFinder::roomBeside(Vec2 p, Vec2 side, double most) const {
-    const Box& box = ground_.environment().def().box;
-    for (double at = 0.0; at < most;) {
-        const Vec2 q = p + side * at;
-        const double clearance = box.contains(q) ? ground_.clearanceAt(q) : 0.0;
-        if (isWall(q, perpendicular(side))) return at + std::max(clearance, 0.0);
-        at += std::max(clearance, kStep);
-    }
-    return most;
-}
-
-// Appends a path, in the middle of passages that are narrower than the formation.
-void WayFinder::append(WorldState& state, const WayNeeds& needs, March& march,
-                       const std::vector<Vec2>& path) {
-    for (std::size_t k = 1; k < path.size(); ++k) {
-        const Vec2 a = path[k - 1], b = path[k];
-        const Vec2 side = perpendicular(normalized(b - a));
-        const double half = needs.halfAcross(b - a);
-        const auto n = std::max(1, static_cast<std::int32_t>(std::ceil(distance(a, b) / kCentring)));
-        for (std::int32_t j = 1; j <= n; ++j) {
-            const Vec2 p = lerp(a, b, static_cast<double>(j) / n);
-            Vec2 q = p;
-            const bool last = j == n && k + 1 == path.size();
-            if (!last && ground_.clearanceAt(p) < half) {
-                const double left = roomBeside(p, side, 2.0 * half), right = roomBeside(p, -side, 2.0 * half);
-                if (left + right < 2.0 * half) q = p + side * (0.5 * (left - right));
-            }
-            const bool moved = !(q == p) &&
-                               state.environment.clearStaticLine(march.way.back(), q, needs.radius);
-            if (moved)
-                march.way.push_back(q);
-            else if (j == n)
-                march.way.push_back(p);
-        }
-    }
-}
-
 bool WayFinder::advance(WorldState& state, RouteGraph& routes, std::int32_t region, bool drawn,
                         const WayNeeds& needs, bool busy, March& march, std::int32_t& budget) {
     while (!march.legs.empty() && budget > 0) {
@@ -230,7 +160,7 @@ bool WayFinder::advance(WorldState& state, RouteGraph& routes, std::int32_t regi
         budget -= std::max(1, march.searched - before);
         if (status == WayStatus::Searching) return false;
         if (status == WayStatus::Found) {
-            append(state, needs, march, searches_.path());
+            march.way.insert(march.way.end(), searches_.path().begin() + 1, searches_.path().end());
         } else {
             const std::vector<Vec2> route = findRoute(routes, from, to);
             if (route.size() > 1)
@@ -242,31 +172,6 @@ bool WayFinder::advance(WorldState& state, RouteGraph& routes, std::int32_t regi
         march.legs.erase(march.legs.begin());
     }
     return march.legs.empty();
-}
-
-double WayFinder::narrowest(const March& march, Vec2 from, double behind, double ahead, double most) const {
-    double least = most;
-    const auto look = [&](Vec2 a, Vec2 b, double reach) {
-        const double whole = distance(a, b);
-        const Vec2 side = perpendicular(normalized(b - a));
-        for (double at = 0.0; at <= std::min(whole, reach); at += 2.0 * kStep) {
-            const Vec2 p = whole > 0.0 ? lerp(a, b, at / whole) : a;
-            if (ground_.clearanceAt(p) >= 0.5 * least) continue;
-            least = std::min(least, roomBeside(p, side, least) + roomBeside(p, -side, least));
-        }
-        return reach - whole;
-    };
-    Vec2 at = from;
-    for (std::size_t k = march.next; k < march.way.size() && ahead > 0.0; ++k) {
-        ahead = look(at, march.way[k], ahead);
-        at = march.way[k];
-    }
-    at = from;
-    for (std::size_t k = march.next; k-- > 0 && behind > 0.0;) {
-        behind = look(at, march.way[k], behind);
-        at = march.way[k];
-    }
-    return least;
 }
 
 }  // namespace muster

@@ -39,11 +39,8 @@ Vec2 meanVelocity(const Group& group);
 Vec2 middleOf(const WorldState& state, const Group& group);
 /// Where a group in a region comes by an order to go to `target` [m].
 OrderGoal goalOf(RouteGraph& routes, std::int32_t region, double width, Vec2 target);
-/// True where the places of a group flow along its way. By a request for a manner of turning, for its width
-/// or for keeping clear of others the formation stays whole.
-bool flowsBy(const Group& group, const Order& order);
 /// The room that a group needs on its way.
-WayNeeds needsOf(const WorldState& state, const Group& group, const Order& order);
+WayNeeds needsOf(const WorldState& state, const Group& group);
 /// The bounds of a group's march: at the speed of the slowest, or without cohesion at one that few do not
 /// reach. `speeds` is working memory.
 MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& order,
@@ -66,15 +63,9 @@ public:
     /// it. True once the whole way is known. Begins no search where it is `busy` with that of another march.
     bool advance(WorldState& state, RouteGraph& routes, std::int32_t region, bool drawn,
                  const WayNeeds& needs, bool busy, March& march, std::int32_t& budget);
-    /// Length of way ahead, and some behind, whose narrowest width is asked for; the width [m], `most` where
-    /// wider.
-    double narrowest(const March& march, Vec2 from, double behind, double ahead, double most) const;
 
 private:
     bool straight(const WorldState& state, bool drawn, const WayNeeds& needs, Vec2 from, Vec2 to) const;
-    void append(WorldState& state, const WayNeeds& needs, March& march, const std::vector<Vec2>& path);
-    bool isWall(Vec2 p, Vec2 along) const;
-    double roomBeside(Vec2 p, Vec2 side, double most) const;
 
     WayGround ground_;
     WaySearches searches_;
