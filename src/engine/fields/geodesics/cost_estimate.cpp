@@ -82,8 +82,10 @@ CostEstimate Geodesics::Impl::estimateByFields(const CostQuery& q) const {
     if (const auto found = byLocalFields(middle, CostSource::MiddleFields, q, missing))
         return orByFarFields(*found, q);
     // On uniform ground the guess serves until the local fields are there.
-    if (!missing || !ground->uniform()) farRequests.add(q.place);
-    if (const auto found = byFarFields(q)) return *found;
+    if (!goesByRoutes(*ground, places.size())) {
+        if (!missing || !ground->uniform()) farRequests.add(q.place);
+        if (const auto found = byFarFields(q)) return *found;
+    }
     if (const auto found = byRoute(q)) return *found;
     return guess(q);
 }
@@ -92,6 +94,7 @@ CostEstimate Geodesics::Impl::estimateByFields(const CostQuery& q) const {
 // there is none yet a small crowd looks first, since a field costs more than all its lines of sight. The
 // dynamic cost is left out.
 std::optional<CostEstimate> Geodesics::Impl::byDistantFields(const CostQuery& q) const {
+    if (goesByRoutes(*ground, places.size())) return {};
     if (q.line < (ground->hasWideCoarse() ? kFarDistanceInBox : kFarDistance) || ground->open()) return {};
     const double cost = farCost(q);
     const bool looks = places.size() < kFewPlaces && !(cost < kInfiniteCost);

@@ -29,14 +29,15 @@ Geodesics::~Geodesics() = default;
 Geodesics::Geodesics(Geodesics&&) noexcept = default;
 Geodesics& Geodesics::operator=(Geodesics&&) noexcept = default;
 
-void Geodesics::reserve(const StaticGround& ground, std::size_t places) {
+void Geodesics::reserve(const StaticGround& ground, std::size_t places, bool routes) {
     if (ground.open()) return;
     Impl& s = *impl_;
     s.fine.fields().warmUp(ground.fineLevel());
     s.middle.fields().warmUp(ground.middle());
     s.fine.fields().reserve(places);
     s.middle.fields().reserve(places);
-    s.far.reserve(ground);
+    s.hasRoutes = routes;
+    if (!s.goesByRoutes(ground, places)) s.far.reserve(ground);
     s.ways.reserve();
     s.routeSearch.reserve();
 }
@@ -69,16 +70,16 @@ bool Geodesics::Impl::solveRequested(ThreadPool& pool) {
     if (std::cmp_greater_equal(places.size(), kManyPlaces)) {
         fine.solveRequested(scaledBudget(def.finePerStep), pool);
         middle.solveRequested(scaledBudget(def.middlePerStep), pool);
-        return far.solveRequested(def.farPerStep, pool, sharedFar) > 0;
+        return solveFar(def.farPerStep, pool) > 0;
     }
     if ((step + shareRank) % sharePeriod != 0) return false;
     std::int32_t left = places.size() < kFewPlaces ? 1 : def.finePerStep;
     if ((step + shareRank) / sharePeriod % 2 == 0) {
         left -= fine.solveRequested(left, pool);
         left -= middle.solveRequested(left, pool);
-        return far.solveRequested(left, pool, sharedFar) > 0;
+        return solveFar(left, pool) > 0;
     }
-    const std::int32_t solved = far.solveRequested(std::min(left, def.farPerStep), pool, sharedFar);
+    const std::int32_t solved = solveFar(std::min(left, def.farPerStep), pool);
     left -= solved;
     left -= middle.solveRequested(std::min(left, def.middlePerStep), pool);
     fine.solveRequested(left, pool);
@@ -127,13 +128,14 @@ void Geodesics::Impl::requestFields(Vec2 from, std::int32_t place) {
         fine.request(place, false);
     else if (middle.covers(from, place))
         middle.request(place, false);
-    else
+    else if (!goesByRoutes(*ground, places.size()))
         farRequests.add(place);
 }
 
 // Far fields have to serve where walls keep local fields from telling, or their budget was too small. All
 // pairs are looked at, because queries also request what else they lack.
 void Geodesics::Impl::requestFarWhereUnknown(std::span<const Vec2> from) {
+    if (goesByRoutes(*ground, places.size())) return;
     const auto count = static_cast<std::int32_t>(places.size());
     for (std::int32_t j = 0; j < count; ++j)
         if (fine.requested(j) || middle.requested(j))
@@ -142,9 +144,10 @@ void Geodesics::Impl::requestFarWhereUnknown(std::span<const Vec2> from) {
                     farRequests.add(j);
 }
 
-void Geodesics::shareSteps(std::int32_t period, std::int32_t rank, SharedFarFields* fields) {
+void Geodesics::shareSteps(std::int32_t period, std::int32_t rank, SharedFarFields* fields, bool routes) {
     impl_->sharePeriod = static_cast<std::uint32_t>(period);
     impl_->sharedFar = fields;
+    impl_->hasRoutes = routes;
     impl_->shareRank = period > 1 ? static_cast<std::uint32_t>(rank) : 0;
 }
 
@@ -165,9 +168,9 @@ bool Geodesics::prefetch(std::span<const Vec2> from, bool thorough, std::int64_t
     const auto most = static_cast<std::int32_t>(std::clamp<std::int64_t>(cells / each, 0, 1000));
     if (thorough || s.step % kUnknownPeriod == 0) s.requestFarWhereUnknown(from);
     s.updateFarStencils(true);
-    const std::int32_t solved = s.far.solveRequested(most, pool, s.sharedFar);
+    const std::int32_t solved = s.solveFar(most, pool);
     cells -= solved * each;
-    const bool whole = solved < most;
+    const bool whole = s.goesByRoutes(*s.ground, s.places.size()) || solved < most;
     s.updateFarStencils(true);
     return whole;
 }

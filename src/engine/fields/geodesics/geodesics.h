@@ -61,11 +61,14 @@ struct SteeringTarget {
     std::int32_t landmark = -1;       ///< Landmark of the local field: a ground cell; -1 for none.
     bool inSight = false;             ///< True where `point` is the target; false where the local field is.
     RouteUse route = RouteUse::None;  ///< Whether the target is that of a route.
+    bool seen = false;                ///< True where that was in sight when the route was found,
+    Vec2 after;                       ///< the corner after it, itself where it is the last [m],
+    Vec2 end;                         ///< and where the place was then [m].
 
     /// Lets an archive read or write it.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(point, place, steps, landmark, inSight, route);
+        archive(point, place, steps, landmark, inSight, route, seen, after, end);
     }
 };
 
@@ -80,15 +83,17 @@ public:
     Geodesics(Geodesics&&) noexcept;  ///< Moves.
     Geodesics& operator=(Geodesics&&) noexcept;
 
-    /// Allocates memory for the fields that so many places may need on this ground. Changes no result.
-    void reserve(const StaticGround& ground, std::size_t places);
+    /// Allocates memory for the fields that so many places may need on this ground, where routes are found or
+    /// not. Changes no result.
+    void reserve(const StaticGround& ground, std::size_t places, bool routes = false);
     /// Takes the places of this step, and solves some of the fields that were requested in the last. `ground`
     /// and `dynamicCost` must outlive the next call.
     void update(const StaticGround& ground, const DynamicCost& dynamicCost, std::span<const Vec2> places,
                 ThreadPool& pool);
     /// From the next update on fields are solved in one step out of `period`, 1 or more; `rank` says in
-    /// which. So several geodesics share a budget, and the far fields, where these are given.
-    void shareSteps(std::int32_t period, std::int32_t rank, SharedFarFields* fields = nullptr);
+    /// which. So several geodesics share a budget, and the far fields, where these are given. Where `routes`
+    /// are found in every step, small groups on large ground go by these alone.
+    void shareSteps(std::int32_t period, std::int32_t rank, SharedFarFields* fields, bool routes);
     /// Solves fields that queries from these points would request, for a first plan: local ones, then far
     /// ones, with at most `cells` cells in all (local fields count more), which are taken off. True where no
     /// far field is missing any more. Only a `thorough` call looks for all that is missing; others do so in

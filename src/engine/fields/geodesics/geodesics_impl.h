@@ -69,6 +69,7 @@ struct Geodesics::Impl {
     std::uint32_t step = 0;
     std::uint32_t sharePeriod = 1, shareRank = 0;  // Fields are solved in one step out of so many.
     SharedFarFields* sharedFar = nullptr;          // Of all groups; null for none.
+    bool hasRoutes = false;                        // Routes are found in every step.
     SharedWays ways;                               // Found by findRoutes().
     std::uint32_t nextRoute = 0;                   // Character at which the round robin of routes begins.
     bool loaded = false;                           // An archive was read whose fields are not solved yet.
@@ -93,6 +94,10 @@ struct Geodesics::Impl {
                                                           kManyPlaces));
     }
     bool solveRequested(ThreadPool& pool);
+    std::int32_t solveFar(std::int32_t most, ThreadPool& pool) {
+        if (goesByRoutes(*ground, places.size())) return 0;
+        return far.solveRequested(most, pool, sharedFar);
+    }
     void updateFields(ThreadPool& pool);
     bool farStencilIsDue(std::size_t place) const;
     void dropFarStencils();
@@ -101,6 +106,12 @@ struct Geodesics::Impl {
     void requestFarWhereUnknown(std::span<const Vec2> from);
 
     // Routes (route_guidance.cpp).
+    // Small groups on large ground read the box of a far field so seldom, until an edit in it drops it, that
+    // their routes cost less. These know no unit costs.
+    bool goesByRoutes(const StaticGround& on, std::size_t count) const {
+        return hasRoutes && count < kFewPlaces && on.hasWideCoarse() && on.uniform();
+    }
+    bool routeServes(const CostQuery& q, SteeringTarget& target) const;
     std::int64_t findRoute(RouteGraph& routes, Vec2 from, SteeringTarget& target);
     Vec2 directionByRoute(const CostQuery& q, SteeringTarget& target) const;
 

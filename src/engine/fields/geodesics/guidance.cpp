@@ -68,7 +68,7 @@ Guidance Geodesics::Impl::staticGuidance(Vec2 from, std::int32_t place, Steering
         case CostSource::Route:
         case CostSource::Guess:
             // A character waits for this, so whichever field comes first will do.
-            farRequests.add(place);
+            if (!goesByRoutes(*ground, places.size())) farRequests.add(place);
             result.direction = directionByRoute(query(from, place, true), target);
             break;
     }
@@ -118,6 +118,8 @@ Vec2 Geodesics::Impl::refinedTarget(Vec2 from, std::int32_t place, Vec2 point) c
 // corner.
 Vec2 Geodesics::Impl::directionToTarget(const CostField& field, std::int32_t place, Vec2 from,
                                         SteeringTarget& target) const {
+    target.steps = std::min(
+        target.steps, 2 * static_cast<std::int32_t>(kTargetSteps));  // That of a route serves for longer.
     const bool checksSight = target.steps % kSightPeriod == 0;
     const bool valid = target.inSight && distance(from, target.point) > kTargetReached &&
                        (!checksSight || ground->lineOfSight(from, target.point));

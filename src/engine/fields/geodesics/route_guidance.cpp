@@ -1,5 +1,6 @@
 // Directions by routes, where no field leads: each character heads for the next corner of its route.
 // Characters who go the same way share routes.
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -8,10 +9,14 @@
 namespace muster {
 namespace {
 
-constexpr std::int64_t kWorkPerStep = 12000;  // Operations for routes in a step, of 10 to 100 ns each.
+constexpr std::int64_t kWorkPerStep = 12000;  // Operations for routes in a step, of 10 to 100 ns each,
+constexpr std::int64_t kWorkOfAll = 24000;    // and of all who share steps together, about.
 constexpr double kCornerReached = 0.15;       // [m]
-constexpr std::int32_t kRouteSteps = 12;      // Steps for which the corner of a route serves,
-constexpr std::uint32_t kMoreSteps = 8;       // and fewer than so many more.
+constexpr std::int32_t kRouteSteps = 48;      // Steps for which the corner of a route serves,
+constexpr std::uint32_t kMoreSteps = 32;      // and fewer than so many more.
+constexpr std::int32_t kRetrySteps = 12;      // Steps until one is searched again where there was none.
+constexpr std::int32_t kLookPeriod = 4;       // Steps between two looks for the corner and the one after it.
+constexpr double kPlaceMoved = 0.1;           // By so much of its distance a place may move meanwhile.
 
 }  // namespace
 
@@ -21,7 +26,7 @@ void Geodesics::findRoutes(RouteGraph& routes, std::span<const Vec2> from,
     s.ways.age();
     const std::size_t n = targets.size();
     if (n == 0 || from.size() != n) return;
-    std::int64_t left = kWorkPerStep;
+    std::int64_t left = std::min(kWorkPerStep, kWorkOfAll / s.sharePeriod);
     const std::size_t first = s.nextRoute % n;
     for (std::size_t k = 0; k < n && left > 0; ++k) {
         const std::size_t i = (first + k) % n;
@@ -47,8 +52,12 @@ std::int64_t Geodesics::Impl::findRoute(RouteGraph& routes, Vec2 from, SteeringT
         if (path.size() > 1) ways.add(path);
     }
     target.route = RouteUse::None;
-    target.steps = kRouteSteps + static_cast<std::int32_t>(stagger(target.place) % kMoreSteps);
-    if (path.size() < 2) return work;
+    const std::uint32_t spread = stagger(target.place);
+    if (path.size() < 2) {
+        target.steps = kRetrySteps + static_cast<std::int32_t>(spread) % kRetrySteps;
+        return work;
+    }
+    target.steps = kRouteSteps + static_cast<std::int32_t>(spread % kMoreSteps);
     std::size_t corner = 1;
     // A route begins in the cell where the graph is entered, which may lie behind; it is left out where the
     // next corner is in sight, or a character that searches again on its way would turn back each time.
@@ -56,17 +65,29 @@ std::int64_t Geodesics::Impl::findRoute(RouteGraph& routes, Vec2 from, SteeringT
                                         routes.ground().lineClear(from, path[corner + 1])))
         ++corner;
     target.point = path[corner];
+    target.after = path[std::min(corner + 1, path.size() - 1)];
+    target.end = to;
     target.inSight = true;
+    target.seen = ground->lineOfSight(from, target.point);
     target.landmark = -1;
     target.route = RouteUse::Known;
     return work;
 }
 
+// The corner of a route serves until it is reached or hidden, the one after it comes in sight, or the place
+// has moved on.
+bool Geodesics::Impl::routeServes(const CostQuery& q, SteeringTarget& target) const {
+    if (target.route != RouteUse::Known || --target.steps <= 0 ||
+        distance(q.from, target.point) <= kCornerReached || distance(target.end, q.to) > kPlaceMoved * q.line)
+        return false;
+    if (target.steps % kLookPeriod != 0) return true;
+    const bool passed = !(target.after == target.point) && ground->lineOfSight(q.from, target.after);
+    return !passed && (!target.seen || ground->lineOfSight(q.from, target.point));
+}
+
 // Towards the corner; until there is one straight on, as far as walls allow.
 Vec2 Geodesics::Impl::directionByRoute(const CostQuery& q, SteeringTarget& target) const {
-    if (target.route == RouteUse::Known && --target.steps > 0 &&
-        distance(q.from, target.point) > kCornerReached)
-        return normalized(target.point - q.from);
+    if (routeServes(q, target)) return normalized(target.point - q.from);
     const bool known = target.route == RouteUse::Known;
     // Where there was no route one is searched again after some steps.
     if (known || target.route == RouteUse::Wanted || --target.steps <= 0) target.route = RouteUse::Wanted;

@@ -16,8 +16,9 @@ constexpr std::size_t kChunk = 128;  // Characters in one piece of parallel work
 // Other places cost this share more for each change of place since places have come to rest.
 constexpr float kReluctance = 0.004f;
 constexpr double kPlaceRests = 1e-4;        // A place that moves less in a step rests [m].
-constexpr float kDistantCost = 25.0f;       // Beyond, a direction serves for two steps [m],
-constexpr std::uint32_t kDistantSteps = 4;  // or for so many where its group waits to plan.
+constexpr float kDistantCost = 25.0f;       // Beyond, a direction serves for two steps [m].
+constexpr float kWaitingCost = 10.0f;       // Where its group waits to plan it serves beyond this [m]
+constexpr std::uint32_t kWaitingSteps = 4;  // for so many steps.
 constexpr std::int32_t
     kWaitingPerPlan = 32;                    // Unmatched characters whose waiting place is searched per plan.
 constexpr std::size_t kPrefetchPoints = 24;  // Characters from which a first plan prefetches fields, about.
@@ -41,7 +42,7 @@ std::unique_ptr<Plan> makeFastPlan() {
 
 void FastPlan::reserve(std::size_t characters, std::size_t places, PlanCosts& costs) {
     assignment_.reserve(assignmentDef(characters), characters, places);
-    geodesics_.reserve(costs.staticGround(), places);
+    geodesics_.reserve(costs.staticGround(), places, costs.routes() != nullptr);
     costs.dynamicCost();
 }
 
@@ -100,7 +101,7 @@ void FastPlan::updateGeodesics(ThreadPool& pool, PlanCosts& costs, std::span<con
     geodesics_.retainFields(targets_);
     const bool many = def_.groups > kFieldsOfGroups;
     geodesics_.shareSteps(std::max(1, (def_.groups + 1) / kFieldsOfGroups), def_.groupRank,
-                          many ? costs.farFields() : nullptr);
+                          many ? costs.farFields() : nullptr, costs.routes() != nullptr);
     geodesics_.update(costs.staticGround(), costs.dynamicCost(), places, pool);
     if (RouteGraph* const routes = costs.routes()) geodesics_.findRoutes(*routes, characters, targets_);
 }
@@ -366,7 +367,7 @@ void FastPlan::guide(const GuidanceInput& input, ThreadPool& pool, std::span<Vec
         if (place < 0 || std::cmp_greater_equal(place, input.places.size())) return;
         const bool same = known && guidedPlace_[i] == place;
         const bool serves = evaluated ||
-                            (guidance_[i].cost > kDistantCost && (i + guidanceRound_) % kDistantSteps != 1);
+                            (guidance_[i].cost > kWaitingCost && (i + guidanceRound_) % kWaitingSteps != 1);
         const Guidance guidance = same && serves
                                       ? guidance_[i]
                                       : geodesics_.guidance(input.characters[i], place, targets_[i]);
