@@ -6,7 +6,8 @@
 namespace muster {
 namespace {
 
-constexpr double kPieces = 6.0;      // Into which a row is cut that is as wide as the formation.
+constexpr double kPiece = 4.0;       // Least width of the pieces into which runs are cut [m].
+constexpr double kPieces = 6.0;      // Pieces, at most, of a row that is as wide as the formation.
 constexpr double kLeak = 1e-9;       // Conductance of dead ends to nowhere, so that all potentials exist.
 constexpr double kBeyondAll = 1e9;   // Beyond all ordinates [m].
 constexpr double kLeastFlux = 1e-6;  // A row with less carries nothing.
@@ -22,7 +23,7 @@ void StreamFlow::start(const StreamRuns& runs, double step, std::int32_t from, s
     low_ = low;
     high_ = high;
     spacing_ = spacing;
-    cut_ = (high - low + spacing) / kPieces;
+    cut_ = std::max(kPiece, (high - low + spacing) / kPieces);
     width_ = 1;
     pieces_.clear();
     firstPiece_.assign(1, 0);
