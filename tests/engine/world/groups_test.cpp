@@ -267,3 +267,29 @@ TEST_CASE("a thousand units, each a group of its own, go where each is sent") {
     CHECK(there == kUnits);
     checkPlaces(world);
 }
+
+TEST_CASE("who has just joined a group that is stopped stays where it is") {
+    WorldDef def = twoGroups();
+    def.box = {{-60, -60}, {60, 60}};
+    def.groups[1].position = {45, 40};
+    World world = World::create(def).value();
+    run(world, 1.0);
+    const GroupId first = world.group(0).id;
+    std::vector<std::uint32_t> joining;
+    std::vector<Vec2> before;
+    for (std::size_t i = 0; i < world.characters().size(); ++i) {
+        if (world.characters().group[i] != 1 || joining.size() == 8) continue;
+        joining.push_back(world.characters().id[i]);
+        before.push_back(world.characters().position[i]);
+    }
+    REQUIRE(world.submit({world.stepCount(), 1, 0, TransferCharacters{joining, first}}).ok());
+    REQUIRE(world.submit({world.stepCount(), 1, 1, EditQueue{first, QueueEdit::Stop, 0}}).ok());
+    run(world, 5.0);
+    const CharactersView c = world.characters();
+    for (std::size_t k = 0; k < joining.size(); ++k) {
+        const auto i = std::find(c.id.begin(), c.id.end(), joining[k]) - c.id.begin();
+        CHECK(c.group[i] == 0);
+        CHECK(distance(before[k], c.position[i]) < 0.5);
+    }
+    checkPlaces(world);
+}

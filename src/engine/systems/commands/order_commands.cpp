@@ -25,15 +25,28 @@ Vec2 stopOf(const WorldState& state, std::int32_t i) {
     return clear ? stop : c.position[i];
 }
 
-// Places stay where they are now; those whose holders would have to walk to them come to where these stop.
+// Places stay where they are now; those whose holders would have to walk to them come to where these stop,
+// and those that nobody holds to where people stop who have none yet, as those who have just joined.
 void placesComeToPeople(WorldState& state, Group& group) {
     std::vector<Vec2> places = group.places.positions();
     if (places.empty() || hasWeights(state, group)) return;
-    for (const std::int32_t i : group.members) {
+    std::vector<std::uint8_t> held(places.size(), 0);
+    const auto placeOf = [&](std::int32_t i) {
         const std::int32_t place = state.characters.place[i];
-        if (place < 0 || std::cmp_greater_equal(place, places.size())) continue;
+        return std::cmp_less(place, places.size()) ? place : -1;
+    };
+    for (const std::int32_t i : group.members) {
+        const std::int32_t place = placeOf(i);
+        if (place < 0) continue;
+        held[place] = 1;
         const Vec2 stop = stopOf(state, i);
         if (distance(stop, places[place]) > kArrivedReach) places[place] = stop;
+    }
+    auto free = std::find(held.begin(), held.end(), 0);
+    for (const std::int32_t i : group.members) {
+        if (placeOf(i) >= 0 || free == held.end()) continue;
+        places[free - held.begin()] = stopOf(state, i);
+        free = std::find(free + 1, held.end(), 0);
     }
     group.places.lead(places, state.parameters.stepTime);
     group.flow = {};
