@@ -273,8 +273,9 @@ TEST_CASE("who has just joined a group that is stopped stays where it is") {
     def.box = {{-60, -60}, {60, 60}};
     def.groups[1].position = {45, 40};
     World world = World::create(def).value();
-    run(world, 1.0);
     const GroupId first = world.group(0).id;
+    REQUIRE(world.submit({0, 1, 0, GiveOrder{first, QueueMode::Replace, 0, Order::move({-45, -40})}}).ok());
+    run(world, 3.0);
     std::vector<std::uint32_t> joining;
     std::vector<Vec2> before;
     for (std::size_t i = 0; i < world.characters().size(); ++i) {
@@ -282,8 +283,8 @@ TEST_CASE("who has just joined a group that is stopped stays where it is") {
         joining.push_back(world.characters().id[i]);
         before.push_back(world.characters().position[i]);
     }
-    REQUIRE(world.submit({world.stepCount(), 1, 0, TransferCharacters{joining, first}}).ok());
-    REQUIRE(world.submit({world.stepCount(), 1, 1, EditQueue{first, QueueEdit::Stop, 0}}).ok());
+    REQUIRE(world.submit({world.stepCount(), 1, 1, TransferCharacters{joining, first}}).ok());
+    REQUIRE(world.submit({world.stepCount() + 1, 1, 2, EditQueue{first, QueueEdit::Stop, 0}}).ok());
     run(world, 5.0);
     const CharactersView c = world.characters();
     for (std::size_t k = 0; k < joining.size(); ++k) {
