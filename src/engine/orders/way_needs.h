@@ -15,6 +15,7 @@ struct WayNeeds {
     double margin = 0.0;         ///< Keeps so much farther from obstacles where that costs little [m].
     double least = 0.0;          ///< Share of its width below which it does not narrow, [0, 1].
     double radius = 0.25;        ///< Radius of bodies [m].
+    bool flows = false;          ///< Places flow where it is narrower: that costs no more than a margin.
     std::vector<HeldSpot> held;  ///< Those through whom nobody goes.
 
     /// Cost of a metre of a way with so much room to both sides [m]; infinite where nobody passes.
@@ -23,7 +24,7 @@ struct WayNeeds {
     /// Lets an archive read or write it.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(half, margin, least, radius, held);
+        archive(half, margin, least, radius, flows, held);
     }
     friend bool operator==(const WayNeeds&, const WayNeeds&) = default;
 };

@@ -22,7 +22,7 @@ constexpr std::array<Cell, 8> kSteps{{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, 
 double WayNeeds::cost(double clearance) const {
     if (clearance < radius) return kInfiniteCost;
     if (clearance >= half + margin) return 1.0;
-    if (clearance >= half - kSlack)
+    if (flows || clearance >= half - kSlack)
         return 1.0 + kMarginCost * std::min(1.0, (half + margin - clearance) / std::max(margin, 1e-9));
     const double missing = 1.0 - clearance / half;
     const double narrow = 1.0 + kMarginCost + kNarrowCost + kNarrower * missing;

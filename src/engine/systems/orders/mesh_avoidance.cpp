@@ -311,7 +311,7 @@ void MeshAvoidance::decide(const WorldState& state, const WayGround& ground, con
     if (!(along == Vec2{})) avoidance.side = perpendicular(along);
     const CourseDef own = courseDefOf(state, group, def);
     listNear(state, group, own);
-    const WayNeeds needs = needsOf(state, group);
+    const WayNeeds needs = needsOf(state, group, group.orders.orders.front().order);
     const bool chooses = !near_.empty() && keepsClear(group);
     if (chooses)
         choose(ground, needs.half, own, avoidance);

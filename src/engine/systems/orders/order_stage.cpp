@@ -258,7 +258,7 @@ bool OrderStage::searchWay(WorldState& state, Group& group, bool drawn) {
     const std::int32_t region = regionOf(state, group);
     March& march = group.orders.march;
     const bool busy = searching_ != 0 && searching_ != group.id.value;
-    const WayNeeds needs = needsOf(state, group);
+    const WayNeeds needs = needsOf(state, group, group.orders.orders.front().order);
     const bool whole = ways_.advance(state, state.routesOf(group), region, drawn, needs, busy, march,
                                      budget_);
     if (!busy) searching_ = march.searched > 0 ? group.id.value : 0;
@@ -506,8 +506,8 @@ OrderForecast OrderStage::forecast(WorldState& state, const Group& group, const 
     listLegs(routes, region, asked, goal, march.legs);
     std::int32_t budget = state.environment.grid().count() + 1;
     // A search that is under way is run again up to where it was.
-    while (!ways_.advance(state, routes, region, !asked.route.empty(), needsOf(state, group), false, march,
-                          budget))
+    while (!ways_.advance(state, routes, region, !asked.route.empty(), needsOf(state, group, asked), false,
+                          march, budget))
         budget = state.environment.grid().count() + 1;
     if (!(march.way.back() == goal.target)) march.way.push_back(goal.target);
     forecast.arrives = goal.reachable;

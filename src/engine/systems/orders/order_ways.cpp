@@ -55,11 +55,13 @@ OrderGoal goalOf(RouteGraph& routes, std::int32_t region, double width, Vec2 tar
     return {nearest, nearest, false};
 }
 
-WayNeeds needsOf(const WorldState& state, const Group& group) {
+WayNeeds needsOf(const WorldState& state, const Group& group, const Order& order) {
     WayNeeds needs;
     needs.radius = groundRadius(state.parameters.character.radius, group.groundClass);
     needs.margin = state.parameters.field.enabled ? std::min(1.5, state.parameters.field.range) : 0.5;
-    needs.least = 1.0 - group.def.conduct.squeeze;
+    const Conduct& conduct = group.def.conduct;
+    needs.least = 1.0 - conduct.squeeze;
+    needs.flows = order.turn == Turn::Flow && !conduct.avoids && conduct.squeeze >= 1.0;
     needs.half = extentOf(group).width + needs.radius;
     listHeld(state, group, needs.held);
     return needs;

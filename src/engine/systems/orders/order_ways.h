@@ -39,8 +39,9 @@ Vec2 meanVelocity(const Group& group);
 Vec2 middleOf(const WorldState& state, const Group& group);
 /// Where a group in a region comes by an order to go to `target` [m].
 OrderGoal goalOf(RouteGraph& routes, std::int32_t region, double width, Vec2 target);
-/// The room that a group needs on its way.
-WayNeeds needsOf(const WorldState& state, const Group& group);
+/// The room that a group needs on its way by an order. Where it asks for a manner of turning, for its width
+/// or for keeping clear of others, narrow ways cost what they would cost a formation that stays whole.
+WayNeeds needsOf(const WorldState& state, const Group& group, const Order& order);
 /// The bounds of a group's march: at the speed of the slowest, or without cohesion at one that few do not
 /// reach. `speeds` is working memory.
 MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& order,
