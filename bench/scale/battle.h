@@ -27,7 +27,7 @@ struct BattleRow {
     double p95 = 0.0;             ///< 95th percentile [ms].
     double worst = 0.0;           ///< The slowest step [ms].
     std::string worstStages;      ///< Stages of that step that took 0.5 ms and more.
-    std::string meanStages;       ///< Stages of all steps but the first that took 0.03 ms and more in the mean.
+    std::string meanStages;  ///< Stages of all steps but the first that took 0.03 ms and more in the mean.
     std::vector<double> minutes;  ///< Median of each minute [ms].
     double growth = 0.0;          ///< Memory in use at the end over that after the first minute [MB].
     double changes = 0.0;         ///< Changes of place of a character per order to its group, in the mean.

@@ -26,7 +26,8 @@ std::string stagesText(const StageTimes& times, double least) {
 }
 
 void StageMeans::add(const StageTimes& times) {
-    for (std::size_t k = 0; k < times.milliseconds.size(); ++k) sums_.milliseconds[k] += times.milliseconds[k];
+    for (std::size_t k = 0; k < times.milliseconds.size(); ++k)
+        sums_.milliseconds[k] += times.milliseconds[k];
     ++steps_;
 }
 

@@ -16,8 +16,8 @@ public:
           until_(until),
           times_(times),
           course_(course),
-          on_(def.middle - def.side * def.aside),
-          beside_(def.aside) {
+          on_(def.middle - def.side * def.offCourse),
+          beside_(def.offCourse) {
         course_.clear();
     }
     /// Goes on at a velocity along the way, and at a speed to the left [m/s], until a time [s].
@@ -28,7 +28,7 @@ public:
         part.velocity = velocity + def_.side * (times_ * sideways);
         part.from = now_;
         part.to = end;
-        const Vec2 middle = on_ + def_.side * (def_.aside + times_ * (beside_ - def_.aside));
+        const Vec2 middle = on_ + def_.side * (def_.offCourse + times_ * (beside_ - def_.offCourse));
         part.centre += middle - def_.middle - part.velocity * now_;
         course_.push_back(part);
         on_ += velocity * (end - now_);
@@ -70,8 +70,8 @@ void listCourse(const CourseDef& def, const Manoeuvre& manoeuvre, double until, 
                 double times) {
     CourseList list(def, until, times, course);
     list.wait(manoeuvre.wait);
-    const double off = manoeuvre.aside - def.aside;
-    const double sideways = off < 0.0 ? -kAsideShare * def.cruise : kAsideShare * def.cruise;
+    const double off = manoeuvre.offCourse - def.offCourse;
+    const double sideways = off < 0.0 ? -kSideShare * def.cruise : kSideShare * def.cruise;
     const double shifted = list.now() + off / sideways;
     for (const Vec2 corner : def.ahead) list.follow(corner, sideways, shifted);
     list.go({}, 0.0, until);
@@ -91,8 +91,8 @@ double firstContact(std::span<const MovingBox> course, std::span<const MovingBox
 
 double timeLost(const CourseDef& def, const Manoeuvre& manoeuvre) {
     // It goes aside, and back.
-    const double aside = std::fabs(manoeuvre.aside - def.aside) + std::fabs(manoeuvre.aside);
-    return manoeuvre.wait + aside * (1.0 - kOnwardShare) / (kAsideShare * def.cruise);
+    const double offCourse = std::fabs(manoeuvre.offCourse - def.offCourse) + std::fabs(manoeuvre.offCourse);
+    return manoeuvre.wait + offCourse * (1.0 - kOnwardShare) / (kSideShare * def.cruise);
 }
 
 }  // namespace muster

@@ -12,13 +12,13 @@ namespace muster {
 
 /// How a formation goes: it waits, then goes on beside its course.
 struct Manoeuvre {
-    double wait = 0.0;   ///< [s], 0 or more.
-    double aside = 0.0;  ///< How far to the left of its course [m].
+    double wait = 0.0;       ///< [s], 0 or more.
+    double offCourse = 0.0;  ///< How far to the left of its course [m].
 
     /// Lets an archive read or write it.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(wait, aside);
+        archive(wait, offCourse);
     }
     friend bool operator==(const Manoeuvre&, const Manoeuvre&) = default;
 };
@@ -27,7 +27,7 @@ struct Manoeuvre {
 struct Avoidance {
     Manoeuvre chosen;  ///< What it does.
     Vec2 side;         ///< To the left of its course as that was chosen, of unit length; 0 where nothing was.
-    Vec2 aside;        ///< How far it is beside its course [m].
+    Vec2 offCourse;    ///< How far it is beside its course [m].
     double waited = 0.0;   ///< How long it has waited for moving obstacles [s].
     bool free = false;     ///< It keeps clear of somebody so.
     bool presses = false;  ///< It has waited for too long, and goes on whatever comes.
@@ -35,7 +35,7 @@ struct Avoidance {
     /// Lets an archive read or write it.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(chosen, side, aside, waited, free, presses);
+        archive(chosen, side, offCourse, waited, free, presses);
     }
 };
 
@@ -45,7 +45,7 @@ struct CourseDef {
     Vec2 middle;                  ///< What goes along the way, `aside` beside it [m].
     std::span<const Vec2> ahead;  ///< Corners of the way ahead, at least one [m].
     Vec2 side;                    ///< To the left, of unit length.
-    double aside = 0.0;           ///< How far it is beside its way [m].
+    double offCourse = 0.0;       ///< How far it is beside its way [m].
     double speed = 0.0;           ///< At which it goes [m/s].
     double cruise = 1.0;          ///< At which it would go [m/s], above 0.
     double acceleration = 4.0;    ///< [m/s^2], above 0.
@@ -61,7 +61,7 @@ inline constexpr double kLongestWait = 12.0;
 /// So far ahead courses are known [s].
 inline constexpr double kKnownAhead = kCourseHorizon + kLongestWait;
 /// Share of its speed at which a formation goes aside.
-inline constexpr double kAsideShare = 0.6;
+inline constexpr double kSideShare = 0.6;
 /// Share of its speed that is left on its way meanwhile: the other side of a right triangle.
 inline constexpr double kOnwardShare = 0.8;
 

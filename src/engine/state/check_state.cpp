@@ -159,8 +159,8 @@ bool isSane(const March& march) {
 }
 
 bool isSane(const Avoidance& avoidance) {
-    return avoidance.chosen.wait >= 0.0 && avoidance.chosen.wait <= 1e3 && isPlace(avoidance.aside) &&
-           std::fabs(avoidance.chosen.aside) <= kMaxCoordinate && length(avoidance.side) <= 1.0 + 1e-6 &&
+    return avoidance.chosen.wait >= 0.0 && avoidance.chosen.wait <= 1e3 && isPlace(avoidance.offCourse) &&
+           std::fabs(avoidance.chosen.offCourse) <= kMaxCoordinate && length(avoidance.side) <= 1.0 + 1e-6 &&
            avoidance.waited >= 0.0 && avoidance.waited <= 1e3;
 }
 

@@ -129,9 +129,9 @@ TEST_CASE("boxes meet when a look at every hundredth of a second says so") {
 TEST_CASE("a course goes on without a jump, waits as long as it should and comes aside as far") {
     for (const double speed : {0.0, 2.0})
         for (const double wait : {0.0, 3.0})
-            for (const double aside : {0.0, -4.0, 2.5}) {
+            for (const double offCourse : {0.0, -4.0, 2.5}) {
                 Course course;
-                listCourse(formation(speed), {wait, aside}, kCourseHorizon, course);
+                listCourse(formation(speed), {wait, offCourse}, kCourseHorizon, course);
                 REQUIRE(!course.empty());
                 CHECK(course.front().from == 0.0);
                 CHECK(course.back().to == kCourseHorizon);
@@ -141,9 +141,9 @@ TEST_CASE("a course goes on without a jump, waits as long as it should and comes
                                    course[k - 1].centre + course[k - 1].velocity * course[k].from) < 1e-9);
                 }
                 const Vec2 end = placeAt(course, kCourseHorizon);
-                CHECK(end.y == doctest::Approx(aside));
+                CHECK(end.y == doctest::Approx(offCourse));
                 // Aside it is slower on its way; a start takes half a ramp.
-                const double slow = std::fabs(aside) / (kAsideShare * 2.0) * (1.0 - kOnwardShare);
+                const double slow = std::fabs(offCourse) / (kSideShare * 2.0) * (1.0 - kOnwardShare);
                 const double walked = 2.0 * (kCourseHorizon - wait - slow);
                 CHECK(end.x > walked - 1.1);
                 CHECK(end.x < walked + 1.1);

@@ -85,7 +85,8 @@ TEST_CASE("ways of no length and of doubled corners end") {
 
 TEST_CASE("a stream in one piece keeps the shape, and is blocked where a place would meet a wall") {
     std::vector<Vec2> offsets, starts, ends;
-    for (int k = 0; k < 12; ++k) offsets.push_back({1.0 * (k % 3), 1.0 * (k / 3)});
+    for (int row = 0; row < 4; ++row)
+        for (int file = 0; file < 3; ++file) offsets.push_back({1.0 * file, 1.0 * row});
     const std::vector<Vec2> way{{0, 0}, {20, 0}, {20, 20}};
     const Walked walked = walk(Turn::Wheel, {}, way);
     for (const Vec2 p : offsets) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/maths.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
 #include "engine/world/played.h"

@@ -195,7 +195,10 @@ TEST_CASE(
     GroupDef group;
     group.count = 36;
     group.formation.spacing = 1.0;
-    for (int i = 0; i < 36; ++i) group.starts.push_back({-1.15 + (i % 5) * 0.57, -1.9 + (i / 5) * 0.52});
+    for (int i = 0; i < 36; ++i) {
+        const int row = i / 5;
+        group.starts.push_back({-1.15 + (i % 5) * 0.57, -1.9 + row * 0.52});
+    }
     def.groups.push_back(group);
     World world = World::create(def).value();
     run(world, 12);
@@ -249,13 +252,17 @@ TEST_CASE("a thousand units, each a group of its own, go where each is sent") {
     WorldDef def = openFloor(1);
     def.box = {{-60, -60}, {60, 60}};
     def.groups.assign(kUnits, def.groups.front());
-    for (int k = 0; k < kUnits; ++k)
-        def.groups[k].position = {-40.0 + 2.0 * (k % kSide), 3.0 * (k / kSide) - 45.0};
+    for (int k = 0; k < kUnits; ++k) {
+        const int row = k / kSide;
+        def.groups[k].position = {-40.0 + 2.0 * (k % kSide), 3.0 * row - 45.0};
+    }
     World world = World::create(def).value();
     std::uint32_t sequence = 0;
     const auto targetOf = [&](int k) { return def.groups[k].position + Vec2{12.0, 0.0}; };
     for (int k = 0; k < kUnits; ++k)
-        give(world, sequence, GiveOrder{world.group(k).id, QueueMode::Replace, 0, Order::move(targetOf(k))});
+        REQUIRE(give(world, sequence,
+                     GiveOrder{world.group(k).id, QueueMode::Replace, 0, Order::move(targetOf(k))})
+                    .ok());
     run(world, 10.0);
     std::size_t begun = 0, there = 0;
     for (int k = 0; k < kUnits; ++k) {

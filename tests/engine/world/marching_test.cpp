@@ -59,7 +59,7 @@ struct Run {
     bool done = false;
 };
 
-Run run(WorldDef def, const Order& order, double most) {
+Run run(const WorldDef& def, const Order& order, double most) {
     World world = World::create(def).value();
     std::uint32_t sequence = 0;
     for (int s = 0; s < 60; ++s) world.step();

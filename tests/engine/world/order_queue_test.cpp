@@ -241,8 +241,10 @@ TEST_CASE("who is told to stop stands where it is, however far from its place") 
     WorldDef def = yard();
     Random random(5);
     def.groups[0].starts.clear();
-    for (std::int32_t i = 0; i < def.groups[0].count; ++i)
-        def.groups[0].starts.push_back({-26.0 + 2.0 * (i % 6), 2.0 * (i / 6) + random.uniform(-0.5, 0.5)});
+    for (std::int32_t i = 0; i < def.groups[0].count; ++i) {
+        const std::int32_t row = i / 6;
+        def.groups[0].starts.push_back({-26.0 + 2.0 * (i % 6), 2.0 * row + random.uniform(-0.5, 0.5)});
+    }
     World world = World::create(def).value();
     std::uint32_t n = 0;
     Log log;

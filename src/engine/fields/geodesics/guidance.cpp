@@ -44,7 +44,11 @@ Guidance Geodesics::Impl::staticGuidance(Vec2 from, std::int32_t place, Steering
     // Where many characters get other places at once, the first targets are staggered over several steps;
     // until then the field leads.
     if (target.place != place)
-        target = {from, place, static_cast<std::int32_t>(stagger(place) % kTargetSteps), -1, false};
+        target = {.point = from,
+                  .place = place,
+                  .steps = static_cast<std::int32_t>(stagger(place) % kTargetSteps),
+                  .after = {},
+                  .end = {}};
     const auto farField = [&]() -> const CostField& { return far.field(farStencil[place].nearest); };
     const CostEstimate found = estimate(query(from, place, true));
     Guidance result;

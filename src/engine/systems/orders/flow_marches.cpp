@@ -328,7 +328,7 @@ void FlowMarches::keepSpeed(const WorldState& state, Group& group) {
 }
 
 bool FlowMarches::advance(WorldState& state, const WayGround& ground, Group& group, const MarchDef& def,
-                          Vec2 aside) {
+                          Vec2 offCourse) {
     MarchFlow& flow = group.flow;
     const auto room = [&](Vec2 p) { return clearanceBeside(flow.held, p, ground.clearanceAt(p)); };
     // After a restore the plan is made again up to where it was.
@@ -354,11 +354,11 @@ bool FlowMarches::advance(WorldState& state, const WayGround& ground, Group& gro
             keepSpeed(state, group);
         }
     }
-    if (flow.phase == FlowPhase::Flowing) move(state, group, def, aside);
+    if (flow.phase == FlowPhase::Flowing) move(state, group, def, offCourse);
     return true;
 }
 
-void FlowMarches::move(WorldState& state, Group& group, const MarchDef& def, Vec2 aside) {
+void FlowMarches::move(WorldState& state, Group& group, const MarchDef& def, Vec2 offCourse) {
     MarchFlow& flow = group.flow;
     const double dt = state.parameters.stepTime;
     const Grid& grid = state.environment.grid();
@@ -371,13 +371,13 @@ void FlowMarches::move(WorldState& state, Group& group, const MarchDef& def, Vec
     speeds_.resize(flow.places.size());
     for (std::size_t i = 0; i < speeds_.size(); ++i)
         speeds_[i] = std::max(1e-3, flow.speed * ground[grid.index(grid.nearestCell(flow.places[i]))]);
-    for (Vec2& p : flow.places) p -= group.avoidance.aside;
+    for (Vec2& p : flow.places) p -= group.avoidance.offCourse;
     if (flow.speed > 1e-4) flow.q = flow.plans.best().next(flow.q, dt, speeds_, flow.places, flow.rate);
     Pose pose = flow.poses.empty() ? between(flow.from, flow.to, flow.q) : flow.plans.best().pieceAt(flow.q);
-    group.avoidance.aside = flow.q < 1.0 ? aside : Vec2{};
-    for (Vec2& p : flow.places) p += group.avoidance.aside;
+    group.avoidance.offCourse = flow.q < 1.0 ? offCourse : Vec2{};
+    for (Vec2& p : flow.places) p += group.avoidance.offCourse;
     if (!flow.poses.empty())
-        pose.position += group.avoidance.aside;
+        pose.position += group.avoidance.offCourse;
     else
         pose.position = meanOf(flow.places) - pose.rotation.apply(meanOf(flow.offsets));
     if (flow.q >= 1.0) {

@@ -37,10 +37,11 @@ public:
     /// Lays the places of a group out on the ground whose mesh rests where many of them cannot be, or where
     /// others stand who were there before.
     void settle(WorldState& state, Group& group);
-    /// One step: plans, or moves places at most at `def.speed` times the speed of the ground, so far `aside`
-    /// of their course [m]. False where the way is blocked; then the mesh leads, and stands at the end.
+    /// One step: plans, or moves places at most at `def.speed` times the speed of the ground, so far
+    /// `offCourse` of their course [m]. False where the way is blocked; then the mesh leads, and stands at
+    /// the end.
     bool advance(WorldState& state, const WayGround& ground, Group& group, const MarchDef& def,
-                 Vec2 aside = {});
+                 Vec2 offCourse = {});
 
 private:
     double takeOffsets(const WorldState& state, const Group& group, std::vector<Vec2>& offsets);
@@ -57,7 +58,7 @@ private:
     void exchange(WorldState& state, Group& group, double reach);
     void keepSpeed(const WorldState& state, Group& group);
     static void plan(WorldState& state, Group& group, Vec2 moves);
-    void move(WorldState& state, Group& group, const MarchDef& def, Vec2 aside);
+    void move(WorldState& state, Group& group, const MarchDef& def, Vec2 offCourse);
 
     std::int64_t budget_ = 0;
     EndPlaces endPlaces_;

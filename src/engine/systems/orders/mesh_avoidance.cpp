@@ -21,9 +21,9 @@ constexpr std::size_t kMostLegs = 8;  // Of a path within the horizon.
 constexpr double kStands = 0.3;       // Who is slower stands [m/s].
 constexpr double kTowards = -0.5;     // Cosine of the angle from which on somebody comes towards it.
 constexpr double kChange = 0.3;       // Another manoeuvre has to pay by that [s].
-constexpr double kLeft = 1.2;        // To the left it counts for so many times as far: all pass on the right.
-constexpr double kAsideStep = 1.25;  // Between courses aside that are tried [m].
-constexpr int kMostAside = 10;       // Of them, to each side.
+constexpr double kLeft = 1.2;  // To the left it counts for so many times as far: all pass on the right.
+constexpr double kCourseStep = 1.25;  // Between courses that are tried [m].
+constexpr int kMostCourses = 10;      // Of them, to each side.
 constexpr double kDelays[] = {1.0, 2.0, 3.0, 4.5, 6.0, 8.0, kLongestWait};  // [s]
 constexpr double kPatience = 60.0;  // Who has waited so long for moving obstacles presses on...
 constexpr double kPresses = 6.0;    // ... so many times less long.
@@ -106,7 +106,7 @@ CourseDef MeshAvoidance::courseDefOf(const WorldState& state, const Group& group
     own.middle = meanOf(group.places.positions());
     own.ahead = group.orders.march.ahead();
     own.side = group.avoidance.side;
-    own.aside = dot(group.avoidance.aside, own.side);
+    own.offCourse = dot(group.avoidance.offCourse, own.side);
     own.speed = group.flow.speed;
     own.cruise = def.speed;
     own.acceleration = def.acceleration;
@@ -219,7 +219,7 @@ void MeshAvoidance::listNear(const WorldState& state, const Group& group, const 
     });
 }
 
-// True where it meets somebody. Who comes towards it goes aside by as much, the other way.
+// True where it meets somebody. Who comes towards it leaves its course by as much, the other way.
 bool MeshAvoidance::meets(const CourseDef& own, const Manoeuvre& manoeuvre, bool movers, double share) {
     const double until = manoeuvre.wait + kCourseHorizon;
     listCourse(own, manoeuvre, until, course_);
@@ -237,7 +237,7 @@ bool MeshAvoidance::meets(const CourseDef& own, const Manoeuvre& manoeuvre, bool
 bool MeshAvoidance::letsPass(const CourseDef& own) {
     MovingBox still = own.box;
     still.to = kKnownAhead;
-    listCourse(own, {0.0, own.aside}, kCourseHorizon, course_);
+    listCourse(own, {0.0, own.offCourse}, kCourseHorizon, course_);
     return std::none_of(near_.begin(), near_.end(), [&](const Neighbour* other) {
         const bool stands = length(other->course.front().velocity) < kStands;
         return firstContact({&still, 1}, other->course, kKept * other->margin) < kInfiniteCost ||
@@ -245,16 +245,17 @@ bool MeshAvoidance::letsPass(const CourseDef& own) {
     });
 }
 
-// True where the ground has as much room aside as the formation needs, or has on its way.
-bool MeshAvoidance::hasRoom(const WayGround& ground, double half, const CourseDef& own, double aside) {
-    const Vec2 on = own.middle - own.side * own.aside;
+// True where the ground has as much room beside its course as the formation needs, or has on its way.
+bool MeshAvoidance::hasRoom(const WayGround& ground, double half, const CourseDef& own, double offCourse) {
+    const Vec2 on = own.middle - own.side * own.offCourse;
     const Vec2 along = normalized(own.ahead.front() - on);
     const double whole = std::min(own.cruise * kCourseHorizon, distance(own.ahead.front(), on));
     const double step = std::max(1.0, 0.5 * half);
     for (double s = 0.0; s <= whole; s += step) {
-        const double share = std::min(1.0, s * kAsideShare / kOnwardShare / std::max(1e-9, std::fabs(aside)));
+        const double share = std::min(1.0,
+                                      s * kSideShare / kOnwardShare / std::max(1e-9, std::fabs(offCourse)));
         const Vec2 p = on + along * s;
-        if (ground.clearanceAt(p + own.side * (aside * share)) < std::min(half, ground.clearanceAt(p)))
+        if (ground.clearanceAt(p + own.side * (offCourse * share)) < std::min(half, ground.clearanceAt(p)))
             return false;
     }
     return true;
@@ -264,31 +265,32 @@ bool MeshAvoidance::hasRoom(const WayGround& ground, double half, const CourseDe
 // no moving obstacle: people pass one by one.
 void MeshAvoidance::choose(const WayGround& ground, double half, const CourseDef& own, Avoidance& avoidance) {
     for (const bool movers : {false, true}) {
-        Manoeuvre best{kDelays[0], own.aside};
+        Manoeuvre best{kDelays[0], own.offCourse};
         double least = kInfiniteCost;
         const auto look = [&](const Manoeuvre& tried) {
-            double cost = timeLost(own, tried) * (tried.aside > 0.0 ? kLeft : 1.0);
-            const bool same = tried.aside == avoidance.chosen.aside &&
+            double cost = timeLost(own, tried) * (tried.offCourse > 0.0 ? kLeft : 1.0);
+            const bool same = tried.offCourse == avoidance.chosen.offCourse &&
                               (tried.wait > 0.0) == (avoidance.chosen.wait > 0.0);
             if (!same) cost += kChange;
             if (cost >= least) return;
-            if (tried.aside != 0.0 && tried.aside != own.aside && !hasRoom(ground, half, own, tried.aside))
+            if (tried.offCourse != 0.0 && tried.offCourse != own.offCourse &&
+                !hasRoom(ground, half, own, tried.offCourse))
                 return;
             if (meets(own, tried, movers, same ? kKept : 1.0)) return;
             least = cost;
             best = tried;
         };
         look({});
-        look({0.0, avoidance.chosen.aside});
-        for (int k = 1; k <= kMostAside; ++k) {
-            look({0.0, -kAsideStep * k});
-            look({0.0, kAsideStep * k});
+        look({0.0, avoidance.chosen.offCourse});
+        for (int k = 1; k <= kMostCourses; ++k) {
+            look({0.0, -kCourseStep * k});
+            look({0.0, kCourseStep * k});
         }
         for (const double wait : kDelays)
-            for (const double aside : {0.0, avoidance.chosen.aside}) look({wait, aside});
+            for (const double offCourse : {0.0, avoidance.chosen.offCourse}) look({wait, offCourse});
         if (least == kInfiniteCost && letsPass(own)) {
             least = kLongestWait;
-            best = {kLongestWait, own.aside};
+            best = {kLongestWait, own.offCourse};
         }
         if (least < kInfiniteCost || movers) {
             avoidance.free = !movers;
@@ -306,7 +308,7 @@ void MeshAvoidance::decide(const WorldState& state, const WayGround& ground, con
         readMovers(state);
         known_ = true;
     }
-    const Vec2 on = meanOf(group.places.positions()) - avoidance.aside;
+    const Vec2 on = meanOf(group.places.positions()) - avoidance.offCourse;
     const Vec2 along = normalized(group.orders.march.ahead().front() - on);
     if (!(along == Vec2{})) avoidance.side = perpendicular(along);
     const CourseDef own = courseDefOf(state, group, def);
@@ -326,7 +328,8 @@ void MeshAvoidance::decide(const WorldState& state, const WayGround& ground, con
 Vec2 MeshAvoidance::advance(const WorldState& state, const WayGround& ground, MarchDef& def, Group& group) {
     Avoidance& avoidance = group.avoidance;
     const double dt = state.parameters.stepTime;
-    const auto period = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(kChoiceEvery / dt + 0.5));
+    const auto period = std::max<std::uint32_t>(
+        1, static_cast<std::uint32_t>(std::floor(kChoiceEvery / dt + 0.5)));
     const bool fresh = avoidance.side == Vec2{};
     if (fresh || (state.stepCount + group.id.value) % period == 0) decide(state, ground, def, group);
     const bool waits = avoidance.chosen.wait > 0.0;
@@ -336,16 +339,16 @@ Vec2 MeshAvoidance::advance(const WorldState& state, const WayGround& ground, Ma
     if (avoidance.free) def.pace = 1.0;
     if (waits) {
         def.speed = std::max(0.0, group.flow.speed - def.acceleration * dt);
-        return avoidance.aside;
+        return avoidance.offCourse;
     }
     // By the end it is back on its course.
     double left = 0.0;
     for (std::size_t k = 1; k < group.flow.way.size(); ++k)
         left += (1.0 - group.flow.q) * distance(group.flow.way[k - 1], group.flow.way[k]);
-    const Vec2 wanted = clampLength(avoidance.side * avoidance.chosen.aside, left);
-    const Vec2 step = clampLength(wanted - avoidance.aside, kAsideShare * def.speed * dt);
+    const Vec2 wanted = clampLength(avoidance.side * avoidance.chosen.offCourse, left);
+    const Vec2 step = clampLength(wanted - avoidance.offCourse, kSideShare * def.speed * dt);
     if (!(step == Vec2{})) def.speed *= kOnwardShare;
-    return clampLength(avoidance.aside + step, left);
+    return clampLength(avoidance.offCourse + step, left);
 }
 
 }  // namespace muster

@@ -15,7 +15,7 @@ class MeshAvoidance {
 public:
     /// Begins a step.
     void begin() { known_ = false; }
-    /// One step of a group on its march: sets its speed, and says how far aside of its course it is to be
+    /// One step of a group on its march: sets its speed, and says how far off its course it is to be
     /// [m].
     Vec2 advance(const WorldState& state, const WayGround& ground, MarchDef& def, Group& group);
 
@@ -36,7 +36,7 @@ private:
     void listNear(const WorldState& state, const Group& group, const CourseDef& own);
     bool meets(const CourseDef& own, const Manoeuvre& manoeuvre, bool movers, double share);
     bool letsPass(const CourseDef& own);
-    static bool hasRoom(const WayGround& ground, double half, const CourseDef& own, double aside);
+    static bool hasRoom(const WayGround& ground, double half, const CourseDef& own, double offCourse);
     void choose(const WayGround& ground, double half, const CourseDef& own, Avoidance& avoidance);
     void decide(const WorldState& state, const WayGround& ground, const MarchDef& def, Group& group);
 

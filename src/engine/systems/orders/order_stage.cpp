@@ -306,11 +306,11 @@ void OrderStage::goOn(WorldState& state, Group& group, const MarchDef& def) {
 void OrderStage::flow(WorldState& state, Group& group, MarchDef def) {
     March& march = group.orders.march;
     if (march.phase != MarchPhase::Go) return;
-    Vec2 aside;
+    Vec2 offCourse;
     if (group.flow.phase == FlowPhase::Flowing &&
-        (group.def.conduct.avoids || !(group.avoidance.aside == Vec2{})))
-        aside = avoidance_.advance(state, ways_.ground(), def, group);
-    if (group.flow.leads() && flows_.advance(state, ways_.ground(), group, def, aside)) {
+        (group.def.conduct.avoids || !(group.avoidance.offCourse == Vec2{})))
+        offCourse = avoidance_.advance(state, ways_.ground(), def, group);
+    if (group.flow.leads() && flows_.advance(state, ways_.ground(), group, def, offCourse)) {
         passCorners(march, group.flow.q);
         if (group.flow.phase == FlowPhase::Standing) march.phase = MarchPhase::Stand;
         return;
