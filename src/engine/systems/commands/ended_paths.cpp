@@ -8,7 +8,7 @@ namespace muster {
 namespace {
 
 // True where the path leads nowhere from the present time on.
-bool isOver(const TimedPath& path, double time) {
+bool leadsNowhere(const TimedPath& path, double time) {
     const Waypoint now = path.at(time);
     return std::all_of(path.waypoints.begin(), path.waypoints.end(), [&](const Waypoint& w) {
         const bool passed = !path.loop && w.time <= time;
@@ -34,7 +34,7 @@ void settleEndedPaths(WorldState& state, ThreadPool& pool) {
     bool any = false;
     for (const ObstacleId id : environment.obstacleIds()) {
         const TimedPath& path = environment.obstacle(id)->path;
-        if (path.still() || !isOver(path, environment.time())) continue;
+        if (path.still() || !leadsNowhere(path, environment.time())) continue;
         if (!any) pool.wait();  // Background work reads the ground.
         const Status changed = environment.changeObstacle(id, standing(environment, id));
         MUSTER_ASSERT(changed.ok());

@@ -13,7 +13,7 @@ namespace muster {
 namespace {
 
 constexpr double kChoiceEvery = 0.2;  // Between two choices of a group [s].
-constexpr double kMargin = 0.8;       // To others [m]...
+constexpr double kToOthers = 0.8;       // To others [m]...
 constexpr double kKept = 0.6;         // ... a share of it for who does what it did.
 constexpr double kStraggler = 2.0;    // Who is farther from their place does not count [m].
 constexpr double kStraight = 0.02;    // A smaller turn is none [rad].
@@ -25,7 +25,7 @@ constexpr double kLeft = 1.2;  // To the left it counts for so many times as far
 constexpr double kCourseStep = 1.25;  // Between courses that are tried [m].
 constexpr int kMostCourses = 10;      // Of them, to each side.
 constexpr double kDelays[] = {1.0, 2.0, 3.0, 4.5, 6.0, 8.0, kLongestWait};  // [s]
-constexpr double kPatience = 60.0;  // Who has waited so long for moving obstacles presses on...
+constexpr double kMostWait = 60.0;  // Who has waited so long for moving obstacles presses on...
 constexpr double kPresses = 6.0;    // ... so many times less long.
 
 /// Bounds of points in the axes of a pose.
@@ -119,7 +119,7 @@ void MeshAvoidance::readMeshes(const WorldState& state) {
     for (std::size_t g = 0; g < state.groups.size(); ++g) {
         const Group& group = state.groups[g];
         Neighbour& mesh = meshes_[g];
-        mesh.margin = kMargin;
+        mesh.margin = kToOthers;
         mesh.course.clear();
         if (group.members.empty()) continue;
         mesh.shares = keepsClear(group) && !(group.avoidance.side == Vec2{});
@@ -192,7 +192,7 @@ void MeshAvoidance::readMovers(const WorldState& state) {
         if (!piece.moving) continue;
         if (count == movers_.size()) movers_.emplace_back();
         Neighbour& mover = movers_[count++];
-        mover.margin = kMargin;
+        mover.margin = kToOthers;
         mover.moves = true;
         mover.course.clear();
         readMover(state, piece, mover.course);
@@ -334,7 +334,7 @@ Vec2 MeshAvoidance::advance(const WorldState& state, const WayGround& ground, Ma
     if (fresh || (state.stepCount + group.id.value) % period == 0) decide(state, ground, def, group);
     const bool waits = avoidance.chosen.wait > 0.0;
     avoidance.waited = std::max(0.0, avoidance.waited + (waits ? dt : -kPresses * dt));
-    avoidance.presses = avoidance.presses ? avoidance.waited > 0.0 : avoidance.waited > kPatience;
+    avoidance.presses = avoidance.presses ? avoidance.waited > 0.0 : avoidance.waited > kMostWait;
     // Nobody is waited for in a street.
     if (avoidance.free) def.pace = 1.0;
     if (waits) {
