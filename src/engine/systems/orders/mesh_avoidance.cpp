@@ -13,7 +13,7 @@ namespace muster {
 namespace {
 
 constexpr double kChoiceEvery = 0.2;  // Between two choices of a group [s].
-constexpr double kToOthers = 0.8;       // To others [m]...
+constexpr double kToOthers = 0.8;     // To others [m]...
 constexpr double kKept = 0.6;         // ... a share of it for who does what it did.
 constexpr double kStraggler = 2.0;    // Who is farther from their place does not count [m].
 constexpr double kStraight = 0.02;    // A smaller turn is none [rad].
