@@ -18,7 +18,7 @@ constexpr double kMostOff = 0.25;         // Share of places that may be elsewhe
 constexpr std::uint32_t kLookSteps = 30;  // Steps between two looks whether others stand where a mesh rests.
 constexpr double kBuiltOn = 0.5;          // Nearer to a wall, in radii, a place is no place to start from.
 constexpr double kSameFacing = 0.99;      // Cosine of the angle by which headings that are alike may differ.
-constexpr double kOfMarch = 0.02;      // Of a march, by which its first direction is known.
+constexpr double kOfMarch = 0.02;         // Of a march, by which its first direction is known.
 constexpr double kPays = 0.25;  // Of a walk that does not lead to the target: so much nearer it has to come.
 
 double spacingOf(const Group& group) {
