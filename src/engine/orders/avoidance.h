@@ -42,7 +42,7 @@ struct Avoidance {
 /// A formation on its way.
 struct CourseDef {
     MovingBox box;                ///< Where it is.
-    Vec2 middle;                  ///< What goes along the way, `aside` beside it [m].
+    Vec2 middle;                  ///< What goes along the way, `offCourse` beside it [m].
     std::span<const Vec2> ahead;  ///< Corners of the way ahead, at least one [m].
     Vec2 side;                    ///< To the left, of unit length.
     double offCourse = 0.0;       ///< How far it is beside its way [m].

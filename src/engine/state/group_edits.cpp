@@ -1,6 +1,7 @@
 #include "engine/state/group_edits.h"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -233,8 +234,9 @@ Status addGroup(WorldState& state, const GroupDef& def) {
                      bodyOf(def, static_cast<std::size_t>(i)));
     for (const Order& order : def.orders) group.orders.orders.push_back({state.nextOrder++, order});
     group.orders.patrols = def.patrols;
-    for (std::int32_t i = 0; i < def.count; ++i)
-        group.members.push_back(static_cast<std::int32_t>(state.characters.size()) - def.count + i);
+    group.members.resize(def.count);
+    std::iota(group.members.begin(), group.members.end(),
+              static_cast<std::int32_t>(state.characters.size()) - def.count);
     state.groups.push_back(std::move(group));
     state.checkpointState.resize(state.checkpoints.size() * state.groups.size(), 0);
     partAtStart(state);

@@ -304,6 +304,7 @@ bool Environment::moves() const {
     return std::any_of(impl_->obstacles.begin(), impl_->obstacles.end(), isOnTheMove) ||
            std::any_of(impl_->patches.begin(), impl_->patches.end(), isOnTheMove);
 }
+
 std::uint64_t Environment::groundVersion() const {
     return impl_->groundVersion;
 }

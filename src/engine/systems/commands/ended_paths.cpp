@@ -1,6 +1,7 @@
 #include "engine/systems/commands/ended_paths.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "muster/assert.h"
 
@@ -31,18 +32,21 @@ ObstacleDef standing(const Environment& environment, ObstacleId id) {
 
 void settleEndedPaths(WorldState& state, ThreadPool& pool) {
     Environment& environment = state.environment;
-    bool any = false;
-    for (const ObstacleId id : environment.obstacleIds()) {
-        const TimedPath& path = environment.obstacle(id)->path;
-        if (path.still() || !leadsNowhere(path, environment.time())) continue;
-        if (!any) pool.wait();  // Background work reads the ground.
+    std::vector<ObstacleId> ended;  // Ascending, as pieces are.
+    for (const ObstaclePiece& piece : environment.pieces()) {
+        if (!piece.moving || (!ended.empty() && ended.back() == piece.obstacle)) continue;
+        if (leadsNowhere(environment.obstacle(piece.obstacle)->path, environment.time()))
+            ended.push_back(piece.obstacle);
+    }
+    if (ended.empty()) return;
+    pool.wait();  // Background work reads the ground.
+    for (const ObstacleId id : ended) {
         const Status changed = environment.changeObstacle(id, standing(environment, id));
         MUSTER_ASSERT(changed.ok());
         (void)changed;
         ++state.groundEdits;
-        any = true;
     }
-    if (any) environment.setTime(environment.time());
+    environment.setTime(environment.time());
 }
 
 }  // namespace muster

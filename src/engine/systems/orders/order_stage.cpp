@@ -299,7 +299,7 @@ void OrderStage::goOn(WorldState& state, Group& group, const MarchDef& def) {
     if (march.phase != MarchPhase::Search)
         flow(state, group, def);
     else if (group.flow.moves())
-        flows_.advance(state, ways_.ground(), group, def, {});
+        flows_.advance(state, ways_.ground(), group, def);
     march.last = group.mesh.pose();
 }
 
