@@ -6,7 +6,8 @@
 namespace muster {
 
 // The present plan becomes the one that was made from the same, or a new one.
-void MarchPlans::start(const StreamDef& def, std::span<const HeldSpot> held, GroundVersion ground) {
+void MarchPlans::start(const StreamDef& def, std::span<const HeldSpot> held, GroundVersion ground,
+                       const Grid& cells) {
     wanted_.offsets.assign(def.offsets.begin(), def.offsets.end());
     wanted_.starts.assign(def.starts.begin(), def.starts.end());
     wanted_.ends.assign(def.ends.begin(), def.ends.end());
@@ -29,15 +30,24 @@ void MarchPlans::start(const StreamDef& def, std::span<const HeldSpot> held, Gro
     Kept& plan = kept_[now_];
     std::swap(plan.input, wanted_);
     plan.turns.clear();
+    plan.asked.reset(cells);
     plan.ways.start(plan.input.def());
 }
 
+StreamStatus MarchPlans::Kept::advance(StreamGround room, std::int64_t operations) {
+    const auto ask = [&](Vec2 p) {
+        asked.add(p);
+        return room(p);
+    };
+    return ways.advance(ask, operations);
+}
+
 void MarchPlans::resume(const StreamDef& def, std::span<const HeldSpot> held, GroundVersion ground,
-                        StreamGround room, std::int64_t spent) {
-    start(def, held, ground);
+                        const Grid& cells, StreamGround room, std::int64_t spent) {
+    start(def, held, ground, cells);
     spent_ = spent;
-    StreamWays& ways = kept_[now_].ways;
-    if (ways.operations() < spent) ways.advance(room, spent - ways.operations());
+    Kept& plan = kept_[now_];
+    if (plan.ways.operations() < spent) plan.advance(room, spent - plan.ways.operations());
 }
 
 StreamStatus MarchPlans::advance(StreamGround room, std::int64_t operations) {
@@ -53,9 +63,9 @@ StreamStatus MarchPlans::advance(StreamGround room, std::int64_t operations) {
         // Another budget than before.
         std::erase_if(plan.turns, [&](const Turn& turn) { return turn.from >= spent_; });
         plan.ways.start(plan.input.def());
-        if (spent_ > 0) plan.ways.advance(room, spent_);
+        if (spent_ > 0) plan.advance(room, spent_);
     }
-    const StreamStatus status = plan.ways.advance(room, operations);
+    const StreamStatus status = plan.advance(room, operations);
     plan.turns.push_back({spent_, operations, plan.ways.operations()});
     spent_ = plan.ways.operations();
     return status;

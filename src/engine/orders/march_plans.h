@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/orders/asked_tiles.h"
 #include "engine/orders/held_spot.h"
 #include "engine/orders/stream_ways.h"
 #include "engine/orders/way_ground.h"
@@ -17,13 +18,16 @@ namespace muster {
 /// of before are caches.
 class MarchPlans {
 public:
-    /// Begins a plan; what the definition refers to is copied. `ground` is that of all later calls.
-    void start(const StreamDef& def, std::span<const HeldSpot> held, GroundVersion ground);
+    /// Begins a plan; what the definition refers to is copied. `ground` is that of all later calls, `cells`
+    /// are its.
+    void start(const StreamDef& def, std::span<const HeldSpot> held, GroundVersion ground, const Grid& cells);
     /// Goes on with a plan that was begun in another world, where so many operations were spent.
-    void resume(const StreamDef& def, std::span<const HeldSpot> held, GroundVersion ground, StreamGround room,
-                std::int64_t spent);
+    void resume(const StreamDef& def, std::span<const HeldSpot> held, GroundVersion ground, const Grid& cells,
+                StreamGround room, std::int64_t spent);
     /// Goes on for about so many operations.
     StreamStatus advance(StreamGround room, std::int64_t operations);
+    /// The ground was changed where the present plan has not looked.
+    void stay(GroundVersion ground) { kept_[now_].input.ground = ground; }
     /// Takes over the plans of a world that is rewound.
     void keep(MarchPlans& before);
 
@@ -31,6 +35,8 @@ public:
     std::int64_t operations() const { return spent_; }  ///< Since the start.
     /// The march that was planned.
     Stream& best() { return kept_[now_].ways.best(); }
+    /// Where it has looked; all of that only once it is planned.
+    const AskedTiles& asked() const { return kept_[now_].asked; }
 
 private:
     /// What one call of advance() came to.
@@ -54,6 +60,9 @@ private:
         Input input;
         StreamWays ways;
         std::vector<Turn> turns;
+        AskedTiles asked;
+
+        StreamStatus advance(StreamGround room, std::int64_t operations);
     };
 
     std::array<Kept, 2> kept_;

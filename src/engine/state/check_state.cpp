@@ -145,7 +145,9 @@ bool isSane(const MarchFlow& flow) {
            (!flow.moves() || (flow.starts.size() == n && flow.ends.size() == n && flow.way.size() >= 2)) &&
            arePlaces(flow.offsets) && arePlaces(flow.starts) && arePlaces(flow.ends) && arePlaces(flow.way) &&
            std::all_of(flow.poses.begin(), flow.poses.end(), isPose) && arePlaces(flow.places) &&
-           areSpots(flow.held);
+           areSpots(flow.held) && std::all_of(flow.kept.begin(), flow.kept.end(), [&](std::int32_t place) {
+               return place >= 0 && std::cmp_less(place, flow.places.size());
+           });
 }
 
 bool isSane(const March& march) {
@@ -196,6 +198,11 @@ Status checkGroup(const Group& group, const Grid& grid) {
     const Formation& formation = group.mesh.formation();
     if (formation.places.size() != count || group.places.positions().size() != count)
         return wrong("places that do not suit their group");
+    const MarchFlow& flow = group.flow;
+    if (flow.leads() && (flow.kept.empty() ? flow.places.size() : flow.kept.size()) != count)
+        return wrong("a march that does not suit its group");
+    if (flow.phase == FlowPhase::Flowing && !flow.asked.fits(grid))
+        return wrong("a march over another ground");
     for (const auto* points : {&formation.mesh.vertices, &group.mesh.userMesh(), &group.mesh.finalMesh()})
         if (!arePlaces(*points)) return wrong("a mesh that is out of range");
     if (!(group.meanLag >= 0.0 && group.meanLag <= kMaxCoordinate * 100.0))

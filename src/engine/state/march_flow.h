@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
+#include "engine/orders/asked_tiles.h"
 #include "engine/orders/held_spot.h"
 #include "engine/orders/march_plans.h"
 #include "muster/vec2.h"
@@ -38,6 +40,10 @@ struct MarchFlow {
     std::vector<Pose> poses;     ///< That it goes through in one piece; none where it may flow.
     std::vector<HeldSpot> held;  ///< Those on the way who hold their ground.
     std::vector<Vec2> places;    ///< Where they are now [m].
+    /// Of each place of the group, which of them it is; none where all are, in this order. Where some have
+    /// fallen, the march goes on with their places empty.
+    std::vector<std::int32_t> kept;
+    AskedTiles asked;  ///< Where the plan has looked; once it is made.
     MarchPlans plans;            ///< The plan; a cache, made again from the above where it is missing.
 
     /// True while it says where places are.
@@ -48,6 +54,17 @@ struct MarchFlow {
     bool isStop() const { return phase == FlowPhase::Standing && offsets.empty(); }
     /// The mesh leads again.
     void end() { phase = FlowPhase::None; }
+    /// Appends to `list` those of points of all its places that are of places of the group.
+    void select(const std::vector<Vec2>& points, std::vector<Vec2>& list) const {
+        if (kept.empty()) list.insert(list.end(), points.begin(), points.end());
+        for (const std::int32_t place : kept) list.push_back(points[place]);
+    }
+    /// The group goes on with some of its places, in this order.
+    void keep(const std::vector<std::int32_t>& these) {
+        std::vector<std::int32_t> now;
+        for (const std::int32_t place : these) now.push_back(kept.empty() ? place : kept[place]);
+        kept = std::move(now);
+    }
     /// The places stand at their ends.
     void standAtEnds() {
         places = ends;
@@ -61,7 +78,7 @@ struct MarchFlow {
     template <class Archive>
     void visit(Archive& archive) {
         archive(phase, q, speed, rate, version, ground, spent, from, to, drawn, spacing, radius, closest,
-                offsets, starts, ends, way, poses, held, places);
+                offsets, starts, ends, way, poses, held, places, kept, asked);
         if constexpr (Archive::kReading) plans = {};
     }
 };

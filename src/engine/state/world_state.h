@@ -51,6 +51,10 @@ struct WorldState {
     std::uint32_t nextItem = 1;                       ///< Id of the next item.
     std::uint32_t nextCheckpoint = 1;                 ///< Id of the next checkpoint.
 
+    // Of the commands of this step.
+    std::uint32_t editsBefore = 0;      ///< groundEdits before them.
+    std::vector<CellRect> editedAreas;  ///< Cells whose clearance or travel speed they may have changed.
+
     // Caches.
     RouteGraph routes;  ///< Where usual characters can walk; as it was after the last refreshRoutes().
     std::map<std::int32_t, RouteGraph> classRoutes;  ///< The same for other classes of ground.

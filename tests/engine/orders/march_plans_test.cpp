@@ -11,6 +11,7 @@ using namespace muster::stream_scenes;
 namespace {
 
 constexpr GroundVersion kGround{1, 1};
+const Grid kCells = Grid::covering({{-50, -50}, {50, 50}}, 0.5);
 
 /// Plans in steps of a budget, and notes what was spent after each; counts the looks at the ground.
 struct Planner {
@@ -33,7 +34,7 @@ struct Planner {
     }
     void resume(MarchPlans& plans, std::int64_t spent, GroundVersion ground = kGround) {
         plans.resume(
-            task.def(), {}, ground, [&](Vec2 p) { return scene.ground.room(p); }, spent);
+            task.def(), {}, ground, kCells, [&](Vec2 p) { return scene.ground.room(p); }, spent);
     }
     Points at(MarchPlans& plans, double q) const {
         Points places(task.starts.size());
@@ -47,7 +48,7 @@ struct Planner {
 TEST_CASE("a march that is planned again after a rewind costs no look at the ground, step by step") {
     Planner planner;
     MarchPlans first, rewound;
-    first.start(planner.task.def(), {}, kGround);
+    first.start(planner.task.def(), {}, kGround, kCells);
     const auto spent = planner.goOn(first, 5000);
     REQUIRE(spent.size() > 10);
     const Points middle = planner.at(first, 0.5);
@@ -60,7 +61,7 @@ TEST_CASE("a march that is planned again after a rewind costs no look at the gro
     CHECK(std::equal(again.begin(), again.end(), spent.begin() + 4, spent.end()));
     CHECK(planner.at(rewound, 0.5) == middle);
     // From the start, too.
-    rewound.start(planner.task.def(), {}, kGround);
+    rewound.start(planner.task.def(), {}, kGround, kCells);
     CHECK(rewound.operations() == 0);
     CHECK(planner.goOn(rewound, 5000) == spent);
     CHECK(planner.looks == 0);
@@ -69,11 +70,11 @@ TEST_CASE("a march that is planned again after a rewind costs no look at the gro
 TEST_CASE("with other budgets a march is planned as if nothing were known") {
     Planner planner;
     MarchPlans known, fresh;
-    known.start(planner.task.def(), {}, kGround);
+    known.start(planner.task.def(), {}, kGround, kCells);
     const auto spent = planner.goOn(known, 5000);
-    known.start(planner.task.def(), {}, kGround);
+    known.start(planner.task.def(), {}, kGround, kCells);
     planner.goOn(known, 5000, 3);
-    fresh.start(planner.task.def(), {}, kGround);
+    fresh.start(planner.task.def(), {}, kGround, kCells);
     planner.goOn(fresh, 5000, 3);
     CHECK(known.operations() == fresh.operations());
     CHECK(planner.goOn(known, 1700) == planner.goOn(fresh, 1700));
@@ -85,16 +86,16 @@ TEST_CASE("on another ground nothing is known, and of two marches both are after
     two.scene = door(5);
     two.task = taskOf(two.scene, true);
     MarchPlans first, rewound;
-    first.start(one.task.def(), {}, kGround);
+    first.start(one.task.def(), {}, kGround, kCells);
     const auto spent = one.goOn(first, 5000);
     rewound.keep(first);
     one.resume(rewound, spent.back());
-    rewound.start(two.task.def(), {}, kGround);
+    rewound.start(two.task.def(), {}, kGround, kCells);
     two.goOn(rewound, 5000);
     one.looks = two.looks = 0;
     one.resume(rewound, 0);
     one.goOn(rewound, 5000);
-    rewound.start(two.task.def(), {}, kGround);
+    rewound.start(two.task.def(), {}, kGround, kCells);
     two.goOn(rewound, 5000);
     CHECK(one.looks == 0);
     CHECK(two.looks == 0);

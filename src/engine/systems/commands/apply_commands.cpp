@@ -231,6 +231,18 @@ private:
     const Command& command_;
 };
 
+// Lists where the ground was edited since it had a version. Very many edits count as one of the whole ground:
+// of those the environment remembers the latest only.
+void listEdits(WorldState& state, std::uint64_t version) {
+    constexpr std::uint32_t kMostEdits = 64;
+    const Grid& grid = state.environment.grid();
+    state.editedAreas.clear();
+    if (state.groundEdits - state.editsBefore <= kMostEdits &&
+        state.environment.staticChangesSince(version, state.editedAreas))
+        return;
+    state.editedAreas.assign(1, {{0, 0}, {grid.width - 1, grid.height - 1}});
+}
+
 }  // namespace
 
 void applyCommands(WorldState& state, ThreadPool& pool, std::vector<Event>& events,
@@ -238,6 +250,8 @@ void applyCommands(WorldState& state, ThreadPool& pool, std::vector<Event>& even
     events.clear();
     rejections.clear();
     restOutside(state);
+    const std::uint64_t version = state.environment.staticVersion();
+    state.editsBefore = state.groundEdits;
     std::vector<Command>& queue = state.queue;
     std::ptrdiff_t done = 0;
     while (done < std::ssize(queue) && queue[done].step <= state.stepCount) {
@@ -251,6 +265,7 @@ void applyCommands(WorldState& state, ThreadPool& pool, std::vector<Event>& even
     queue.erase(queue.begin(), queue.begin() + done);
     state.environment.setTime(state.time());
     settleEndedPaths(state, pool);
+    listEdits(state, version);
     updateGroundClasses(state, pool);
 }
 

@@ -60,10 +60,21 @@ Result<Shrinking> shrink(const WorldState& state, std::span<const std::int32_t> 
     return result;
 }
 
+// Those who are left go on with a march on which they are.
 void apply(WorldState& state, Shrinking& shrinking) {
-    for (std::size_t k = 0; k < shrinking.groups.size(); ++k)
-        applyReform(state, state.groups[shrinking.groups[k]], std::move(shrinking.reforms[k]),
-                    state.groups[shrinking.groups[k]].mesh);
+    for (std::size_t k = 0; k < shrinking.groups.size(); ++k) {
+        Group& group = state.groups[shrinking.groups[k]];
+        Reform& reform = shrinking.reforms[k];
+        const bool marches = group.flow.moves() && group.flow.version == group.formationVersion;
+        std::vector<std::int32_t> kept;
+        for (const PlaceTracker::Origin& origin : reform.origins)
+            if (origin.tracker == &group.places && origin.place >= 0) kept.push_back(origin.place);
+        const bool known = !kept.empty() && kept.size() == reform.origins.size();
+        applyReform(state, group, std::move(reform), group.mesh);
+        if (!marches || !known) continue;
+        group.flow.keep(kept);
+        group.flow.version = group.formationVersion;
+    }
 }
 
 /// Gives a group, whose members are up to date, places for those who have joined it.

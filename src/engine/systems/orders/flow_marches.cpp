@@ -37,10 +37,25 @@ void listEnds(const WorldState& state, const Group& group, std::vector<Vec2>& en
     ends.clear();
     for (const Group& other : state.groups) {
         if (other.id == group.id || other.members.empty() || !counts(other)) continue;
-        const std::vector<Vec2>& places = other.flow.leads() ? other.flow.ends
-                                                             : other.places.reachableTargets();
-        ends.insert(ends.end(), places.begin(), places.end());
+        const std::vector<Vec2>& targets = other.places.reachableTargets();
+        if (other.flow.leads())
+            other.flow.select(other.flow.ends, ends);
+        else
+            ends.insert(ends.end(), targets.begin(), targets.end());
     }
+}
+
+/// Of the places of the group.
+Vec2 middleOf(const MarchFlow& flow) {
+    Vec2 sum;
+    for (const std::int32_t place : flow.kept) sum += flow.places[place];
+    return sum / static_cast<double>(flow.kept.size());
+}
+
+double lengthOf(std::span<const Vec2> way) {
+    double length = 0.0;
+    for (std::size_t k = 1; k < way.size(); ++k) length += distance(way[k - 1], way[k]);
+    return length;
 }
 
 /// From the begin of a way to its first point that is so far from it.
@@ -196,6 +211,7 @@ bool FlowMarches::findEnds(WorldState& state, Group& group, const Pose& end) {
     flow.spacing = std::max(room * spacingOf(group), flow.closest);
     flow.from = group.mesh.pose();
     flow.poses.clear();
+    flow.kept.clear();
     group.avoidance = {};
     flow.q = flow.speed = flow.rate = 0.0;
     flow.spent = 0;
@@ -313,7 +329,7 @@ void FlowMarches::plan(WorldState& state, Group& group, Vec2 moves) {
     flow.speed = length(moves);
     flow.places = flow.starts;
     flow.phase = FlowPhase::Planning;
-    flow.plans.start(flow.def(), flow.held, versionOf(state.environment));
+    flow.plans.start(flow.def(), flow.held, versionOf(state.environment), state.environment.grid());
 }
 
 // Who is on the move goes on, as far as the plan leads the same way.
@@ -327,13 +343,39 @@ void FlowMarches::keepSpeed(const WorldState& state, Group& group) {
     flow.speed *= std::max(0.0, dot(normalized(moves), along));
 }
 
-bool FlowMarches::advance(WorldState& state, const WayGround& ground, Group& group, const MarchDef& def,
-                          Vec2 offCourse) {
+// True where nothing has been changed in this step that the plan of a march has looked at, nor where a way
+// through it might be shorter. What was changed before the step is not known any more.
+bool FlowMarches::stays(const WorldState& state, const Group& group) const {
+    const MarchFlow& flow = group.flow;
+    if (flow.phase != FlowPhase::Flowing || flow.ground != state.editsBefore) return false;
+    const Grid& cells = state.environment.grid();
+    const Vec2 from = group.mesh.pose().position, to = flow.way.back();
+    const double left = flow.way.size() > 2 ? (1.0 - flow.q) * lengthOf(flow.way) : 0.0;
+    return std::none_of(state.editedAreas.begin(), state.editedAreas.end(), [&](const CellRect& area) {
+        const Box box{cells.centre(area.low), cells.centre(area.high)};
+        return flow.asked.meets(area) || distance(from, box.clamp(from)) + distance(box.clamp(to), to) < left;
+    });
+}
+
+bool FlowMarches::goesOn(const WorldState& state, Group& group) const {
     MarchFlow& flow = group.flow;
-    const auto room = [&](Vec2 p) { return clearanceBeside(flow.held, p, ground.clearanceAt(p)); };
+    if (!stays(state, group)) return false;
+    flow.ground = state.groundEdits;
+    if (flow.plans.begun()) flow.plans.stay(versionOf(state.environment));
+    return true;
+}
+
+bool FlowMarches::advance(WorldState& state, Group& group, const MarchDef& def, Vec2 offCourse) {
+    MarchFlow& flow = group.flow;
+    // As far as the ground knows its clearance exactly: an edit elsewhere then leaves the plan as it is.
+    const Environment& ground = state.environment;
+    const auto room = [&](Vec2 p) {
+        const std::int32_t cell = ground.grid().index(ground.grid().nearestCell(p));
+        return clearanceBeside(flow.held, p, ground.staticClearance()[cell]);
+    };
     // After a restore the plan is made again up to where it was.
     if (!flow.plans.begun() && flow.moves())
-        flow.plans.resume(flow.def(), flow.held, ground.version(), room, flow.spent);
+        flow.plans.resume(flow.def(), flow.held, versionOf(ground), ground.grid(), room, flow.spent);
     if (flow.phase == FlowPhase::Planning && budget_ > 0) {
         const StreamStatus status = flow.plans.advance(room, budget_);
         budget_ -= flow.plans.operations() - flow.spent;
@@ -351,6 +393,7 @@ bool FlowMarches::advance(WorldState& state, const WayGround& ground, Group& gro
         }
         if (status != StreamStatus::Planning) {
             flow.phase = FlowPhase::Flowing;
+            flow.asked = flow.plans.asked();
             keepSpeed(state, group);
         }
     }
@@ -380,6 +423,7 @@ void FlowMarches::move(WorldState& state, Group& group, const MarchDef& def, Vec
         pose.position += group.avoidance.offCourse;
     else
         pose.position = meanOf(flow.places) - pose.rotation.apply(meanOf(flow.offsets));
+    if (!flow.kept.empty()) pose.position = middleOf(flow);
     if (flow.q >= 1.0) {
         pose = flow.to;
         flow.phase = FlowPhase::Standing;

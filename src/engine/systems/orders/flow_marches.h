@@ -40,8 +40,9 @@ public:
     /// One step: plans, or moves places at most at `def.speed` times the speed of the ground, so far
     /// `offCourse` of their course [m]. False where the way is blocked; then the mesh leads, and stands at
     /// the end.
-    bool advance(WorldState& state, const WayGround& ground, Group& group, const MarchDef& def,
-                 Vec2 offCourse = {});
+    bool advance(WorldState& state, Group& group, const MarchDef& def, Vec2 offCourse = {});
+    /// True where the march of the group stays as it is on the ground as it was edited in this step.
+    bool goesOn(const WorldState& state, Group& group) const;
 
 private:
     double takeOffsets(const WorldState& state, const Group& group, std::vector<Vec2>& offsets);
@@ -57,6 +58,7 @@ private:
     void findStarts(WorldState& state, const Group& group);
     void exchange(WorldState& state, Group& group, double reach);
     void keepSpeed(const WorldState& state, Group& group);
+    bool stays(const WorldState& state, const Group& group) const;
     static void plan(WorldState& state, Group& group, Vec2 moves);
     void move(WorldState& state, Group& group, const MarchDef& def, Vec2 offCourse);
 

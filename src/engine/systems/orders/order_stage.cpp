@@ -126,16 +126,19 @@ void OrderStage::judgeAgain(WorldState& state, Group& group, ThreadPool& pool, s
     findGoal(state, group);
     if (reachable && !queue.reachable) raiseNoPath(events, group, group.def.count);
     if (const std::int32_t now = tooLargeFor(state, group); now > tooLarge) raiseNoPath(events, group, now);
-    const March& march = queue.march;
+    if (!(queue.target == target) || !(group.flow.moves() ? flows_.goesOn(state, group) : isClear(state, group)))
+        queue.march.phase = MarchPhase::Idle;
+}
+
+// True where the way that is left is free.
+bool OrderStage::isClear(const WorldState& state, const Group& group) {
     const double radius = groundRadius(state.parameters.character.radius, group.groundClass);
-    bool clear = true;
     Vec2 from = group.mesh.pose().position;
-    for (const Vec2 corner : march.ahead()) {
-        clear = clear && state.environment.clearStaticLine(from, corner, radius);
+    for (const Vec2 corner : group.orders.march.ahead()) {
+        if (!state.environment.clearStaticLine(from, corner, radius)) return false;
         from = corner;
     }
-    // A plan of places is one of the ground.
-    if (!(queue.target == target) || !clear || group.flow.moves()) queue.march.phase = MarchPhase::Idle;
+    return true;
 }
 
 OrderStage::Outcome OrderStage::begin(WorldState& state, Group& group, ThreadPool& pool,
@@ -299,7 +302,7 @@ void OrderStage::goOn(WorldState& state, Group& group, const MarchDef& def) {
     if (march.phase != MarchPhase::Search)
         flow(state, group, def);
     else if (group.flow.moves())
-        flows_.advance(state, ways_.ground(), group, def);
+        flows_.advance(state, group, def);
     march.last = group.mesh.pose();
 }
 
@@ -310,9 +313,11 @@ void OrderStage::flow(WorldState& state, Group& group, MarchDef def) {
     if (group.flow.phase == FlowPhase::Flowing &&
         (group.def.conduct.avoids || !(group.avoidance.offCourse == Vec2{})))
         offCourse = avoidance_.advance(state, ways_.ground(), def, group);
-    if (group.flow.leads() && flows_.advance(state, ways_.ground(), group, def, offCourse)) {
+    if (group.flow.leads() && flows_.advance(state, group, def, offCourse)) {
         passCorners(march, group.flow.q);
-        if (group.flow.phase == FlowPhase::Standing) march.phase = MarchPhase::Stand;
+        // Where some have fallen, the others form up again.
+        if (group.flow.phase == FlowPhase::Standing)
+            march.phase = group.flow.kept.empty() ? MarchPhase::Stand : MarchPhase::Idle;
         return;
     }
     // Where no march is possible everybody goes there on its own.

@@ -43,6 +43,7 @@ private:
     void runQueue(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
     void runGroup(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
     void findGoal(WorldState& state, Group& group);
+    static bool isClear(const WorldState& state, const Group& group);
     void judgeAgain(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
     Outcome begin(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
     static void beginWay(WorldState& state, Group& group, std::int32_t region);

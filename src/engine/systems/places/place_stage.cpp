@@ -30,8 +30,9 @@ void PlaceStage::readTargets(const WorldState& state) {
     targets_.resize(state.groups.size());
     for (std::size_t g = 0; g < targets_.size(); ++g) {
         const Group& group = state.groups[g];
+        targets_[g].clear();
         if (group.flow.leads())
-            targets_[g].assign(group.flow.places.begin(), group.flow.places.end());
+            group.flow.select(group.flow.places, targets_[g]);
         else
             group.mesh.placePositions(targets_[g]);
     }
