@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <span>
+#include <vector>
 
+#include "base/cell_list.h"
 #include "engine/geometry/polygon.h"
 #include "muster/vec2.h"
 
@@ -33,15 +35,40 @@ inline bool clearOf(std::span<const HeldSpot> held, Vec2 a, Vec2 b, double radiu
     });
 }
 
-/// The room at `p`, which is `clearance` without those who hold [m].
-inline double clearanceBeside(std::span<const HeldSpot> held, Vec2 p, double clearance) {
-    constexpr double kRounding = 1e-9;  // [m]
-    for (const HeldSpot& spot : held) {
-        const double reach = std::max(0.0, clearance + spot.radius + kRounding);
-        if (lengthSquared(p - spot.position) < reach * reach)
-            clearance = std::min(clearance, distance(p, spot.position) - spot.radius);
+/// Those who hold their ground, by where they are. Owns its memory and uses it again.
+class HeldGround {
+public:
+    /// Refers to `held` from now on. `most` is the largest clearance that will be asked for [m].
+    void reset(std::span<const HeldSpot> held, double most) {
+        held_ = held;
+        centres_.clear();
+        double reach = most;
+        for (const HeldSpot& spot : held) {
+            centres_.push_back(spot.position);
+            reach = std::max(reach, most + spot.radius);
+        }
+        reach_ = reach;
+        cells_.sort(centres_, reach);
     }
-    return clearance;
-}
+    /// The room at `p`, which is `clearance` without those who hold [m].
+    double clearanceAt(Vec2 p, double clearance) const {
+        if (held_.empty() || !cells_.grid().box().grown(reach_).contains(p)) return clearance;
+        constexpr double kRounding = 1e-9;  // [m]
+        cells_.anyBeside(p, [&](std::int32_t i) {
+            const HeldSpot& spot = held_[static_cast<std::size_t>(i)];
+            const double reach = std::max(0.0, clearance + spot.radius + kRounding);
+            if (lengthSquared(p - spot.position) < reach * reach)
+                clearance = std::min(clearance, distance(p, spot.position) - spot.radius);
+            return false;
+        });
+        return clearance;
+    }
+
+private:
+    std::span<const HeldSpot> held_;
+    double reach_ = 0.0;  // [m]
+    std::vector<Vec2> centres_;
+    CellList cells_;
+};
 
 }  // namespace muster

@@ -26,10 +26,11 @@ void SharedWays::age() {
             spare_.push_back(std::move(ways_[k].path));
         } else if (kept++ != k) {
             ways_[kept - 1] = std::move(ways_[k]);
+            clear_[kept - 1] = clear_[k];
         }
     }
     ways_.resize(kept);
-    clear_.assign(kept, -1);
+    clear_.resize(kept);
 }
 
 void SharedWays::reserve() {
@@ -57,7 +58,7 @@ void SharedWays::add(const std::vector<Vec2>& path) {
     ways_.back().path = path;
     ways_.back().age = 0;
     ways_.back().findBox();
-    clear_.back() = 1;
+    clear_.back() = -1;
 }
 
 void SharedWays::add(const SharedWays& others) {
@@ -101,20 +102,23 @@ SharedWays::Foot SharedWays::nearestFoot(const std::vector<Vec2>& path, Vec2 p) 
     return best;
 }
 
-// Obstacles may have been built on a way.
-bool SharedWays::isClear(const RouteGround& ground, std::size_t index, std::int64_t& work) {
+// Obstacles may have been built on a way. What was found is remembered, so it counts no operations.
+bool SharedWays::isClear(const RouteGround& ground, std::size_t index) {
     if (clear_[index] >= 0) return clear_[index] == 1;
     const std::vector<Vec2>& path = ways_[index].path;
     clear_[index] = 1;
-    for (std::size_t k = 1; k < path.size() && clear_[index] == 1; ++k) {
-        work += kJoinLineWork;
+    for (std::size_t k = 1; k < path.size() && clear_[index] == 1; ++k)
         if (!ground.lineClear(path[k - 1], path[k])) clear_[index] = 0;
-    }
     return clear_[index] == 1;
 }
 
 bool SharedWays::join(const RouteGround& ground, Vec2 from, Vec2 to, std::vector<Vec2>& path,
                       std::int64_t& work) {
+    const Environment& environment = ground.environment();
+    if (instance_ != environment.instance() || version_ != environment.staticVersion())
+        std::fill(clear_.begin(), clear_.end(), -1);
+    instance_ = environment.instance();
+    version_ = environment.staticVersion();
     for (std::size_t index = ways_.size(); index-- > 0;) {
         const std::vector<Vec2>& way = ways_[index].path;
         work += static_cast<std::int64_t>(way.size());
@@ -129,7 +133,7 @@ bool SharedWays::join(const RouteGround& ground, Vec2 from, Vec2 to, std::vector
         const double least = std::max(distance(from, to), along - first.distance - last.distance);
         work += 2 * kJoinLineWork;
         if (!ground.lineClear(from, first.point) || !ground.lineClear(last.point, to)) continue;
-        if (!isClear(ground, index, work)) continue;
+        if (!isClear(ground, index)) continue;
         skipCorners(ground, path);
         work += kJoinLineWork * static_cast<std::int64_t>(path.size());
         if (pathLength(path) <= kSlack * least + kAbsoluteSlack) return true;

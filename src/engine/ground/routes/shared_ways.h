@@ -13,7 +13,10 @@ namespace muster {
 class SharedWays {
 public:
     /// Forgets all.
-    void clear() { ways_.clear(); }
+    void clear() {
+        ways_.clear();
+        clear_.clear();
+    }
     /// Makes ways older, and drops old ones. Once in a step, before join().
     void age();
     /// Keeps a way, both ends included [m]; short ones are not worth it.
@@ -34,6 +37,7 @@ public:
     template <class Archive>
     void visit(Archive& archive) {
         archive(ways_);
+        if constexpr (Archive::kReading) clear_.assign(ways_.size(), -1);
     }
     /// True where no coordinate is so large that steps would not stay finite.
     bool sane() const;
@@ -60,11 +64,13 @@ private:
     };
 
     static Foot nearestFoot(const std::vector<Vec2>& path, Vec2 p);
-    bool isClear(const RouteGround& ground, std::size_t index, std::int64_t& work);
+    bool isClear(const RouteGround& ground, std::size_t index);
 
     std::vector<Way> ways_;           // The last one at the end.
-    std::vector<std::int8_t> clear_;  // Of each way, 1 where its course is known to be clear in this step, 0
-                                      // where it is not, -1 where that is unknown. Working memory.
+    // Of each way, 1 where its course is known to be clear on the ground of these versions, 0 where it is not,
+    // -1 where that is unknown. A cache.
+    std::vector<std::int8_t> clear_;
+    std::uint64_t instance_ = 0, version_ = 0;
     std::vector<std::vector<Vec2>> spare_;  // Memory of ways that were dropped.
 };
 

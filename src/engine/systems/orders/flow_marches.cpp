@@ -371,8 +371,10 @@ bool FlowMarches::advance(WorldState& state, Group& group, const MarchDef& def, 
     const Environment& ground = state.environment;
     const auto room = [&](Vec2 p) {
         const std::int32_t cell = ground.grid().index(ground.grid().nearestCell(p));
-        return clearanceBeside(flow.held, p, ground.staticClearance()[cell]);
+        return held_.clearanceAt(p, ground.staticClearance()[cell]);
     };
+    if (flow.phase == FlowPhase::Planning || !flow.plans.begun())
+        held_.reset(flow.held, Environment::kClearanceLimit);
     // After a restore the plan is made again up to where it was.
     if (!flow.plans.begun() && flow.moves())
         flow.plans.resume(flow.def(), flow.held, versionOf(ground), ground.grid(), room, flow.spent);

@@ -71,6 +71,7 @@ private:
     std::vector<Vec2> taken_, together_, targets_, offsets_, starts_, way_;
     std::vector<Pose> poses_;
     CellList cells_;
+    HeldGround held_;
 };
 
 }  // namespace muster

@@ -126,8 +126,15 @@ void OrderStage::judgeAgain(WorldState& state, Group& group, ThreadPool& pool, s
     findGoal(state, group);
     if (reachable && !queue.reachable) raiseNoPath(events, group, group.def.count);
     if (const std::int32_t now = tooLargeFor(state, group); now > tooLarge) raiseNoPath(events, group, now);
-    if (!(queue.target == target) || !(group.flow.moves() ? flows_.goesOn(state, group) : isClear(state, group)))
-        queue.march.phase = MarchPhase::Idle;
+    MarchPhase& phase = queue.march.phase;
+    const bool same = queue.target == target;
+    const bool goesOn = group.flow.moves() ? flows_.goesOn(state, group) : isClear(state, group);
+    if (same && goesOn) return;
+    // A way that is searched is searched on the ground as it is now.
+    if (same && phase == MarchPhase::Search)
+        group.flow.end();
+    else
+        phase = MarchPhase::Idle;
 }
 
 // True where the way that is left is free.
