@@ -102,6 +102,17 @@ SharedWays::Foot SharedWays::nearestFoot(const std::vector<Vec2>& path, Vec2 p) 
     return best;
 }
 
+// Forgets on another ground which ways are clear.
+void SharedWays::followGround(const RouteGround& ground) {
+    const std::uint64_t instance = ground.environment().instance();
+    const std::uint64_t version = ground.environment().staticVersion();
+    if (instance_ == instance && version_ == version && radius_ == ground.radius()) return;
+    std::fill(clear_.begin(), clear_.end(), std::int8_t{-1});
+    instance_ = instance;
+    version_ = version;
+    radius_ = ground.radius();
+}
+
 // Obstacles may have been built on a way. What was found is remembered, so it counts no operations.
 bool SharedWays::isClear(const RouteGround& ground, std::size_t index) {
     if (clear_[index] >= 0) return clear_[index] == 1;
@@ -114,11 +125,7 @@ bool SharedWays::isClear(const RouteGround& ground, std::size_t index) {
 
 bool SharedWays::join(const RouteGround& ground, Vec2 from, Vec2 to, std::vector<Vec2>& path,
                       std::int64_t& work) {
-    const Environment& environment = ground.environment();
-    if (instance_ != environment.instance() || version_ != environment.staticVersion())
-        std::fill(clear_.begin(), clear_.end(), -1);
-    instance_ = environment.instance();
-    version_ = environment.staticVersion();
+    followGround(ground);
     for (std::size_t index = ways_.size(); index-- > 0;) {
         const std::vector<Vec2>& way = ways_[index].path;
         work += static_cast<std::int64_t>(way.size());
