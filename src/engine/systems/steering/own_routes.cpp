@@ -209,7 +209,7 @@ bool OwnRoutes::search(WorldState& state, std::int32_t i, OwnRoute& route) {
     for (const double margin : {kHeldMargin, kTightMargin}) {
         closeHeld(state, i, margin);
         status = find(state, i, closed_, closed_.empty() ? kWhole : kRouteWork);
-        if (status == RouteStatus::Found || closed_.empty()) break;
+        if (status != RouteStatus::Unreachable || closed_.empty()) break;
     }
     // Where those who hold their ground leave no way, or none that is soon found, it waits for one before
     // them.
