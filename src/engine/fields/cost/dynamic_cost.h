@@ -63,6 +63,10 @@ public:
     const Grid& grid() const { return grid_; }
     /// True where the moving cost is negative somewhere: a moving patch is faster than the ground beneath.
     bool hasNegativeCost() const { return negative_; }
+    /// True where the cost may differ from zero in the bounding box of the line from `a` to `b`.
+    bool meets(Vec2 a, Vec2 b) const {
+        return (!crowdCells_.empty() && crowdBounds_.meets(a, b)) || movingCostMeets(a, b);
+    }
     /// True where the cost is zero everywhere.
     bool empty() const { return crowdCells_.empty() && movingCells_.empty() && blockedCells_.empty(); }
 

@@ -134,8 +134,7 @@ double DynamicCost::readSparse(const BilinearPoint& at) const {
 // True where the crowd cost may differ from zero in the bounding box of the line.
 bool DynamicCost::crowdMeets(Vec2 a, Vec2 b) const {
     if (crowdCells_.empty() || !crowdBounds_.meets(a, b)) return false;
-    const Cell p = grid_.nearestCell(a - 0.5 * Vec2{grid_.cell, grid_.cell});
-    const Cell q = grid_.nearestCell(b - 0.5 * Vec2{grid_.cell, grid_.cell});
+    const Cell p = locator_.point(a).low, q = locator_.point(b).low;
     return nearCrowdSums_.any(
         {{std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x) + 1, std::max(p.y, q.y) + 1}});
 }
