@@ -74,10 +74,6 @@ public:
     static constexpr float kBlocked = 20.0f;
     static constexpr double kMovingCell = 0.25;  ///< Edge of the cells of the moving cost [m].
 
-private:
-    /// The two sides of a cell that a direction leads through.
-    struct Direction;
-    struct Centroid;
     /// A box round points; empty at first.
     struct Bounds {
         Vec2 min{1e300, 1e300};
@@ -96,6 +92,10 @@ private:
         }
     };
 
+private:
+    /// The two sides of a cell that a direction leads through.
+    struct Direction;
+    struct Centroid;
     void clear();
     void addCrowd(const Parameters& parameters, const DensityField& density, const Environment& environment);
     void evaluateCrowd(const Parameters& parameters, const DensityField& density,
@@ -114,6 +114,7 @@ private:
     bool isBlocked(Vec2 p) const;
     double interpolateMovingCost(Vec2 p) const;
     double readSparse(const BilinearPoint& at) const;
+    double crowdAlong(Vec2 a, Vec2 b, double length) const;
     double movingAlong(Vec2 a, Vec2 b, double length, Centroid& centroid) const;
     double sumAlong(Vec2 a, Vec2 b, double length, Centroid& centroid) const;
     double sumOnGround(const StaticGround& ground, Vec2 a, Vec2 b, double length, Centroid& centroid) const;

@@ -20,16 +20,6 @@ std::int32_t samplesAlong(double length, double step) {
     return std::min(kMaxSamples, static_cast<std::int32_t>(length / step) + 1);
 }
 
-// The mean of `read(point, fraction of the line)` over the midpoints of equal parts of a line.
-template <class Read>
-double meanAlong(Vec2 a, Vec2 b, std::int32_t samples, const Read& read) {
-    const double share = 1.0 / samples;
-    const Vec2 line = b - a;
-    double sum = 0.0;
-    for (std::int32_t k = 0; k < samples; ++k) sum += read(a + line * ((k + 0.5) * share), (k + 0.5) * share);
-    return sum * share;
-}
-
 // Narrows a range of samples to those that may lie between two bounds along one axis, where a line begins at
 // `from` and leads so far in all. A sample more at either end makes up for rounding.
 void narrow(double min, double max, double from, double line, std::int32_t samples, double& first,
@@ -41,6 +31,19 @@ void narrow(double min, double max, double from, double line, std::int32_t sampl
     first = std::max(first, std::min(one, other) - 1.0);
     last = std::min(last, std::max(one, other) + 1.0);
 }
+
+// The samples of a line that may lie in a box, from `first` to before `end`.
+struct Samples {
+    std::int32_t first, end;
+
+    Samples(const DynamicCost::Bounds& box, double margin, Vec2 from, Vec2 line, std::int32_t count) {
+        double low = 0.0, high = count - 1.0;
+        narrow(box.min.x - margin, box.max.x + margin, from.x, line.x, count, low, high);
+        narrow(box.min.y - margin, box.max.y + margin, from.y, line.y, count, low, high);
+        end = low <= high ? static_cast<std::int32_t>(high) + 1 : 0;
+        first = end > 0 ? static_cast<std::int32_t>(low) : 0;
+    }
+};
 
 }  // namespace
 
@@ -162,19 +165,29 @@ struct DynamicCost::Centroid {
 
 // The mean of the moving cost along a line. Samples outside the bounds are zero.
 inline double DynamicCost::movingAlong(Vec2 a, Vec2 b, double length, Centroid& centroid) const {
-    const std::int32_t samples = samplesAlong(length, kMovingStep);
-    const double share = 1.0 / samples;
+    const std::int32_t count = samplesAlong(length, kMovingStep);
+    const double share = 1.0 / count;
     const Vec2 line = b - a;
-    double first = 0.0, last = samples - 1.0;
-    narrow(movingBounds_.min.x, movingBounds_.max.x, a.x, line.x, samples, first, last);
-    narrow(movingBounds_.min.y, movingBounds_.max.y, a.y, line.y, samples, first, last);
+    const Samples samples(movingBounds_, 0.0, a, line, count);
     double sum = 0.0;
-    const std::int32_t end = first <= last ? static_cast<std::int32_t>(last) + 1 : 0;
-    for (std::int32_t k = end > 0 ? static_cast<std::int32_t>(first) : 0; k < end; ++k) {
+    for (std::int32_t k = samples.first; k < samples.end; ++k) {
         const double fraction = (k + 0.5) * share;
         sum += centroid.add(movingCostAt(a + line * fraction), fraction);
     }
-    centroid.samples = samples;
+    centroid.samples = count;
+    return sum * share;
+}
+
+// The mean of the crowd cost along a line. A cell farther than another one outside the bounds reads no cost.
+inline double DynamicCost::crowdAlong(Vec2 a, Vec2 b, double length) const {
+    const std::int32_t count = samplesAlong(length, grid_.cell);
+    const double share = 1.0 / count;
+    const Vec2 line = b - a;
+    const Direction direction(line / length);
+    const Samples samples(crowdBounds_, grid_.cell, a, line, count);
+    double sum = 0.0;
+    for (std::int32_t k = samples.first; k < samples.end; ++k)
+        sum += crowdCost(a + line * ((k + 0.5) * share), direction);
     return sum * share;
 }
 
@@ -184,11 +197,7 @@ inline double DynamicCost::sumAlong(Vec2 a, Vec2 b, double length, Centroid& cen
     const bool moving = movingCostMeets(a, b);
     if ((!crowd && !moving) || !(length > 0.0)) return 0.0;
     double mean = 0.0;
-    if (crowd) {
-        const Direction direction((b - a) / length);
-        mean += meanAlong(a, b, samplesAlong(length, grid_.cell),
-                          [&](Vec2 p, double) { return crowdCost(p, direction); });
-    }
+    if (crowd) mean += crowdAlong(a, b, length);
     if (moving) mean += movingAlong(a, b, length, centroid);
     return mean * length;
 }
@@ -206,12 +215,16 @@ double DynamicCost::sumOnGround(const StaticGround& ground, Vec2 a, Vec2 b, doub
     if ((!crowd && !moving) || !(length > 0.0)) return 0.0;
     const Direction direction((b - a) / length);
     const std::int32_t samples = samplesAlong(length, moving ? kMovingStep : grid_.cell);
-    const double mean = meanAlong(a, b, samples, [&](Vec2 p, double fraction) {
+    const double share = 1.0 / samples;
+    double sum = 0.0;
+    for (std::int32_t k = 0; k < samples; ++k) {
+        const double fraction = (k + 0.5) * share;
+        const Vec2 p = a + (b - a) * fraction;
         const float unitCost = ground.unitCost(p);
-        return unitCost * ((crowd ? crowdCostOnGround(p, direction, unitCost) : 0.0) +
+        sum += unitCost * ((crowd ? crowdCostOnGround(p, direction, unitCost) : 0.0) +
                            (moving ? centroid.add(movingCostAt(p), fraction) : 0.0));
-    });
-    return mean * length;
+    }
+    return sum * share * length;
 }
 
 DynamicCost::LineCost DynamicCost::costAndCentroid(const StaticGround& ground, Vec2 a, Vec2 b,
