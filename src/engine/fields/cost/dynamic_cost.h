@@ -56,7 +56,18 @@ public:
     /// line; negative where there is none.
     double movingCostCentroid(Vec2 a, Vec2 b, double length) const;
     /// Relative moving cost at a point.
-    double movingCostAt(Vec2 p) const { return movingCostMeets(p, p) ? interpolateMovingCost(p) : 0.0; }
+    double movingCostAt(Vec2 p) const {
+        if (movingCells_.empty() && blockedCells_.empty()) return 0.0;
+        if (blockedBounds_.meets(p, p) && blocked_[ground_.nearestCell(p)] != 0) return kBlocked;
+        const BilinearPoint at = movingLocator_.point(p);
+        const Cell in{at.low.x - windowCells_.low.x, at.low.y - windowCells_.low.y};
+        if (in.x < 0 || in.y < 0 || at.low.x >= windowCells_.high.x || at.low.y >= windowCells_.high.y)
+            return movingBounds_.meets(p, p) ? readSparse(at) : 0.0;
+        const float* const below = window_.data() + in.y * windowWidth_ + in.x;
+        const float* const above = below + windowWidth_;
+        return static_cast<double>(interpolateBilinear(below[0], below[1], above[0], above[1],
+                                                       static_cast<float>(at.fx), static_cast<float>(at.fy)));
+    }
     /// True where moving things raise or lower the unit cost.
     bool hasMovingCost(Vec2 p) const { return movingCostAt(p) != 0.0; }
     /// The cells of the crowd cost, which are those of the density.
@@ -111,8 +122,6 @@ private:
     bool movingCostMeets(Vec2 a, Vec2 b) const {
         return !(movingCells_.empty() && blockedCells_.empty()) && movingBounds_.meets(a, b);
     }
-    bool isBlocked(Vec2 p) const;
-    double interpolateMovingCost(Vec2 p) const;
     double readSparse(const BilinearPoint& at) const;
     double crowdAlong(Vec2 a, Vec2 b, double length) const;
     double movingAlong(Vec2 a, Vec2 b, double length, Centroid& centroid) const;

@@ -108,24 +108,6 @@ inline double DynamicCost::crowdCostOnGround(Vec2 p, const Direction& direction,
     return direction.relativeCost(read(direction.sideX), read(direction.sideY));
 }
 
-inline bool DynamicCost::isBlocked(Vec2 p) const {
-    return blockedBounds_.meets(p, p) && blocked_[ground_.nearestCell(p)] != 0;
-}
-
-double DynamicCost::interpolateMovingCost(Vec2 p) const {
-    if (isBlocked(p)) return kBlocked;
-    const BilinearPoint at = movingLocator_.point(p);
-    const Cell low = windowCells_.low;
-    if (at.low.x >= low.x && at.low.y >= low.y && at.low.x < windowCells_.high.x &&
-        at.low.y < windowCells_.high.y) {
-        const float* below = window_.data() + (at.low.y - low.y) * windowWidth_ + (at.low.x - low.x);
-        const float* above = below + windowWidth_;
-        return static_cast<double>(interpolateBilinear(below[0], below[1], above[0], above[1],
-                                                       static_cast<float>(at.fx), static_cast<float>(at.fy)));
-    }
-    return readSparse(at);
-}
-
 double DynamicCost::readSparse(const BilinearPoint& at) const {
     const Cell high{at.low.x + (movingLocator_.right() > 0 ? 1 : 0),
                     at.low.y + (movingLocator_.up() > 0 ? 1 : 0)};
