@@ -12,8 +12,6 @@ constexpr std::size_t kLinkShare = 4;
 // 6 neighbours each within a skin of 0.8, and few points are listed again one by one.
 constexpr std::size_t kPairsPerPoint = 7;
 constexpr std::size_t kLinksPerPoint = 2;
-constexpr std::size_t kCandidatesPerPoint = 24;
-constexpr double kRounding = 1.0 - 1e-9;  // Share of the skin that rounding leaves.
 
 }  // namespace
 
@@ -29,57 +27,6 @@ void NeighbourList::build(std::span<const Vec2> points, double reach, double ski
     cells_.forPairs(listedReach_, [&](std::int32_t low, std::int32_t high) {
         pairs_.push_back({low, high});
     });
-}
-
-void NeighbourList::buildFromRows(std::span<const Vec2> points, double reach, double skin) {
-    const bool same = reach == reach_ && skin == skin_;
-    reach_ = listedReach_ = reach;
-    skin_ = skin;
-    listedAt_.assign(points.begin(), points.end());
-    if (!same || !rowsHoldFor(points)) listCandidates(points);
-    pairs_.resize(row_.size());
-    NeighbourPair* next = pairs_.data();
-    for (std::size_t low = 0; low < points.size(); ++low) {
-        const Vec2 here = points[low];
-        for (std::int32_t at = rowStart_[low]; at < rowStart_[low + 1]; ++at) {
-            *next = {static_cast<std::int32_t>(low), row_[at]};
-            next += lengthSquared(points[row_[at]] - here) < reach * reach ? 1 : 0;
-        }
-    }
-    pairs_.resize(next - pairs_.data());
-}
-
-bool NeighbourList::rowsHoldFor(std::span<const Vec2> points) const {
-    if (cellPoints_.size() != points.size() || rowStart_.size() != points.size() + 1) return false;
-    Vec2 drift;
-    for (std::size_t k = 0; k < points.size(); ++k) drift += points[k] - cellPoints_[k];
-    drift = drift / std::max(1.0, static_cast<double>(points.size()));
-    const double most = kRounding * 0.5 * skin_ * reach_;
-    for (std::size_t k = 0; k < points.size(); ++k)
-        if (!(lengthSquared(points[k] - cellPoints_[k] - drift) <= most * most)) return false;
-    return true;
-}
-
-// Counting sort by the lower point; the rows are short.
-void NeighbourList::listCandidates(std::span<const Vec2> points) {
-    cellPoints_.assign(points.begin(), points.end());
-    rowStart_.assign(points.size() + 1, 0);
-    pairs_.clear();
-    pairs_.reserve(points.size() * kCandidatesPerPoint);
-    if (points.size() > 1) {
-        cells_.sort(points, reach_ * (1.0 + skin_));
-        cells_.forPairs(reach_ * (1.0 + skin_), [&](std::int32_t low, std::int32_t high) {
-            pairs_.push_back({low, high});
-            ++rowStart_[low];
-        });
-    }
-    std::int32_t sum = 0;
-    for (std::int32_t& s : rowStart_) s = sum += s;
-    row_.reserve(pairs_.capacity());
-    row_.resize(pairs_.size());
-    for (const NeighbourPair pair : pairs_) row_[--rowStart_[pair.low]] = pair.high;
-    for (std::size_t k = 0; k < points.size(); ++k)
-        std::sort(row_.begin() + rowStart_[k], row_.begin() + rowStart_[k + 1]);
 }
 
 void NeighbourList::update(std::span<const Vec2> points, double reach, double skin) {

@@ -17,10 +17,8 @@ struct NeighbourPair {
     std::int32_t high = 0;  ///< Index of a point.
 };
 
-/// A list of close pairs, which reuses its memory. It is kept in one of three ways:
+/// A list of close pairs, which reuses its memory. It is kept in one of two ways:
 ///  - build() and update() list all pairs again whenever a point has moved too far.
-///  - buildFromRows() lists the pairs of this moment, out of rows of candidates that serve while all points
-///    move nearly alike.
 ///  - updateRows() is for points of which most move alike and some are inactive. It subtracts the mean
 ///    displacement, keeps a row of neighbours per point, and lists single points again: new entries go to
 ///    overflow chains, and outdated ones stay, so a pair may be visited twice.
@@ -30,10 +28,6 @@ public:
     /// Lists all pairs nearer than `reach` (1 + `skin`) [m] in the order of the cell list; `skin` is a share
     /// of the reach, 0 or more.
     void build(std::span<const Vec2> points, double reach, double skin = 0.0);
-    /// Lists all pairs nearer than `reach` [m] in ascending order, first by `low`. Candidates are kept until a
-    /// point has moved by half the skin from where all have moved in the mean; which these are changes no
-    /// pair.
-    void buildFromRows(std::span<const Vec2> points, double reach, double skin);
     /// Does nothing where the list is valid for these points; else as build().
     void update(std::span<const Vec2> points, double reach, double skin);
     /// Drops listed pairs for which `drops(pair)` is true; it must hold as long as the list is valid. Which
@@ -92,8 +86,6 @@ private:
         std::int32_t next = 0;  // Index of the next element, negative at the end.
     };
 
-    bool rowsHoldFor(std::span<const Vec2> points) const;
-    void listCandidates(std::span<const Vec2> points);
     bool findStrays(std::span<const Vec2> points, std::span<const Vec2> next,
                     std::span<const std::uint8_t> active);
     void buildRows(std::span<const Vec2> points, std::span<const std::uint8_t> active);
@@ -114,7 +106,7 @@ private:
     // Of lists with rows.
     Vec2 drift_;                        // Mean displacement of the listed points since buildRows() [m].
     std::vector<std::int32_t> listed_;  // Points in the order of cells_, then points that were listed later.
-    std::vector<Vec2> cellPoints_;      // Positions of the points whose rows were made [m].
+    std::vector<Vec2> cellPoints_;      // Positions of the points that buildRows() listed [m].
     std::vector<std::int32_t> rowStart_;  // Of each point, the first of its neighbours in row_; and the end.
     std::vector<std::int32_t> row_;       // Neighbours, row by row.
     std::vector<std::int32_t> strays_;    // Points that updateRows() lists again.

@@ -13,7 +13,6 @@ constexpr double kHeadingRate = 8.0;    // Gain of the heading [1/s].
 constexpr double kLyingRate = 2.0;      // Gain of the heading of who leans or lies [1/s].
 constexpr double kBrakes = 0.8;         // Share of its acceleration with which a character brakes.
 constexpr double kNear = 0.5;           // Who can reach each other within this time are near [s].
-constexpr double kRowSkin = 0.2;       // Skin of the rows of candidates, as a share of the reach.
 constexpr double kWalkingSpeed = 0.15;  // A slower character stands and faces with the formation [m/s].
 
 // The direction, or the nearest one that a locked heading allows.
@@ -85,9 +84,8 @@ void Steering::run(const CrowdBodies& bodies, Characters& now, const SteeringInp
         now, now.claim);
     for (std::size_t i = 0; i < count; ++i)
         if (now.claim[i].settled) preferred_[i] = {};
-    neighbours_.buildFromRows(
-        now.position, 2.0 * bodies.largestRadius() + std::max(kNear, def.headway) * bodies.fastest(),
-        kRowSkin);
+    neighbours_.build(now.position,
+                      2.0 * bodies.largestRadius() + std::max(kNear, def.headway) * bodies.fastest());
     bodies.shorten(now.position, neighbours_);
     axes_.resolve(environment, now, input.place, input.placeVelocity);
     axes_.keepDistance(bodies, now, preferred_);
