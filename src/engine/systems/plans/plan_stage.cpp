@@ -89,9 +89,9 @@ void PlanStage::gatherKnown(const WorldState& state, const Group& group) {
     known_.clear();
     for (std::size_t k = 0; k < exact_.size(); ++k) {
         const bool known = exact_[k] >= 0.0;
-        known_.push_back(known ? std::max(kLeastCost,
-                                          static_cast<float>(slownessOf(state, group.members[k]) * exact_[k]))
-                               : -1.0f);
+        known_.push_back(
+            known ? std::max(kLeastCost, static_cast<float>(slownessOf(state, group.members[k]) * exact_[k]))
+                  : -1.0f);
     }
 }
 

@@ -28,7 +28,8 @@ void ExchangeArcs::indexIncoming() {
     std::int32_t* begin = incomingBegin_.data();
     std::int32_t* incoming = incoming_.data();
     std::int32_t sum = 0;
-    for (std::size_t node = 0; node < incomingCount_.size(); ++node) begin[node] = sum += incomingCount_[node];
+    for (std::size_t node = 0; node < incomingCount_.size(); ++node)
+        begin[node] = sum += incomingCount_[node];
     incomingBegin_.back() = sum;
     for (std::size_t k = head_.size(); k-- > 0;)
         incoming[static_cast<std::uint32_t>(
