@@ -211,12 +211,12 @@ void Contacts::findClose(std::span<const Vec2> positions) {
         close_.assign(pairs.begin(), pairs.end());
         return;
     }
-    farthest_ = 0.0;
+    double reach = 0.0, moved = 0.0;
     for (std::size_t i = 0; i < positions.size(); ++i) {
-        const double reach = bounds_.reach[i] * kReachTolerance;
-        farthest_ = std::max({farthest_, reach, distance(positions[i], bounds_.from[i])});
+        reach = std::max(reach, bounds_.reach[i]);
+        moved = std::max(moved, lengthSquared(positions[i] - bounds_.from[i]));
     }
-    farthest_ += kRounding;
+    farthest_ = std::max(reach * kReachTolerance, std::sqrt(moved)) + kRounding;
     close_.clear();
     close_.reserve(kClosePerCharacter * positions.size());
     for (const NeighbourPair pair : pairs) {

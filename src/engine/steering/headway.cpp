@@ -78,33 +78,36 @@ double Headway::shareOf(const CrowdBodies& bodies, NeighbourPair pair, const Hea
 
 // In step, no limit of two is near unless they close their gap while any law looks ahead. Who does is as good
 // as random, so they are noted without a branch.
-std::span<const Headway::Meeting> Headway::findMeetings(const CrowdBodies& bodies, const Characters& now,
-                                                        const NeighbourList& neighbours,
-                                                        std::span<const Vec2> velocity) {
+std::span<const NeighbourPair> Headway::findMeetings(const CrowdBodies& bodies, const Characters& now,
+                                                     const NeighbourList& neighbours,
+                                                     std::span<const Vec2> velocity) {
     const std::span<const NeighbourPair> pairs = neighbours.pairs();
     const double ahead = std::max({kForesight, headway_, bodies.longestBraking()}), ahead2 = ahead * ahead;
-    const bool all = inStep_ != 1.0;
+    if (inStep_ != 1.0) return pairs;
     const std::span<const Vec2> position = now.position;
     meetings_.resize(std::max({meetings_.size(), pairs.size(), kPairsPerCharacter * now.size()}));
-    Meeting* next = meetings_.data();
-    for (const NeighbourPair pair : pairs) {
-        const Vec2 between = position[pair.high] - position[pair.low];
-        const double touching = bodies.touching(pair.low, pair.high), apart = length(between);
-        const double near = apart - touching - kSlack * ahead;
+    NeighbourPair* next = meetings_.data();
+    const auto note = [&](NeighbourPair pair, double touching) {
+        const double near = distance(position[pair.low], position[pair.high]) - touching - kSlack * ahead;
         const bool apartForLong = static_cast<int>(near > 0.0) &
                                   static_cast<int>(near * near > ahead2 * lengthSquared(velocity[pair.low] -
                                                                                         velocity[pair.high]));
-        *next = {pair, between, apart, touching};
-        next += all || !apartForLong ? 1 : 0;
-    }
+        *next = pair;
+        next += apartForLong ? 0 : 1;
+    };
+    if (bodies.alike())
+        for (const NeighbourPair pair : pairs) note(pair, 2.0 * bodies.largestRadius());
+    else
+        for (const NeighbourPair pair : pairs) note(pair, bodies.touching(pair.low, pair.high));
     return {meetings_.data(), next};
 }
 
-void Headway::addPair(const CrowdBodies& bodies, const Characters& now, const Meeting& two,
+void Headway::addPair(const CrowdBodies& bodies, const Characters& now, NeighbourPair pair,
                       const HeadwayInput& input, std::span<const Vec2> velocity) {
-    const std::int32_t a = two.pair.low, b = two.pair.high;
-    const double apart = two.distance, touching = two.touching, gap = apart - touching;
-    const Vec2 between = two.between, towards = apart > 1e-9 ? between / apart : Vec2{1.0, 0.0};
+    const std::int32_t a = pair.low, b = pair.high;
+    const Vec2 between = now.position[b] - now.position[a];
+    const double apart = length(between), touching = bodies.touching(a, b), gap = apart - touching;
+    const Vec2 towards = apart > 1e-9 ? between / apart : Vec2{1.0, 0.0};
     const bool fixedA = bodies.isFixed(a), fixedB = bodies.isFixed(b);
     if (fixedA && fixedB) return;
     if (fixedA || bodies.isFirmer(a, b)) return follow(b, a, -towards, gap, input.dt, velocity);
@@ -114,7 +117,7 @@ void Headway::addPair(const CrowdBodies& bodies, const Characters& now, const Me
         const double ahead = std::max({kForesight, bodies.brakingTime(a), bodies.brakingTime(b)});
         const Tangent tangent = tangentOf({between, towards, apart, touching}, velocity[a] - velocity[b],
                                           ahead, input.dt);
-        return share(two.pair, shareOf(bodies, two.pair, input), tangent, velocity);
+        return share(pair, shareOf(bodies, pair, input), tangent, velocity);
     }
     const double topA = std::max(input.topSpeed[a], 1e-9), topB = std::max(input.topSpeed[b], 1e-9);
     const double lead = dot(towards, input.wanted[a] / topA + input.wanted[b] / topB);
@@ -127,7 +130,7 @@ void Headway::addPair(const CrowdBodies& bodies, const Characters& now, const Me
                       : follow(a, b, towards, gap, input.dt, velocity);
     const Tangent tangent = tangentOf({between, towards, apart, touching}, velocity[a] - velocity[b],
                                       headway_, input.dt);
-    share(two.pair, bodies.share(a, b), tangent, velocity);
+    share(pair, bodies.share(a, b), tangent, velocity);
 }
 
 // Pieces are listed in no certain order: the limits of a character are sorted.
@@ -191,8 +194,8 @@ void Headway::run(const CrowdBodies& bodies, const Characters& now, const Enviro
     inStep_ = bodies.usual().inStep;
     limits_.clear();
     limits_.reserve(kLimitsPerCharacter * now.size());
-    for (const Meeting& two : findMeetings(bodies, now, neighbours, velocity))
-        addPair(bodies, now, two, input, velocity);
+    for (const NeighbourPair pair : findMeetings(bodies, now, neighbours, velocity))
+        addPair(bodies, now, pair, input, velocity);
     addWalls(bodies, now, environment, input, velocity);
     for (int sweep = 0; sweep < kSweeps; ++sweep)
         if (relax(velocity) < kSweptOut) break;

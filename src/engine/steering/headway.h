@@ -50,21 +50,14 @@ private:
         double pressed = 0.0;      // Multiplier [m/s].
     };
 
-    // Two who may come near a limit.
-    struct Meeting {
-        NeighbourPair pair;
-        Vec2 between;     // From the first to the other [m].
-        double distance;  // Of their centres [m].
-        double touching;  // The same where they touch [m].
-    };
-
-    std::span<const Meeting> findMeetings(const CrowdBodies& bodies, const Characters& now,
-                                          const NeighbourList& neighbours, std::span<const Vec2> velocity);
+    std::span<const NeighbourPair> findMeetings(const CrowdBodies& bodies, const Characters& now,
+                                                const NeighbourList& neighbours,
+                                                std::span<const Vec2> velocity);
     void follow(std::int32_t back, std::int32_t front, Vec2 towards, double gap, double dt,
                 std::span<const Vec2> velocity);
     void share(NeighbourPair pair, double own, const Tangent& tangent, std::span<const Vec2> velocity);
     static double shareOf(const CrowdBodies& bodies, NeighbourPair pair, const HeadwayInput& input);
-    void addPair(const CrowdBodies& bodies, const Characters& now, const Meeting& two,
+    void addPair(const CrowdBodies& bodies, const Characters& now, NeighbourPair pair,
                  const HeadwayInput& input, std::span<const Vec2> velocity);
     void addWalls(const CrowdBodies& bodies, const Characters& now, const Environment& environment,
                   const HeadwayInput& input, std::span<const Vec2> velocity);
@@ -73,7 +66,7 @@ private:
     double relax(std::span<Vec2> velocity);
 
     double headway_ = 0.2, inStep_ = 1.0;  // [s], share.
-    std::vector<Meeting> meetings_;        // Room that only grows.
+    std::vector<NeighbourPair> meetings_;  // Who may come near a limit; room that only grows.
     std::vector<Limit> limits_;
     std::vector<std::uint8_t> nearObstacle_;
 };

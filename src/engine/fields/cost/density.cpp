@@ -59,10 +59,11 @@ inline void DensityField::add(const SplatStencil& stencil, Vec2 velocity) {
         const auto share = static_cast<float>(shares[k] * scale);
         if (!(share > 0.0f)) continue;
         // These hold the momentum until splat() divides it by the density.
-        density_[cells[k]] += share;
-        touched_[cells[k] / 64] |= std::uint64_t{1} << (cells[k] % 64);
-        velocityX_[cells[k]] += share * vx;
-        velocityY_[cells[k]] += share * vy;
+        const auto cell = static_cast<std::uint32_t>(cells[k]);
+        density_[cell] += share;
+        touched_[cell / 64] |= std::uint64_t{1} << (cell % 64);
+        velocityX_[cell] += share * vx;
+        velocityY_[cell] += share * vy;
     }
 }
 

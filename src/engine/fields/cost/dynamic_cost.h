@@ -56,13 +56,28 @@ public:
     /// line; negative where there is none.
     double movingCostCentroid(Vec2 a, Vec2 b, double length) const;
     /// Relative moving cost at a point.
-    double movingCostAt(Vec2 p) const { return movingCostMeets(p, p) ? interpolateMovingCost(p) : 0.0; }
+    double movingCostAt(Vec2 p) const {
+        if (movingCells_.empty() && blockedCells_.empty()) return 0.0;
+        if (blockedBounds_.meets(p, p) && blocked_[ground_.nearestCell(p)] != 0) return kBlocked;
+        const BilinearPoint at = movingLocator_.point(p);
+        const Cell in{at.low.x - windowCells_.low.x, at.low.y - windowCells_.low.y};
+        if (in.x < 0 || in.y < 0 || at.low.x >= windowCells_.high.x || at.low.y >= windowCells_.high.y)
+            return movingBounds_.meets(p, p) ? readSparse(at) : 0.0;
+        const float* const below = window_.data() + in.y * windowWidth_ + in.x;
+        const float* const above = below + windowWidth_;
+        return static_cast<double>(interpolateBilinear(below[0], below[1], above[0], above[1],
+                                                       static_cast<float>(at.fx), static_cast<float>(at.fy)));
+    }
     /// True where moving things raise or lower the unit cost.
     bool hasMovingCost(Vec2 p) const { return movingCostAt(p) != 0.0; }
     /// The cells of the crowd cost, which are those of the density.
     const Grid& grid() const { return grid_; }
     /// True where the moving cost is negative somewhere: a moving patch is faster than the ground beneath.
     bool hasNegativeCost() const { return negative_; }
+    /// True where the cost may differ from zero in the bounding box of the line from `a` to `b`.
+    bool meets(Vec2 a, Vec2 b) const {
+        return (!crowdCells_.empty() && crowdBounds_.meets(a, b)) || movingCostMeets(a, b);
+    }
     /// True where the cost is zero everywhere.
     bool empty() const { return crowdCells_.empty() && movingCells_.empty() && blockedCells_.empty(); }
 
@@ -70,10 +85,6 @@ public:
     static constexpr float kBlocked = 20.0f;
     static constexpr double kMovingCell = 0.25;  ///< Edge of the cells of the moving cost [m].
 
-private:
-    /// The two sides of a cell that a direction leads through.
-    struct Direction;
-    struct Centroid;
     /// A box round points; empty at first.
     struct Bounds {
         Vec2 min{1e300, 1e300};
@@ -92,6 +103,10 @@ private:
         }
     };
 
+private:
+    /// The two sides of a cell that a direction leads through.
+    struct Direction;
+    struct Centroid;
     void clear();
     void addCrowd(const Parameters& parameters, const DensityField& density, const Environment& environment);
     void evaluateCrowd(const Parameters& parameters, const DensityField& density,
@@ -107,9 +122,8 @@ private:
     bool movingCostMeets(Vec2 a, Vec2 b) const {
         return !(movingCells_.empty() && blockedCells_.empty()) && movingBounds_.meets(a, b);
     }
-    bool isBlocked(Vec2 p) const;
-    double interpolateMovingCost(Vec2 p) const;
     double readSparse(const BilinearPoint& at) const;
+    double crowdAlong(Vec2 a, Vec2 b, double length) const;
     double movingAlong(Vec2 a, Vec2 b, double length, Centroid& centroid) const;
     double sumAlong(Vec2 a, Vec2 b, double length, Centroid& centroid) const;
     double sumOnGround(const StaticGround& ground, Vec2 a, Vec2 b, double length, Centroid& centroid) const;

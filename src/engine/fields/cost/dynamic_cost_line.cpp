@@ -20,16 +20,6 @@ std::int32_t samplesAlong(double length, double step) {
     return std::min(kMaxSamples, static_cast<std::int32_t>(length / step) + 1);
 }
 
-// The mean of `read(point, fraction of the line)` over the midpoints of equal parts of a line.
-template <class Read>
-double meanAlong(Vec2 a, Vec2 b, std::int32_t samples, const Read& read) {
-    const double share = 1.0 / samples;
-    const Vec2 line = b - a;
-    double sum = 0.0;
-    for (std::int32_t k = 0; k < samples; ++k) sum += read(a + line * ((k + 0.5) * share), (k + 0.5) * share);
-    return sum * share;
-}
-
 // Narrows a range of samples to those that may lie between two bounds along one axis, where a line begins at
 // `from` and leads so far in all. A sample more at either end makes up for rounding.
 void narrow(double min, double max, double from, double line, std::int32_t samples, double& first,
@@ -41,6 +31,19 @@ void narrow(double min, double max, double from, double line, std::int32_t sampl
     first = std::max(first, std::min(one, other) - 1.0);
     last = std::min(last, std::max(one, other) + 1.0);
 }
+
+// The samples of a line that may lie in a box, from `first` to before `end`.
+struct Samples {
+    std::int32_t first, end;
+
+    Samples(const DynamicCost::Bounds& box, double margin, Vec2 from, Vec2 line, std::int32_t count) {
+        double low = 0.0, high = count - 1.0;
+        narrow(box.min.x - margin, box.max.x + margin, from.x, line.x, count, low, high);
+        narrow(box.min.y - margin, box.max.y + margin, from.y, line.y, count, low, high);
+        end = low <= high ? static_cast<std::int32_t>(high) + 1 : 0;
+        first = end > 0 ? static_cast<std::int32_t>(low) : 0;
+    }
+};
 
 }  // namespace
 
@@ -105,24 +108,6 @@ inline double DynamicCost::crowdCostOnGround(Vec2 p, const Direction& direction,
     return direction.relativeCost(read(direction.sideX), read(direction.sideY));
 }
 
-inline bool DynamicCost::isBlocked(Vec2 p) const {
-    return blockedBounds_.meets(p, p) && blocked_[ground_.nearestCell(p)] != 0;
-}
-
-double DynamicCost::interpolateMovingCost(Vec2 p) const {
-    if (isBlocked(p)) return kBlocked;
-    const BilinearPoint at = movingLocator_.point(p);
-    const Cell low = windowCells_.low;
-    if (at.low.x >= low.x && at.low.y >= low.y && at.low.x < windowCells_.high.x &&
-        at.low.y < windowCells_.high.y) {
-        const float* below = window_.data() + (at.low.y - low.y) * windowWidth_ + (at.low.x - low.x);
-        const float* above = below + windowWidth_;
-        return static_cast<double>(interpolateBilinear(below[0], below[1], above[0], above[1],
-                                                       static_cast<float>(at.fx), static_cast<float>(at.fy)));
-    }
-    return readSparse(at);
-}
-
 double DynamicCost::readSparse(const BilinearPoint& at) const {
     const Cell high{at.low.x + (movingLocator_.right() > 0 ? 1 : 0),
                     at.low.y + (movingLocator_.up() > 0 ? 1 : 0)};
@@ -134,8 +119,7 @@ double DynamicCost::readSparse(const BilinearPoint& at) const {
 // True where the crowd cost may differ from zero in the bounding box of the line.
 bool DynamicCost::crowdMeets(Vec2 a, Vec2 b) const {
     if (crowdCells_.empty() || !crowdBounds_.meets(a, b)) return false;
-    const Cell p = grid_.nearestCell(a - 0.5 * Vec2{grid_.cell, grid_.cell});
-    const Cell q = grid_.nearestCell(b - 0.5 * Vec2{grid_.cell, grid_.cell});
+    const Cell p = locator_.point(a).low, q = locator_.point(b).low;
     return nearCrowdSums_.any(
         {{std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x) + 1, std::max(p.y, q.y) + 1}});
 }
@@ -163,19 +147,29 @@ struct DynamicCost::Centroid {
 
 // The mean of the moving cost along a line. Samples outside the bounds are zero.
 inline double DynamicCost::movingAlong(Vec2 a, Vec2 b, double length, Centroid& centroid) const {
-    const std::int32_t samples = samplesAlong(length, kMovingStep);
-    const double share = 1.0 / samples;
+    const std::int32_t count = samplesAlong(length, kMovingStep);
+    const double share = 1.0 / count;
     const Vec2 line = b - a;
-    double first = 0.0, last = samples - 1.0;
-    narrow(movingBounds_.min.x, movingBounds_.max.x, a.x, line.x, samples, first, last);
-    narrow(movingBounds_.min.y, movingBounds_.max.y, a.y, line.y, samples, first, last);
+    const Samples samples(movingBounds_, 0.0, a, line, count);
     double sum = 0.0;
-    const std::int32_t end = first <= last ? static_cast<std::int32_t>(last) + 1 : 0;
-    for (std::int32_t k = end > 0 ? static_cast<std::int32_t>(first) : 0; k < end; ++k) {
+    for (std::int32_t k = samples.first; k < samples.end; ++k) {
         const double fraction = (k + 0.5) * share;
         sum += centroid.add(movingCostAt(a + line * fraction), fraction);
     }
-    centroid.samples = samples;
+    centroid.samples = count;
+    return sum * share;
+}
+
+// The mean of the crowd cost along a line. A cell farther than another one outside the bounds reads no cost.
+inline double DynamicCost::crowdAlong(Vec2 a, Vec2 b, double length) const {
+    const std::int32_t count = samplesAlong(length, grid_.cell);
+    const double share = 1.0 / count;
+    const Vec2 line = b - a;
+    const Direction direction(line / length);
+    const Samples samples(crowdBounds_, grid_.cell, a, line, count);
+    double sum = 0.0;
+    for (std::int32_t k = samples.first; k < samples.end; ++k)
+        sum += crowdCost(a + line * ((k + 0.5) * share), direction);
     return sum * share;
 }
 
@@ -185,11 +179,7 @@ inline double DynamicCost::sumAlong(Vec2 a, Vec2 b, double length, Centroid& cen
     const bool moving = movingCostMeets(a, b);
     if ((!crowd && !moving) || !(length > 0.0)) return 0.0;
     double mean = 0.0;
-    if (crowd) {
-        const Direction direction((b - a) / length);
-        mean += meanAlong(a, b, samplesAlong(length, grid_.cell),
-                          [&](Vec2 p, double) { return crowdCost(p, direction); });
-    }
+    if (crowd) mean += crowdAlong(a, b, length);
     if (moving) mean += movingAlong(a, b, length, centroid);
     return mean * length;
 }
@@ -207,12 +197,16 @@ double DynamicCost::sumOnGround(const StaticGround& ground, Vec2 a, Vec2 b, doub
     if ((!crowd && !moving) || !(length > 0.0)) return 0.0;
     const Direction direction((b - a) / length);
     const std::int32_t samples = samplesAlong(length, moving ? kMovingStep : grid_.cell);
-    const double mean = meanAlong(a, b, samples, [&](Vec2 p, double fraction) {
+    const double share = 1.0 / samples;
+    double sum = 0.0;
+    for (std::int32_t k = 0; k < samples; ++k) {
+        const double fraction = (k + 0.5) * share;
+        const Vec2 p = a + (b - a) * fraction;
         const float unitCost = ground.unitCost(p);
-        return unitCost * ((crowd ? crowdCostOnGround(p, direction, unitCost) : 0.0) +
+        sum += unitCost * ((crowd ? crowdCostOnGround(p, direction, unitCost) : 0.0) +
                            (moving ? centroid.add(movingCostAt(p), fraction) : 0.0));
-    });
-    return mean * length;
+    }
+    return sum * share * length;
 }
 
 DynamicCost::LineCost DynamicCost::costAndCentroid(const StaticGround& ground, Vec2 a, Vec2 b,

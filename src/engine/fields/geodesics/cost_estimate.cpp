@@ -61,8 +61,10 @@ float Geodesics::Impl::cost(Vec2 from, std::int32_t place) const {
 // The chain of sources: the first that knows answers. Refracted paths and fields compete, and far fields
 // correct both.
 CostEstimate Geodesics::Impl::estimate(const CostQuery& q) const {
-    if (const auto found = byDistantFields(q)) return *found;
-    if (const auto found = byLineOfSight(q)) return *found;
+    bool hidden = false;
+    if (const auto found = byDistantFields(q, hidden)) return *found;
+    if (!hidden)
+        if (const auto found = byLineOfSight(q)) return *found;
     const auto refracted = byRefractedPath(q);
     // Between points of different ground that is the path; within slow ground another may lead out and in
     // again.
@@ -91,17 +93,17 @@ CostEstimate Geodesics::Impl::estimateByFields(const CostQuery& q) const {
 }
 
 // Over long distances far fields are read, which is cheaper than a line of sight and tells the same. Where
-// there is none yet a small crowd looks first, since a field costs more than all its lines of sight. The
+// there is none yet a line of sight is looked for first, since a field costs more than many of them. The
 // dynamic cost is left out.
-std::optional<CostEstimate> Geodesics::Impl::byDistantFields(const CostQuery& q) const {
-    if (goesByRoutes(*ground, places.size())) return {};
-    if (q.line < (ground->hasWideCoarse() ? kFarDistanceInBox : kFarDistance) || ground->open()) return {};
+std::optional<CostEstimate> Geodesics::Impl::byDistantFields(const CostQuery& q, bool& hidden) const {
+    if (goesByRoutes(*ground, places.size()) || ground->open() || q.line < farDistance()) return {};
     const double cost = farCost(q);
-    const bool looks = places.size() < kFewPlaces && !(cost < kInfiniteCost);
-    if (looks && ground->lineOfSight(q.from, q.to, q.line))
+    const bool known = cost < kInfiniteCost;
+    if (!known && ground->lineOfSight(q.from, q.to, q.line))
         return CostEstimate{ground->unitCost(q.to) * q.line, CostSource::LineOfSight};
     farRequests.add(q.place);
-    if (!(cost < kInfiniteCost)) return {};
+    hidden = !known;
+    if (!known) return {};
     return CostEstimate{cost, CostSource::FarFields};
 }
 

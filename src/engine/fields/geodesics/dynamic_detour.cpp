@@ -41,6 +41,7 @@ Detour bestDetour(const DynamicCost& dynamicCost, Vec2 a, Vec2 b, double line, d
 
 double dynamicCostBetween(const StaticGround& ground, const DynamicCost& dynamicCost, Vec2 a, Vec2 b,
                           double line) {
+    if (!dynamicCost.meets(a, b)) return 0.0;
     const auto [cost, fraction] = dynamicCost.costAndCentroid(ground, a, b, line);
     if (!(cost > 0.0)) return cost;
     const double unitCost = ground.unitCost(a);

@@ -122,8 +122,7 @@ void Geodesics::Impl::updateFarStencils(bool all) {
 
 // Requests the fields that can tell the cost.
 void Geodesics::Impl::requestFields(Vec2 from, std::int32_t place) {
-    const bool farAway = distance(from, places[place]) >= kFarDistance;
-    if (!farAway && ground->lineOfSight(from, places[place])) return;
+    if (ground->lineOfSight(from, places[place])) return;
     if (fine.covers(from, place))
         fine.request(place, false);
     else if (middle.covers(from, place))

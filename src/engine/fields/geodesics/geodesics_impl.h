@@ -47,10 +47,10 @@ struct Geodesics::Impl {
     /// From this many places on the budgets of fields hold for each kind, and grow in proportion to the
     /// places.
     static constexpr std::int64_t kManyPlaces = 2500;
-    /// Below, one field is solved in a step, and lines of sight are looked for at any distance where there is
-    /// no far field yet.
+    /// Below, one field is solved in a step.
     static constexpr std::size_t kFewPlaces = 500;
-    /// From this distance on far fields are read first, whether or not there is a line of sight [m].
+    /// From this distance on far fields that are known are read first, whether or not there is a line of
+    /// sight [m].
     static constexpr double kFarDistance = 20.0;
     /// The same on ground where far fields cover a box: many walk there with many walls between them.
     static constexpr double kFarDistanceInBox = 10.0;
@@ -116,13 +116,14 @@ struct Geodesics::Impl {
     Vec2 directionByRoute(const CostQuery& q, SteeringTarget& target) const;
 
     // Costs (cost_estimate.cpp).
+    double farDistance() const { return ground->hasWideCoarse() ? kFarDistanceInBox : kFarDistance; }
     CostQuery query(Vec2 from, std::int32_t place, bool byAssignee) const {
         return {from, places[place], place, distance(from, places[place]), byAssignee};
     }
     float cost(Vec2 from, std::int32_t place) const;
     CostEstimate estimate(const CostQuery& q) const;
     CostEstimate estimateByFields(const CostQuery& q) const;
-    std::optional<CostEstimate> byDistantFields(const CostQuery& q) const;
+    std::optional<CostEstimate> byDistantFields(const CostQuery& q, bool& hidden) const;
     std::optional<CostEstimate> byLineOfSight(const CostQuery& q) const;
     std::optional<CostEstimate> byRefractedPath(const CostQuery& q) const;
     std::optional<CostEstimate> byLocalFields(const LocalCosts& level, CostSource source, const CostQuery& q,

@@ -62,6 +62,10 @@ struct PieceIndex {
     /// Calls `visit(piece)` in ascending order for all pieces that act at `p`, a point of the world.
     template <class Visit>
     void forPiecesAt(Vec2 p, const Visit& visit) const {
+        if (moving.empty()) {
+            for (const std::int32_t piece : fixedGrid.at(p)) visit(piece);
+            return;
+        }
         const std::span<const std::int32_t> a = fixedGrid.at(p);
         const std::span<const std::int32_t> b = movingGrid.at(p);
         std::size_t i = 0, j = 0;

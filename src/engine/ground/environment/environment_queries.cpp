@@ -211,6 +211,7 @@ bool Environment::clearStaticLine(Vec2 a, Vec2 b, double radius) const {
 Vec2 Environment::potentialField(Vec2 p) const {
     impl_->ensure();
     const Impl& s = *impl_;
+    if (s.pieces.empty()) return {};
     Vec2 sum;
     const auto add = [&](std::int32_t number) {
         const ObstaclePiece& piece = s.pieces[number];

@@ -85,10 +85,13 @@ void PlanStage::findConnected(const WorldState& state, const Group& group, std::
 }
 
 void PlanStage::gatherKnown(const WorldState& state, const Group& group) {
+    gatherExactCosts(state, group, exact_);
     known_.clear();
-    for (const std::int32_t i : group.members) {
-        const double exact = slownessOf(state, i) * exactCost(state, i);
-        known_.push_back(exact >= 0.0 ? std::max(kLeastCost, static_cast<float>(exact)) : -1.0f);
+    for (std::size_t k = 0; k < exact_.size(); ++k) {
+        const bool known = exact_[k] >= 0.0;
+        known_.push_back(
+            known ? std::max(kLeastCost, static_cast<float>(slownessOf(state, group.members[k]) * exact_[k]))
+                  : -1.0f);
     }
 }
 
@@ -112,22 +115,20 @@ void PlanStage::findClasses(const WorldState& state, Group& group) {
     group.placeClasses.find(group.mesh.formation(), roles, counts, group.places.fit(), group.placeClass);
 }
 
+// Empty where everybody, and every place, counts for one unit.
 void PlanStage::gatherAmounts(const WorldState& state, const Group& group) {
     const std::vector<double>& demands = group.def.demands;
     supply_.clear();
     demand_.clear();
-    bool unequal = false;
-    for (const std::int32_t i : group.members) {
-        supply_.push_back(state.characters.body[i].supply);
-        unequal = unequal || supply_.back() != 1.0;
-    }
-    for (std::size_t j = 0; j < group.places.positions().size(); ++j) {
-        demand_.push_back(j < demands.size() ? demands[j] : 1.0);
-        unequal = unequal || demand_.back() != 1.0;
-    }
-    if (unequal) return;
-    supply_.clear();
-    demand_.clear();
+    const auto isOne = [&](std::int32_t i) { return state.characters.body[i].supply == 1.0; };
+    const std::size_t places = group.places.positions().size(), known = std::min(demands.size(), places);
+    if (std::all_of(demands.begin(), demands.begin() + static_cast<std::ptrdiff_t>(known),
+                    [](double demand) { return demand == 1.0; }) &&
+        std::all_of(group.members.begin(), group.members.end(), isOne))
+        return;
+    for (const std::int32_t i : group.members) supply_.push_back(state.characters.body[i].supply);
+    demand_.assign(demands.begin(), demands.begin() + static_cast<std::ptrdiff_t>(known));
+    demand_.resize(places, 1.0);
 }
 
 void PlanStage::start(const WorldState& state, PlanCosts& costs, const PlannedWays& ways, Group& group,

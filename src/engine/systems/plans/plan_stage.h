@@ -64,7 +64,8 @@ private:
     std::uint32_t edits_ = 0;            // Version of the ground in this step, as in PlanInput.
     std::vector<std::uint8_t> without_;  // By group: 1 where its members have no places.
     std::vector<std::uint8_t> connected_;
-    std::vector<float> known_;  // Of one group's members, as in PlanInput [m].
+    std::vector<double> exact_;  // Of one group's members, by the exact ground [m].
+    std::vector<float> known_;   // The same as in PlanInput [m].
     std::vector<float> slowness_;
     std::vector<std::uint8_t> class_;      // Of one group's members; empty without roles.
     std::vector<double> supply_, demand_;  // Of one group; both empty where all are 1.

@@ -46,33 +46,49 @@ const RouteGraph& routesFor(const WorldState& state, std::int32_t i) {
     return state.routesOf(state.groups[state.characters.group[i]]);
 }
 
-// True where ground may cost more than its length, because something moves there.
-bool nearMoving(const Environment& environment, Vec2 p) {
-    const auto areas = environment.movingObstacleAreas();
-    if (areas.empty()) return false;
-    const Grid& grid = environment.grid();
-    const Cell here = grid.nearestCell(p);
-    const auto reach = static_cast<std::int32_t>(kMovingReach / grid.cell);
-    return std::any_of(areas.begin(), areas.end(), [&](const CellRect& area) {
-        return !area.empty() && here.x >= area.low.x - reach && here.x <= area.high.x + reach &&
-               here.y >= area.low.y - reach && here.y <= area.high.y + reach;
-    });
-}
+// Rasters do not know every line along a wall; near its place a character goes by the exact ground.
+class NearPlaces {
+public:
+    NearPlaces(const WorldState& state, const Group& group)
+        : characters_(state.characters),
+          routes_(state.routesOf(group)),
+          positions_(group.places.positions()),
+          patches_(!state.environment.patchIds().empty()),
+          moving_(state.environment.movingObstacleAreas()),
+          grid_(state.environment.grid()),
+          clearance_(state.environment.clearance()) {}
 
-// Rasters do not know every line along a wall; near its place a character goes by the exact ground. -1 where
-// the straight line is not clear, or the raster tells all.
-double nearCost(const WorldState& state, std::int32_t i) {
-    const Characters& c = state.characters;
-    const Environment& environment = state.environment;
-    if (c.place[i] < 0 || c.chosen[i].way >= 0 || !environment.patchIds().empty()) return -1.0;
-    const Vec2 here = c.position[i], place = placeOf(state, i);
-    const double left = distance(here, place);
-    if (left > kNearPlace || nearMoving(environment, here)) return -1.0;
-    const Grid& grid = environment.grid();
-    const double clearance = environment.clearance()[grid.index(grid.nearestCell(here))];
-    if (clearance > left + routesFor(state, i).radius() + grid.cell) return -1.0;
-    return left < kAtPlace || routesFor(state, i).ground().lineClear(here, place) ? left : -1.0;
-}
+    // The straight line to its place [m]; -1 where it is not clear, or the raster tells all.
+    double cost(std::int32_t i) const {
+        const Characters& c = characters_;
+        if (patches_ || c.place[i] < 0 || c.chosen[i].way >= 0) return -1.0;
+        const Vec2 here = c.position[i], place = positions_[c.place[i]];
+        const double left = distance(here, place);
+        if (left > kNearPlace) return -1.0;
+        const Cell cell = grid_.nearestCell(here);
+        const double clearance = clearance_[grid_.index(cell)];
+        if (clearance > left + routes_.radius() + grid_.cell || nearMoving(cell)) return -1.0;
+        return left < kAtPlace || routes_.ground().lineClear(here, place) ? left : -1.0;
+    }
+
+private:
+    // True where ground may cost more than its length, because something moves there.
+    bool nearMoving(Cell here) const {
+        const auto reach = static_cast<std::int32_t>(kMovingReach / grid_.cell);
+        return std::any_of(moving_.begin(), moving_.end(), [&](const CellRect& area) {
+            return !area.empty() && here.x >= area.low.x - reach && here.x <= area.high.x + reach &&
+                   here.y >= area.low.y - reach && here.y <= area.high.y + reach;
+        });
+    }
+
+    const Characters& characters_;
+    const RouteGraph& routes_;
+    std::span<const Vec2> positions_;
+    bool patches_;
+    std::span<const CellRect> moving_;
+    Grid grid_;
+    std::span<const float> clearance_;
+};
 
 bool hasTurn(const WorldState& state, std::int32_t i) {
     return (state.stepCount + state.characters.id[i]) % kSearchTurns == 0;
@@ -287,7 +303,8 @@ void OwnRoutes::goStraight(WorldState& state) {
         if (c.place[i] < 0) continue;
         const Vec2 way = placeOf(state, i) - c.position[i];
         const double left = length(way);
-        if (left > kNearPlace || !(c.cost[i] > kMisled * left + kMisledBy) || nearCost(state, i) < 0.0)
+        if (left > kNearPlace || !(c.cost[i] > kMisled * left + kMisledBy) ||
+            NearPlaces(state, state.groups[c.group[i]]).cost(i) < 0.0)
             continue;
         c.direction[i] = normalized(way, c.direction[i]);
         c.cost[i] = left;
@@ -300,9 +317,13 @@ const OwnRoute* followedRoute(const WorldState& state, std::size_t i) {
     return leads ? route : nullptr;
 }
 
-double exactCost(const WorldState& state, std::int32_t i) {
-    const OwnRoute* const route = followedRoute(state, i);
-    return route != nullptr ? std::max(0.0, route->cost - kCommitment) : nearCost(state, i);
+void gatherExactCosts(const WorldState& state, const Group& group, std::vector<double>& costs) {
+    costs.clear();
+    const NearPlaces near(state, group);
+    for (const std::int32_t i : group.members) {
+        const OwnRoute* const route = state.ownRoutes.empty() ? nullptr : followedRoute(state, i);
+        costs.push_back(route != nullptr ? std::max(0.0, route->cost - kCommitment) : near.cost(i));
+    }
 }
 
 void OwnRoutes::run(WorldState& state, std::span<const std::uint8_t> barred) {

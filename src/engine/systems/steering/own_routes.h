@@ -13,10 +13,10 @@ namespace muster {
 /// The route of its own that leads a character to its place; null where there is none.
 const OwnRoute* followedRoute(const WorldState& state, std::size_t i);
 
-/// What the place of a character costs it by the exact ground [m]: where it follows a route of its own (then
-/// somewhat less, so that it keeps the place), or stands so near its place that the straight line is known to
-/// be clear. Negative where that is not known.
-double exactCost(const WorldState& state, std::int32_t i);
+/// What the place of each member of a group costs it by the exact ground [m]: where it follows a route of its
+/// own (then somewhat less, so that it keeps the place), or stands so near its place that the straight line
+/// is known to be clear. Negative where that is not known.
+void gatherExactCosts(const WorldState& state, const Group& group, std::vector<double>& costs);
 
 /// Who has been about the same spot for a while although its place is elsewhere, or is barred by others who
 /// hold their ground, follows a route by the exact ground, the quickest it knows, and keeps it until it has

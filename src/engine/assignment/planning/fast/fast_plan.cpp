@@ -210,12 +210,14 @@ void FastPlan::keepRecord(std::size_t i, Vec2 direction) {
     }
     std::int32_t changes = 0;
     if (record.place == place && record.edits == edits_) {
-        const Vec2 astray = moved_[i] - direction * std::max(0.0, dot(moved_[i], direction));
-        const double slowness = slowness_.empty() ? 1.0 : slowness_[i];
         const double placeMoved = distance(record.at, places_[place]);
-        const double more = groundCost(places_[place]) * placeMoved +
-                            groundCost(characters_[i]) * length(astray);
-        cost = std::min(cost, record.cost + static_cast<float>(slowness * more));
+        if (cost > record.cost) {
+            const Vec2 astray = moved_[i] - direction * std::max(0.0, dot(moved_[i], direction));
+            const double slowness = slowness_.empty() ? 1.0 : slowness_[i];
+            const double more = groundCost(places_[place]) * placeMoved +
+                                groundCost(characters_[i]) * length(astray);
+            cost = std::min(cost, record.cost + static_cast<float>(slowness * more));
+        }
         changes = placeMoved > kPlaceRests ? 0 : record.changes;
     }
     record = {places_[place], cost, place, edits_, changes};

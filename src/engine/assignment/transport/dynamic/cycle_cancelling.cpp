@@ -35,10 +35,12 @@ void CycleCancelling::reset(std::int32_t nodes, std::int32_t searchLimit) {
 
 void CycleCancelling::collectViolations(const ExchangeGraph& graph, double tolerance, std::int32_t most) {
     violations_.clear();
+    gapBefore_ = 0.0;
     for (std::int32_t node = 0; node < graph.count(); ++node) {
-        if (graph.isDelayed(node)) continue;
-        const double size = -graph.leastReducedCost(node);
-        if (size > tolerance) violations_.push_back({size, graph.mostViolatedArc(node)});
+        const double least = graph.leastReducedCost(node);
+        gapBefore_ -= std::min(0.0, least);
+        if (-least > tolerance && !graph.isDelayed(node))
+            violations_.push_back({-least, graph.mostViolatedArc(node)});
     }
     violatedNodes_ = static_cast<std::int32_t>(violations_.size());
     const auto larger = [](const Violation& a, const Violation& b) {
@@ -56,12 +58,12 @@ void CycleCancelling::run(const AssignmentStep& step, ExchangeGraph& graph, std:
     retryDelay_ = static_cast<std::uint8_t>(retryDelay);
     exchanges_ = 0;
     settled_ = 0;
-    graph.indexIncomingArcs();
     graph.countDownDelays();
     const double smallest = tolerance(step, graph);
     // Each violation takes one node of the budget at least.
     collectViolations(graph, smallest,
                       static_cast<std::int32_t>(std::min<std::int64_t>(budget, graph.count())));
+    if (!violations_.empty()) graph.indexIncomingArcs();
     for (const Violation& violation : violations_) {
         if (settled_ >= budget) break;
         repairNode(step, graph, ExchangeArcs::tail(violation.arc), smallest, budget);

@@ -30,6 +30,8 @@ public:
         return violatedNodes_;
     }                                                  ///< Nodes with a violated arc when it began.
     std::int64_t settled() const { return settled_; }  ///< Nodes settled by it.
+    /// What the duals proved to be the most that could be gained when it began [units of CostPower].
+    double gapBefore() const { return gapBefore_; }
 
 private:
     struct Violation {
@@ -53,6 +55,7 @@ private:
     std::int32_t exchanges_ = 0;
     std::int32_t violatedNodes_ = 0;
     std::int64_t settled_ = 0;
+    double gapBefore_ = 0.0;  // [units of CostPower]
 };
 
 }  // namespace muster

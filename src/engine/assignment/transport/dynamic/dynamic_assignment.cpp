@@ -128,7 +128,6 @@ void DynamicAssignment::refresh(const AssignmentStep& step) {
     graph_.refreshArcs(step, schedule(step.def));
     // While the crowd is far, straight lines bound costs too loosely, and arcs to neighbours suffice.
     if (!far_) columnGeneration_.run(step, graph_, CycleCancelling::tolerance(step, graph_));
-    if (stepOfRound_ + 1 == step.def.refreshSteps()) graph_.indexIncomingArcs();
 }
 
 void DynamicAssignment::measureDistance(const DynamicAssignmentDef& def) {
@@ -166,7 +165,10 @@ void DynamicAssignment::repair(const AssignmentStep& step) {
     cycleCancelling_.run(step, graph_, static_cast<std::int64_t>(settledPerNode * graph_.count()),
                          far_ ? def.farRetryDelay : def.retryDelay);
     violatedNodes_ = cycleCancelling_.violatedNodes();
-    measureDualityGap(step);
+    if (violatedNodes_ > 0)
+        measureDualityGap(step);
+    else
+        dualityGap_ = cycleCancelling_.gapBefore() * step.power.units();
 }
 
 void DynamicAssignment::publish(const AssignmentStep& step) {

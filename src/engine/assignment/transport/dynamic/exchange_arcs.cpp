@@ -13,7 +13,9 @@ void ExchangeArcs::reset(std::int32_t nodes) {
 }
 
 void ExchangeArcs::afterReading() {
-    incomingBegin_.assign(head_.size() / kArcsPerNode + 1, 0);
+    incomingCount_.assign(head_.size() / kArcsPerNode, 0);
+    for (const std::int32_t head : head_) ++incomingCount_[head];
+    incomingBegin_.assign(incomingCount_.size() + 1, 0);
     incoming_.assign(head_.size(), 0);
     indexed_ = false;
 }
@@ -22,13 +24,13 @@ void ExchangeArcs::afterReading() {
 void ExchangeArcs::indexIncoming() {
     if (indexed_) return;
     indexed_ = true;
-    std::fill(incomingBegin_.begin(), incomingBegin_.end(), 0);
     const std::int32_t* heads = head_.data();
     std::int32_t* begin = incomingBegin_.data();
     std::int32_t* incoming = incoming_.data();
-    for (std::size_t k = 0; k < head_.size(); ++k) ++begin[static_cast<std::uint32_t>(heads[k])];
     std::int32_t sum = 0;
-    for (std::int32_t& b : incomingBegin_) b = sum += b;
+    for (std::size_t node = 0; node < incomingCount_.size(); ++node)
+        begin[node] = sum += incomingCount_[node];
+    incomingBegin_.back() = sum;
     for (std::size_t k = head_.size(); k-- > 0;)
         incoming[static_cast<std::uint32_t>(
             --begin[static_cast<std::uint32_t>(heads[k])])] = static_cast<std::int32_t>(k);

@@ -69,7 +69,10 @@ public:
 private:
     // The index holds on where the head stays the same.
     void setHead(std::int32_t arc, std::int32_t head) {
-        indexed_ = indexed_ && head_[arc] == head;
+        if (head_[arc] == head) return;
+        indexed_ = false;
+        --incomingCount_[head_[arc]];
+        ++incomingCount_[head];
         head_[arc] = head;
     }
     bool consistent() const;
@@ -77,6 +80,7 @@ private:
     std::vector<std::int32_t> head_;  // Per arc: node.
     std::vector<float> cost_;         // Per arc [units of CostPower].
     // The index of incoming arcs.
+    std::vector<std::int32_t> incomingCount_;  // Per node: arcs to it.
     std::vector<std::int32_t> incoming_;       // Arcs, sorted by head.
     std::vector<std::int32_t> incomingBegin_;  // Per node: its first in incoming_; one more at the end.
     bool indexed_ = false;                     // The index is that of the heads as they are.
