@@ -330,7 +330,9 @@ void FlowMarches::keepSpeed(const WorldState& state, Group& group) {
 bool FlowMarches::advance(WorldState& state, const WayGround& ground, Group& group, const MarchDef& def,
                           Vec2 offCourse) {
     MarchFlow& flow = group.flow;
-    const auto room = [&](Vec2 p) { return clearanceBeside(flow.held, p, ground.clearanceAt(p)); };
+    const auto clearance = [&](Vec2 p) { return clearanceBeside(flow.held, p, ground.clearanceAt(p)); };
+    const auto speed = [&](Vec2 p) { return 1.0 / ground.slownessAt(p, 0.0); };
+    const StreamGround room = ground.uneven() ? StreamGround(clearance, speed) : StreamGround(clearance);
     // After a restore the plan is made again up to where it was.
     if (!flow.plans.begun() && flow.moves())
         flow.plans.resume(flow.def(), flow.held, ground.version(), room, flow.spent);
