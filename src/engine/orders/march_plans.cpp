@@ -39,7 +39,11 @@ StreamStatus MarchPlans::Kept::advance(StreamGround room, std::int64_t operation
         asked.add(p);
         return room(p);
     };
-    return ways.advance(ask, operations);
+    const auto speed = [&](Vec2 p) {
+        asked.add(p);
+        return room.speed(p);
+    };
+    return ways.advance(room.uneven() ? StreamGround(ask, speed) : StreamGround(ask), operations);
 }
 
 void MarchPlans::resume(const StreamDef& def, std::span<const HeldSpot> held, GroundVersion ground,

@@ -64,8 +64,7 @@ Vec2 Stream::miss(std::size_t i, double q) const {
 
 void Stream::at(double q, std::span<Vec2> places) const {
     Depths ahead;
-    const bool flows = status_ != StreamStatus::Straight;
-    if (flows && hollow_) closeUp(q, ahead);
+    if (flows_ && hollow_) closeUp(q, ahead);
     const Pose pose = pieceAt(q);
     for (std::size_t i = 0; i < starts_.size(); ++i) {
         if (q <= 0.0) {
@@ -73,7 +72,7 @@ void Stream::at(double q, std::span<Vec2> places) const {
         } else if (q >= 1.0) {
             places[i] = ends_[i];
         } else {
-            places[i] = flows ? raw(i, q, ahead) + miss(i, q) : straight(i, q, pose);
+            places[i] = flows_ ? raw(i, q, ahead) + miss(i, q) : straight(i, q, pose);
         }
     }
 }

@@ -54,10 +54,10 @@ public:
     StreamStatus status() const { return status_; }        ///< Of the plan.
     std::int64_t operations() const { return spent_; }     ///< Since the start of the plan.
     std::size_t places() const { return starts_.size(); }  ///< Number of places.
-    /// How far the fastest of nine in ten places goes, whichever that is [m]: at a speed they arrive after
-    /// length() / speed.
-    /// Of a march that flows only where its definition wants it measured, else 0.
-    double length() const { return status_ == StreamStatus::Straight ? most_ : length_; }
+    /// How far the slowest of nine in ten places goes, whichever that is, in metres of good ground: at a
+    /// speed they arrive after length() / speed. Of a march that flows only where its definition wants it
+    /// measured, else 0.
+    double length() const { return length_; }
 
     /// The pose at `q` of a march in one piece.
     Pose pieceAt(double q) const { return piece_.empty() ? Pose{} : piece_.at(q); }
@@ -109,7 +109,7 @@ private:
     void orderRows();
     void finish();
     bool formUp();
-    void measure();
+    void measure(StreamGround ground);
     static constexpr double kFade = 0.125;       // Share of the way in which order can be made.
     static constexpr std::int32_t kDepths = 64;  // Of samples along the depth of the formation.
     using Depths = std::array<double, kDepths + 1>;
@@ -121,12 +121,14 @@ private:
                      std::span<const double> speeds);
 
     StreamStatus status_ = StreamStatus::Blocked;
+    bool flows_ = false;  // False where every place goes straight on, or all in one piece.
     Stage stage_ = Stage::Straight;
     std::size_t next_ = 0;
     std::int64_t spent_ = 0;
     double length_ = 0.0;
     std::vector<Vec2> offsets_, starts_, ends_, way_, moved_, last_;
-    std::vector<double> moves_;  // Of places in a step, squared.
+    std::vector<double> moves_;   // Of places in a step, squared.
+    std::vector<double> speeds_;  // On the ground where they are.
     double spacing_ = 1.0, radius_ = 0.25, closest_ = 1.0;
     double back_ = 0.0, fore_ = 0.0, startReach_ = 0.0,
            endReach_ = 0.0;                   // How far starts and ends reach [m].

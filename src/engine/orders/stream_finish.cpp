@@ -113,14 +113,17 @@ void Stream::finish() {
     enter(Stage::Measure);
 }
 
-// One look a time: how fast the fastest place is, by q.
-void Stream::measure() {
+// One look a time: how fast the fastest place is, by q, as its ground counts.
+void Stream::measure(StreamGround ground) {
     const double q = (static_cast<double>(next_) + 0.5) / kMeasures;
     at(q, last_);
     at(q + kMeasured, moved_);
-    length_ += overshoot(last_, moved_, kMeasured * kMeasures, {});
+    speeds_.clear();
+    for (std::size_t i = 0; i < last_.size() && ground.uneven(); ++i)
+        speeds_.push_back(ground.speed(last_[i]));
+    length_ += overshoot(last_, moved_, kMeasured * kMeasures, speeds_);
     spent_ += 3 * static_cast<std::int64_t>(moved_.size());
-    if (++next_ == kMeasures) status_ = StreamStatus::Flowing;
+    if (++next_ == kMeasures) status_ = flows_ ? StreamStatus::Flowing : StreamStatus::Straight;
 }
 
 }  // namespace muster

@@ -35,10 +35,17 @@ void Stream::checkStraight(StreamGround ground) {
         }
         s += std::max(kLeastLook, 0.5 * gap);
     }
-    if (++next_ == starts_.size()) status_ = StreamStatus::Straight;
+    if (++next_ < starts_.size()) return;
+    if (measured_ && ground.uneven()) {
+        enter(Stage::Measure);
+        return;
+    }
+    length_ = most_;
+    status_ = StreamStatus::Straight;
 }
 
 void Stream::makeLine() {
+    flows_ = true;
     const auto [least, most] = boundsOf(offsets_);
     const Vec2 middle = (least + most) * 0.5;
     for (Vec2& p : offsets_)

@@ -35,6 +35,7 @@ void Stream::start(const StreamDef& def) {
     moved_.resize(starts_.size());
     last_.resize(starts_.size());
     length_ = 0.0;
+    flows_ = false;
     most_ = 0.0;
     for (std::size_t i = 0; i < starts_.size(); ++i) most_ = std::max(most_, distance(starts_[i], ends_[i]));
     startPiece(def.poses);
@@ -104,7 +105,7 @@ void Stream::step(StreamGround ground) {
             finish();
             break;
         case Stage::Measure:
-            measure();
+            measure(ground);
             break;
     }
 }

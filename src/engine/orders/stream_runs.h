@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "base/function_ref.h"
@@ -11,9 +13,26 @@
 
 namespace muster {
 
-/// Distance from a point to what stands still or the edge of the world [m], negative inside. It may be too
-/// short, never too long, and changes by at most a metre per metre.
-using StreamGround = FunctionRef<double(Vec2)>;
+/// The ground of a march by functions of a point, which have to outlive it.
+class StreamGround {
+public:
+    /// All ground is alike. `room` is the distance to what stands still or the edge of the world [m],
+    /// negative inside. It may be too short, never too long, and changes by at most a metre per metre.
+    template <class Room>
+    requires(!std::is_same_v<std::remove_cvref_t<Room>, StreamGround>) StreamGround(Room&& room)
+        : room_(room) {}  // NOLINT: implicit, so that lambdas can be passed.
+    /// `speed` is the travel speed, above 0 and 1 on good ground.
+    template <class Room, class Speed>
+    StreamGround(Room&& room, Speed&& speed) : room_(room), speed_(speed) {}
+
+    double operator()(Vec2 p) const { return room_(p); }                ///< The room [m].
+    bool uneven() const { return speed_.has_value(); }                  ///< Not all ground is alike.
+    double speed(Vec2 p) const { return speed_ ? (*speed_)(p) : 1.0; }  ///< The travel speed.
+
+private:
+    FunctionRef<double(Vec2)> room_;
+    std::optional<FunctionRef<double(Vec2)>> speed_;
+};
 
 /// A stretch of a row where the middle of a body may be.
 struct StreamRun {

@@ -3,11 +3,16 @@
 #include <limits>
 
 namespace muster {
+namespace {
+
+constexpr double kLook = 0.5;  // Between looks at the ground along a way [m].
+
+}  // namespace
 
 void StreamWays::start(const StreamDef& def) {
     other_ = !def.drawn && def.poses.empty() && def.way.size() > 2;
+    points_.assign(def.way.begin(), def.way.end());
     way_ = 0.0;
-    for (std::size_t k = 1; k < def.way.size(); ++k) way_ += distance(def.way[k - 1], def.way[k]);
     best_ = 0;
     StreamDef on = def, round = def;
     on.measured = round.measured = other_;
@@ -21,10 +26,21 @@ void StreamWays::start(const StreamDef& def) {
 
 StreamStatus StreamWays::advance(StreamGround ground, std::int64_t operations) {
     const std::int64_t until = this->operations() + operations;
+    if (other_ && way_ == 0.0) measureWay(ground);
     while (status_ == StreamStatus::Planning && this->operations() < until) {
         if (plans_[best_].advance(ground, until - this->operations()) != StreamStatus::Planning) compare();
     }
     return status_;
+}
+
+void StreamWays::measureWay(StreamGround ground) {
+    for (std::size_t k = 1; k < points_.size(); ++k) {
+        const Vec2 a = points_[k - 1], b = points_[k];
+        const double part = distance(a, b);
+        const auto looks = ground.uneven() ? static_cast<std::int32_t>(part / kLook) + 1 : 1;
+        for (std::int32_t j = 0; j < looks; ++j)
+            way_ += part / looks / ground.speed(lerp(a, b, (j + 0.5) / looks));
+    }
 }
 
 void StreamWays::compare() {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "engine/orders/stream.h"
 
@@ -29,11 +30,13 @@ public:
 
 private:
     void compare();
+    void measureWay(StreamGround ground);
 
     std::array<Stream, 2> plans_;  // Straight on, and along the way.
     std::size_t best_ = 0;
-    bool other_ = false;  // True where there is another way than straight on.
-    double way_ = 0.0;    // Its length [m].
+    bool other_ = false;        // True where there is another way than straight on.
+    std::vector<Vec2> points_;  // Of it [m].
+    double way_ = 0.0;          // Its length in metres of good ground.
     StreamStatus status_ = StreamStatus::Blocked;
 };
 

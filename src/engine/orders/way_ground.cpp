@@ -34,6 +34,7 @@ void WayGround::update(const Environment& environment) {
     distances(environment.staticClearance());
     for (std::int32_t c = 0; c < grid_.count(); ++c)
         if (clearance_[c] >= kNear) clearance_[c] = std::max(clearance_[c], distance_[c]);
+    findSlow(environment);
 }
 
 // The point with most room in each coarse cell: its middle, where that has as much as any other.
@@ -78,6 +79,48 @@ void WayGround::distances(std::span<const float> near) {
     for (std::int32_t y = height; y-- > 0;)
         for (std::int32_t x = width; x-- > 0;)
             for (const Cell d : {Cell{1, 0}, Cell{1, 1}, Cell{0, 1}, Cell{-1, 1}}) lower(x, y, d.x, d.y);
+}
+
+void WayGround::findSlow(const Environment& environment) {
+    const RasterView speed = environment.staticPatchSpeed();
+    slowness_.clear();
+    least_ = 1.0;
+    if (speed.isConstant()) return;
+    slowness_.assign(grid_.count(), 0.0f);
+    for (std::int32_t k = 0; k < fine_.count(); ++k) {
+        const Cell at = fine_.at(k);
+        float& value = slowness_[grid_.index({at.x / factor_, at.y / factor_})];
+        value = std::max(value, std::isfinite(speed[k]) ? 1.0f / speed[k] : 1.0f);
+    }
+    const auto [least, most] = std::minmax_element(slowness_.begin(), slowness_.end());
+    least_ = *least;
+    if (*least == *most)
+        slowness_.clear();
+    else
+        spreadSlow();
+}
+
+// A chamfer distance to ground that is slower than the best.
+void WayGround::spreadSlow() {
+    slower_ = slowness_;
+    toSlower_.resize(grid_.count());
+    for (std::int32_t c = 0; c < grid_.count(); ++c) toSlower_[c] = slowness_[c] > least_ ? 0.0f : kFar;
+    const auto edge = static_cast<float>(grid_.cell);
+    const auto take = [&](std::int32_t x, std::int32_t y, Cell d) {
+        if (!grid_.contains({x + d.x, y + d.y})) return;
+        const std::int32_t to = grid_.index({x, y}), from = grid_.index({x + d.x, y + d.y});
+        const float away = toSlower_[from] + edge * (d.x != 0 && d.y != 0 ? kDiagonal : kStraight);
+        if (away >= toSlower_[to]) return;
+        toSlower_[to] = away;
+        slower_[to] = slower_[from];
+    };
+    for (std::int32_t y = 0; y < grid_.height; ++y)
+        for (std::int32_t x = 0; x < grid_.width; ++x)
+            for (const Cell d : {Cell{-1, 0}, Cell{-1, -1}, Cell{0, -1}, Cell{1, -1}}) take(x, y, d);
+    for (std::int32_t y = grid_.height; y-- > 0;)
+        for (std::int32_t x = grid_.width; x-- > 0;)
+            for (const Cell d : {Cell{1, 0}, Cell{1, 1}, Cell{0, 1}, Cell{-1, 1}}) take(x, y, d);
+    for (float& away : toSlower_) away = std::max(0.0f, away - 0.5f * edge);
 }
 
 double WayGround::clearanceAt(Vec2 p) const {

@@ -1,6 +1,7 @@
 // How much room there is round each point of the ground, as far as formations need to know.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -34,10 +35,24 @@ public:
     double clearance(std::int32_t cell) const { return clearance_[cell]; }  ///< At that point [m].
     /// Distance from `p` to what stands still or the edge of the world [m]; 0 or less inside.
     double clearanceAt(Vec2 p) const;
+    /// True where some of the ground that stands still is slower than other.
+    bool uneven() const { return !slowness_.empty(); }
+    /// Metres of good ground that a metre costs a formation whose middle is there and which reaches `half`
+    /// [m] to all sides.
+    double slowness(std::int32_t cell, double half) const {
+        if (slowness_.empty()) return 1.0;
+        return toSlower_[cell] < half ? std::max(slowness_[cell], slower_[cell]) : slowness_[cell];
+    }
+    /// The same at a point.
+    double slownessAt(Vec2 p, double half) const { return slowness(grid_.index(grid_.nearestCell(p)), half); }
+    /// The least of all ground.
+    double leastSlowness() const { return least_; }
 
 private:
     void roomOf(std::span<const float> near);
     void distances(std::span<const float> near);
+    void findSlow(const Environment& environment);
+    void spreadSlow();
 
     const Environment* environment_ = nullptr;
     GroundVersion version_;
@@ -46,6 +61,11 @@ private:
     std::vector<Vec2> point_;       // Centre of the fine cell with most room, per coarse cell [m].
     std::vector<float> clearance_;  // There [m].
     std::vector<float> distance_;   // From the centre of a coarse cell [m].
+    // Per coarse cell; empty where all ground is alike.
+    std::vector<float> slowness_;  // The most in the cell.
+    std::vector<float> slower_;    // Of the nearest ground that is slower than the best.
+    std::vector<float> toSlower_;  // From the centre to that ground [m].
+    double least_ = 1.0;
 };
 
 }  // namespace muster

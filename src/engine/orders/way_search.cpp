@@ -36,9 +36,10 @@ double stretchCost(const WayGround& ground, const WayNeeds& needs, Vec2 a, Vec2 
     double sum = 0.0;
     bool near = false;
     for (std::int32_t k = 0; k < n; ++k) {
-        const double clearance = ground.clearanceAt(lerp(a, b, (k + 0.5) / n));
+        const Vec2 at = lerp(a, b, (k + 0.5) / n);
+        const double clearance = ground.clearanceAt(at);
         near = near || clearance < needs.radius + ground.grid().cell;
-        sum += needs.cost(std::max(clearance, needs.radius));
+        sum += needs.cost(std::max(clearance, needs.radius)) * ground.slownessAt(at, needs.half);
     }
     if (near && !ground.environment().clearStaticLine(a, b, needs.radius)) return kInfiniteCost;
     if (!clearOf(needs.held, a, b, needs.radius)) return kInfiniteCost;
@@ -200,12 +201,15 @@ void WaySearch::expand(const WayGround& ground, std::int32_t cell) {
         if (std::min(own, room) < needs.radius) continue;
         const Vec2 there = ground.point(to);
         const double step = distance(here, there);
-        const double cost = cost_[cell] + step * needs.cost(std::min(own, room));
+        const double slowness = ground.uneven() ? 0.5 * (ground.slowness(cell, needs.half) +
+                                                         ground.slowness(to, needs.half))
+                                                : 1.0;
+        const double cost = cost_[cell] + step * slowness * needs.cost(std::min(own, room));
         if (seen && cost >= cost_[to]) continue;
         if (own + room < step + overlap && !ground.environment().clearStaticLine(here, there, needs.radius))
             continue;
         if (held_[cell] != mark_ || clearOf(needs.held, here, there, needs.radius))
-            reach(to, cell, cost, cost + distance(there, goal));
+            reach(to, cell, cost, cost + ground.leastSlowness() * distance(there, goal));
     }
 }
 

@@ -53,6 +53,7 @@ struct WorldState {
 
     // Of the commands of this step.
     std::uint32_t editsBefore = 0;      ///< groundEdits before them.
+    bool editedPatches = false;         ///< They changed patches.
     std::vector<CellRect> editedAreas;  ///< Cells whose clearance or travel speed they may have changed.
 
     // Caches.

@@ -237,6 +237,7 @@ void listEdits(WorldState& state, std::uint64_t version) {
     constexpr std::uint32_t kMostEdits = 64;
     const Grid& grid = state.environment.grid();
     state.editedAreas.clear();
+    state.editedPatches = state.environment.staticPatchVersion() > version;
     if (state.groundEdits - state.editsBefore <= kMostEdits &&
         state.environment.staticChangesSince(version, state.editedAreas))
         return;

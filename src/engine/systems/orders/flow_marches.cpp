@@ -347,7 +347,8 @@ void FlowMarches::keepSpeed(const WorldState& state, Group& group) {
 // through it might be shorter. What was changed before the step is not known any more.
 bool FlowMarches::stays(const WorldState& state, const Group& group) const {
     const MarchFlow& flow = group.flow;
-    if (flow.phase != FlowPhase::Flowing || flow.ground != state.editsBefore) return false;
+    if (flow.phase != FlowPhase::Flowing || flow.ground != state.editsBefore || state.editedPatches)
+        return false;
     const Grid& cells = state.environment.grid();
     const Vec2 from = group.mesh.pose().position, to = flow.way.back();
     const double left = flow.way.size() > 2 ? (1.0 - flow.q) * lengthOf(flow.way) : 0.0;
@@ -365,14 +366,17 @@ bool FlowMarches::goesOn(const WorldState& state, Group& group) const {
     return true;
 }
 
-bool FlowMarches::advance(WorldState& state, Group& group, const MarchDef& def, Vec2 offCourse) {
+bool FlowMarches::advance(WorldState& state, const WayGround& ways, Group& group, const MarchDef& def,
+                          Vec2 offCourse) {
     MarchFlow& flow = group.flow;
     // As far as the ground knows its clearance exactly: an edit elsewhere then leaves the plan as it is.
     const Environment& ground = state.environment;
-    const auto room = [&](Vec2 p) {
+    const auto clearance = [&](Vec2 p) {
         const std::int32_t cell = ground.grid().index(ground.grid().nearestCell(p));
         return held_.clearanceAt(p, ground.staticClearance()[cell]);
     };
+    const auto speed = [&](Vec2 p) { return 1.0 / ways.slownessAt(p, 0.0); };
+    const StreamGround room = ways.uneven() ? StreamGround(clearance, speed) : StreamGround(clearance);
     if (flow.phase == FlowPhase::Planning || !flow.plans.begun())
         held_.reset(flow.held, Environment::kClearanceLimit);
     // After a restore the plan is made again up to where it was.

@@ -40,7 +40,8 @@ public:
     /// One step: plans, or moves places at most at `def.speed` times the speed of the ground, so far
     /// `offCourse` of their course [m]. False where the way is blocked; then the mesh leads, and stands at
     /// the end.
-    bool advance(WorldState& state, Group& group, const MarchDef& def, Vec2 offCourse = {});
+    bool advance(WorldState& state, const WayGround& ways, Group& group, const MarchDef& def,
+                 Vec2 offCourse = {});
     /// True where the march of the group stays as it is on the ground as it was edited in this step.
     bool goesOn(const WorldState& state, Group& group) const;
 

@@ -112,7 +112,7 @@ void OrderStage::followAlong(WorldState& state, Group& group, const MarchDef& de
         march.phase = MarchPhase::Go;
     }
     if (!group.flow.moves()) return;
-    if (!flows_.advance(state, group, def)) {
+    if (!flows_.advance(state, ways_.ground(), group, def)) {
         group.mesh.setPose(end);
         flows_.stand(state, group);
     }

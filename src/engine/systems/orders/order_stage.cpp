@@ -309,7 +309,7 @@ void OrderStage::goOn(WorldState& state, Group& group, const MarchDef& def) {
     if (march.phase != MarchPhase::Search)
         flow(state, group, def);
     else if (group.flow.moves())
-        flows_.advance(state, group, def);
+        flows_.advance(state, ways_.ground(), group, def);
     march.last = group.mesh.pose();
 }
 
@@ -320,7 +320,7 @@ void OrderStage::flow(WorldState& state, Group& group, MarchDef def) {
     if (group.flow.phase == FlowPhase::Flowing &&
         (group.def.conduct.avoids || !(group.avoidance.offCourse == Vec2{})))
         offCourse = avoidance_.advance(state, ways_.ground(), def, group);
-    if (group.flow.leads() && flows_.advance(state, group, def, offCourse)) {
+    if (group.flow.leads() && flows_.advance(state, ways_.ground(), group, def, offCourse)) {
         passCorners(march, group.flow.q);
         // Where some have fallen, the others form up again.
         if (group.flow.phase == FlowPhase::Standing)

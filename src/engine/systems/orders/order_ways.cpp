@@ -133,7 +133,7 @@ void listLegs(const RouteGraph& routes, std::int32_t region, const Order& order,
 bool WayFinder::straight(const WorldState& state, bool drawn, const WayNeeds& needs, Vec2 from,
                          Vec2 to) const {
     if (drawn) return state.environment.clearStaticLine(from, to, needs.radius);
-    return stretchCost(ground_, needs, from, to) <= 1.001 * distance(from, to);
+    return stretchCost(ground_, needs, from, to) <= 1.001 * ground_.leastSlowness() * distance(from, to);
 }
 
 bool WayFinder::advance(WorldState& state, RouteGraph& routes, std::int32_t region, bool drawn,
