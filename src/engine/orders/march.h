@@ -51,6 +51,7 @@ struct MarchDef {
     Turn turn = Turn::Flow;     ///< How it takes its turns.
     double speed = 1.9;         ///< Top speed of every place [m/s], above 0.
     double acceleration = 3.0;  ///< Top acceleration of every place [m/s^2], above 0.
+    double brakes = 3.0;        ///< Acceleration by which every place stops [m/s^2], above 0.
     double reach = 1.0;         ///< From the middle to the farthest place [m], above 0.
     double pace = 1.0;          ///< Share of its speed: less where somebody falls behind, [0, 1].
 };

@@ -61,9 +61,10 @@ double CrowdBodies::ownShare(std::size_t a, std::size_t b) const {
 
 void CrowdBodies::shorten(std::span<const Vec2> positions, NeighbourList& neighbours) const {
     if (alike()) return;
-    const double beyond = neighbours.listedReach() - 2.0 * largest_;
+    const double most = neighbours.listedReach() - 2.0 * largest_;
     neighbours.dropPairs([&](NeighbourPair pair) {
-        const double reach = touching(pair.low, pair.high) + beyond;
+        const double braking = std::max(brakingTime(pair.low), brakingTime(pair.high));
+        const double reach = touching(pair.low, pair.high) + std::min(most, nearGap(braking));
         return lengthSquared(positions[pair.high] - positions[pair.low]) > reach * reach;
     });
 }

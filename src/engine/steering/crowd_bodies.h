@@ -14,6 +14,9 @@ namespace muster {
 
 struct Characters;
 
+/// Share of its acceleration with which a character brakes.
+inline constexpr double kBrakes = 0.8;
+
 /// The radius of a body [m].
 inline double radiusOf(const Parameters::Character& def, const Body& body) {
     return body.radius > 0.0 ? body.radius : def.radius;
@@ -31,6 +34,9 @@ inline double accelerationOf(const Parameters::Character& def, const Body& body)
 /// kept, and all take the short way.
 class CrowdBodies {
 public:
+    /// Time for which two who meet keep clear of each other at least [s].
+    static constexpr double kForesight = 1.0;
+
     /// Everybody is as the parameters say.
     CrowdBodies() { reset({}); }
     explicit CrowdBodies(const Parameters::Character& def) { reset(def); }
@@ -56,6 +62,12 @@ public:
     /// The distance in which it brakes from its top speed, as a time at that speed [s].
     double brakingTime(std::size_t i) const { return 0.5 * maxSpeed(i) / acceleration(i); }
     double longestBraking() const { return longestBraking_; }  ///< Of all [s].
+    /// The gap from which on two count as near, of whom the one that brakes more slowly takes so long [s]:
+    /// who cannot stop within the foresight of others is near while both have to brake [m].
+    double nearGap(double braking) const {
+        return fastest_ * (braking > kForesight ? 2.0 * braking : std::max(kNear, def_.headway));
+    }
+    double farthestGap() const { return nearGap(longestBraking_); }  ///< Of any two [m].
     /// True where steering and contacts do not move it.
     bool isFixed(std::size_t i) const { return !alike() && inverseMass_[i] == 0.0; }
     /// Distance at which two touch [m].
@@ -73,6 +85,8 @@ public:
     void shorten(std::span<const Vec2> positions, NeighbourList& neighbours) const;
 
 private:
+    static constexpr double kNear = 0.5;  // Who can reach each other within this time are near [s].
+
     double ownShare(std::size_t a, std::size_t b) const;
 
     Parameters::Character def_;

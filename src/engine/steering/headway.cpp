@@ -8,7 +8,6 @@ namespace {
 
 constexpr double kFree = 0.6;         // Share of its top speed from which who meets takes its whole share.
 constexpr double kToTheRight = 0.25;  // Tangent by which who meet pass each other on the right.
-constexpr double kForesight = 1.0;    // Time for which who meet keep clear of each other at least [s].
 constexpr double kInFront = 0.5;      // Of two who go the same way one is ahead from twice this cosine.
 constexpr double kSlack = 0.3;        // A limit this far from being reached is left out [m/s].
 constexpr double kPenetration = 0.2;  // Share of an overlap that is taken back in a step.
@@ -35,13 +34,13 @@ struct Apart {
 
 // The half-plane of closing velocities nearest to `closing` that keeps two clear of each other for the time
 // `ahead` [s] (optimal reciprocal collision avoidance, van den Berg et al. 2011), with a bias to pass on the
-// right.
-Tangent tangentOf(const Apart& two, Vec2 closing, double ahead, double dt) {
+// right. Who `turns` keeps clear by the side alone.
+Tangent tangentOf(const Apart& two, Vec2 closing, double ahead, bool turns, double dt) {
     const double apart = two.distance, touching = two.touching;
     if (apart <= touching) return {two.towards, gapSpeed(apart - touching, ahead, dt)};
     const Vec2 beyond = closing - two.between / ahead;
     const double along = dot(beyond, two.between);
-    if (along < 0.0 && along * along > touching * touching * lengthSquared(beyond)) {
+    if (!turns && along < 0.0 && along * along > touching * touching * lengthSquared(beyond)) {
         const Vec2 n = -normalized(beyond);
         return {n, (dot(n, two.between) - touching) / ahead};
     }
@@ -82,7 +81,8 @@ std::span<const NeighbourPair> Headway::findMeetings(const CrowdBodies& bodies, 
                                                      const NeighbourList& neighbours,
                                                      std::span<const Vec2> velocity) {
     const std::span<const NeighbourPair> pairs = neighbours.pairs();
-    const double ahead = std::max({kForesight, headway_, bodies.longestBraking()}), ahead2 = ahead * ahead;
+    const double ahead = std::max({CrowdBodies::kForesight, headway_, bodies.longestBraking()}),
+                 ahead2 = ahead * ahead;
     if (inStep_ != 1.0) return pairs;
     const std::span<const Vec2> position = now.position;
     meetings_.resize(std::max({meetings_.size(), pairs.size(), kPairsPerCharacter * now.size()}));
@@ -113,10 +113,14 @@ void Headway::addPair(const CrowdBodies& bodies, const Characters& now, Neighbou
     if (fixedA || bodies.isFirmer(a, b)) return follow(b, a, -towards, gap, input.dt, velocity);
     if (fixedB || bodies.isFirmer(b, a)) return follow(a, b, towards, gap, input.dt, velocity);
     if (differ(input.wanted[a], input.wanted[b])) {
-        // Who brakes slowly looks ahead as far as it needs to stop.
-        const double ahead = std::max({kForesight, bodies.brakingTime(a), bodies.brakingTime(b)});
+        // Who brakes slowly looks ahead as far as it needs to stop, and turns aside rather than brake while
+        // both get on.
+        const double ahead = std::max(
+            {CrowdBodies::kForesight, bodies.brakingTime(a), bodies.brakingTime(b)});
+        const bool turns = ahead > CrowdBodies::kForesight && getsOn(input.claims[a]) &&
+                           getsOn(input.claims[b]);
         const Tangent tangent = tangentOf({between, towards, apart, touching}, velocity[a] - velocity[b],
-                                          ahead, input.dt);
+                                          ahead, turns, input.dt);
         return share(pair, shareOf(bodies, pair, input), tangent, velocity);
     }
     const double topA = std::max(input.topSpeed[a], 1e-9), topB = std::max(input.topSpeed[b], 1e-9);
@@ -129,7 +133,7 @@ void Headway::addPair(const CrowdBodies& bodies, const Characters& now, Neighbou
         return aFirst ? follow(b, a, -towards, gap, input.dt, velocity)
                       : follow(a, b, towards, gap, input.dt, velocity);
     const Tangent tangent = tangentOf({between, towards, apart, touching}, velocity[a] - velocity[b],
-                                      headway_, input.dt);
+                                      headway_, false, input.dt);
     share(pair, bodies.share(a, b), tangent, velocity);
 }
 

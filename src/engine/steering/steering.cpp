@@ -11,8 +11,6 @@ constexpr Rotation kLockedDeviation{0.93969262078590838405, 0.342020143325668733
 constexpr double kLockEnd = 0.6;        // Within this distance of its place the heading is not locked [m].
 constexpr double kHeadingRate = 8.0;    // Gain of the heading [1/s].
 constexpr double kLyingRate = 2.0;      // Gain of the heading of who leans or lies [1/s].
-constexpr double kBrakes = 0.8;         // Share of its acceleration with which a character brakes.
-constexpr double kNear = 0.5;           // Who can reach each other within this time are near [s].
 constexpr double kWalkingSpeed = 0.15;  // A slower character stands and faces with the formation [m/s].
 
 // The direction, or the nearest one that a locked heading allows.
@@ -40,13 +38,18 @@ Vec2 preferredVelocity(const Parameters::Character& def, const Characters& now, 
                           lengthSquared(now.velocity[i]) > 0.01;
     if (crossing) return limitDeviation(direction, now.heading[i]) * topSpeed;
     if (placed && left < 1e-6) return clampLength(input.placeVelocity[i], topSpeed);
-    // It comes to the speed of its place by its own brakes.
-    const double closing = std::sqrt(2.0 * kBrakes * brakes * left);
-    if (placed && left < def.directReach && dot(direction, toPlace) > 0.999 * left)
+    // It comes to its place by its own brakes; from afar, and where they are weak, also if that brakes now.
+    const double stops = 2.0 * kBrakes * brakes * left;
+    const bool weak = topSpeed > 2.0 * CrowdBodies::kForesight * brakes;
+    if (placed && left < def.directReach && dot(direction, toPlace) > 0.999 * left) {
+        const double ahead = weak ? std::max(0.0, dot(input.placeVelocity[i], toPlace) / left) : 0.0;
+        const double closing = std::sqrt(ahead * ahead + stops) - ahead;
         return clampLength(input.placeVelocity[i] + toPlace * std::min(def.positionGain, closing / left),
                            topSpeed);
-    const double along = placed ? std::max(0.0, dot(input.placeVelocity[i], direction)) : topSpeed;
-    return direction * std::min(topSpeed, along + closing);
+    }
+    if (!placed) return direction * topSpeed;
+    const double along = std::max(0.0, dot(input.placeVelocity[i], direction));
+    return direction * std::min(topSpeed, std::sqrt(along * along + stops));
 }
 
 // Gains for one time step, the same for all characters.
@@ -84,8 +87,7 @@ void Steering::run(const CrowdBodies& bodies, Characters& now, const SteeringInp
         now, now.claim);
     for (std::size_t i = 0; i < count; ++i)
         if (now.claim[i].settled) preferred_[i] = {};
-    neighbours_.build(now.position,
-                      2.0 * bodies.largestRadius() + std::max(kNear, def.headway) * bodies.fastest());
+    neighbours_.build(now.position, 2.0 * bodies.largestRadius() + bodies.farthestGap());
     bodies.shorten(now.position, neighbours_);
     axes_.resolve(environment, now, input.place, input.placeVelocity);
     axes_.keepDistance(bodies, now, preferred_);

@@ -62,6 +62,7 @@ inline WorldDef turned(WorldDef def, const Lie& lie) {
         group.position = lie(group.position);
         group.angle = lie.heading(group.angle);
         for (Vec2& start : group.starts) start = lie(start);
+        for (Vec2& p : group.formation.points) p.y = lie.mirrored ? -p.y : p.y;
         for (Order& order : group.orders) {
             order.target = lie(order.target);
             if (order.facing) order.facing = lie.heading(*order.facing);

@@ -23,10 +23,10 @@ bool pushApart(std::vector<Vec2>& targets, double separation, SeparationMemory& 
     memory.neighbours.update(targets, separation, kTargetSkin);
     memory.push.assign(targets.size(), {});
     bool any = false;
-    const double wanted = separation * kOvershoot;
+    const double wanted = separation * kOvershoot, least = separation * kSeparationTolerance;
     for (const auto [low, high] : memory.neighbours.pairs()) {
         const Vec2 between = targets[high] - targets[low];
-        if (!(lengthSquared(between) < separation * separation)) continue;
+        if (!(lengthSquared(between) < least * least)) continue;
         if (memory.moved[low] == 0 && memory.moved[high] == 0) continue;
         const double gap = length(between);
         Vec2 direction = between / gap;
@@ -114,7 +114,7 @@ private:
     }
 
     bool isOccupied(Vec2 p) const {
-        const double limit = separation_ * separation_;
+        const double least = separation_ * kSeparationTolerance, limit = least * least;
         for (const Vec2 taken : memory_.taken)
             if (lengthSquared(taken - p) < limit) return true;
         return memory_.cells.anyBeside(

@@ -415,7 +415,7 @@ void FlowMarches::move(WorldState& state, Group& group, const MarchDef& def, Vec
     double left = 0.0;
     for (std::size_t i = 0; i < flow.places.size(); ++i)
         left = std::max(left, distance(flow.places[i], flow.ends[i]));
-    const double stops = std::sqrt(2.0 * def.acceleration * left);
+    const double stops = std::sqrt(2.0 * def.brakes * left);
     flow.speed = std::min({def.speed * def.pace, flow.speed + def.acceleration * dt, std::max(stops, 0.2)});
     speeds_.resize(flow.places.size());
     for (std::size_t i = 0; i < speeds_.size(); ++i)

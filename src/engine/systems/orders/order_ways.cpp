@@ -8,6 +8,7 @@
 #include "engine/ground/routes/route_search.h"
 #include "engine/state/ground_class.h"
 #include "engine/state/held_ground.h"
+#include "engine/steering/crowd_bodies.h"
 
 namespace muster {
 namespace {
@@ -92,6 +93,7 @@ MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& or
     def.speed = kKeepUp * slowest;
     if (order.pace > 0.0) def.speed = std::min(def.speed, order.pace);
     def.acceleration = std::min(kMostAcceleration, least);
+    def.brakes = std::min(kMostAcceleration, kBrakes * least);
     def.reach = std::max(extent.reach, 0.5);
     return def;
 }
