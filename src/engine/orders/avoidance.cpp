@@ -11,10 +11,9 @@ namespace {
 /// Lists the parts of a course one after the other.
 class CourseList {
 public:
-    CourseList(const CourseDef& def, double until, double times, Course& course)
+    CourseList(const CourseDef& def, double until, Course& course)
         : def_(def),
           until_(until),
-          times_(times),
           course_(course),
           on_(def.middle - def.side * def.offCourse),
           beside_(def.offCourse) {
@@ -25,11 +24,10 @@ public:
         end = std::min(end, until_);
         if (end <= now_) return;
         MovingBox part = def_.box;
-        part.velocity = velocity + def_.side * (times_ * sideways);
+        part.velocity = velocity + def_.side * sideways;
         part.from = now_;
         part.to = end;
-        const Vec2 middle = on_ + def_.side * (def_.offCourse + times_ * (beside_ - def_.offCourse));
-        part.centre += middle - def_.middle - part.velocity * now_;
+        part.centre += on_ + def_.side * beside_ - def_.middle - part.velocity * now_;
         course_.push_back(part);
         on_ += velocity * (end - now_);
         beside_ += sideways * (end - now_);
@@ -57,7 +55,7 @@ public:
 
 private:
     const CourseDef& def_;
-    double until_, times_;
+    double until_;
     Course& course_;
     Vec2 on_;  // On its way.
     double beside_;
@@ -66,9 +64,8 @@ private:
 
 }  // namespace
 
-void listCourse(const CourseDef& def, const Manoeuvre& manoeuvre, double until, Course& course,
-                double times) {
-    CourseList list(def, until, times, course);
+void listCourse(const CourseDef& def, const Manoeuvre& manoeuvre, double until, Course& course) {
+    CourseList list(def, until, course);
     list.wait(manoeuvre.wait);
     const double off = manoeuvre.offCourse - def.offCourse;
     const double sideways = off < 0.0 ? -kSideShare * def.cruise : kSideShare * def.cruise;

@@ -1,6 +1,5 @@
 // How a formation goes so that it meets no other one and no moving obstacle: it waits, or goes aside from its
-// course, half as far where the other does so as well (reciprocal velocity obstacles, van den Berg, Lin and
-// Manocha 2008).
+// course (prioritised planning, Erdmann and Lozano-Perez 1987).
 #pragma once
 
 #include <span>
@@ -29,13 +28,12 @@ struct Avoidance {
     Vec2 side;         ///< To the left of its course as that was chosen, of unit length; 0 where nothing was.
     Vec2 offCourse;    ///< How far it is beside its course [m].
     double waited = 0.0;   ///< How long it has waited for moving obstacles [s].
-    bool free = false;     ///< It keeps clear of somebody so.
     bool presses = false;  ///< It has waited for too long, and goes on whatever comes.
 
     /// Lets an archive read or write it.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(chosen, side, offCourse, waited, free, presses);
+        archive(chosen, side, offCourse, waited, presses);
     }
 };
 
@@ -56,19 +54,15 @@ using Course = std::vector<MovingBox>;
 
 /// So long after it goes on contacts count [s].
 inline constexpr double kCourseHorizon = 12.0;
-/// A formation waits no longer than that [s].
-inline constexpr double kLongestWait = 12.0;
-/// So far ahead courses are known [s].
-inline constexpr double kKnownAhead = kCourseHorizon + kLongestWait;
+/// So far ahead courses are known [s]: a formation waits no longer than the horizon.
+inline constexpr double kKnownAhead = 2.0 * kCourseHorizon;
 /// Share of its speed at which a formation goes aside.
 inline constexpr double kSideShare = 0.6;
 /// Share of its speed that is left on its way meanwhile: the other side of a right triangle.
 inline constexpr double kOnwardShare = 0.8;
 
-/// The course of a manoeuvre for so many seconds. `times`: how often the change to the side counts, twice
-/// where it is seen from somebody who goes as far to the other side.
-void listCourse(const CourseDef& def, const Manoeuvre& manoeuvre, double until, Course& course,
-                double times = 1.0);
+/// The course of a manoeuvre for so many seconds.
+void listCourse(const CourseDef& def, const Manoeuvre& manoeuvre, double until, Course& course);
 /// When two courses first come as near as `margin` [m] to each other [s]; infinite where they do not.
 double firstContact(std::span<const MovingBox> course, std::span<const MovingBox> other, double margin);
 /// By how much later it arrives by a manoeuvre, about [s].

@@ -13,18 +13,13 @@ namespace muster {
 namespace {
 
 constexpr double kChoiceEvery = 0.2;  // Between two choices of a group [s].
-constexpr double kToOthers = 0.8;     // To others [m]...
-constexpr double kKept = 0.6;         // ... a share of it for who does what it did.
-constexpr double kStraggler = 2.0;    // Who is farther from their place does not count [m].
+constexpr double kToOthers = 0.8;     // To others [m].
 constexpr double kStraight = 0.02;    // A smaller turn is none [rad].
 constexpr std::size_t kMostLegs = 8;  // Of a path within the horizon.
-constexpr double kStands = 0.3;       // Who is slower stands [m/s].
-constexpr double kTowards = -0.5;     // Cosine of the angle from which on somebody comes towards it.
 constexpr double kChange = 0.3;       // Another manoeuvre has to pay by that [s].
-constexpr double kLeft = 1.2;  // To the left it counts for so many times as far: all pass on the right.
 constexpr double kCourseStep = 1.25;  // Between courses that are tried [m].
 constexpr int kMostCourses = 10;      // Of them, to each side.
-constexpr double kDelays[] = {1.0, 2.0, 3.0, 4.5, 6.0, 8.0, kLongestWait};  // [s]
+constexpr double kDelays[] = {1.0, 2.0, 3.0, 4.5, 6.0, 8.0, kCourseHorizon};  // [s]
 constexpr double kMostWait = 60.0;  // Who has waited so long for moving obstacles presses on...
 constexpr double kPresses = 6.0;    // ... so many times less long.
 
@@ -45,21 +40,12 @@ struct Bounds {
     }
 };
 
-/// The box that holds the mesh, its places and those who are near them.
+/// The box that holds the places of a group.
 MovingBox boxOf(const WorldState& state, const Group& group) {
-    const Characters& c = state.characters;
     const Pose& pose = group.mesh.pose();
-    const std::vector<Vec2>& places = group.places.positions();
     const double radius = groundRadius(state.parameters.character.radius, group.groundClass);
     Bounds bounds;
-    for (const Vec2 p : places) bounds.add(pose.applyInverse(p), radius);
-    for (const std::int32_t i : group.members) {
-        const std::int32_t place = c.place[i];
-        if (place >= 0 && distance(c.position[i], places[place]) <= kStraggler)
-            bounds.add(pose.applyInverse(c.position[i]), radius);
-    }
-    if (!group.flow.leads() || group.flow.phase == FlowPhase::Flowing)
-        for (const Vec2 p : group.mesh.finalMesh()) bounds.add(pose.applyInverse(p));
+    for (const Vec2 p : group.places.positions()) bounds.add(pose.applyInverse(p), radius);
     return bounds.box(pose);
 }
 
@@ -119,11 +105,9 @@ void MeshAvoidance::readMeshes(const WorldState& state) {
     for (std::size_t g = 0; g < state.groups.size(); ++g) {
         const Group& group = state.groups[g];
         Neighbour& mesh = meshes_[g];
-        mesh.margin = kToOthers;
         mesh.course.clear();
         if (group.members.empty()) continue;
-        mesh.shares = keepsClear(group) && !(group.avoidance.side == Vec2{});
-        if (mesh.shares) {
+        if (keepsClear(group) && !(group.avoidance.side == Vec2{})) {
             MarchDef def;
             def.speed = std::max(group.flow.speed, def.speed);
             listCourse(courseDefOf(state, group, def), group.avoidance.chosen, kKnownAhead, mesh.course);
@@ -192,7 +176,6 @@ void MeshAvoidance::readMovers(const WorldState& state) {
         if (!piece.moving) continue;
         if (count == movers_.size()) movers_.emplace_back();
         Neighbour& mover = movers_[count++];
-        mover.margin = kToOthers;
         mover.moves = true;
         mover.course.clear();
         readMover(state, piece, mover.course);
@@ -214,34 +197,16 @@ void MeshAvoidance::listNear(const WorldState& state, const Group& group, const 
         MovingBox wide = own.box;
         wide.round += own.cruise * kKnownAhead;
         still.to = state.parameters.stepTime;
-        return firstContact({&wide, 1}, other->course, other->margin) == kInfiniteCost ||
+        return firstContact({&wide, 1}, other->course, kToOthers) == kInfiniteCost ||
                firstContact({&still, 1}, other->course, 0.0) < kInfiniteCost;
     });
 }
 
-// True where it meets somebody. Who comes towards it leaves its course by as much, the other way.
-bool MeshAvoidance::meets(const CourseDef& own, const Manoeuvre& manoeuvre, bool movers, double share) {
-    const double until = manoeuvre.wait + kCourseHorizon;
-    listCourse(own, manoeuvre, until, course_);
-    listCourse(own, manoeuvre, until, shared_, 2.0);
+// True where it meets somebody.
+bool MeshAvoidance::meets(const CourseDef& own, const Manoeuvre& manoeuvre, bool movers) {
+    listCourse(own, manoeuvre, manoeuvre.wait + kCourseHorizon, course_);
     return std::any_of(near_.begin(), near_.end(), [&](const Neighbour* other) {
-        if (movers && !other->moves) return false;
-        const bool shares = other->shares && dot(other->course.front().axis, own.box.axis) < kTowards;
-        const Course& mine = shares ? shared_ : course_;
-        return firstContact(mine, other->course, share * other->margin) < kInfiniteCost;
-    });
-}
-
-// True where it is enough to stand until others have passed: none of them comes to it, and none who stands,
-// too, is on its way.
-bool MeshAvoidance::letsPass(const CourseDef& own) {
-    MovingBox still = own.box;
-    still.to = kKnownAhead;
-    listCourse(own, {0.0, own.offCourse}, kCourseHorizon, course_);
-    return std::none_of(near_.begin(), near_.end(), [&](const Neighbour* other) {
-        const bool stands = length(other->course.front().velocity) < kStands;
-        return firstContact({&still, 1}, other->course, kKept * other->margin) < kInfiniteCost ||
-               (stands && firstContact(course_, other->course, other->margin) < kInfiniteCost);
+        return (other->moves || !movers) && firstContact(course_, other->course, kToOthers) < kInfiniteCost;
     });
 }
 
@@ -268,7 +233,7 @@ void MeshAvoidance::choose(const WayGround& ground, double half, const CourseDef
         Manoeuvre best{kDelays[0], own.offCourse};
         double least = kInfiniteCost;
         const auto look = [&](const Manoeuvre& tried) {
-            double cost = timeLost(own, tried) * (tried.offCourse > 0.0 ? kLeft : 1.0);
+            double cost = timeLost(own, tried);
             const bool same = tried.offCourse == avoidance.chosen.offCourse &&
                               (tried.wait > 0.0) == (avoidance.chosen.wait > 0.0);
             if (!same) cost += kChange;
@@ -276,7 +241,7 @@ void MeshAvoidance::choose(const WayGround& ground, double half, const CourseDef
             if (tried.offCourse != 0.0 && tried.offCourse != own.offCourse &&
                 !hasRoom(ground, half, own, tried.offCourse))
                 return;
-            if (meets(own, tried, movers, same ? kKept : 1.0)) return;
+            if (meets(own, tried, movers)) return;
             least = cost;
             best = tried;
         };
@@ -288,12 +253,7 @@ void MeshAvoidance::choose(const WayGround& ground, double half, const CourseDef
         }
         for (const double wait : kDelays)
             for (const double offCourse : {0.0, avoidance.chosen.offCourse}) look({wait, offCourse});
-        if (least == kInfiniteCost && letsPass(own)) {
-            least = kLongestWait;
-            best = {kLongestWait, own.offCourse};
-        }
         if (least < kInfiniteCost || movers) {
-            avoidance.free = !movers;
             avoidance.chosen = best;
             return;
         }
@@ -314,15 +274,11 @@ void MeshAvoidance::decide(const WorldState& state, const WayGround& ground, con
     const CourseDef own = courseDefOf(state, group, def);
     listNear(state, group, own);
     const WayNeeds needs = needsOf(state, group, group.orders.orders.front().order);
-    const bool chooses = !near_.empty() && keepsClear(group);
-    if (chooses)
+    if (!near_.empty() && keepsClear(group))
         choose(ground, needs.half, own, avoidance);
     else
         avoidance.chosen = {};
-    avoidance.free = avoidance.free && chooses;
-    Neighbour& mesh = meshes_[&group - state.groups.data()];
-    mesh.shares = keepsClear(group);
-    listCourse(own, avoidance.chosen, kKnownAhead, mesh.course);
+    listCourse(own, avoidance.chosen, kKnownAhead, meshes_[&group - state.groups.data()].course);
 }
 
 Vec2 MeshAvoidance::advance(const WorldState& state, const WayGround& ground, MarchDef& def, Group& group) {
@@ -335,8 +291,6 @@ Vec2 MeshAvoidance::advance(const WorldState& state, const WayGround& ground, Ma
     const bool waits = avoidance.chosen.wait > 0.0;
     avoidance.waited = std::max(0.0, avoidance.waited + (waits ? dt : -kPresses * dt));
     avoidance.presses = avoidance.presses ? avoidance.waited > 0.0 : avoidance.waited > kMostWait;
-    // Nobody is waited for in a street.
-    if (avoidance.free) def.pace = 1.0;
     if (waits) {
         def.speed = std::max(0.0, group.flow.speed - def.acceleration * dt);
         return avoidance.offCourse;

@@ -23,9 +23,7 @@ private:
     /// Something to keep clear of.
     struct Neighbour {
         Course course;
-        double margin = 0.0;  // To keep to it [m].
-        bool moves = false;   // A moving obstacle.
-        bool shares = false;  // A formation that keeps clear, too.
+        bool moves = false;  // A moving obstacle.
     };
 
     CourseDef courseDefOf(const WorldState& state, const Group& group, const MarchDef& def) const;
@@ -34,8 +32,7 @@ private:
     void readPath(const TimedPath& path, double now);
     void readMover(const WorldState& state, const ObstaclePiece& piece, Course& course);
     void listNear(const WorldState& state, const Group& group, const CourseDef& own);
-    bool meets(const CourseDef& own, const Manoeuvre& manoeuvre, bool movers, double share);
-    bool letsPass(const CourseDef& own);
+    bool meets(const CourseDef& own, const Manoeuvre& manoeuvre, bool movers);
     static bool hasRoom(const WayGround& ground, double half, const CourseDef& own, double offCourse);
     void choose(const WayGround& ground, double half, const CourseDef& own, Avoidance& avoidance);
     void decide(const WorldState& state, const WayGround& ground, const MarchDef& def, Group& group);
@@ -44,7 +41,7 @@ private:
     std::vector<Neighbour> meshes_, movers_;
     std::vector<const Neighbour*> near_;
     std::vector<double> times_;
-    Course course_, shared_;
+    Course course_;
 };
 
 }  // namespace muster
