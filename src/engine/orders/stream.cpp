@@ -10,7 +10,6 @@ namespace {
 constexpr std::int32_t kMostTries = 12;  // Of a step; one is the rule.
 constexpr double kClose = 0.95;          // A step that uses so much of the top speed is good enough,
 constexpr double kAim = 0.997;           // and so much is aimed at.
-constexpr std::size_t kFollow = 10;      // One place in so many may be faster than the march.
 
 double faded(double q, double share) {
     return std::max(0.0, 1.0 - q / share);
@@ -86,7 +85,7 @@ double Stream::overshoot(std::span<const Vec2> from, std::span<const Vec2> to, d
         const double may = speeds.empty() ? reach : reach * speeds[i];
         moves_[i] = lengthSquared(to[i] - from[i]) / (may * may);
     }
-    const auto at = moves_.end() - 1 - static_cast<std::ptrdiff_t>(moves_.size() / kFollow);
+    const auto at = moves_.end() - 1 - static_cast<std::ptrdiff_t>(moves_.size() / kStragglers);
     std::nth_element(moves_.begin(), at, moves_.end());
     return std::sqrt(*at);
 }

@@ -16,6 +16,9 @@
 
 namespace muster {
 
+/// One in so many may fall behind a march: of its places, and of those who go to these.
+inline constexpr std::size_t kStragglers = 10;
+
 /// What a march is to do. All lists of places have the same length; place i starts at starts[i], stands at
 /// offsets[i] while the ground is open, and ends at ends[i].
 struct StreamDef {

@@ -7,10 +7,9 @@
 namespace muster {
 namespace {
 
-constexpr double kLagFree = 0.6;    // The mesh does not wait for lags below [m]...
-constexpr double kLagMost = 5.0;    // ... and stands for those above [m].
-constexpr double kLagShare = 0.95;  // Of the group, whose lag counts.
-constexpr double kShifted = 1.5;    // Places so far off the formation are not waited for [m].
+constexpr double kLagFree = 0.6;  // The mesh does not wait for lags below [m]...
+constexpr double kLagMost = 5.0;  // ... and stands for those above [m].
+constexpr double kShifted = 1.5;  // Places so far off the formation are not waited for [m].
 
 }  // namespace
 
@@ -30,8 +29,7 @@ double MarchPace::of(const WorldState& state, const Group& group) {
         if (lag <= kLagFree || state.stepCount - c.walk[i].movedAt < patience) lags_.push_back(lag);
     }
     if (lags_.empty()) return 1.0;
-    const auto at = lags_.begin() +
-                    static_cast<std::ptrdiff_t>(kLagShare * static_cast<double>(lags_.size() - 1));
+    const auto at = lags_.end() - 1 - static_cast<std::ptrdiff_t>(lags_.size() / kStragglers);
     std::nth_element(lags_.begin(), at, lags_.end());
     return std::clamp((kLagMost - *at) / (kLagMost - kLagFree), 0.0, 1.0);
 }

@@ -14,7 +14,6 @@ namespace muster {
 namespace {
 
 constexpr double kKeepUp = 0.97;           // Of the top speed of the slowest: so others can catch up.
-constexpr double kLeftBehind = 0.05;       // Share of a group without cohesion that may be slower.
 constexpr double kMostAcceleration = 4.0;  // Of a formation [m/s^2].
 constexpr double kNearTarget = 1.0;   // A target in an obstacle counts as reached so near to it at least [m].
 constexpr std::int32_t kLegWork = 5;  // Cells for which a straight leg counts.
@@ -81,8 +80,8 @@ MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& or
         least = std::min(least, body.acceleration > 0.0 ? body.acceleration : character.acceleration);
     }
     // A few slow ones are left behind, unless the group keeps together.
-    const double left = group.def.conduct.cohesion > 0.0 ? 0.0 : kLeftBehind;
-    const auto at = speeds.begin() + static_cast<std::ptrdiff_t>(left * static_cast<double>(speeds.size()));
+    const std::size_t left = group.def.conduct.cohesion > 0.0 ? 0 : speeds.size() / kStragglers;
+    const auto at = speeds.begin() + static_cast<std::ptrdiff_t>(left);
     double slowest = usual;
     if (at != speeds.end()) {
         std::nth_element(speeds.begin(), at, speeds.end());
