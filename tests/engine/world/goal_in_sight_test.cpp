@@ -9,13 +9,14 @@ using namespace muster::testing;
 
 namespace {
 
-// True for one on its way to a passage, although the straight line to its place is clear and much shorter.
+// True for one on its way to a passage, although the straight line to its goal is clear and much shorter. Its
+// place may still travel there.
 bool goesRound(const WorldState& state, std::int32_t i) {
     const Characters& c = state.characters;
     if (c.chosen[i].way < 0 || c.place[i] < 0) return false;
-    const Vec2 place = state.groups[c.group[i]].places.positions()[c.place[i]];
-    return c.cost[i] > 3.0 * distance(c.position[i], place) + 6.0 &&
-           state.environment.clearLine(c.position[i], place, state.parameters.character.radius);
+    const Vec2 goal = state.groups[c.group[i]].places.reachableTargets()[c.place[i]];
+    return c.cost[i] > 3.0 * distance(c.position[i], goal) + 6.0 &&
+           state.environment.clearLine(c.position[i], goal, state.parameters.character.radius);
 }
 
 }  // namespace
@@ -37,6 +38,6 @@ TEST_CASE("who sees its place does not go round through a passage") {
         }
     }
     CHECK(anyWay);
-    // Ways are chosen twice a second, and places are exchanged meanwhile.
-    CHECK(longest <= 60);
+    // Ways are chosen twice a second, and who is let through within a second does not turn back.
+    CHECK(longest <= 90);
 }
