@@ -9,6 +9,7 @@
 #include "engine/state/ground_class.h"
 #include "engine/state/held_ground.h"
 #include "engine/state/shared_places.h"
+#include "engine/systems/events/standstill.h"
 #include "engine/systems/orders/order_ways.h"
 
 namespace muster {
@@ -265,7 +266,22 @@ bool FlowMarches::isOnOthers(const WorldState& state, const Group& group) {
     return meets;
 }
 
+// After a stop nobody has to walk: who stands beside its place, held up by others, has it where it stands.
+void FlowMarches::comeToThoseWhoStand(const WorldState& state, Group& group) {
+    if (hasWeights(state, group)) return;
+    const Characters& c = state.characters;
+    MarchFlow& flow = group.flow;
+    for (const std::int32_t i : group.members) {
+        const std::int32_t place = c.place[i];
+        const bool stands = state.stepCount - c.walk[i].movedAt >= stepsIn(state, kArrivedFor);
+        if (!stands || c.walk[i].within || place < 0 || std::cmp_greater_equal(place, flow.ends.size()))
+            continue;
+        flow.ends[place] = flow.places[place] = c.position[i];
+    }
+}
+
 void FlowMarches::settle(WorldState& state, Group& group) {
+    if (group.flow.isStop()) comeToThoseWhoStand(state, group);
     if (!group.settling.rests() || group.flow.leads()) return;
     const bool onOthers = state.groups.size() > 1 && isOnOthers(state, group);
     if (!onOthers && !isInWalls(group)) return;

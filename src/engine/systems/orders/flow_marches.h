@@ -35,7 +35,7 @@ public:
     /// really walk says who goes to which.
     void stand(WorldState& state, Group& group);
     /// Lays the places of a group out on the ground whose mesh rests where many of them cannot be, or where
-    /// others stand who were there before.
+    /// others stand who were there before. After a stop places come to those who stand beside them.
     void settle(WorldState& state, Group& group);
     /// One step: plans, or moves places at most at `def.speed` times the speed of the ground, so far
     /// `offCourse` of their course [m]. False where the way is blocked; then the mesh leads, and stands at
@@ -53,6 +53,7 @@ private:
     bool findEnds(WorldState& state, Group& group, const Pose& end);
     void findStanding(const WorldState& state, const Group& group);
     static bool isInWalls(const Group& group);
+    static void comeToThoseWhoStand(const WorldState& state, Group& group);
     bool isOnOthers(const WorldState& state, const Group& group);
     void findTaken(const WorldState& state, const Group& group);
     FreeSpace spaceOf(WorldState& state, const Group& group, const PlaceDef& places);
