@@ -44,7 +44,7 @@ struct MarchFlow {
     /// fallen, the march goes on with their places empty.
     std::vector<std::int32_t> kept;
     AskedTiles asked;  ///< Where the plan has looked; once it is made.
-    MarchPlans plans;            ///< The plan; a cache, made again from the above where it is missing.
+    MarchPlans plans;  ///< The plan; a cache, made again from the above where it is missing.
 
     /// True while it says where places are.
     bool leads() const { return phase != FlowPhase::None; }

@@ -33,9 +33,9 @@ struct Crossing {
     std::uint32_t sequence = 0;
 
     explicit Crossing(const WorldDef& def) : world(World::create(def).value()) {
-        REQUIRE(give(world, sequence,
-                     GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::move({50, 0})})
-                    .ok());
+        REQUIRE(
+            give(world, sequence, GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::move({50, 0})})
+                .ok());
     }
     double meanSpeed() const {
         double sum = 0.0;

@@ -67,12 +67,12 @@ private:
     void followGround(const RouteGround& ground);
     bool isClear(const RouteGround& ground, std::size_t index);
 
-    std::vector<Way> ways_;           // The last one at the end.
+    std::vector<Way> ways_;  // The last one at the end.
     // Of each way, 1 where its course is known to be clear for discs of this radius on the ground of these
     // versions, 0 where it is not, -1 where that is unknown. A cache.
     std::vector<std::int8_t> clear_;
     std::uint64_t instance_ = 0, version_ = 0;
-    double radius_ = 0.0;  // [m]
+    double radius_ = 0.0;                   // [m]
     std::vector<std::vector<Vec2>> spare_;  // Memory of ways that were dropped.
 };
 

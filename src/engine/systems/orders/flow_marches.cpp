@@ -20,7 +20,8 @@ constexpr std::uint32_t kLookSteps = 30;  // Steps between two looks whether oth
 constexpr double kBuiltOn = 0.5;          // Nearer to a wall, in radii, a place is no place to start from.
 constexpr double kSameFacing = 0.99;      // Cosine of the angle by which headings that are alike may differ.
 constexpr double kOfMarch = 0.02;         // Of a march, by which its first direction is known.
-constexpr double kPays = 0.25;  // Of a walk that does not lead to the target: so much nearer it has to come.
+constexpr double kBeside = 2.0;  // For so long one stands beside its place before that comes to it [s].
+constexpr double kPays = 0.25;   // Of a walk that does not lead to the target: so much nearer it has to come.
 
 double spacingOf(const Group& group) {
     return std::max(group.def.formation.spacing, 1e-3);
@@ -266,22 +267,22 @@ bool FlowMarches::isOnOthers(const WorldState& state, const Group& group) {
     return meets;
 }
 
-// After a stop nobody has to walk: who stands beside its place, held up by others, has it where it stands.
-void FlowMarches::comeToThoseWhoStand(const WorldState& state, Group& group) {
+// After a stop nobody has to walk: who stands beside its place has it where it stands.
+void FlowMarches::comeToStanding(const WorldState& state, Group& group) {
     if (hasWeights(state, group)) return;
     const Characters& c = state.characters;
     MarchFlow& flow = group.flow;
     for (const std::int32_t i : group.members) {
         const std::int32_t place = c.place[i];
-        const bool stands = state.stepCount - c.walk[i].movedAt >= stepsIn(state, kArrivedFor);
-        if (!stands || c.walk[i].within || place < 0 || std::cmp_greater_equal(place, flow.ends.size()))
-            continue;
+        const WalkProgress& walk = c.walk[i];
+        const bool stands = state.stepCount - std::max(walk.movedAt, walk.since) >= stepsIn(state, kBeside);
+        if (!stands || walk.within || place < 0 || std::cmp_greater_equal(place, flow.ends.size())) continue;
         flow.ends[place] = flow.places[place] = c.position[i];
     }
 }
 
 void FlowMarches::settle(WorldState& state, Group& group) {
-    if (group.flow.isStop()) comeToThoseWhoStand(state, group);
+    if (group.flow.isStop()) comeToStanding(state, group);
     if (!group.settling.rests() || group.flow.leads()) return;
     const bool onOthers = state.groups.size() > 1 && isOnOthers(state, group);
     if (!onOthers && !isInWalls(group)) return;

@@ -53,7 +53,7 @@ private:
     bool findEnds(WorldState& state, Group& group, const Pose& end);
     void findStanding(const WorldState& state, const Group& group);
     static bool isInWalls(const Group& group);
-    static void comeToThoseWhoStand(const WorldState& state, Group& group);
+    static void comeToStanding(const WorldState& state, Group& group);
     bool isOnOthers(const WorldState& state, const Group& group);
     void findTaken(const WorldState& state, const Group& group);
     FreeSpace spaceOf(WorldState& state, const Group& group, const PlaceDef& places);
