@@ -51,13 +51,14 @@ TEST_CASE("a march goes round slow ground where that is sooner, as each for itse
         {"two, one behind the other", {slowPatch(-8, -20, -3, 4, 0.2), slowPatch(3, -4, 8, 20, 0.2)}, 1.6},
         {"a dry way between two", {slowPatch(-5, -25, 5, 3, 0.1), slowPatch(-5, 12, 5, 25, 0.1)}},
     };
-    for (const auto& [name, patches, bound] : scenes)
+    for (const Scene& scene : scenes)
         for (const Lie& lie : kLies) {
-            const WorldDef def = overSlowGround(patches);
+            const WorldDef def = overSlowGround(scene.patches);
             const double march = secondsOver(def, lie, Manner::March);
             const double free = secondsOver(def, lie, Manner::Free);
-            INFO(name << ", turned by " << lie.angle << ": " << march << " s, each for itself " << free);
-            CHECK(march < bound * free);
+            INFO(scene.name << ", turned by " << lie.angle << ": " << march << " s, each for itself "
+                            << free);
+            CHECK(march < scene.bound * free);
         }
 }
 
