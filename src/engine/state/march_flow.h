@@ -53,7 +53,10 @@ struct MarchFlow {
     /// True where places stand where people were ordered to stop, whatever the formation is.
     bool isStop() const { return phase == FlowPhase::Standing && offsets.empty(); }
     /// The mesh leads again.
-    void end() { phase = FlowPhase::None; }
+    void end() {
+        phase = FlowPhase::None;
+        kept.clear();
+    }
     /// Appends to `list` those of points of all its places that are of places of the group.
     void select(const std::vector<Vec2>& points, std::vector<Vec2>& list) const {
         if (kept.empty()) list.insert(list.end(), points.begin(), points.end());

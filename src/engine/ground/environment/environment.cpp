@@ -297,6 +297,14 @@ void Environment::setTime(double time) {
     }
 }
 
+bool Environment::moves() const {
+    const auto isOnTheMove = [](const auto& entry) {
+        return !(entry.placement.velocity == Vec2{}) || entry.placement.angularVelocity != 0.0;
+    };
+    return std::any_of(impl_->obstacles.begin(), impl_->obstacles.end(), isOnTheMove) ||
+           std::any_of(impl_->patches.begin(), impl_->patches.end(), isOnTheMove);
+}
+
 std::uint64_t Environment::groundVersion() const {
     return impl_->groundVersion;
 }

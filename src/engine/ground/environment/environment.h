@@ -127,6 +127,8 @@ public:
     /// was `version`. False where that is not known any more, so that all cells may have changed.
     bool changesSince(std::uint64_t version, std::vector<CellRect>& areas) const;
 
+    /// True where an obstacle or a patch is on the move now.
+    bool moves() const;
     /// The cells whose clearance moving obstacles change now; some rectangles may be empty.
     std::span<const CellRect> movingObstacleAreas() const;
     /// The cells whose travel speed moving patches change now; some rectangles may be empty.

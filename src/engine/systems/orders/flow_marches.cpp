@@ -288,6 +288,7 @@ void FlowMarches::settle(WorldState& state, Group& group) {
     if (!onOthers && !isInWalls(group)) return;
     const std::vector<Vec2>& asked = group.places.targetsWithinReach();
     MarchFlow& flow = group.flow;
+    flow.kept.clear();
     const Vec2 middle = meanOf(asked);
     flow.offsets.clear();
     for (const Vec2 p : asked) flow.offsets.push_back(p - middle);

@@ -157,7 +157,7 @@ void PlanStage::start(const WorldState& state, PlanCosts& costs, const PlannedWa
     input.usable = group.places.fit();
     input.incumbent = incumbent_;
     input.costs = &costs.ofClass(group.groundClass);
-    input.edits = state.groundEdits;
+    input.edits = edits_;
     findConnected(state, group, members.positions());
     input.connected = connected_;
     gatherKnown(state, group);
@@ -289,6 +289,8 @@ void PlanStage::run(WorldState& state, PlanCosts& costs, const WayStage& ways, G
                       [](const Group& group) { return !group.members.empty() && group.plan->starting(); }));
     firstPlanRank_ = 0;
     firstCharacters_ = 0;
+    // While something moves it is another ground in every step.
+    edits_ = state.environment.moves() ? state.groundEdits + state.stepCount : state.groundEdits;
     findPeriod(state);
     for (std::size_t g = 0; g < state.groups.size(); ++g) {
         Group& group = state.groups[g];

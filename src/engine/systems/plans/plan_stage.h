@@ -61,6 +61,7 @@ private:
     std::int32_t starts_ = 0;            // Groups whose plans go on from other places than before.
     std::int32_t firstPlanRank_ = 0;     // Those of them that came before in this step.
     std::size_t firstCharacters_ = 0;    // Characters of the first plans that were made in this step.
+    std::uint32_t edits_ = 0;            // Version of the ground in this step, as in PlanInput.
     std::vector<std::uint8_t> without_;  // By group: 1 where its members have no places.
     std::vector<std::uint8_t> connected_;
     std::vector<double> exact_;  // Of one group's members, by the exact ground [m].
