@@ -70,17 +70,17 @@ void CycleCancelling::run(const AssignmentStep& step, ExchangeGraph& graph, std:
     }
 }
 
-// The length of the arc from `head` straight back to `tail`, which need not be in the graph.
+// The length of the arc from `end` straight back to `start`, which need not be in the graph.
 double CycleCancelling::returnArcCost(const AssignmentStep& step, const ExchangeGraph& graph,
-                                      std::int32_t tail, std::int32_t head) {
+                                      std::int32_t start, std::int32_t end) {
     const AssignmentNodes& nodes = graph.nodes();
-    const std::int32_t arc = graph.arcs().find(head, tail);
+    const std::int32_t arc = graph.arcs().find(end, start);
     if (arc >= 0) return std::max(graph.reducedCost(arc), 0.0);
-    const std::int32_t assignee = nodes.assignee(head);
+    const std::int32_t assignee = nodes.assignee(end);
     // Exchanging with a free dummy node would leave a place without its assignee.
-    if (assignee < 0 && !nodes.isPlace(head)) return kInfiniteCost;
-    const double costAtTail = graph.pays(head, tail) ? step.power(step.costs.cost(assignee, tail)) : 0.0;
-    return std::max(graph.reducedCost(head, tail, graph.arcCost(step, head, tail, costAtTail)), 0.0);
+    if (assignee < 0 && !nodes.isPlace(end)) return kInfiniteCost;
+    const double costAtStart = graph.pays(end, start) ? step.power(step.costs.cost(assignee, start)) : 0.0;
+    return std::max(graph.reducedCost(end, start, graph.arcCost(step, end, start, costAtStart)), 0.0);
 }
 
 void CycleCancelling::repairNode(const AssignmentStep& step, ExchangeGraph& graph, std::int32_t node,

@@ -42,8 +42,8 @@ private:
     void collectViolations(const ExchangeGraph& graph, double tolerance, std::int32_t most);
     void repairNode(const AssignmentStep& step, ExchangeGraph& graph, std::int32_t node, double tolerance,
                     std::int64_t budget);
-    static double returnArcCost(const AssignmentStep& step, const ExchangeGraph& graph, std::int32_t tail,
-                                std::int32_t head);
+    static double returnArcCost(const AssignmentStep& step, const ExchangeGraph& graph, std::int32_t start,
+                                std::int32_t end);
     bool commit(const AssignmentStep& step, ExchangeGraph& graph);
     void evaluateCycle(const AssignmentStep& step, const ExchangeGraph& graph);
 
