@@ -14,6 +14,7 @@
 namespace muster {
 namespace {
 
+constexpr std::size_t kMaxChoices = 6;  // Passages among which is chosen at a time.
 constexpr double kPast = 0.75;  // A detour of this share of the walk between two passages leads past one.
 constexpr double
     kRoundabout = 1.25;  // Ways through passages this many times as long as the one of the plan...
@@ -118,17 +119,23 @@ void Crossers::gather(const WorldState& state, const WayFields& fields) {
         for (const std::int32_t i : state.groups[g].members)
             gatherMember(state, fields, state.groups[g], static_cast<std::int32_t>(g), i);
     }
-    keepUsed(state.passages.size());
+    keepNearest(state.passages.size());
 }
 
-// Keeps those passages in the tables through which somebody can go.
-void Crossers::keepUsed(std::size_t all) {
-    isUsed_.assign(all, 0);
+// Keeps the passages with the shortest ways in the tables, so many at most.
+void Crossers::keepNearest(std::size_t all) {
+    least_.assign(all, kInfiniteCost);
     for (std::size_t k = 0; k < arrival_.size(); ++k)
-        if (arrival_[k] < kInfiniteCost) isUsed_[k % all] = 1;
+        least_[k % all] = std::min(least_[k % all], arrival_[k] + onward_[k]);
     used_.clear();
     for (std::size_t p = 0; p < all; ++p)
-        if (isUsed_[p] != 0) used_.push_back(static_cast<std::int32_t>(p));
+        if (least_[p] < kInfiniteCost) used_.push_back(static_cast<std::int32_t>(p));
+    if (used_.size() > kMaxChoices) {
+        std::stable_sort(used_.begin(), used_.end(),
+                         [&](std::int32_t x, std::int32_t y) { return least_[x] < least_[y]; });
+        used_.resize(kMaxChoices);
+        std::sort(used_.begin(), used_.end());
+    }
     const std::size_t kept = used_.size();
     for (std::size_t k = 0; k < characters_.size(); ++k)
         for (std::size_t u = 0; u < kept; ++u) {

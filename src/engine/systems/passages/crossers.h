@@ -19,7 +19,7 @@ inline constexpr std::uint32_t kGaveUp = 1000;
 /// entry per character and used passage, those of the first character first.
 class Crossers {
 public:
-    /// Finds all of them, and the passages through which they can go.
+    /// Finds all of them, and keeps the passages with the shortest ways.
     void gather(const WorldState& state, const WayFields& fields);
     /// True where others hold a passage so that nobody of a group comes through; both by index, after
     /// gather().
@@ -48,13 +48,13 @@ private:
                       std::int32_t character);
     bool needsNone(const WorldState& state, const WayFields& fields, const Group& group,
                    std::int32_t character, Vec2 goal, double byPassage) const;
-    void keepUsed(std::size_t all);
+    void keepNearest(std::size_t all);
     void measureBetween(const WorldState& state, const WayFields& fields);
 
     std::vector<std::int32_t> characters_, past_, pool_, used_;
     std::vector<double> arrival_, onward_;
-    std::vector<std::int8_t> side_;     // From which they come.
-    std::vector<std::uint8_t> isUsed_;  // Per passage.
+    std::vector<std::int8_t> side_;  // From which they come.
+    std::vector<double> least_;      // Per passage: time of the shortest way [s].
     // Per used passage, side (right, left) and used passage: time of the walk from there [s].
     std::vector<double> between_;
     std::vector<double> arrivalBefore_;  // Of one character.

@@ -19,10 +19,11 @@ constexpr std::int64_t kCellsLess = 30;           // ... less so many for each c
 constexpr std::int64_t kLeastCells = 12000;       // ... but at least so many...
 constexpr std::int64_t kFirstPlansShare = 4;      // ... and this part of them while a first plan is made.
 constexpr double kNoWait = 1.0;                   // Where all wait less than this, nobody is sent round [s].
-constexpr double kWaitOver = 0.1;     // Where all wait less than this, nobody goes round any more [s].
-constexpr double kPatience = 4.0;     // Who has not moved for so long gives its passage up [s].
-constexpr double kAlmostThere = 1.0;  // Who is let through so soon does not turn back [s].
-constexpr double kThrough = 0.3;      // Who is so far behind a gap is through [m].
+constexpr double kWaitOver = 0.1;        // Where all wait less than this, nobody goes round any more [s].
+constexpr double kPatience = 4.0;        // Who has not moved for so long gives its passage up [s].
+constexpr double kAlmostThere = 1.0;     // Who is let through so soon does not turn back [s].
+constexpr std::uint32_t kMostTurns = 1;  // Changes of the passage without a command.
+constexpr double kThrough = 0.3;         // Who is so far behind a gap is through [m].
 
 // A small crowd leaves much of a step, first plans little.
 std::int64_t cellsPerStep(const WorldState& state) {
@@ -213,6 +214,11 @@ void WayStage::commit(WorldState& state) {
         ChosenWay& chosen = state.characters.chosen[crossers[k]];
         const std::int32_t way = crossers_.wayOf(k, way_[k]);
         if (chosen.way >= 0 && passageOf(chosen.way) != passageOf(way)) ++chosen.turns;
+        // Whose place moves to and fro behind several passages goes on without them until the next command.
+        if (chosen.turns > kMostTurns) {
+            chosen = {-1, kGaveUp};
+            continue;
+        }
         chosen.way = way;
         chosen.passAt = now + slot_[k];
     }
