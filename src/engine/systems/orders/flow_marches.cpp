@@ -54,12 +54,6 @@ Vec2 middleOf(const MarchFlow& flow) {
     return sum / static_cast<double>(flow.kept.size());
 }
 
-double lengthOf(std::span<const Vec2> way) {
-    double length = 0.0;
-    for (std::size_t k = 1; k < way.size(); ++k) length += distance(way[k - 1], way[k]);
-    return length;
-}
-
 /// From the begin of a way to its first point that is so far from it.
 template <class Point>
 Vec2 endOfWay(Point begin, Point end, double reach) {
@@ -369,7 +363,7 @@ bool FlowMarches::stays(const WorldState& state, const Group& group) const {
         return false;
     const Grid& cells = state.environment.grid();
     const Vec2 from = group.mesh.pose().position, to = flow.way.back();
-    const double left = flow.way.size() > 2 ? (1.0 - flow.q) * lengthOf(flow.way) : 0.0;
+    const double left = flow.way.size() > 2 ? (1.0 - flow.q) * pathLength(flow.way) : 0.0;
     return std::none_of(state.editedAreas.begin(), state.editedAreas.end(), [&](const CellRect& area) {
         const Box box{cells.centre(area.low), cells.centre(area.high)};
         return flow.asked.meets(area) || distance(from, box.clamp(from)) + distance(box.clamp(to), to) < left;

@@ -46,9 +46,7 @@ void raiseNoPath(std::vector<Event>& events, const Group& group, std::int32_t co
 
 /// Marks those corners of the way as passed that lie before a share of it.
 void passCorners(March& march, double share) {
-    double whole = 0.0;
-    for (std::size_t k = 1; k < march.way.size(); ++k) whole += distance(march.way[k - 1], march.way[k]);
-    double done = share * whole;
+    double done = share * pathLength(march.way);
     march.next = march.way.empty() ? 0 : 1;
     while (march.next + 1 < march.way.size() &&
            (done -= distance(march.way[march.next - 1], march.way[march.next])) > 0.0)
