@@ -38,6 +38,8 @@ struct CharactersView {
     /// Velocity that steering aims at on the ground it is on, before bounds of speed and acceleration, and
     /// before contacts [m/s]. Those that are moved from outside have it too.
     std::span<const Vec2> wantedVelocity;
+    /// Exit or waiting area that it goes to; 0 for none.
+    std::span<const std::uint32_t> goal;
 
     std::size_t size() const { return id.size(); }  ///< Number of characters.
 };

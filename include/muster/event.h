@@ -43,6 +43,8 @@ enum class EventKind : std::uint8_t {
     Joined,        ///< A character is new; `value` is the id of its group.
     Left,          ///< A character has left the world; `value` is the id of its group.
     Transferred,   ///< A character has changed groups; `value` is the id of its new group.
+    Exited,        ///< A character has left the world by an exit; `value` is the id of that area.
+    Entered,       ///< A character has come into the world by a source; `value` is the id of that area.
     Count
 };
 /// The name of a kind: "enterPatch", "arrived"...

@@ -28,6 +28,7 @@ using PatchId = Id<struct PatchTag>;            ///< Names a patch.
 using GroupId = Id<struct GroupTag>;            ///< Names a group.
 using ItemId = Id<struct ItemTag>;              ///< Names an item.
 using CheckpointId = Id<struct CheckpointTag>;  ///< Names a formation checkpoint.
+using AreaId = Id<struct AreaTag>;              ///< Names an exit, a source or a waiting area.
 using ControlId = Id<struct ControlTag>;        ///< Names a control.
 
 }  // namespace muster

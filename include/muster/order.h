@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "muster/formation.h"
@@ -19,6 +20,15 @@ enum class OrderKind : std::uint8_t {
     Face,    ///< Turn to `facing` where it stands.
     Follow,  ///< Keep at `offset` from a group or a character, until the next order.
     Guard,   ///< Stand round a rectangle, which may move, until the next order.
+    Leave,   ///< Leave the world by exits. Nobody has a place meanwhile.
+    Wait,    ///< Go to a waiting area and stand there. Nobody has a place meanwhile.
+    Walk,    ///< Walk on towards `facing` without end. Nobody has a place meanwhile.
+};
+
+/// By which exit each leaves.
+enum class ExitChoice : std::uint8_t {
+    Quickest,  ///< Where it will have left soonest, with the wait before it.
+    Nearest,   ///< The one with the quickest way.
 };
 
 /// How a group goes to its target.
@@ -59,6 +69,17 @@ struct Order {
     Vec2 offset;                  ///< For Follow: from its centre to the formation's, in its axes [m].
     Vec2 halfSize;                ///< For Guard: half the length and half the width of the rectangle [m].
     TimedPath path;               ///< For Guard: how the rectangle moves from `target` on.
+    std::vector<AreaId> exits;    ///< For Leave: by which exits; empty for all.
+    ExitChoice choice = ExitChoice::Quickest;  ///< For Leave: by which of them each goes.
+    /// For Leave: seconds by which each of `exits` counts as nearer than it is, -1e6 to 1e6; empty for none.
+    std::vector<double> attractions;
+    /// For Leave: seconds by which an exit counts as nearer if all others nearby choose it, 0 to 1e6.
+    double herding = 0.0;
+    /// For Leave: deviation of the error by which each misjudges the time by an exit [s], drawn by the world's
+    /// seed, 0 to 1e6.
+    double misjudgement = 0.0;
+    AreaId area;           ///< For Wait: the waiting area.
+    double seconds = 0.0;  ///< For Wait: how long, from when its share has come, 0 to 1e9; 0 for no end.
 
     /// Goes to `target` in formation.
     static Order move(Vec2 target, std::optional<double> facing = {}) {
@@ -106,11 +127,34 @@ struct Order {
         return order;
     }
 
+    /// Leaves by exits: by the quickest of those named, of all where none is.
+    static Order leave(std::vector<AreaId> exits = {}) {
+        Order order;
+        order.kind = OrderKind::Leave;
+        order.exits = std::move(exits);
+        return order;
+    }
+    /// Waits in an area for some seconds; 0 for no end.
+    static Order wait(AreaId area, double seconds = 0.0) {
+        Order order;
+        order.kind = OrderKind::Wait;
+        order.area = area;
+        order.seconds = seconds;
+        return order;
+    }
+    /// Walks on towards a heading [rad].
+    static Order walk(double facing) {
+        Order order = face(facing);
+        order.kind = OrderKind::Walk;
+        return order;
+    }
+
     /// Lets an archive read or write the order.
     template <class Archive>
     void visit(Archive& archive) {
         archive(kind, target, facing, width, route, formation, manner, turn, pace, share, group, character,
                 offset, halfSize, path);
+        archive.since(7, exits, choice, attractions, herding, misjudgement, area, seconds);
     }
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,11 +45,15 @@ struct PatchDef {
     TimedPath path;       ///< Its motion; empty for a patch that stands still.
     MotionId motion = 0;  ///< Clip played on it; an index into the world's clips.
     double speed = -1.0;  ///< Travel speed relative to running, above 0; negative for the clip's.
+    /// For stairs and ramps: heading of the way up [rad]. There `speed` is that of going up.
+    std::optional<double> ascent;
+    double speedDown = -1.0;  ///< For stairs and ramps: that of going down; negative for `speed`.
 
     /// Lets an archive read or write the definition.
     template <class Archive>
     void visit(Archive& archive) {
         archive(name, polygon, path, motion, speed);
+        archive.since(7, ascent, speedDown);
     }
     /// Equal in all parts.
     friend bool operator==(const PatchDef&, const PatchDef&) = default;

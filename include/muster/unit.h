@@ -17,11 +17,16 @@ struct Body {
     double mass = 1.0;    ///< Mass in bodies of the usual mass, 0.01 to 1000: who is heavy gives way less.
     double supply = 1.0;  ///< Units that it supplies to places (SPEC A1), above 0 and at most 1000.
     std::uint8_t unitClass = 0;  ///< Class, for roles; 0 for none.
+    double headway = 0.0;        ///< Time that it keeps from who is ahead [s], 0 or 0.02 to 5.
+    double premovement = 0.0;  ///< Time from its first order until it sets out [s], 0 to 1e7; no parameter.
+    double upstairs = 0.0;  ///< Speed up stairs as a share of that in the open, 0.01 to 1; 0: the stairs'.
+    double downstairs = 0.0;  ///< Speed down stairs as a share of that in the open, 0.01 to 1; 0: theirs.
 
     /// Lets an archive read or write it.
     template <class Archive>
     void visit(Archive& archive) {
         archive(radius, maxSpeed, acceleration, mass, supply, unitClass);
+        archive.since(7, headway, premovement, upstairs, downstairs);
     }
     friend bool operator==(const Body&, const Body&) = default;
 };

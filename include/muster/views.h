@@ -113,4 +113,12 @@ struct PatchView {
     Polygon outline;  ///< Current corners [m].
 };
 
+/// An exit, a source or a waiting area.
+struct AreaView {
+    AreaId id;        ///< Unique id; it is not reused.
+    AreaDef def;      ///< Definition as added or last changed; its `group` is not read.
+    GroupId group;    ///< Of a source: whom its people join.
+    AreaCount count;  ///< What it has seen.
+};
+
 }  // namespace muster

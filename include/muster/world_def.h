@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "muster/appearance.h"
+#include "muster/area.h"
 #include "muster/formation.h"
 #include "muster/map_import.h"
 #include "muster/obstacle.h"
 #include "muster/order.h"
 #include "muster/parameters.h"
 #include "muster/patch.h"
+#include "muster/people.h"
 #include "muster/unit.h"
 
 namespace muster {
@@ -20,7 +22,8 @@ namespace muster {
 /// A group of characters with one mesh.
 struct GroupDef {
     std::string name = "Group";  ///< Name for display.
-    /// Number of characters, 1 to 200,000; at most 5,000 in all groups with exact plans.
+    /// Number of characters, 1 to 200,000, or 0 where a source sends some; at most 5,000 in all groups with
+    /// exact plans.
     std::int32_t count = 36;
     FormationDef formation;       ///< Shape and spacing of the places.
     Vec2 position;                ///< Centre of the formation [m].
@@ -36,6 +39,8 @@ struct GroupDef {
     std::optional<std::uint32_t> colour;  ///< Colour for display, 0xRRGGBB; none for the palette's.
     std::optional<BodyBuild> build;    ///< Build of its drawn bodies; none for both, by the character's id.
     std::optional<MotionSet> motions;  ///< How it walks and jogs; none for the plain manner.
+    /// Sorts of persons, who also come by sources; empty for none. Their numbers go before those of `bodies`.
+    std::vector<PeopleDef> people;
 
     /// Lets an archive read or write the definition.
     template <class Archive>
@@ -45,6 +50,7 @@ struct GroupDef {
         archive.optionalSince(5, colour);
         archive.optionalSince(6, build);
         archive.optionalSince(6, motions);
+        archive.since(7, people);
     }
 };
 
@@ -113,6 +119,9 @@ struct WorldDef {
     std::vector<GroupDef> groups;                       ///< At most 20,000 groups.
     std::vector<FormationCheckpointDef> checkpoints;    ///< Discs that change formations.
     std::vector<ItemDef> items;                         ///< Items to collect.
+    std::vector<AreaDef> areas;                         ///< Exits, sources and waiting areas; at most 1,000.
+    /// True: the left and the right side of `box` are joined. Who walks out on one side comes in on the other.
+    bool ring = false;
     Parameters parameters;                              ///< Parameters of behaviour.
 };
 

@@ -63,7 +63,7 @@ Status checkArrays(const Characters& c) {
          {c.group.size(), c.position.size(), c.velocity.size(), c.heading.size(), c.place.size(),
           c.direction.size(), c.cost.size(), c.motion.size(), c.phase.size(), c.motionTime.size(),
           c.patch.size(), c.lastSingle.size(), c.walk.size(), c.claim.size(), c.chosen.size(), c.body.size(),
-          c.driver.size(), c.wanted.size()})
+          c.driver.size(), c.wanted.size(), c.goal.size(), c.setsOutAt.size()})
         if (size != n) return wrong("arrays of different lengths");
     if (!arePlaces(c.position) || !std::all_of(c.velocity.begin(), c.velocity.end(), isVelocity) ||
         !std::all_of(c.heading.begin(), c.heading.end(), isUnitOrNull) ||
@@ -320,6 +320,12 @@ Status checkQueueAndMarks(const WorldState& state) {
         if (Status s = validateItem(item); !s.ok()) return s;
     for (const FormationCheckpointDef& checkpoint : state.checkpoints)
         if (Status s = validateCheckpoint(checkpoint, kMaxGroups); !s.ok()) return s;
+    std::vector<AreaId> areas;
+    for (const Area& area : state.areas) {
+        if (Status s = validateArea(area.def); !s.ok()) return s;
+        areas.push_back(area.id);
+    }
+    if (!ascend(areas, state.nextArea)) return wrong("ids of areas out of order");
     for (std::size_t k = 0; k < state.queue.size(); ++k)
         if (state.queue[k].step < state.stepCount ||
             (k > 0 && comesBefore(state.queue[k], state.queue[k - 1])))

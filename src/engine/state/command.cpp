@@ -35,7 +35,8 @@ constexpr auto kNames = std::to_array<const char*>({"TouchDown",        "TouchMo
                                                     "AddCheckpoint",    "ChangeCheckpoint",
                                                     "RemoveCheckpoint", "PlaceGroup",
                                                     "NameGroup",        "ColourGroup",
-                                                    "SetAppearance"});
+                                                    "SetAppearance",    "PutArea",
+                                                    "RemoveArea"});
 static_assert(kNames.size() == std::variant_size_v<CommandKinds>);
 
 /// Makes the alternative with that index; false where there is none.
@@ -166,6 +167,8 @@ struct Validator {
     }
     Status operator()(const NameGroup& c) const { return validateName(c.name); }
     Status operator()(const ColourGroup& c) const { return validateColour(c.colour); }
+    Status operator()(const PutArea& c) const { return validateArea(c.area); }
+    Status operator()(const RemoveArea&) const { return {}; }
     Status operator()(const SetAppearance& c) const { return validateAppearance(c.build, c.motions); }
 
 private:

@@ -120,6 +120,10 @@ Status validateCheckpoint(const FormationCheckpointDef& checkpoint, std::size_t 
          inRange("share", checkpoint.share, 1e-6, 1.0), validateFormation(checkpoint.formation)});
 }
 
+Status validateShape(const char* what, const Polygon& polygon) {
+    return isShape(what, polygon);
+}
+
 Status validateName(const std::string& name) {
     return isText("name", name);
 }
@@ -205,11 +209,15 @@ Status validatePatch(const PatchDef& patch, std::int32_t motions) {
         return invalidArgument("motion is " + std::to_string(patch.motion) + ", expected a clip from 0 to " +
                                std::to_string(motions - 1));
     }
-    return patch.speed < 0.0 ? Status() : inRange("speed", patch.speed, 0.01, 100.0);
+    const auto isSpeed = [](const char* what, double speed) {
+        return speed < 0.0 ? Status() : inRange(what, speed, 0.01, 100.0);
+    };
+    return first({isSpeed("speed", patch.speed), isSpeed("speedDown", patch.speedDown),
+                  inRange("ascent", patch.ascent.value_or(0.0), -1e6, 1e6)});
 }
 
 Status validateGroup(const GroupDef& group) {
-    if (Status s = first({isText("name", group.name), inRange("count", group.count, 1, kMaxCharacters),
+    if (Status s = first({isText("name", group.name), inRange("count", group.count, 0, kMaxCharacters),
                           isPlace("position", group.position), inRange("angle", group.angle, -1e6, 1e6),
                           inRange("jitter", group.jitter, 0.0, 100.0), arePlaces("starts", group.starts)});
         !s.ok()) {
@@ -228,12 +236,32 @@ Status validateGroup(const GroupDef& group) {
     if (Status s = first({validateBodies(group.bodies, static_cast<std::size_t>(group.count), true),
                           validateRoles(group.roles), validateDemands(group.demands),
                           validateConduct(group.conduct), validateColour(group.colour),
-                          validateAppearance(group.build, group.motions),
+                          validateAppearance(group.build, group.motions), validatePeople(group.people),
                           each("orders", group.orders, kMaxOrders, validateOrder)});
         !s.ok()) {
         return s;
     }
     return validateFormation(formation);
+}
+
+// Whoever is in no group at first comes by a source.
+Status validateAreas(const WorldDef& def) {
+    const auto groups = static_cast<std::int32_t>(def.groups.size());
+    for (std::size_t k = 0; k < def.areas.size(); ++k) {
+        const AreaDef& area = def.areas[k];
+        if (area.kind == AreaKind::Source && (area.group < 0 || area.group >= groups))
+            return invalidArgument("areas[" + std::to_string(k) + "]: group is " +
+                                   std::to_string(area.group) + ", expected the index of a group");
+    }
+    for (std::int32_t g = 0; g < groups; ++g) {
+        const bool fed = std::any_of(def.areas.begin(), def.areas.end(), [&](const AreaDef& area) {
+            return area.kind == AreaKind::Source && area.group == g;
+        });
+        if (def.groups[g].count == 0 && !fed)
+            return invalidArgument("groups[" + std::to_string(g) +
+                                   "]: count is 0, expected at least 1 where no source sends people");
+    }
+    return each("areas", def.areas, kMaxAreas, validateArea);
 }
 
 Status validateWorld(const WorldDef& def) {
@@ -249,7 +277,7 @@ Status validateWorld(const WorldDef& def) {
          each("groups", def.groups, kMaxGroups, validateGroup),
          each("checkpoints", def.checkpoints, kMaxObstacles,
               [&](const FormationCheckpointDef& c) { return validateCheckpoint(c, def.groups.size()); }),
-         each("items", def.items, kMaxObstacles, validateItem),
+         each("items", def.items, kMaxObstacles, validateItem), validateAreas(def),
          validateParameters(def.parameters, def.box).within("parameters")});
 }
 

@@ -14,6 +14,7 @@ inline constexpr std::size_t kMaxCorners = 10000;  ///< Of one polygon, and wayp
 inline constexpr std::size_t
     kMaxObstacles = 20000;                     ///< Of a scenario; also the limit for patches and for items.
 inline constexpr std::size_t kMaxText = 4096;  ///< Bytes of a name or description.
+inline constexpr std::size_t kMaxAreas = 1000;  ///< Exits, sources and waiting areas.
 inline constexpr double kMaxCoordinate = 1e6;  ///< Of any position [m].
 
 /// InvalidArgument where the spacing, the opening or the shape is bad.
@@ -51,6 +52,12 @@ Status validateColour(const std::optional<std::uint32_t>& colour);
 Status validateAppearance(const std::optional<BodyBuild>& build, const std::optional<MotionSet>& motions);
 /// InvalidArgument where a demand is out of its range.
 Status validateDemands(const std::vector<double>& demands);
+/// InvalidArgument where an area is bad.
+Status validateArea(const AreaDef& area);
+/// InvalidArgument where a sort of persons is bad.
+Status validatePeople(const std::vector<PeopleDef>& people);
+/// InvalidArgument where a polygon is not simple.
+Status validateShape(const char* what, const Polygon& polygon);
 /// InvalidArgument naming the first bad thing of a whole definition ("groups[1]: ...").
 Status validateWorld(const WorldDef& def);
 

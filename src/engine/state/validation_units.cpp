@@ -17,16 +17,39 @@ Status validateBody(const Body& body) {
     return first({isOwn("radius", body.radius, kLeastRadius, kMostRadius),
                   isOwn("maxSpeed", body.maxSpeed, 0.01, 50.0),
                   isOwn("acceleration", body.acceleration, 0.01, 1000.0),
-                  inRange("mass", body.mass, 0.01, 1000.0), inRange("supply", body.supply, 1e-3, 1000.0)});
+                  inRange("mass", body.mass, 0.01, 1000.0), inRange("supply", body.supply, 1e-3, 1000.0),
+                  isOwn("headway", body.headway, 0.02, 5.0),
+                  inRange("premovement", body.premovement, 0.0, 1e7),
+                  isOwn("upstairs", body.upstairs, 0.01, 1.0),
+                  isOwn("downstairs", body.downstairs, 0.01, 1.0)});
+}
+
+// What orders without places name.
+Status validateGoals(const Order& order) {
+    if (order.choice > ExitChoice::Nearest) return invalidArgument("choice is not known");
+    if (order.exits.size() > kMaxAreas)
+        return {StatusCode::LimitExceeded, "exits are more than " + std::to_string(kMaxAreas)};
+    if (!order.attractions.empty() && order.attractions.size() != order.exits.size())
+        return invalidArgument("found " + std::to_string(order.attractions.size()) +
+                               " attractions, expected one for each of " +
+                               std::to_string(order.exits.size()) + " exits");
+    for (const double attraction : order.attractions)
+        if (Status s = inRange("attraction", attraction, -1e6, 1e6); !s.ok()) return s;
+    if (order.kind == OrderKind::Wait && !order.area)
+        return invalidArgument("it names no waiting area");
+    return first({inRange("herding", order.herding, 0.0, 1e6),
+                  inRange("misjudgement", order.misjudgement, 0.0, 1e6),
+                  inRange("seconds", order.seconds, 0.0, 1e9)});
 }
 
 }  // namespace
 
 Status validateOrder(const Order& order) {
-    if (order.kind > OrderKind::Guard) return invalidArgument("kind of order is not known");
+    if (order.kind > OrderKind::Walk) return invalidArgument("kind of order is not known");
     if (order.manner > Manner::Continuum) return invalidArgument("manner is not known");
     if (order.turn > Turn::Flow) return invalidArgument("turn is not known");
-    if (order.kind == OrderKind::Face && !order.facing) return invalidArgument("facing is missing");
+    const bool heads = order.kind == OrderKind::Face || order.kind == OrderKind::Walk;
+    if (heads && !order.facing) return invalidArgument("facing is missing");
     if (order.kind == OrderKind::Follow && !order.group && order.character == 0)
         return invalidArgument("it names neither a group nor a character to follow");
     if (order.route.size() > kMaxCorners)
@@ -35,6 +58,7 @@ Status validateOrder(const Order& order) {
                                                " are allowed"};
     if (order.formation)
         if (Status s = validateFormation(*order.formation); !s.ok()) return s.within("formation");
+    if (Status s = validateGoals(order); !s.ok()) return s;
     return first({isPlace("target", order.target), inRange("facing", order.facing.value_or(0.0), -1e6, 1e6),
                   inRange("width", order.width, 0.0, kMostSize), arePlaces("route", order.route),
                   inRange("pace", order.pace, 0.0, 100.0), inRange("share", order.share, 1e-6, 1.0),

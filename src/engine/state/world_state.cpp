@@ -13,6 +13,12 @@ Group* WorldState::findGroup(GroupId id) {
     return at != groups.end() && at->id == id ? &*at : nullptr;
 }
 
+Area* WorldState::findArea(AreaId id) {
+    const auto at = std::lower_bound(areas.begin(), areas.end(), id,
+                                     [](const Area& area, AreaId wanted) { return area.id < wanted; });
+    return at != areas.end() && at->id == id ? &*at : nullptr;
+}
+
 void WorldState::refreshMembers() {
     for (Group& group : groups) group.members.clear();
     for (std::size_t i = 0; i < characters.size(); ++i)

@@ -11,6 +11,7 @@
 #include "engine/ground/environment/environment.h"
 #include "engine/ground/routes/route_graph.h"
 #include "engine/passages/survey_state.h"
+#include "engine/state/area.h"
 #include "engine/state/continuum.h"
 #include "engine/state/group.h"
 #include "engine/state/own_route.h"
@@ -37,6 +38,8 @@ struct WorldState {
     std::vector<ItemDef> items;                       ///< As defined.
     std::vector<ItemId> itemIds;                      ///< Of each item, ascending.
     std::vector<std::uint8_t> collected;              ///< Per item, 1 once collected.
+    std::vector<Area> areas;                          ///< In ascending order of ids.
+    bool ring = false;                                ///< The left and the right side of the box are joined.
     Random random;                                    ///< For start positions.
     std::uint32_t stepCount = 0;                      ///< Steps done.
     std::vector<Passage> passages;                    ///< Gaps before which somebody may have to wait.
@@ -50,6 +53,7 @@ struct WorldState {
     std::uint32_t nextOrder = 1;                      ///< Id of the next order.
     std::uint32_t nextItem = 1;                       ///< Id of the next item.
     std::uint32_t nextCheckpoint = 1;                 ///< Id of the next checkpoint.
+    std::uint32_t nextArea = 1;                       ///< Id of the next area.
 
     // Of the commands of this step.
     std::uint32_t editsBefore = 0;      ///< groundEdits before them.
@@ -64,6 +68,9 @@ struct WorldState {
     double time() const { return stepCount * parameters.stepTime; }
     /// The group with that id; null where there is none.
     Group* findGroup(GroupId id);
+    /// The area with that id; null where there is none.
+    Area* findArea(AreaId id);
+    const Area* findArea(AreaId id) const { return const_cast<WorldState*>(this)->findArea(id); }
     /// Brings Group::members up to date after characters have joined or left.
     void refreshMembers();
     /// Brings the routes up to date after the ground or the radius of characters has changed.

@@ -50,6 +50,9 @@ struct Characters {
     std::vector<Body> body;          ///< What each is.
     std::vector<Driver> driver;      ///< Who moves it.
     std::vector<Vec2> wanted;        ///< Velocity that steering aimed at in the last step [m/s].
+    std::vector<std::uint32_t> goal;  ///< Id of the exit or waiting area that it goes to; 0 for none.
+    /// Step from which it walks: it stands until its premovement time is over; 0 where it has had no order.
+    std::vector<std::uint32_t> setsOutAt;
 
     /// Number of characters.
     std::size_t size() const { return id.size(); }
@@ -61,14 +64,14 @@ struct Characters {
     /// The same for reading.
     CharactersView view() const {
         return {id,     group, position,   velocity, heading, place,  direction, cost,
-                motion, phase, motionTime, patch,    body,    driver, wanted};
+                motion, phase, motionTime, patch,    body,    driver, wanted,  goal};
     }
 
     /// Lets an archive read or write all arrays.
     template <class Archive>
     void visit(Archive& archive) {
         archive(id, group, position, velocity, heading, place, direction, cost, motion, phase, motionTime,
-                patch, lastSingle, walk, claim, chosen, body, driver, wanted);
+                patch, lastSingle, walk, claim, chosen, body, driver, wanted, goal, setsOutAt);
     }
 };
 

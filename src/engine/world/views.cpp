@@ -143,6 +143,17 @@ std::span<const CheckpointId> World::checkpointIds() const {
 std::span<const GroupId> World::checkpointGroups() const {
     return engine_->state.checkpointGroups;
 }
+std::size_t World::areaCount() const {
+    return engine_->state.areas.size();
+}
+AreaView World::area(std::size_t index) const {
+    if (index >= engine_->state.areas.size()) return {};
+    const Area& area = engine_->state.areas[index];
+    return {area.id, area.def, area.group, area.count};
+}
+bool World::ring() const {
+    return engine_->state.ring;
+}
 std::span<const Event> World::events() const {
     return engine_->events;
 }

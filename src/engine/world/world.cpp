@@ -99,6 +99,11 @@ Result<World> World::createOn(std::unique_ptr<ThreadPool> pool, const WorldDef& 
     state.items = def.items;
     state.collected.assign(def.items.size(), 0);
     for (std::size_t i = 0; i < def.items.size(); ++i) state.itemIds.push_back(ItemId{state.nextItem++});
+    state.ring = def.ring;
+    for (const AreaDef& area : def.areas) {
+        const auto group = static_cast<std::uint32_t>(area.kind == AreaKind::Source ? area.group + 1 : 0);
+        state.areas.push_back({AreaId{state.nextArea++}, area, GroupId{group}, {}});
+    }
     state.groups.reserve(def.groups.size());
     for (std::size_t i = 0; i < def.groups.size(); ++i) {
         const Status added = addGroup(state, def.groups[i]);

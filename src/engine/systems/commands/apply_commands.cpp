@@ -8,6 +8,7 @@
 #include "engine/state/ground_class.h"
 #include "engine/state/group_edits.h"
 #include "engine/state/validation.h"
+#include "engine/systems/commands/area_commands.h"
 #include "engine/systems/commands/body_commands.h"
 #include "engine/systems/commands/ended_paths.h"
 #include "engine/systems/commands/order_commands.h"
@@ -179,6 +180,8 @@ public:
     Status operator()(const NameGroup& name) { return nameGroup(state_, name); }
     Status operator()(const ColourGroup& colour) { return colourGroup(state_, colour); }
     Status operator()(const SetAppearance& appearance) { return setAppearance(state_, appearance); }
+    Status operator()(const PutArea& put) { return putArea(state_, put); }
+    Status operator()(const RemoveArea& remove) { return removeArea(state_, remove); }
 
 private:
     // Background work reads the plans.

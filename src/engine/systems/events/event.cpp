@@ -10,7 +10,8 @@ const char* eventKindName(EventKind kind) {
         "enterPatch",      "leavePatch", "transitionStart", "transitionEnd", "singleStep", "collect",
         "formationChange", "swap",       "arrived",         "stuck",         "blocked",    "free",
         "noPath",          "partial",    "orderGiven",      "orderBegun",    "orderDone",  "orderSkipped",
-        "passed",          "groupAdded", "groupRemoved",    "joined",        "left",       "transferred"};
+        "passed",          "groupAdded", "groupRemoved",    "joined",        "left",       "transferred",
+        "exited",          "entered"};
     return kind < EventKind::Count ? kNames[static_cast<std::size_t>(kind)] : "";
 }
 

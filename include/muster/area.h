@@ -1,0 +1,93 @@
+// Areas: where people leave the world, come into it, and wait. They are no obstacles.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "muster/geometry.h"
+#include "muster/id.h"
+
+namespace muster {
+
+/// What an area does.
+enum class AreaKind : std::uint8_t {
+    Exit,     ///< People who are to leave by it go there, and leave the world in it.
+    Source,   ///< People come into the world in it, where there is room.
+    Waiting,  ///< People who are to wait in it spread in it and stand.
+};
+
+/// How many people a source has let in by a time.
+struct Arrivals {
+    double time = 0.0;       ///< [s] of the world.
+    std::int32_t count = 0;  ///< That come at this time.
+
+    /// Lets an archive read or write it.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(time, count);
+    }
+    friend bool operator==(const Arrivals&, const Arrivals&) = default;
+};
+
+/// Definition of an area.
+struct AreaDef {
+    std::string name;                ///< Name for display: "Main exit".
+    AreaKind kind = AreaKind::Exit;  ///< What it does.
+    Polygon polygon;                 ///< Corners of a simple polygon, convex or not [m].
+    bool open = true;                ///< False: nobody leaves or comes here for now.
+    /// For Exit: the most people who leave in a second, 0 to 1000; 0 for as many as come. For Source: how many
+    /// come in a second on average, at random times by the world's seed, 0 to 1000.
+    double rate = 0.0;
+    /// For Exit: a line in which people queue, from who is next to the last; empty for a crowd.
+    std::vector<Vec2> queue;
+    std::int32_t group = 0;           ///< For Source in a WorldDef: index of the group whom its people join.
+    double from = 0.0;                ///< For Source with a rate: when it begins [s].
+    double until = 1e9;               ///< For Source with a rate: when it ends [s].
+    std::int32_t most = 0;            ///< For Source with a rate: how many come in all; 0 for no end.
+    std::vector<Arrivals> timetable;  ///< For Source: further people, by ascending times.
+
+    /// Lets an archive read or write the definition.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(name, kind, polygon, open, rate, queue, group, from, until, most, timetable);
+    }
+    friend bool operator==(const AreaDef&, const AreaDef&) = default;
+};
+
+/// Adds an area, or changes one.
+struct PutArea {
+    AreaId id;      ///< Which is changed; none to add one.
+    AreaDef area;   ///< Its definition; its `group` is not read.
+    GroupId group;  ///< For Source: whom its people join.
+
+    /// Lets an archive read or write the command.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(id, area, group);
+    }
+};
+/// Removes an area. Who was to go there goes to the others of its order, or stands.
+struct RemoveArea {
+    AreaId id;  ///< Its id.
+
+    /// Lets an archive read or write the command.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(id);
+    }
+};
+
+/// What an area has seen.
+struct AreaCount {
+    std::uint32_t passed = 0;   ///< People who have left by an exit, or come by a source.
+    std::uint32_t waiting = 0;  ///< People of a source for whom there is no room yet.
+
+    /// Lets an archive read or write it.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(passed, waiting);
+    }
+};
+
+}  // namespace muster

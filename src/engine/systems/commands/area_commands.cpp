@@ -1,0 +1,41 @@
+#include "engine/systems/commands/area_commands.h"
+
+#include <algorithm>
+#include <string>
+
+#include "engine/state/validation.h"
+#include "engine/systems/commands/not_found.h"
+
+namespace muster {
+namespace {
+
+Status noArea(AreaId id) {
+    return {StatusCode::NotFound, "no area has the id " + std::to_string(id.value)};
+}
+
+}  // namespace
+
+Status putArea(WorldState& state, const PutArea& put) {
+    const bool source = put.area.kind == AreaKind::Source;
+    if (source && state.findGroup(put.group) == nullptr) return noGroup(put.group);
+    Area* area = state.findArea(put.id);
+    if (put.id && area == nullptr) return noArea(put.id);
+    if (area == nullptr) {
+        if (state.areas.size() >= kMaxAreas)
+            return {StatusCode::LimitExceeded,
+                    "a world holds at most " + std::to_string(kMaxAreas) + " areas"};
+        area = &state.areas.emplace_back();
+        area->id = AreaId{state.nextArea++};
+    }
+    area->def = put.area;
+    area->group = source ? put.group : GroupId{};
+    return {};
+}
+
+Status removeArea(WorldState& state, const RemoveArea& remove) {
+    const std::size_t removed = std::erase_if(state.areas,
+                                              [&](const Area& area) { return area.id == remove.id; });
+    return removed > 0 ? Status{} : noArea(remove.id);
+}
+
+}  // namespace muster
