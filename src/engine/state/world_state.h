@@ -39,7 +39,6 @@ struct WorldState {
     std::vector<ItemId> itemIds;                      ///< Of each item, ascending.
     std::vector<std::uint8_t> collected;              ///< Per item, 1 once collected.
     std::vector<Area> areas;                          ///< In ascending order of ids.
-    bool ring = false;                                ///< The left and the right side of the box are joined.
     std::uint64_t seed = 0;                           ///< As defined; for persons.
     Random random;                                    ///< For start positions.
     std::uint32_t stepCount = 0;                      ///< Steps done.
