@@ -19,12 +19,13 @@ struct Claim {
     bool rests = false;  ///< It has come to its place, and has had no other way since.
     bool settled = false;  ///< It rests beside its place, because it came no nearer.
     bool follows = false;  ///< Its group follows somebody.
+    bool stays = false;    ///< It has not set out yet: its premovement time is not over.
     bool asks = false;     ///< It asked others for their way in the last step.
 
     /// Lets an archive read or write the claim.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(spot, progress, stuck, lends, last, since, rests, settled, follows, asks);
+        archive(spot, progress, stuck, lends, last, since, rests, settled, follows, stays, asks);
     }
 };
 
