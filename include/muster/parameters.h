@@ -119,6 +119,7 @@ struct Parameters {
         double directReach = 1.5;
         double headway = 0.2;  ///< Time that it keeps from who is ahead [s], 0.02 to 5.
         double inStep = 1.0;   ///< Share of the speed ahead that it walks on top of that, 0 to 1: 1 in step.
+        double foresight = 1.0;  ///< Time for which it keeps clear of who comes towards it [s], 0.1 to 10.
     };
 
     /// Contacts between characters (SPEC A6).
