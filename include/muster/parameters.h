@@ -24,7 +24,7 @@ enum class PlanObjective : std::uint8_t {
     LongestWalk = 1,  ///< The cost of the costliest pair first, then the sum of cost^p.
 };
 
-/// The definition of a world's behaviour. The defaults are the preset `muster`. Ranges are those of
+/// The definition of a world's behaviour. The defaults are the preset `units`. Ranges are those of
 /// parameterTable(), which also has the name of each field in files and messages: "plan.exponent".
 struct Parameters {
     /// Touches and drawn trajectories (SPEC U1 to U3).
