@@ -230,4 +230,4 @@ def test_people_are_adults_or_what_one_says() -> None:
     definition = walkers(4)
     definition.groups[0].people = [muster.PeopleDef(name="Slow", speed=muster.Distribution.constant(0.6))]
     text = muster.write_scenario(definition)
-    assert muster.parse_scenario(text).definition.groups[0].people == definition.groups[0].people
+    assert muster.parse_scenario(text).groups[0].people == definition.groups[0].people

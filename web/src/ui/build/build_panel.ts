@@ -1,6 +1,7 @@
 // The panel of whoever builds: tools, what new things are like, what is chosen, layers, and the way back.
 
 import { kBuildTools, type BuildTool, type DrawingOptions } from '../../model/place/drawing';
+import { groupChoices } from '../../model/place/areas';
 import { kThingKinds, type Thing, type ThingKind } from '../../model/place/things';
 import type { HistoryFacts } from '../../model/studio_state';
 import type { SceneFacts } from '../../protocol/scene';
@@ -19,7 +20,11 @@ const kLabels: Record<BuildTool, string> = {
   polygon: 'Polygon',
   wall: 'Wall',
   patch: 'Patch',
+  stairs: 'Stairs',
   route: 'Route',
+  exit: 'Exit',
+  source: 'Source',
+  waiting: 'Waiting',
   item: 'Item',
   checkpoint: 'Checkpoint',
   people: 'People',
@@ -32,15 +37,23 @@ const kHints: Record<BuildTool, string> = {
   polygon: 'Tap corners; tap the first again to end.',
   wall: 'Drag along the wall.',
   patch: 'Drag from corner to corner.',
-  route: 'Draw from an obstacle: it moves there and back.',
+  stairs: 'Drag from the foot to the top.',
+  route: 'Draw from an obstacle: it moves there and back. From an exit: people queue along the line.',
+  exit: 'Drag from corner to corner: who is told to leave leaves there.',
+  source: 'Drag from corner to corner: people come there.',
+  waiting: 'Drag from corner to corner: who is told to wait stands there.',
   item: 'Tap where it shall lie.',
   checkpoint: 'Drag from the middle: who passes changes the formation.',
   people: 'Drag from where they stand to where they face.',
 };
 
+const kRate = { min: 0, max: 1000, unit: '1/s' };
+const kNewGroup = 'A new group';
+
 const kLayers: Record<ThingKind, string> = {
   obstacle: 'Obstacles',
   patch: 'Patches',
+  area: 'Exits and sources',
   item: 'Items',
   checkpoint: 'Checkpoints',
   group: 'People',
@@ -201,10 +214,48 @@ export class BuildPanel {
           numberField('Spacing', options.spacing, { min: 0.3, max: 20, unit: 'm' }, (value) => set({ spacing: value })),
           shape(),
         ];
-      case 'select':
-      case 'item':
+      default:
+        return this.areaOptionsOf(tool, scene, set);
+    }
+  }
+
+  private areaOptionsOf(
+    tool: BuildTool,
+    scene: SceneFacts | null,
+    set: (change: Partial<DrawingOptions>) => void,
+  ): HTMLElement[] {
+    const { options } = this.desk_;
+    switch (tool) {
+      case 'stairs':
+        return [
+          numberField('Width', options.stairsWidth, { min: 0.3, max: 100, unit: 'm' }, (value) =>
+            set({ stairsWidth: value }),
+          ),
+          numberField('Speed up', options.speedUp, { min: 0.01, max: 100, unit: '×' }, (value) =>
+            set({ speedUp: value }),
+          ),
+          numberField('Speed down', options.speedDown, { min: 0.01, max: 100, unit: '×' }, (value) =>
+            set({ speedDown: value }),
+          ),
+        ];
+      case 'exit':
+        return [numberField('At most, 0: all', options.exitRate, kRate, (value) => set({ exitRate: value }))];
+      case 'source':
+        return [
+          numberField('People', options.sourceRate, kRate, (value) => set({ sourceRate: value })),
+          this.joins(scene, options.sourceGroup, (group) => set({ sourceGroup: group })),
+        ];
+      default:
         return [];
     }
+  }
+
+  /** Whom the people of a new source join. */
+  private joins(scene: SceneFacts | null, group: number, changed: (group: number) => void): HTMLElement {
+    const choices = [{ id: 0, word: kNewGroup }, ...groupChoices(scene)];
+    const words = choices.map(({ word }) => word);
+    const shown = choices.find(({ id }) => id === group)?.word ?? kNewGroup;
+    return selectField('Join', words, shown, (word) => changed(choices.find((one) => one.word === word)?.id ?? 0));
   }
 
   setChosen(chosen: readonly Thing[], scene: SceneFacts | null): void {
