@@ -9,6 +9,7 @@
 #include "base/maths.h"
 #include "base/neighbour_list.h"
 #include "engine/formation/shapes/formation.h"
+#include "engine/state/draw_person.h"
 #include "engine/state/ground_class.h"
 #include "engine/state/reform.h"
 #include "engine/state/standing_room.h"
@@ -23,12 +24,6 @@ constexpr std::int32_t kJoiningRank = 10;      // Characters that join come in r
 
 Pose poseOf(Vec2 position, double angle) {
     return {position, {cosine(angle), sine(angle)}};
-}
-
-/// What the next character of a group is, by the group's definition.
-Body bodyOf(const GroupDef& def, std::size_t index) {
-    if (def.bodies.empty()) return {};
-    return def.bodies[std::min(index, def.bodies.size() - 1)];
 }
 
 /// Makes a character of a group, an index of all arrays, stand still near a position.
@@ -53,6 +48,16 @@ void standStill(WorldState& state, const Group& group, std::size_t i, Vec2 posit
     c.claim[i].since = state.stepCount;
     c.chosen[i] = {};
     c.wanted[i] = {};
+    c.goal[i] = 0;
+}
+
+/// Those of a group who come next.
+std::vector<Body> nextMembers(const WorldState& state, const Group& group, std::size_t count) {
+    std::vector<Body> bodies;
+    for (std::size_t k = 0; k < count; ++k)
+        bodies.push_back(drawMember(group.def, group.members.size() + k, state.seed,
+                                    state.nextCharacter + static_cast<std::uint32_t>(k)));
+    return bodies;
 }
 
 /// One entry more in each array.
@@ -64,18 +69,6 @@ struct Extension {
         (arrays.emplace_back(), ...);
     }
 };
-
-void addCharacter(WorldState& state, const Group& group, std::uint32_t groupIndex, Vec2 position,
-                  const Body& body) {
-    Characters& c = state.characters;
-    Extension extension;
-    c.visit(extension);
-    c.id.back() = state.nextCharacter++;
-    c.group.back() = groupIndex;
-    c.body.back() = body;
-    c.driver.back() = Driver::Muster;
-    standStill(state, group, c.size() - 1, position);
-}
 
 // Drops the marked entries of all arrays of characters; an archive, as far as visits go.
 struct Compaction {
@@ -104,8 +97,8 @@ Status checkNewGroup(const WorldState& state, const GroupDef& def) {
     const std::string name = "group '" + def.name + "'";
     const auto total = static_cast<std::int64_t>(state.characters.size()) + def.count;
     if (const Status fits = validateTotal(total, state.parameters); !fits.ok()) return fits.within(name);
-    if (def.count < 1)
-        return invalidArgument(name + ": found count " + std::to_string(def.count) + ", expected at least 1");
+    if (def.count < 0)
+        return invalidArgument(name + ": found count " + std::to_string(def.count) + ", expected at least 0");
     if (!def.starts.empty() && std::cmp_not_equal(def.starts.size(), def.count))
         return invalidArgument(name + ": found " + std::to_string(def.starts.size()) +
                                " starts, expected one for each of its " + std::to_string(def.count) +
@@ -205,6 +198,24 @@ bool isUnderWay(const Group& group) {
 
 }  // namespace
 
+Body bodyOf(const GroupDef& def, std::size_t index) {
+    if (def.bodies.empty()) return {};
+    return def.bodies[std::min(index, def.bodies.size() - 1)];
+}
+
+std::size_t addCharacter(WorldState& state, const Group& group, std::uint32_t groupIndex, Vec2 position,
+                         const Body& body) {
+    Characters& c = state.characters;
+    Extension extension;
+    c.visit(extension);
+    c.id.back() = state.nextCharacter++;
+    c.group.back() = groupIndex;
+    c.body.back() = body;
+    c.driver.back() = Driver::Muster;
+    standStill(state, group, c.size() - 1, position);
+    return c.size() - 1;
+}
+
 std::unique_ptr<Plan> makePlan(const Parameters& parameters) {
     return parameters.plan.solver == PlanSolver::Fast ? makeFastPlan() : makeExactPlan();
 }
@@ -218,20 +229,22 @@ void exchangePlans(WorldState& state) {
 
 Status addGroup(WorldState& state, const GroupDef& def) {
     if (const Status valid = checkNewGroup(state, def); !valid.ok()) return valid;
-    const Result<Formation> formation = makeFormation(def.formation, def.count);
+    // A group that people come to later has a mesh, and no places yet.
+    const Result<Formation> formation = makeFormation(def.formation, std::max(1, def.count));
     if (!formation.ok()) return formation.status().within("group '" + def.name + "'");
     Group group;
     group.def = def;
     const Status placed = group.mesh.reset(*formation, poseOf(def.position, def.angle));
     if (!placed.ok()) return placed.within("group '" + def.name + "'");
+    if (def.count == 0) group.mesh.setPlaces({});
     group.id = GroupId{state.nextGroup++};
     group.plan = makePlan(state.parameters);
     std::vector<Vec2> targets;
     group.mesh.placePositions(targets);
     const auto index = static_cast<std::uint32_t>(state.groups.size());
+    const std::vector<Body> bodies = drawMembers(def, state.seed, state.nextCharacter);
     for (std::int32_t i = 0; i < def.count; ++i)
-        addCharacter(state, group, index, startOf(def, i, targets, state.random),
-                     bodyOf(def, static_cast<std::size_t>(i)));
+        addCharacter(state, group, index, startOf(def, i, targets, state.random), bodies[i]);
     for (const Order& order : def.orders) group.orders.orders.push_back({state.nextOrder++, order});
     group.orders.patrols = def.patrols;
     group.members.resize(def.count);
@@ -276,13 +289,13 @@ void removeCharacters(Characters& characters, std::span<const std::uint8_t> leav
 void joinCharacters(WorldState& state, const Group& group, std::span<const Vec2> positions,
                     std::span<const Body> bodies) {
     const auto index = static_cast<std::uint32_t>(&group - state.groups.data());
+    std::vector<Body> drawn;
+    if (bodies.empty()) bodies = drawn = nextMembers(state, group, positions.size());
     StandingRoom room(state.environment, largestRadius(state, bodies));
     for (const Vec2 p : state.characters.position) room.occupy(p);
-    for (std::size_t k = 0; k < positions.size(); ++k) {
-        const Body body = bodies.empty() ? bodyOf(group.def, group.members.size() + k)
-                                         : bodies[std::min(k, bodies.size() - 1)];
-        addCharacter(state, group, index, room.take(state.environment.def().box.clamp(positions[k])), body);
-    }
+    for (std::size_t k = 0; k < positions.size(); ++k)
+        addCharacter(state, group, index, room.take(state.environment.def().box.clamp(positions[k])),
+                     bodies[std::min(k, bodies.size() - 1)]);
     state.refreshMembers();
 }
 
@@ -336,14 +349,16 @@ void setCount(WorldState& state, Group& group, std::int32_t count) {
     for (const Vec2 v : group.mesh.formation().mesh.vertices) reach = std::max(reach, length(v));
     const auto now = static_cast<std::int32_t>(group.members.size());
     const double spacing = std::max(group.def.formation.spacing, 2.2 * state.parameters.character.radius);
-    StandingRoom room(state.environment, largestRadius(state, group.def.bodies));
+    const std::vector<Body> bodies = nextMembers(state, group,
+                                                 static_cast<std::size_t>(std::max(0, count - now)));
+    StandingRoom room(state.environment, largestRadius(state, bodies));
     if (count > now)
         for (const Vec2 p : state.characters.position) room.occupy(p);
     for (std::int32_t k = now; k < count; ++k) {
         const std::int32_t n = k - now;
         const std::int32_t rank = 1 + n / kJoiningRank;
         const Vec2 local{-(reach + spacing * rank), spacing * (n % kJoiningRank - 4.5)};
-        addCharacter(state, group, index, room.take(pose.apply(local)), bodyOf(group.def, k));
+        addCharacter(state, group, index, room.take(pose.apply(local)), bodies[n]);
     }
     if (count < now) {
         std::vector<std::uint8_t> leaves(state.characters.size(), 0);

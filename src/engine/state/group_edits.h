@@ -16,6 +16,11 @@ std::unique_ptr<Plan> makePlan(const Parameters& parameters);
 /// that characters have as incumbents. No background work may be running.
 void exchangePlans(WorldState& state);
 
+/// What the next character of a group is, by the group's definition.
+Body bodyOf(const GroupDef& def, std::size_t index);
+/// Adds a character, which stands still, to the arrays; its index. The members of its group are not changed.
+std::size_t addCharacter(WorldState& state, const Group& group, std::uint32_t groupIndex, Vec2 position,
+                         const Body& body);
 /// Adds a group and its characters. Fails, changing nothing, where the definition is bad or the world would
 /// hold too many groups or characters.
 Status addGroup(WorldState& state, const GroupDef& def);
@@ -30,8 +35,8 @@ Status changeFormation(WorldState& state, Group& group, const FormationDef& def,
 /// Gives a group another formation where its mesh stands; its places go on from where they are, at once.
 /// Fails, changing nothing, where the formation cannot be made. No background work may be running.
 Status reformGroup(WorldState& state, Group& group, const FormationDef& def);
-/// Adds characters to a group near given positions [m], with bodies one for each, one for all, or none. They
-/// have no places yet.
+/// Adds characters to a group near given positions [m], with bodies one for each, one for all, or none, where
+/// each is drawn (draw_person.h). They have no places yet.
 void joinCharacters(WorldState& state, const Group& group, std::span<const Vec2> positions,
                     std::span<const Body> bodies);
 /// Removes the characters that are marked by 1, one mark for each.

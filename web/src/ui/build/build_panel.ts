@@ -47,6 +47,9 @@ const kHints: Record<BuildTool, string> = {
   people: 'Drag from where they stand to where they face.',
 };
 
+type SetOptions = (change: Partial<DrawingOptions>) => void;
+type OptionMakers = Partial<Record<BuildTool, () => HTMLElement[]>>;
+
 const kRate = { min: 0, max: 1000, unit: '1/s' };
 const kNewGroup = 'A new group';
 
@@ -181,73 +184,55 @@ export class BuildPanel {
     const set = (change: Partial<DrawingOptions>): void => {
       desk.options = { ...desk.options, ...change };
     };
-    const { options } = desk;
+    const makers = { ...this.plainOptions(desk.options, scene, set), ...this.areaOptions(desk.options, scene, set) };
+    return makers[tool]?.() ?? [];
+  }
+
+  private plainOptions(options: DrawingOptions, scene: SceneFacts | null, set: SetOptions): OptionMakers {
     const height = (): HTMLElement =>
       numberField('Height', options.height, { min: 0.1, max: 100, unit: 'm' }, (value) => set({ height: value }));
     const shape = (): HTMLElement =>
       selectField('Formation', kShapes, options.formation, (value) => set({ formation: value }));
-    switch (tool) {
-      case 'box':
-      case 'disc':
-      case 'polygon':
-        return [height()];
-      case 'wall':
-        return [
-          numberField('Width', options.width, { min: 0.05, max: 20, unit: 'm' }, (value) => set({ width: value })),
-          height(),
-        ];
-      case 'patch': {
-        const clips = scene?.clips.map(({ name }) => name) ?? [];
-        return [
-          selectField('Motion', clips, clips[options.motion] ?? '', (value) => set({ motion: clips.indexOf(value) })),
-        ];
-      }
-      case 'route':
-        return [
-          numberField('Speed', options.speed, { min: 0.1, max: 20, unit: 'm/s' }, (value) => set({ speed: value })),
-        ];
-      case 'checkpoint':
-        return [shape()];
-      case 'people':
-        return [
-          numberField('People', options.count, { min: 1, max: 5000, whole: true }, (value) => set({ count: value })),
-          numberField('Spacing', options.spacing, { min: 0.3, max: 20, unit: 'm' }, (value) => set({ spacing: value })),
-          shape(),
-        ];
-      default:
-        return this.areaOptionsOf(tool, scene, set);
-    }
+    const width = (): HTMLElement =>
+      numberField('Width', options.width, { min: 0.05, max: 20, unit: 'm' }, (value) => set({ width: value }));
+    const clips = scene?.clips.map(({ name }) => name) ?? [];
+    return {
+      box: () => [height()],
+      disc: () => [height()],
+      polygon: () => [height()],
+      wall: () => [width(), height()],
+      patch: () => [
+        selectField('Motion', clips, clips[options.motion] ?? '', (value) => set({ motion: clips.indexOf(value) })),
+      ],
+      route: () => [
+        numberField('Speed', options.speed, { min: 0.1, max: 20, unit: 'm/s' }, (value) => set({ speed: value })),
+      ],
+      checkpoint: () => [shape()],
+      people: () => [
+        numberField('People', options.count, { min: 1, max: 5000, whole: true }, (value) => set({ count: value })),
+        numberField('Spacing', options.spacing, { min: 0.3, max: 20, unit: 'm' }, (value) => set({ spacing: value })),
+        shape(),
+      ],
+    };
   }
 
-  private areaOptionsOf(
-    tool: BuildTool,
-    scene: SceneFacts | null,
-    set: (change: Partial<DrawingOptions>) => void,
-  ): HTMLElement[] {
-    const { options } = this.desk_;
-    switch (tool) {
-      case 'stairs':
-        return [
-          numberField('Width', options.stairsWidth, { min: 0.3, max: 100, unit: 'm' }, (value) =>
-            set({ stairsWidth: value }),
-          ),
-          numberField('Speed up', options.speedUp, { min: 0.01, max: 100, unit: '×' }, (value) =>
-            set({ speedUp: value }),
-          ),
-          numberField('Speed down', options.speedDown, { min: 0.01, max: 100, unit: '×' }, (value) =>
-            set({ speedDown: value }),
-          ),
-        ];
-      case 'exit':
-        return [numberField('At most, 0: all', options.exitRate, kRate, (value) => set({ exitRate: value }))];
-      case 'source':
-        return [
-          numberField('People', options.sourceRate, kRate, (value) => set({ sourceRate: value })),
-          this.joins(scene, options.sourceGroup, (group) => set({ sourceGroup: group })),
-        ];
-      default:
-        return [];
-    }
+  private areaOptions(options: DrawingOptions, scene: SceneFacts | null, set: SetOptions): OptionMakers {
+    const speed = (label: string, key: 'speedUp' | 'speedDown'): HTMLElement =>
+      numberField(label, options[key], { min: 0.01, max: 100, unit: '×' }, (value) => set({ [key]: value }));
+    return {
+      stairs: () => [
+        numberField('Width', options.stairsWidth, { min: 0.3, max: 100, unit: 'm' }, (value) =>
+          set({ stairsWidth: value }),
+        ),
+        speed('Speed up', 'speedUp'),
+        speed('Speed down', 'speedDown'),
+      ],
+      exit: () => [numberField('At most, 0: all', options.exitRate, kRate, (value) => set({ exitRate: value }))],
+      source: () => [
+        numberField('People', options.sourceRate, kRate, (value) => set({ sourceRate: value })),
+        this.joins(scene, options.sourceGroup, (group) => set({ sourceGroup: group })),
+      ],
+    };
   }
 
   /** Whom the people of a new source join. */
