@@ -41,8 +41,7 @@ bool isContinuum(const Order& order) {
 bool waits(const WorldState& state, const Gathering& gathering, std::int32_t i) {
     const Characters& c = state.characters;
     const StandingSpot* const spot = gathering.spotOf(c.id[i]);
-    if (spot != nullptr) return distance(c.position[i], spot->spot) <= kArrivedReach;
-    return c.goal[i] == gathering.area.value && c.direction[i] == Vec2{} && std::isfinite(c.cost[i]);
+    return spot != nullptr ? distance(c.position[i], spot->spot) <= kArrivedReach : gathering.hasArrived(c.id[i]);
 }
 
 void raise(std::vector<Event>& events, EventKind kind, const Group& group, std::uint32_t value) {
