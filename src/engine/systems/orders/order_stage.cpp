@@ -13,6 +13,7 @@
 #include "engine/state/reform.h"
 #include "engine/systems/events/standstill.h"
 #include "engine/systems/orders/order_formations.h"
+#include "engine/systems/orders/premovement.h"
 #include "engine/systems/steering/continuum_stage.h"
 
 namespace muster {
@@ -574,6 +575,7 @@ void OrderStage::run(WorldState& state, ThreadPool& pool, std::vector<Event>& ev
                               !group.members.empty();
         if (searches && searching_ == 0) searching_ = group.id.value;
     }
+    hearOrders(state);
     for (Group& group : state.groups) runQueue(state, group, pool, events);
 }
 
