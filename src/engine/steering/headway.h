@@ -66,7 +66,8 @@ private:
                                                 std::span<const Vec2> velocity);
     void follow(std::int32_t back, std::int32_t front, Vec2 towards, double gap, bool queues,
                 std::span<const Vec2> velocity);
-    void share(NeighbourPair pair, double own, const Tangent& tangent, std::span<const Vec2> velocity);
+    void share(NeighbourPair pair, double own, const Tangent& tangent, double ahead,
+               std::span<const Vec2> velocity);
     double shareOf(NeighbourPair pair, const HeadwayInput& input) const;
     void meet(NeighbourPair pair, const Apart& two, const HeadwayInput& input, std::span<const Vec2> velocity);
     void goTogether(const Characters& now, NeighbourPair pair, const Apart& two, const HeadwayInput& input,

@@ -11,6 +11,7 @@
 #include "engine/steering/characters.h"
 #include "engine/steering/crowd_bodies.h"
 #include "engine/steering/give_way.h"
+#include "engine/steering/go_past.h"
 #include "engine/steering/headway.h"
 #include "engine/steering/near_rows.h"
 #include "engine/steering/right_of_way.h"
@@ -53,14 +54,18 @@ public:
     const NeighbourList& neighbours() const { return neighbours_; }
 
 private:
+    void standStill(std::span<const Claim> claims);
+
     GiveWay giveWay_;
     NearRows rows_;
     RightOfWay right_;
+    GoPast goPast_;
     Headway headway_;
     BodyAxes axes_;
     NeighbourList neighbours_;
-    std::vector<Vec2> preferred_;   // Preferred velocities [m/s].
-    std::vector<double> topSpeed_;  // [m/s]
+    std::vector<Vec2> preferred_;         // Preferred velocities [m/s].
+    std::vector<double> topSpeed_;        // [m/s]
+    std::vector<std::uint8_t> standing_;  // 1 for who stays where it is; empty where nobody does.
 };
 
 }  // namespace muster

@@ -7,6 +7,7 @@
 #include "base/maths.h"
 #include "engine/geometry/polygon.h"
 #include "engine/state/bare_groups.h"
+#include "engine/state/draw_person.h"
 #include "engine/state/group_edits.h"
 #include "engine/state/validation.h"
 #include "engine/steering/crowd_bodies.h"
@@ -20,8 +21,10 @@ constexpr double kApart = 1.02;        // Least distance of somebody who comes f
 constexpr std::int32_t kTries = 24;    // Points at which room is looked for.
 constexpr double kLatest = 1e10;       // [s]
 
-// True while a group leaves by exits.
-bool isLeaving(const WorldState& state, const Group& group) {
+// True for who leaves by exits, with its group, and has set out.
+bool isLeaving(const WorldState& state, std::int32_t i) {
+    const Group& group = state.groups[state.characters.group[i]];
+    if (!state.characters.hasSetOut(i, state.stepCount)) return false;
     const Gathering* const gathering = state.continuum.find(group.id);
     return gathering != nullptr && gathering->kind == OrderKind::Leave && gathering->active && !group.orders.held;
 }
@@ -42,7 +45,7 @@ void AreaStage::findLeaving(WorldState& state) {
         const Area* const area = state.findArea(AreaId{c.goal[i]});
         const bool atOnce = area != nullptr && area->def.kind == AreaKind::Exit && area->def.open &&
                             area->def.rate == 0.0 && area->def.queue.empty();
-        if (atOnce && isLeaving(state, state.groups[c.group[i]]) && containsPoint(area->def.polygon, c.position[i]))
+        if (atOnce && isLeaving(state, static_cast<std::int32_t>(i)) && containsPoint(area->def.polygon, c.position[i]))
             leaves_[i] = 1;
     }
 }
@@ -52,7 +55,7 @@ void AreaStage::passInOrder(WorldState& state, Area& area) {
     const Characters& c = state.characters;
     std::vector<std::uint32_t>& line = area.exit.line;
     const auto wants = [&](std::int32_t i) {
-        return i >= 0 && c.goal[i] == area.id.value && isLeaving(state, state.groups[c.group[i]]);
+        return i >= 0 && c.goal[i] == area.id.value && isLeaving(state, i);
     };
     const auto isIn = [&](std::int32_t i) { return containsPoint(area.def.polygon, c.position[i]); };
     std::erase_if(line, [&](std::uint32_t id) { return !wants(c.indexOf(id)); });
@@ -63,16 +66,16 @@ void AreaStage::passInOrder(WorldState& state, Area& area) {
                 line.push_back(c.id[i]);
     const double rate = area.def.rate;
     if (rate > 0.0) area.exit.credit += rate * state.parameters.stepTime;
-    std::size_t passed = 0;
-    while (passed < line.size() && (rate == 0.0 || area.exit.credit >= 1.0)) {
-        const std::int32_t i = c.indexOf(line[passed]);
-        if (!isIn(i)) break;
+    // Without a line to stand in, who was pushed out again lets others pass.
+    const std::size_t most = area.def.queue.empty() ? line.size() : std::min<std::size_t>(1, line.size());
+    for (std::size_t k = 0; k < most && (rate == 0.0 || area.exit.credit >= 1.0); ++k) {
+        const std::int32_t i = c.indexOf(line[k]);
+        if (!isIn(i)) continue;
         leaves_[i] = 1;
-        ++passed;
         if (rate > 0.0) area.exit.credit -= 1.0;
     }
     area.exit.credit = std::min(area.exit.credit, 1.0);
-    line.erase(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(passed));
+    std::erase_if(line, [&](std::uint32_t id) { return leaves_[c.indexOf(id)] != 0; });
 }
 
 // Takes those out who leave. Groups without formation need no other one.
@@ -164,7 +167,8 @@ void AreaStage::admit(WorldState& state, Area& area, ThreadPool& pool, std::vect
     while (area.count.waiting > 0) {
         const auto total = static_cast<std::int64_t>(state.characters.size()) + 1;
         if (!validateTotal(total, state.parameters).ok()) return;
-        const Body body = bodyOf(group->def, group->members.size() + area.count.passed);
+        const std::size_t index = group->members.size() + area.count.passed;
+        const Body body = drawMember(group->def, index, state.seed, state.nextCharacter);
         Vec2 spot;
         if (!findRoom(state, area, radiusOf(state.parameters.character, body), spot)) return;
         if (come_.empty()) pool.wait();  // Background work reads the plans.

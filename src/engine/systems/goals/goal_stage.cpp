@@ -11,8 +11,9 @@
 namespace muster {
 namespace {
 
+constexpr double kFarAway = 5.0;            // Who has a longer way does not look in every step [m]...
+constexpr std::uint32_t kLooksEvery = 4;  // ... but in each of so many.
 constexpr double kFarAhead = 100.0;  // Where somebody heads who goes on along a field [m].
-constexpr double kTurnedAway = 1.5;  // Who finds no spot stands so near the waiting area [m].
 
 // The order that the members of a group carry out without places; null where they stand.
 const Order* orderOf(const Group& group, const Gathering& gathering) {
@@ -20,6 +21,14 @@ const Order* orderOf(const Group& group, const Gathering& gathering) {
     if (!gathering.active || queue.held) return nullptr;
     const bool begun = queue.begun && !queue.orders.empty() && queue.orders.front().order.kind == gathering.kind;
     return begun ? &queue.orders.front().order : nullptr;
+}
+
+// Far from its exit a way stays as it is for some steps, unless a command has changed something.
+bool keepsWay(const WorldState& state, std::size_t i) {
+    const Characters& c = state.characters;
+    const bool changed = state.lastCommandStep == state.stepCount || state.groundEdits != state.editsBefore;
+    const bool far = c.cost[i] > kFarAway && c.cost[i] < kInfiniteCost && !(c.direction[i] == Vec2{});
+    return !changed && far && (state.stepCount + c.id[i]) % kLooksEvery != 0;
 }
 
 }  // namespace
@@ -95,7 +104,10 @@ void GoalStage::leave(WorldState& state, std::span<Vec2> heads, ThreadPool& pool
             const GoalField* const field = choice_.fieldOf(c, i, classes_);
             if (field == nullptr) return follow(state, i, {kInfiniteCost, {}}, heads);
             const ExitLines::Duty duty = lines_.dutyOf(i);
-            if (duty == ExitLines::Duty::Free) return follow(state, i, field->at(c.position[i]), heads);
+            if (duty == ExitLines::Duty::Free) {
+                if (keepsWay(state, i)) return follow(state, i, {c.cost[i], c.direction[i]}, heads);
+                return follow(state, i, field->at(c.position[i]), heads);
+            }
             const double left = field->cost(c.position[i]);
             const Vec2 spot = lines_.spotOf(i);
             const StaticGround& ground = field->ground();
@@ -122,8 +134,8 @@ void GoalStage::wait(WorldState& state, Group& group, Gathering& gathering, std:
         const GoalWay way = field.at(c.position[i]);
         if (spot != nullptr && field.ground().collisionFree(c.position[i], spot->spot))
             return goTo(state, i, spot->spot, distance(c.position[i], spot->spot), heads);
-        const bool turnedAway = spot == nullptr && way.cost < kTurnedAway;
-        follow(state, i, turnedAway ? GoalWay{way.cost, {}} : way, heads);
+        const bool stands = spot == nullptr && gathering.hasArrived(c.id[i]);
+        follow(state, i, stands ? GoalWay{way.cost, {}} : way, heads);
     });
 }
 

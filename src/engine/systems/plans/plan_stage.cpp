@@ -6,6 +6,7 @@
 
 #include "engine/assignment/planning/main_places.h"
 #include "engine/state/ground_class.h"
+#include "engine/state/group_edits.h"
 #include "engine/systems/steering/own_routes.h"
 
 namespace muster {
@@ -212,7 +213,8 @@ bool PlanStage::goesWithout(WorldState& state, Group& group) {
         state.characters.place[i] = -1;
         state.characters.chosen[i] = {};
     }
-    if (!group.planNow || group.plan->pending()) group.plan->forget();
+    // While it makes no plans it follows no changes of the ground either.
+    if (!group.planNow || group.plan->pending()) group.plan = makePlan(state.parameters);
     group.planNow = true;
     group.provisional = group.assigned = false;
     group.slice = 0;
@@ -286,7 +288,9 @@ void PlanStage::run(WorldState& state, PlanCosts& costs, const WayStage& ways, G
         }));
     starts_ = static_cast<std::int32_t>(
         std::count_if(state.groups.begin(), state.groups.end(),
-                      [](const Group& group) { return !group.members.empty() && group.plan->starting(); }));
+                      [&](const Group& group) {
+                          return !group.members.empty() && !isWithout(group) && group.plan->starting();
+                      }));
     firstPlanRank_ = 0;
     firstCharacters_ = 0;
     // While something moves it is another ground in every step.
