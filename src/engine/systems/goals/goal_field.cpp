@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kBin = 0.5;        // Of costs by which the width of the way is measured [m].
 constexpr double kStraight = 1.05;  // A cost above this times the straight line tells that it is not clear...
-constexpr double kStraightBy = 1.0;  // ... and this [cells].
+constexpr double kStraightBy = 1.0;   // ... and this [cells].
 constexpr double kLooksWithin = 3.0;  // So near an area the line to it is traced [m].
-constexpr std::int32_t kBeside = 2;  // Cells beside an area from which it is entered where none lies in it.
+constexpr std::int32_t kBeside = 2;   // Cells beside an area from which it is entered where none lies in it.
 
 float unitOf(const CellCost& cost) {
     return std::min({cost.east, cost.north, cost.west, cost.south});
@@ -123,8 +123,8 @@ void GoalField::solveHeading(const StaticGround& ground, const UnitCost& unitCos
     solver.solve(unitCost, seeds_, field_);
 }
 
-// The front of all points that are equally far has length dA/ds, by the area A within a distance s (the coarea
-// formula).
+// The front of all points that are equally far has length dA/ds, by the area A within a distance s (the
+// coarea formula).
 void GoalField::measureWidths() {
     const Grid& grid = field_.grid();
     std::vector<double> area;
