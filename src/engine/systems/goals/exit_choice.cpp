@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "base/hash.h"
 #include "base/infinite_cost.h"
 #include "base/maths.h"
-#include "base/random.h"
+#include "engine/passages/specific_flow.h"
 #include "engine/steering/crowd_bodies.h"
 #include "engine/systems/events/standstill.h"
 
@@ -13,8 +15,8 @@ namespace muster {
 namespace {
 
 constexpr double kThinksEvery = 1.0;  // Everybody thinks again once in so long [s].
-constexpr double kPays = 1.0;         // A change gains at least so much [s]...
-constexpr double kPaysShare = 0.1;    // ... and this share of the time that is left.
+constexpr double kChangePays = 1.0;   // A change gains at least so much [s]...
+constexpr double kChangeShare = 0.1;  // ... and this share of the time that is left.
 constexpr double kMemory = 10.0;      // For so long what an exit let through counts [s].
 constexpr double kPrior = 1.0;        // The law counts like so long a measurement [s].
 constexpr std::size_t kRounds = 8;    // Those who choose at once do it in so many parts, one after the other.
@@ -22,19 +24,19 @@ constexpr double kLeastFlow = 1e-3;   // Of an exit [1/s].
 
 // How much somebody errs about an exit, in deviations: a normal number by the world's seed.
 double errorOf(std::uint64_t seed, std::uint32_t character, std::uint32_t area) {
-    constexpr std::uint64_t kMix = 0x9e3779b97f4a7c15u, kOther = 0xc2b2ae3d27d4eb4fu;
-    Random random(seed ^ (character * kMix) ^ (area * kOther));
-    const double u = 1.0 - random.uniform(), v = random.uniform();
-    return std::sqrt(-2.0 * logarithm(u)) * cosine(2.0 * kPi * v);
+    const auto share = [&](std::uint32_t which) {
+        constexpr double kBits = 1.0 / 9007199254740992.0;  // 2 to the power -53.
+        Hash hash;
+        hash.add(seed);
+        hash.add(character);
+        hash.add(area);
+        hash.add(which);
+        return (static_cast<double>(hash.value() >> 11) + 0.5) * kBits;
+    };
+    return std::sqrt(-2.0 * logarithm(share(0))) * cosine(2.0 * kPi * share(1));
 }
 
 }  // namespace
-
-double specificFlow(const Parameters::Character& character) {
-    const double diameter = 2.0 * character.radius;
-    const double apart = diameter + character.maxSpeed * character.headway * (1.0 - character.inStep);
-    return character.maxSpeed / (diameter * apart);
-}
 
 std::int32_t ExitChooser::indexOf(std::uint32_t area) const {
     const auto at = std::lower_bound(ids_.begin(), ids_.end(), area);
@@ -52,19 +54,22 @@ const Area* ExitChooser::areaOf(const Characters& characters, std::size_t i) con
 }
 
 const GoalField* ExitChooser::fieldOf(const Characters& characters, std::size_t i,
-                                     std::span<const std::int32_t> groundClasses) const {
+                                      std::span<const std::int32_t> groundClasses) const {
     const std::int32_t exit = indexOf(characters.goal[i]);
     return exit >= 0 ? exits_[exit].fields[classIndex(groundClasses[i])] : nullptr;
 }
 
+// Who has not set out yet comes so much later.
 double ExitChooser::walkTime(const WorldState& state, std::size_t i, double cost) const {
     const Parameters& parameters = state.parameters;
     const double open = parameters.cost.alpha + parameters.cost.beta;
-    return cost / (open * maxSpeedOf(parameters.character, state.characters.body[i]));
+    const Characters& c = state.characters;
+    const std::uint32_t stays = c.setsOutAt[i] > state.stepCount ? c.setsOutAt[i] - state.stepCount : 0;
+    return cost / (open * maxSpeedOf(parameters.character, c.body[i])) + stays * parameters.stepTime;
 }
 
 void ExitChooser::listExits(WorldState& state, GoalFields& fields, std::span<const Leavers> leavers,
-                           std::span<const std::int32_t> groundClasses) {
+                            std::span<const std::int32_t> groundClasses) {
     classes_.clear();
     for (const Leavers& some : leavers)
         for (const std::int32_t i : some.group->members)
@@ -81,7 +86,8 @@ void ExitChooser::listExits(WorldState& state, GoalFields& fields, std::span<con
         });
         if (!named) continue;
         Exit exit{&area, {}};
-        for (const std::int32_t groundClass : classes_) exit.fields.push_back(&fields.toArea(area, groundClass));
+        for (const std::int32_t groundClass : classes_)
+            exit.fields.push_back(&fields.toArea(area, groundClass));
         exits_.push_back(std::move(exit));
         ids_.push_back(area.id.value);
     }
@@ -96,18 +102,24 @@ void ExitChooser::listOptions(std::span<const Leavers> leavers) {
             if (const std::int32_t exit = indexOf(order.exits[k].value); exit >= 0)
                 options_[g].push_back({exit, order.attractions.empty() ? 0.0 : order.attractions[k]});
         if (!order.exits.empty()) continue;
-        for (std::int32_t exit = 0; std::cmp_less(exit, exits_.size()); ++exit) options_[g].push_back({exit, 0.0});
+        for (std::int32_t exit = 0; std::cmp_less(exit, exits_.size()); ++exit)
+            options_[g].push_back({exit, 0.0});
     }
 }
 
 // Counts who goes where, and what the exits let through of late.
-void ExitChooser::count(const WorldState& state) {
+void ExitChooser::count(const WorldState& state, std::span<const Leavers> leavers) {
     const Characters& c = state.characters;
+    herding_ = std::any_of(leavers.begin(), leavers.end(),
+                           [](const Leavers& some) { return some.order->herding > 0.0; });
     waits_.clear(exits_.size());
+    if (herding_) herds_.clear(state.environment.def().box, exits_.size());
     for (std::size_t i = 0; i < c.size(); ++i) {
         if (c.goal[i] == 0 || !(c.cost[i] < kInfiniteCost)) continue;
-        if (const std::int32_t exit = indexOf(c.goal[i]); exit >= 0)
-            waits_.add(static_cast<std::size_t>(exit), walkTime(state, i, c.cost[i]));
+        const std::int32_t exit = indexOf(c.goal[i]);
+        if (exit < 0) continue;
+        waits_.add(static_cast<std::size_t>(exit), walkTime(state, i, c.cost[i]));
+        if (herding_) herds_.add(c.position[i], static_cast<std::size_t>(exit));
     }
 }
 
@@ -118,10 +130,12 @@ void ExitChooser::serve(WorldState& state) {
     for (std::size_t e = 0; e < exits_.size(); ++e) {
         Area& area = *exits_[e].area;
         const GoalField& field = *exits_[e].fields.front();
-        const auto byWidth = [&](double walk) { return flow * (field.width(walk * speed) + 2.0 * usual.radius); };
+        const auto byWidth = [&](double walk) {
+            return flow * (field.width(walk * speed) + 2.0 * usual.radius);
+        };
         const double measured = (kPrior * byWidth(0.0) + area.exit.served) / (kPrior + area.exit.queued);
         const double whole = area.def.rate > 0.0 ? std::min(area.def.rate, measured) : measured;
-        area.exit.isQueued = waits_.queueing(e) > whole * ExitWaits::kNear;
+        area.exit.isQueued = waits_.isQueued(e, whole);
         waits_.serve(e, [&](double walk) { return std::max(kLeastFlow, std::min(whole, byWidth(walk))); });
     }
 }
@@ -148,12 +162,15 @@ void ExitChooser::listChoosers(const WorldState& state, std::span<const Leavers>
 
 // The exit by which somebody will have left soonest; its own one unless another one is clearly better.
 std::int32_t ExitChooser::best(const WorldState& state, const Leavers& leavers, const Chooser& chooser,
-                              std::span<const std::int32_t> groundClasses, double& walk) const {
+                               std::span<const std::int32_t> groundClasses, double& walk) const {
     const Characters& c = state.characters;
     const auto i = static_cast<std::size_t>(chooser.character);
     const Order& order = *leavers.order;
     const std::int32_t own = c.goal[i] == 0 ? -1 : indexOf(c.goal[i]);
     const std::int32_t groundClass = classIndex(groundClasses[i]);
+    std::optional<Herds::Sight> sight;
+    if (order.herding > 0.0 && !options_[chooser.leavers].empty())
+        sight.emplace(herds_, exits_.front().fields[groundClass]->ground(), c.position[i], own);
     std::int32_t found = -1;
     double least = kInfiniteCost, ofOwn = kInfiniteCost, ownWalk = 0.0;
     for (const Option& option : options_[chooser.leavers]) {
@@ -164,6 +181,7 @@ std::int32_t ExitChooser::best(const WorldState& state, const Leavers& leavers, 
                           ? way
                           : waits_.leaves(static_cast<std::size_t>(option.exit), way);
         time -= option.attraction;
+        if (sight) time -= order.herding * sight->share(static_cast<std::size_t>(option.exit));
         if (order.misjudgement > 0.0)
             time += order.misjudgement * errorOf(state.seed, c.id[i], exit.area->id.value);
         if (option.exit == own) {
@@ -175,18 +193,19 @@ std::int32_t ExitChooser::best(const WorldState& state, const Leavers& leavers, 
         found = option.exit;
         walk = way;
     }
-    const bool stays = ofOwn < kInfiniteCost && ofOwn - least < kPays + kPaysShare * std::max(0.0, ofOwn);
+    const bool stays = ofOwn < kInfiniteCost &&
+                       ofOwn - least < kChangePays + kChangeShare * std::max(0.0, ofOwn);
     if (!stays) return found;
     walk = ownWalk;
     return own;
 }
 
 void ExitChooser::run(WorldState& state, GoalFields& fields, std::span<const Leavers> leavers,
-                     std::span<const std::int32_t> groundClasses, ThreadPool& pool) {
+                      std::span<const std::int32_t> groundClasses, ThreadPool& pool) {
     Characters& c = state.characters;
     listExits(state, fields, leavers, groundClasses);
     listOptions(leavers);
-    count(state);
+    count(state, leavers);
     serve(state);
     listChoosers(state, leavers);
     const auto choose = [&](const std::vector<Chooser>& list, std::size_t from, std::size_t stride) {
@@ -208,8 +227,12 @@ void ExitChooser::run(WorldState& state, GoalFields& fields, std::span<const Lea
     for (const Chooser& chooser : first_) c.goal[chooser.character] = 0;
     for (std::size_t round = 0; round < std::min(kRounds, first_.size()); ++round) {
         choose(first_, round, kRounds);
-        for (std::size_t k = 0; k < chosen_.size(); ++k)
-            if (chosen_[k] >= 0) waits_.add(static_cast<std::size_t>(chosen_[k]), walk_[k]);
+        for (std::size_t k = 0; k < chosen_.size(); ++k) {
+            if (chosen_[k] < 0) continue;
+            waits_.add(static_cast<std::size_t>(chosen_[k]), walk_[k]);
+            const std::int32_t i = first_[round + k * kRounds].character;
+            if (herding_) herds_.add(c.position[i], static_cast<std::size_t>(chosen_[k]));
+        }
         serve(state);
     }
     const double step = state.parameters.stepTime;
