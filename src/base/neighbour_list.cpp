@@ -1,5 +1,7 @@
 #include "base/neighbour_list.h"
 
+#include <algorithm>
+
 namespace muster {
 namespace {
 
@@ -15,7 +17,7 @@ constexpr std::size_t kLinksPerPoint = 2;
 
 }  // namespace
 
-void NeighbourList::build(std::span<const Vec2> points, double reach, double skin) {
+void NeighbourList::build(std::span<const Vec2> points, double reach, double skin, const Ring& ring) {
     reach_ = reach;
     skin_ = skin;
     listedReach_ = reach * (1.0 + skin);
@@ -27,6 +29,33 @@ void NeighbourList::build(std::span<const Vec2> points, double reach, double ski
     cells_.forPairs(listedReach_, [&](std::int32_t low, std::int32_t high) {
         pairs_.push_back({low, high});
     });
+    if (ring.length > 0.0) addPairsAcross(points, ring);
+}
+
+// Sweeps along the joint of a ring.
+void NeighbourList::addPairsAcross(std::span<const Vec2> points, const Ring& ring) {
+    atLeft_.clear();
+    atRight_.clear();
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const double x = points[k].x - ring.left;
+        if (x < listedReach_) atLeft_.push_back(static_cast<std::int32_t>(k));
+        if (ring.length - x < listedReach_) atRight_.push_back(static_cast<std::int32_t>(k));
+    }
+    const auto isBelow = [&](std::int32_t a, std::int32_t b) {
+        return points[a].y != points[b].y ? points[a].y < points[b].y : a < b;
+    };
+    std::sort(atLeft_.begin(), atLeft_.end(), isBelow);
+    std::sort(atRight_.begin(), atRight_.end(), isBelow);
+    std::size_t first = 0;
+    for (const std::int32_t l : atLeft_) {
+        while (first < atRight_.size() && points[atRight_[first]].y < points[l].y - listedReach_) ++first;
+        for (std::size_t k = first; k < atRight_.size(); ++k) {
+            const std::int32_t r = atRight_[k];
+            if (points[r].y > points[l].y + listedReach_) break;
+            if (lengthSquared(ring.between(points[l], points[r])) < listedReach_ * listedReach_ && l != r)
+                pairs_.push_back({std::min(l, r), std::max(l, r)});
+        }
+    }
 }
 
 void NeighbourList::update(std::span<const Vec2> points, double reach, double skin) {

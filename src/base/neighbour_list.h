@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/cell_list.h"
+#include "base/ring.h"
 
 namespace muster {
 
@@ -27,7 +28,8 @@ class NeighbourList {
 public:
     /// Lists all pairs nearer than `reach` (1 + `skin`) [m] in the order of the cell list; `skin` is a share
     /// of the reach, 0 or more.
-    void build(std::span<const Vec2> points, double reach, double skin = 0.0);
+    /// On a `ring` pairs are listed across its joint, too.
+    void build(std::span<const Vec2> points, double reach, double skin = 0.0, const Ring& ring = {});
     /// Does nothing where the list is valid for these points; else as build().
     void update(std::span<const Vec2> points, double reach, double skin);
     /// Drops listed pairs for which `drops(pair)` is true; it must hold as long as the list is valid. Which
@@ -86,6 +88,7 @@ private:
         std::int32_t next = 0;  // Index of the next element, negative at the end.
     };
 
+    void addPairsAcross(std::span<const Vec2> points, const Ring& ring);
     bool findStrays(std::span<const Vec2> points, std::span<const Vec2> next,
                     std::span<const std::uint8_t> active);
     void buildRows(std::span<const Vec2> points, std::span<const std::uint8_t> active);
@@ -100,6 +103,7 @@ private:
     double listedReach_ = 0.0;  // With skin [m].
     CellList cells_;
     std::vector<NeighbourPair> pairs_;
+    std::vector<std::int32_t> atLeft_, atRight_;  // Points near the joint of a ring, by ascending y.
     std::vector<Vec2>
         listedAt_;  // Of each point, where it was listed [m]; far away for points that were not.
 

@@ -193,7 +193,14 @@ Status setParameter(Parameters& parameters, std::string_view name, double value)
 
 Result<Parameters> parameterPreset(std::string_view name) {
     Parameters parameters;
-    if (name == "muster") return parameters;
+    if (name == "units" || name == "muster") return parameters;
+    if (name == "people") {
+        parameters.character.radius = 0.22;
+        parameters.character.maxSpeed = 1.34;
+        parameters.character.headway = 0.6;
+        parameters.character.inStep = 0.0;
+        return parameters;
+    }
     if (name == "paper") {
         parameters.plan.exponent = 1.0;
         parameters.plan.threshold = 0.0;
@@ -203,15 +210,18 @@ Result<Parameters> parameterPreset(std::string_view name) {
         return parameters;
     }
     return Status(StatusCode::NotFound,
-                  "there is no preset \"" + std::string(name.substr(0, 80)) + "\", expected muster or paper");
+                  "there is no preset \"" + std::string(name.substr(0, 80)) + "\", expected units, people or paper");
 }
 
 Status usePreset(Parameters& parameters, std::string_view name) {
     const auto preset = parameterPreset(name);
     if (!preset.ok()) return preset.status();
-    const Parameters ours = *parameterPreset("muster"), papers = *parameterPreset("paper");
-    for (const ParameterInfo& info : kTable)
-        if (info.get(ours) != info.get(papers)) info.set(parameters, info.get(*preset));
+    const Parameters units = *parameterPreset("units");
+    for (const char* other : {"people", "paper"}) {
+        const Parameters others = *parameterPreset(other);
+        for (const ParameterInfo& info : kTable)
+            if (info.get(units) != info.get(others)) info.set(parameters, info.get(*preset));
+    }
     return {};
 }
 

@@ -119,7 +119,7 @@ void archiveState(auto& ar, WorldState& state, ThreadPool* pool) {
     archive(ar, state.continuum);
     archive(ar, state.queue);
     ar(state.checkpoints, state.checkpointGroups, state.checkpointState, state.items, state.collected,
-       state.areas, state.ring, state.nextArea, state.random, state.stepCount, state.passages, state.survey, state.waysLookedAt, state.waysChosenAt,
+       state.areas, state.nextArea, state.random, state.stepCount, state.passages, state.survey, state.waysLookedAt, state.waysChosenAt,
        state.lastCommandStep, state.groundEdits, state.nextCharacter, state.nextGroup, state.nextOrder);
     archiveIds(ar, state);
     if constexpr (std::decay_t<decltype(ar)>::kReading)

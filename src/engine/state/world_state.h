@@ -39,7 +39,6 @@ struct WorldState {
     std::vector<ItemId> itemIds;                      ///< Of each item, ascending.
     std::vector<std::uint8_t> collected;              ///< Per item, 1 once collected.
     std::vector<Area> areas;                          ///< In ascending order of ids.
-    bool ring = false;                                ///< The left and the right side of the box are joined.
     Random random;                                    ///< For start positions.
     std::uint32_t stepCount = 0;                      ///< Steps done.
     std::vector<Passage> passages;                    ///< Gaps before which somebody may have to wait.

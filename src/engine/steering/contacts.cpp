@@ -39,7 +39,7 @@ double Contacts::separatePairs(std::span<Vec2> positions) {
         const double touching = kAlike ? diameter_ : bodies_->touching(pair.low, pair.high);
         Vec2& a = positions[pair.low];
         Vec2& b = positions[pair.high];
-        const Vec2 between = b - a;
+        const Vec2 between = bodies_->between(a, b);
         const double d2 = lengthSquared(between);
         if (d2 >= touching * touching) continue;
         const double d = std::sqrt(d2);
@@ -137,7 +137,7 @@ void Contacts::leaveObstaclesFinally(const Environment& environment, std::span<V
         Vec2& p = positions[candidate.index];
         if (p == candidate.free) continue;
         const double radius = bodies_->radius(candidate.index);
-        const Box inside = environment.def().box.grown(-radius);
+        const Box inside = environment.def().sides().grown(-radius);
         if (inside.contains(p) && !(environment.distanceToObstacle(p, radius) < radius)) continue;
         const bool wedged = isWedged(environment, candidate.index);
         const double width = wedged ? radius - kWedgeSlack : radius;
@@ -167,10 +167,9 @@ void Contacts::takeBack(const Environment& environment, std::span<Vec2> position
         if (outdatedByCorrections(positions)) findPairs(positions);
         for (const NeighbourPair pair : close_) {
             const double least = (1.0 - kDeepest) * bodies_->touching(pair.low, pair.high);
-            const double d2 = lengthSquared(positions[pair.low] - positions[pair.high]);
-            if (d2 >= least * least || d2 >= lengthSquared(bounds_.from[pair.low] - bounds_.from[pair.high]))
-                continue;
-            const Vec2 between = bounds_.from[pair.high] - bounds_.from[pair.low];
+            const double d2 = lengthSquared(bodies_->between(positions[pair.low], positions[pair.high]));
+            const Vec2 between = bodies_->between(bounds_.from[pair.low], bounds_.from[pair.high]);
+            if (d2 >= least * least || d2 >= lengthSquared(between)) continue;
             const double low = dot(positions[pair.low] - bounds_.from[pair.low], between);
             const double high = dot(bounds_.from[pair.high] - positions[pair.high], between);
             const auto [nearer, other] = low >= high ? std::pair(pair.low, pair.high)
@@ -187,7 +186,7 @@ ContactReport Contacts::report(std::span<const Vec2> positions) {
     if (outdatedByCorrections(positions)) findPairs(positions);
     for (const NeighbourPair pair : close_) {
         const double touching = bodies_->touching(pair.low, pair.high);
-        const double d2 = lengthSquared(positions[pair.low] - positions[pair.high]);
+        const double d2 = lengthSquared(bodies_->between(positions[pair.low], positions[pair.high]));
         if (d2 >= touching * touching) continue;
         const double share = (touching - std::sqrt(d2)) / touching;
         result.worstPenetration = std::max(result.worstPenetration, share);
@@ -197,7 +196,7 @@ ContactReport Contacts::report(std::span<const Vec2> positions) {
 }
 
 void Contacts::findPairs(std::span<const Vec2> positions) {
-    ownPairs_.build(positions, diameter_, kPairSkin);
+    ownPairs_.build(positions, diameter_, kPairSkin, bodies_->ring());
     bodies_->shorten(positions, ownPairs_);
     pairs_ = &ownPairs_;
     findClose(positions);
@@ -221,7 +220,7 @@ void Contacts::findClose(std::span<const Vec2> positions) {
     close_.reserve(kClosePerCharacter * positions.size());
     for (const NeighbourPair pair : pairs) {
         const double most = bodies_->touching(pair.low, pair.high) + 2.0 * farthest_;
-        if (lengthSquared(bounds_.from[pair.low] - bounds_.from[pair.high]) < most * most)
+        if (lengthSquared(bodies_->between(bounds_.from[pair.low], bounds_.from[pair.high])) < most * most)
             close_.push_back(pair);
     }
 }

@@ -11,7 +11,8 @@ namespace {
 constexpr double kFirmShare = 0.002;
 
 bool isUsual(const Body& body) {
-    return body.radius == 0.0 && body.maxSpeed == 0.0 && body.acceleration == 0.0 && body.mass == 1.0;
+    return body.radius == 0.0 && body.maxSpeed == 0.0 && body.acceleration == 0.0 && body.mass == 1.0 &&
+           body.headway == 0.0;
 }
 
 }  // namespace
@@ -22,32 +23,37 @@ void CrowdBodies::reset(const Parameters::Character& def) {
     fastest_ = def.maxSpeed;
     radius_.clear();
     longestBraking_ = brakingTime(0);
+    longestHeadway_ = def.headway;
+    ring_ = {};
 }
 
 void CrowdBodies::resolve(const Parameters::Character& def, const Characters& now,
-                          std::span<const std::uint8_t> firmness) {
+                          std::span<const std::uint8_t> firmness, const Ring& ring) {
     reset(def);
+    ring_ = ring;
     const bool normal = std::adjacent_find(firmness.begin(), firmness.end(), std::not_equal_to()) ==
                         firmness.end();
     const bool driven = std::all_of(now.driver.begin(), now.driver.end(),
                                     [](Driver driver) { return driver == Driver::Muster; });
     if (normal && driven && std::all_of(now.body.begin(), now.body.end(), isUsual)) return;
     const std::size_t count = now.size();
-    for (auto* array : {&radius_, &maxSpeed_, &acceleration_, &inverseMass_}) array->resize(count);
+    for (auto* array : {&radius_, &maxSpeed_, &acceleration_, &headway_, &inverseMass_}) array->resize(count);
     firmness_.resize(count);
     group_.assign(now.group.begin(), now.group.end());
-    largest_ = fastest_ = 0.0;
+    largest_ = fastest_ = longestHeadway_ = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
         const Body body = i < now.body.size() ? now.body[i] : Body{};
         radius_[i] = radiusOf(def, body);
         maxSpeed_[i] = maxSpeedOf(def, body);
         acceleration_[i] = accelerationOf(def, body);
+        headway_[i] = headwayOf(def, body);
         const bool outside = i < now.driver.size() && now.driver[i] == Driver::Outside;
         inverseMass_[i] = outside ? 0.0 : 1.0 / body.mass;
         firmness_[i] = group_[i] < firmness.size() ? firmness[group_[i]] : std::uint8_t{0};
         largest_ = std::max(largest_, radius_[i]);
         fastest_ = std::max(fastest_, maxSpeed_[i]);
         longestBraking_ = std::max(longestBraking_, brakingTime(i));
+        longestHeadway_ = std::max(longestHeadway_, headway_[i]);
     }
 }
 
@@ -65,7 +71,7 @@ void CrowdBodies::shorten(std::span<const Vec2> positions, NeighbourList& neighb
     neighbours.dropPairs([&](NeighbourPair pair) {
         const double braking = std::max(brakingTime(pair.low), brakingTime(pair.high));
         const double reach = touching(pair.low, pair.high) + std::min(most, nearGap(braking));
-        return lengthSquared(positions[pair.high] - positions[pair.low]) > reach * reach;
+        return lengthSquared(between(positions[pair.low], positions[pair.high])) > reach * reach;
     });
 }
 

@@ -25,6 +25,10 @@ inline double radiusOf(const Parameters::Character& def, const Body& body) {
 inline double maxSpeedOf(const Parameters::Character& def, const Body& body) {
     return body.maxSpeed > 0.0 ? body.maxSpeed : def.maxSpeed;
 }
+/// The time that a body keeps from who is ahead [s].
+inline double headwayOf(const Parameters::Character& def, const Body& body) {
+    return body.headway > 0.0 ? body.headway : def.headway;
+}
 /// The top acceleration of a body [m/s^2].
 inline double accelerationOf(const Parameters::Character& def, const Body& body) {
     return body.acceleration > 0.0 ? body.acceleration : def.acceleration;
@@ -45,8 +49,13 @@ public:
     /// Reads what each is. `firmness` holds for each group how firmly it stands: of two of different groups
     /// the firmer one gives way hardly at all. Empty for all alike.
     void resolve(const Parameters::Character& def, const Characters& now,
-                 std::span<const std::uint8_t> firmness);
+                 std::span<const std::uint8_t> firmness, const Ring& ring = {});
 
+    /// The way from one position to another, in a ring the shorter one [m].
+    Vec2 between(Vec2 from, Vec2 to) const { return ring_.between(from, to); }
+    const Ring& ring() const { return ring_; }  ///< Ground that is joined, if any.
+    /// The time that it keeps from who is ahead [s].
+    double headway(std::size_t i) const { return alike() ? def_.headway : headway_[i]; }
     bool alike() const { return radius_.empty(); }               ///< Nobody differs from the parameters.
     double largestRadius() const { return largest_; }            ///< [m]
     double fastest() const { return fastest_; }                  ///< The highest top speed [m/s].
@@ -62,10 +71,11 @@ public:
     /// The distance in which it brakes from its top speed, as a time at that speed [s].
     double brakingTime(std::size_t i) const { return 0.5 * maxSpeed(i) / acceleration(i); }
     double longestBraking() const { return longestBraking_; }  ///< Of all [s].
+    double longestHeadway() const { return longestHeadway_; }  ///< Of all [s].
     /// The gap from which on two count as near, of whom the one that brakes more slowly takes so long [s]:
     /// who cannot stop within the foresight of others is near while both have to brake [m].
     double nearGap(double braking) const {
-        return fastest_ * (braking > kForesight ? 2.0 * braking : std::max(kNear, def_.headway));
+        return fastest_ * (braking > kForesight ? 2.0 * braking : std::max(kNear, longestHeadway_));
     }
     double farthestGap() const { return nearGap(longestBraking_); }  ///< Of any two [m].
     /// True where steering and contacts do not move it.
@@ -90,8 +100,9 @@ private:
     double ownShare(std::size_t a, std::size_t b) const;
 
     Parameters::Character def_;
-    double largest_ = 0.0, fastest_ = 0.0, longestBraking_ = 0.0;
-    std::vector<double> radius_, maxSpeed_, acceleration_;
+    Ring ring_;
+    double largest_ = 0.0, fastest_ = 0.0, longestBraking_ = 0.0, longestHeadway_ = 0.0;
+    std::vector<double> radius_, maxSpeed_, acceleration_, headway_;
     std::vector<double> inverseMass_;     // 0 for who is fixed.
     std::vector<std::uint8_t> firmness_;  // That of its group.
     std::vector<std::uint32_t> group_;

@@ -123,7 +123,7 @@ void GiveWay::passOn(const CrowdBodies& bodies, const Characters& now, const Nei
         changed = false;
         for (const NeighbourPair pair : neighbours.pairs()) {
             if (leaves_[pair.low] == leaves_[pair.high]) continue;
-            const Vec2 between = now.position[pair.high] - now.position[pair.low];
+            const Vec2 between = bodies.between(now.position[pair.low], now.position[pair.high]);
             const double reach = bodies.touching(pair.low, pair.high) + kPressGap;
             if (lengthSquared(between) > reach * reach) continue;
             if (leaves_[pair.low] != 0)

@@ -51,9 +51,9 @@ Tangent tangentOf(const Apart& two, Vec2 closing, double ahead, bool turns, doub
 
 }  // namespace
 
-void Headway::follow(std::int32_t back, std::int32_t front, Vec2 towards, double gap, double dt,
-                     std::span<const Vec2> velocity) {
-    const double most = gapSpeed(gap, headway_, dt), ahead = dot(velocity[front], towards);
+void Headway::follow(const CrowdBodies& bodies, std::int32_t back, std::int32_t front, Vec2 towards,
+                     double gap, double dt, std::span<const Vec2> velocity) {
+    const double most = gapSpeed(gap, bodies.headway(back), dt), ahead = dot(velocity[front], towards);
     const double limit = most + (ahead > 0.0 ? inStep_ * ahead : ahead);
     if (dot(velocity[back], towards) > limit - kSlack)
         limits_.push_back({back, front, towards, most, 1.0, inStep_});
@@ -81,14 +81,15 @@ std::span<const NeighbourPair> Headway::findMeetings(const CrowdBodies& bodies, 
                                                      const NeighbourList& neighbours,
                                                      std::span<const Vec2> velocity) {
     const std::span<const NeighbourPair> pairs = neighbours.pairs();
-    const double ahead = std::max({CrowdBodies::kForesight, headway_, bodies.longestBraking()}),
+    const double ahead = std::max({CrowdBodies::kForesight, bodies.longestHeadway(), bodies.longestBraking()}),
                  ahead2 = ahead * ahead;
     if (inStep_ != 1.0) return pairs;
     const std::span<const Vec2> position = now.position;
     meetings_.resize(std::max({meetings_.size(), pairs.size(), kPairsPerCharacter * now.size()}));
     NeighbourPair* next = meetings_.data();
     const auto note = [&](NeighbourPair pair, double touching) {
-        const double near = distance(position[pair.low], position[pair.high]) - touching - kSlack * ahead;
+        const double near = length(bodies.between(position[pair.low], position[pair.high])) - touching -
+                            kSlack * ahead;
         const bool apartForLong = static_cast<int>(near > 0.0) &
                                   static_cast<int>(near * near > ahead2 * lengthSquared(velocity[pair.low] -
                                                                                         velocity[pair.high]));
@@ -105,13 +106,13 @@ std::span<const NeighbourPair> Headway::findMeetings(const CrowdBodies& bodies, 
 void Headway::addPair(const CrowdBodies& bodies, const Characters& now, NeighbourPair pair,
                       const HeadwayInput& input, std::span<const Vec2> velocity) {
     const std::int32_t a = pair.low, b = pair.high;
-    const Vec2 between = now.position[b] - now.position[a];
+    const Vec2 between = bodies.between(now.position[a], now.position[b]);
     const double apart = length(between), touching = bodies.touching(a, b), gap = apart - touching;
     const Vec2 towards = apart > 1e-9 ? between / apart : Vec2{1.0, 0.0};
     const bool fixedA = bodies.isFixed(a), fixedB = bodies.isFixed(b);
     if (fixedA && fixedB) return;
-    if (fixedA || bodies.isFirmer(a, b)) return follow(b, a, -towards, gap, input.dt, velocity);
-    if (fixedB || bodies.isFirmer(b, a)) return follow(a, b, towards, gap, input.dt, velocity);
+    if (fixedA || bodies.isFirmer(a, b)) return follow(bodies, b, a, -towards, gap, input.dt, velocity);
+    if (fixedB || bodies.isFirmer(b, a)) return follow(bodies, a, b, towards, gap, input.dt, velocity);
     if (differ(input.wanted[a], input.wanted[b])) {
         // Who brakes slowly looks ahead as far as it needs to stop, and turns aside rather than brake while
         // both get on.
@@ -127,13 +128,14 @@ void Headway::addPair(const CrowdBodies& bodies, const Characters& now, Neighbou
     const double lead = dot(towards, input.wanted[a] / topA + input.wanted[b] / topB);
     const bool inFront = std::fabs(lead) > kInFront;
     const bool aFirst = inFront ? lead < 0.0 : now.cost[a] <= now.cost[b];
-    // Nobody pushes one ahead that does not get on.
+    // Nobody pushes one ahead that does not get on. Who is out of step pushes nobody ahead.
     const Claim& first = input.claims[aFirst ? a : b];
-    if (inFront ? !getsOn(first) : first.stuck > 0.0f)
-        return aFirst ? follow(b, a, -towards, gap, input.dt, velocity)
-                      : follow(a, b, towards, gap, input.dt, velocity);
+    if (inStep_ < 1.0 || (inFront ? !getsOn(first) : first.stuck > 0.0f))
+        return aFirst ? follow(bodies, b, a, -towards, gap, input.dt, velocity)
+                      : follow(bodies, a, b, towards, gap, input.dt, velocity);
+    const double headway = std::max(bodies.headway(a), bodies.headway(b));
     const Tangent tangent = tangentOf({between, towards, apart, touching}, velocity[a] - velocity[b],
-                                      headway_, false, input.dt);
+                                      headway, false, input.dt);
     share(pair, bodies.share(a, b), tangent, velocity);
 }
 
@@ -142,7 +144,7 @@ void Headway::addWalls(const CrowdBodies& bodies, const Characters& now, const E
                        const HeadwayInput& input, std::span<const Vec2> velocity) {
     nearObstacle_.resize(now.size());
     environment.markNearObstacles(now.position, bodies.largestRadius() + kWallReach, nearObstacle_);
-    const Box box = environment.def().box;
+    const Box box = environment.def().sides();
     for (std::size_t i = 0; i < now.size(); ++i) {
         if (nearObstacle_[i] == 0 || bodies.isFixed(i)) continue;
         const Vec2 here = now.position[i];
@@ -194,7 +196,6 @@ double Headway::relax(std::span<Vec2> velocity) {
 
 void Headway::run(const CrowdBodies& bodies, const Characters& now, const Environment& environment,
                   const NeighbourList& neighbours, const HeadwayInput& input, std::span<Vec2> velocity) {
-    headway_ = bodies.usual().headway;
     inStep_ = bodies.usual().inStep;
     limits_.clear();
     limits_.reserve(kLimitsPerCharacter * now.size());

@@ -53,8 +53,8 @@ private:
     std::span<const NeighbourPair> findMeetings(const CrowdBodies& bodies, const Characters& now,
                                                 const NeighbourList& neighbours,
                                                 std::span<const Vec2> velocity);
-    void follow(std::int32_t back, std::int32_t front, Vec2 towards, double gap, double dt,
-                std::span<const Vec2> velocity);
+    void follow(const CrowdBodies& bodies, std::int32_t back, std::int32_t front, Vec2 towards, double gap,
+                double dt, std::span<const Vec2> velocity);
     void share(NeighbourPair pair, double own, const Tangent& tangent, std::span<const Vec2> velocity);
     static double shareOf(const CrowdBodies& bodies, NeighbourPair pair, const HeadwayInput& input);
     void addPair(const CrowdBodies& bodies, const Characters& now, NeighbourPair pair,
@@ -65,7 +65,7 @@ private:
     // One sweep; the largest change of a multiplier [m/s].
     double relax(std::span<Vec2> velocity);
 
-    double headway_ = 0.2, inStep_ = 1.0;  // [s], share.
+    double inStep_ = 1.0;                  // Share of the speed ahead.
     std::vector<NeighbourPair> meetings_;  // Who may come near a limit; room that only grows.
     std::vector<Limit> limits_;
     std::vector<std::uint8_t> nearObstacle_;

@@ -31,7 +31,7 @@ void NearRows::build(const CrowdBodies& bodies, std::span<const Vec2> positions,
 
 Near NearRows::near(std::int32_t character, std::int32_t other) const {
     const std::int32_t low = std::min(character, other), high = std::max(character, other);
-    const Vec2 between = positions_[high] - positions_[low];
+    const Vec2 between = bodies_->between(positions_[low], positions_[high]);
     const Vec2 towards = normalized(between, {1.0, 0.0});
     const double gap = length(between) - bodies_->touching(low, high);
     return {other, character == low ? towards : -towards, gap};

@@ -173,7 +173,7 @@ void RightOfWay::lend(std::int32_t asker, const Near& near, Vec2 along, const Cr
         const double need = std::max(0.0, bodies.touching(asker, b) + kClear - sign * beside);
         const Vec2 here = characters.position[b], spot = here + side * (sign * need);
         const double radius = bodies.radius(b);
-        if (!environment.def().box.grown(-radius).contains(spot) ||
+        if (!environment.def().sides().grown(-radius).contains(spot) ||
             environment.distanceToObstacle(spot, radius) < radius ||
             environment.distanceToObstacle(lerp(here, spot, 0.5), radius) < radius - 0.02)
             continue;
@@ -181,7 +181,7 @@ void RightOfWay::lend(std::int32_t asker, const Near& near, Vec2 along, const Cr
         for (const std::int32_t other : rows.of(b)) {
             if (other == asker) continue;
             const double touching = bodies.touching(b, other);
-            if (lengthSquared(characters.position[other] - spot) < touching * touching)
+            if (lengthSquared(bodies.between(spot, characters.position[other])) < touching * touching)
                 cost += done_[other] ? 1.0 : 0.3;
         }
         if (cost >= least) continue;

@@ -87,7 +87,7 @@ void Steering::run(const CrowdBodies& bodies, Characters& now, const SteeringInp
         now, now.claim);
     for (std::size_t i = 0; i < count; ++i)
         if (now.claim[i].settled) preferred_[i] = {};
-    neighbours_.build(now.position, 2.0 * bodies.largestRadius() + bodies.farthestGap());
+    neighbours_.build(now.position, 2.0 * bodies.largestRadius() + bodies.farthestGap(), 0.0, bodies.ring());
     bodies.shorten(now.position, neighbours_);
     axes_.resolve(environment, now, input.place, input.placeVelocity);
     axes_.keepDistance(bodies, now, preferred_);

@@ -152,7 +152,7 @@ AreaView World::area(std::size_t index) const {
     return {area.id, area.def, area.group, area.count};
 }
 bool World::ring() const {
-    return engine_->state.ring;
+    return engine_->state.environment.def().ring;
 }
 std::span<const Event> World::events() const {
     return engine_->events;

@@ -79,6 +79,7 @@ Result<World> World::createOn(std::unique_ptr<ThreadPool> pool, const WorldDef& 
     ground.defaultRange = def.parameters.field.range;
     ground.defaultStrength = def.parameters.field.strength;
     ground.clips = def.clips;
+    ground.ring = def.ring;
     Result<Environment> environment = Environment::create(ground);
     if (!environment.ok()) return environment.status();
 
@@ -99,7 +100,6 @@ Result<World> World::createOn(std::unique_ptr<ThreadPool> pool, const WorldDef& 
     state.items = def.items;
     state.collected.assign(def.items.size(), 0);
     for (std::size_t i = 0; i < def.items.size(); ++i) state.itemIds.push_back(ItemId{state.nextItem++});
-    state.ring = def.ring;
     for (const AreaDef& area : def.areas) {
         const auto group = static_cast<std::uint32_t>(area.kind == AreaKind::Source ? area.group + 1 : 0);
         state.areas.push_back({AreaId{state.nextArea++}, area, GroupId{group}, {}});

@@ -87,7 +87,7 @@ void Environment::closedGaps(const Box& area, double width, std::vector<ClosedGa
                                         s.pieces[std::max(order[i], order[k])], width);
             if (gap) gaps.push_back(*gap);
         }
-        forSides(s.pieces[order[i]], bounds[order[i]], s.def.box, width,
+        forSides(s.pieces[order[i]], bounds[order[i]], s.def.sides(), width,
                  [&](const ClosedGap& gap) { gaps.push_back(gap); });
     }
 }
@@ -113,7 +113,7 @@ bool Environment::stepIsFree(Vec2 a, Vec2 b, double radius) const {
         const double away = piece.segmentDistance(a, b);
         if (away <= 0.0) free = false;
         if (!(away < diameter)) return;
-        forSides(piece, s.index.bounds[number], s.def.box, diameter,
+        forSides(piece, s.index.bounds[number], s.def.sides(), diameter,
                  [&](const ClosedGap& gap) { free = free && !crosses(gap, a, b); });
         for (std::size_t k = 0; k < count && free; ++k) {
             const auto gap = gapBetween(s.pieces[near[k]], piece, diameter);

@@ -10,6 +10,7 @@
 #include "base/function_ref.h"
 #include "base/grid.h"
 #include "base/raster_view.h"
+#include "base/ring.h"
 #include "engine/ground/environment/obstacle_piece.h"
 #include "muster/parameters.h"
 #include "muster/patch.h"
@@ -25,11 +26,20 @@ struct EnvironmentDef {
     /// Strength of obstacles that give none, 0 or more.
     double defaultStrength = Parameters::Field{}.strength;
     std::vector<ClipFacts> clips = defaultClipFacts();  ///< Indexed by MotionId.
+    bool ring = false;  ///< The left and the right side of the box are joined.
+
+    /// The sides of the world that nobody passes: the box, in a ring without its left and right side.
+    Box sides() const {
+        constexpr double kFar = 1e7;
+        return ring ? Box{{-kFar, box.min.y}, {kFar, box.max.y}} : box;
+    }
+    /// How distances go.
+    Ring joined() const { return ring ? Ring{box.min.x, box.width()} : Ring{}; }
 
     /// Lets an archive read or write the definition.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(box.min, box.max, cell, defaultRange, defaultStrength, clips);
+        archive(box.min, box.max, cell, defaultRange, defaultStrength, clips, ring);
     }
 };
 

@@ -124,7 +124,7 @@ void Environment::Impl::dropUnusedRasters() {
 
 // The distance to the border of the world, up to the limit.
 void Environment::Impl::fillBorderClearance(const CellRect& area) {
-    const Box& box = def.box;
+    const Box box = def.sides();
     const auto distanceToBorder = [&](Cell c) {
         const Vec2 p = grid.centre(c);
         const double inside = std::min(std::min(p.x - box.min.x, box.max.x - p.x),

@@ -52,7 +52,7 @@ bool edgeSeparated(const Polygon& corners, Vec2 a, Vec2 b, double far) {
 }  // namespace
 
 Box Environment::Impl::centreBox(double radius) const {
-    Box inner = def.box.grown(-radius);
+    Box inner = def.sides().grown(-radius);
     if (inner.min.x > inner.max.x) inner.min.x = inner.max.x = 0.5 * (def.box.min.x + def.box.max.x);
     if (inner.min.y > inner.max.y) inner.min.y = inner.max.y = 0.5 * (def.box.min.y + def.box.max.y);
     return inner;
@@ -172,7 +172,7 @@ void Environment::markNearObstacles(std::span<const Vec2> points, double reach,
     impl_->ensure();
     const Impl& s = *impl_;
     const Grid grid = s.grid;
-    const Box inner = s.def.box.grown(-reach);
+    const Box inner = s.def.sides().grown(-reach);
     const std::span<const float> clearance = s.clearance.combined();
     // No point of a cell is farther from its centre than half a diagonal, so most need no exact distance.
     const double sufficient = reach + 0.7072 * grid.cell + 2.0 * Impl::kFloatError;
@@ -195,7 +195,7 @@ void Environment::forPiecesNear(Vec2 p, double radius, FunctionRef<void(const Ob
 bool Environment::clearLine(Vec2 a, Vec2 b, double radius) const {
     impl_->ensure();
     if (!isFinite(a) || !isFinite(b)) return false;
-    const Box inner = impl_->def.box.grown(Impl::kContactTolerance - radius);
+    const Box inner = impl_->def.sides().grown(Impl::kContactTolerance - radius);
     if (!inner.contains(a) || !inner.contains(b)) return false;
     return !impl_->blockedLine(a, b, radius, false);
 }
@@ -203,7 +203,7 @@ bool Environment::clearLine(Vec2 a, Vec2 b, double radius) const {
 bool Environment::clearStaticLine(Vec2 a, Vec2 b, double radius) const {
     impl_->ensure();
     if (!isFinite(a) || !isFinite(b)) return false;
-    const Box inner = impl_->def.box.grown(Impl::kContactTolerance - radius);
+    const Box inner = impl_->def.sides().grown(Impl::kContactTolerance - radius);
     if (!inner.contains(a) || !inner.contains(b)) return false;
     return !impl_->blockedLine(a, b, radius, true);
 }

@@ -96,7 +96,7 @@ public:
     void lookAtSides(std::int32_t one) {
         const ObstaclePiece& piece = pieces_[one];
         for (int side = 0; side < 4; ++side)
-            add(piece.obstacle, {}, spanToSide(piece, bounds_[one], environment_.def().box, side));
+            add(piece.obstacle, {}, spanToSide(piece, bounds_[one], environment_.def().sides(), side));
     }
     // One gap per pair of obstacles.
     std::vector<NarrowGap> take(std::int32_t most) {

@@ -9,6 +9,18 @@ namespace {
 // Pushed by contacts, nobody moves faster than this many times its top speed.
 constexpr double kContactShare = 1.04;
 
+// Who has walked out on one side of a ring comes in on the other, with what is known of its walk.
+void walkRound(Characters& characters, const Ring& ring) {
+    for (std::size_t i = 0; i < characters.size(); ++i) {
+        const Vec2 shift{ring.shiftOf(characters.position[i].x), 0.0};
+        if (shift == Vec2{}) continue;
+        characters.position[i] += shift;
+        characters.walk[i].anchor += shift;
+        characters.walk[i].camp += shift;
+        characters.claim[i].spot += shift;
+    }
+}
+
 }  // namespace
 
 std::int32_t movesOf(double stepTime) {
@@ -33,6 +45,7 @@ ContactReport ContactStage::run(WorldState& state, SteeringStage& steering, doub
         characters.velocity[i] = clampLength(moved, length(next.velocity[i]));
         characters.position[i] = next.position[i];
     }
+    if (state.environment.def().ring) walkRound(characters, state.environment.def().joined());
     return report;
 }
 

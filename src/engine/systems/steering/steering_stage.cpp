@@ -38,7 +38,8 @@ void SteeringStage::resolveBodies(const WorldState& state) {
         const Stance stance = group.def.conduct.stance;
         firmness_.push_back(holdsGround(group) ? 2 : stance != Stance::Yield ? 1 : 0);
     }
-    bodies_.resolve(state.parameters.character, state.characters, firmness_);
+    bodies_.resolve(state.parameters.character, state.characters, firmness_,
+                    state.environment.def().joined());
 }
 
 void SteeringStage::descendFields(WorldState& state, PlanCosts& costs) {
