@@ -207,6 +207,15 @@ struct BodyFields {
         id("group", c.group);
         describeAppearance(v, c);
     }
+    void operator()(PutArea& c) {
+        if (takesPart<Visitor>(static_cast<bool>(c.id)))
+            v.whole("id", c.id.value, kId, "Which is changed; left out: a new one.");
+        v.object(
+            "definition", "", [&](auto& inner) { describeArea(inner, c.area, [] {}); }, Need::Required);
+        if (takesPart<Visitor>(static_cast<bool>(c.group)))
+            v.whole("group", c.group.value, kId, "For source: whom its people join.");
+    }
+    void operator()(RemoveArea& c) { id("id", c.id); }
     void ids(std::vector<std::uint32_t>& list) {
         v.numbers("ids", list, kId, kMaxCharacters, "Ids of characters.", Need::Required);
     }

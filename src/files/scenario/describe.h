@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/state/validation.h"
+#include "files/scenario/describe_people.h"
 #include "files/scenario/describe_units.h"
 #include "files/scenario/fields.h"
 #include "muster/parameter_table.h"
@@ -41,6 +42,10 @@ void describePatch(Visitor& v, PatchDef& patch, const std::vector<std::string>& 
                   Need::Required);
     v.optionalNumber("speed", patch.speed, {0.01, 100.0},
                      "Travel speed relative to running; left out: the clip's.");
+    v.optionalNumber("ascent", patch.ascent, kAngle, "For stairs and ramps: heading of the way up.",
+                     Need::Optional);
+    v.optionalNumber("speedDown", patch.speedDown, {0.01, 100.0},
+                     "For stairs and ramps: travel speed down; left out: as `speed`.");
 }
 
 template <class Visitor>
@@ -49,7 +54,7 @@ void describeGroup(Visitor& v, GroupDef& group) {
     v.colour("colour", group.colour,
              "Of its shirts and marks; left out: the palette's, by its place in the list.");
     describeAppearance(v, group);
-    v.whole("count", group.count, {1.0, kMaxCharacters}, "Characters.");
+    v.whole("count", group.count, {0.0, kMaxCharacters}, "Characters; 0 where a source sends some.");
     v.objectOrKind("formation", "Kind and spacing, or the kind alone.",
                    [&](auto& inner) { describeFormation(inner, group.formation); });
     v.point("position", group.position, "Centre of the formation.");
@@ -59,6 +64,7 @@ void describeGroup(Visitor& v, GroupDef& group) {
     v.number("jitter", group.jitter, {0.0, 100.0, "m"},
              "Start positions are moved by up to this, by the seed.");
     describeBodies(v, "bodies", group.bodies, Need::Optional);
+    describePeople(v, group.people);
     describeRoles(v, group.roles, Need::Optional);
     v.numbers("demands", group.demands, kDemand, kMaxCharacters,
               "Units of supply that each place demands; left out: 1 each.");

@@ -18,7 +18,8 @@ inline constexpr NumberRange kCoordinate{-1e6, 1e6, "m"};
 inline constexpr NumberRange kDemand{0.0, 1000.0};
 
 // The words of enumerations, in the order of their values.
-inline constexpr std::array kOrderWords{"move", "face", "follow", "guard"};
+inline constexpr std::array kOrderWords{"move", "face", "follow", "guard", "leave", "wait", "walk"};
+inline constexpr std::array kExitChoiceWords{"quickest", "nearest"};
 inline constexpr std::array kMannerWords{"march", "free", "continuum"};
 inline constexpr std::array kTurnWords{"wheel", "reverse", "keep", "flow"};
 inline constexpr std::array kModeWords{"replace", "append", "insert"};
@@ -71,9 +72,14 @@ bool takesPart(bool says) {
     return Visitor::kReading || Visitor::kSchema || says;
 }
 
+/// True for numbers that differ in any bit from 0.
+inline bool isSet(double value) {
+    return value != 0.0 || std::signbit(value);
+}
+
 /// True for points that differ in any bit from (0, 0).
 inline bool isSet(Vec2 p) {
-    return p != Vec2{} || std::signbit(p.x) || std::signbit(p.y);
+    return isSet(p.x) || isSet(p.y);
 }
 
 /// The target of an order: a place, or both ends of a front.
@@ -98,9 +104,10 @@ void describeTarget(Visitor& v, Order& order) {
         v.number("x", order.target.x, kCoordinate, "Where its centre goes; of a guarded rectangle.", need);
         v.number("y", order.target.y, kCoordinate, "Where its centre goes; of a guarded rectangle.", need);
     }
-    const Need turned = order.kind == OrderKind::Face ? Need::Required : Need::Optional;
-    v.optionalNumber("facing", order.facing, kAngle, "Heading at the end; left out: of the last stretch.",
-                     turned);
+    const bool heads = order.kind == OrderKind::Face || order.kind == OrderKind::Walk;
+    const Need turned = heads ? Need::Required : Need::Optional;
+    v.optionalNumber("facing", order.facing, kAngle,
+                     "Heading at the end; left out: of the last stretch. For walk: where to.", turned);
     if (takesPart<Visitor>(order.width != 0.0))
         v.number("width", order.width, {0.0, 1e5, "m"}, "Of the front; 0 for that of the formation.");
     if constexpr (Visitor::kSchema) {
@@ -123,6 +130,32 @@ void describeLeader(Visitor& v, Order& order) {
     describePath(v, order.path);
 }
 
+/// By which exits, or where it waits.
+template <class Visitor>
+void describeGoals(Visitor& v, Order& order) {
+    std::vector<std::uint32_t> exits;
+    for (const AreaId exit : order.exits) exits.push_back(exit.value);
+    v.numbers("exits", exits, kId, kMaxAreas, "For leave: ids of areas; left out: all exits.");
+    order.exits.clear();
+    for (const std::uint32_t exit : exits) order.exits.push_back({exit});
+    if (takesPart<Visitor>(order.choice != ExitChoice::Quickest))
+        describeWord(v, "choice", order.choice, kExitChoiceWords,
+                     "For leave: where it has left soonest, or the quickest way alone.");
+    v.numbers("attractions", order.attractions, {-1e6, 1e6, "s"}, kMaxAreas,
+              "For leave: seconds by which each exit counts as nearer.");
+    if (takesPart<Visitor>(isSet(order.herding)))
+        v.number("herding", order.herding, {0.0, 1e6, "s"},
+                 "For leave: by so much an exit counts as nearer that all others nearby choose.");
+    if (takesPart<Visitor>(isSet(order.misjudgement)))
+        v.number("misjudgement", order.misjudgement, {0.0, 1e6, "s"},
+                 "For leave: deviation of the error by which each misjudges the time by an exit.");
+    if (takesPart<Visitor>(static_cast<bool>(order.area)))
+        v.whole("area", order.area.value, kId, "For wait: id of the waiting area.",
+                order.kind == OrderKind::Wait && !Visitor::kSchema ? Need::Required : Need::Optional);
+    if (takesPart<Visitor>(isSet(order.seconds)))
+        v.number("seconds", order.seconds, kTime, "For wait: from when its share has come; 0: no end.");
+}
+
 /// The fields of an order, except its kind.
 template <class Visitor>
 void describeOrder(Visitor& v, Order& order) {
@@ -143,6 +176,7 @@ void describeOrder(Visitor& v, Order& order) {
         v.number("pace", order.pace, {0.0, 100.0, "m/s"}, "Of a march; 0 for as fast as all can.");
     v.number("share", order.share, {1e-6, 1.0}, "Of those who must be there before the next order begins.");
     describeLeader(v, order);
+    describeGoals(v, order);
 }
 
 template <class Visitor>
@@ -153,11 +187,20 @@ void describeConduct(Visitor& v, Conduct& conduct) {
     v.flag("avoids", conduct.avoids, "Its mesh gives way to other meshes and to moving obstacles.");
 }
 
+inline constexpr const char* kUpstairs = "Speed up stairs as a share of that in the open; 0: the stairs'.";
+inline constexpr const char* kDownstairs = "The same for down.";
+
 /// Equal bodies that stand one behind the other in a list.
 struct BodyRun {
     Body body;
     std::int32_t count = 1;
 };
+
+/// A speed on stairs as a share of that in the open; 0 for the stairs'.
+template <class Visitor>
+void describeOwnShare(Visitor& v, const char* key, double& value, const char* about) {
+    if (takesPart<Visitor>(isSet(value))) v.number(key, value, {0.0, 1.0}, about);
+}
 
 template <class Visitor>
 void describeBody(Visitor& v, Body& body) {
@@ -168,6 +211,13 @@ void describeBody(Visitor& v, Body& body) {
     v.number("mass", body.mass, {0.01, 1000.0}, "Who is heavy gives way less.");
     v.number("supply", body.supply, {1e-3, 1000.0}, "Units that it supplies to places.");
     v.whole("class", body.unitClass, {0.0, 255.0}, "For roles; 0 for none.");
+    if (takesPart<Visitor>(isSet(body.headway)))
+        v.number("headway", body.headway, {0.0, 5.0, "s"},
+                 "Time that it keeps from who is ahead. 0: the parameter's; else 0.02 or more.");
+    if (takesPart<Visitor>(isSet(body.premovement)))
+        v.number("premovement", body.premovement, {0.0, 1e7, "s"}, "From its first order until it sets out.");
+    describeOwnShare(v, "upstairs", body.upstairs, kUpstairs);
+    describeOwnShare(v, "downstairs", body.downstairs, kDownstairs);
 }
 
 template <class Visitor>

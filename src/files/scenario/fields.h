@@ -128,6 +128,14 @@ public:
         return true;
     }
 
+    /// Reads an object that stands somewhere inside the value of a key, `key` with its index.
+    template <class Describe>
+    void inside(const std::string& key, const Json& object, Describe describe) {
+        FieldReader child(object, pathOf(key), *failure_);
+        describe(child);
+        child.finish();
+    }
+
     /// True where the object has the key; that does not count as reading it.
     bool has(std::string_view key) const { return object_->find(key) != nullptr; }
     /// The value of a key, or null; null is a failure where the key is required.

@@ -15,6 +15,7 @@ namespace {
 constexpr const char* kGesturesFormat = "muster-gestures";
 constexpr std::size_t kMaxEvents = 1000000;
 constexpr const char* kOrder = "";  // Orders are called by what they ask for.
+constexpr const char* kLeave = "leave";
 constexpr const char* kKinds[] = {"down",
                                   "move",
                                   "up",
@@ -39,7 +40,7 @@ constexpr const char* kKinds[] = {"down",
                                   "queue",
                                   "conduct",
                                   "join",
-                                  "leave",
+                                  kLeave,
                                   "transfer",
                                   "split",
                                   "merge",
@@ -57,7 +58,9 @@ constexpr const char* kKinds[] = {"down",
                                   "placeGroup",
                                   "nameGroup",
                                   "colourGroup",
-                                  "appearance"};
+                                  "appearance",
+                                  "area",
+                                  "removeArea"};
 static_assert(std::size(kKinds) == std::variant_size_v<CommandKinds>);
 
 /// An event of the file: a command with its time.
@@ -88,13 +91,15 @@ std::uint32_t stepAt(double time, double stepTime) {
     return static_cast<std::uint32_t>(std::min(4e9, std::floor(time / stepTime + 1e-9)));
 }
 
-/// Makes the command that a kind stands for. Fingers move, and groups are ordered to.
+/// Makes the command that a kind stands for. Fingers move, and groups are ordered to; characters leave, and
+/// groups are ordered to.
 void makeBody(FieldReader& v, CommandBody& body, const std::string& kind) {
     const auto word = std::find(kOrderWords.begin(), kOrderWords.end(), kind);
     const bool moves = kind == kOrderWords.front();
     if (moves && !v.has("touch") && !v.has("group"))
         return v.fail({}, "neither \"touch\" nor \"group\"", "a finger or a group to move");
-    if (word != kOrderWords.end() && !(moves && v.has("touch"))) {
+    const bool named = kind == kLeave && v.has("ids");
+    if (word != kOrderWords.end() && !(moves && v.has("touch")) && !named) {
         body.emplace<GiveOrder>().order.kind = static_cast<OrderKind>(word - kOrderWords.begin());
         return;
     }
@@ -107,7 +112,8 @@ std::vector<std::string> allKinds() {
     std::vector<std::string> kinds;
     for (const std::string kind : kKinds)
         if (kind != kOrder) kinds.push_back(kind);
-    kinds.insert(kinds.end(), kOrderWords.begin() + 1, kOrderWords.end());  // Fingers move, too.
+    for (const std::string kind : kOrderWords)  // Fingers move, too, and characters leave.
+        if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
     return kinds;
 }
 

@@ -83,6 +83,10 @@ void describeWorld(Visitor& v, WorldDef& def, const std::string& folder) {
            [&](auto& item, FormationCheckpointDef& c) { describeCheckpoint(item, c, groups); });
     v.list("items", def.items, kMaxObstacles, "Things to collect.",
            [](auto& item, ItemDef& i) { describeItem(item, i); });
+    v.list("areas", def.areas, kMaxAreas, "Where people leave, come and wait.",
+           [&](auto& item, AreaDef& area) { describeArea(item, area, groups); });
+    if (takesPart<Visitor>(def.ring))
+        v.flag("ring", def.ring, "The left and the right side of the box are joined.");
     describePreset(v, def.parameters);
     v.object("parameters", "Every number that may be changed.",
              [&](auto& inner) { describeParameters(inner, def.parameters); });

@@ -101,7 +101,7 @@ export interface OrderFrame {
 export function readOrderFrame(r: ByteReader): OrderFrame {
   return {
     id: r.u32(),
-    kind: r.choice(4) as OrderKind,
+    kind: r.choice(7) as OrderKind,
     x: r.f32(),
     y: r.f32(),
     hasFacing: r.bool(),
@@ -345,6 +345,29 @@ export function writeMovingFrame(w: ByteWriter, m: MovingFrame): void {
   w.f32(m.angle);
 }
 
+/** What an exit or a source has seen. */
+export interface AreaFrame {
+  id: number;
+  /** who have left by it, or come by it */
+  passed: number;
+  /** of a source: for whom there is no room yet */
+  waiting: number;
+}
+
+export function readAreaFrame(r: ByteReader): AreaFrame {
+  return {
+    id: r.u32(),
+    passed: r.u32(),
+    waiting: r.u32(),
+  };
+}
+
+export function writeAreaFrame(w: ByteWriter, m: AreaFrame): void {
+  w.u32(m.id);
+  w.u32(m.passed);
+  w.u32(m.waiting);
+}
+
 /** Something that happened. */
 export interface EventFrame {
   kind: EventKind;
@@ -356,7 +379,7 @@ export interface EventFrame {
 
 export function readEventFrame(r: ByteReader): EventFrame {
   return {
-    kind: r.choice(24) as EventKind,
+    kind: r.choice(26) as EventKind,
     subject: r.u32(),
     value: r.u32(),
     x: r.f32(),

@@ -7,14 +7,17 @@ import {
   type TrialEnd,
 } from './enums';
 import {
+  type AreaFrame,
   type CrowdFrame,
   type EventFrame,
   type GroupFrame,
   type MovingFrame,
+  readAreaFrame,
   readCrowdFrame,
   readEventFrame,
   readGroupFrame,
   readMovingFrame,
+  writeAreaFrame,
   writeCrowdFrame,
   writeEventFrame,
   writeGroupFrame,
@@ -201,6 +204,7 @@ export interface Frame {
   groups: GroupFrame[];
   moving: MovingFrame[];
   collected: Uint8Array;
+  areas: AreaFrame[];
   stepMs: number;
   lagP95: number;
   /** per character */
@@ -230,6 +234,7 @@ export function readFrame(r: ByteReader): Frame {
     groups: r.list(readGroupFrame),
     moving: r.list(readMovingFrame),
     collected: r.u8s(),
+    areas: r.list(readAreaFrame),
     stepMs: r.f32(),
     lagP95: r.f32(),
     swapsPerSecond: r.f32(),
@@ -257,6 +262,7 @@ export function writeFrame(w: ByteWriter, m: Frame): void {
   w.list(m.groups, writeGroupFrame);
   w.list(m.moving, writeMovingFrame);
   w.u8s(m.collected);
+  w.list(m.areas, writeAreaFrame);
   w.f32(m.stepMs);
   w.f32(m.lagP95);
   w.f32(m.swapsPerSecond);

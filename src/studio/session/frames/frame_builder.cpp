@@ -51,12 +51,13 @@ protocol::ControlFrame controlFrame(const Control& control, const FormationMesh&
     return frame;
 }
 
-static_assert(static_cast<int>(EventKind::Count) == static_cast<int>(protocol::EventKind::Transferred) + 1);
+static_assert(static_cast<int>(EventKind::Count) == static_cast<int>(protocol::EventKind::Entered) + 1);
 
 /// True where an order says more than the fields of a frame do.
 bool saysMore(const Order& order) {
     return order.manner == Manner::Continuum || order.pace > 0.0 || order.share != Order{}.share ||
-           order.formation || !order.path.still() || !(order.offset == Vec2{});
+           order.formation || !order.path.still() || !(order.offset == Vec2{}) ||
+           order.kind >= OrderKind::Leave;
 }
 
 /// The order as a gestures file with it alone.
@@ -133,6 +134,14 @@ void fillMoving(const Environment& environment, std::vector<protocol::MovingFram
         const TimedPath& path = environment.patch(id)->path;
         if (!path.still())
             moving.push_back(movingFrame(protocol::MovingKind::Patch, id.value, path.at(time)));
+    }
+}
+
+void fillAreas(const World& world, std::vector<protocol::AreaFrame>& areas) {
+    areas.clear();
+    for (std::size_t a = 0; a < world.areaCount(); ++a) {
+        const AreaView area = world.area(a);
+        areas.push_back({area.id.value, area.count.passed, area.count.waiting});
     }
 }
 
@@ -218,6 +227,7 @@ void FrameBuilder::build(const World& world, protocol::Frame& frame) {
     }
     fillMoving(inspect::environment(world), frame.moving);
     frame.collected.assign(world.collected().begin(), world.collected().end());
+    fillAreas(world, frame.areas);
     frame.stepMs = narrow(slowestStep_);
     stepsReported_ = true;
     frame.lagP95 = narrow(lagP95(world));

@@ -1,9 +1,11 @@
 #include "studio/session/frames/scene_json.h"
 
 #include "base/appearance_text.h"
+#include "base/archive.h"
 #include "base/hash.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
+#include "files/scenario/describe_people.h"
 #include "files/scenario/describe_shapes.h"
 #include "files/scenario/describe_units.h"
 #include "json/json.h"
@@ -81,6 +83,8 @@ Json patches(const Environment& environment) {
                   {"moving", !def.path.still()}};
         putPath(item, def.path);
         if (def.speed > 0.0) item["ownSpeed"] = def.speed;
+        if (def.ascent) item["ascent"] = *def.ascent;
+        if (def.speedDown > 0.0) item["speedDown"] = def.speedDown;
         list.push(std::move(item));
     }
     return list;
@@ -160,6 +164,21 @@ Json items(const World& world) {
     return list;
 }
 
+/// As in scenario files, with ids.
+Json areas(const World& world) {
+    Json list = Json::array();
+    for (std::size_t a = 0; a < world.areaCount(); ++a) {
+        AreaView area = world.area(a);
+        Json item;
+        FieldWriter writer(item);
+        describeArea(writer, area.def, [] {});
+        item["id"] = area.id.value;
+        if (area.group) item["group"] = area.group.value;
+        list.push(std::move(item));
+    }
+    return list;
+}
+
 Json parameters(const World& world) {
     Json list = Json::array();
     for (const ParameterInfo& info : parameterTable()) {
@@ -195,6 +214,8 @@ std::string buildSceneJson(const SceneSource& source) {
     scene["groups"] = groups(world, source.place);
     scene["items"] = items(world);
     scene["checkpoints"] = checkpoints(world);
+    scene["areas"] = areas(world);
+    if (world.ring()) scene["ring"] = true;
     scene["parameters"] = parameters(world);
     // Names come from files. Bytes that are not UTF-8 are replaced, without an exception.
     return compactJson(scene);
@@ -222,6 +243,14 @@ std::uint64_t sceneSignature(const World& world) {
         hash.add(world.checkpoints()[c].position.x);
         hash.add(world.checkpoints()[c].position.y);
         hash.add(world.checkpoints()[c].radius);
+    }
+    for (std::size_t a = 0; a < world.areaCount(); ++a) {
+        AreaView area = world.area(a);
+        hash.add(area.id.value);
+        hash.add(area.group.value);
+        Hasher def;
+        def(area.def);
+        hash.add(def.value());
     }
     for (const ParameterInfo& info : parameterTable()) hash.add(info.get(world.parameters()));
     return hash.value();

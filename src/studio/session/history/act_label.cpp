@@ -18,6 +18,12 @@ const char* orderLabel(const Order& order) {
             return "Follow";
         case OrderKind::Guard:
             return "Guard";
+        case OrderKind::Leave:
+            return "Leave";
+        case OrderKind::Wait:
+            return "Wait";
+        case OrderKind::Walk:
+            return "Walk on";
     }
     return "Move";
 }

@@ -83,6 +83,43 @@ void putMarks(PlaceDefinition& place, const Place& groups, const World& world) {
     }
 }
 
+/// Puts areas of a world into a definition. A source whose group is only a part of one is left out.
+void putAreas(PlaceDefinition& place, const Place& groups, const World& world) {
+    place.def.areas.clear();
+    for (std::size_t a = 0; a < world.areaCount(); ++a) {
+        AreaView area = world.area(a);
+        const PlaceGroupDef* group = groups.group(area.group);
+        if (area.group && group == nullptr) continue;
+        area.def.group = group == nullptr ? 0 : static_cast<std::int32_t>(group - groups.groups().data());
+        place.def.areas.push_back(std::move(area.def));
+        place.areas.push_back(area.id.value);
+    }
+}
+
+/// Orders name areas by the ids that these get in a world that begins with them: 1, 2, 3... in the order of
+/// `ids`. What names only areas that are gone is left out.
+void renumberAreas(std::vector<Order>& orders, const std::vector<std::uint32_t>& ids) {
+    const auto renumbered = [&](AreaId id) {
+        const auto at = std::find(ids.begin(), ids.end(), id.value);
+        return at == ids.end() ? AreaId{} : AreaId{static_cast<std::uint32_t>(at - ids.begin() + 1)};
+    };
+    std::erase_if(orders, [&](Order& order) {
+        const bool waits = static_cast<bool>(order.area), chooses = !order.exits.empty();
+        order.area = renumbered(order.area);
+        std::vector<AreaId> exits;
+        std::vector<double> attractions;
+        for (std::size_t e = 0; e < order.exits.size(); ++e) {
+            const AreaId exit = renumbered(order.exits[e]);
+            if (!exit) continue;
+            exits.push_back(exit);
+            if (e < order.attractions.size()) attractions.push_back(order.attractions[e]);
+        }
+        order.exits = std::move(exits);
+        order.attractions = std::move(attractions);
+        return (waits && !order.area) || (chooses && order.exits.empty());
+    });
+}
+
 }  // namespace
 
 void Place::begin(const WorldDef& def) {
@@ -93,9 +130,11 @@ void Place::begin(const WorldDef& def) {
     edited_ = false;
 }
 
-void Place::beginAgain() {
-    for (std::size_t g = 0; g < groups_.size(); ++g)
+void Place::beginAgain(const PlaceDefinition& before) {
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
         groups_[g].id = GroupId{static_cast<std::uint32_t>(g + 1)};
+        renumberAreas(groups_[g].def.orders, before.areas);
+    }
 }
 
 PlaceGroupDef* Place::find(GroupId id) {
@@ -188,9 +227,11 @@ PlaceDefinition Place::definition(const WorldDef& began, const World& world) con
     place.def = began;
     putGround(place, inspect::environment(world));
     putMarks(place, *this, world);
+    putAreas(place, *this, world);
     place.def.groups.clear();
     for (const PlaceGroupDef& group : groups_) {
         place.def.groups.push_back(group.def);
+        renumberAreas(place.def.groups.back().orders, place.areas);
         place.groups.push_back(group.id.value);
     }
     for (const SetParameter& set : parameters_) (void)setParameter(place.def.parameters, set.name, set.value);

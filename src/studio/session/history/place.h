@@ -23,16 +23,17 @@ struct PlaceDefinition {
     std::vector<std::uint32_t> items;
     std::vector<std::uint32_t> checkpoints;
     std::vector<std::uint32_t> groups;
+    std::vector<std::uint32_t> areas;
 };
 
-/// Obstacles, patches, items and checkpoints are those of the world. How groups start, and parameters, are
-/// kept here: directing changes the groups of a world, and not where they start.
+/// Obstacles, patches, items, checkpoints and areas are those of the world. How groups start, and parameters,
+/// are kept here: directing changes the groups of a world, and not where they start.
 class Place {
 public:
     /// A world began from that definition.
     void begin(const WorldDef& def);
-    /// A world began from definition(): groups have new ids, and what was edited stays edited.
-    void beginAgain();
+    /// A world began from that definition(): groups and areas have new ids, and what was edited stays edited.
+    void beginAgain(const PlaceDefinition& before);
     /// The world has carried out this edit.
     void apply(const CommandBody& edit, const World& world);
 

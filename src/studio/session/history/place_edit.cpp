@@ -27,6 +27,11 @@ struct IdVisitor {
         visit(ThingKind::Group, c.group.value);
     }
     void operator()(RemoveCheckpoint& c) { visit(ThingKind::Checkpoint, c.id.value); }
+    void operator()(PutArea& c) {
+        if (c.id) visit(ThingKind::Area, c.id.value);
+        visit(ThingKind::Group, c.group.value);
+    }
+    void operator()(RemoveArea& c) { visit(ThingKind::Area, c.id.value); }
     template <class Body>
     void operator()(Body& c) {
         if constexpr (requires { c.group.value; }) visit(ThingKind::Group, c.group.value);
@@ -88,6 +93,15 @@ struct Inverse {
     Answer operator()(const RemoveCheckpoint& c) const {
         const auto at = indexOf(world.checkpointIds(), c.id);
         return at ? AddCheckpoint{world.checkpoints()[*at], world.checkpointGroups()[*at]} : Answer();
+    }
+    Answer operator()(const PutArea& c) const {
+        if (!c.id) return RemoveArea{};
+        const auto area = areaOf(c.id);
+        return area ? PutArea{c.id, area->def, area->group} : Answer();
+    }
+    Answer operator()(const RemoveArea& c) const {
+        const auto area = areaOf(c.id);
+        return area ? PutArea{{}, area->def, area->group} : Answer();
     }
     Answer operator()(const AddGroup&) const { return RemoveGroup{}; }
     Answer operator()(const RemoveGroup& c) const {
@@ -183,12 +197,22 @@ struct Inverse {
     }
 
 private:
+    std::optional<AreaView> areaOf(AreaId id) const {
+        for (std::size_t a = 0; a < world.areaCount(); ++a)
+            if (AreaView area = world.area(a); area.id == id) return area;
+        return std::nullopt;
+    }
     template <class Make>
     Answer onGroup(GroupId id, Make make) const {
         const auto g = inspect::indexOfGroup(world, id);
         return g ? Answer(make(*g, inspect::groupDef(world, *g))) : Answer();
     }
 };
+
+bool addsArea(const CommandBody& body) {
+    const auto* put = std::get_if<PutArea>(&body);
+    return put != nullptr && !put->id;
+}
 
 /// Id of the first thing above `after` that equals the definition; 0 for none.
 template <class Ids, class Same>
@@ -208,6 +232,7 @@ std::optional<Thing> thingOf(const CommandBody& body) {
     if (std::holds_alternative<AddItem>(body)) return Thing{ThingKind::Item, 0};
     if (std::holds_alternative<AddCheckpoint>(body)) return Thing{ThingKind::Checkpoint, 0};
     if (std::holds_alternative<AddGroup>(body)) return Thing{ThingKind::Group, 0};
+    if (addsArea(body)) return Thing{ThingKind::Area, 0};
     std::optional<Thing> thing;
     CommandBody copy = body;
     visitIds(copy, [&](ThingKind kind, std::uint32_t id) {
@@ -219,7 +244,7 @@ std::optional<Thing> thingOf(const CommandBody& body) {
 bool adds(const CommandBody& body) {
     return std::holds_alternative<AddObstacle>(body) || std::holds_alternative<AddPatch>(body) ||
            std::holds_alternative<AddItem>(body) || std::holds_alternative<AddCheckpoint>(body) ||
-           std::holds_alternative<AddGroup>(body);
+           std::holds_alternative<AddGroup>(body) || addsArea(body);
 }
 
 std::optional<CommandBody> inverseOf(const CommandBody& body, const World& world, const Place& place) {
@@ -249,18 +274,24 @@ std::uint32_t addedId(const CommandBody& added, const World& world, std::uint32_
             if (world.group(g).id.value > after && world.group(g).name == add->group.name)
                 return world.group(g).id.value;
     }
+    if (const auto* add = std::get_if<PutArea>(&added)) {
+        for (std::size_t a = 0; a < world.areaCount(); ++a)
+            if (const AreaView area = world.area(a); area.id.value > after && area.def == add->area)
+                return area.id.value;
+    }
     return 0;
 }
 
 std::vector<std::uint32_t> highestIds(const World& world) {
     const auto last = [](const auto& ids) { return ids.empty() ? 0u : ids.back().value; };
     const Environment& ground = inspect::environment(world);
-    const std::size_t groups = world.groupCount();
+    const std::size_t groups = world.groupCount(), areas = world.areaCount();
     return {last(ground.obstacleIds()),
             last(ground.patchIds()),
             last(world.itemIds()),
             last(world.checkpointIds()),
             groups == 0 ? 0u : world.group(groups - 1).id.value,
+            areas == 0 ? 0u : world.area(areas - 1).id.value,
             0u,
             0u};
 }

@@ -15,7 +15,7 @@
 namespace muster {
 
 /// What an edit is about.
-enum class ThingKind : std::uint8_t { Obstacle, Patch, Item, Checkpoint, Group, Characters, Parameter };
+enum class ThingKind : std::uint8_t { Obstacle, Patch, Item, Checkpoint, Group, Area, Characters, Parameter };
 
 /// Names one thing of the place.
 struct Thing {

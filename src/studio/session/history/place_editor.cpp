@@ -99,7 +99,8 @@ void PlaceEditor::beginAgain(const PlaceDefinition& before) {
     renumber(ThingKind::Item, before.items);
     renumber(ThingKind::Checkpoint, before.checkpoints);
     renumber(ThingKind::Group, before.groups);
-    place_.beginAgain();
+    renumber(ThingKind::Area, before.areas);
+    place_.beginAgain(before);
     waiting_.clear();
     acts_.clear();
     planned_.clear();

@@ -25,6 +25,9 @@ bool addsChanged(PlaceChange& earlier, const PlaceChange& later) {
     if (auto* add = std::get_if<AddCheckpoint>(&earlier.redo))
         if (const auto* change = std::get_if<ChangeCheckpoint>(&later.redo))
             return add->checkpoint = change->checkpoint, add->group = change->group, true;
+    if (auto* add = std::get_if<PutArea>(&earlier.redo); add != nullptr && !add->id)
+        if (const auto* change = std::get_if<PutArea>(&later.redo))
+            return add->area = change->area, add->group = change->group, true;
     return false;
 }
 
@@ -52,6 +55,10 @@ bool leadsBack(const PlaceChange& change) {
     if (const auto* to = std::get_if<PlaceGroup>(&change.redo)) {
         const auto& from = std::get<PlaceGroup>(change.undo);
         return to->position == from.position && to->angle == from.angle;
+    }
+    if (const auto* to = std::get_if<PutArea>(&change.redo); to != nullptr && to->id) {
+        const auto& from = std::get<PutArea>(change.undo);
+        return to->area == from.area && to->group == from.group;
     }
     return false;
 }

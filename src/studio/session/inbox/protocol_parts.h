@@ -8,8 +8,8 @@
 
 namespace muster::protocol {
 
-inline constexpr std::uint32_t kVersion = 12;                 ///< Raised by any change of a message.
-inline constexpr const char* kSubprotocol = "muster.v12";  ///< Of the WebSocket.
+inline constexpr std::uint32_t kVersion = 13;                 ///< Raised by any change of a message.
+inline constexpr const char* kSubprotocol = "muster.v13";  ///< Of the WebSocket.
 
 /// Marks the input as bad where an enumeration read from it has no such value.
 template <class Archive, class Enum>
@@ -48,7 +48,7 @@ enum class StudyAct : std::uint8_t { Start, GoOn, GiveUp, BreakOff };
 /// Values of a field, as one byte.
 enum class TrialEnd : std::uint8_t { None, Done, TimeOver, GivenUp, Practised };
 /// Values of a field, as one byte.
-enum class OrderKind : std::uint8_t { Move, Face, Follow, Guard };
+enum class OrderKind : std::uint8_t { Move, Face, Follow, Guard, Leave, Wait, Walk };
 /// Values of a field, as one byte.
 enum class Manner : std::uint8_t { March, Free };
 /// Values of a field, as one byte.
@@ -56,7 +56,7 @@ enum class Turn : std::uint8_t { Wheel, Reverse, Keep, Flow };
 /// Values of a field, as one byte.
 enum class Stance : std::uint8_t { Normal, Hold, Yield };
 /// Values of a field, as one byte.
-enum class EventKind : std::uint8_t { EnterPatch, LeavePatch, TransitionStart, TransitionEnd, SingleStep, Collect, FormationChange, Swap, Arrived, Stuck, Blocked, Free, NoPath, Partial, OrderGiven, OrderBegun, OrderDone, OrderSkipped, Passed, GroupAdded, GroupRemoved, Joined, Left, Transferred };
+enum class EventKind : std::uint8_t { EnterPatch, LeavePatch, TransitionStart, TransitionEnd, SingleStep, Collect, FormationChange, Swap, Arrived, Stuck, Blocked, Free, NoPath, Partial, OrderGiven, OrderBegun, OrderDone, OrderSkipped, Passed, GroupAdded, GroupRemoved, Joined, Left, Transferred, Exited, Entered };
 
 /// Somebody who is connected.
 struct DirectorFrame {
@@ -159,7 +159,7 @@ struct OrderFrame {
     void visit(Archive& archive) {
         archive(id, kind, x, y, hasFacing, facing, width, manner, turn, group, character, halfX, halfY,
                 route, event);
-        checkEnum(archive, kind, 4);
+        checkEnum(archive, kind, 7);
         checkEnum(archive, manner, 2);
         checkEnum(archive, turn, 4);
     }
@@ -307,6 +307,19 @@ struct MovingFrame {
     void visit(Archive& archive) {
         archive(kind, id, x, y, angle);
         checkEnum(archive, kind, 2);
+    }
+};
+
+/// What an exit or a source has seen.
+struct AreaFrame {
+    std::uint32_t id = 0;
+    std::uint32_t passed = 0;  ///< who have left by it, or come by it
+    std::uint32_t waiting = 0;  ///< of a source: for whom there is no room yet
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(id, passed, waiting);
     }
 };
 
@@ -481,7 +494,7 @@ struct EventFrame {
     template <class Archive>
     void visit(Archive& archive) {
         archive(kind, subject, value, x, y);
-        checkEnum(archive, kind, 24);
+        checkEnum(archive, kind, 26);
     }
 };
 

@@ -94,6 +94,7 @@ struct Frame {
     std::vector<GroupFrame> groups;
     std::vector<MovingFrame> moving;
     std::vector<std::uint8_t> collected;
+    std::vector<AreaFrame> areas;
     float stepMs = 0.0f;
     float lagP95 = 0.0f;
     float swapsPerSecond = 0.0f;  ///< per character
@@ -103,8 +104,8 @@ struct Frame {
     template <class Archive>
     void visit(Archive& archive) {
         archive(frame, step, time, playing, speed, recordedSeconds, replaying, demonstrating, touchEcho,
-                sceneRevision, ids, group, unitClass, radius, crowd, groups, moving, collected, stepMs,
-                lagP95, swapsPerSecond, events);
+                sceneRevision, ids, group, unitClass, radius, crowd, groups, moving, collected, areas,
+                stepMs, lagP95, swapsPerSecond, events);
     }
 };
 

@@ -91,6 +91,12 @@ private:
                 return "follow";
             case OrderKind::Guard:
                 return "guard";
+            case OrderKind::Leave:
+                return "leave";
+            case OrderKind::Wait:
+                return "wait";
+            case OrderKind::Walk:
+                return "walk";
             case OrderKind::Move:
                 break;
         }
