@@ -22,7 +22,7 @@
 namespace muster {
 
 /// Number of stages of a step.
-inline constexpr std::size_t kStageCount = 40;
+inline constexpr std::size_t kStageCount = 41;
 
 /// A stage of the step.
 struct StageInfo {
@@ -37,17 +37,17 @@ std::span<const StageInfo, kStageCount> stepStages();
 /// Some stages by their index in stepStages(), for programs that time them.
 enum class Stage : std::uint8_t {
     Commands = 0,         ///< Commands are applied.
-    Orders = 2,           ///< Orders and marches.
-    Controls = 3,         ///< Controls follow touches.
-    UserMesh = 4,         ///< Vu is solved.
-    FinalMesh = 5,        ///< Vf is solved.
-    Places = 11,          ///< Travelling places.
-    DensityAndCost = 12,  ///< Density of the crowd.
-    Plan = 20,            ///< Assignment of places.
-    Steering = 30,        ///< Velocities of characters.
-    Contacts = 31,        ///< Contacts are resolved.
-    Patches = 32,         ///< Motions by patches.
-    Events = 37,          ///< Arrivals of groups.
+    Orders = 3,           ///< Orders and marches.
+    Controls = 4,         ///< Controls follow touches.
+    UserMesh = 5,         ///< Vu is solved.
+    FinalMesh = 6,        ///< Vf is solved.
+    Places = 12,          ///< Travelling places.
+    DensityAndCost = 13,  ///< Density of the crowd.
+    Plan = 21,            ///< Assignment of places.
+    Steering = 31,        ///< Velocities of characters.
+    Contacts = 32,        ///< Contacts are resolved.
+    Patches = 33,         ///< Motions by patches.
+    Events = 38,          ///< Arrivals of groups.
     Count = kStageCount   ///< Number of all stages.
 };
 /// The name of any stage, by its index: "commands", "orders", "controls"...
@@ -68,7 +68,8 @@ struct GroupView {
     std::optional<std::uint32_t> colour;        ///< Chosen colour, 0xRRGGBB; none for the palette's.
     std::optional<BodyBuild> build;             ///< Build of its drawn bodies; none for both.
     std::optional<MotionSet> motions;           ///< How it walks and jogs; none for the plain manner.
-    std::int32_t count = 0;                     ///< Number of characters and of places.
+    /// Number of characters, and of places but where they go without (Leave, Wait, Walk): then there are none.
+    std::int32_t count = 0;
     FormationKind formation{};                  ///< Current shape; World::groupDef has the whole definition.
     std::uint32_t formationVersion = 0;         ///< Increases whenever the mesh is replaced.
     Pose pose;                                  ///< Transforms the rest mesh to the world.

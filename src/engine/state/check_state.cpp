@@ -185,11 +185,11 @@ Status checkOrders(const Group& group, std::uint32_t nextOrder) {
     return {};
 }
 
-Status checkGroup(const Group& group, const Grid& grid) {
-    const std::size_t count = group.members.size();
+Status checkGroup(const Group& group, const Grid& grid, bool bare) {
     const GroupDef& def = group.def;
-    if (def.count < 0 || static_cast<std::size_t>(def.count) != count)
+    if (def.count < 0 || static_cast<std::size_t>(def.count) != group.members.size())
         return wrong("a group of another count");
+    const std::size_t count = bare ? 0 : group.members.size();
     if (def.name.size() > kMaxText || !isPlace(def.position) || !arePlaces(def.starts))
         return wrong("a bad group");
     if (Status s = validateColour(def.colour); !s.ok()) return s;
@@ -266,11 +266,22 @@ Status checkOwnRoutes(const WorldState& state) {
     return {};
 }
 
+bool areStanding(const std::vector<StandingSpot>& spots, std::uint32_t nextCharacter) {
+    std::uint32_t last = 0;
+    for (const StandingSpot& spot : spots) {
+        if (spot.character <= last || spot.character >= nextCharacter || !isPlace(spot.spot)) return false;
+        last = spot.character;
+    }
+    return true;
+}
+
 Status checkContinuum(const WorldState& state) {
     std::uint32_t last = 0;
     for (const Gathering& gathering : state.continuum.gatherings) {
         if (gathering.group.value <= last || !isPlace(gathering.target) ||
-            !ascending(gathering.arrived, state.nextCharacter))
+            !ascending(gathering.arrived, state.nextCharacter) ||
+            !(gathering.kind == OrderKind::Move || isBare(gathering.kind)) ||
+            gathering.since > state.stepCount || !areStanding(gathering.spots, state.nextCharacter))
             return wrong("a gathering out of range");
         last = gathering.group.value;
     }
@@ -308,6 +319,16 @@ bool ascend(const std::vector<AnyId>& ids, std::uint32_t next) {
     return true;
 }
 
+bool isSane(const Area& area, std::uint32_t nextCharacter) {
+    const auto isAmount = [](double x) { return x >= 0.0 && x <= 1e9; };
+    const ExitFlow& exit = area.exit;
+    const SourceFlow& source = area.source;
+    return isAmount(exit.served) && isAmount(exit.queued) && isAmount(exit.credit) &&
+           std::all_of(exit.line.begin(), exit.line.end(), [&](std::uint32_t id) { return id < nextCharacter; }) &&
+           source.next >= -1.0 && source.next <= 1e10 && isAmount(source.rate) && source.sent >= 0 &&
+           source.entry <= area.def.timetable.size();
+}
+
 Status checkQueueAndMarks(const WorldState& state) {
     if (state.lastCommandStep > state.stepCount || state.collected.size() != state.items.size() ||
         state.checkpointState.size() != state.groups.size() * state.checkpoints.size() ||
@@ -323,6 +344,7 @@ Status checkQueueAndMarks(const WorldState& state) {
     std::vector<AreaId> areas;
     for (const Area& area : state.areas) {
         if (Status s = validateArea(area.def); !s.ok()) return s;
+        if (!isSane(area, state.nextCharacter)) return wrong("an area with a number out of range");
         areas.push_back(area.id);
     }
     if (!ascend(areas, state.nextArea)) return wrong("ids of areas out of order");
@@ -352,7 +374,8 @@ Status checkState(WorldState& state) {
     state.refreshMembers();
     std::vector<std::uint32_t> ids;
     for (const Group& group : state.groups) {
-        if (Status s = checkGroup(group, state.environment.grid()); !s.ok()) return s;
+        const bool bare = state.continuum.isBare(group.id);
+        if (Status s = checkGroup(group, state.environment.grid(), bare); !s.ok()) return s;
         if (Status s = checkOrders(group, state.nextOrder); !s.ok()) return s;
         if (group.visitors.size() > state.checkpoints.size()) return wrong("lists of different lengths");
         ids.push_back(group.id.value);

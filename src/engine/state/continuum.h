@@ -1,4 +1,5 @@
-// Groups without places, whose members go to one point by one cost field (Treuille, Cooper and Popovic 2006).
+// Groups without places: their members go to one point by one cost field (Treuille, Cooper and Popovic 2006), or
+// to areas, each on its own (docs/method/goals.md).
 #pragma once
 
 #include <algorithm>
@@ -9,16 +10,45 @@
 #include "engine/assignment/planning/exact/unit_cost_archive.h"
 #include "engine/fields/cost/unit_cost.h"
 #include "muster/id.h"
+#include "muster/order.h"
 #include "muster/vec2.h"
 
 namespace muster {
 
-/// A group whose members have no places: they go to a point, or stand where they came to.
+/// Where somebody stands who waits.
+struct StandingSpot {
+    std::uint32_t character = 0;  ///< Its id.
+    Vec2 spot;                    ///< [m]
+
+    /// Lets an archive read or write it.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(character, spot);
+    }
+};
+
+/// A group whose members have no places: they go to a point or to areas, or stand where they came to.
 struct Gathering {
     GroupId group;                       ///< Whose members they are.
-    Vec2 target;                         ///< Where they go [m].
+    OrderKind kind = OrderKind::Move;    ///< Move for one point; else Leave, Wait or Walk.
+    Vec2 target;                         ///< For Move: where they go [m].
+    AreaId area;                         ///< For Wait: where they stand.
     bool active = false;                 ///< They go; else all stand.
+    std::uint32_t since = 0;             ///< For Wait: step in which enough had come; 0 while they have not.
     std::vector<std::uint32_t> arrived;  ///< Ids of those who have come near and stand, ascending.
+    std::vector<StandingSpot> spots;     ///< For Wait: of those who have one, by ascending ids.
+
+    /// True where the group has no formation meanwhile.
+    bool isBare() const { return kind != OrderKind::Move; }
+    /// Where somebody stands in the waiting area; null for who has no spot.
+    const StandingSpot* spotOf(std::uint32_t id) const {
+        const auto at = std::lower_bound(spots.begin(), spots.end(), id, isBefore);
+        return at != spots.end() && at->character == id ? &*at : nullptr;
+    }
+    /// Gives somebody who has none a spot.
+    void stand(std::uint32_t id, Vec2 spot) {
+        spots.insert(std::lower_bound(spots.begin(), spots.end(), id, isBefore), {id, spot});
+    }
 
     /// True for a member who has come near.
     bool hasArrived(std::uint32_t id) const { return std::binary_search(arrived.begin(), arrived.end(), id); }
@@ -26,9 +56,17 @@ struct Gathering {
     /// Lets an archive read or write it.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(group, target, active, arrived);
+        archive(group, kind, target, area, active, since, arrived, spots);
     }
+
+private:
+    static bool isBefore(const StandingSpot& spot, std::uint32_t id) { return spot.character < id; }
 };
+
+/// True for orders that members carry out without a formation.
+inline bool isBare(OrderKind kind) {
+    return kind == OrderKind::Leave || kind == OrderKind::Wait || kind == OrderKind::Walk;
+}
 
 /// The unit cost of a class of ground as it was when fields were last solved.
 struct FrozenCost {
@@ -67,11 +105,24 @@ struct Continuum {
     }
     /// A group goes to `target`, and has no places from now on.
     void begin(GroupId group, Vec2 target) {
+        Gathering& found = beginBare(group, OrderKind::Move, {});
+        found.target = target;
+    }
+    /// The members of a group go to areas, or on; the group has no formation from now on unless `kind` is Move.
+    Gathering& beginBare(GroupId group, OrderKind kind, AreaId area) {
         Gathering* found = find(group);
-        if (found == nullptr) found = &*gatherings.insert(lowerBound(group), Gathering{group, {}, false, {}});
-        found->target = target;
+        if (found == nullptr) found = &*gatherings.insert(lowerBound(group), Gathering{});
+        *found = {};
+        found->group = group;
+        found->kind = kind;
+        found->area = area;
         found->active = true;
-        found->arrived.clear();
+        return *found;
+    }
+    /// True for a group that has no formation now.
+    bool isBare(GroupId group) const {
+        const Gathering* const found = find(group);
+        return found != nullptr && found->isBare();
     }
     /// The members of a group have places again, if they had none.
     void end(GroupId group) {

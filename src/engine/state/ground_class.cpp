@@ -159,6 +159,7 @@ void updateGroundClass(WorldState& state, Group& group, ThreadPool& pool) {
 void updateGroundClasses(WorldState& state, ThreadPool& pool) {
     const bool looks = state.lastCommandStep == state.stepCount || state.stepCount % kLookEvery == 0;
     for (Group& group : state.groups) {
+        if (state.continuum.isBare(group.id)) continue;  // Each has a class of its own.
         // On another ground an order is judged again, which tells who cannot come any more.
         const bool judged = group.orders.begun && group.orders.ground != state.groundEdits;
         if ((looks || group.planNow) && !judged) updateGroundClass(state, group, pool);

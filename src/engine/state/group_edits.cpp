@@ -25,12 +25,6 @@ Pose poseOf(Vec2 position, double angle) {
     return {position, {cosine(angle), sine(angle)}};
 }
 
-/// What the next character of a group is, by the group's definition.
-Body bodyOf(const GroupDef& def, std::size_t index) {
-    if (def.bodies.empty()) return {};
-    return def.bodies[std::min(index, def.bodies.size() - 1)];
-}
-
 /// Makes a character of a group, an index of all arrays, stand still near a position.
 void standStill(WorldState& state, const Group& group, std::size_t i, Vec2 position) {
     Characters& c = state.characters;
@@ -53,6 +47,7 @@ void standStill(WorldState& state, const Group& group, std::size_t i, Vec2 posit
     c.claim[i].since = state.stepCount;
     c.chosen[i] = {};
     c.wanted[i] = {};
+    c.goal[i] = 0;
 }
 
 /// One entry more in each array.
@@ -64,18 +59,6 @@ struct Extension {
         (arrays.emplace_back(), ...);
     }
 };
-
-void addCharacter(WorldState& state, const Group& group, std::uint32_t groupIndex, Vec2 position,
-                  const Body& body) {
-    Characters& c = state.characters;
-    Extension extension;
-    c.visit(extension);
-    c.id.back() = state.nextCharacter++;
-    c.group.back() = groupIndex;
-    c.body.back() = body;
-    c.driver.back() = Driver::Muster;
-    standStill(state, group, c.size() - 1, position);
-}
 
 // Drops the marked entries of all arrays of characters; an archive, as far as visits go.
 struct Compaction {
@@ -104,8 +87,8 @@ Status checkNewGroup(const WorldState& state, const GroupDef& def) {
     const std::string name = "group '" + def.name + "'";
     const auto total = static_cast<std::int64_t>(state.characters.size()) + def.count;
     if (const Status fits = validateTotal(total, state.parameters); !fits.ok()) return fits.within(name);
-    if (def.count < 1)
-        return invalidArgument(name + ": found count " + std::to_string(def.count) + ", expected at least 1");
+    if (def.count < 0)
+        return invalidArgument(name + ": found count " + std::to_string(def.count) + ", expected at least 0");
     if (!def.starts.empty() && std::cmp_not_equal(def.starts.size(), def.count))
         return invalidArgument(name + ": found " + std::to_string(def.starts.size()) +
                                " starts, expected one for each of its " + std::to_string(def.count) +
@@ -205,6 +188,24 @@ bool isUnderWay(const Group& group) {
 
 }  // namespace
 
+Body bodyOf(const GroupDef& def, std::size_t index) {
+    if (def.bodies.empty()) return {};
+    return def.bodies[std::min(index, def.bodies.size() - 1)];
+}
+
+std::size_t addCharacter(WorldState& state, const Group& group, std::uint32_t groupIndex, Vec2 position,
+                         const Body& body) {
+    Characters& c = state.characters;
+    Extension extension;
+    c.visit(extension);
+    c.id.back() = state.nextCharacter++;
+    c.group.back() = groupIndex;
+    c.body.back() = body;
+    c.driver.back() = Driver::Muster;
+    standStill(state, group, c.size() - 1, position);
+    return c.size() - 1;
+}
+
 std::unique_ptr<Plan> makePlan(const Parameters& parameters) {
     return parameters.plan.solver == PlanSolver::Fast ? makeFastPlan() : makeExactPlan();
 }
@@ -218,12 +219,14 @@ void exchangePlans(WorldState& state) {
 
 Status addGroup(WorldState& state, const GroupDef& def) {
     if (const Status valid = checkNewGroup(state, def); !valid.ok()) return valid;
-    const Result<Formation> formation = makeFormation(def.formation, def.count);
+    // A group that people come to later has a mesh, and no places yet.
+    const Result<Formation> formation = makeFormation(def.formation, std::max(1, def.count));
     if (!formation.ok()) return formation.status().within("group '" + def.name + "'");
     Group group;
     group.def = def;
     const Status placed = group.mesh.reset(*formation, poseOf(def.position, def.angle));
     if (!placed.ok()) return placed.within("group '" + def.name + "'");
+    if (def.count == 0) group.mesh.setPlaces({});
     group.id = GroupId{state.nextGroup++};
     group.plan = makePlan(state.parameters);
     std::vector<Vec2> targets;

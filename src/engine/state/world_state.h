@@ -40,6 +40,7 @@ struct WorldState {
     std::vector<std::uint8_t> collected;              ///< Per item, 1 once collected.
     std::vector<Area> areas;                          ///< In ascending order of ids.
     Random random;                                    ///< For start positions.
+    std::uint64_t seed = 1;                           ///< Of all random numbers.
     std::uint32_t stepCount = 0;                      ///< Steps done.
     std::vector<Passage> passages;                    ///< Gaps before which somebody may have to wait.
     SurveyState survey;                               ///< Looks for further ones.

@@ -30,7 +30,7 @@ Vec2 rotateTowards(Vec2 heading, Vec2 towards, double share) {
 Vec2 preferredVelocity(const Parameters::Character& def, const Characters& now, const SteeringInput& input,
                        std::size_t i, double topSpeed, double brakes) {
     const Vec2 direction = now.direction[i];
-    const bool placed = now.place[i] >= 0;
+    const bool placed = now.place[i] >= 0 || (!input.stands.empty() && input.stands[i] != 0);
     if (!placed && direction == Vec2{}) return {};
     const Vec2 toPlace = input.place[i] - now.position[i];
     const double left = length(toPlace);

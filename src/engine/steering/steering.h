@@ -28,6 +28,8 @@ struct SteeringInput {
     std::span<const double> pace = {};        ///< Share of its top speed at which it walks; empty for all.
     std::span<const double> room = {};  ///< By how much farther it may stand from a place that others share
                                         ///< [m]; empty where none is shared.
+    /// 1 for who comes to a stand at `place` without holding one; empty where nobody does.
+    std::span<const std::uint8_t> stands = {};
 };
 
 /// Computes next velocities and headings from the present state only, so the order of characters cannot

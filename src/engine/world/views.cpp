@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/ground/routes/route_search.h"
+#include "engine/state/bare_groups.h"
 #include "engine/state/validation.h"
 #include "engine/world/inspect.h"
 #include "engine/world/studio_access.h"
@@ -97,7 +98,15 @@ GroupView World::group(std::size_t index) const {
 }
 
 GroupDef World::groupDef(std::size_t index) const {
-    return engine_->state.groups[index].def;
+    const WorldState& state = engine_->state;
+    const Group& group = state.groups[index];
+    GroupDef def = group.def;
+    // While members come and go freely their bodies are not listed.
+    if (isBare(group) && def.bodies.size() > 1) {
+        def.bodies.clear();
+        for (const std::int32_t i : group.members) def.bodies.push_back(state.characters.body[i]);
+    }
+    return def;
 }
 
 OrderForecast World::forecast(GroupId group, const Order& order) const {
@@ -202,6 +211,7 @@ double distanceLeft(const World& world, std::size_t character) {
     const Characters& c = state.characters;
     const Group& group = state.groups[c.group[character]];
     if (const Gathering* const gathering = state.continuum.find(group.id)) {
+        if (gathering->isBare()) return c.cost[character];
         const double reach = gatheringReach(group.members.size(), state.parameters.character.radius);
         const double beyond = distance(c.position[character], gathering->target) - reach;
         return gathering->hasArrived(c.id[character]) ? 0.0 : std::max(0.0, beyond);

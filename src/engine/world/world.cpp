@@ -6,6 +6,7 @@
 #include "engine/state/group_edits.h"
 #include "engine/state/validation.h"
 #include "engine/state/world_archive.h"
+#include "engine/systems/commands/area_commands.h"
 #include "engine/world/world_engine.h"
 #include "muster/map_import.h"
 
@@ -89,6 +90,7 @@ Result<World> World::createOn(std::unique_ptr<ThreadPool> pool, const WorldDef& 
     state.parameters = def.parameters;
     state.environment = *std::move(environment);
     state.random = Random(def.seed);
+    state.seed = def.seed;
     if (const Status added = addGround(state.environment, def); !added.ok()) return added;
     state.environment.setTime(0.0);
     state.checkpoints = def.checkpoints;
@@ -102,7 +104,7 @@ Result<World> World::createOn(std::unique_ptr<ThreadPool> pool, const WorldDef& 
     for (std::size_t i = 0; i < def.items.size(); ++i) state.itemIds.push_back(ItemId{state.nextItem++});
     for (const AreaDef& area : def.areas) {
         const auto group = static_cast<std::uint32_t>(area.kind == AreaKind::Source ? area.group + 1 : 0);
-        state.areas.push_back({AreaId{state.nextArea++}, area, GroupId{group}, {}});
+        addArea(state, area, GroupId{group});
     }
     state.groups.reserve(def.groups.size());
     for (std::size_t i = 0; i < def.groups.size(); ++i) {

@@ -9,6 +9,7 @@
 #include "engine/systems/events/event_stage.h"
 #include "engine/systems/events/patch_stage.h"
 #include "engine/systems/fields/cost_stage.h"
+#include "engine/systems/goals/area_stage.h"
 #include "engine/systems/orders/order_stage.h"
 #include "engine/systems/passages/way_stage.h"
 #include "engine/systems/places/place_stage.h"
@@ -29,6 +30,7 @@ struct WorldEngine {
     StageTimes times;                   ///< Of the last step.
     std::int32_t move = 0;              ///< Part of the step that is being made, from 0.
 
+    AreaStage areas;
     OrderStage orders;
     PlaceStage places;
     CostStage cost;

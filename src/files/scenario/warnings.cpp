@@ -110,6 +110,32 @@ void warnOfStarts(const WorldDef& def, const Environment& environment, std::size
     }
 }
 
+/// What is wrong with where an order leads; empty where nothing is.
+std::string troubleOf(const Order& order, const WorldDef& def) {
+    const auto is = [&](AreaId id, AreaKind kind) {
+        return id.value >= 1 && id.value <= def.areas.size() && def.areas[id.value - 1].kind == kind;
+    };
+    if (order.kind == OrderKind::Wait && !is(order.area, AreaKind::Waiting))
+        return "wait in area " + std::to_string(order.area.value) + ", which is no waiting area";
+    if (order.kind != OrderKind::Leave) return {};
+    for (const AreaId exit : order.exits)
+        if (!is(exit, AreaKind::Exit))
+            return "leave by area " + std::to_string(exit.value) + ", which is no exit";
+    const bool none = std::none_of(def.areas.begin(), def.areas.end(),
+                                   [](const AreaDef& area) { return area.kind == AreaKind::Exit; });
+    return none ? "leave, and there is no exit" : "";
+}
+
+void warnOfGoals(const WorldDef& def, std::size_t most, std::vector<std::string>& warnings) {
+    for (const GroupDef& group : def.groups) {
+        for (const Order& order : group.orders) {
+            if (warnings.size() >= most) return;
+            if (const std::string trouble = troubleOf(order, def); !trouble.empty())
+                warnings.push_back("group \"" + group.name + "\" is to " + trouble);
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> scenarioWarnings(const WorldDef& def, std::size_t most) {
@@ -119,6 +145,7 @@ std::vector<std::string> scenarioWarnings(const WorldDef& def, std::size_t most)
     warnOfGaps(def, *environment, most, warnings);
     warnOfSingleSteps(def, most, warnings);
     warnOfStarts(def, *environment, most, warnings);
+    warnOfGoals(def, most, warnings);
     return warnings;
 }
 

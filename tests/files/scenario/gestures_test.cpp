@@ -94,6 +94,32 @@ TEST_CASE("every kind of command survives the file") {
     checkpoint.formation = ring;
     checkpoint.once = false;
     checkpoint.trigger = CheckpointTrigger::Mesh;
+    PatchDef stairs = patch;
+    stairs.ascent = -1.0 / 3.0;
+    stairs.speedDown = 0.7;
+    AreaDef source;
+    source.name = "Stop";
+    source.kind = AreaKind::Source;
+    source.polygon = patch.polygon;
+    source.rate = 1.0 / 3.0;
+    source.from = 0.1;
+    source.until = 20;
+    source.most = 30;
+    source.timetable = {{1.0 / 3.0, 4}, {2.0, 5}};
+    AreaDef door;
+    door.polygon = patch.polygon;
+    door.open = false;
+    door.queue = {{0.1, 0.2}, {3, 4}};
+    Order leave = Order::leave({AreaId{4}, AreaId{2}});
+    leave.choice = ExitChoice::Nearest;
+    leave.attractions = {0.1, -0.2};
+    leave.herding = 1.0 / 3.0;
+    leave.misjudgement = 2.5;
+    Body patient = heavy;
+    patient.headway = 1.0 / 3.0;
+    patient.premovement = 61.5;
+    patient.upstairs = 0.3;
+    patient.downstairs = 0.4;
     const std::vector<CommandBody> bodies = {
         TouchDown{7, {1.5, -2.25}, 0.1, GroupId{2}},
         TouchMove{7, {1, 2}, 0.1 + 0.2},
@@ -140,6 +166,15 @@ TEST_CASE("every kind of command survives the file") {
         ColourGroup{GroupId{2}, std::nullopt},
         SetAppearance{GroupId{1}, BodyBuild::Narrow, std::nullopt},
         SetAppearance{GroupId{2}, std::nullopt, MotionSet::Weary},
+        AddPatch{stairs},
+        PutArea{{}, door, {}},
+        PutArea{AreaId{3}, source, GroupId{2}},
+        RemoveArea{AreaId{3}},
+        SetBodies{{5, 6}, {patient, heavy}},
+        GiveOrder{GroupId{2}, QueueMode::Replace, 0, Order::leave()},
+        GiveOrder{GroupId{2}, QueueMode::Append, 0, leave},
+        GiveOrder{GroupId{2}, QueueMode::Append, 0, Order::wait(AreaId{7}, 0.1)},
+        GiveOrder{GroupId{2}, QueueMode::Replace, 0, Order::walk(-1.5)},
         GiveOrder{GroupId{2}, QueueMode::Append, 0, guard},
         GiveOrder{GroupId{2}, QueueMode::Replace, 0, Order::face(-1.5)},
         GiveOrder{GroupId{2}, QueueMode::Replace, 0, Order::follow(GroupId{1}, {-2, 0.5})},

@@ -106,6 +106,51 @@ TEST_CASE("orders are called by what they ask for") {
     CHECK(free.route == std::vector<Vec2>{{1, 2}, {3, 4}});
 }
 
+TEST_CASE("a leave of a group is an order, one of ids takes characters out") {
+    const CommandBody out = bodyOf(R"({"kind":"leave","ids":[3,17]})");
+    CHECK(std::get<RemoveCharacters>(out).ids.size() == 2);
+    const Order leave = orderOf(R"({"kind":"leave","group":1})");
+    CHECK(leave.kind == OrderKind::Leave);
+    CHECK(leave.exits.empty());
+    const Order chosen = orderOf(R"({"kind":"leave","group":1,"exits":[2,5],"choice":"nearest",
+        "attractions":[3,-1.5],"herding":4,"misjudgement":2})");
+    CHECK(chosen.exits == std::vector{AreaId{2}, AreaId{5}});
+    CHECK(chosen.choice == ExitChoice::Nearest);
+    CHECK(chosen.attractions == std::vector{3.0, -1.5});
+    CHECK(chosen.herding == 4.0);
+    CHECK(chosen.misjudgement == 2.0);
+    const Order wait = orderOf(R"({"kind":"wait","group":1,"area":3,"seconds":20})");
+    CHECK(wait.kind == OrderKind::Wait);
+    CHECK(wait.area == AreaId{3});
+    CHECK(wait.seconds == 20.0);
+    const Order walk = orderOf(R"({"kind":"walk","group":1,"facing":0.5})");
+    CHECK(walk.kind == OrderKind::Walk);
+    CHECK(walk.facing == 0.5);
+    CHECK(failsWith(R"({"kind":"wait","group":1})", "no \"area\""));
+    CHECK(failsWith(R"({"kind":"walk","group":1})", "no \"facing\""));
+    CHECK(failsWith(R"({"kind":"leave","group":1,"choice":"any"})", "$[0].choice:"));
+    CHECK(failsWith(R"({"kind":"leave","group":1,"exits":[1],"attractions":[1,2]})", "2 attractions"));
+}
+
+TEST_CASE("an area is put by one event, and changed where that names it") {
+    const CommandBody added = bodyOf(R"({"kind":"area","group":2,"definition":{"kind":"source",
+        "polygon":[[0,0],[1,0],[1,1]],"rate":0.5,"timetable":[{"t":3,"count":4}]}})");
+    const auto& put = std::get<PutArea>(added);
+    CHECK(!put.id);
+    CHECK(put.group == GroupId{2});
+    CHECK(put.area.kind == AreaKind::Source);
+    CHECK(put.area.timetable == std::vector{Arrivals{3.0, 4}});
+    const CommandBody changed = bodyOf(
+        R"({"kind":"area","id":3,"definition":{"kind":"exit","polygon":[[0,0],[1,0],[1,1]],"open":false}})");
+    CHECK(std::get<PutArea>(changed).id == AreaId{3});
+    CHECK_FALSE(std::get<PutArea>(changed).area.open);
+    CHECK(std::get<RemoveArea>(bodyOf(R"({"kind":"removeArea","id":3})")).id == AreaId{3});
+    CHECK(failsWith(R"({"kind":"area","definition":{"kind":"door","polygon":[[0,0],[1,0],[1,1]]}})",
+                    "$[0].definition.kind:"));
+    CHECK(failsWith(R"({"kind":"area","definition":{"kind":"exit","polygon":[[0,0],[1,0],[1,1]],"group":1}})",
+                    "unknown key \"group\""));
+}
+
 TEST_CASE("a drawn line gives place, facing and width") {
     // The left end lies to the left of who looks ahead: a front from (4, 5) to (4, 1) looks along +x.
     const Order line = orderOf(R"({"kind":"move","group":1,"line":[[4,5],[4,1]]})");

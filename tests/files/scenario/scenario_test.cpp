@@ -29,6 +29,40 @@ std::vector<std::uint8_t> bytesOf(WorldDef def) {
     return w.take();
 }
 
+/// A sort of persons whose numbers are all drawn differently.
+PeopleDef richSort() {
+    PeopleDef sort;
+    sort.name = "Guests";
+    sort.share = 1.0 / 3.0;
+    sort.unitClass = 4;
+    sort.speed = Distribution::normal(1.0 / 3.0, 0.26, 0.1, 2.2);
+    sort.radius = Distribution::constant(0.1 + 0.2);
+    sort.headway = {Spread::Gamma, 4.0, 1.0 / 3.0, 0.1, 4.0};
+    sort.premovement = {Spread::LogNormal, -1.0 / 3.0, 0.25, 0.0, 1e6};
+    sort.age = {Spread::Weibull, 40.0, 7.0, 20.0, 70.0};
+    sort.upstairs = 0.3;
+    sort.downstairs = 1.0 / 3.0;
+    return sort;
+}
+
+/// An area that says all that its kind can say.
+AreaDef richArea(AreaKind kind) {
+    AreaDef area;
+    area.name = "Gate";
+    area.kind = kind;
+    area.polygon = {{1.1, 2.2}, {3.3, 2.2}, {3.3, 4.400000000000001}};
+    area.open = kind != AreaKind::Exit;
+    area.rate = 1.0 / 3.0;
+    if (kind == AreaKind::Exit) area.queue = {{1.0 / 3.0, 0}, {5, 6}, {7, -0.0}};
+    if (kind != AreaKind::Source) return area;
+    area.group = 1;
+    area.from = 0.1;
+    area.until = 0.1 + 0.2;
+    area.most = 12;
+    area.timetable = {{1.0 / 3.0, 2}, {1e6, 200000}};
+    return area;
+}
+
 /// A definition with a value in every member, with numbers that are hard to print.
 WorldDef richDef() {
     WorldDef def;
@@ -83,6 +117,22 @@ WorldDef richDef() {
     checkpoint.once = false;
     def.checkpoints = {checkpoint};
     def.items = {{{3, 3}, 0.4}};
+    PatchDef stairs = patch;
+    stairs.ascent = -1.0 / 3.0;
+    stairs.speedDown = 0.1 + 0.2;
+    def.patches.push_back(stairs);
+    def.groups[0].people = {adults(), richSort()};
+    def.groups[0].bodies = {Body{0.3, 1.1, 4.0, 2.0, 1.5, 1, 1.0 / 3.0, 17.25, 0.5, 0.1 + 0.2}};
+    def.groups[1].count = 0;
+    def.groups[1].people = {adults()};
+    Order leave = Order::leave({AreaId{1}});
+    leave.attractions = {-1.0 / 3.0};
+    leave.herding = 0.1 + 0.2;
+    leave.misjudgement = 1e-9;
+    leave.choice = ExitChoice::Nearest;
+    def.groups[0].orders = {Order::wait(AreaId{3}, 1.0 / 3.0), Order::walk(0.1 + 0.2), leave};
+    def.areas = {richArea(AreaKind::Exit), richArea(AreaKind::Source), richArea(AreaKind::Waiting)};
+    def.ring = true;
     def.parameters.plan.exponent = 1.7;
     def.parameters.plan.mode = PlanMode::Fixed;
     return def;
@@ -106,6 +156,86 @@ TEST_CASE("a definition survives writing and reading bit for bit") {
     REQUIRE_MESSAGE(back.ok(), back.status().message());
     CHECK(bytesOf(*back) == bytesOf(def));
     CHECK(writeScenario(*back) == text);
+}
+
+TEST_CASE("people are one sort, a list or a word, and numbers stand for what all have") {
+    const auto peopleOf = [](const std::string& people) {
+        const auto def = parseScenario(minimal(R"("groups":[{"people":)" + people + "}]"), "F.json", "");
+        REQUIRE_MESSAGE(def.ok(), def.status().message());
+        return def->groups[0].people;
+    };
+    const auto refused = [](const std::string& people, const std::string& by) {
+        const std::string message = failureOf(minimal(R"("groups":[{"people":)" + people + "}]"));
+        CAPTURE(message);
+        CHECK(message.find(by) != std::string::npos);
+    };
+    CHECK(peopleOf(R"("adults")") == std::vector{adults()});
+    const auto one = peopleOf(
+        R"({"name":"Slow","speed":0.8,"premovement":{"spread":"uniform","a":10,"b":100}})");
+    REQUIRE(one.size() == 1);
+    CHECK(one[0].speed == Distribution::constant(0.8));
+    CHECK(one[0].premovement == Distribution::uniform(10, 100));
+    const auto list = peopleOf(
+        R"(["adults",{"share":2,"age":{"spread":"normal","a":40,"b":9,"least":20,"most":70}}])");
+    REQUIRE(list.size() == 2);
+    CHECK(list[0] == adults());
+    CHECK(list[1].age == Distribution::normal(40, 9, 20, 70));
+    CHECK(peopleOf("[]").empty());
+    refused(R"("children")", R"($.groups[0].people: found the text "children", expected "adults")");
+    refused(R"([{"speed":{"spread":"even"}}])", "$.groups[0].people[0].speed.spread:");
+    refused(R"([{"speed":{"a":1}}])", R"($.groups[0].people[0].speed: found no "spread")");
+    refused(R"({"pace":1})", "unknown key \"pace\"");
+    refused(R"({"speed":90})", "$.groups[0]");
+    // What is as usual is left out.
+    const auto def = parseScenario(minimal(R"("groups":[{"people":"adults"},{}])"), "F.json", "");
+    const std::string text = writeScenario(*def);
+    CHECK(text.find(R"("people": "adults")") != std::string::npos);
+    CHECK(text.find("people") == text.rfind("people"));
+    CHECK(text.find("premovement") == std::string::npos);
+    CHECK(text.find("ring") == std::string::npos);
+}
+
+TEST_CASE("a source names a group of the file") {
+    const std::string polygon = R"("polygon":[[0,0],[2,0],[2,2]])";
+    const auto def = parseScenario(
+        minimal(R"("groups":[{},{"count":0}],"ring":true,"areas":[{"kind":"exit",)" + polygon +
+                R"(},{"kind":"source","group":1,"rate":2,)" + polygon + "}]"),
+        "F.json", "");
+    REQUIRE_MESSAGE(def.ok(), def.status().message());
+    CHECK(def->ring);
+    REQUIRE(def->areas.size() == 2);
+    CHECK(def->areas[1].group == 1);
+    CHECK(def->areas[1].until == 1e9);
+    const auto refused = [&](const std::string& area, const std::string& by) {
+        const std::string message = failureOf(minimal(R"("groups":[{}],"areas":[{)" + area + polygon + "}]"));
+        CAPTURE(message);
+        CHECK(message.find(by) != std::string::npos);
+    };
+    refused(R"("kind":"source","group":1,)", "$.areas[0].group:");
+    refused("", R"($.areas[0]: found no "kind")");
+    refused(R"("kind":"exit","rate":-1,)", "$.areas[0].rate:");
+    refused(R"("kind":"exit","queue":[[0,0]],)", "$.areas[0].queue:");
+    refused(R"("kind":"source","timetable":[{"t":1,"count":0}],)", "$.areas[0].timetable[0].count:");
+    CHECK(failureOf(minimal(R"("groups":[{"count":0}])")).find("no source") != std::string::npos);
+}
+
+TEST_CASE("warnings name orders that lead nowhere") {
+    WorldDef def;
+    def.groups.resize(1);
+    def.groups[0].name = "Guests";
+    def.groups[0].orders = {Order::leave()};
+    CHECK(scenarioWarnings(def).size() == 1);
+    CHECK(scenarioWarnings(def)[0] == "group \"Guests\" is to leave, and there is no exit");
+    AreaDef area;
+    area.polygon = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+    def.areas = {area, area};
+    def.areas[1].kind = AreaKind::Waiting;
+    CHECK(scenarioWarnings(def).empty());
+    def.groups[0].orders = {Order::leave({AreaId{2}}), Order::wait(AreaId{1}), Order::wait(AreaId{2})};
+    const auto warnings = scenarioWarnings(def);
+    REQUIRE(warnings.size() == 2);
+    CHECK(warnings[0] == "group \"Guests\" is to leave by area 2, which is no exit");
+    CHECK(warnings[1] == "group \"Guests\" is to wait in area 1, which is no waiting area");
 }
 
 TEST_CASE("appearances are words, and left out where they are as usual") {
@@ -181,6 +311,11 @@ TEST_CASE("random definitions survive bit for bit, also where texts, lists and p
         if (coin()) formation.points = {{0.5, 0.25}};
         return formation;
     };
+    const auto drawn = [&] {
+        return coin() ? Distribution::constant(coin() ? 0.0 : random.uniform())
+                      : Distribution{coin() ? Spread::Uniform : Spread::Normal, random.uniform(),
+                                     1.0 + random.uniform(), 0.0, coin() ? 1e9 : 100.0};
+    };
     for (int round = 0; round < 400; ++round) {
         WorldDef def;
         def.name = word(), def.description = word(), def.credit = word(), def.gestures = word();
@@ -204,16 +339,33 @@ TEST_CASE("random definitions survive bit for bit, also where texts, lists and p
             if (coin()) patch.speed = 0.5;
             def.patches.push_back(patch);
         }
+        for (PatchDef& patch : def.patches) {
+            if (coin()) patch.ascent = random.uniform(-3, 3);
+            if (coin()) patch.speedDown = random.uniform(0.1, 1);
+        }
         for (std::uint32_t i = random.below(3); i > 0; --i) {
             GroupDef group;
             group.name = word(), group.count = 1, group.formation = formation();
             if (coin()) group.starts = {{1, 1}};
+            if (coin()) group.people = {coin() ? adults() : PeopleDef{}};
+            if (coin()) group.people.push_back({word(), 1.0, 0, {}, {}, {}, drawn(), {}, 0.0, 0.25});
             def.groups.push_back(group);
         }
         if (coin())
             def.checkpoints.push_back(
                 {{1, 2}, 1.0, formation(), static_cast<std::int32_t>(def.groups.size()) - 1, coin()});
         if (coin()) def.items.push_back({{1, 2}, 0.25});
+        for (std::uint32_t i = random.below(3); i > 0; --i) {
+            AreaDef area;
+            area.name = word(), area.polygon = {{0, 0}, {1, 0}, {1, 1}}, area.open = coin();
+            area.kind = coin() || def.groups.empty() ? AreaKind::Exit : AreaKind::Source;
+            if (coin()) area.rate = random.uniform();
+            if (coin()) area.from = random.uniform(), area.until = 2.0;
+            if (area.kind == AreaKind::Exit && coin()) area.queue = {{0, 0}, {1, 5}};
+            if (area.kind == AreaKind::Source && coin()) area.timetable = {{random.uniform(), 3}};
+            def.areas.push_back(area);
+        }
+        def.ring = coin();
         const std::string text = writeScenario(def);
         const auto back = parseScenario(text, "random", "");
         REQUIRE_MESSAGE(back.ok(), back.status().message(), "\n", text);
@@ -267,7 +419,7 @@ TEST_CASE("every failure names file, path, what was found and what was expected"
          "$.obstacles[0].path.waypoints[0]:");
     says(R"("patches":[{"polygon":[[0,0],[1,0],[1,1]],"motion":"fly"}])", "$.patches[0].motion:");
     says(R"("patches":[{"motion":"run"}])", "$.patches[0]:");
-    says(R"("groups":[{"count":0}])", "$.groups[0].count:");
+    says(R"("groups":[{"count":-1}])", "$.groups[0].count:");
     says(R"("groups":[{"count":2.5}])", "$.groups[0].count:");
     for (const char* bad : {R"("red")", R"("#12345")", R"("#12345g")", R"("1234567")", "3", "null"})
         says(R"("groups":[{"colour":)" + std::string(bad) + "}]", "$.groups[0].colour:");

@@ -90,7 +90,7 @@ TEST_CASE("schema and loader refuse the same errors") {
                                 {"/seed", -1},
                                 {"/box", Json::array({0, 0, 1, 1})},
                                 {"/unknown", 1},
-                                {"/groups/0/count", 0},
+                                {"/groups/0/count", -1},
                                 {"/groups/0/count", 1.5},
                                 {"/groups/0/formation/kind", "blob"},
                                 {"/groups/0/formation", "blob"},

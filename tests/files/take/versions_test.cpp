@@ -75,6 +75,7 @@ std::vector<std::uint8_t> takeOf(std::uint32_t version) {
     if (version >= 2) add.word(0).word(0).word(0).byte(0).real(0.0).real(1.0).byte(0).word(0).byte(0);
     if (version >= 5) add.byte(1).word(0x05536D);   // A colour.
     if (version >= 6) add.byte(0).byte(1).byte(1);  // No build, a motion set.
+    if (version >= 7) add.word(0);                  // No sorts of persons.
     file.record(2, set.bytes);
     file.record(2, add.bytes);
     return file.bytes;
@@ -137,6 +138,46 @@ TEST_CASE("groups of version 6 have an appearance, those of version 5 none") {
     }
 }
 
+TEST_CASE("bodies, orders and patches of version 6 have nothing of what version 7 added") {
+    for (const std::uint32_t version : {6u, 7u}) {
+        CAPTURE(version);
+        const bool now = version >= 7;
+        OldBytes bodies;  // SetBodies of one character.
+        bodies.head(0, 0, 28).word(1).word(3).word(1);
+        bodies.real(0.3).real(1.1).real(0.0).real(1.0).real(1.0).byte(2);
+        if (now) bodies.real(0.5).real(30.0).real(0.6).real(0.7);
+        OldBytes patch;  // A square with a motion.
+        patch.head(0, 1, 16).text("Stairs").word(3).real(0).real(0).real(1).real(0).real(1).real(1);
+        patch.word(0).byte(0).word(1).real(0.5);
+        if (now) patch.byte(1).real(1.5).real(0.25);
+        OldBytes face;
+        face.head(0, 2, 20).word(1).byte(0).word(0).byte(1).real(0).real(0).byte(1).real(0.75).real(0);
+        face.word(0).byte(0).byte(0).byte(3).real(0).real(0.95).word(0).word(0).real(0).real(0).real(0).real(
+            0);
+        face.word(0).byte(0);
+        if (now) face.word(2).word(4).word(5).byte(1).word(0).real(1).real(2).word(6).real(9);
+        OldBytes file;
+        for (const char c : std::string("MUSTAKE\n")) file.byte(static_cast<unsigned char>(c));
+        file.word(version);
+        file.record(1, {kScenario.begin(), kScenario.end()});
+        for (const OldBytes* record : {&bodies, &patch, &face}) file.record(2, record->bytes);
+        const auto take = parseTake(file.bytes, "T");
+        REQUIRE_MESSAGE(take.ok(), take.status().message());
+        const Body body = std::get<SetBodies>(take->commands[0].body).bodies[0];
+        CHECK(body.unitClass == 2);
+        CHECK(body.headway == (now ? 0.5 : 0.0));
+        CHECK(body.downstairs == (now ? 0.7 : 0.0));
+        const PatchDef& stairs = std::get<AddPatch>(take->commands[1].body).patch;
+        CHECK(stairs.speed == 0.5);
+        CHECK(stairs.ascent == (now ? std::optional(1.5) : std::nullopt));
+        CHECK(stairs.speedDown == (now ? 0.25 : -1.0));
+        const Order& order = std::get<GiveOrder>(take->commands[2].body).order;
+        CHECK(order.facing == 0.75);
+        CHECK(order.exits.size() == (now ? 2 : 0));
+        CHECK(order.seconds == (now ? 9.0 : 0.0));
+    }
+}
+
 TEST_CASE("versions are not mixed up") {
     // The bytes of one version under the number of the other.
     auto older = takeOf(2);
@@ -145,16 +186,16 @@ TEST_CASE("versions are not mixed up") {
     auto newer = takeOf(1);
     newer[8] = 2;
     CHECK(parseTake(newer, "T").status().code() == StatusCode::Corrupt);
-    for (const unsigned version : {0u, 7u}) {
+    for (const unsigned version : {0u, 8u}) {
         auto other = takeOf(1);
         other[8] = static_cast<std::uint8_t>(version);
         const auto take = parseTake(other, "T");
         CHECK(take.status().code() == StatusCode::Unsupported);
-        CHECK(take.status().message().find("expected version 1 to 6") != std::string::npos);
+        CHECK(take.status().message().find("expected version 1 to 7") != std::string::npos);
     }
 }
 
-TEST_CASE("writers write version 6") {
+TEST_CASE("writers write version 7") {
     WorldDef def;
     def.groups.resize(1);
     const std::string path = (std::filesystem::temp_directory_path() / "muster_take_version_test.take")
@@ -166,5 +207,5 @@ TEST_CASE("writers write version 6") {
     CHECK(std::fread(head, 1, sizeof head, file) == sizeof head);
     std::fclose(file);
     std::filesystem::remove(path);
-    CHECK(head[8] == 6);
+    CHECK(head[8] == 7);
 }

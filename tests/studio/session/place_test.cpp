@@ -184,6 +184,65 @@ TEST_CASE("what was added and moved in one gesture comes back where it was moved
     CHECK(desk.client.noticed("rejected").empty());
 }
 
+TEST_CASE("areas come, change, go and come back, and orders follow them into the next beginning") {
+    Desk desk;
+    const auto area = [](const std::string& kind, const std::string& more = "") {
+        return R"({"kind":"area","definition":{"kind":")" + kind + R"(","polygon":[[3,3],[5,3],[5,5]])" +
+               more + "}";
+    };
+    desk.edit(area("exit", R"(,"name":"First")") + "}");
+    desk.edit(area("exit", R"(,"name":"Second")") + "}");
+    desk.edit(area("source", R"(,"rate":0.5)") + R"(,"group":1})", "Source", 5);
+    REQUIRE(desk.world().areaCount() == 3);
+    CHECK(desk.world().area(2).group == GroupId{1});
+    CHECK(desk.client.scenes.back().json.find(R"("name":"Second")") != std::string::npos);
+    desk.edit(area("source", R"(,"rate":2)") + R"(,"group":1,"id":3})", "Source", 5);
+    CHECK(desk.world().area(2).def.rate == 2.0);
+    CHECK(desk.client.history.undo == 3);
+    desk.edit(R"({"kind":"removeArea","id":1})");
+    CHECK(desk.saved().areas.size() == 2);
+    CHECK(desk.saved().areas[0].name == "Second");
+    desk.restart();
+    REQUIRE(desk.world().areaCount() == 2);
+    CHECK(desk.world().area(0).id == AreaId{1});
+    CHECK(desk.world().area(1).group == GroupId{1});
+    desk.undo();
+    REQUIRE(desk.world().areaCount() == 3);
+    CHECK(desk.world().area(2).def.name == "First");
+    desk.undo();
+    CHECK(desk.world().areaCount() == 2);
+    desk.undo(true);
+    CHECK(desk.world().area(2).def.rate == 2.0);
+    for (int k = 0; k < 3; ++k) desk.undo();
+    CHECK(desk.world().areaCount() == 0);
+    CHECK(desk.client.noticed("rejected").empty());
+    CHECK(desk.client.noticed("Edit").empty());
+}
+
+TEST_CASE("orders of a place name the areas that are left") {
+    WorldDef def = smallFloor();
+    AreaDef area;
+    area.polygon = {{6, 6}, {7, 6}, {7, 7}};
+    def.areas = {area, area, area};
+    def.areas[2].kind = AreaKind::Waiting;
+    Order leave = Order::leave({AreaId{1}, AreaId{2}});
+    leave.attractions = {1.0, 2.0};
+    def.groups[0].orders = {leave, Order::wait(AreaId{3}), Order::leave({AreaId{1}})};
+    Desk desk;
+    REQUIRE(desk.session.load("areas", def).ok());
+    desk.settle();
+    desk.edit(R"({"kind":"removeArea","id":1})");
+    const WorldDef saved = desk.saved();
+    const std::vector<Order>& orders = saved.groups[0].orders;
+    REQUIRE(orders.size() == 2);
+    CHECK(orders[0].exits == std::vector{AreaId{1}});
+    CHECK(orders[0].attractions == std::vector{2.0});
+    CHECK(orders[1].area == AreaId{2});
+    desk.restart();
+    desk.edit(R"({"kind":"removeArea","id":2})");
+    CHECK(desk.saved().groups[0].orders.size() == 1);
+}
+
 TEST_CASE("two hundred and more steps can be taken back and made again") {
     Desk desk;
     for (int k = 0; k < 250; ++k) {

@@ -65,6 +65,7 @@ protocol::Frame sampleFrame() {
     protocol::ControlFrame& control = group.controls.emplace_back();
     control.kind = protocol::ControlKind::Area;
     control.points.push_back({9, true, 1.0f, 2.0f, {3.0f, 4.0f}});
+    frame.areas.push_back({3, 70000, 2});
     frame.moving.push_back({protocol::MovingKind::Patch, 2, 0.1f, 0.2f, 0.3f});
     protocol::OrderFrame& order = group.orders.emplace_back();
     order.id = 4;

@@ -23,6 +23,7 @@ struct EikonalSolver::Impl {
     Cell reachedBounds(const Grid& grid, Cell& high) const;
     void copyValues(Cell low, Cell high, CostField& field) const;
     void setCentreValues(const UnitCost& cost, Cell low, Cell high, CostField& field) const;
+    void finish(const UnitCost& cost, CostField& field);
 };
 
 void EikonalSolver::Impl::findTargetCells(const UnitCost& cost, std::span<const Vec2> targets) {
@@ -108,11 +109,38 @@ void EikonalSolver::solve(const UnitCost& cost, Vec2 source, std::span<const Vec
     field.uniformRadius_ = work.initialiser.radius();
     field.sourceCost_ = cost.cells[grid.index(grid.nearestCell(field.source_))];
     work.march(grid.cell, !targets.empty());
+    work.finish(cost, field);
+}
+
+void EikonalSolver::solve(const UnitCost& cost, std::span<const FieldSeed> seeds, CostField& field) {
+    MUSTER_ASSERT(std::cmp_equal(cost.cells.size(), cost.grid.count()));
+    Impl& work = *impl_;
+    const Grid& grid = cost.grid;
+    field.grid_ = grid;
+    // No single point is the source: none counts as near.
+    field.source_ = grid.origin - Vec2{grid.box().width(), grid.box().height()};
+    field.uniformRadius_ = 0.0;
+    work.front.resize(grid);
+    work.front.begin(cost, work.def.secondOrder);
+    work.targetCells.clear();
+    for (const FieldSeed& seed : seeds) {
+        const auto value = static_cast<float>(seed.cost / grid.cell);
+        if (seed.kind == FieldSeed::Kind::Source)
+            work.front.seedSource(seed.cell, value);
+        else
+            work.front.seed(seed.cell, value, seed.kind == FieldSeed::Kind::Fixed ? kFixedValue : 0);
+    }
+    work.march(grid.cell, false);
+    work.finish(cost, field);
+}
+
+// Copies what was reached to the field.
+void EikonalSolver::Impl::finish(const UnitCost& cost, CostField& field) {
     Cell high;
-    const Cell low = work.reachedBounds(grid, high);
-    work.copyValues(low, high, field);
-    work.setCentreValues(cost, low, high, field);
-    work.front.end(low, high);
+    const Cell low = reachedBounds(cost.grid, high);
+    copyValues(low, high, field);
+    setCentreValues(cost, low, high, field);
+    front.end(low, high);
 }
 
 void EikonalSolver::Impl::copyValues(Cell low, Cell high, CostField& field) const {

@@ -18,6 +18,19 @@ struct EikonalDef {
     double margin = 1.5;  ///< The front goes on by this much cost beyond the farthest target, >= 0.
 };
 
+/// A cell from which a field begins.
+struct FieldSeed {
+    /// What the field does there.
+    enum class Kind : std::uint8_t {
+        Fixed,   ///< The cell keeps its cost.
+        Source,  ///< Who sees the cell goes straight to it.
+        Front,   ///< The front goes on from it along the gradient of its neighbours' costs.
+    };
+    Cell cell;                 ///< Which; none of a wall.
+    double cost = 0.0;         ///< Of the way from there on, >= 0.
+    Kind kind = Kind::Source;  ///< How.
+};
+
 /// Computes cost fields. Owns the working memory: use one per thread. Repeated solves do not allocate once
 /// warm.
 class EikonalSolver {
@@ -32,6 +45,8 @@ public:
     /// cells. Unreachable targets end with infinite cost, but make the front flood their region: where
     /// regions are known, give only targets of the source's region.
     void solve(const UnitCost& cost, Vec2 source, std::span<const Vec2> targets, CostField& field);
+    /// Marches from all seeds over all reachable ground.
+    void solve(const UnitCost& cost, std::span<const FieldSeed> seeds, CostField& field);
 
 private:
     struct Impl;

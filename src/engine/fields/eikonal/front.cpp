@@ -75,6 +75,16 @@ void Front::seed(Cell cell, float value, std::int32_t source) {
     put(at, kUnreachableCost, value, source);
 }
 
+void Front::seedSource(Cell cell, float value) {
+    const CellCost& cost = cells_[grid_.index(cell)];
+    PseudoSource source;
+    position(at(cell), source.x, source.y);
+    source.cost = value;
+    source.unit = std::min({cost.east, cost.north, cost.west, cost.south});
+    sources_.push_back(source);
+    seed(cell, value, static_cast<std::int32_t>(sources_.size()) - 1);
+}
+
 Visibility Front::visibility(Cell cell, std::int32_t source, float& value) const {
     const PseudoSource& from = sources_[source];
     const FrontCell at = this->at(cell);

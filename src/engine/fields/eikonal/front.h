@@ -48,6 +48,8 @@ public:
     bool fillVisible(Cell home, std::int32_t source, float limit);
     /// Gives a cell a value that the march may still lower. `source` is as in FrontNode.
     void seed(Cell cell, float value, std::int32_t source);
+    /// Gives a cell a value, and makes it a pseudo-source of that cost: who sees it goes straight to it.
+    void seedSource(Cell cell, float value);
     /// What lies between a cell and a pseudo-source; `value` becomes the cost of the straight path where that
     /// is clear.
     Visibility visibility(Cell cell, std::int32_t source, float& value) const;

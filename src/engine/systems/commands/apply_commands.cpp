@@ -5,6 +5,8 @@
 #include <string>
 
 #include "base/maths.h"
+#include "engine/formation/shapes/formation.h"
+#include "engine/state/bare_groups.h"
 #include "engine/state/ground_class.h"
 #include "engine/state/group_edits.h"
 #include "engine/state/validation.h"
@@ -86,6 +88,7 @@ public:
     Status operator()(const SetFormation& set) {
         Group* group = state_.findGroup(set.group);
         if (group == nullptr) return notFound("group", set.group.value);
+        if (state_.continuum.isBare(group->id)) return defineFormation(*group, set.formation);
         const Status changed = changeFormation(state_, *group, set.formation, group->def.count);
         if (!changed.ok()) return changed;
         group->orders.own.reset();
@@ -99,7 +102,10 @@ public:
                                  set.count;
         const Status total = validateTotal(sum, state_.parameters);
         if (!total.ok()) return total;
-        const Status changed = changeFormation(state_, *group, group->def.formation, set.count);
+        const bool bare = state_.continuum.isBare(group->id);
+        const Status changed = bare ? Status()
+                                    : changeFormation(state_, *group, group->def.formation, set.count);
+        if (bare) group->def.count = set.count;
         if (changed.ok()) setCount(state_, *group, set.count);
         return changed;
     }
@@ -107,6 +113,7 @@ public:
         Group* group = state_.findGroup(set.group);
         if (group == nullptr) return notFound("group", set.group.value);
         group->controls.clear();
+        if (state_.continuum.isBare(group->id)) formUp(editableGroups(), *group);
         state_.continuum.end(group->id);
         dropOrders(*group);
         group->orders.march.reversed = false;
@@ -193,6 +200,14 @@ private:
     Environment& editableGround() {
         pool_.wait();
         return state_.environment;
+    }
+    // A group that has no formation now takes it up later.
+    static Status defineFormation(Group& group, const FormationDef& def) {
+        const Result<Formation> formation = makeFormation(def, std::max(1, group.def.count));
+        if (!formation.ok()) return formation.status().within("group '" + group.def.name + "'");
+        group.def.formation = def;
+        group.orders.own.reset();
+        return {};
     }
     // Counts the versions of the ground.
     Status edited(Status status) {

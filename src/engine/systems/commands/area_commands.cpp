@@ -15,6 +15,15 @@ Status noArea(AreaId id) {
 
 }  // namespace
 
+void addArea(WorldState& state, const AreaDef& def, GroupId group) {
+    constexpr std::uint64_t kStream = 0x9e3779b97f4a7c15u;  // Areas draw from streams of their own.
+    Area& area = state.areas.emplace_back();
+    area.id = AreaId{state.nextArea++};
+    area.def = def;
+    area.group = group;
+    area.source.random = Random(state.seed + kStream * area.id.value);
+}
+
 Status putArea(WorldState& state, const PutArea& put) {
     const bool source = put.area.kind == AreaKind::Source;
     if (source && state.findGroup(put.group) == nullptr) return noGroup(put.group);
@@ -24,8 +33,8 @@ Status putArea(WorldState& state, const PutArea& put) {
         if (state.areas.size() >= kMaxAreas)
             return {StatusCode::LimitExceeded,
                     "a world holds at most " + std::to_string(kMaxAreas) + " areas"};
-        area = &state.areas.emplace_back();
-        area->id = AreaId{state.nextArea++};
+        addArea(state, put.area, source ? put.group : GroupId{});
+        return {};
     }
     area->def = put.area;
     area->group = source ? put.group : GroupId{};

@@ -5,6 +5,8 @@
 
 namespace muster {
 
+/// Adds an area; a source sends people to a group.
+void addArea(WorldState& state, const AreaDef& def, GroupId group);
 /// Fails where there is no area or group of that id, or there are 1,000 areas.
 Status putArea(WorldState& state, const PutArea& put);
 Status removeArea(WorldState& state, const RemoveArea& remove);  ///< Fails where there is none.

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/maths.h"
+#include "engine/state/bare_groups.h"
 #include "engine/state/group_edits.h"
 #include "engine/state/validation.h"
 #include "engine/systems/commands/not_found.h"
@@ -106,6 +107,7 @@ Status removeCheckpoint(WorldState& state, const RemoveCheckpoint& remove) {
 Status placeGroup(WorldState& state, const PlaceGroup& place) {
     Group* group = state.findGroup(place.group);
     if (group == nullptr) return noGroup(place.group);
+    if (state.continuum.isBare(group->id)) formUp(state, *group);
     const Pose pose{place.position, {cosine(place.angle), sine(place.angle)}};
     if (const Status placed = standAt(state, *group, pose); !placed.ok()) return placed;
     group->controls.clear();

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/geometry/polygon.h"
+#include "engine/state/bare_groups.h"
 #include "engine/state/group_edits.h"
 #include "engine/state/reform.h"
 #include "engine/state/validation.h"
@@ -147,8 +148,17 @@ Result<Reform> formPart(const WorldState& state, const Group& whole, const HeldP
                         const std::vector<std::uint32_t>& ids, PartShape shape) {
     HeldPlaces own = held;
     own.keep(ids);
+    if (state.continuum.isBare(whole.id)) return Reform{};
     if (shape == PartShape::AsHeld) return asHeld(state, whole, own, ids);
     return refit(state, whole, own, resized(whole, own, ids, true), ids);
+}
+
+/// Gives a part its formation at the pose of the whole; none where the whole has none.
+void formUpAs(WorldState& state, Group& part, const Group& whole, Reform& reform) {
+    if (!state.continuum.isBare(whole.id)) return applyReform(state, part, std::move(reform), whole.mesh);
+    if (&part != &whole) (void)part.mesh.reset(whole.mesh.formation(), whole.mesh.pose());
+    dissolveFormation(state, part);
+    part.def.count = static_cast<std::int32_t>(part.members.size());
 }
 
 /// Adds the groups of all parts but the first; the whole keeps its index.
@@ -198,8 +208,7 @@ Status splitGroup(WorldState& state, const SplitGroup& command, std::vector<Even
     std::vector<Group*> formed{&state.groups[whole]};
     for (std::size_t p = 1; p < parts->size(); ++p) formed.push_back(&state.groups[first + p - 1]);
     // The whole comes last: the others' places come from its own.
-    for (std::size_t p = parts->size(); p-- > 0;)
-        applyReform(state, *formed[p], std::move(reforms[p]), formed[0]->mesh);
+    for (std::size_t p = parts->size(); p-- > 0;) formUpAs(state, *formed[p], *formed[0], reforms[p]);
     divideControls(formed);
     shareOrders(state, formed, middle);
     for (std::size_t p = 1; p < formed.size(); ++p)

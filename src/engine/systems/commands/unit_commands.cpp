@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "engine/state/bare_groups.h"
 #include "engine/state/group_edits.h"
 #include "engine/state/reform.h"
 #include "engine/state/standing_room.h"
@@ -49,7 +50,7 @@ Result<Shrinking> shrink(const WorldState& state, std::span<const std::int32_t> 
         for (const std::int32_t i : group.members)
             if (!std::binary_search(leaving.begin(), leaving.end(), i))
                 stay.push_back(state.characters.id[i]);
-        if (stay.size() == group.members.size()) continue;
+        if (stay.size() == group.members.size() || state.continuum.isBare(group.id)) continue;
         HeldPlaces held;
         held.add(state, group, group);
         Result<Reform> reform = refit(state, group, held, resized(group, held, stay, false), stay);
@@ -62,6 +63,8 @@ Result<Shrinking> shrink(const WorldState& state, std::span<const std::int32_t> 
 
 // Those who are left go on with a march on which they are.
 void apply(WorldState& state, Shrinking& shrinking) {
+    for (Group& group : state.groups)
+        if (state.continuum.isBare(group.id)) group.def.count = static_cast<std::int32_t>(group.members.size());
     for (std::size_t k = 0; k < shrinking.groups.size(); ++k) {
         Group& group = state.groups[shrinking.groups[k]];
         Reform& reform = shrinking.reforms[k];
@@ -79,6 +82,10 @@ void apply(WorldState& state, Shrinking& shrinking) {
 
 /// Gives a group, whose members are up to date, places for those who have joined it.
 Status growTo(WorldState& state, Group& group, const HeldPlaces& held) {
+    if (state.continuum.isBare(group.id)) {
+        group.def.count = static_cast<std::int32_t>(group.members.size());
+        return {};
+    }
     const std::vector<std::uint32_t> ids = memberIds(state, group);
     const FormationDef def = resized(group, held, ids, false);
     Result<Reform> reform = refit(state, group, held, def, ids);
@@ -88,6 +95,22 @@ Status growTo(WorldState& state, Group& group, const HeldPlaces& held) {
 }
 
 }  // namespace
+
+std::int32_t joinOne(WorldState& state, Group& group, Vec2 position, const Body& body) {
+    const bool leaves = !group.orders.orders.empty() && isBare(group.orders.orders.front().order.kind);
+    // The first of a group that is to go without a formation needs none.
+    if (group.members.empty() && leaves && !state.continuum.isBare(group.id)) {
+        dissolveFormation(state, group);
+        state.continuum.beginBare(group.id, group.orders.orders.front().order.kind, {}).active = false;
+    }
+    HeldPlaces held;
+    held.add(state, group, group);
+    const auto i = static_cast<std::int32_t>(joinBare(state, group, position, body));
+    const Status grown = growTo(state, group, held);
+    MUSTER_ASSERT(grown.ok());
+    (void)grown;
+    return i;
+}
 
 Status addCharacters(WorldState& state, const AddCharacters& command, std::vector<Event>& events) {
     Group* const group = state.findGroup(command.group);
@@ -165,6 +188,7 @@ Status mergeGroups(WorldState& state, const MergeGroups& command, std::vector<Ev
     Group& first = *state.findGroup(command.groups.front());
     HeldPlaces held;
     std::vector<std::uint32_t> ids;
+    const bool bare = state.continuum.isBare(first.id);
     for (const GroupId id : command.groups) {
         const Group& group = *state.findGroup(id);
         held.add(state, group, first);
@@ -172,15 +196,20 @@ Status mergeGroups(WorldState& state, const MergeGroups& command, std::vector<Ev
         ids.insert(ids.end(), members.begin(), members.end());
     }
     std::sort(ids.begin(), ids.end());
-    const FormationDef def = resized(first, held, ids, true);
-    Result<Reform> reform = command.shape == PartShape::AsHeld ? asHeld(state, first, held, ids)
-                                                               : refit(state, first, held, def, ids);
+    Result<Reform> reform = bare ? Result<Reform>(Reform{})
+                            : command.shape == PartShape::AsHeld
+                                ? asHeld(state, first, held, ids)
+                                : refit(state, first, held, resized(first, held, ids, true), ids);
     if (!reform.ok()) return reform.status().within("group '" + first.def.name + "'");
     const std::uint32_t index = indexOf(state, first);
     for (const GroupId id : command.groups)
         for (const std::int32_t i : state.findGroup(id)->members) state.characters.group[i] = index;
     state.refreshMembers();
-    applyReform(state, first, std::move(*reform), first.mesh);
+    if (bare)
+        dissolveFormation(state, first);
+    else
+        applyReform(state, first, std::move(*reform), first.mesh);
+    first.def.count = static_cast<std::int32_t>(first.members.size());
     const GroupId into = first.id;
     for (const GroupId id : command.groups) {
         if (id == into) continue;

@@ -13,6 +13,8 @@ namespace muster {
 // LimitExceeded. No background work may be running.
 
 /// Characters join a group.
+/// Lets one character join a group at a free point [m]; its index. No background work may be running.
+std::int32_t joinOne(WorldState& state, Group& group, Vec2 position, const Body& body);
 Status addCharacters(WorldState& state, const AddCharacters& command, std::vector<Event>& events);
 /// Characters leave the world.
 Status removeCharacters(WorldState& state, const RemoveCharacters& command, std::vector<Event>& events);

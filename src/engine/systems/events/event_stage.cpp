@@ -161,7 +161,10 @@ void meetCheckpoints(WorldState& state, std::vector<Event>& events) {
             flags |= 2;
             const auto value = static_cast<std::uint32_t>(c);
             events.push_back({EventKind::Passed, group.id.value, value, checkpoint.position});
-            if (!changeFormation(state, group, checkpoint.formation, group.def.count).ok()) continue;
+            if (state.continuum.isBare(group.id))
+                group.def.formation = checkpoint.formation;
+            else if (!changeFormation(state, group, checkpoint.formation, group.def.count).ok())
+                continue;
             group.orders.own.reset();
             events.push_back({EventKind::FormationChange, group.id.value, value, checkpoint.position});
         }
@@ -210,7 +213,8 @@ void EventStage::watchWalks(WorldState& state) {
 }
 
 void EventStage::watchOrders(WorldState& state, std::vector<Event>& events) {
-    for (Group& group : state.groups) watchOrder(state, group, events);
+    for (Group& group : state.groups)
+        if (!state.continuum.isBare(group.id)) watchOrder(state, group, events);
 }
 
 void EventStage::watchStandstill(WorldState& state, std::vector<Event>& events) {

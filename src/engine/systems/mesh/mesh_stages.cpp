@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/state/bare_groups.h"
 #include "engine/state/held_ground.h"
 
 namespace muster {
@@ -19,6 +20,7 @@ void advanceControls(WorldState& state) {
 void deformUserMeshes(WorldState& state) {
     const Parameters& parameters = state.parameters;
     for (Group& group : state.groups) {
+        if (isBare(group) && group.controls.controls().empty()) continue;
         const Status status = group.mesh.deform(parameters.mesh, parameters.control, group.controls,
                                                 parameters.stepTime);
         MUSTER_ASSERT(status.ok());
@@ -29,6 +31,7 @@ void deformUserMeshes(WorldState& state) {
 void deformFinalMeshes(WorldState& state) {
     const Parameters& parameters = state.parameters;
     for (Group& group : state.groups) {
+        if (isBare(group) && group.controls.controls().empty()) continue;
         // Who holds its ground stands where it is.
         if (holdsGround(group) && group.controls.controls().empty())
             group.mesh.keepDisplacement();

@@ -5,7 +5,9 @@
 #include <limits>
 #include <span>
 
+#include "base/bounds.h"
 #include "base/maths.h"
+#include "engine/state/bare_groups.h"
 #include "engine/state/ground_class.h"
 #include "engine/state/group_edits.h"
 #include "engine/state/reform.h"
@@ -34,6 +36,14 @@ bool isContinuum(const Order& order) {
     return order.kind == OrderKind::Move && order.manner == Manner::Continuum;
 }
 
+/// True for a member who stands in its waiting area, or before it.
+bool waits(const WorldState& state, const Gathering& gathering, std::int32_t i) {
+    const Characters& c = state.characters;
+    const StandingSpot* const spot = gathering.spotOf(c.id[i]);
+    if (spot != nullptr) return distance(c.position[i], spot->spot) <= kArrivedReach;
+    return c.goal[i] == gathering.area.value && c.direction[i] == Vec2{} && std::isfinite(c.cost[i]);
+}
+
 void raise(std::vector<Event>& events, EventKind kind, const Group& group, std::uint32_t value) {
     events.push_back({kind, group.id.value, value, group.mesh.pose().position});
 }
@@ -51,6 +61,30 @@ void passCorners(March& march, double share) {
     while (march.next + 1 < march.way.size() &&
            (done -= distance(march.way[march.next - 1], march.way[march.next])) > 0.0)
         ++march.next;
+}
+
+/// Where an order without places leads about: the middle of the waiting area, of the nearest exit, or the side of
+/// the ground.
+Vec2 goalPoint(const WorldState& state, const Order& order, Vec2 from) {
+    const Box box = state.environment.def().box;
+    if (order.kind == OrderKind::Walk) {
+        const double facing = order.facing.value_or(0.0);
+        return box.clamp(from + Vec2{cosine(facing), sine(facing)} * (box.width() + box.height()));
+    }
+    Vec2 best = from;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Area& area : state.areas) {
+        const bool named = order.kind == OrderKind::Wait
+                               ? area.id == order.area
+                               : area.def.kind == AreaKind::Exit && area.def.open &&
+                                     (order.exits.empty() || std::find(order.exits.begin(), order.exits.end(),
+                                                                       area.id) != order.exits.end());
+        const Vec2 middle = meanOf(area.def.polygon);
+        if (!named || distance(middle, from) >= least) continue;
+        least = distance(middle, from);
+        best = middle;
+    }
+    return best;
 }
 
 /// False where a way is so short that it has no direction worth turning to.
@@ -146,11 +180,48 @@ bool OrderStage::isClear(const WorldState& state, const Group& group) {
     return true;
 }
 
+// Members of a group that goes to areas need no formation.
+OrderStage::Outcome OrderStage::beginBare(WorldState& state, Group& group, const Order& order,
+                                          std::uint32_t id, ThreadPool& pool, std::vector<Event>& events) {
+    OrderQueue& queue = group.orders;
+    if (order.kind == OrderKind::Wait && queue.orders.size() > 1 && state.findArea(order.area) == nullptr) {
+        raiseNoPath(events, group, group.def.count);
+        return Outcome::Skipped;
+    }
+    queue.begun = true;
+    queue.begunAt = queue.stoodAt = state.stepCount;
+    queue.arrived = 0;
+    queue.reachable = true;
+    queue.ground = state.groundEdits;
+    group.controls.clear();
+    if (order.formation) group.def.formation = *order.formation;
+    goBare(state, group, order, pool);
+    group.order.begin(state.stepCount);
+    raise(events, EventKind::OrderBegun, group, id);
+    return Outcome::GoesOn;
+}
+
+void OrderStage::goBare(WorldState& state, Group& group, const Order& order, ThreadPool& pool) {
+    pool.wait();  // Background work reads the plan.
+    if (!state.continuum.isBare(group.id)) dissolveFormation(state, group);
+    state.continuum.beginBare(group.id, order.kind, order.area);
+}
+
+// Whoever takes places needs a formation.
+void OrderStage::endBare(WorldState& state, Group& group, ThreadPool& pool) {
+    if (!state.continuum.isBare(group.id)) return;
+    pool.wait();
+    formUp(state, group);
+    state.continuum.end(group.id);
+}
+
 OrderStage::Outcome OrderStage::begin(WorldState& state, Group& group, ThreadPool& pool,
                                       std::vector<Event>& events) {
     OrderQueue& queue = group.orders;
     const Order order = queue.orders.front().order;
     const std::uint32_t id = queue.orders.front().id;
+    if (isBare(order.kind)) return beginBare(state, group, order, id, pool, events);
+    endBare(state, group, pool);
     updateGroundClass(state, group, pool);
     findGoal(state, group);
     if (!queue.reachable && queue.orders.size() > 1) return Outcome::Skipped;
@@ -399,8 +470,37 @@ OrderStage::Outcome OrderStage::gather(WorldState& state, Group& group) {
     return isOver(state, group, 0, isThere, isStuck) ? Outcome::Done : Outcome::GoesOn;
 }
 
+// Members go to areas, or on, without end; those who wait do so for a while from when enough have come.
+OrderStage::Outcome OrderStage::goWithout(WorldState& state, Group& group, ThreadPool& pool) {
+    OrderQueue& queue = group.orders;
+    const Order& order = queue.orders.front().order;
+    queue.march.phase = MarchPhase::Stand;
+    queue.march.last = group.mesh.pose();
+    queue.ground = state.groundEdits;
+    Gathering* gathering = state.continuum.find(group.id);
+    // Fingers had taken the formation.
+    if (gathering == nullptr || !gathering->active || gathering->kind != order.kind)
+        goBare(state, group, order, pool);
+    if (order.kind != OrderKind::Wait) return Outcome::GoesOn;
+    gathering = state.continuum.find(group.id);
+    if (queue.orders.size() > 1 && state.findArea(order.area) == nullptr) return Outcome::Skipped;
+    const double share = order.share * static_cast<double>(group.members.size());
+    const auto come = static_cast<double>(std::count_if(
+        group.members.begin(), group.members.end(), [&](std::int32_t i) { return waits(state, *gathering, i); }));
+    if (gathering->since == 0 && come >= std::ceil(share - 1e-9)) gathering->since = std::max(1u, state.stepCount);
+    const bool over = gathering->since > 0 && order.seconds > 0.0 &&
+                      state.stepCount - gathering->since >= stepsIn(state, order.seconds);
+    return over ? Outcome::Done : Outcome::GoesOn;
+}
+
 // The formation of a group without places stays where its people are, so that fingers can take it there.
-void OrderStage::followPeople(WorldState& state) {
+void OrderStage::followPeople(WorldState& state, ThreadPool& pool) {
+    for (const Gathering& gathering : state.continuum.gatherings) {
+        Group* const group = state.findGroup(gathering.group);
+        if (group == nullptr || !gathering.isBare() || !isHandled(*group)) continue;
+        pool.wait();
+        formUp(state, *group);
+    }
     std::erase_if(state.continuum.gatherings, [&](const Gathering& gathering) {
         const Group* const group = state.findGroup(gathering.group);
         return group == nullptr || isHandled(*group);
@@ -414,11 +514,12 @@ void OrderStage::followPeople(WorldState& state) {
     }
 }
 
-OrderStage::Outcome OrderStage::advance(WorldState& state, Group& group) {
+OrderStage::Outcome OrderStage::advance(WorldState& state, Group& group, ThreadPool& pool) {
     OrderQueue& queue = group.orders;
     const Order& order = queue.orders.front().order;
     if (order.kind == OrderKind::Guard) return guard(state, group);
     if (isContinuum(order)) return gather(state, group);
+    if (isBare(order.kind)) return goWithout(state, group, pool);
     const FormationExtent extent = extentOf(group);
     MarchDef def = marchDefOf(state, group, order, extent, speeds_);
     // A free group waits for nobody on a drawn way.
@@ -441,8 +542,9 @@ void OrderStage::runGroup(WorldState& state, Group& group, ThreadPool& pool, std
         if (outcome == Outcome::GoesOn) {
             if (!group.controls.controls().empty()) group.controls.clear();
             recentre(group);
-            if (queue.ground != state.groundEdits) judgeAgain(state, group, pool, events);
-            outcome = advance(state, group);
+            const bool bare = isBare(queue.orders.front().order.kind);
+            if (!bare && queue.ground != state.groundEdits) judgeAgain(state, group, pool, events);
+            outcome = advance(state, group, pool);
         }
         if (outcome == Outcome::GoesOn) return;
         const QueuedOrder done = queue.orders.front();
@@ -484,6 +586,7 @@ void OrderStage::runQueue(WorldState& state, Group& group, ThreadPool& pool, std
     const bool stale = queue.orders.empty() && group.flow.ground != state.groundEdits;
     if (group.flow.leads() && (led || (stale && !group.flow.isStop()))) group.flow.end();
     if (queue.orders.empty()) {
+        if (state.continuum.isBare(group.id)) return;
         if (queue.own && !isHandled(group) && !group.flow.isStop()) restoreOwn(state, group, pool);
         if (!isHandled(group)) flows_.settle(state, group);
         return;
@@ -508,6 +611,7 @@ OrderForecast OrderStage::forecast(WorldState& state, const Group& group, const 
     const std::int32_t region = regionOf(state, group);
     const FormationExtent extent = extentOf(group);
     if (asked.kind == OrderKind::Face) asked.target = pose.position;
+    if (isBare(asked.kind)) asked.target = goalPoint(state, asked, pose.position);
     RouteGraph& routes = state.refreshRoutes(group.groundClass);
     const OrderGoal goal = goalOf(routes, region, extent.width, asked.target);
     March march;

@@ -21,7 +21,7 @@ public:
     /// Takes a new or restored state; call before its first step.
     void reset(const WorldState& state) { ways_.update(state); }
     /// Moves the formations of groups without places with their people.
-    static void followPeople(WorldState& state);
+    static void followPeople(WorldState& state, ThreadPool& pool);
     /// One step of all queues; appends what happened to `events`.
     void run(WorldState& state, ThreadPool& pool, std::vector<Event>& events);
     /// What would come of an order; `from`: where an order before it would have brought the formation, null
@@ -49,7 +49,7 @@ private:
     static void beginWay(WorldState& state, Group& group, std::int32_t region);
     bool staysNear(WorldState& state, Group& group);
     void restart(WorldState& state, Group& group);
-    Outcome advance(WorldState& state, Group& group);
+    Outcome advance(WorldState& state, Group& group, ThreadPool& pool);
     Pose endPose(const Group& group) const;
     void flow(WorldState& state, Group& group, MarchDef def);
     void beginMarch(WorldState& state, Group& group);
@@ -61,6 +61,11 @@ private:
     void followAlong(WorldState& state, Group& group, const MarchDef& def, const Pose& end);
     Outcome guard(WorldState& state, Group& group);
     Outcome gather(WorldState& state, Group& group);
+    static Outcome beginBare(WorldState& state, Group& group, const Order& order, std::uint32_t id,
+                             ThreadPool& pool, std::vector<Event>& events);
+    static void goBare(WorldState& state, Group& group, const Order& order, ThreadPool& pool);
+    static void endBare(WorldState& state, Group& group, ThreadPool& pool);
+    static Outcome goWithout(WorldState& state, Group& group, ThreadPool& pool);
     bool isDone(const WorldState& state, Group& group);
     std::int32_t regionOf(WorldState& state, const Group& group);
     static void leadByPeople(const WorldState& state, const Group& group, Lead& lead);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/bounds.h"
+#include "engine/state/bare_groups.h"
 #include "engine/state/ground_class.h"
 
 namespace muster {
@@ -39,7 +40,8 @@ void PlaceStage::readTargets(const WorldState& state) {
 }
 
 void PlaceStage::makeRoom(WorldState& state) {
-    for (std::size_t g = 0; g < targets_.size(); ++g) room_.run(state, state.groups[g], targets_[g]);
+    for (std::size_t g = 0; g < targets_.size(); ++g)
+        if (!isBare(state.groups[g])) room_.run(state, state.groups[g], targets_[g]);
 }
 
 void PlaceStage::watchRest(WorldState& state) const {
@@ -55,6 +57,9 @@ void PlaceStage::watchRest(WorldState& state) const {
 void PlaceStage::findRegions(WorldState& state) {
     const auto isUsed = [](std::int32_t count) { return count > 0; };
     for (Group& group : state.groups) {
+        group.region = -1;
+        group.split = false;
+        if (isBare(group)) continue;
         group.region = mainRegion(state, group, regionCounts_);
         group.split = std::count_if(regionCounts_.begin(), regionCounts_.end(), isUsed) > 1;
     }
@@ -63,6 +68,7 @@ void PlaceStage::findRegions(WorldState& state) {
 void PlaceStage::advance(WorldState& state, ThreadPool& pool) {
     for (std::size_t g = 0; g < targets_.size(); ++g) {
         Group& group = state.groups[g];
+        if (isBare(group)) continue;
         if (group.flow.moves()) {
             group.places.lead(targets_[g], state.parameters.stepTime);
             continue;

@@ -26,14 +26,15 @@ double gatheringReach(std::size_t count, double radius) {
 
 void ContinuumStage::begin(WorldState& state, PlanCosts& costs) {
     Continuum& continuum = state.continuum;
-    if (continuum.gatherings.empty()) {
+    const auto isBare = [](const Gathering& gathering) { return gathering.isBare(); };
+    if (std::all_of(continuum.gatherings.begin(), continuum.gatherings.end(), isBare)) {
         if (!continuum.costs.empty()) continuum.costs.clear();
         return;
     }
     std::vector<std::int32_t> classes;
     for (const Group& group : state.groups) {
         const Gathering* const gathering = continuum.find(group.id);
-        if (gathering != nullptr && gathering->active && !group.members.empty())
+        if (gathering != nullptr && gathering->active && !gathering->isBare() && !group.members.empty())
             classes.push_back(group.groundClass);
     }
     std::sort(classes.begin(), classes.end());

@@ -42,18 +42,20 @@ void SteeringStage::resolveBodies(const WorldState& state) {
                     state.environment.def().joined());
 }
 
-void SteeringStage::descendFields(WorldState& state, PlanCosts& costs) {
+void SteeringStage::descendFields(WorldState& state, PlanCosts& costs, ThreadPool& pool) {
     continuum_.begin(state, costs);
+    goals_.run(state, costs, placePosition_, pool);
     for (const Group& group : state.groups) {
         Gathering* const gathering = state.continuum.find(group.id);
         if (gathering == nullptr || group.members.empty()) continue;
-        continuum_.guide(state, group, *gathering);
+        if (!gathering->isBare()) continuum_.guide(state, group, *gathering);
         const Vec2 facing = group.orders.march.front(group.mesh.pose());
         for (const std::int32_t i : group.members) {
-            facing_[i] = facing;
+            facing_[i] = gathering->isBare() ? state.characters.heading[i] : facing;
+            placeVelocity_[i] = {};
+            if (gathering->isBare()) continue;
             placePosition_[i] = state.characters.direction[i] == Vec2{} ? state.characters.position[i]
                                                                         : gathering->target;
-            placeVelocity_[i] = {};
         }
     }
 }
@@ -119,7 +121,7 @@ void SteeringStage::steer(WorldState& state, double dt, ThreadPool& pool) {
             {ordered ? group.orders.begunAt : 0, kind == OrderKind::Follow || kind == OrderKind::Guard});
     }
     const SteeringInput input{placePosition_,  placeVelocity_, facing_,        claims_,
-                              state.stepCount, pace_,          shared_.rooms()};
+                              state.stepCount, pace_,          shared_.rooms(), goals_.standing()};
     steering_.run(bodies_, characters, input, state.environment, dt, next_.velocity, next_.heading, &pool);
     characters.wanted.assign(steering_.preferred().begin(), steering_.preferred().end());
     for (std::size_t i = 0; i < characters.size(); ++i) {

@@ -12,6 +12,7 @@
 #include "engine/steering/cohesion.h"
 #include "engine/steering/crowd_bodies.h"
 #include "engine/steering/steering.h"
+#include "engine/systems/goals/goal_stage.h"
 #include "engine/systems/passages/way_stage.h"
 #include "engine/systems/steering/continuum_stage.h"
 #include "engine/systems/steering/go_round.h"
@@ -32,12 +33,15 @@ struct NextMotion {
 class SteeringStage {
 public:
     /// Takes a new or restored state; call before its first step.
-    void reset() { continuum_.reset(); }
+    void reset() {
+        continuum_.reset();
+        goals_.reset();
+    }
 
     /// Resolves what everybody is: radius, speed, mass, and how firmly it stands.
     void resolveBodies(const WorldState& state);
-    /// Writes directions and costs of characters without places: they go down a field to their target.
-    void descendFields(WorldState& state, PlanCosts& costs);
+    /// Writes directions, costs and goals of characters without places: they go down a field to their target.
+    void descendFields(WorldState& state, PlanCosts& costs, ThreadPool& pool);
     /// Writes directions and costs of characters by the plans of their groups.
     void guide(WorldState& state, PlanCosts& costs, const GroupMembers& members, ThreadPool& pool);
     /// Directs those to their passage who have to go through one.
@@ -68,6 +72,7 @@ private:
     SharedPlaces shared_;
     OwnRoutes ownRoutes_;
     ContinuumStage continuum_;
+    GoalStage goals_;
     GoRound goRound_;
     CrowdBodies bodies_;
     std::vector<std::uint8_t> firmness_;  // Of all groups.

@@ -16,6 +16,8 @@ namespace muster {
 
 /// Ids of orders that no step has given yet are above this.
 inline constexpr std::uint32_t kUnnamedOrders = 0x80000000u;
+/// Ids in histories of things that were gone when the place began again are above this.
+inline constexpr std::uint32_t kGoneThings = 0xC0000000u;
 
 /// Commands, and the orders that they give.
 struct CrowdCommands {

@@ -84,10 +84,28 @@ void PlaceEditor::begin(const WorldDef& def) {
     ++revision_;
 }
 
+/// Ids in the histories of things that the place lacks. They may come back, and other things get such ids
+/// now.
+std::vector<std::uint32_t> PlaceEditor::goneThings(ThingKind kind, const std::vector<std::uint32_t>& ids) {
+    std::vector<std::uint32_t> gone;
+    eachStep([&](const PlaceStep& step) {
+        for (const PlaceChange& change : step.changes) {
+            const Thing thing = change.thing;
+            if (thing.kind != kind || thing.id == 0 || thing.id > kGoneThings) continue;
+            const auto holds = [&](const std::vector<std::uint32_t>& list) {
+                return std::find(list.begin(), list.end(), thing.id) != list.end();
+            };
+            if (!holds(ids) && !holds(gone)) gone.push_back(thing.id);
+        }
+    });
+    return gone;
+}
+
 void PlaceEditor::beginAgain(const PlaceDefinition& before) {
     // New ids are first set apart, because old and new ones overlap.
     constexpr std::uint32_t kApart = 0x80000000u;
     const auto renumber = [&](ThingKind kind, const std::vector<std::uint32_t>& ids) {
+        for (const std::uint32_t gone : goneThings(kind, ids)) renameEverywhere({kind, gone}, ++lastGone_);
         for (std::size_t k = 0; k < ids.size(); ++k)
             renameEverywhere({kind, ids[k]}, kApart + static_cast<std::uint32_t>(k + 1));
         for (std::size_t k = 0; k < ids.size(); ++k)

@@ -98,6 +98,7 @@ private:
     bool keepsWaiting(const Waiting& waiting, const std::vector<Thing>& touched) const;
     void keep(Given& given);
     void renameEverywhere(Thing from, std::uint32_t to);
+    std::vector<std::uint32_t> goneThings(ThingKind kind, const std::vector<std::uint32_t>& ids);
     template <class Change>
     void eachStep(Change change) {
         for (auto& [client, history] : histories_) {
@@ -125,6 +126,7 @@ private:
     std::vector<Given> acts_;                // Of the step that is about to be made.
     std::map<GroupId, QueueState> planned_;  // Queues as these acts leave them.
     std::uint32_t lastArrival_ = 0;
+    std::uint32_t lastGone_ = kGoneThings;
     std::uint32_t lastUnnamed_ = kUnnamedOrders;
     std::uint32_t revision_ = 1;
 };

@@ -1,0 +1,178 @@
+#include "engine/systems/goals/goal_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/infinite_cost.h"
+#include "engine/geometry/polygon.h"
+
+namespace muster {
+namespace {
+
+constexpr double kBin = 0.5;        // Of costs by which the width of the way is measured [m].
+constexpr double kStraight = 1.05;  // A cost above this times the straight line tells that it is not clear...
+constexpr double kStraightBy = 1.0;  // ... and this [cells].
+constexpr std::int32_t kBeside = 2;  // Cells beside an area from which it is entered where none lies in it.
+
+float unitOf(const CellCost& cost) {
+    return std::min({cost.east, cost.north, cost.west, cost.south});
+}
+
+}  // namespace
+
+void GoalField::begin(const StaticGround& ground, const UnitCost&) {
+    ground_ = &ground;
+    seeds_.clear();
+    width_.clear();
+    heading_ = {};
+    ring_ = isLine_ = false;
+}
+
+bool GoalField::holds(Vec2 p) const {
+    return !isLine_ && box_.contains(p) && containsPoint(polygon_, p);
+}
+
+Vec2 GoalField::nearest(Vec2 p) const {
+    if (!isLine_) return closestOnBoundary(polygon_, p).point;
+    Vec2 best = polygon_.front();
+    for (std::size_t k = 1; k < polygon_.size(); ++k) {
+        const Vec2 q = closestOnSegment(polygon_[k - 1], polygon_[k], p);
+        if (lengthSquared(q - p) < lengthSquared(best - p)) best = q;
+    }
+    return best;
+}
+
+// The free cells in the area cost nothing; those at its rim are what others go straight to.
+void GoalField::seedArea(const UnitCost& unitCost) {
+    const Grid& grid = unitCost.grid;
+    const Cell low = grid.nearestCell(box_.min), high = grid.nearestCell(box_.max);
+    const auto inside = [&](Cell c) { return holds(grid.centre(c)); };
+    for (std::int32_t y = low.y; y <= high.y; ++y)
+        for (std::int32_t x = low.x; x <= high.x; ++x) {
+            if (unitCost.wall(grid.index({x, y})) || !inside({x, y})) continue;
+            const bool rim = !inside({x - 1, y}) || !inside({x + 1, y}) || !inside({x, y - 1}) ||
+                             !inside({x, y + 1});
+            seeds_.push_back({{x, y}, 0.0, rim ? FieldSeed::Kind::Source : FieldSeed::Kind::Fixed});
+        }
+}
+
+// An area that holds the centre of no free cell, and a line, are come to from the cells beside them.
+void GoalField::seedBeside(const UnitCost& unitCost) {
+    const Grid& grid = unitCost.grid;
+    const double reach = kBeside * grid.cell;
+    const Box near = box_.grown(reach);
+    const Cell low = grid.nearestCell(near.min), high = grid.nearestCell(near.max);
+    for (std::int32_t y = low.y; y <= high.y; ++y)
+        for (std::int32_t x = low.x; x <= high.x; ++x) {
+            const std::int32_t cell = grid.index({x, y});
+            const Vec2 p = grid.centre({x, y}), q = nearest(p);
+            const double away = distance(p, q);
+            if (unitCost.wall(cell) || away > reach || !ground_->collisionFree(p, q)) continue;
+            seeds_.push_back({{x, y}, away * unitOf(unitCost.cells[cell]), FieldSeed::Kind::Source});
+        }
+}
+
+void GoalField::solve(const StaticGround& ground, const UnitCost& unitCost, const Polygon& polygon,
+                      EikonalSolver& solver) {
+    begin(ground, unitCost);
+    polygon_ = polygon;
+    box_ = boundsOf(polygon);
+    seedArea(unitCost);
+    if (seeds_.empty()) seedBeside(unitCost);
+    solver.solve(unitCost, seeds_, field_);
+    measureWidths();
+}
+
+void GoalField::solveToLine(const StaticGround& ground, const UnitCost& unitCost, std::span<const Vec2> line,
+                            EikonalSolver& solver) {
+    begin(ground, unitCost);
+    isLine_ = true;
+    polygon_.assign(line.begin(), line.end());
+    box_ = boundsOf(polygon_);
+    seedBeside(unitCost);
+    solver.solve(unitCost, seeds_, field_);
+}
+
+// A plane wave from the outermost cells on the far sides: in the open all go straight along the heading.
+void GoalField::solveHeading(const StaticGround& ground, const UnitCost& unitCost, Vec2 heading, bool ring,
+                             EikonalSolver& solver) {
+    begin(ground, unitCost);
+    heading_ = heading;
+    ring_ = ring;
+    polygon_.clear();
+    const Grid& grid = unitCost.grid;
+    const auto along = [&](Cell c) { return dot(grid.centre(c), heading); };
+    double farthest = -kInfiniteCost;
+    const auto add = [&](Cell c) {
+        if (unitCost.wall(grid.index(c))) return false;
+        seeds_.push_back({c, 0.0, FieldSeed::Kind::Front});
+        farthest = std::max(farthest, along(c));
+        return true;
+    };
+    constexpr double kAcross = 1e-6;
+    // The first free cell of each row and column, as seen from the far side.
+    for (std::int32_t y = 0; y < grid.height && std::fabs(heading.x) > kAcross; ++y)
+        for (std::int32_t k = 0; k < kBeside + 2; ++k)
+            if (add({heading.x > 0.0 ? grid.width - 1 - k : k, y})) break;
+    for (std::int32_t x = 0; x < grid.width && std::fabs(heading.y) > kAcross; ++x)
+        for (std::int32_t k = 0; k < kBeside + 2; ++k)
+            if (add({x, heading.y > 0.0 ? grid.height - 1 - k : k})) break;
+    for (FieldSeed& seed : seeds_)
+        seed.cost = (farthest - along(seed.cell)) * unitOf(unitCost.cells[grid.index(seed.cell)]);
+    solver.solve(unitCost, seeds_, field_);
+}
+
+// The front of all points that are equally far has length dA/ds, by the area A within a distance s (the coarea
+// formula).
+void GoalField::measureWidths() {
+    const Grid& grid = field_.grid();
+    std::vector<double> area;
+    for (std::int32_t y = 0; y < grid.height; ++y)
+        for (std::int32_t x = 0; x < grid.width; ++x) {
+            const float cost = field_.value({x, y});
+            if (!(cost > 0.0f) || !(cost < kUnreachableCost)) continue;
+            const auto bin = static_cast<std::size_t>(cost / kBin);
+            if (bin >= area.size()) area.resize(bin + 1, 0.0);
+            const float unit = ground_->unitCost(grid.centre({x, y}));
+            area[bin] += grid.cell * grid.cell * unit;
+        }
+    double least = kInfiniteCost;
+    for (const double a : area) width_.push_back(static_cast<float>(least = std::min(least, a / kBin)));
+}
+
+double GoalField::width(double cost) const {
+    if (width_.empty()) return 0.0;
+    // The bin of the cost itself may be cut off by what lies behind.
+    const double bins = std::min(std::max(cost, 0.0) / kBin, static_cast<double>(width_.size()));
+    return width_[static_cast<std::size_t>(std::max(0.0, bins - 1.0))];
+}
+
+double GoalField::cost(Vec2 p) const {
+    return holds(p) ? 0.0 : field_.cost(p);
+}
+
+GoalWay GoalField::at(Vec2 p) const {
+    if (holds(p)) return {};
+    GoalWay way{field_.cost(p), {}};
+    if (polygon_.empty()) {
+        way.direction = field_.direction(p);
+        const Box box = field_.grid().box();
+        const double left = heading_.x > 0.0 ? box.max.x - p.x : p.x - box.min.x;
+        // At the joined side the heading leads on.
+        if (ring_ && left < ground_->radius() + kBeside * field_.grid().cell) way.direction = heading_;
+        if (way.direction == Vec2{} && way.cost < kInfiniteCost && ring_) way.direction = heading_;
+        return way;
+    }
+    const Vec2 q = nearest(p);
+    const double away = distance(p, q), straight = away * ground_->unitCost(p);
+    const bool direct = way.cost <= kStraight * straight + kStraightBy * field_.grid().cell &&
+                        ground_->lineOfSight(p, q, away);
+    if (direct) return {straight, normalized(q - p)};
+    if (way.cost < kInfiniteCost) {
+        way.direction = field_.direction(p);
+        if (way.direction == Vec2{}) way.direction = normalized(q - p);
+    }
+    return way;
+}
+
+}  // namespace muster

@@ -1,0 +1,69 @@
+// The fields to all areas that people go to: solved when they are first needed, and when ground or area have
+// changed. A cache.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "engine/assignment/planning/plan_costs.h"
+#include "engine/state/world_state.h"
+#include "engine/systems/goals/goal_field.h"
+
+namespace muster {
+
+/// Fields by area and class of ground.
+class GoalFields {
+public:
+    /// Forgets all; call when the state has become another.
+    void reset() { entries_.clear(); }
+    /// Takes the ground and the areas of this step, and drops the fields of areas that are no more.
+    void begin(const WorldState& state, PlanCosts& costs);
+    /// The field to an area. It holds until the next begin().
+    const GoalField& toArea(const Area& area, std::int32_t groundClass);
+    /// The field to the line in which people queue before an exit.
+    const GoalField& toQueue(const Area& area, std::int32_t groundClass);
+    /// The field of those who walk on towards a heading [rad].
+    const GoalField& towards(double heading, std::int32_t groundClass);
+    /// The same where they were asked for in this step; calls may come from several threads.
+    const GoalField& solvedArea(const Area& area, std::int32_t groundClass) const {
+        return solved({Kind::Area, area.id.value, 0.0, groundClass});
+    }
+    const GoalField& solvedQueue(const Area& area, std::int32_t groundClass) const {
+        return solved({Kind::Queue, area.id.value, 0.0, groundClass});
+    }
+    const GoalField& solvedHeading(double heading, std::int32_t groundClass) const {
+        return solved({Kind::Heading, 0, heading, groundClass});
+    }
+    /// The ground of a class.
+    const StaticGround& ground(std::int32_t groundClass) { return costs_->ofClass(groundClass).staticGround(); }
+
+private:
+    enum class Kind : std::uint8_t { Area, Queue, Heading };
+    struct Key {
+        Kind kind = Kind::Area;
+        std::uint32_t area = 0;
+        double heading = 0.0;
+        std::int32_t groundClass = 0;
+        friend bool operator==(const Key&, const Key&) = default;
+    };
+    struct Entry {
+        Key key;
+        std::vector<Vec2> shape;  // For which it was solved.
+        std::uint32_t version = 0;  // Of the ground.
+        std::unique_ptr<GoalField> field;
+    };
+    template <class Solve>
+    const GoalField& find(const Key& key, const std::vector<Vec2>& shape, const Solve& solve);
+    const GoalField& solved(const Key& key) const;
+    const UnitCost& unitCost(std::int32_t groundClass);
+
+    const WorldState* state_ = nullptr;
+    PlanCosts* costs_ = nullptr;
+    std::vector<Entry> entries_;
+    std::map<std::int32_t, UnitCost> unitCosts_;  // Of this step.
+    EikonalSolver solver_;
+};
+
+}  // namespace muster

@@ -1,0 +1,178 @@
+#include "engine/systems/goals/goal_stage.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/infinite_cost.h"
+#include "engine/geometry/polygon.h"
+#include "engine/state/ground_class.h"
+#include "engine/steering/crowd_bodies.h"
+
+namespace muster {
+namespace {
+
+constexpr double kFarAhead = 100.0;  // Where somebody heads who goes on along a field [m].
+constexpr double kTurnedAway = 1.5;  // Who finds no spot stands so near the waiting area [m].
+
+// The order that the members of a group carry out without places; null where they stand.
+const Order* orderOf(const Group& group, const Gathering& gathering) {
+    const OrderQueue& queue = group.orders;
+    if (!gathering.active || queue.held) return nullptr;
+    const bool begun = queue.begun && !queue.orders.empty() && queue.orders.front().order.kind == gathering.kind;
+    return begun ? &queue.orders.front().order : nullptr;
+}
+
+}  // namespace
+
+// Sorts the groups without formation by what they do; false where there are none.
+bool GoalStage::listGroups(WorldState& state) {
+    leavers_.clear();
+    for (std::vector<Group*>* list : {&waiting_, &walking_, &idle_}) list->clear();
+    for (const Gathering& gathering : state.continuum.gatherings) {
+        if (!gathering.isBare()) continue;
+        Group* const group = state.findGroup(gathering.group);
+        if (group == nullptr) continue;
+        const Order* const order = orderOf(*group, gathering);
+        if (gathering.kind == OrderKind::Wait && gathering.active && !group->orders.held)
+            waiting_.push_back(group);
+        else if (order == nullptr)
+            idle_.push_back(group);
+        else if (order->kind == OrderKind::Leave)
+            leavers_.push_back({group, order});
+        else
+            walking_.push_back(group);
+    }
+    return !(leavers_.empty() && waiting_.empty() && walking_.empty() && idle_.empty());
+}
+
+void GoalStage::findClasses(const WorldState& state, ThreadPool& pool) {
+    const Characters& c = state.characters;
+    const Parameters::Character& usual = state.parameters.character;
+    classes_.resize(c.size());
+    forChunks(&pool, c.size(), kPerTask, [&](std::size_t i) {
+        const double own = c.body[i].radius;
+        classes_[i] = own == 0.0 ? 0 : groundClassFor(usual.radius, own);
+    });
+}
+
+void GoalStage::standAll(WorldState& state, const Group& group, std::span<Vec2> heads) {
+    for (const std::int32_t i : group.members) {
+        if (!group.orders.held) state.characters.goal[i] = 0;
+        follow(state, static_cast<std::size_t>(i), {kInfiniteCost, {}}, heads);
+    }
+}
+
+// Writes the way of one character.
+void GoalStage::follow(WorldState& state, std::size_t i, const GoalWay& way, std::span<Vec2> heads) const {
+    Characters& c = state.characters;
+    c.direction[i] = way.direction;
+    c.cost[i] = way.cost;
+    heads[i] = c.position[i] + way.direction * kFarAhead;
+}
+
+// Lets a character stand at a point that it sees.
+void GoalStage::goTo(WorldState& state, std::size_t i, Vec2 spot, double cost, std::span<Vec2> heads) {
+    Characters& c = state.characters;
+    c.direction[i] = normalized(spot - c.position[i], {});
+    c.cost[i] = cost;
+    heads[i] = spot;
+    standing_[i] = 1;
+}
+
+void GoalStage::leave(WorldState& state, std::span<Vec2> heads, ThreadPool& pool) {
+    if (leavers_.empty()) return;
+    Characters& c = state.characters;
+    choice_.run(state, fields_, leavers_, classes_, pool);
+    lines_.run(state, fields_, classes_);
+    if (lines_.any())
+        for (Area& area : state.areas)
+            if (!area.def.queue.empty())
+                for (const std::int32_t groundClass : choice_.classes()) fields_.toQueue(area, groundClass);
+    for (const Leavers& some : leavers_) {
+        const std::vector<std::int32_t>& members = some.group->members;
+        forChunks(&pool, members.size(), kPerTask, [&](std::size_t k) {
+            const auto i = static_cast<std::size_t>(members[k]);
+            const GoalField* const field = choice_.fieldOf(c, i, classes_);
+            if (field == nullptr) return follow(state, i, {kInfiniteCost, {}}, heads);
+            const ExitLines::Duty duty = lines_.dutyOf(i);
+            if (duty == ExitLines::Duty::Free) return follow(state, i, field->at(c.position[i]), heads);
+            const double left = field->cost(c.position[i]);
+            const Vec2 spot = lines_.spotOf(i);
+            const StaticGround& ground = field->ground();
+            if (ground.collisionFree(c.position[i], spot)) return goTo(state, i, spot, left, heads);
+            const GoalField& queue = fields_.solvedQueue(*choice_.areaOf(c, i), classes_[i]);
+            follow(state, i, {left, queue.at(c.position[i]).direction}, heads);
+        });
+    }
+}
+
+// Those who have a spot go there; others come near, and stand before the area where it is full.
+void GoalStage::wait(WorldState& state, Group& group, Gathering& gathering, std::span<Vec2> heads,
+                     ThreadPool& pool) {
+    Characters& c = state.characters;
+    const Area* const area = state.findArea(gathering.area);
+    if (area == nullptr || area->def.kind != AreaKind::Waiting) return standAll(state, group, heads);
+    spots_.run(state, group, gathering, *area, fields_.ground(0));
+    for (const std::int32_t i : group.members) fields_.toArea(*area, classes_[i]);
+    forChunks(&pool, group.members.size(), kPerTask, [&](std::size_t k) {
+        const auto i = static_cast<std::size_t>(group.members[k]);
+        c.goal[i] = gathering.area.value;
+        const GoalField& field = fields_.solvedArea(*area, classes_[i]);
+        const StandingSpot* const spot = gathering.spotOf(c.id[i]);
+        const GoalWay way = field.at(c.position[i]);
+        if (spot != nullptr && field.ground().collisionFree(c.position[i], spot->spot))
+            return goTo(state, i, spot->spot, distance(c.position[i], spot->spot), heads);
+        const bool turnedAway = spot == nullptr && way.cost < kTurnedAway;
+        follow(state, i, turnedAway ? GoalWay{way.cost, {}} : way, heads);
+    });
+}
+
+void GoalStage::walk(WorldState& state, const Group& group, double heading, std::span<Vec2> heads,
+                     ThreadPool& pool) {
+    Characters& c = state.characters;
+    for (const std::int32_t i : group.members) fields_.towards(heading, classes_[i]);
+    forChunks(&pool, group.members.size(), kPerTask, [&](std::size_t k) {
+        const auto i = static_cast<std::size_t>(group.members[k]);
+        c.goal[i] = 0;
+        follow(state, i, fields_.solvedHeading(heading, classes_[i]).at(c.position[i]), heads);
+    });
+}
+
+void GoalStage::run(WorldState& state, PlanCosts& costs, std::span<Vec2> heads, ThreadPool& pool) {
+    standing_.clear();
+    if (!listGroups(state)) return;
+    standing_.assign(state.characters.size(), 0);
+    fields_.begin(state, costs);
+    findClasses(state, pool);
+    for (const Group* group : idle_) standAll(state, *group, heads);
+    leave(state, heads, pool);
+    for (Group* group : waiting_) wait(state, *group, *state.continuum.find(group->id), heads, pool);
+    for (const Group* group : walking_)
+        walk(state, *group, group->orders.orders.front().order.facing.value_or(0.0), heads, pool);
+}
+
+// Who finds no exit stands, until one is there again.
+void GoalStage::raiseWays(WorldState& state, std::vector<Event>& events) {
+    const Characters& c = state.characters;
+    for (const Gathering& gathering : state.continuum.gatherings) {
+        Group* const group = state.findGroup(gathering.group);
+        if (group == nullptr || !gathering.isBare()) continue;
+        const bool goes = orderOf(*group, gathering) != nullptr;
+        std::int32_t none = 0;
+        Vec2 middle;
+        for (const std::int32_t i : group->members) {
+            if (!goes || c.cost[i] < kInfiniteCost) continue;
+            ++none;
+            middle += c.position[i];
+        }
+        const std::int32_t before = group->order.withoutWay;
+        group->order.withoutWay = none;
+        if (none > before)
+            events.push_back({EventKind::NoPath, group->id.value, static_cast<std::uint32_t>(none), middle / none});
+        else if (none == 0 && before > 0 && goes && !group->members.empty())
+            events.push_back({EventKind::Free, group->id.value, static_cast<std::uint32_t>(before),
+                              group->mesh.pose().position});
+    }
+}
+
+}  // namespace muster

@@ -1,0 +1,50 @@
+// Leads the members of groups that have no formation: to exits, to waiting areas, or on towards a heading
+// (docs/method/goals.md).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/parallel.h"
+#include "engine/systems/goals/exit_choice.h"
+#include "engine/systems/goals/exit_lines.h"
+#include "engine/systems/goals/goal_fields.h"
+#include "engine/systems/goals/waiting_spots.h"
+#include "muster/event.h"
+
+namespace muster {
+
+/// Writes which exit each has chosen, directions and costs. Fields are caches.
+class GoalStage {
+public:
+    /// Forgets all fields; call when the state has become another.
+    void reset() { fields_.reset(); }
+    /// One step; writes where each heads for to `heads` [m], one entry per character, of these groups only.
+    void run(WorldState& state, PlanCosts& costs, std::span<Vec2> heads, ThreadPool& pool);
+    /// Tells which groups have members without a way, or all again.
+    static void raiseWays(WorldState& state, std::vector<Event>& events);
+    /// 1 for who is to stand at a given point, one entry per character; empty where nobody is.
+    std::span<const std::uint8_t> standing() const { return standing_; }
+
+private:
+    bool listGroups(WorldState& state);
+    void findClasses(const WorldState& state, ThreadPool& pool);
+    void standAll(WorldState& state, const Group& group, std::span<Vec2> heads);
+    void leave(WorldState& state, std::span<Vec2> heads, ThreadPool& pool);
+    void wait(WorldState& state, Group& group, Gathering& gathering, std::span<Vec2> heads, ThreadPool& pool);
+    void walk(WorldState& state, const Group& group, double heading, std::span<Vec2> heads, ThreadPool& pool);
+    void follow(WorldState& state, std::size_t i, const GoalWay& way, std::span<Vec2> heads) const;
+    void goTo(WorldState& state, std::size_t i, Vec2 spot, double cost, std::span<Vec2> heads);
+
+    GoalFields fields_;
+    ExitChooser choice_;
+    ExitLines lines_;
+    WaitingSpots spots_;
+    std::vector<Leavers> leavers_;
+    std::vector<Group*> waiting_, walking_, idle_;
+    std::vector<std::int32_t> classes_;  // Of ground, of all characters.
+    std::vector<std::uint8_t> standing_;
+};
+
+}  // namespace muster

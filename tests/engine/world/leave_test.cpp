@@ -1,0 +1,163 @@
+// Groups that leave by exits: when each is out, by which exit each goes, and what happens where exits close.
+#include <doctest.h>
+
+#include <algorithm>
+
+#include "engine/world/inspect.h"
+#include "engine/world/scenes.h"
+#include "muster/parameter_table.h"
+
+using namespace muster;
+using namespace muster::testing;
+
+namespace {
+
+AreaDef exitAt(double x0, double y0, double x1, double y1) {
+    AreaDef area;
+    area.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+    return area;
+}
+
+/// A hall of 40 m x 10 m whose people leave on the right.
+WorldDef hall(std::vector<Vec2> starts) {
+    WorldDef def;
+    def.parameters = *parameterPreset("people");
+    def.box = {{0, 0}, {40, 10}};
+    GroupDef group;
+    group.count = static_cast<std::int32_t>(starts.size());
+    group.starts = std::move(starts);
+    group.position = {10, 5};
+    group.orders = {Order::leave()};
+    def.groups = {group};
+    def.areas = {exitAt(39, 0, 40, 10)};
+    return def;
+}
+
+std::vector<Vec2> crowd(Box box, double spacing) {
+    std::vector<Vec2> starts;
+    for (double y = box.min.y; y <= box.max.y; y += spacing)
+        for (double x = box.min.x; x <= box.max.x; x += spacing) starts.push_back({x, y});
+    return starts;
+}
+
+std::int32_t countOf(const World& world, EventKind kind) {
+    return static_cast<std::int32_t>(std::count_if(world.events().begin(), world.events().end(),
+                                                   [&](const Event& event) { return event.kind == kind; }));
+}
+
+/// Steps until nobody is left; the time, or -1 after so many seconds.
+double emptied(World& world, double most) {
+    while (world.time() < most) {
+        world.step();
+        if (world.characters().size() == 0) return world.time();
+    }
+    return -1.0;
+}
+
+}  // namespace
+
+TEST_CASE("one person leaves after the time of its way, and its group ends") {
+    World world = World::create(hall({{10, 3}})).value();
+    double left = -1.0;
+    std::int32_t exited = 0, gone = 0, done = 0, removed = 0;
+    for (int s = 0; s < 1800 && left < 0.0; ++s) {
+        world.step();
+        if (world.characters().size() > 0) {
+            CHECK(world.characters().position[0].y == doctest::Approx(3.0).epsilon(1e-6));
+            CHECK(world.characters().goal[0] == 1);
+            CHECK(world.characters().place[0] == -1);
+        }
+        exited += countOf(world, EventKind::Exited);
+        gone += countOf(world, EventKind::Left);
+        done += countOf(world, EventKind::OrderDone);
+        removed += countOf(world, EventKind::GroupRemoved);
+        if (world.characters().size() == 0) left = world.time();
+    }
+    const Parameters::Character& body = world.parameters().character;
+    CHECK(left == doctest::Approx(29.0 / body.maxSpeed).epsilon(0.02));
+    CHECK(exited == 1);
+    CHECK(gone == 1);
+    CHECK(done == 1);
+    CHECK(removed == 1);
+    CHECK(world.groupCount() == 0);
+    CHECK(world.area(0).count.passed == 1);
+}
+
+TEST_CASE("a crowd in a straight hall walks parallel to the walls over its whole width") {
+    World world = World::create(hall(crowd({{2, 1}, {10, 9}}, 1.0))).value();
+    const std::vector<Vec2> before = copyOf(world.characters().position);
+    const std::vector<std::uint32_t> ids = copyOf(world.characters().id);
+    for (int s = 0; s < 900; ++s) world.step();
+    const CharactersView c = world.characters();
+    REQUIRE(c.size() == ids.size());
+    for (std::size_t i = 0; i < c.size(); ++i) CHECK(std::fabs(c.position[i].y - before[i].y) < 0.3);
+    CHECK(emptied(world, 60.0) > 0.0);
+    CHECK(world.area(0).count.passed == ids.size());
+}
+
+TEST_CASE("people find their way round walls to a door, and nobody is lost") {
+    WorldDef def = hall(crowd({{2, 1}, {8, 9}}, 1.0));
+    def.obstacles = {block(15, 0, 15.4, 8), block(25, 2, 25.4, 10)};
+    def.areas = {exitAt(39, 0.5, 40, 2)};
+    World world = World::create(def).value();
+    const auto count = static_cast<std::uint32_t>(world.characters().size());
+    CHECK(emptied(world, 120.0) > 0.0);
+    CHECK(world.area(0).count.passed == count);
+}
+
+TEST_CASE("two exits at equal distances split a crowd evenly") {
+    WorldDef def = hall(crowd({{14, 1}, {26, 9}}, 1.0));
+    def.areas = {exitAt(0, 4, 1, 6), exitAt(39, 4, 40, 6)};
+    World world = World::create(def).value();
+    CHECK(emptied(world, 120.0) > 0.0);
+    const double a = world.area(0).count.passed, b = world.area(1).count.passed;
+    CHECK(std::fabs(a - b) < 0.1 * (a + b));
+}
+
+TEST_CASE("who goes to an exit that closes goes to another one at once, and hears where there is none") {
+    WorldDef def = hall({{30, 5}, {30, 7}});
+    def.areas = {exitAt(0, 4, 1, 6), exitAt(39, 4, 40, 6)};
+    World world = World::create(def).value();
+    std::uint32_t n = 0;
+    run(world, 2.0);
+    CHECK(world.characters().goal[0] == 2);
+    AreaDef closed = world.area(1).def;
+    closed.open = false;
+    REQUIRE(give(world, n, PutArea{AreaId{2}, closed, {}}).ok());
+    world.step();
+    CHECK(world.characters().goal[0] == 1);
+    CHECK(world.characters().direction[0].x < 0.0);
+    REQUIRE(give(world, n, RemoveArea{AreaId{1}}).ok());
+    world.step();
+    CHECK(countOf(world, EventKind::NoPath) == 1);
+    CHECK(world.characters().goal[0] == 0);
+    run(world, 2.0);
+    CHECK(length(world.characters().velocity[0]) < 0.01);
+    closed.open = true;
+    REQUIRE(give(world, n, PutArea{AreaId{2}, closed, {}}).ok());
+    world.step();
+    CHECK(countOf(world, EventKind::Free) == 1);
+    CHECK(emptied(world, 60.0) > 0.0);
+    CHECK(world.area(0).count.passed == 2);
+}
+
+TEST_CASE("who leaves disturbs nobody else, and a group that gets places again forms up") {
+    WorldDef def = hall(crowd({{20, 1}, {26, 9}}, 1.0));
+    GroupDef other;
+    other.count = 16;
+    other.position = {6, 5};
+    def.groups.push_back(other);
+    World world = World::create(def).value();
+    const std::vector<Vec2> before = copyOf(world.group(1).placePositions);
+    run(world, 11.0);
+    CHECK(world.area(0).count.passed > 10);
+    CHECK(world.group(0).placePositions.empty());
+    CHECK(std::cmp_equal(world.group(0).members.size(), world.group(0).count));
+    CHECK(copyOf(world.group(1).placePositions) == before);
+    std::uint32_t n = 0;
+    REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::go({20, 5})}).ok());
+    run(world, 20.0);
+    CHECK(std::cmp_equal(world.group(0).placePositions.size(), world.group(0).count));
+    CHECK(worstToPlace(world) < 0.6);
+    CHECK(world.characters().goal[0] == 0);
+}
