@@ -10,7 +10,8 @@ namespace muster {
 void Overrides::addTo(Subcommand& command) {
     command.option("--plan", plan, "Who makes the plans (plan.solver): exact or fast.")
         .oneOf({"exact", "fast"});
-    command.option("--preset", preset, "Objective and period: muster or paper.").oneOf({"muster", "paper"});
+    command.option("--preset", preset, "Where parameters start from: units, people or paper.")
+        .oneOf({"units", "people", "paper", "muster"});
     command.option("--set", settings, "Sets a parameter, as name=value; may be repeated.").oneValueEach();
 }
 

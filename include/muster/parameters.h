@@ -24,7 +24,7 @@ enum class PlanObjective : std::uint8_t {
     LongestWalk = 1,  ///< The cost of the costliest pair first, then the sum of cost^p.
 };
 
-/// The definition of a world's behaviour. The defaults are the preset `muster`. Ranges are those of
+/// The definition of a world's behaviour. The defaults are the preset `units`. Ranges are those of
 /// parameterTable(), which also has the name of each field in files and messages: "plan.exponent".
 struct Parameters {
     /// Touches and drawn trajectories (SPEC U1 to U3).
@@ -119,6 +119,7 @@ struct Parameters {
         double directReach = 1.5;
         double headway = 0.2;  ///< Time that it keeps from who is ahead [s], 0.02 to 5.
         double inStep = 1.0;   ///< Share of the speed ahead that it walks on top of that, 0 to 1: 1 in step.
+        double foresight = 1.0;  ///< Time for which it keeps clear of who comes towards it [s], 0.1 to 10.
     };
 
     /// Contacts between characters (SPEC A6).

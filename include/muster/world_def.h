@@ -39,7 +39,8 @@ struct GroupDef {
     std::optional<std::uint32_t> colour;  ///< Colour for display, 0xRRGGBB; none for the palette's.
     std::optional<BodyBuild> build;    ///< Build of its drawn bodies; none for both, by the character's id.
     std::optional<MotionSet> motions;  ///< How it walks and jogs; none for the plain manner.
-    /// Sorts of persons, who also come by sources; empty for none. Their numbers go before those of `bodies`.
+    /// Sorts of persons, who also come by sources; empty for none. A number that a sort draws goes before
+    /// that of `bodies`; what it does not draw, and acceleration, mass and supply, is that of `bodies`.
     std::vector<PeopleDef> people;
 
     /// Lets an archive read or write the definition.
@@ -120,9 +121,10 @@ struct WorldDef {
     std::vector<FormationCheckpointDef> checkpoints;    ///< Discs that change formations.
     std::vector<ItemDef> items;                         ///< Items to collect.
     std::vector<AreaDef> areas;                         ///< Exits, sources and waiting areas; at most 1,000.
-    /// True: the left and the right side of `box` are joined. Who walks out on one side comes in on the other.
+    /// True: the left and the right side of `box` are joined. Who walks out on one side comes in on the
+    /// other.
     bool ring = false;
-    Parameters parameters;                              ///< Parameters of behaviour.
+    Parameters parameters;  ///< Parameters of behaviour.
 };
 
 }  // namespace muster

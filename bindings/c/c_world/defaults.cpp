@@ -6,7 +6,7 @@
 namespace muster::c_api {
 
 void parameterFields(FromC& m, const MusterWorldDef& c, Parameters& p) {
-    Result<Parameters> preset = parameterPreset(c.preset == nullptr ? "muster" : c.preset);
+    Result<Parameters> preset = parameterPreset(c.preset == nullptr ? "units" : c.preset);
     if (!preset.ok()) return m.fail(preset.status());
     p = *preset;
     std::vector<MusterParameterValue> values;

@@ -110,7 +110,7 @@ typedef struct MusterParameterInfo {
 MUSTER_API int32_t muster_parameter_count(void);
 /// The parameter of an index. Its texts are valid for ever. Fails with InvalidArgument for other indices.
 MUSTER_API MusterStatus muster_parameter_info(int32_t index, MusterParameterInfo* outInfo);
-/// The value of a parameter in a preset: "muster" (the defaults) or "paper". Fails with NotFound.
+/// The value of a parameter in a preset: "units" (the defaults), "people" or "paper". Fails with NotFound.
 MUSTER_API MusterStatus muster_preset_value(const char* preset, const char* name, double* outValue);
 
 /// Definition of a world.
@@ -136,7 +136,7 @@ typedef struct MusterWorldDef {
     int32_t checkpointCount;                 ///< Their number.
     const MusterItemDef* items;              ///< Items to collect.
     int32_t itemCount;                       ///< Their number.
-    const char* preset;  ///< Preset of parameters, "muster" or "paper"; null for "muster".
+    const char* preset;  ///< Preset of parameters, "units", "people" or "paper"; null for "units".
     const MusterParameterValue* parameters;  ///< Parameters that differ from the preset, set in this order.
     int32_t parameterCount;                  ///< Their number.
 } MusterWorldDef;

@@ -131,12 +131,12 @@ std::optional<Passage> narrowestPassage(const Environment& environment, std::spa
         // Only the way near by counts: another part of it may cross the same gap.
         const std::size_t from = k > 8 ? k - 8 : 0, to = std::min(way.size(), k + 9);
         const std::optional<Passage> gap = gapAt(environment, way.subspan(from, to - from), way[k]);
-        if (gap && (!best || gap->capacity() < kNearlyEqual * best->capacity())) best = gap;
+        if (gap && (!best || gap->throughput() < kNearlyEqual * best->throughput())) best = gap;
         const std::optional<Passage> cut = k + 1 < way.size()
                                                ? gapBeside(environment, way.subspan(from, to - from),
                                                            lerp(way[k], way[k + 1], 0.5))
                                                : std::nullopt;
-        if (cut && (!best || cut->capacity() < kNearlyEqual * best->capacity())) best = cut;
+        if (cut && (!best || cut->throughput() < kNearlyEqual * best->throughput())) best = cut;
     }
     if (best) {
         const Vec2 left = perpendicular(normalized(best->b - best->a));

@@ -9,9 +9,6 @@
 
 namespace muster {
 
-/// Characters that pass in a second, per metre of clear width, at full travel speed [1/(s m)].
-inline constexpr double kPassageFlow = 4.5;
-
 /// A gap between two obstacles, or an obstacle and the edge of the world, where it is narrowest.
 struct Passage {
     Vec2 a, b;           ///< Its ends, on the surfaces of the two obstacles [m].
@@ -21,7 +18,9 @@ struct Passage {
     double pace = 1.0;   ///< Share of the nominal flow that gets through, above 0.
 
     double width() const { return distance(a, b); }                            ///< Clear width [m].
-    double capacity() const { return kPassageFlow * width() * speed * pace; }  ///< Characters a second.
+    /// Characters a second, where specificFlow() gives `flow` [1/(s m)].
+    double capacity(double flow) const { return flow * throughput(); }
+    double throughput() const { return width() * speed * pace; }  ///< Clear width at full flow [m].
     Vec2 middle() const { return 0.5 * (a + b); }                              ///< [m]
     /// Positive on the left of the line from `a` to `b`, negative on the right.
     double leftOf(Vec2 p) const { return cross(b - a, p - a); }

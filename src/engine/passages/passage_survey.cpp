@@ -102,19 +102,19 @@ PassageSurvey::Verdict PassageSurvey::conclude(const Environment& environment, c
 // More passages may help than can be chosen among, as in a wood.
 PassageSurvey::Verdict PassageSurvey::addGap(const Environment& environment, const StaticGround& ground,
                                              SurveyState& state) {
-    const double cost = field_.at(state.orders.front().from).cost;
+    const double cost = field_.at(state.orders.front().from).cost, flow = state.orders.front().flow;
     if (state.capacity == 0.0) state.shortest = cost;
     const double detour = cost - state.shortest;
     if (state.capacity > 0.0 && detour > mostDetour(state)) return Verdict::Enough;
     auto gap = narrowestPassage(environment, way_);
     if (gap && gap->width() < 4.0 * ground.coarse().radius) gap->pace = kSingleFile;
-    if (!gap || (state.capacity == 0.0 && state.orders.front().people / gap->capacity() < kNoWait))
+    if (!gap || (state.capacity == 0.0 && state.orders.front().people / gap->capacity(flow) < kNoWait))
         return Verdict::TooMany;
     // Between cells a way may lead past the end of a closed passage, round all others.
     for (const Passage& known : state.passages)
         if (isSame(known, *gap))
             return detour > std::max(kDetour, state.shortest) ? Verdict::Enough : Verdict::TooMany;
-    state.capacity += gap->capacity();
+    state.capacity += gap->capacity(flow);
     state.passages.push_back(*gap);
     return Verdict::GoOn;
 }

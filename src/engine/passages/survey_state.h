@@ -15,12 +15,13 @@ struct SurveyDef {
     Vec2 to;                  ///< [m]
     double people = 0.0;      ///< How many have to go, about.
     double speed = 2.0;       ///< Cost of what they walk in a second [m].
+    double flow = 4.5;        ///< Of them through a metre of a passage [1/(s m)].
     std::uint32_t crowd = 0;  ///< How many of SurveyState::crowd belong to them.
 
     /// Lets an archive read or write it.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(from, to, people, speed, crowd);
+        archive(from, to, people, speed, flow, crowd);
     }
 };
 

@@ -53,7 +53,10 @@ void dissolveFormation(WorldState& state, Group& group) {
 
 void formUp(WorldState& state, Group& group) {
     std::vector<std::uint32_t> ids;
-    for (const std::int32_t i : group.members) ids.push_back(state.characters.id[i]);
+    for (const std::int32_t i : group.members) {
+        ids.push_back(state.characters.id[i]);
+        state.characters.goal[i] = 0;
+    }
     const HeldPlaces held = definedPlaces(group);
     FormationDef def = resized(group, held, ids, true);
     const HeldPlaces none;

@@ -9,6 +9,7 @@
 #include "base/maths.h"
 #include "base/neighbour_list.h"
 #include "engine/formation/shapes/formation.h"
+#include "engine/state/draw_person.h"
 #include "engine/state/ground_class.h"
 #include "engine/state/reform.h"
 #include "engine/state/standing_room.h"
@@ -48,6 +49,15 @@ void standStill(WorldState& state, const Group& group, std::size_t i, Vec2 posit
     c.chosen[i] = {};
     c.wanted[i] = {};
     c.goal[i] = 0;
+}
+
+/// Those of a group who come next.
+std::vector<Body> nextMembers(const WorldState& state, const Group& group, std::size_t count) {
+    std::vector<Body> bodies;
+    for (std::size_t k = 0; k < count; ++k)
+        bodies.push_back(drawMember(group.def, group.members.size() + k, state.seed,
+                                    state.nextCharacter + static_cast<std::uint32_t>(k)));
+    return bodies;
 }
 
 /// One entry more in each array.
@@ -232,9 +242,9 @@ Status addGroup(WorldState& state, const GroupDef& def) {
     std::vector<Vec2> targets;
     group.mesh.placePositions(targets);
     const auto index = static_cast<std::uint32_t>(state.groups.size());
+    const std::vector<Body> bodies = drawMembers(def, state.seed, state.nextCharacter);
     for (std::int32_t i = 0; i < def.count; ++i)
-        addCharacter(state, group, index, startOf(def, i, targets, state.random),
-                     bodyOf(def, static_cast<std::size_t>(i)));
+        addCharacter(state, group, index, startOf(def, i, targets, state.random), bodies[i]);
     for (const Order& order : def.orders) group.orders.orders.push_back({state.nextOrder++, order});
     group.orders.patrols = def.patrols;
     group.members.resize(def.count);
@@ -279,13 +289,13 @@ void removeCharacters(Characters& characters, std::span<const std::uint8_t> leav
 void joinCharacters(WorldState& state, const Group& group, std::span<const Vec2> positions,
                     std::span<const Body> bodies) {
     const auto index = static_cast<std::uint32_t>(&group - state.groups.data());
+    std::vector<Body> drawn;
+    if (bodies.empty()) bodies = drawn = nextMembers(state, group, positions.size());
     StandingRoom room(state.environment, largestRadius(state, bodies));
     for (const Vec2 p : state.characters.position) room.occupy(p);
-    for (std::size_t k = 0; k < positions.size(); ++k) {
-        const Body body = bodies.empty() ? bodyOf(group.def, group.members.size() + k)
-                                         : bodies[std::min(k, bodies.size() - 1)];
-        addCharacter(state, group, index, room.take(state.environment.def().box.clamp(positions[k])), body);
-    }
+    for (std::size_t k = 0; k < positions.size(); ++k)
+        addCharacter(state, group, index, room.take(state.environment.def().box.clamp(positions[k])),
+                     bodies[std::min(k, bodies.size() - 1)]);
     state.refreshMembers();
 }
 
@@ -339,14 +349,16 @@ void setCount(WorldState& state, Group& group, std::int32_t count) {
     for (const Vec2 v : group.mesh.formation().mesh.vertices) reach = std::max(reach, length(v));
     const auto now = static_cast<std::int32_t>(group.members.size());
     const double spacing = std::max(group.def.formation.spacing, 2.2 * state.parameters.character.radius);
-    StandingRoom room(state.environment, largestRadius(state, group.def.bodies));
+    const std::vector<Body> bodies = nextMembers(state, group,
+                                                 static_cast<std::size_t>(std::max(0, count - now)));
+    StandingRoom room(state.environment, largestRadius(state, bodies));
     if (count > now)
         for (const Vec2 p : state.characters.position) room.occupy(p);
     for (std::int32_t k = now; k < count; ++k) {
         const std::int32_t n = k - now;
         const std::int32_t rank = 1 + n / kJoiningRank;
         const Vec2 local{-(reach + spacing * rank), spacing * (n % kJoiningRank - 4.5)};
-        addCharacter(state, group, index, room.take(pose.apply(local)), bodyOf(group.def, k));
+        addCharacter(state, group, index, room.take(pose.apply(local)), bodies[n]);
     }
     if (count < now) {
         std::vector<std::uint8_t> leaves(state.characters.size(), 0);

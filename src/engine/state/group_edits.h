@@ -35,8 +35,8 @@ Status changeFormation(WorldState& state, Group& group, const FormationDef& def,
 /// Gives a group another formation where its mesh stands; its places go on from where they are, at once.
 /// Fails, changing nothing, where the formation cannot be made. No background work may be running.
 Status reformGroup(WorldState& state, Group& group, const FormationDef& def);
-/// Adds characters to a group near given positions [m], with bodies one for each, one for all, or none. They
-/// have no places yet.
+/// Adds characters to a group near given positions [m], with bodies one for each, one for all, or none, where
+/// each is drawn (draw_person.h). They have no places yet.
 void joinCharacters(WorldState& state, const Group& group, std::span<const Vec2> positions,
                     std::span<const Body> bodies);
 /// Removes the characters that are marked by 1, one mark for each.

@@ -149,6 +149,9 @@ constexpr auto kTable = std::to_array<ParameterInfo>({
     field<&P::character, &P::Character::inStep>(
         "character.inStep", "1", 0.0, 1.0,
         "Share of the speed of who is ahead that a character may walk on top of its headway: 1 in step."),
+    field<&P::character, &P::Character::foresight>(
+        "character.foresight", "s", 0.1, 10.0,
+        "Time for which a character keeps clear of who comes towards it."),
     field<&P::contact, &P::Contact::iterations>("contact.iterations", "count", 1.0, 100.0,
                                                 "Rounds that resolve contacts in a step."),
 });
@@ -199,6 +202,9 @@ Result<Parameters> parameterPreset(std::string_view name) {
         parameters.character.maxSpeed = 1.34;
         parameters.character.headway = 0.6;
         parameters.character.inStep = 0.0;
+        parameters.character.foresight = 3.0;
+        parameters.density.min = 0.75;
+        parameters.density.max = 5.4;
         return parameters;
     }
     if (name == "paper") {

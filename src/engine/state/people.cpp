@@ -51,15 +51,16 @@ double logGamma(double x) {
 
 // The regularised lower incomplete gamma function: by its series, or its continued fraction (Lentz).
 double gammaShareBelow(double shape, double x) {
+    constexpr int kMostTerms = 2000;  // About seven times the root of the shape are needed.
     if (x <= 0.0) return 0.0;
     const double front = exponential(shape * logarithm(x) - x - logGamma(shape));
     if (x < shape + 1.0) {
         double term = 1.0 / shape, sum = term;
-        for (int k = 1; k < 500 && term > 1e-16 * sum; ++k) sum += term *= x / (shape + k);
+        for (int k = 1; k < kMostTerms && term > 1e-16 * sum; ++k) sum += term *= x / (shape + k);
         return front * sum;
     }
     double b = x + 1.0 - shape, c = 1e300, d = 1.0 / b, h = d;
-    for (int k = 1; k < 500; ++k) {
+    for (int k = 1; k < kMostTerms; ++k) {
         const double a = -k * (k - shape);
         b += 2.0;
         d = 1.0 / (a * d + b);
@@ -71,31 +72,49 @@ double gammaShareBelow(double shape, double x) {
     return 1.0 - front * h;
 }
 
+// Newton's method on the logarithm of x, which it knows to lie between two bounds, from the first guess of
+// Wilson and Hilferty (1931); for small shapes, where that has none, from the first term of the series.
 double gammaQuantile(double shape, double p) {
-    double low = 0.0, high = shape + 1.0;
-    while (gammaShareBelow(shape, high) < p && high < 1e12) high *= 2.0;
-    for (int k = 0; k < 80; ++k) {
-        const double middle = 0.5 * (low + high);
-        (gammaShareBelow(shape, middle) < p ? low : high) = middle;
+    const double cube = 1.0 - 1.0 / (9.0 * shape) + normalQuantile(p) / (3.0 * std::sqrt(shape));
+    double at = cube > 0.2 ? logarithm(shape) + 3.0 * logarithm(cube)
+                           : (logarithm(p * shape) + logGamma(shape)) / shape;
+    double low = -700.0, high = logarithm(shape + 1.0) + 50.0;
+    at = std::clamp(at, low, high);
+    for (int k = 0; k < 200 && high - low > 1e-15 * std::fabs(at); ++k) {
+        const double x = exponential(at), error = gammaShareBelow(shape, x) - p;
+        (error < 0.0 ? low : high) = at;
+        const double slope = exponential(shape * at - x - logGamma(shape));
+        double next = slope > 0.0 ? at - error / slope : low;
+        if (!(next > low && next < high)) next = 0.5 * (low + high);
+        const double change = std::fabs(next - at);
+        at = next;
+        if (change < 1e-15) break;
     }
-    return 0.5 * (low + high);
+    return exponential(at);
 }
 
 double freeQuantile(const Distribution& drawn, double p) {
     switch (drawn.spread) {
-        case Spread::Constant: return drawn.a;
-        case Spread::Uniform: return drawn.a + (drawn.b - drawn.a) * p;
-        case Spread::Normal: return drawn.a + drawn.b * normalQuantile(p);
-        case Spread::LogNormal: return exponential(drawn.a + drawn.b * normalQuantile(p));
-        case Spread::Gamma: return drawn.b * gammaQuantile(drawn.a, p);
-        case Spread::Weibull: return drawn.a * power(-logarithm(1.0 - p), 1.0 / drawn.b);
+        case Spread::Constant:
+            return drawn.a;
+        case Spread::Uniform:
+            return drawn.a + (drawn.b - drawn.a) * p;
+        case Spread::Normal:
+            return drawn.a + drawn.b * normalQuantile(p);
+        case Spread::LogNormal:
+            return exponential(drawn.a + drawn.b * normalQuantile(p));
+        case Spread::Gamma:
+            return drawn.b * gammaQuantile(drawn.a, p);
+        case Spread::Weibull:
+            return drawn.a * power(-logarithm(1.0 - p), 1.0 / drawn.b);
     }
     return drawn.a;
 }
 
 double shareBelow(const Distribution& drawn, double x) {
     switch (drawn.spread) {
-        case Spread::Constant: return x < drawn.a ? 0.0 : 1.0;
+        case Spread::Constant:
+            return x < drawn.a ? 0.0 : 1.0;
         case Spread::Uniform:
             return drawn.b > drawn.a ? std::clamp((x - drawn.a) / (drawn.b - drawn.a), 0.0, 1.0)
                                      : (x < drawn.a ? 0.0 : 1.0);
@@ -105,8 +124,10 @@ double shareBelow(const Distribution& drawn, double x) {
             if (x <= 0.0) return 0.0;
             return drawn.b > 0.0 ? normalShareBelow((logarithm(x) - drawn.a) / drawn.b)
                                  : (logarithm(x) < drawn.a ? 0.0 : 1.0);
-        case Spread::Gamma: return gammaShareBelow(drawn.a, x / drawn.b);
-        case Spread::Weibull: return x <= 0.0 ? 0.0 : 1.0 - exponential(-power(x / drawn.a, drawn.b));
+        case Spread::Gamma:
+            return gammaShareBelow(drawn.a, x / drawn.b);
+        case Spread::Weibull:
+            return x <= 0.0 ? 0.0 : 1.0 - exponential(-power(x / drawn.a, drawn.b));
     }
     return 0.0;
 }
@@ -132,9 +153,8 @@ double walkingSpeedAtAge(double years) {
     struct Knot {
         double age, speed;
     };
-    // Means by age of the RiMEA guideline's figure, linear in between.
-    constexpr Knot kKnots[] = {{5, 0.75},  {10, 1.15}, {15, 1.50}, {20, 1.62}, {30, 1.54}, {40, 1.48},
-                               {50, 1.41}, {60, 1.27}, {70, 1.07}, {80, 0.70}, {90, 0.45}};
+    constexpr Knot kKnots[] = {{5, 0.75},  {10, 1.20}, {15, 1.47}, {20, 1.62}, {30, 1.54}, {40, 1.48},
+                               {50, 1.41}, {60, 1.27}, {70, 1.07}, {80, 0.70}, {90, 0.46}};
     if (years <= kKnots[0].age) return kKnots[0].speed;
     for (std::size_t k = 1; k < std::size(kKnots); ++k) {
         const Knot &a = kKnots[k - 1], &b = kKnots[k];

@@ -7,8 +7,9 @@
 namespace muster {
 namespace {
 
-constexpr double kLongest = 1e9;   // Any time [s].
+constexpr double kLongest = 1e9;      // Any time [s].
 constexpr double kMostRate = 1000.0;  // Of people by an area [1/s].
+constexpr double kMostShape = 1e4;    // Of a gamma distribution; a narrower one is a normal one.
 
 Status isTimetable(const std::vector<Arrivals>& timetable) {
     if (timetable.size() > kMaxCorners)
@@ -37,14 +38,16 @@ Status isDistribution(const char* what, const Distribution& drawn, double low, d
             !s.ok())
             return s;
         const Spread spread = drawn.spread;
-        if (spread == Spread::Constant)
-            return drawn.a == 0.0 ? Status() : inRange("a", drawn.a, low, high);
+        if (spread == Spread::Constant) return drawn.a == 0.0 ? Status() : inRange("a", drawn.a, low, high);
         if (spread == Spread::Uniform && drawn.b < drawn.a)
             return invalidArgument("b is " + numberText(drawn.b) + ", expected a number of at least a, " +
                                    numberText(drawn.a));
         const bool scaled = spread == Spread::Gamma || spread == Spread::Weibull;
         if (scaled && !(drawn.a >= 1e-6 && drawn.b >= 1e-6))
             return invalidArgument("shape and scale are to be 1e-6 or more");
+        if (spread == Spread::Gamma && !(drawn.a <= kMostShape))
+            return invalidArgument("a is " + numberText(drawn.a) + ", expected a shape of at most " +
+                                   numberText(kMostShape));
         if ((spread == Spread::Normal || spread == Spread::LogNormal) && drawn.b < 0.0)
             return invalidArgument("b is " + numberText(drawn.b) + ", expected a deviation of 0 or more");
         if (spread == Spread::LogNormal && !(std::max(drawn.a, drawn.b) <= 50.0))

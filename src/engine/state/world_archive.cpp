@@ -119,8 +119,9 @@ void archiveState(auto& ar, WorldState& state, ThreadPool* pool) {
     archive(ar, state.continuum);
     archive(ar, state.queue);
     ar(state.checkpoints, state.checkpointGroups, state.checkpointState, state.items, state.collected,
-       state.areas, state.nextArea, state.random, state.seed, state.stepCount, state.passages, state.survey,
-       state.waysLookedAt, state.waysChosenAt, state.lastCommandStep, state.groundEdits, state.nextCharacter, state.nextGroup, state.nextOrder);
+       state.areas, state.nextArea, state.seed, state.random, state.stepCount, state.passages, state.survey,
+       state.waysLookedAt, state.waysChosenAt, state.lastCommandStep, state.groundEdits, state.nextCharacter,
+       state.nextGroup, state.nextOrder);
     archiveIds(ar, state);
     if constexpr (std::decay_t<decltype(ar)>::kReading)
         if (!ar.ok()) return;

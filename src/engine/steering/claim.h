@@ -10,7 +10,7 @@ namespace muster {
 /// The claim of one character.
 struct Claim {
     Vec2 spot;              ///< Where its place was when it came to rest there [m].
-    float progress = 1.0f;  ///< Share of its top speed at which it got on lately, along its direction.
+    float progress = 1.0f;  ///< Its speed lately, along its direction, as a share of CrowdBodies::crowdedSpeed().
     float stuck = 0.0f;     ///< Time for which it has not got on [s].
     float lends = 0.0f;     ///< It lends its way for so long yet [s].
     float last = 0.0f;      ///< Others go before it for so long yet [s].
@@ -20,15 +20,17 @@ struct Claim {
     bool settled = false;  ///< It rests beside its place, because it came no nearer.
     bool follows = false;  ///< Its group follows somebody.
     bool asks = false;     ///< It asked others for their way in the last step.
+    bool queues = false;   ///< In the last step it kept behind somebody who goes the same way.
 
     /// Lets an archive read or write the claim.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(spot, progress, stuck, lends, last, since, rests, settled, follows, asks);
+        archive(spot, progress, stuck, lends, last, since, rests, settled, follows, asks, queues);
     }
 };
 
-/// Whether a character gets on: lately at more than 0.3 of its top speed.
+/// Whether a character gets on: lately at more than 0.3 of the speed of a crowd, which is its top speed where
+/// all go in step.
 inline bool getsOn(const Claim& claim) {
     return claim.progress > 0.3f;
 }

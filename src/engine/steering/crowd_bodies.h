@@ -38,9 +38,6 @@ inline double accelerationOf(const Parameters::Character& def, const Body& body)
 /// kept, and all take the short way.
 class CrowdBodies {
 public:
-    /// Time for which two who meet keep clear of each other at least [s].
-    static constexpr double kForesight = 1.0;
-
     /// Everybody is as the parameters say.
     CrowdBodies() { reset({}); }
     explicit CrowdBodies(const Parameters::Character& def) { reset(def); }
@@ -70,12 +67,18 @@ public:
     }
     /// The distance in which it brakes from its top speed, as a time at that speed [s].
     double brakingTime(std::size_t i) const { return 0.5 * maxSpeed(i) / acceleration(i); }
+    /// The speed of a stream in which gaps are as long as a radius, by the law of headway: g / (T (1 - k)), at
+    /// most `topSpeed` [m/s]. Who walks as fast gets on.
+    double crowdedSpeed(std::size_t i, double topSpeed) const {
+        const double slower = (1.0 - def_.inStep) * headway(i);
+        return slower * topSpeed > radius(i) ? radius(i) / slower : topSpeed;
+    }
     double longestBraking() const { return longestBraking_; }  ///< Of all [s].
     double longestHeadway() const { return longestHeadway_; }  ///< Of all [s].
     /// The gap from which on two count as near, of whom the one that brakes more slowly takes so long [s]:
     /// who cannot stop within the foresight of others is near while both have to brake [m].
     double nearGap(double braking) const {
-        return fastest_ * (braking > kForesight ? 2.0 * braking : std::max(kNear, longestHeadway_));
+        return fastest_ * (braking > def_.foresight ? 2.0 * braking : std::max(kNear, longestHeadway_));
     }
     double farthestGap() const { return nearGap(longestBraking_); }  ///< Of any two [m].
     /// True where steering and contacts do not move it.

@@ -6,7 +6,7 @@
 namespace muster {
 namespace {
 
-constexpr double kFree = 0.6;         // Share of its top speed from which who meets takes its whole share.
+constexpr double kFree = 0.6;         // Progress from which who meets takes its whole share.
 constexpr double kToTheRight = 0.25;  // Tangent by which who meet pass each other on the right.
 constexpr double kInFront = 0.5;      // Of two who go the same way one is ahead from twice this cosine.
 constexpr double kSlack = 0.3;        // A limit this far from being reached is left out [m/s].
@@ -51,12 +51,13 @@ Tangent tangentOf(const Apart& two, Vec2 closing, double ahead, bool turns, doub
 
 }  // namespace
 
-void Headway::follow(const CrowdBodies& bodies, std::int32_t back, std::int32_t front, Vec2 towards,
-                     double gap, double dt, std::span<const Vec2> velocity) {
-    const double most = gapSpeed(gap, bodies.headway(back), dt), ahead = dot(velocity[front], towards);
+// `queues`: both go the same way.
+void Headway::follow(std::int32_t back, std::int32_t front, Vec2 towards, double gap, bool queues,
+                     std::span<const Vec2> velocity) {
+    const double most = gapSpeed(gap, bodies_->headway(back), dt_), ahead = dot(velocity[front], towards);
     const double limit = most + (ahead > 0.0 ? inStep_ * ahead : ahead);
     if (dot(velocity[back], towards) > limit - kSlack)
-        limits_.push_back({back, front, towards, most, 1.0, inStep_});
+        limits_.push_back({back, front, towards, most, 1.0, inStep_, queues});
 }
 
 void Headway::share(NeighbourPair pair, double own, const Tangent& tangent, std::span<const Vec2> velocity) {
@@ -66,22 +67,22 @@ void Headway::share(NeighbourPair pair, double own, const Tangent& tangent, std:
 
 // The share of the first of two who meet: the less the one with the right of way gets on, the more the other
 // one takes.
-double Headway::shareOf(const CrowdBodies& bodies, NeighbourPair pair, const HeadwayInput& input) {
-    if (input.right == nullptr) return bodies.share(pair.low, pair.high);
+double Headway::shareOf(NeighbourPair pair, const HeadwayInput& input) const {
+    if (input.right == nullptr) return bodies_->share(pair.low, pair.high);
     const bool lowFirst = input.right->precedes(pair.low, pair.high);
     const std::int32_t first = lowFirst ? pair.low : pair.high, other = lowFirst ? pair.high : pair.low;
     const double free = std::clamp(static_cast<double>(input.claims[first].progress) / kFree, 0.0, 1.0);
-    const double own = free * bodies.share(first, other);
+    const double own = free * bodies_->share(first, other);
     return lowFirst ? own : 1.0 - own;
 }
 
 // In step, no limit of two is near unless they close their gap while any law looks ahead. Who does is as good
 // as random, so they are noted without a branch.
-std::span<const NeighbourPair> Headway::findMeetings(const CrowdBodies& bodies, const Characters& now,
-                                                     const NeighbourList& neighbours,
+std::span<const NeighbourPair> Headway::findMeetings(const Characters& now, const NeighbourList& neighbours,
                                                      std::span<const Vec2> velocity) {
+    const CrowdBodies& bodies = *bodies_;
     const std::span<const NeighbourPair> pairs = neighbours.pairs();
-    const double ahead = std::max({CrowdBodies::kForesight, bodies.longestHeadway(), bodies.longestBraking()}),
+    const double ahead = std::max({bodies.usual().foresight, bodies.longestHeadway(), bodies.longestBraking()}),
                  ahead2 = ahead * ahead;
     if (inStep_ != 1.0) return pairs;
     const std::span<const Vec2> position = now.position;
@@ -103,26 +104,27 @@ std::span<const NeighbourPair> Headway::findMeetings(const CrowdBodies& bodies, 
     return {meetings_.data(), next};
 }
 
-void Headway::addPair(const CrowdBodies& bodies, const Characters& now, NeighbourPair pair,
-                      const HeadwayInput& input, std::span<const Vec2> velocity) {
+void Headway::addPair(const Characters& now, NeighbourPair pair, const HeadwayInput& input,
+                      std::span<const Vec2> velocity) {
+    const CrowdBodies& bodies = *bodies_;
     const std::int32_t a = pair.low, b = pair.high;
     const Vec2 between = bodies.between(now.position[a], now.position[b]);
     const double apart = length(between), touching = bodies.touching(a, b), gap = apart - touching;
     const Vec2 towards = apart > 1e-9 ? between / apart : Vec2{1.0, 0.0};
     const bool fixedA = bodies.isFixed(a), fixedB = bodies.isFixed(b);
     if (fixedA && fixedB) return;
-    if (fixedA || bodies.isFirmer(a, b)) return follow(bodies, b, a, -towards, gap, input.dt, velocity);
-    if (fixedB || bodies.isFirmer(b, a)) return follow(bodies, a, b, towards, gap, input.dt, velocity);
+    if (fixedA || bodies.isFirmer(a, b)) return follow(b, a, -towards, gap, false, velocity);
+    if (fixedB || bodies.isFirmer(b, a)) return follow(a, b, towards, gap, false, velocity);
     if (differ(input.wanted[a], input.wanted[b])) {
         // Who brakes slowly looks ahead as far as it needs to stop, and turns aside rather than brake while
         // both get on.
-        const double ahead = std::max(
-            {CrowdBodies::kForesight, bodies.brakingTime(a), bodies.brakingTime(b)});
-        const bool turns = ahead > CrowdBodies::kForesight && getsOn(input.claims[a]) &&
+        const double foresight = bodies.usual().foresight;
+        const double ahead = std::max({foresight, bodies.brakingTime(a), bodies.brakingTime(b)});
+        const bool turns = ahead > foresight && getsOn(input.claims[a]) &&
                            getsOn(input.claims[b]);
         const Tangent tangent = tangentOf({between, towards, apart, touching}, velocity[a] - velocity[b],
-                                          ahead, turns, input.dt);
-        return share(pair, shareOf(bodies, pair, input), tangent, velocity);
+                                          ahead, turns, dt_);
+        return share(pair, shareOf(pair, input), tangent, velocity);
     }
     const double topA = std::max(input.topSpeed[a], 1e-9), topB = std::max(input.topSpeed[b], 1e-9);
     const double lead = dot(towards, input.wanted[a] / topA + input.wanted[b] / topB);
@@ -130,18 +132,19 @@ void Headway::addPair(const CrowdBodies& bodies, const Characters& now, Neighbou
     const bool aFirst = inFront ? lead < 0.0 : now.cost[a] <= now.cost[b];
     // Nobody pushes one ahead that does not get on. Who is out of step pushes nobody ahead.
     const Claim& first = input.claims[aFirst ? a : b];
-    if (inStep_ < 1.0 || (inFront ? !getsOn(first) : first.stuck > 0.0f))
-        return aFirst ? follow(bodies, b, a, -towards, gap, input.dt, velocity)
-                      : follow(bodies, a, b, towards, gap, input.dt, velocity);
+    const bool outOfStep = inStep_ < 1.0;
+    if (outOfStep || (inFront ? !getsOn(first) : first.stuck > 0.0f))
+        return aFirst ? follow(b, a, -towards, gap, outOfStep, velocity)
+                      : follow(a, b, towards, gap, outOfStep, velocity);
     const double headway = std::max(bodies.headway(a), bodies.headway(b));
     const Tangent tangent = tangentOf({between, towards, apart, touching}, velocity[a] - velocity[b],
-                                      headway, false, input.dt);
+                                      headway, false, dt_);
     share(pair, bodies.share(a, b), tangent, velocity);
 }
 
 // Pieces are listed in no certain order: the limits of a character are sorted.
-void Headway::addWalls(const CrowdBodies& bodies, const Characters& now, const Environment& environment,
-                       const HeadwayInput& input, std::span<const Vec2> velocity) {
+void Headway::addWalls(const Characters& now, const Environment& environment, std::span<const Vec2> velocity) {
+    const CrowdBodies& bodies = *bodies_;
     nearObstacle_.resize(now.size());
     environment.markNearObstacles(now.position, bodies.largestRadius() + kWallReach, nearObstacle_);
     const Box box = environment.def().sides();
@@ -152,7 +155,7 @@ void Headway::addWalls(const CrowdBodies& bodies, const Characters& now, const E
         const auto first = static_cast<std::ptrdiff_t>(limits_.size());
         const auto add = [&](Vec2 towards, double apart, Vec2 wallVelocity) {
             const double gap = apart - radius;
-            const double most = dot(wallVelocity, towards) + gapSpeed(gap, input.dt, input.dt);
+            const double most = dot(wallVelocity, towards) + gapSpeed(gap, dt_, dt_);
             if (dot(velocity[i], towards) > most - kSlack)
                 limits_.push_back({static_cast<std::int32_t>(i), -1, towards, most, 1.0, 0.0});
         };
@@ -194,16 +197,25 @@ double Headway::relax(std::span<Vec2> velocity) {
     return largest;
 }
 
+void Headway::findQueues(std::size_t count) {
+    queues_.assign(count, 0);
+    for (const Limit& limit : limits_)
+        if (limit.queues && limit.pressed > 0.0) queues_[limit.back] = 1;
+}
+
 void Headway::run(const CrowdBodies& bodies, const Characters& now, const Environment& environment,
                   const NeighbourList& neighbours, const HeadwayInput& input, std::span<Vec2> velocity) {
+    bodies_ = &bodies;
+    dt_ = input.dt;
     inStep_ = bodies.usual().inStep;
     limits_.clear();
     limits_.reserve(kLimitsPerCharacter * now.size());
-    for (const NeighbourPair pair : findMeetings(bodies, now, neighbours, velocity))
-        addPair(bodies, now, pair, input, velocity);
-    addWalls(bodies, now, environment, input, velocity);
+    for (const NeighbourPair pair : findMeetings(now, neighbours, velocity))
+        addPair(now, pair, input, velocity);
+    addWalls(now, environment, velocity);
     for (int sweep = 0; sweep < kSweeps; ++sweep)
         if (relax(velocity) < kSweptOut) break;
+    findQueues(now.size());
     for (std::size_t i = 0; i < now.size(); ++i)
         if (!bodies.isFixed(i)) velocity[i] = clampLength(velocity[i], input.topSpeed[i]);
 }

@@ -38,6 +38,8 @@ public:
     /// Changes `velocity` [m/s], which is what each would do alone.
     void run(const CrowdBodies& bodies, const Characters& now, const Environment& environment,
              const NeighbourList& neighbours, const HeadwayInput& input, std::span<Vec2> velocity);
+    /// Of the last run: 1 for who kept behind somebody who goes the same way, out of step.
+    std::span<const std::uint8_t> queues() const { return queues_; }
 
 private:
     // One constraint on velocities: of `back` alone, or shared with `front`.
@@ -47,28 +49,31 @@ private:
         double most;               // Of the closing speed [m/s].
         double share;              // Of `back` in a shared one; 1 where it takes all.
         double follow;             // Share of the speed of the one ahead that adds to `most`.
+        bool queues = false;       // Both go the same way, out of step.
         double pressed = 0.0;      // Multiplier [m/s].
     };
 
-    std::span<const NeighbourPair> findMeetings(const CrowdBodies& bodies, const Characters& now,
-                                                const NeighbourList& neighbours,
+    std::span<const NeighbourPair> findMeetings(const Characters& now, const NeighbourList& neighbours,
                                                 std::span<const Vec2> velocity);
-    void follow(const CrowdBodies& bodies, std::int32_t back, std::int32_t front, Vec2 towards, double gap,
-                double dt, std::span<const Vec2> velocity);
+    void follow(std::int32_t back, std::int32_t front, Vec2 towards, double gap, bool queues,
+                std::span<const Vec2> velocity);
     void share(NeighbourPair pair, double own, const Tangent& tangent, std::span<const Vec2> velocity);
-    static double shareOf(const CrowdBodies& bodies, NeighbourPair pair, const HeadwayInput& input);
-    void addPair(const CrowdBodies& bodies, const Characters& now, NeighbourPair pair,
-                 const HeadwayInput& input, std::span<const Vec2> velocity);
-    void addWalls(const CrowdBodies& bodies, const Characters& now, const Environment& environment,
-                  const HeadwayInput& input, std::span<const Vec2> velocity);
+    double shareOf(NeighbourPair pair, const HeadwayInput& input) const;
+    void addPair(const Characters& now, NeighbourPair pair, const HeadwayInput& input,
+                 std::span<const Vec2> velocity);
+    void addWalls(const Characters& now, const Environment& environment, std::span<const Vec2> velocity);
 
     // One sweep; the largest change of a multiplier [m/s].
     double relax(std::span<Vec2> velocity);
+    void findQueues(std::size_t count);
 
+    const CrowdBodies* bodies_ = nullptr;  // Of the present run.
+    double dt_ = 0.0;                      // The same [s].
     double inStep_ = 1.0;                  // Share of the speed ahead.
     std::vector<NeighbourPair> meetings_;  // Who may come near a limit; room that only grows.
     std::vector<Limit> limits_;
     std::vector<std::uint8_t> nearObstacle_;
+    std::vector<std::uint8_t> queues_;
 };
 
 }  // namespace muster

@@ -22,6 +22,7 @@ struct GroupClaim {
 
 /// What claims are updated from, one entry per character where nothing else is said.
 struct ClaimInput {
+    const CrowdBodies& bodies;            ///< What each is.
     std::span<const double> topSpeed;     ///< On its ground [m/s].
     std::span<const Vec2> wanted;         ///< Velocity along the own way [m/s].
     std::span<const Vec2> place;          ///< Where each heads for [m],

@@ -40,7 +40,7 @@ Vec2 preferredVelocity(const Parameters::Character& def, const Characters& now, 
     if (placed && left < 1e-6) return clampLength(input.placeVelocity[i], topSpeed);
     // It comes to its place by its own brakes; from afar, and where they are weak, also if that brakes now.
     const double stops = 2.0 * kBrakes * brakes * left;
-    const bool weak = topSpeed > 2.0 * CrowdBodies::kForesight * brakes;
+    const bool weak = topSpeed > 2.0 * def.foresight * brakes;
     if (placed && left < def.directReach && dot(direction, toPlace) > 0.999 * left) {
         const double ahead = weak ? std::max(0.0, dot(input.placeVelocity[i], toPlace) / left) : 0.0;
         const double closing = std::sqrt(ahead * ahead + stops) - ahead;
@@ -83,7 +83,7 @@ void Steering::run(const CrowdBodies& bodies, Characters& now, const SteeringInp
         preferred_[i] = preferredVelocity(def, now, input, i, topSpeed_[i], bodies.acceleration(i));
     });
     const bool blocked = right_.count(
-        {topSpeed_, preferred_, input.place, input.placeVelocity, input.room, input.groups, input.step, dt},
+        {bodies, topSpeed_, preferred_, input.place, input.placeVelocity, input.room, input.groups, input.step, dt},
         now, now.claim);
     for (std::size_t i = 0; i < count; ++i)
         if (now.claim[i].settled) preferred_[i] = {};
@@ -106,6 +106,7 @@ void Steering::run(const CrowdBodies& bodies, Characters& now, const SteeringInp
     });
     const HeadwayInput headway{preferred_, topSpeed_, now.claim, blocked ? &right_ : nullptr, dt};
     headway_.run(bodies, now, environment, neighbours_, headway, velocity);
+    for (std::size_t i = 0; i < count; ++i) now.claim[i].queues = headway_.queues()[i] != 0;
     forChunks(pool, count, kPerTask, [&, gains, patches](std::size_t i) {
         const double turn = patches && clips[now.motion[i]].reachAhead > 0.0 ? gains.lyingShare
                                                                              : gains.headingShare;

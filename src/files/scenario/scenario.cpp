@@ -46,8 +46,9 @@ void describeBox(Visitor& v, Box& box) {
 template <class Visitor>
 void describePreset(Visitor& v, Parameters& parameters) {
     if constexpr (Visitor::kReading || Visitor::kSchema) {
-        std::string preset = "muster";
-        v.choice("preset", preset, {"muster", "paper"}, "Where parameters start from.");
+        std::string preset = "units";
+        v.choice("preset", preset, {"units", "people", "paper", "muster"},
+                 "Where parameters start from; muster is the former name of units.");
         if (const auto found = parameterPreset(preset); found.ok()) parameters = *found;
     }
 }

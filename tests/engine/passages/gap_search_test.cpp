@@ -23,7 +23,7 @@ TEST_CASE("a door is as wide as it is, however the way leads through it") {
         const auto passage = narrowestPassage(environment, straightWay({-10, -slant}, {10, slant}));
         REQUIRE(passage);
         CHECK(passage->width() == doctest::Approx(1.2).epsilon(1e-6));
-        CHECK(passage->capacity() == doctest::Approx(4.5 * 1.2).epsilon(1e-6));
+        CHECK(passage->throughput() == doctest::Approx(1.2).epsilon(1e-6));
         CHECK(std::abs(passage->middle().y) < 1e-6);
         CHECK(std::abs(passage->middle().x) <= 0.5 + 1e-6);
         // The narrows are as deep as the wall is thick.
@@ -60,7 +60,7 @@ TEST_CASE("slow ground takes its share of the capacity") {
     environment.setTime(0.0);
     const auto passage = narrowestPassage(environment, straightWay({-10, 0}, {10, 0}));
     REQUIRE(passage);
-    CHECK(passage->capacity() == doctest::Approx(4.5 * 2.0 * 0.25).epsilon(1e-6));
+    CHECK(passage->throughput() == doctest::Approx(2.0 * 0.25).epsilon(1e-6));
 }
 
 TEST_CASE("points of a way beyond the edge of the world belong to no gap; those inside do as ever") {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/passages/specific_flow.h"
 #include "engine/systems/passages/goals.h"
 
 namespace muster {
@@ -58,7 +59,8 @@ bool SurveyTrigger::look(const WorldState& state, const WayFields& fields, Group
     group.surveyFrom = from;
     group.surveyTo = to;
     survey.orders.push_back({from, to, static_cast<double>(state.characters.size()),
-                             metresPerSecond(state.parameters), static_cast<std::uint32_t>(hidden_.size())});
+                             metresPerSecond(state.parameters), specificFlow(state.parameters.character),
+                             static_cast<std::uint32_t>(hidden_.size())});
     for (const Line& line : hidden_) survey.crowd.push_back(line.first);
     return crossing;
 }

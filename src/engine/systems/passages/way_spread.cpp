@@ -4,6 +4,7 @@
 
 #include "base/infinite_cost.h"
 #include "engine/geometry/polygon.h"
+#include "engine/passages/specific_flow.h"
 #include "engine/passages/way_number.h"
 #include "engine/systems/passages/goals.h"
 
@@ -18,6 +19,7 @@ constexpr int kWidths = 16;  // Widths that are compared.
 // room means less wait and a longer walk for those at its end. Returns its share of the passage.
 double WaySpread::usedShare(const WorldState& state, const Passage& passage, const Approach& approach) {
     const double walking = state.parameters.character.maxSpeed;
+    const double flow = specificFlow(state.parameters.character);
     const auto walk = [&](double share) {
         const Vec2 via = lerp(passage.a, passage.b, share);
         return (distance(approach.from, via) + distance(via, approach.to)) / walking;
@@ -26,7 +28,7 @@ double WaySpread::usedShare(const WorldState& state, const Passage& passage, con
     double best = 1.0, least = kInfiniteCost;
     for (int step = 1; step <= kWidths; ++step) {
         const double part = static_cast<double>(step) / kWidths;
-        const double service = 1.0 / (part * passage.capacity());
+        const double service = 1.0 / (part * passage.capacity(flow));
         double free = 0.0;
         for (const double arrival : approaching_) free = std::max(arrival, free) + service;
         const double low = std::clamp(approach.share - 0.5 * part, 0.0, 1.0 - part);

@@ -5,6 +5,7 @@
 
 #include "base/infinite_cost.h"
 #include "engine/geometry/polygon.h"
+#include "engine/passages/specific_flow.h"
 #include "engine/passages/way_number.h"
 #include "engine/systems/passages/goals.h"
 
@@ -167,8 +168,9 @@ bool WayStage::keepCrossers(WorldState& state) {
 void WayStage::readChosen(const WorldState& state) {
     const std::vector<std::int32_t>& used = crossers_.used();
     const std::size_t count = crossers_.characters().size();
+    const double flow = specificFlow(state.parameters.character);
     capacity_.clear();
-    for (const std::int32_t p : used) capacity_.push_back(state.passages[p].capacity());
+    for (const std::int32_t p : used) capacity_.push_back(state.passages[p].capacity(flow));
     way_.assign(count, -1);
     slot_.assign(count, 0.0);
     movable_.assign(count, 1);

@@ -1,0 +1,105 @@
+#include "engine/state/draw_person.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "base/hash.h"
+
+namespace muster {
+namespace {
+
+// What is drawn is checked between this share and 1 without it.
+constexpr double kLeastShare = 1e-9;
+
+// What the member of that index is without its sort.
+Body givenBody(const GroupDef& def, std::size_t index) {
+    if (def.bodies.empty()) return {};
+    return def.bodies[std::min(index, def.bodies.size() - 1)];
+}
+
+double sumOfShares(const std::vector<PeopleDef>& people) {
+    double sum = 0.0;
+    for (const PeopleDef& sort : people) sum += sort.share;
+    return sum;
+}
+
+// How many of `count` are of each sort, by largest remainders.
+std::vector<std::size_t> quotas(const std::vector<PeopleDef>& people, std::size_t count) {
+    const double sum = sumOfShares(people);
+    std::vector<std::size_t> quota(people.size()), order(people.size());
+    std::vector<double> rest(people.size());
+    std::size_t given = 0;
+    for (std::size_t k = 0; k < people.size(); ++k) {
+        const double exact = static_cast<double>(count) * (people[k].share / sum);
+        quota[k] = std::min(count - given, static_cast<std::size_t>(std::floor(exact)));
+        rest[k] = exact - static_cast<double>(quota[k]);
+        given += quota[k];
+    }
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return rest[a] > rest[b]; });
+    for (std::size_t k = 0; given < count; ++k, ++given) ++quota[order[k % order.size()]];
+    return quota;
+}
+
+}  // namespace
+
+double randomShare(std::uint64_t seed, std::uint32_t character, Drawn what) {
+    Hash hash;
+    hash.add(seed);
+    hash.add(character);
+    hash.add(static_cast<std::uint32_t>(what));
+    constexpr double kBits = 1.0 / 9007199254740992.0;  // 2 to the power -53.
+    return (static_cast<double>(hash.value() >> 11) + 0.5) * kBits;
+}
+
+Body drawPerson(const PeopleDef& sort, Body body, std::uint64_t seed, std::uint32_t character) {
+    const auto draw = [&](const Distribution& drawn, Drawn what, double& number) {
+        if (drawn.spread == Spread::Constant && drawn.a == 0.0) return false;
+        number = drawn.quantile(
+            std::clamp(randomShare(seed, character, what), kLeastShare, 1.0 - kLeastShare));
+        return true;
+    };
+    draw(sort.speed, Drawn::Speed, body.maxSpeed);
+    draw(sort.radius, Drawn::Radius, body.radius);
+    draw(sort.headway, Drawn::Headway, body.headway);
+    draw(sort.premovement, Drawn::Premovement, body.premovement);
+    double age = 0.0;
+    if (draw(sort.age, Drawn::Age, age)) body.maxSpeed = walkingSpeedAtAge(age);
+    if (sort.unitClass != 0) body.unitClass = sort.unitClass;
+    if (sort.upstairs != 0.0) body.upstairs = sort.upstairs;
+    if (sort.downstairs != 0.0) body.downstairs = sort.downstairs;
+    return body;
+}
+
+Body drawMember(const GroupDef& def, std::size_t index, std::uint64_t seed, std::uint32_t character) {
+    const Body body = givenBody(def, index);
+    if (def.people.empty()) return body;
+    double left = randomShare(seed, character, Drawn::Sort) * sumOfShares(def.people);
+    std::size_t sort = 0;
+    while (sort + 1 < def.people.size() && left >= def.people[sort].share) left -= def.people[sort++].share;
+    return drawPerson(def.people[sort], body, seed, character);
+}
+
+std::vector<Body> drawMembers(const GroupDef& def, std::uint64_t seed, std::uint32_t first) {
+    const auto count = static_cast<std::size_t>(def.count);
+    std::vector<Body> bodies(count);
+    for (std::size_t k = 0; k < count; ++k) bodies[k] = givenBody(def, k);
+    if (def.people.empty()) return bodies;
+    // The ranks in a random order: those of the first sort, those of the second, and so on.
+    std::vector<std::pair<double, std::size_t>> ranks(count);
+    for (std::size_t k = 0; k < count; ++k)
+        ranks[k] = {randomShare(seed, first + static_cast<std::uint32_t>(k), Drawn::Sort), k};
+    std::sort(ranks.begin(), ranks.end());
+    const std::vector<std::size_t> quota = quotas(def.people, count);
+    auto at = ranks.begin();
+    for (std::size_t sort = 0; sort < quota.size(); ++sort)
+        for (std::size_t n = 0; n < quota[sort]; ++n, ++at)
+            bodies[at->second] = drawPerson(def.people[sort], bodies[at->second], seed,
+                                            first + static_cast<std::uint32_t>(at->second));
+    return bodies;
+}
+
+}  // namespace muster

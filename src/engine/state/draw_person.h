@@ -1,0 +1,33 @@
+// What each new member of a group is, drawn by the sorts of persons of the group and the seed of the world.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "muster/people.h"
+#include "muster/unit.h"
+#include "muster/world_def.h"
+
+namespace muster {
+
+/// What a random share of a person decides. Its number goes into the hash: new ones come last.
+enum class Drawn : std::uint32_t { Sort, Speed, Radius, Headway, Premovement, Age };
+
+/// A random number in (0, 1) by the seed of the world, the id of a character and what it decides, and by
+/// nothing else: no number of a person moves where others are drawn, or other persons are.
+double randomShare(std::uint64_t seed, std::uint32_t character, Drawn what);
+
+/// A person of this sort: the numbers that the sort draws, and for those that it leaves those of `body`.
+/// Left are distributions that are constantly 0, a class of 0 and shares of stairs of 0, and what sorts do
+/// not know: acceleration, mass and supply.
+Body drawPerson(const PeopleDef& sort, Body body, std::uint64_t seed, std::uint32_t character);
+
+/// The member of a group with this index, the character with this id, who comes alone, as by a source: its
+/// sort is drawn, each by its share. Where the group has no sorts it is as `bodies` say.
+Body drawMember(const GroupDef& def, std::size_t index, std::uint64_t seed, std::uint32_t character);
+
+/// The first members of a group, who come at once; their ids begin with `first`. Of each sort there are as
+/// many as its share says, by largest remainders (of equal ones the former), at random ranks.
+std::vector<Body> drawMembers(const GroupDef& def, std::uint64_t seed, std::uint32_t first);
+
+}  // namespace muster
