@@ -38,23 +38,26 @@ using Speeds = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 std::vector<double> speedsFrom(const Speeds& given, const Trajectories& all) {
     if (static_cast<std::size_t>(given.size()) != all.all().size() && given.size() != 0)
-        throw py::value_error("speeds: found " + std::to_string(given.size()) + ", expected one per sighting, " +
-                              std::to_string(all.all().size()));
+        throw py::value_error("speeds: found " + std::to_string(given.size()) +
+                              ", expected one per sighting, " + std::to_string(all.all().size()));
     return {given.data(), given.data() + given.size()};
 }
 
 Recording recordingFrom(double frameRate, const py::array_t<std::int32_t, py::array::forcecast>& frames,
-                        const py::array_t<std::uint32_t, py::array::forcecast>& ids, const py::object& positions) {
+                        const py::array_t<std::uint32_t, py::array::forcecast>& ids,
+                        const py::object& positions) {
     const std::vector<Vec2> places = pointsFrom(positions, "positions");
     if (static_cast<std::size_t>(frames.size()) != places.size() || ids.size() != frames.size())
         throw py::value_error("frames, ids and positions: found different lengths");
     std::vector<Sighting> all;
     for (std::size_t i = 0; i < places.size(); ++i)
-        all.push_back({frames.at(static_cast<py::ssize_t>(i)), ids.at(static_cast<py::ssize_t>(i)), places[i]});
+        all.push_back(
+            {frames.at(static_cast<py::ssize_t>(i)), ids.at(static_cast<py::ssize_t>(i)), places[i]});
     return {take(Trajectories::create(frameRate, std::move(all))), {}};
 }
 
-py::tuple crossingsOf(const Recording& self, const py::object& a, const py::object& b, int direction, bool first) {
+py::tuple crossingsOf(const Recording& self, const py::object& a, const py::object& b, int direction,
+                      bool first) {
     Line line;
     FromPython("line").read(a, line.a);
     FromPython("line").read(b, line.b);
@@ -75,7 +78,8 @@ py::tuple crossingsOf(const Recording& self, const py::object& a, const py::obje
         directions.push_back(c.direction);
         points.push_back(c.point);
     }
-    return py::make_tuple(arrayOf(ids), arrayOf(frames), arrayOf(times), arrayOf(directions), pointArray(points));
+    return py::make_tuple(arrayOf(ids), arrayOf(frames), arrayOf(times), arrayOf(directions),
+                          pointArray(points));
 }
 
 SpeedBorder borderFrom(const std::string& word) {
@@ -105,12 +109,13 @@ py::tuple voronoiOf(const Recording& self, const Region& walkable, const Region&
     return py::make_tuple(arrayOf(series.density), arrayOf(series.speed));
 }
 
-py::array_t<double> cellAreasOf(const Recording& self, std::int32_t frame, const Region& walkable, double cutOff,
-                                std::int32_t quadSegments) {
+py::array_t<double> cellAreasOf(const Recording& self, std::int32_t frame, const Region& walkable,
+                                double cutOff, std::int32_t quadSegments) {
     const std::int32_t index = frame - self.trajectories.firstFrame();
     if (index < 0 || index >= self.trajectories.frameCount()) throw py::index_error("there is no such frame");
     std::vector<double> areas;
-    for (const VoronoiCell& cell : voronoiCells(self.trajectories.frame(index), walkable, {cutOff, quadSegments}))
+    for (const VoronoiCell& cell :
+         voronoiCells(self.trajectories.frame(index), walkable, {cutOff, quadSegments}))
         areas.push_back(cell.area);
     return arrayOf(areas);
 }
@@ -132,10 +137,14 @@ void defineTrajectoryData(py::module_& module) {
     type.def_static(
         "load", [](const py::object& path, double rate) { return take(readRecording(pathFrom(path), rate)); },
         py::arg("path"), py::arg("frame_rate"));
-    type.def_static("make", &recordingFrom, py::arg("frame_rate"), py::arg("frames"), py::arg("ids"), py::arg("positions"));
-    type.def_property_readonly("frame_rate", [](const Recording& self) { return self.trajectories.frameRate(); });
-    type.def_property_readonly("first_frame", [](const Recording& self) { return self.trajectories.firstFrame(); });
-    type.def_property_readonly("frame_count", [](const Recording& self) { return self.trajectories.frameCount(); });
+    type.def_static("make", &recordingFrom, py::arg("frame_rate"), py::arg("frames"), py::arg("ids"),
+                    py::arg("positions"));
+    type.def_property_readonly("frame_rate",
+                               [](const Recording& self) { return self.trajectories.frameRate(); });
+    type.def_property_readonly("first_frame",
+                               [](const Recording& self) { return self.trajectories.firstFrame(); });
+    type.def_property_readonly("frame_count",
+                               [](const Recording& self) { return self.trajectories.frameCount(); });
     type.def_property_readonly("walkable", [](const Recording& self) { return self.walkable; });
     type.def_property_readonly("frames", [](const Recording& self) {
         return columnOf<std::int32_t>(self.trajectories, [](const Sighting& s) { return s.frame; });
@@ -149,10 +158,13 @@ void defineTrajectoryData(py::module_& module) {
         return pointArray(points);
     });
     type.def("crossings", &crossingsOf, py::arg("a"), py::arg("b"), py::arg("direction"), py::arg("first"));
-    type.def("speeds", &speedsOf, py::arg("frame_step"), py::arg("border"), py::arg("direction"), py::arg("period"));
+    type.def("speeds", &speedsOf, py::arg("frame_step"), py::arg("border"), py::arg("direction"),
+             py::arg("period"));
     type.def(
         "classic_density",
-        [](const Recording& self, const Region& area) { return arrayOf(classicDensity(self.trajectories, area)); },
+        [](const Recording& self, const Region& area) {
+            return arrayOf(classicDensity(self.trajectories, area));
+        },
         py::arg("area"));
     type.def(
         "mean_speed",
@@ -160,8 +172,8 @@ void defineTrajectoryData(py::module_& module) {
             return arrayOf(meanSpeed(self.trajectories, area, speedsFrom(speeds, self.trajectories)));
         },
         py::arg("area"), py::arg("speeds"));
-    type.def("voronoi", &voronoiOf, py::arg("walkable"), py::arg("area"), py::arg("cut_off"), py::arg("quad_segments"),
-             py::arg("speeds"));
+    type.def("voronoi", &voronoiOf, py::arg("walkable"), py::arg("area"), py::arg("cut_off"),
+             py::arg("quad_segments"), py::arg("speeds"));
     type.def("cell_areas", &cellAreasOf, py::arg("frame"), py::arg("walkable"), py::arg("cut_off"),
              py::arg("quad_segments"));
     type.def("headways", &headwaysOf, py::arg("period"), py::arg("backwards"));
@@ -173,9 +185,11 @@ void defineTrajectoryData(py::module_& module) {
 void defineMeasures(py::module_& module) {
     py::class_<Region> region(module, "RegionData");
     region.def_static(
-        "polygon", [](const py::object& corners) { return take(Region::create(pointsFrom(corners, "polygon"))); },
+        "polygon",
+        [](const py::object& corners) { return take(Region::create(pointsFrom(corners, "polygon"))); },
         py::arg("corners"));
-    region.def_static("parse", [](const std::string& text) { return take(Region::parse(text)); }, py::arg("text"));
+    region.def_static(
+        "parse", [](const std::string& text) { return take(Region::parse(text)); }, py::arg("text"));
     region.def_property_readonly("area", &Region::area);
     region.def(
         "contains",

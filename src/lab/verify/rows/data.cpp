@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "files/report/markup.h"
 #include "lab/verify/rows/judges.h"
 
 namespace muster {
@@ -82,6 +83,8 @@ void judgeSeyfried(const VerifySamples& samples, RowReport& report) {
     std::vector<double> logs;
     for (const std::string& count : kFileCounts)
         means.push_back({samples.mean(count, "density"), samples.mean(count, "speed")});
+    for (const Vec2 p : means)
+        report.shown("speed at " + fixedNumber(p.x, 2) + " /m (Seyfried " + fixedNumber(seyfriedSpeed(p.x), 2) + ")", p.y, "m/s");
     std::size_t used = 0, good = 0;
     for (const Vec2 p : means)
         for (const SpeedBin& bin : fileBins())
@@ -222,7 +225,7 @@ void judgeLanes(const VerifySamples& samples, RowReport& report) {
         const auto runs = samples.values(side, "left");
         const auto stuck = std::count_if(runs.begin(), runs.end(), [](double left) { return left < 1.0; });
         report.atMost(side + " /m2 a side: seeds that are not through after 240 s",
-                      static_cast<double>(stuck), 0.0, "", Whose::Data);
+                      runs.empty() ? kUnmeasured : static_cast<double>(stuck), 0.0, "", Whose::Data);
         report.shown(side + " /m2 a side: last one through", samples.mean(side, "time"), "s");
         report.shown(side + " /m2 a side: order of lanes, 1 where each strip has one direction",
                      samples.mean(side, "order"), "");
