@@ -149,3 +149,23 @@ TEST_CASE("a list with rows holds all close pairs and finds near points, with fe
         }
     }
 }
+
+TEST_CASE("on a ring a list holds the pairs across the joint once, too") {
+    Random random(6);
+    NeighbourList list;
+    for (int scene = 0; scene < 100; ++scene) {
+        const Ring ring{-5.0, 10.0};
+        std::vector<Vec2> points(1 + random.below(120));
+        for (Vec2& p : points) p = {random.uniform(-5.0, 5.0), random.uniform(-3.0, 3.0)};
+        const double reach = random.uniform(0.05, 2.0);
+        list.build(points, reach, 0.0, ring);
+        std::set<IndexPair> expected;
+        for (std::int32_t i = 0; i < std::ssize(points); ++i)
+            for (std::int32_t j = i + 1; j < std::ssize(points); ++j)
+                for (const double shift : {-10.0, 0.0, 10.0})
+                    if (lengthSquared(points[j] + Vec2{shift, 0.0} - points[i]) < reach * reach)
+                        expected.insert({i, j});
+        CHECK(listedPairs(list) == expected);
+        CHECK(list.pairs().size() == expected.size());
+    }
+}

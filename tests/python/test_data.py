@@ -71,7 +71,7 @@ def filled(type_: type) -> object:
 
 
 def test_every_command_comes_back_from_bytes() -> None:
-    assert len(COMMANDS) == 43
+    assert len(COMMANDS) == 45
     for type_ in COMMANDS:
         command = muster.Command(step=7, client=2, sequence=9, body=filled(type_))
         assert muster.decode_command(muster.encode_command(command)) == command, type_.__name__
@@ -115,7 +115,8 @@ SENTENCES = [
     (lambda d: d.parameters.update({"plan.x": 1.0}), 'there is no parameter "plan.x"'),
     (lambda d: d.parameters.update({3: 1.0}), "parameters: found 3, expected the name of a parameter"),
     (lambda d: setattr(d.groups[0], "angle", math.nan), "angle"),
-    (lambda d: setattr(d.groups[0], "count", 0), "groups[0]: count is 0, expected a number in [1, 200000]"),
+    (lambda d: setattr(d.groups[0], "count", -1), "groups[0]: count is -1, expected a number in [0, 200000]"),
+    (lambda d: setattr(d.groups[0], "count", 0), "groups[0]: count is 0, expected at least 1 where no source sends people"),
 ]  # fmt: skip
 
 

@@ -26,6 +26,7 @@ ARRAYS = {
     "patch": (np.uint32, ()),
     "driver": (np.uint8, ()),
     "wanted_velocity": (np.float64, (2,)),
+    "goal": (np.uint32, ()),
 }
 
 

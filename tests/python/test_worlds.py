@@ -181,3 +181,53 @@ def test_failures_travel_between_processes() -> None:
         muster.parameter_preset("none")
     again = pickle.loads(pickle.dumps(caught.value))
     assert (type(again), str(again), again.code) == (muster.NotFoundError, str(caught.value), "not found")
+
+
+def test_areas_are_read_with_what_they_have_seen() -> None:
+    square = [(10.0, -2.0), (12.0, -2.0), (12.0, 2.0), (10.0, 2.0)]
+    definition = walkers(6)
+    definition.ring = True
+    definition.areas = [
+        muster.AreaDef(name="Door", polygon=square),
+        muster.AreaDef(kind="source", polygon=square, rate=2.0, until=9.0, timetable=[muster.Arrivals(3.0, 4)]),
+    ]
+    world = muster.World(definition)
+    assert world.ring
+    assert [(area.id, area.group, area.passed) for area in world.areas] == [(1, 0, 0), (2, 1, 0)]
+    assert world.areas[1].definition == definition.areas[1]
+    world.submit(muster.PutArea(id=1, area=muster.AreaDef(name="Door", polygon=square, open=False)))
+    world.submit(muster.PutArea(area=muster.AreaDef(kind=muster.AreaKind.WAITING, polygon=square)))
+    world.submit(muster.RemoveArea(2))
+    world.step()
+    assert [area.id for area in world.areas] == [1, 3]
+    assert not world.areas[0].definition.open
+    assert world.areas[1].definition.kind == muster.AreaKind.WAITING
+    assert not world.rejections
+
+
+def test_orders_without_places_are_made_by_name() -> None:
+    leave = muster.Order.leave([2, 3])
+    assert leave.kind == muster.OrderKind.LEAVE and leave.exits == [2, 3]
+    assert muster.Order.leave().exits == []
+    wait = muster.Order.wait(4, 30.0)
+    assert (wait.kind, wait.area, wait.seconds) == (muster.OrderKind.WAIT, 4, 30.0)
+    walk = muster.Order.walk(0.5)
+    assert (walk.kind, walk.facing) == (muster.OrderKind.WALK, 0.5)
+    with pytest.raises(muster.InvalidArgumentError, match="no waiting area"):
+        muster.validate_command(muster.Command(body=muster.GiveOrder(1, order=muster.Order(kind="wait"))))
+
+
+def test_people_are_adults_or_what_one_says() -> None:
+    adults = muster.adults()
+    assert adults.speed == muster.Distribution.normal(1.34, 0.26, 0.5, 2.2)
+    assert adults.speed.quantile(0.5) == pytest.approx(1.34, abs=0.01)
+    assert adults.speed.quantile(0.1587) == pytest.approx(1.34 - 0.26, abs=0.01)
+    assert muster.Distribution.uniform(10.0, 100.0).quantile(0.25) == pytest.approx(32.5)
+    assert muster.Distribution.constant(2.0).quantile(0.9) == 2.0
+    assert muster.walking_speed_at_age(20.0) == pytest.approx(1.62)
+    with pytest.raises(muster.InvalidArgumentError, match="share: found 1"):
+        adults.speed.quantile(1.0)
+    definition = walkers(4)
+    definition.groups[0].people = [muster.PeopleDef(name="Slow", speed=muster.Distribution.constant(0.6))]
+    text = muster.write_scenario(definition)
+    assert muster.parse_scenario(text).groups[0].people == definition.groups[0].people

@@ -236,6 +236,17 @@ void fields(M& m, C<M, MusterSetAppearance>& c, P<M, SetAppearance>& p) {
     m.optionalChoice(c.hasMotions, c.motions, p.motions, kLastMotionSet, "motions");
 }
 
+template <class M>
+void fields(M& m, C<M, MusterPutArea>& c, P<M, PutArea>& p) {
+    m.id(c.id, p.id);
+    m.part(c.area, p.area, "area");
+    m.id(c.group, p.group);
+}
+template <class M>
+void fields(M& m, C<M, MusterRemoveArea>& c, P<M, RemoveArea>& p) {
+    m.id(c.id, p.id);
+}
+
 /// The members of the C union, in the order of the engine's alternatives.
 inline constexpr std::tuple kCommandMembers{
     &MusterCommandBody::touchDown,        &MusterCommandBody::touchMove,
@@ -259,7 +270,8 @@ inline constexpr std::tuple kCommandMembers{
     &MusterCommandBody::addCheckpoint,    &MusterCommandBody::changeCheckpoint,
     &MusterCommandBody::removeCheckpoint, &MusterCommandBody::placeGroup,
     &MusterCommandBody::nameGroup,        &MusterCommandBody::colourGroup,
-    &MusterCommandBody::setAppearance};
+    &MusterCommandBody::setAppearance,    &MusterCommandBody::putArea,
+    &MusterCommandBody::removeArea};
 static_assert(std::tuple_size_v<decltype(kCommandMembers)> == std::variant_size_v<CommandKinds> &&
               std::variant_size_v<CommandKinds> == MUSTER_COMMAND_COUNT);
 

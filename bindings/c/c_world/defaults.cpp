@@ -81,7 +81,41 @@ MusterWorldDef muster_default_world_def(void) {
 
 MusterBody muster_default_body(void) {
     const Body body;
-    return {body.radius, body.maxSpeed, body.acceleration, body.mass, body.supply, body.unitClass};
+    return {body.radius,    body.maxSpeed, body.acceleration, body.mass,     body.supply,
+            body.unitClass, body.headway,  body.premovement,  body.upstairs, body.downstairs};
+}
+
+MusterDistribution muster_default_distribution(void) {
+    return defaultOf<MusterDistribution, Distribution>();
+}
+MusterPeopleDef muster_default_people_def(void) {
+    return defaultOf<MusterPeopleDef, PeopleDef>();
+}
+MusterPeopleDef muster_adults(void) {
+    static const PeopleDef& value = *new PeopleDef(adults());
+    static Arena& arena = *new Arena;
+    static const MusterPeopleDef made = writeC<MusterPeopleDef>(value, arena);
+    return made;
+}
+MusterAreaDef muster_default_area_def(void) {
+    return defaultOf<MusterAreaDef, AreaDef>();
+}
+
+double muster_walking_speed_at_age(double years) {
+    return walkingSpeedAtAge(years);
+}
+
+MusterStatus muster_distribution_quantile(const MusterDistribution* distribution, double share,
+                                          double* outValue) {
+    return call([&]() -> Status {
+        if (outValue == nullptr) return nullArgument("outValue");
+        Distribution drawn;
+        if (const Status fits = readC(distribution, drawn, "distribution"); !fits.ok()) return fits;
+        if (!(share > 0.0 && share < 1.0))
+            return invalidArgument("share: found " + std::to_string(share) + ", expected a number in (0, 1)");
+        *outValue = drawn.quantile(share);
+        return {};
+    });
 }
 
 MusterOrder muster_order_to_line(MusterVec2 left, MusterVec2 right) {

@@ -48,6 +48,8 @@ void fields(M& m, C<M, MusterPatchDef>& c, P<M, PatchDef>& p) {
     m.part(c.path, p.path, "path");
     m.plain(c.motion, p.motion);
     m.plain(c.speed, p.speed);
+    m.optional(c.hasAscent, c.ascent, p.ascent);
+    m.plain(c.speedDown, p.speedDown);
 }
 template <class M>
 void fields(M& m, C<M, MusterClipFacts>& c, P<M, ClipFacts>& p) {
@@ -87,7 +89,7 @@ void fields(M& m, C<M, MusterConduct>& c, P<M, Conduct>& p) {
 template <class M>
 void fields(M& m, C<M, MusterOrder>& c, P<M, Order>& p) {
     m.template version<MusterOrder>(c.structVersion);
-    m.choice(c.kind, p.kind, OrderKind::Guard, "kind");
+    m.choice(c.kind, p.kind, OrderKind::Walk, "kind");
     m.choice(c.manner, p.manner, Manner::Continuum, "manner");
     m.choice(c.turn, p.turn, Turn::Flow, "turn");
     m.plain(c.target, p.target);
@@ -102,11 +104,55 @@ void fields(M& m, C<M, MusterOrder>& c, P<M, Order>& p) {
     m.plain(c.offset, p.offset);
     m.plain(c.halfSize, p.halfSize);
     m.part(c.path, p.path, "path");
+    m.list(c.exits, c.exitCount, p.exits, "exits");
+    m.choice(c.choice, p.choice, ExitChoice::Nearest, "choice");
+    m.list(c.attractions, c.attractionCount, p.attractions, "attractions");
+    m.plain(c.herding, p.herding);
+    m.plain(c.misjudgement, p.misjudgement);
+    m.id(c.area, p.area);
+    m.plain(c.seconds, p.seconds);
 }
 template <class M>
 void fields(M& m, C<M, MusterQueuedOrder>& c, P<M, QueuedOrder>& p) {
     m.plain(c.id, p.id);
     m.part(c.order, p.order, "order");
+}
+template <class M>
+void fields(M& m, C<M, MusterDistribution>& c, P<M, Distribution>& p) {
+    m.choice(c.spread, p.spread, Spread::Weibull, "spread");
+    m.plain(c.a, p.a);
+    m.plain(c.b, p.b);
+    m.plain(c.least, p.least);
+    m.plain(c.most, p.most);
+}
+template <class M>
+void fields(M& m, C<M, MusterPeopleDef>& c, P<M, PeopleDef>& p) {
+    m.template version<MusterPeopleDef>(c.structVersion);
+    m.text(c.name, p.name);
+    m.plain(c.share, p.share);
+    m.plain(c.unitClass, p.unitClass);
+    m.part(c.speed, p.speed, "speed");
+    m.part(c.radius, p.radius, "radius");
+    m.part(c.headway, p.headway, "headway");
+    m.part(c.premovement, p.premovement, "premovement");
+    m.part(c.age, p.age, "age");
+    m.plain(c.upstairs, p.upstairs);
+    m.plain(c.downstairs, p.downstairs);
+}
+template <class M>
+void fields(M& m, C<M, MusterAreaDef>& c, P<M, AreaDef>& p) {
+    m.template version<MusterAreaDef>(c.structVersion);
+    m.text(c.name, p.name);
+    m.choice(c.kind, p.kind, AreaKind::Waiting, "kind");
+    m.part(c.polygon, p.polygon, "polygon");
+    m.plain(c.open, p.open);
+    m.plain(c.rate, p.rate);
+    m.list(c.queue, c.queueCount, p.queue, "queue");
+    m.plain(c.group, p.group);
+    m.plain(c.from, p.from);
+    m.plain(c.until, p.until);
+    m.plain(c.most, p.most);
+    m.list(c.timetable, c.timetableCount, p.timetable, "timetable");
 }
 template <class M>
 void fields(M& m, C<M, MusterGroupDef>& c, P<M, GroupDef>& p) {
@@ -127,6 +173,7 @@ void fields(M& m, C<M, MusterGroupDef>& c, P<M, GroupDef>& p) {
     m.optional(c.hasColour, c.colour, p.colour);
     m.optionalChoice(c.hasBuild, c.build, p.build, kLastBodyBuild, "build");
     m.optionalChoice(c.hasMotions, c.motions, p.motions, kLastMotionSet, "motions");
+    m.items(c.people, c.peopleCount, p.people, "people");
 }
 template <class M>
 void fields(M& m, C<M, MusterCheckpointDef>& c, P<M, FormationCheckpointDef>& p) {
@@ -167,6 +214,8 @@ void fields(M& m, C<M, MusterWorldDef>& c, P<M, WorldDef>& p) {
     m.items(c.groups, c.groupCount, p.groups, "groups");
     m.items(c.checkpoints, c.checkpointCount, p.checkpoints, "checkpoints");
     m.list(c.items, c.itemCount, p.items, "items");
+    m.items(c.areas, c.areaCount, p.areas, "areas");
+    m.plain(c.ring, p.ring);
     parameterFields(m, c, p.parameters);
 }
 

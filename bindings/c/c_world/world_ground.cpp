@@ -36,6 +36,16 @@ void giveWhereWanted(const T** out, const T* data) {
 }
 
 }  // namespace
+
+template <class M>
+void fields(M& m, C<M, MusterArea>& c, P<M, AreaView>& p) {
+    m.id(c.id, p.id);
+    m.part(c.def, p.def, "def");
+    m.id(c.group, p.group);
+    m.plain(c.passed, p.count.passed);
+    m.plain(c.waiting, p.count.waiting);
+}
+
 }  // namespace muster::c_api
 
 using namespace muster;
@@ -115,4 +125,19 @@ MusterStatus muster_world_checkpoints(MusterWorldId world, const MusterCheckpoin
         *outCount = static_cast<std::int32_t>(own.checkpoints().size());
         return {};
     });
+}
+
+MusterStatus muster_world_areas(MusterWorldId world, const MusterArea** outAreas, int32_t* outCount) {
+    return readWorld(world, [&](WorldHandle& handle) -> Status {
+        if (const Status given = needPointers({"outAreas", "outCount"}, outAreas, outCount); !given.ok())
+            return given;
+        std::vector<AreaView> views;
+        for (std::size_t a = 0; a < handle.world().areaCount(); ++a) views.push_back(handle.world().area(a));
+        *outAreas = writeAll<MusterArea>(handle.keep(std::move(views)), handle.lend(Lent::Areas), *outCount);
+        return {};
+    });
+}
+
+MusterStatus muster_world_ring(MusterWorldId world, bool* outRing) {
+    return readValue(world, outRing, "outRing", [](const World& own) { return own.ring(); });
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "bindings/c/c_world/call.h"
 #include "bindings/c/c_world/memory.h"
@@ -23,6 +24,7 @@ enum class Lent : std::uint8_t {
     Obstacle,
     Patch,
     Checkpoints,
+    Areas,
     Rejections,
     StageTimes,
     Count
@@ -48,6 +50,7 @@ public:
     const GroupDef& keep(GroupDef def) { return group_ = std::move(def); }
     const ObstacleView& keep(ObstacleView view) { return obstacle_ = std::move(view); }
     const PatchView& keep(PatchView view) { return patch_ = std::move(view); }
+    const std::vector<AreaView>& keep(std::vector<AreaView> views) { return areas_ = std::move(views); }
 
 private:
     std::optional<World> own_;
@@ -56,6 +59,7 @@ private:
     GroupDef group_;
     ObstacleView obstacle_;
     PatchView patch_;
+    std::vector<AreaView> areas_;
 };
 
 /// Takes a world and gives its handle.

@@ -81,6 +81,7 @@ MusterStatus muster_world_characters(MusterWorldId world, MusterCharacters* outC
         out.body = same<MusterBody>(view.body);
         out.driver = same<MusterDriver>(view.driver);
         out.wantedVelocity = same<MusterVec2>(view.wantedVelocity);
+        out.goal = view.goal.data();
         return {};
     });
 }

@@ -12,14 +12,16 @@ from pathlib import Path
 from read_headers import Enumeration, Field, HeaderError, Struct, read_header
 
 HEADERS = (
-    "appearance formation geometry obstacle patch unit order control map_import world_def order_commands unit_commands "
+    "appearance formation geometry obstacle patch unit order control map_import people area world_def order_commands unit_commands "
     "place_commands command event characters walk_totals views take"
 ).split()
 # What has a Python class of its own, or none.
 LEFT_OUT = {
-    "TriangleMesh", "CharactersView", "GroupView", "ObstacleView", "PatchView", "StageInfo", "StageTimes", "Rejection",
+    "TriangleMesh", "CharactersView", "GroupView", "ObstacleView", "PatchView", "AreaView", "StageInfo", "StageTimes", "Rejection",
     "Take", "TakeFrame", "ReplayFrom",
 }  # fmt: skip
+# Classes with methods, which are in the files NAME_methods.txt.
+WITH_METHODS = ("Order", "Distribution")
 RENAMED = {"def": "placement", "from": "from_"}
 NUMBERS = {f"std::{sign}int{bits}_t" for sign in ("", "u") for bits in (8, 16, 32, 64)} | {"std::size_t", "MotionId"}
 PLAIN = {
@@ -146,7 +148,7 @@ Box = tuple[Vec2, Vec2]
 '''
 
 
-def write_python(things: list[Struct | Enumeration], commands: list[str], methods: str) -> str:
+def write_python(things: list[Struct | Enumeration], commands: list[str], methods: dict[str, str]) -> str:
     enumerations = {thing.name for thing in things if isinstance(thing, Enumeration)}
     parts = []
     for thing in things:
@@ -155,7 +157,7 @@ def write_python(things: list[Struct | Enumeration], commands: list[str], method
             continue
         if thing.name == "Command":
             parts.append("CommandBody = Union[\n    " + ",\n    ".join(commands) + ",\n]")
-        parts.append(python_struct(thing, enumerations, methods if thing.name == "Order" else ""))
+        parts.append(python_struct(thing, enumerations, methods.get(thing.name, "")))
     names = sorted([thing.name for thing in things] + ["CommandBody", "Vec2", "Box"])
     listed = "__all__ = [\n" + "".join(f'    "{name}",\n' for name in names) + "]\n"
     return PYTHON_HEAD + listed + "\n\n" + "\n\n\n".join(parts) + "\n"
@@ -213,7 +215,7 @@ def main() -> None:
     commands = command_names(include / "command.h")
     things = in_order(things, commands)
     folder.mkdir(parents=True, exist_ok=True)
-    methods = (Path(__file__).parent / "order_methods.txt").read_text(encoding="utf-8")
+    methods = {name: (Path(__file__).parent / f"{name.lower()}_methods.txt").read_text(encoding="utf-8") for name in WITH_METHODS}
     (folder / "_types.py").write_text(write_python(things, commands, methods), encoding="utf-8")
     (folder / "described_types.inc").write_text(write_table(things), encoding="utf-8")
 

@@ -25,6 +25,7 @@ from ._core import (
     RunMetrics,
     TakeWriter,
     World,
+    adults,
     decode_command,
     default_clip_facts,
     encode_command,
@@ -36,6 +37,7 @@ from ._core import (
     scenario_schema,
     scenario_warnings,
     validate_command,
+    walking_speed_at_age,
     write_gestures,
     write_scenario,
 )
@@ -52,7 +54,7 @@ from .errors import (
     UnsupportedError,
 )
 from .play import play
-from .records import FormationCheckpoint, Item, Obstacle, Parameter, Patch, Rejection
+from .records import Area, FormationCheckpoint, Item, Obstacle, Parameter, Patch, Rejection
 from .scenario import Scenario, load_gestures, load_scenario, parse_gestures, parse_scenario, save_scenario
 from .take import Take, TrajectoryRecorder, to_pedpy
 
@@ -60,6 +62,8 @@ __version__ = VERSION
 
 __all__ = [
     "__version__",
+    "adults",
+    "Area",
     "Characters",
     "CorruptError",
     "CrowdMotion",
@@ -107,6 +111,7 @@ __all__ = [
     "TrajectoryRecorder",
     "UnsupportedError",
     "validate_command",
+    "walking_speed_at_age",
     "World",
     "write_gestures",
     "write_scenario",

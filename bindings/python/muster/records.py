@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ._types import Command, FormationCheckpointDef, ItemDef, ObstacleDef, PatchDef, Vec2
+from ._types import AreaDef, Command, FormationCheckpointDef, ItemDef, ObstacleDef, PatchDef, Vec2
 from .errors import Error
 
 
@@ -71,6 +71,25 @@ class FormationCheckpoint:
     id: int
     definition: FormationCheckpointDef
     group: int
+
+
+@dataclass(slots=True, frozen=True)
+class Area:
+    """An exit, a source or a waiting area, and what it has seen.
+
+    Attributes:
+        id: Unique id, never used again.
+        definition: Definition as added or last changed; its `group` counts in the definition of the world only.
+        group: Of a source: id of the group whom its people join; else 0.
+        passed: People who have left by an exit, or come by a source.
+        waiting: People of a source for whom there is no room yet.
+    """
+
+    id: int
+    definition: AreaDef
+    group: int
+    passed: int
+    waiting: int
 
 
 @dataclass(slots=True, frozen=True)

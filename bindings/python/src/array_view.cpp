@@ -56,15 +56,21 @@ py::array viewOf(const py::object& owner, const void* data, std::size_t count, c
 
 py::dtype bodyRecord() {
     const py::dtype number = py::dtype::of<double>();
-    return recordOf({{"radius", number},
-                     {"max_speed", number},
-                     {"acceleration", number},
-                     {"mass", number},
-                     {"supply", number},
-                     {"unit_class", py::dtype::of<std::uint8_t>()}},
-                    {offsetof(Body, radius), offsetof(Body, maxSpeed), offsetof(Body, acceleration),
-                     offsetof(Body, mass), offsetof(Body, supply), offsetof(Body, unitClass)},
-                    sizeof(Body));
+    return recordOf(
+        {{"radius", number},
+         {"max_speed", number},
+         {"acceleration", number},
+         {"mass", number},
+         {"supply", number},
+         {"unit_class", py::dtype::of<std::uint8_t>()},
+         {"headway", number},
+         {"premovement", number},
+         {"upstairs", number},
+         {"downstairs", number}},
+        {offsetof(Body, radius), offsetof(Body, maxSpeed), offsetof(Body, acceleration), offsetof(Body, mass),
+         offsetof(Body, supply), offsetof(Body, unitClass), offsetof(Body, headway),
+         offsetof(Body, premovement), offsetof(Body, upstairs), offsetof(Body, downstairs)},
+        sizeof(Body));
 }
 
 py::dtype meshPointRecord() {

@@ -57,10 +57,12 @@ void defineCharacters(py::module_& module) {
     defineArray(type, "body", &View::body,
                 "What it is. Shape (n,), records with the fields of Body: radius [m], max_speed [m/s], "
                 "acceleration [m/s^2],\n"
-                "mass, supply, unit_class.");
+                "mass, supply, unit_class, headway [s], premovement [s], upstairs, downstairs.");
     defineArray(type, "driver", &View::driver, "Who moves it: the index of a Driver. Shape (n,), uint8.");
     defineArray(type, "wanted_velocity", &View::wantedVelocity,
                 "Velocity that steering aims at, before bounds and contacts [m/s]. Shape (n, 2), float64.");
+    defineArray(type, "goal", &View::goal,
+                "Id of the exit or waiting area that it goes to; 0 for none. Shape (n,), uint32.");
     type.def("__len__", [](const Characters& self) { return worldOf(self.world).characters().size(); });
 }
 

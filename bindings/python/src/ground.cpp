@@ -1,4 +1,4 @@
-// What lies on the ground of a world: muster.Obstacle, Patch, Item, FormationCheckpoint.
+// What lies on the ground of a world: muster.Obstacle, Patch, Item, FormationCheckpoint, Area.
 #include "array_view.h"
 #include "to_python.h"
 #include "world_handle.h"
@@ -51,6 +51,18 @@ py::list checkpointsOf(const py::object& object) {
     for (std::size_t i = 0; i < world.checkpoints().size(); ++i)
         all.append(type(world.checkpointIds()[i].value, toPython(world.checkpoints()[i]),
                         world.checkpointGroups()[i].value));
+    return all;
+}
+
+py::list areasOf(const py::object& object) {
+    const World& world = worldOf(object);
+    const py::object type = groundClass("Area");
+    py::list all;
+    for (std::size_t i = 0; i < world.areaCount(); ++i) {
+        const AreaView view = world.area(i);
+        all.append(
+            type(view.id.value, toPython(view.def), view.group.value, view.count.passed, view.count.waiting));
+    }
     return all;
 }
 

@@ -117,6 +117,24 @@ void defineCommands(py::module_& module) {
         py::arg("left"), py::arg("right"));
 }
 
+void definePeople(py::module_& module) {
+    module.def(
+        "quantile",
+        [](const py::object& distribution, double share) {
+            if (!(share > 0.0 && share < 1.0))
+                check(invalidArgument("share: found " + std::to_string(share) +
+                                      ", expected a number in (0, 1)"));
+            return fromPython<Distribution>(distribution, "distribution").quantile(share);
+        },
+        py::arg("distribution"), py::arg("share"));
+    module.def(
+        "adults", [] { return toPython(adults()); },
+        "Adults as a PeopleDef: free speeds of mean 1.34 m/s and deviation 0.26 m/s, cut off at 0.5 and 2.2 "
+        "m/s.");
+    module.def("walking_speed_at_age", &walkingSpeedAtAge, py::arg("years"),
+               "The mean free speed of persons by age [m/s], 5 to 90 years.");
+}
+
 void defineParameters(py::module_& module) {
     module.def("parameter_table", &parameterList,
                "All parameters: name, unit, range, default and description.");
@@ -141,6 +159,7 @@ void defineScenarios(py::module_& module) {
     defineFiles(module);
     defineGestures(module);
     defineCommands(module);
+    definePeople(module);
     defineParameters(module);
 }
 

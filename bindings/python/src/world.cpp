@@ -100,6 +100,13 @@ void defineReadOuts(py::class_<WorldHandle>& world) {
     world.def_property_readonly("checkpoints", &checkpointsOf,
                                 "All formation checkpoints, in ascending order of ids.");
     world.def_property_readonly(
+        "areas", &areasOf,
+        "All exits, sources and waiting areas, in ascending order of ids, with what they "
+        "have seen.");
+    world.def_property_readonly(
+        "ring", [](const py::object& self) { return worldOf(self).ring(); },
+        "True where the left and the right side of its box are joined.");
+    world.def_property_readonly(
         "events", [](WorldHandle& self) { return listOf(self.get().events()); },
         "Events of the last step, in the order in which they happened.");
     world.def_property_readonly(

@@ -59,5 +59,6 @@ py::list obstaclesOf(const py::object& world);
 py::list patchesOf(const py::object& world);
 py::list itemsOf(const py::object& world);
 py::list checkpointsOf(const py::object& world);
+py::list areasOf(const py::object& world);
 
 }  // namespace muster::python

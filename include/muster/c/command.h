@@ -55,7 +55,9 @@ enum MusterCommandKindValue {
     MUSTER_COMMAND_NAME_GROUP = 40,           ///< Its body is `nameGroup`.
     MUSTER_COMMAND_COLOUR_GROUP = 41,         ///< Its body is `colourGroup`.
     MUSTER_COMMAND_SET_APPEARANCE = 42,       ///< Its body is `setAppearance`.
-    MUSTER_COMMAND_COUNT = 43                 ///< Number of kinds.
+    MUSTER_COMMAND_PUT_AREA = 43,             ///< Its body is `putArea`.
+    MUSTER_COMMAND_REMOVE_AREA = 44,          ///< Its body is `removeArea`.
+    MUSTER_COMMAND_COUNT = 45                 ///< Number of kinds.
 };
 
 /// What a command of each kind says. Only the member of the command's kind is read.
@@ -103,6 +105,8 @@ typedef union MusterCommandBody {
     MusterNameGroup nameGroup;                    ///< For MUSTER_COMMAND_NAME_GROUP.
     MusterColourGroup colourGroup;                ///< For MUSTER_COMMAND_COLOUR_GROUP.
     MusterSetAppearance setAppearance;            ///< For MUSTER_COMMAND_SET_APPEARANCE.
+    MusterPutArea putArea;                        ///< For MUSTER_COMMAND_PUT_AREA.
+    MusterRemoveArea removeArea;                  ///< For MUSTER_COMMAND_REMOVE_AREA.
 } MusterCommandBody;
 
 /// A change of a world, with its step and sender. Commands apply in the order of (step, client, sequence).

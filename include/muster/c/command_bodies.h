@@ -305,6 +305,18 @@ typedef struct MusterSetAppearance {
     MusterMotionSet motions;  ///< How they walk and jog.
 } MusterSetAppearance;
 
+/// Adds an area, or changes one.
+typedef struct MusterPutArea {
+    MusterAreaId id;      ///< Which is changed; 0 to add one.
+    MusterAreaDef area;   ///< Its definition; its `group` is not read.
+    MusterGroupId group;  ///< For Source: whom its people join.
+} MusterPutArea;
+
+/// Removes an area. Who was to go there goes to the others of its order, or stands.
+typedef struct MusterRemoveArea {
+    MusterAreaId id;  ///< Its id.
+} MusterRemoveArea;
+
 #ifdef __cplusplus
 }
 #endif

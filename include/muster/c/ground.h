@@ -141,6 +141,9 @@ typedef struct MusterPatchDef {
     MusterTimedPath path;      ///< Its motion; empty for a patch that stands still.
     MusterMotionIndex motion;  ///< Clip played on it; an index into the world's clips.
     double speed;              ///< Travel speed relative to running, above 0; negative for the clip's.
+    bool hasAscent;            ///< True: stairs or a ramp. There `speed` is that of going up.
+    double ascent;             ///< Heading of the way up [rad].
+    double speedDown;          ///< For stairs and ramps: that of going down; negative for `speed`.
 } MusterPatchDef;
 
 /// No shape yet, on which people run.

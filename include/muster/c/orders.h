@@ -13,6 +13,7 @@ typedef uint32_t MusterPatchId;       ///< Names a patch of a world; 0 for none.
 typedef uint32_t MusterGroupId;       ///< Names a group of a world; 0 for none.
 typedef uint32_t MusterItemId;        ///< Names an item of a world; 0 for none.
 typedef uint32_t MusterCheckpointId;  ///< Names a formation checkpoint of a world; 0 for none.
+typedef uint32_t MusterAreaId;        ///< Names an exit, a source or a waiting area; 0 for none.
 typedef uint32_t MusterControlId;     ///< Names a control of a world; 0 for none.
 typedef uint32_t MusterCharacterId;   ///< Names a character of a world; 0 for none.
 typedef uint32_t MusterOrderId;       ///< Names an order in a queue; 0 for none.
@@ -25,6 +26,10 @@ typedef struct MusterBody {
     double mass;          ///< Mass in bodies of the usual mass, 0.01 to 1000: who is heavy gives way less.
     double supply;        ///< Units that it supplies to places, above 0 and at most 1000.
     uint8_t unitClass;    ///< Class, for roles; 0 for none.
+    double headway;       ///< Time that it keeps from who is ahead [s], 0 or 0.02 to 5.
+    double premovement;   ///< Time from its first order until it sets out [s], 0 to 1e7; no parameter.
+    double upstairs;      ///< Speed up stairs as a share of that in the open, 0.01 to 1; 0: the stairs'.
+    double downstairs;    ///< Speed down stairs as a share of that in the open, 0.01 to 1; 0: the stairs'.
 } MusterBody;
 
 /// A body by the parameters, of mass and supply 1.
@@ -82,7 +87,18 @@ enum MusterOrderKindValue {
     MUSTER_ORDER_MOVE = 0,    ///< Go to `target`, by `route` if one is given.
     MUSTER_ORDER_FACE = 1,    ///< Turn to `facing` where it stands.
     MUSTER_ORDER_FOLLOW = 2,  ///< Keep at `offset` from a group or a character, until the next order.
-    MUSTER_ORDER_GUARD = 3    ///< Stand round a rectangle, which may move, until the next order.
+    MUSTER_ORDER_GUARD = 3,   ///< Stand round a rectangle, which may move, until the next order.
+    MUSTER_ORDER_LEAVE = 4,   ///< Leave the world by exits. Nobody has a place meanwhile.
+    MUSTER_ORDER_WAIT = 5,    ///< Go to a waiting area and stand there. Nobody has a place meanwhile.
+    MUSTER_ORDER_WALK = 6     ///< Walk on towards `facing` without end. Nobody has a place meanwhile.
+};
+
+/// By which exit each leaves.
+typedef uint8_t MusterExitChoice;
+/// Values of MusterExitChoice.
+enum MusterExitChoiceValue {
+    MUSTER_EXIT_QUICKEST = 0,  ///< Where it will have left soonest, with the wait before it.
+    MUSTER_EXIT_NEAREST = 1    ///< The one with the quickest way.
 };
 
 /// How a group goes to its target.
@@ -124,6 +140,17 @@ typedef struct MusterOrder {
     MusterVec2 offset;            ///< For Follow: from its centre to the formation's, in its axes [m].
     MusterVec2 halfSize;          ///< For Guard: half the length and half the width [m].
     MusterTimedPath path;         ///< For Guard: how the rectangle moves from `target` on.
+    const MusterAreaId* exits;    ///< For Leave: by which exits; none for all.
+    int32_t exitCount;            ///< Their number.
+    MusterExitChoice choice;      ///< For Leave: by which of them each goes.
+    const double* attractions;    ///< For Leave: seconds by which each of `exits` counts as nearer; or none.
+    int32_t attractionCount;      ///< Their number: that of `exits`, or 0.
+    double herding;  ///< For Leave: seconds by which an exit counts as nearer if all others nearby choose
+                     ///< it, 0 to 1e6.
+    double misjudgement;  ///< For Leave: deviation of the error by which each misjudges the time by an exit
+                          ///< [s], 0 to 1e6.
+    MusterAreaId area;    ///< For Wait: the waiting area.
+    double seconds;       ///< For Wait: how long, from when its share has come, 0 to 1e9; 0 for no end.
 } MusterOrder;
 
 /// A move to the origin.

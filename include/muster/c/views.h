@@ -37,6 +37,7 @@ typedef struct MusterCharacters {
     const MusterBody* body;            ///< What it is.
     const MusterDriver* driver;        ///< Who moves it.
     const MusterVec2* wantedVelocity;  ///< Velocity that steering aims at, before bounds and contacts [m/s].
+    const MusterAreaId* goal;          ///< Exit or waiting area that it goes to; 0 for none.
 } MusterCharacters;
 
 /// No characters: to be filled by muster_world_characters().
@@ -154,6 +155,15 @@ typedef struct MusterPatch {
 /// No patch: to be filled by muster_world_patch().
 MUSTER_API MusterPatch muster_default_patch(void);
 
+/// An exit, a source or a waiting area, and what it has seen.
+typedef struct MusterArea {
+    MusterAreaId id;      ///< Unique id; it is not reused.
+    MusterAreaDef def;    ///< Definition as added or last changed; its `group` is not read.
+    MusterGroupId group;  ///< Of a source: whom its people join.
+    uint32_t passed;      ///< People who have left by an exit, or come by a source.
+    uint32_t waiting;     ///< People of a source for whom there is no room yet.
+} MusterArea;
+
 /// Kinds of events. Those from Arrived on are about orders and groups.
 typedef uint8_t MusterEventKind;
 /// Values of MusterEventKind.
@@ -185,7 +195,10 @@ enum MusterEventKindValue {
     MUSTER_EVENT_JOINED = 21,         ///< A character is new; `value` is its group.
     MUSTER_EVENT_LEFT = 22,           ///< A character has left the world; `value` is its group.
     MUSTER_EVENT_TRANSFERRED = 23,    ///< A character has changed groups; `value` is its new group.
-    MUSTER_EVENT_COUNT = 24           ///< Number of kinds.
+    MUSTER_EVENT_EXITED = 24,         ///< A character has left the world by an exit; `value` is that area.
+    MUSTER_EVENT_ENTERED = 25,        ///< A character has come into the world by a source; `value` is that
+                                      ///< area.
+    MUSTER_EVENT_COUNT = 26           ///< Number of kinds.
 };
 
 /// The name of a kind: "enterPatch", "arrived"... Null for other numbers.

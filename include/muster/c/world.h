@@ -107,6 +107,12 @@ MUSTER_API MusterStatus muster_world_checkpoints(MusterWorldId world,
                                                  const MusterCheckpointId** outIds,
                                                  const MusterGroupId** outGroups, int32_t* outCount);
 
+/// All exits, sources and waiting areas, in ascending order of ids. Valid also until the next call.
+MUSTER_API MusterStatus muster_world_areas(MusterWorldId world, const MusterArea** outAreas,
+                                           int32_t* outCount);
+/// True where the left and the right side of the world's box are joined.
+MUSTER_API MusterStatus muster_world_ring(MusterWorldId world, bool* outRing);
+
 /// Events of the last step.
 MUSTER_API MusterStatus muster_world_events(MusterWorldId world, const MusterEvent** outEvents,
                                             int32_t* outCount);

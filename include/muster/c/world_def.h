@@ -2,7 +2,7 @@
 #ifndef MUSTER_C_WORLD_DEF_H
 #define MUSTER_C_WORLD_DEF_H
 
-#include "muster/c/orders.h"
+#include "muster/c/people.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -28,29 +28,32 @@ enum MusterMotionSetValue {
 typedef struct MusterGroupDef {
     uint32_t structVersion;  ///< Set by muster_default_group_def().
     const char* name;        ///< Name for display; null or empty for none.
-    int32_t count;           ///< Number of characters, 1 to 200,000; in all at most 5,000 with exact plans.
-    MusterFormationDef formation;  ///< Shape and spacing of the places.
-    MusterVec2 position;           ///< Centre of the formation [m].
-    double angle;                  ///< Heading, counter-clockwise from +x [rad].
-    const MusterVec2* starts;      ///< Initial positions of characters [m]; none to start on their places.
-    int32_t startCount;            ///< Their number: 0 or `count`.
-    double jitter;                 ///< Largest random displacement of initial positions [m], 0 or more.
-    const MusterBody* bodies;      ///< One for all, or one for each character; none for the parameters'.
-    int32_t bodyCount;             ///< Their number.
-    const MusterRoleDef* roles;    ///< Which class stands where; none for no roles.
-    int32_t roleCount;             ///< Their number.
-    const double* demands;         ///< Units of supply that each place demands; none for 1 each.
-    int32_t demandCount;           ///< Their number.
-    MusterConduct conduct;         ///< How it behaves.
-    const MusterOrder* orders;     ///< What it is to do at first, one after the other.
-    int32_t orderCount;            ///< Their number.
-    bool patrols;                  ///< True: orders that are done come last again.
-    bool hasColour;                ///< False: the palette's colour.
-    uint32_t colour;               ///< Colour for display, 0xRRGGBB.
-    bool hasBuild;                 ///< False: bodies of both builds, by the character's id.
-    MusterBodyBuild build;         ///< Build of its drawn bodies.
-    bool hasMotions;               ///< False: they walk in the plain manner.
-    MusterMotionSet motions;       ///< How they walk and jog.
+    int32_t count;  ///< Number of characters, 1 to 200,000, or 0 where a source sends some; in all at
+                    ///< most 5,000 with exact plans.
+    MusterFormationDef formation;   ///< Shape and spacing of the places.
+    MusterVec2 position;            ///< Centre of the formation [m].
+    double angle;                   ///< Heading, counter-clockwise from +x [rad].
+    const MusterVec2* starts;       ///< Initial positions of characters [m]; none to start on their places.
+    int32_t startCount;             ///< Their number: 0 or `count`.
+    double jitter;                  ///< Largest random displacement of initial positions [m], 0 or more.
+    const MusterBody* bodies;       ///< One for all, or one for each character; none for the parameters'.
+    int32_t bodyCount;              ///< Their number.
+    const MusterRoleDef* roles;     ///< Which class stands where; none for no roles.
+    int32_t roleCount;              ///< Their number.
+    const double* demands;          ///< Units of supply that each place demands; none for 1 each.
+    int32_t demandCount;            ///< Their number.
+    MusterConduct conduct;          ///< How it behaves.
+    const MusterOrder* orders;      ///< What it is to do at first, one after the other.
+    int32_t orderCount;             ///< Their number.
+    bool patrols;                   ///< True: orders that are done come last again.
+    bool hasColour;                 ///< False: the palette's colour.
+    uint32_t colour;                ///< Colour for display, 0xRRGGBB.
+    bool hasBuild;                  ///< False: bodies of both builds, by the character's id.
+    MusterBodyBuild build;          ///< Build of its drawn bodies.
+    bool hasMotions;                ///< False: they walk in the plain manner.
+    MusterMotionSet motions;        ///< How they walk and jog.
+    const MusterPeopleDef* people;  ///< Sorts of persons, who also come by sources; none for no sorts.
+    int32_t peopleCount;            ///< Their number. Their numbers go before those of `bodies`.
 } MusterGroupDef;
 
 /// 36 characters in a square at the origin.
@@ -136,6 +139,9 @@ typedef struct MusterWorldDef {
     int32_t checkpointCount;                 ///< Their number.
     const MusterItemDef* items;              ///< Items to collect.
     int32_t itemCount;                       ///< Their number.
+    const MusterAreaDef* areas;              ///< Exits, sources and waiting areas; at most 1,000.
+    int32_t areaCount;                       ///< Their number.
+    bool ring;                               ///< True: the left and the right side of `box` are joined.
     const char* preset;  ///< Preset of parameters, "units", "people" or "paper"; null for "units".
     const MusterParameterValue* parameters;  ///< Parameters that differ from the preset, set in this order.
     int32_t parameterCount;                  ///< Their number.

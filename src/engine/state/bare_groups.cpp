@@ -40,7 +40,8 @@ void dissolveFormation(WorldState& state, Group& group) {
     group.room = {};
     group.flow = {};
     group.avoidance = {};
-    group.plan->forget();
+    // While it makes no plans it follows no changes of the ground either.
+    group.plan = makePlan(state.parameters);
     group.planNow = true;
     group.provisional = group.assigned = false;
     group.slice = 0;

@@ -198,11 +198,6 @@ bool isUnderWay(const Group& group) {
 
 }  // namespace
 
-Body bodyOf(const GroupDef& def, std::size_t index) {
-    if (def.bodies.empty()) return {};
-    return def.bodies[std::min(index, def.bodies.size() - 1)];
-}
-
 std::size_t addCharacter(WorldState& state, const Group& group, std::uint32_t groupIndex, Vec2 position,
                          const Body& body) {
     Characters& c = state.characters;

@@ -16,8 +16,6 @@ std::unique_ptr<Plan> makePlan(const Parameters& parameters);
 /// that characters have as incumbents. No background work may be running.
 void exchangePlans(WorldState& state);
 
-/// What the next character of a group is, by the group's definition.
-Body bodyOf(const GroupDef& def, std::size_t index);
 /// Adds a character, which stands still, to the arrays; its index. The members of its group are not changed.
 std::size_t addCharacter(WorldState& state, const Group& group, std::uint32_t groupIndex, Vec2 position,
                          const Body& body);

@@ -39,7 +39,7 @@ struct WorldState {
     std::vector<ItemId> itemIds;                      ///< Of each item, ascending.
     std::vector<std::uint8_t> collected;              ///< Per item, 1 once collected.
     std::vector<Area> areas;                          ///< In ascending order of ids.
-    std::uint64_t seed = 0;                           ///< As defined; for persons.
+    std::uint64_t seed = 0;                           ///< As defined.
     Random random;                                    ///< For start positions.
     std::uint32_t stepCount = 0;                      ///< Steps done.
     std::vector<Passage> passages;                    ///< Gaps before which somebody may have to wait.

@@ -44,16 +44,20 @@ struct Characters {
     /// Id of the single-step patch crossed last, which is not done again until it has been left for a while;
     /// 0 for none.
     std::vector<std::uint32_t> lastSingle;
-    std::vector<WalkProgress> walk;  ///< How each gets on with its way.
-    std::vector<Claim> claim;        ///< What ranks each among others.
-    std::vector<ChosenWay> chosen;   ///< The way to the place, where many go.
-    std::vector<Body> body;          ///< What each is.
-    std::vector<Driver> driver;      ///< Who moves it.
-    std::vector<Vec2> wanted;        ///< Velocity that steering aimed at in the last step [m/s].
+    std::vector<WalkProgress> walk;   ///< How each gets on with its way.
+    std::vector<Claim> claim;         ///< What ranks each among others.
+    std::vector<ChosenWay> chosen;    ///< The way to the place, where many go.
+    std::vector<Body> body;           ///< What each is.
+    std::vector<Driver> driver;       ///< Who moves it.
+    std::vector<Vec2> wanted;         ///< Velocity that steering aimed at in the last step [m/s].
     std::vector<std::uint32_t> goal;  ///< Id of the exit or waiting area that it goes to; 0 for none.
     /// Step from which it walks: it stands until its premovement time is over; 0 where it has had no order.
     std::vector<std::uint32_t> setsOutAt;
 
+    /// False for who stands yet, since its premovement time is not over.
+    bool hasSetOut(std::size_t i, std::uint32_t step) const {
+        return i >= setsOutAt.size() || step >= setsOutAt[i];
+    }
     /// Number of characters.
     std::size_t size() const { return id.size(); }
     /// Index of the character with an id; -1 for none.
@@ -64,7 +68,7 @@ struct Characters {
     /// The same for reading.
     CharactersView view() const {
         return {id,     group, position,   velocity, heading, place,  direction, cost,
-                motion, phase, motionTime, patch,    body,    driver, wanted,  goal};
+                motion, phase, motionTime, patch,    body,    driver, wanted,    goal};
     }
 
     /// Lets an archive read or write all arrays.

@@ -10,7 +10,8 @@ namespace muster {
 /// The claim of one character.
 struct Claim {
     Vec2 spot;              ///< Where its place was when it came to rest there [m].
-    float progress = 1.0f;  ///< Its speed lately, along its direction, as a share of CrowdBodies::crowdedSpeed().
+    float progress = 1.0f;  ///< Its speed lately, along its direction, as a share of
+                            ///< CrowdBodies::crowdedSpeed().
     float stuck = 0.0f;     ///< Time for which it has not got on [s].
     float lends = 0.0f;     ///< It lends its way for so long yet [s].
     float last = 0.0f;      ///< Others go before it for so long yet [s].
@@ -19,13 +20,14 @@ struct Claim {
     bool rests = false;  ///< It has come to its place, and has had no other way since.
     bool settled = false;  ///< It rests beside its place, because it came no nearer.
     bool follows = false;  ///< Its group follows somebody.
+    bool stays = false;    ///< It has not set out yet: its premovement time is not over.
     bool asks = false;     ///< It asked others for their way in the last step.
     bool queues = false;   ///< In the last step it kept behind somebody who goes the same way.
 
     /// Lets an archive read or write the claim.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(spot, progress, stuck, lends, last, since, rests, settled, follows, asks, queues);
+        archive(spot, progress, stuck, lends, last, since, rests, settled, follows, stays, asks, queues);
     }
 };
 

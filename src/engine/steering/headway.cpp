@@ -9,7 +9,8 @@ namespace {
 constexpr double kFree = 0.6;         // Progress from which who meets takes its whole share.
 constexpr double kToTheRight = 0.25;  // Tangent by which who meet pass each other on the right.
 constexpr double kInFront = 0.5;      // Of two who go the same way one is ahead from twice this cosine.
-constexpr double kSlack = 0.3;        // A limit this far from being reached is left out [m/s].
+constexpr double kSlack = 0.3;        // A limit this far from being reached is left out [m/s]...
+constexpr double kSlackTime = 1.0;    // ... over so long [s].
 constexpr double kPenetration = 0.2;  // Share of an overlap that is taken back in a step.
 constexpr double kWallReach = 0.3;    // Walls beyond this gap are left out [m].
 constexpr std::size_t kPairsPerCharacter = 16;   // Room that is kept for them.
@@ -24,13 +25,6 @@ double gapSpeed(double gap, double time, double dt) {
 bool differ(Vec2 a, Vec2 b) {
     return dot(a, b) <= 0.0;
 }
-
-// How two stand to each other.
-struct Apart {
-    Vec2 between, towards;  // From the first to the other [m], and as a unit vector.
-    double distance;        // Of their centres [m].
-    double touching;        // The same where they touch [m].
-};
 
 // The half-plane of closing velocities nearest to `closing` that keeps two clear of each other for the time
 // `ahead` [s] (optimal reciprocal collision avoidance, van den Berg et al. 2011), with a bias to pass on the
@@ -60,8 +54,11 @@ void Headway::follow(std::int32_t back, std::int32_t front, Vec2 towards, double
         limits_.push_back({back, front, towards, most, 1.0, inStep_, queues});
 }
 
-void Headway::share(NeighbourPair pair, double own, const Tangent& tangent, std::span<const Vec2> velocity) {
-    if (dot(velocity[pair.low] - velocity[pair.high], tangent.towards) > tangent.most - kSlack)
+// `ahead`: for how long they keep clear [s].
+void Headway::share(NeighbourPair pair, double own, const Tangent& tangent, double ahead,
+                    std::span<const Vec2> velocity) {
+    const double slack = kSlack * std::min(1.0, kSlackTime / ahead);
+    if (dot(velocity[pair.low] - velocity[pair.high], tangent.towards) > tangent.most - slack)
         limits_.push_back({pair.low, pair.high, tangent.towards, tangent.most, own, -1.0});
 }
 
@@ -76,24 +73,26 @@ double Headway::shareOf(NeighbourPair pair, const HeadwayInput& input) const {
     return lowFirst ? own : 1.0 - own;
 }
 
-// In step, no limit of two is near unless they close their gap while any law looks ahead. Who does is as good
-// as random, so they are noted without a branch.
+// No limit of two is near unless they close their gap while any law looks ahead or, out of step, one of them is
+// too fast for it. Who is is as good as random, so they are noted without a branch.
 std::span<const NeighbourPair> Headway::findMeetings(const Characters& now, const NeighbourList& neighbours,
                                                      std::span<const Vec2> velocity) {
     const CrowdBodies& bodies = *bodies_;
     const std::span<const NeighbourPair> pairs = neighbours.pairs();
     const double ahead = std::max({bodies.usual().foresight, bodies.longestHeadway(), bodies.longestBraking()}),
                  ahead2 = ahead * ahead;
-    if (inStep_ != 1.0) return pairs;
+    const double headway = inStep_ < 1.0 ? bodies.longestHeadway() : 0.0, headway2 = headway * headway;
     const std::span<const Vec2> position = now.position;
     meetings_.resize(std::max({meetings_.size(), pairs.size(), kPairsPerCharacter * now.size()}));
     NeighbourPair* next = meetings_.data();
     const auto note = [&](NeighbourPair pair, double touching) {
-        const double near = length(bodies.between(position[pair.low], position[pair.high])) - touching -
-                            kSlack * ahead;
+        const Vec2 a = velocity[pair.low], b = velocity[pair.high];
+        const double gap = length(bodies.between(position[pair.low], position[pair.high])) - touching;
+        const double near = gap - kSlack * kSlackTime, slow = gap - kSlack * headway;
+        const double fastest2 = std::max(lengthSquared(a), lengthSquared(b));
         const bool apartForLong = static_cast<int>(near > 0.0) &
-                                  static_cast<int>(near * near > ahead2 * lengthSquared(velocity[pair.low] -
-                                                                                        velocity[pair.high]));
+                                  static_cast<int>(near * near > ahead2 * lengthSquared(a - b)) &
+                                  static_cast<int>(slow * slow >= headway2 * fastest2);
         *next = pair;
         next += apartForLong ? 0 : 1;
     };
@@ -104,42 +103,53 @@ std::span<const NeighbourPair> Headway::findMeetings(const Characters& now, cons
     return {meetings_.data(), next};
 }
 
+// Those who do not go the same way. Who brakes slowly looks ahead as far as it needs to stop, and turns aside
+// rather than brake while both get on.
+void Headway::meet(NeighbourPair pair, const Apart& two, const HeadwayInput& input,
+                   std::span<const Vec2> velocity) {
+    const double foresight = bodies_->usual().foresight;
+    const double ahead = std::max({foresight, bodies_->brakingTime(pair.low), bodies_->brakingTime(pair.high)});
+    const bool turns = ahead > foresight && getsOn(input.claims[pair.low]) && getsOn(input.claims[pair.high]);
+    const Vec2 closing = velocity[pair.low] - velocity[pair.high];
+    share(pair, shareOf(pair, input), tangentOf(two, closing, ahead, turns, dt_), ahead, velocity);
+}
+
+// Those who go the same way. Out of step the one behind passes the other or keeps behind, and pushes nobody.
+// In step both keep clear, but nobody pushes one ahead that does not get on.
+void Headway::goTogether(const Characters& now, NeighbourPair pair, const Apart& two, const HeadwayInput& input,
+                         std::span<const Vec2> velocity) {
+    const std::int32_t a = pair.low, b = pair.high;
+    const double topA = std::max(input.topSpeed[a], 1e-9), topB = std::max(input.topSpeed[b], 1e-9);
+    const double lead = dot(two.towards, input.wanted[a] / topA + input.wanted[b] / topB);
+    const bool inFront = std::fabs(lead) > kInFront;
+    const bool aFirst = inFront ? lead < 0.0 : now.cost[a] <= now.cost[b];
+    const Claim& first = input.claims[aFirst ? a : b];
+    const Vec2 closing = velocity[a] - velocity[b];
+    const bool outOfStep = inStep_ < 1.0;
+    if (outOfStep) {
+        const double foresight = bodies_->usual().foresight;
+        share(pair, aFirst ? 0.0 : 1.0, tangentOf(two, closing, foresight, false, dt_), foresight, velocity);
+    }
+    if (outOfStep || (inFront ? !getsOn(first) : first.stuck > 0.0f))
+        return aFirst ? follow(b, a, -two.towards, two.gap(), outOfStep, velocity)
+                      : follow(a, b, two.towards, two.gap(), outOfStep, velocity);
+    const double headway = std::max(bodies_->headway(a), bodies_->headway(b));
+    share(pair, bodies_->share(a, b), tangentOf(two, closing, headway, false, dt_), headway, velocity);
+}
+
 void Headway::addPair(const Characters& now, NeighbourPair pair, const HeadwayInput& input,
                       std::span<const Vec2> velocity) {
     const CrowdBodies& bodies = *bodies_;
     const std::int32_t a = pair.low, b = pair.high;
-    const Vec2 between = bodies.between(now.position[a], now.position[b]);
-    const double apart = length(between), touching = bodies.touching(a, b), gap = apart - touching;
-    const Vec2 towards = apart > 1e-9 ? between / apart : Vec2{1.0, 0.0};
     const bool fixedA = bodies.isFixed(a), fixedB = bodies.isFixed(b);
     if (fixedA && fixedB) return;
-    if (fixedA || bodies.isFirmer(a, b)) return follow(b, a, -towards, gap, false, velocity);
-    if (fixedB || bodies.isFirmer(b, a)) return follow(a, b, towards, gap, false, velocity);
-    if (differ(input.wanted[a], input.wanted[b])) {
-        // Who brakes slowly looks ahead as far as it needs to stop, and turns aside rather than brake while
-        // both get on.
-        const double foresight = bodies.usual().foresight;
-        const double ahead = std::max({foresight, bodies.brakingTime(a), bodies.brakingTime(b)});
-        const bool turns = ahead > foresight && getsOn(input.claims[a]) &&
-                           getsOn(input.claims[b]);
-        const Tangent tangent = tangentOf({between, towards, apart, touching}, velocity[a] - velocity[b],
-                                          ahead, turns, dt_);
-        return share(pair, shareOf(pair, input), tangent, velocity);
-    }
-    const double topA = std::max(input.topSpeed[a], 1e-9), topB = std::max(input.topSpeed[b], 1e-9);
-    const double lead = dot(towards, input.wanted[a] / topA + input.wanted[b] / topB);
-    const bool inFront = std::fabs(lead) > kInFront;
-    const bool aFirst = inFront ? lead < 0.0 : now.cost[a] <= now.cost[b];
-    // Nobody pushes one ahead that does not get on. Who is out of step pushes nobody ahead.
-    const Claim& first = input.claims[aFirst ? a : b];
-    const bool outOfStep = inStep_ < 1.0;
-    if (outOfStep || (inFront ? !getsOn(first) : first.stuck > 0.0f))
-        return aFirst ? follow(b, a, -towards, gap, outOfStep, velocity)
-                      : follow(a, b, towards, gap, outOfStep, velocity);
-    const double headway = std::max(bodies.headway(a), bodies.headway(b));
-    const Tangent tangent = tangentOf({between, towards, apart, touching}, velocity[a] - velocity[b],
-                                      headway, false, dt_);
-    share(pair, bodies.share(a, b), tangent, velocity);
+    const Vec2 between = bodies.between(now.position[a], now.position[b]);
+    const double apart = length(between);
+    const Apart two{between, apart > 1e-9 ? between / apart : Vec2{1.0, 0.0}, apart, bodies.touching(a, b)};
+    if (fixedA || bodies.isFirmer(a, b)) return follow(b, a, -two.towards, two.gap(), false, velocity);
+    if (fixedB || bodies.isFirmer(b, a)) return follow(a, b, two.towards, two.gap(), false, velocity);
+    if (differ(input.wanted[a], input.wanted[b])) return meet(pair, two, input, velocity);
+    goTogether(now, pair, two, input, velocity);
 }
 
 // Pieces are listed in no certain order: the limits of a character are sorted.

@@ -25,6 +25,15 @@ struct HeadwayInput {
     double dt = 1.0 / 60.0;             ///< Length of the step [s].
 };
 
+/// How two stand to each other.
+struct Apart {
+    Vec2 between, towards;  ///< From the first to the other [m], and as a unit vector.
+    double distance;        ///< Of their centres [m].
+    double touching;        ///< The same where they touch [m].
+
+    double gap() const { return distance - touching; }  ///< Between their bodies [m].
+};
+
 /// A limit on the closing velocity of two: n.v <= most.
 struct Tangent {
     Vec2 towards;       ///< The unit vector n.
@@ -57,8 +66,12 @@ private:
                                                 std::span<const Vec2> velocity);
     void follow(std::int32_t back, std::int32_t front, Vec2 towards, double gap, bool queues,
                 std::span<const Vec2> velocity);
-    void share(NeighbourPair pair, double own, const Tangent& tangent, std::span<const Vec2> velocity);
+    void share(NeighbourPair pair, double own, const Tangent& tangent, double ahead,
+               std::span<const Vec2> velocity);
     double shareOf(NeighbourPair pair, const HeadwayInput& input) const;
+    void meet(NeighbourPair pair, const Apart& two, const HeadwayInput& input, std::span<const Vec2> velocity);
+    void goTogether(const Characters& now, NeighbourPair pair, const Apart& two, const HeadwayInput& input,
+                    std::span<const Vec2> velocity);
     void addPair(const Characters& now, NeighbourPair pair, const HeadwayInput& input,
                  std::span<const Vec2> velocity);
     void addWalls(const Characters& now, const Environment& environment, std::span<const Vec2> velocity);

@@ -27,7 +27,8 @@ constexpr float kLends = 0.6f;        // A way is lent for so long [s],
 constexpr float kLendsAtRest = 1.5f;  // by somebody at rest for so long.
 constexpr double kClear = 0.05;       // Kept beside who passes [m].
 
-enum : std::uint8_t { kLeaves, kWalks, kFollows, kMoved, kRests, kLast, kClasses };
+// Who stays is first, since it takes no share of what keeps others clear of it.
+enum : std::uint8_t { kStays, kLeaves, kWalks, kFollows, kMoved, kRests, kLast, kClasses };
 
 }  // namespace
 
@@ -56,6 +57,7 @@ bool RightOfWay::count(const ClaimInput& input, const Characters& characters, st
             claim.rests = claim.settled = false;
             claim.since = input.groups.empty() ? input.step : input.groups[characters.group[i]].since;
         }
+        claim.stays = !characters.hasSetOut(i, input.step);
         claim.follows = !input.groups.empty() && input.groups[characters.group[i]].follows;
         // Who was moved aside and cannot return walks again; who asks in vain hands its turn on.
         claim.settled = claim.settled && left <= reach;
@@ -102,6 +104,7 @@ void RightOfWay::sort(const CrowdBodies& bodies, const Characters& now, std::spa
                            distance(claim.spot, now.position[i]) > kMovedAside;
         const bool leaves = !leaving.empty() && !(leaving[i] == Vec2{});
         class_[i] = leaves              ? kLeaves
+                    : claim.stays       ? kStays
                     : claim.last > 0.0f ? kLast
                     : !claim.rests      ? (claim.follows ? kFollows : kWalks)
                     : aside             ? kMoved
@@ -141,7 +144,7 @@ void RightOfWay::joinFiles(const Characters& now, const NearRows& rows, std::spa
         open_[head] = kClasses;
         files_.push_back(head);
         const std::uint8_t joining = class_[head];
-        if (joining == kLeaves || joining > kFollows) continue;
+        if (joining < kWalks || joining > kFollows) continue;
         for (std::size_t at = files_.size() - 1; at < files_.size(); ++at) {
             const std::int32_t a = files_[at];
             const Vec2 ahead = normalized(own[a]);
@@ -207,7 +210,7 @@ void RightOfWay::askFrom(std::int32_t first, const CrowdBodies& bodies, const En
         const bool lends = lender_[a].to >= 0;
         if (!lends && claim.stuck <= kAskResting) continue;
         for (const std::int32_t b : rows.of(a)) {
-            if (done_[b] || class_[b] == kLeaves || bodies.isFixed(b) || bodies.isFirmer(b, a)) continue;
+            if (done_[b] || class_[b] < kWalks || bodies.isFixed(b) || bodies.isFirmer(b, a)) continue;
             const Near near = rows.near(a, b);
             if (near.gap > (lends ? lender_[a].need : kAskGap)) continue;
             const double apart = near.gap + bodies.touching(a, b);

@@ -40,7 +40,8 @@ public:
     /// blocked, or lends its way yet.
     bool count(const ClaimInput& input, const Characters& characters, std::span<Claim> claims);
     /// Ranks all, and changes `wanted` [m/s] of those who lend their way. Who is leaving the way of something
-    /// that moves (`leaving` is not null; empty for nobody) goes first; it neither asks nor is asked.
+    /// that moves (`leaving` is not null; empty for nobody) goes first; it neither asks nor is asked. The
+    /// same holds for who stays until its premovement time is over.
     void run(const CrowdBodies& bodies, const Environment& environment, const NearRows& rows,
              std::span<const double> topSpeed, std::span<const Vec2> leaving, const Characters& characters,
              std::span<Claim> claims, std::span<Vec2> wanted);

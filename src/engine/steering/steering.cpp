@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/steering/stairs.h"
+
 namespace muster {
 namespace {
 
@@ -68,6 +70,19 @@ Vec2 nextVelocity(double share, double most, Vec2 velocity, Vec2 preferred, doub
 
 }  // namespace
 
+// Who stays until its premovement time is over leaves its spot for nothing but what moves towards it.
+void Steering::standStill(std::span<const Claim> claims) {
+    standing_.reserve(claims.size());
+    standing_.clear();
+    if (std::none_of(claims.begin(), claims.end(), [](const Claim& claim) { return claim.stays; })) return;
+    const std::span<const Vec2> leaving = giveWay_.leaving();
+    for (std::size_t i = 0; i < claims.size(); ++i) {
+        const bool stands = claims[i].stays && (leaving.empty() || leaving[i] == Vec2{});
+        standing_.push_back(stands ? 1 : 0);
+        if (stands) preferred_[i] = {};
+    }
+}
+
 void Steering::run(const CrowdBodies& bodies, Characters& now, const SteeringInput& input,
                    const Environment& environment, double dt, std::span<Vec2> velocity,
                    std::span<Vec2> heading, ThreadPool* pool) {
@@ -77,14 +92,19 @@ void Steering::run(const CrowdBodies& bodies, Characters& now, const SteeringInp
     topSpeed_.resize(count);
     const bool patches = !environment.patchIds().empty();
     forChunks(pool, count, kPerTask, [&](std::size_t i) {
-        topSpeed_[i] = patches ? bodies.maxSpeed(i) * environment.ground(now.position[i]).travelSpeed
-                               : bodies.maxSpeed(i);
-        if (!input.pace.empty()) topSpeed_[i] *= input.pace[i];
-        preferred_[i] = preferredVelocity(def, now, input, i, topSpeed_[i], bodies.acceleration(i));
+        const GroundSample ground = patches ? environment.ground(now.position[i]) : GroundSample{};
+        const auto aim = [&](double travelSpeed) {
+            topSpeed_[i] = bodies.maxSpeed(i) * travelSpeed;
+            if (!input.pace.empty()) topSpeed_[i] *= input.pace[i];
+            preferred_[i] = preferredVelocity(def, now, input, i, topSpeed_[i], bodies.acceleration(i));
+        };
+        aim(ground.travelSpeed);
+        if (ground.isStairs()) aim(travelSpeedOf(ground, now.body[i], normalized(preferred_[i])));
+        if (!now.hasSetOut(i, input.step)) preferred_[i] = {};
     });
-    const bool blocked = right_.count(
-        {bodies, topSpeed_, preferred_, input.place, input.placeVelocity, input.room, input.groups, input.step, dt},
-        now, now.claim);
+    const bool blocked = right_.count({bodies, topSpeed_, preferred_, input.place, input.placeVelocity,
+                                       input.room, input.groups, input.step, dt},
+                                      now, now.claim);
     for (std::size_t i = 0; i < count; ++i)
         if (now.claim[i].settled) preferred_[i] = {};
     neighbours_.build(now.position, 2.0 * bodies.largestRadius() + bodies.farthestGap(), 0.0, bodies.ring());
@@ -96,6 +116,7 @@ void Steering::run(const CrowdBodies& bodies, Characters& now, const SteeringInp
         rows_.build(bodies, now.position, neighbours_.pairs());
         right_.run(bodies, environment, rows_, topSpeed_, giveWay_.leaving(), now, now.claim, preferred_);
     }
+    standStill(now.claim);
     const StepGains gains{std::min(1.0, def.velocityGain * dt), std::min(1.0, kHeadingRate * dt),
                           std::min(1.0, kLyingRate * dt)};
     const std::vector<ClipFacts>& clips = environment.def().clips;
@@ -106,6 +127,10 @@ void Steering::run(const CrowdBodies& bodies, Characters& now, const SteeringInp
     });
     const HeadwayInput headway{preferred_, topSpeed_, now.claim, blocked ? &right_ : nullptr, dt};
     headway_.run(bodies, now, environment, neighbours_, headway, velocity);
+    for (std::size_t i = 0; i < standing_.size(); ++i)
+        if (standing_[i] != 0)
+            velocity[i] = nextVelocity(gains.velocityShare, bodies.acceleration(i) * dt, now.velocity[i], {},
+                                       topSpeed_[i]);
     for (std::size_t i = 0; i < count; ++i) now.claim[i].queues = headway_.queues()[i] != 0;
     forChunks(pool, count, kPerTask, [&, gains, patches](std::size_t i) {
         const double turn = patches && clips[now.motion[i]].reachAhead > 0.0 ? gains.lyingShare
@@ -113,8 +138,8 @@ void Steering::run(const CrowdBodies& bodies, Characters& now, const SteeringInp
         const Vec2 next = velocity[i];
         const double speed = length(next);
         const Vec2 towards = speed > kWalkingSpeed ? next / speed : input.facing[i];
-        heading[i] = now.phase[i] == MotionPhase::Locked ? now.heading[i]
-                                                         : rotateTowards(now.heading[i], towards, turn);
+        const bool kept = now.phase[i] == MotionPhase::Locked || (!standing_.empty() && standing_[i] != 0);
+        heading[i] = kept ? now.heading[i] : rotateTowards(now.heading[i], towards, turn);
     });
 }
 

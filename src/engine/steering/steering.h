@@ -53,14 +53,17 @@ public:
     const NeighbourList& neighbours() const { return neighbours_; }
 
 private:
+    void standStill(std::span<const Claim> claims);
+
     GiveWay giveWay_;
     NearRows rows_;
     RightOfWay right_;
     Headway headway_;
     BodyAxes axes_;
     NeighbourList neighbours_;
-    std::vector<Vec2> preferred_;   // Preferred velocities [m/s].
-    std::vector<double> topSpeed_;  // [m/s]
+    std::vector<Vec2> preferred_;         // Preferred velocities [m/s].
+    std::vector<double> topSpeed_;        // [m/s]
+    std::vector<std::uint8_t> standing_;  // 1 for who stays where it is; empty where nobody does.
 };
 
 }  // namespace muster

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/ground/environment/environment.h"
+#include "engine/steering/stairs.h"
 #include "engine/world/inspect.h"
 #include "muster/control.h"
 
@@ -87,8 +88,9 @@ void RunMetrics::watchSpeeds(const World& world) {
         const double top = own > 0.0 ? own : parameters.character.maxSpeed;
         const double ratio = distance(last_[i], characters.position[i]) / (top * parameters.stepTime);
         if (ratio <= topSpeedRatio_) continue;
-        topSpeedRatio_ = std::max(topSpeedRatio_,
-                                  patches ? ratio / environment.ground(last_[i]).travelSpeed : ratio);
+        const GroundSample ground = patches ? environment.ground(last_[i]) : GroundSample{};
+        const Vec2 way = normalized(characters.position[i] - last_[i]);
+        topSpeedRatio_ = std::max(topSpeedRatio_, ratio / travelSpeedOf(ground, characters.body[i], way));
     }
 }
 

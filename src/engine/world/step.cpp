@@ -29,7 +29,7 @@ constexpr StageRow kStages[] = {
       "Keeps the formation of a group without places where its members are."},
      [](WorldEngine& w) { OrderStage::followPeople(w.state, *w.pool); }},
     {{"orders", "queues, routes, ground, lags, other meshes, moving obstacles",
-      "poses, formations, queues, events",
+      "poses, formations, queues, when persons set out, events",
       "Begins the orders of groups, moves their meshes along their ways and ends what is done."},
      [](WorldEngine& w) { w.orders.run(w.state, *w.pool, w.events); }},
     {{"controls", "trajectories of fingers, mean lags", "control points",

@@ -90,7 +90,6 @@ Result<World> World::createOn(std::unique_ptr<ThreadPool> pool, const WorldDef& 
     state.parameters = def.parameters;
     state.environment = *std::move(environment);
     state.random = Random(def.seed);
-    state.seed = def.seed;
     if (const Status added = addGround(state.environment, def); !added.ok()) return added;
     state.environment.setTime(0.0);
     state.checkpoints = def.checkpoints;

@@ -51,6 +51,17 @@ inline muster::WorldDef makeDef() {
     checkpoint.share = 0.25;
     def.checkpoints = {checkpoint};
     def.items = {{{9, -9}, 0.5}};
+    def.groups[0].people = {adults()};
+    AreaDef exit;
+    exit.name = "Door";
+    exit.polygon = {{13, -2}, {15, -2}, {15, 2}, {13, 2}};
+    AreaDef source;
+    source.kind = AreaKind::Source;
+    source.polygon = {{-14, 10}, {-11, 10}, {-11, 14}, {-14, 14}};
+    source.group = 1;
+    source.rate = 0.5;
+    source.timetable = {{1.0, 2}};
+    def.areas = {exit, source};
     return def;
 }
 
@@ -62,6 +73,8 @@ inline std::vector<std::pair<std::uint32_t, muster::CommandBody>> sampleScript(c
     split.group = first;
     split.by = SplitBy::Shares;
     split.shares = {1.0, 2.0};
+    AreaDef closed = world.area(0).def;
+    closed.open = false;
     GiveOrder go{first, QueueMode::Replace, 0, Order::move({10, -6}, 0.0)};
     go.order.route = {{-2, -10}, {6, -9}};
     return {{0, TouchDown{1, world.group(0).finalMesh.front(), 0.0, first}},
@@ -78,6 +91,8 @@ inline std::vector<std::pair<std::uint32_t, muster::CommandBody>> sampleScript(c
             {130, ColourGroup{second, 0x336699u}},
             {131, SetAppearance{second, std::nullopt, MotionSet::March}},
             {140, NameGroup{second, "Renamed"}},
+            {145, PutArea{{1}, closed, {}}},
+            {146, GiveOrder{second, QueueMode::Append, 0, Order::leave({{1}})}},
             {150, RemoveGroup{{99}}}};
 }
 

@@ -31,7 +31,51 @@ Order richOrder() {
     order.offset = {-1, -2};
     order.path.waypoints = {{1.0, {1, 0}, 0.25}, {2.0, {2, 0}, 0.5}};
     order.path.loop = true;
+    order.exits = {{3}, {1}};
+    order.choice = ExitChoice::Nearest;
+    order.attractions = {0.5, -0.25};
+    order.herding = 4.0;
+    order.misjudgement = 2.0;
+    order.area = {7};
+    order.seconds = 60.0;
     return order;
+}
+
+PeopleDef richSort() {
+    PeopleDef sort;
+    sort.name = "Guests";
+    sort.share = 0.25;
+    sort.unitClass = 3;
+    sort.speed = Distribution::normal(1.25, 0.25, 0.5, 2.0);
+    sort.radius = Distribution::uniform(0.2, 0.25);
+    sort.headway = Distribution::constant(0.5);
+    sort.premovement = {Spread::LogNormal, 3.0, 0.5, 0.0, 500.0};
+    sort.age = {Spread::Weibull, 40.0, 7.0, 20.0, 70.0};
+    sort.upstairs = 0.5;
+    sort.downstairs = 0.75;
+    return sort;
+}
+
+AreaDef richArea() {
+    AreaDef area;
+    area.name = "Stop";
+    area.kind = AreaKind::Source;
+    area.polygon = {{0, 0}, {4, 0}, {4, 4}};
+    area.open = false;
+    area.rate = 1.5;
+    area.group = 2;
+    area.from = 3.0;
+    area.until = 90.0;
+    area.most = 30;
+    area.timetable = {{10.0, 4}, {20.0, 5}};
+    return area;
+}
+
+AreaDef richExit() {
+    AreaDef area;
+    area.polygon = {{0, 0}, {1, 0}, {1, 1}};
+    area.queue = {{1, 2}, {1, 6}};
+    return area;
 }
 
 GroupDef richGroup() {
@@ -43,7 +87,7 @@ GroupDef richGroup() {
     group.angle = 0.75;
     group.starts = {{4, 4}, {5, 5}};
     group.jitter = 0.125;
-    group.bodies = {Body{0.3, 1.5, 4.0, 2.0, 3.0, 7}, Body{}};
+    group.bodies = {Body{0.3, 1.5, 4.0, 2.0, 3.0, 7, 0.5, 30.0, 0.75, 0.5}, Body{}};
     group.roles = {{RoleArea::Rim, 7}, {RoleArea::Flanks, 2}};
     group.demands = {1.0, 3.0};
     group.conduct = {Stance::Yield, 0.25, 0.5, true};
@@ -52,6 +96,7 @@ GroupDef richGroup() {
     group.colour = 0x123456;
     group.build = BodyBuild::Narrow;
     group.motions = MotionSet::March;
+    group.people = {richSort(), adults()};
     return group;
 }
 
@@ -73,6 +118,8 @@ PatchDef richPatch() {
     def.path.loop = true;
     def.motion = 4;
     def.speed = 0.5;
+    def.ascent = -0.5;
+    def.speedDown = 0.25;
     return def;
 }
 
@@ -126,7 +173,10 @@ std::vector<CommandBody> everyBody() {
             PlaceGroup{{1}, {2, 3}, 0.5},
             NameGroup{{1}, "Name"},
             ColourGroup{{1}, 0x00FF7Fu},
-            SetAppearance{{1}, BodyBuild::Narrow, MotionSet::Weary}};
+            SetAppearance{{1}, BodyBuild::Narrow, MotionSet::Weary},
+            PutArea{{2}, richArea(), {3}},
+            RemoveArea{{2}},
+            PutArea{{}, richExit(), {}}};
 }
 
 /// The engine's default of the same kind.

@@ -67,6 +67,8 @@ TEST_SUITE("defaults of the C API") {
         CHECK(back.name == def.name);
         CHECK(back.obstacles == def.obstacles);
         CHECK(back.patches == def.patches);
+        CHECK(back.areas == def.areas);
+        CHECK(back.groups[0].people == def.groups[0].people);
         CHECK(back.clips == def.clips);
         CHECK(back.parameters.plan.period == 2);
         CHECK(back.parameters.character.radius == 0.22);
@@ -96,6 +98,21 @@ TEST_SUITE("defaults of the C API") {
         CHECK(muster_world_parameter(both.id(), "plan.period", &value) == MUSTER_OK);
         CHECK(value == 2.0);
         CHECK(muster_world_parameter(both.id(), "no.such", &value) == MUSTER_NOT_FOUND);
+    }
+
+    TEST_CASE("distributions, adults and speeds by age are those of the engine") {
+        double value = 0.0;
+        const MusterPeopleDef grown = muster_adults();
+        CHECK(muster_distribution_quantile(&grown.speed, 0.25, &value) == MUSTER_OK);
+        CHECK(value == adults().speed.quantile(0.25));
+        CHECK(std::string(grown.name) == "Adults");
+        CHECK(muster_walking_speed_at_age(45.0) == walkingSpeedAtAge(45.0));
+        MusterDistribution drawn = muster_default_distribution();
+        CHECK(drawn.most == Distribution{}.most);
+        CHECK(muster_distribution_quantile(&drawn, 1.0, &value) == MUSTER_INVALID_ARGUMENT);
+        drawn.spread = 6;
+        CHECK(muster_distribution_quantile(&drawn, 0.5, &value) == MUSTER_INVALID_ARGUMENT);
+        CHECK(std::string(muster_last_error()) == "distribution: spread: found 6, expected 0 to 5");
     }
 
     TEST_CASE("formations have the engine's names") {

@@ -41,6 +41,8 @@ TEST_SUITE("the C API of worlds") {
             CHECK(characters.place[i] == view.place[i]);
             CHECK(characters.body[i].mass == view.body[i].mass);
             CHECK(characters.phase[i] == static_cast<int>(view.phase[i]));
+            CHECK(characters.body[i].maxSpeed == view.body[i].maxSpeed);
+            CHECK(characters.goal[i] == view.goal[i]);
         }
         MusterGroup group = muster_default_group();
         REQUIRE(muster_world_group(both.id(), 1, &group) == MUSTER_OK);
@@ -140,5 +142,28 @@ TEST_SUITE("the C API of worlds") {
         REQUIRE(count == 1);
         CHECK(checkpoints[0].formation.kind == MUSTER_FORMATION_COLUMN);
         CHECK(checkpoints[0].share == 0.25);
+    }
+
+    TEST_CASE("areas are read back with what they have seen") {
+        WorldDef def = makeDef();
+        def.ring = true;
+        BothWorlds both(def);
+        for (int step = 0; step < 90; ++step) both.step();
+        const MusterArea* areas = nullptr;
+        int count = 0;
+        REQUIRE(muster_world_areas(both.id(), &areas, &count) == MUSTER_OK);
+        REQUIRE(count == 2);
+        CHECK(areas[0].id == 1);
+        CHECK(std::string(areas[0].def.name) == "Door");
+        CHECK(areas[0].def.kind == MUSTER_AREA_EXIT);
+        CHECK(areas[1].def.kind == MUSTER_AREA_SOURCE);
+        CHECK(areas[1].group == both.engine().group(1).id.value);
+        CHECK(areas[1].def.timetable[0].count == 2);
+        CHECK(areas[1].def.polygon.points[2].y == 14.0);
+        CHECK(areas[1].passed == both.engine().area(1).count.passed);
+        CHECK(areas[1].waiting == both.engine().area(1).count.waiting);
+        bool ring = false;
+        CHECK(muster_world_ring(both.id(), &ring) == MUSTER_OK);
+        CHECK(ring);
     }
 }

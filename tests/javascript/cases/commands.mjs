@@ -24,6 +24,10 @@ const body = {
   mass: 1.5,
   supply: 2,
   unitClass: 3,
+  headway: 0.5,
+  premovement: 30,
+  upstairs: 0.5,
+  downstairs: 0.75,
 };
 const order = {
   kind: engine.OrderKind.Guard,
@@ -39,6 +43,21 @@ const order = {
   group: 7,
   halfSize: at(2, 1),
   path,
+  exits: [4, 2],
+  choice: engine.ExitChoice.Nearest,
+  attractions: [1.5, -2],
+  herding: 3,
+  misjudgement: 0.5,
+  area: 6,
+  seconds: 60,
+};
+const people = {
+  name: 'Gäste',
+  share: 0.25,
+  unitClass: 2,
+  speed: { spread: engine.Spread.Normal, a: 1.25, b: 0.25, least: 0.5, most: 2 },
+  premovement: { spread: engine.Spread.Uniform, a: 10, b: 100, least: 0, most: 1e9 },
+  upstairs: 0.5,
 };
 const group = {
   name: 'Grün',
@@ -65,6 +84,7 @@ const group = {
   colour: 0x12ab34,
   build: engine.BodyBuild.Narrow,
   motions: engine.MotionSet.Weary,
+  people: [people],
 };
 const obstacle = {
   name: 'wall',
@@ -80,6 +100,20 @@ const patch = {
   path,
   motion: 3,
   speed: 0.5,
+  ascent: -1.5,
+  speedDown: 0.25,
+};
+const area = {
+  name: 'Halt',
+  kind: engine.AreaKind.Source,
+  polygon: { points: box },
+  open: false,
+  rate: 1.5,
+  group: 2,
+  from: 3,
+  until: 90,
+  most: 40,
+  timetable: [{ time: 10, count: 4 }],
 };
 const checkpoint = {
   position: at(1, 2),
@@ -162,6 +196,8 @@ export const kBodies = {
     build: engine.BodyBuild.Narrow,
     motions: engine.MotionSet.Weary,
   },
+  PutArea: { id: 3, area, group: 2 },
+  RemoveArea: { id: 3 },
 };
 
 /** True where all that was given is found. */

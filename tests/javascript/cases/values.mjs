@@ -158,3 +158,33 @@ test('orders are carried out, foreseen and reported', async () => {
   for (let k = 0; k < count; k += 1) [x, y] = [x + position[2 * k] / count, y + position[2 * k + 1] / count];
   assert.ok(Math.hypot(x + 10, y - 8) < 0.1, `${x}, ${y}`);
 });
+
+test('areas, people and the ring of a world come back with what areas have seen', async () => {
+  const muster = await engine.loadMuster();
+  const points = [
+    { x: 6, y: -1 },
+    { x: 8, y: -1 },
+    { x: 8, y: 1 },
+  ];
+  const def = {
+    ...smallDef,
+    ring: true,
+    groups: [{ count: 4, people: [muster.adults()] }],
+    areas: [
+      { name: 'Tür', polygon: { points } },
+      { kind: engine.AreaKind.Source, polygon: { points }, rate: 1.5, timetable: [{ time: 2, count: 3 }] },
+    ],
+  };
+  const world = muster.World.create(def);
+  assert.equal(world.ring(), true);
+  const [exit, source] = world.areas();
+  assert.deepEqual([exit.id, exit.def.name, exit.group, exit.passed], [1, 'Tür', 0, 0]);
+  assert.deepEqual([source.def.rate, source.group, source.waiting], [1.5, 1, 0]);
+  assert.deepEqual(source.def.timetable, [{ time: 2, count: 3 }]);
+  assert.deepEqual([...world.characters().goal], [0, 0, 0, 0]);
+  assert.equal(JSON.parse(muster.Scenario.fromDef(def).text()).groups[0].people, 'adults');
+  const { speed } = muster.adults();
+  assert.ok(Math.abs(muster.distributionQuantile(speed, 0.5) - 1.34) < 0.01);
+  assert.equal(muster.walkingSpeedAtAge(20), 1.62);
+  refused('InvalidArgument', 'share: ', () => muster.distributionQuantile(speed, 0));
+});

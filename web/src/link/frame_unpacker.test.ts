@@ -65,6 +65,7 @@ function frameOf(group: Partial<GroupFrame>): Frame {
     demonstrating: false,
     touchEcho: 0,
     sceneRevision: 1,
+    areas: [],
     ids: Uint32Array.of(1),
     group: Uint16Array.of(0),
     unitClass: new Uint8Array(),

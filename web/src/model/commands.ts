@@ -94,6 +94,15 @@ export function guardEvent(
   return { kind: 'guard', group, ...spot, x, y, facing: rounded(facing), halfSize: pair(halfSize) };
 }
 
+/** By those exits; none for all. */
+export function leaveEvent(group: number, exits: readonly number[], spot: QueueSpot): GroupEvent {
+  return { kind: 'leave', group, ...spot, ...(exits.length > 0 ? { exits } : {}) };
+}
+
+export function waitEvent(group: number, area: number, spot: QueueSpot): GroupEvent {
+  return { kind: 'wait', group, ...spot, area };
+}
+
 export function queueEvent(group: number, edit: QueueEditWord, order = 0): CommandEvent {
   return { kind: 'queue', group, edit, ...(order > 0 ? { order } : {}) };
 }

@@ -31,6 +31,13 @@ export interface Asker extends Stand {
 
 const kFace = 1;
 const kFollow = 2;
+/** From here on nobody has a place meanwhile. */
+const kLeave = 4;
+
+/** Orders that end nowhere, or at no time, that is known before. */
+function endsAnywhere({ kind }: Pick<OrderFrame, 'kind'>): boolean {
+  return kind === kFollow || kind >= kLeave;
+}
 
 export function forecastOf({ group, order, arrives, seconds, x, y, way }: ForecastFrame): Forecast {
   return { group, order, arrives, seconds, end: { x, y }, way: pointsOf(way) };
@@ -47,7 +54,7 @@ export function standAfter(group: Asker, count: number, known: ReadonlyMap<numbe
   for (const order of group.orders.slice(0, count)) {
     const forecast = known.get(order.id);
     // What cannot be reached is skipped.
-    if (order.kind === kFollow || (forecast && !forecast.arrives)) continue;
+    if (endsAnywhere(order) || (forecast && !forecast.arrives)) continue;
     const way = forecast && forecast.way.length > 1 ? forecast.way : [at, order];
     const facing = order.hasFacing ? order.facing : headingOf(way, at.facing);
     at = order.kind === kFace ? { ...at, facing } : { x: order.x, y: order.y, facing };
@@ -60,7 +67,7 @@ export function secondsUntil(group: Asker, count: number, known: ReadonlyMap<num
   let sum = 0;
   for (const order of group.orders.slice(0, count)) {
     const forecast = known.get(order.id);
-    if (order.kind === kFollow) return Infinity;
+    if (endsAnywhere(order)) return Infinity;
     if (!forecast) return null;
     if (forecast.arrives) sum += forecast.seconds;
   }
@@ -69,10 +76,10 @@ export function secondsUntil(group: Asker, count: number, known: ReadonlyMap<num
 
 /** The questions about a whole queue. */
 export function queueAsks(group: Asker, known: ReadonlyMap<number, Forecast>): ForecastAsk[] {
-  return group.orders.flatMap(({ id, kind }, k) => {
-    if (kind === kFollow) return [];
+  return group.orders.flatMap((order, k) => {
+    if (endsAnywhere(order)) return [];
     const { x, y, facing } = standAfter(group, k, known);
-    return [{ group: group.id, order: id, event: '', placed: k > 0, x, y, facing }];
+    return [{ group: group.id, order: order.id, event: '', placed: k > 0, x, y, facing }];
   });
 }
 
@@ -90,7 +97,7 @@ export function drawnAsk(
 /** The question about the way of a patrol back to its first order; null where it has no way back. */
 export function returnAsk(group: Asker, known: ReadonlyMap<number, Forecast>): ForecastAsk | null {
   const first = group.orders[0];
-  if (!group.patrols || group.orders.length < 2 || !first || first.kind === kFollow) return null;
+  if (!group.patrols || group.orders.length < 2 || !first || endsAnywhere(first)) return null;
   const { x, y, facing } = standAfter(group, group.orders.length, known);
   return { group: group.id, order: first.id, event: '', placed: true, x, y, facing };
 }

@@ -18,8 +18,8 @@ export function countGroups(group: Uint16Array, groups: number): number[] {
 
 /** Equal for scenes that look the same: groups, counts, formations and parameters do not matter. */
 export function sceneKey(scene: SceneFacts): string {
-  const { name, box, cell, obstacles, patches, clips, items, checkpoints } = scene;
-  return JSON.stringify([name, box, cell, obstacles, patches, clips, items, checkpoints]);
+  const { name, box, cell, obstacles, patches, clips, items, checkpoints, areas } = scene;
+  return JSON.stringify([name, box, cell, obstacles, patches, clips, items, checkpoints, areas]);
 }
 
 /** Colours repeat after so many groups; a group keeps its own, whichever others come and go. */

@@ -26,7 +26,7 @@ export interface ControlView {
 /** An order in a queue; see OrderFrame. */
 export interface OrderView {
   readonly id: number;
-  /** 0 move, 1 face, 2 follow, 3 guard. */
+  /** OrderKind */
   readonly kind: number;
   readonly x: number;
   readonly y: number;
@@ -74,6 +74,15 @@ export interface MovingView {
   readonly angle: number;
 }
 
+/** What an area has seen. */
+export interface AreaView {
+  readonly id: number;
+  /** Who have left by an exit, or come by a source. */
+  readonly passed: number;
+  /** Of a source: for whom there is no room yet. */
+  readonly waiting: number;
+}
+
 export interface FrameView {
   readonly frame: number;
   readonly step: number;
@@ -103,6 +112,7 @@ export interface FrameView {
   readonly groups: readonly GroupView[];
   readonly moving: readonly MovingView[];
   readonly collected: Numbers;
+  readonly areas?: readonly AreaView[];
 }
 
 export interface GroupMeshView {

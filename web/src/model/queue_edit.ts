@@ -10,7 +10,7 @@ export interface QueueState {
   readonly patrols: boolean;
 }
 
-const kKindWords = ['move', 'face', 'follow', 'guard'] as const;
+const kKindWords = ['move', 'face', 'follow', 'guard', 'leave', 'wait', 'walk'] as const;
 /** What an event says beside its order. */
 const kFrameOfEvent = ['t', 'client', 'group', 'mode', 'index'];
 

@@ -3,7 +3,7 @@
 import type { FieldScale } from './field_scale';
 import type { Layers, Theme } from './view_settings';
 import { OverlayKind, type Notice, type ScenarioInfo, type SchemeInfo } from '../protocol/messages';
-import type { SceneParameter } from '../protocol/scene';
+import type { SceneArea, SceneParameter } from '../protocol/scene';
 import type { Layout } from './layout';
 import type { Walks } from './objective';
 import type { LinkState } from './link_state';
@@ -14,9 +14,9 @@ import type { DirectorInfo, Invitation } from './directors';
 
 export type InputKind = 'touch' | 'mouse';
 
-/** What presses on the scene do: steer formations, give orders, or divide and join groups; once: follow, guard,
- * draw an outline for the formation, or put a new group down. */
-export type ToolName = 'steer' | 'order' | 'cut' | 'follow' | 'guard' | 'draw' | 'place';
+/** What presses on the scene do: steer formations, give orders, or divide and join groups; once: follow, guard, leave by an
+ * exit, wait in an area, draw an outline for the formation, or put a new group down. */
+export type ToolName = 'steer' | 'order' | 'cut' | 'follow' | 'guard' | 'leave' | 'wait' | 'draw' | 'place';
 
 /** What the dialog of places shows. */
 export type PlacesView = 'none' | 'shelf' | 'new' | 'import' | 'save';
@@ -146,6 +146,8 @@ export interface StudioState {
   readonly walks: Walks;
   /** Of the world. */
   readonly parameters: readonly SceneParameter[];
+  /** Exits, sources and waiting areas of the world. */
+  readonly areas: readonly SceneArea[];
   /** Number of frames taken, for the sparklines. */
   readonly frames: number;
   /** File of the visitor's own character; empty where Muster's characters are shown. */
@@ -229,6 +231,7 @@ export const kInitialState: StudioState = {
   swaps: 0,
   walks: { sum: 0, squares: 0, longest: 0 },
   parameters: [],
+  areas: [],
   frames: 0,
   ownCharacter: '',
   following: false,

@@ -47,6 +47,32 @@ export interface ScenePatch {
   readonly path?: ScenePath;
   /** Where it has another travel speed than its clip. */
   readonly ownSpeed?: number;
+  /** Of stairs and ramps: heading of the way up [rad], and the travel speed on the way down. */
+  readonly ascent?: number;
+  readonly speedDown?: number;
+}
+
+export type AreaKind = 'exit' | 'source' | 'waiting';
+
+/** Where people leave, come, or wait. */
+export interface SceneArea {
+  readonly id: number;
+  readonly name?: string;
+  readonly kind: AreaKind;
+  readonly polygon: readonly Point2[];
+  /** False: nobody leaves or comes here for now. */
+  readonly open: boolean;
+  /** Of an exit: the most who leave, 0 for as many as come; of a source: how many come on average [1/s]. */
+  readonly rate: number;
+  /** Of an exit: the line in which people queue, from who is next. */
+  readonly queue?: readonly Point2[];
+  /** Of a source: id of the group whom its people join. */
+  readonly group?: number;
+  /** Of a source with a rate [s]. */
+  readonly from?: number;
+  readonly until?: number;
+  readonly most?: number;
+  readonly timetable?: readonly { readonly t: number; readonly count: number }[];
 }
 
 export interface SceneClip {
@@ -88,11 +114,14 @@ export interface SceneGroup {
   readonly motions?: MotionSet;
   /** How the place has it; absent for parts of others. */
   readonly start?: {
+    readonly count?: number;
     readonly position: Point2;
     readonly angle: number;
     readonly formation: SceneShape;
     readonly body?: SceneGroupBody;
     readonly roles?: readonly SceneRole[];
+    /** Sorts of persons, as in scenario files. */
+    readonly people?: unknown;
   };
 }
 
@@ -141,6 +170,9 @@ export interface SceneFacts {
   readonly groups: readonly SceneGroup[];
   readonly items: readonly SceneItem[];
   readonly checkpoints: readonly SceneCheckpoint[];
+  readonly areas: readonly SceneArea[];
+  /** The left and the right side of the box are joined. */
+  readonly ring: boolean;
   readonly parameters: readonly SceneParameter[];
 }
 
@@ -165,6 +197,8 @@ const kAbsent: Omit<SceneFacts, 'box' | 'title'> = {
   groups: [],
   items: [],
   checkpoints: [],
+  areas: [],
+  ring: false,
   parameters: [],
 };
 

@@ -1,4 +1,4 @@
-// The environment: obstacles, patches, items and checkpoints.
+// The environment: obstacles, patches, areas, items and checkpoints.
 
 import {
   type BufferGeometry,
@@ -20,6 +20,7 @@ import { addCar, addObstacle, type EdgeLine, lookOfObstacle, outlineOf } from '.
 import { BuildingLayer } from './obstacles/building_layer';
 import { outerEdges } from './obstacles/outer_edges';
 import { kOpeningOrder, openingMaterial } from './drawing/openings';
+import { addArea } from './patches/area_shapes';
 import { addPatch } from './patches/patch_geometry';
 import { emptyParts, type PatchParts, type TintedLine } from './patches/patch_parts';
 import type { Palette } from './drawing/palette';
@@ -240,6 +241,7 @@ export class EnvironmentLayer {
     for (const patch of scene.patches) {
       if (!patch.moving) addPatch(parts, patch, scene.clips[patch.motion]?.name ?? '', palette);
     }
+    for (const area of scene.areas) addArea(parts, area, palette);
     for (const checkpoint of scene.checkpoints) {
       const circle = circlePoints(checkpoint.position[0], checkpoint.position[1], checkpoint.radius, 40);
       circle.forEach((a, i) => {

@@ -338,7 +338,6 @@ export class StudioView implements StudioScene {
   }
 
   private show(now: number, blend: FrameBlend | null): void {
-    const scene = this.scene_;
     const greyed = this.overlay_.overlay !== null;
     const colours = this.orders.colours;
     const accents = colours.map((colour) => (greyed ? this.palette_.grey : accentColour(this.palette_, colour)));
@@ -351,7 +350,7 @@ export class StudioView implements StudioScene {
     this.stage_.render(this.camera, this.stats);
     const view = this.tagScene(now);
     this.showMarks(view);
-    const tags = scene ? patchTags(scene, view) : [];
+    const tags = this.scene_ ? patchTags(this.scene_, view) : [];
     const chips = chipTags(this.marks_, view);
     // Chips must fade in a pause as well, when no frame comes.
     if (chips.length > 0) this.wake();
@@ -378,6 +377,7 @@ export class StudioView implements StudioScene {
       colours: this.orders.colours,
       now,
       moving: this.moving_,
+      areas: this.timeline_.newest?.areas ?? [],
       overlay: this.overlay_.overlay,
       contours: this.overlay_.contours,
       chosenGroup: this.chosenGroup(),

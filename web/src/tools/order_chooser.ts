@@ -7,7 +7,7 @@ import { BoxSelect, type BoxSink } from './box_select';
 import type { CameraGesture } from './camera_gesture';
 import type { Contact, ContactOwner } from './contact';
 import { CutTool, type CutSink } from './cut_tool';
-import { FollowPick, GuardDrag, OrderDrag, RouteDrag, type OrderGesture, type OrderSink } from './order_tools';
+import { GoalPick, GuardDrag, OrderDrag, RouteDrag, type OrderGesture, type OrderSink } from './order_tools';
 
 export type OrderDeskSink = OrderSink & CutSink & BoxSink & { choose(index: number, add: boolean): void };
 
@@ -60,7 +60,7 @@ export class OrderChooser {
       this.gesture_ = null;
     };
     if (tool === 'guard') return new GuardDrag(desk, camera, ended);
-    if (tool === 'follow') return new FollowPick(desk, camera, ended);
+    if (tool === 'follow' || tool === 'leave' || tool === 'wait') return new GoalPick(desk, camera, ended, tool);
     if (desk.isChosenAt(at)) return new RouteDrag(desk, camera, ended);
     const tapped = over < 0 ? null : (add: boolean): void => desk.choose(over, add);
     return new OrderDrag(desk, camera, ended, tapped);

@@ -110,6 +110,11 @@ describe('orders', () => {
   });
 
   it('guards a rectangle, and not a speck', () => {
+    tool = 'leave';
+    drag([{ x: 5, y: 5 }]);
+    tool = 'wait';
+    drag([{ x: 6, y: 5 }]);
+    expect(desk.did.splice(0)).toEqual(['leave 5,5', 'wait 6,5']);
     tool = 'guard';
     drag([
       { x: 8, y: 3 },

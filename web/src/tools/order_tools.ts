@@ -1,5 +1,5 @@
 // Owners of contacts that give orders: a drag for place, facing and width, a drawn way, a rectangle to guard, a leader
-// to follow.
+// to follow, an exit to leave by, an area to wait in.
 
 import { planLine, planPoint, planRoute, type OrderedGroup, type PlannedMove } from '../model/order_plan';
 import { distance, type GroundPoint } from '../model/plane';
@@ -24,6 +24,10 @@ export interface OrderSink {
   move(moves: readonly PlannedMove[], contact: Contact): void;
   guard(centre: GroundPoint, halfSize: GroundPoint, facing: number, contact: Contact): void;
   follow(at: GroundPoint, contact: Contact): void;
+  /** By the exit at the point, else by any. */
+  leave(at: GroundPoint, contact: Contact): void;
+  /** In the area at the point. */
+  wait(at: GroundPoint, contact: Contact): void;
   /** True where a chosen group's mesh lies under the point. */
   isChosenAt(at: GroundPoint): boolean;
 }
@@ -170,12 +174,21 @@ export class GuardDrag extends OrderGesture {
   }
 }
 
-/** A press on the group to follow. */
-export class FollowPick extends OrderGesture {
+/** A press on the group to follow, the exit to leave by, or the area to wait in. */
+export class GoalPick extends OrderGesture {
+  constructor(
+    sink: OrderSink,
+    camera: CameraGesture,
+    ended: () => void,
+    private readonly does_: 'follow' | 'leave' | 'wait',
+  ) {
+    super(sink, camera, ended);
+  }
+
   protected moved(): void {}
 
   protected done(contact: Contact): void {
-    if (contact.ground) this.sink.follow(contact.ground, contact);
+    if (contact.ground) this.sink[this.does_](contact.ground, contact);
   }
 }
 

@@ -113,6 +113,12 @@ export class FakeDesk implements OrderDeskSink {
   follow(at: GroundPoint): void {
     this.did.push(`follow ${at.x},${at.y}`);
   }
+  leave(at: GroundPoint): void {
+    this.did.push(`leave ${at.x},${at.y}`);
+  }
+  wait(at: GroundPoint): void {
+    this.did.push(`wait ${at.x},${at.y}`);
+  }
   split(cut: Cut): void {
     this.did.push(`split ${cut.group}: ${cut.left} | ${cut.right}`);
   }

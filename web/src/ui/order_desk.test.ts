@@ -147,4 +147,37 @@ describe('OrderDesk', () => {
     expect(store.state.notice?.text).toBe('The stroke leaves nobody on one side.');
     expect(said).toHaveLength(1);
   });
+
+  it('lets the chosen leave by the exit that is pressed, or by all, and wait in an area', () => {
+    const polygon: [number, number][] = [
+      [4, -1],
+      [6, -1],
+      [6, 1],
+    ];
+    const area = { id: 3, polygon, open: true, rate: 0 };
+    desk.leave({ x: 5.5, y: -0.5 }, noKeys);
+    expect(said.at(-1)).toBe('There is no exit to leave by');
+    store.set({
+      areas: [
+        { ...area, kind: 'exit', name: 'Door' },
+        { ...area, id: 4, kind: 'waiting' },
+      ],
+    });
+    store.set({ selected: [7, 9], tool: 'leave' });
+    desk.leave({ x: 5.5, y: -0.5 }, noKeys);
+    expect(store.state.tool).toBe('steer');
+    expect(said.at(-1)).toBe('Leaves by Door');
+    desk.leave({ x: -5, y: 0 }, { shift: true, alt: false });
+    desk.wait({ x: 5.5, y: -0.5 }, noKeys);
+    expect(events()).toEqual([
+      { kind: 'leave', group: 7, mode: 'replace', exits: [3] },
+      { kind: 'leave', group: 9, mode: 'replace', exits: [3] },
+      { kind: 'leave', group: 7, mode: 'append' },
+      { kind: 'leave', group: 9, mode: 'append' },
+      { kind: 'wait', group: 7, mode: 'replace', area: 4 },
+      { kind: 'wait', group: 9, mode: 'replace', area: 4 },
+    ]);
+    desk.wait({ x: -5, y: 0 }, noKeys);
+    expect(said.at(-1)).toBe('Press on the area where they shall wait');
+  });
 });

@@ -6,15 +6,18 @@ import {
   conductEvent,
   followEvent,
   guardEvent,
+  leaveEvent,
   moveEvent,
   mergeEvent,
   splitByLineEvent,
+  waitEvent,
   type CommandEvent,
   type GroupEvent,
   type ConductFacts,
   type OrderStyle,
 } from '../model/commands';
 import type { Cut, Cuttable } from '../model/cut';
+import { areaAt } from '../model/goals';
 import { GroupShapes } from '../model/group_shapes';
 import type { OrderActions } from '../model/order_actions';
 import type { OrderedGroup, PlannedMove } from '../model/order_plan';
@@ -50,6 +53,7 @@ const kLeastHalf = 0.5;
 const kNoKeys: Keys = { shift: false, alt: false };
 /** Behind the middle of the group that is followed [m]. */
 const kFollowGap = 2;
+const kOnce: readonly ToolName[] = ['follow', 'guard', 'leave', 'wait'];
 /** The group of a press is the one whose mesh is this near [m]. */
 const kNear = 1.5;
 
@@ -193,6 +197,23 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
     this.say_(`Follows ${this.nameOf(leader.group)}`);
   }
 
+  leave(at: GroundPoint, keys: Keys): void {
+    const { areas, selected } = this.store_.state;
+    if (!areas.some(({ kind }) => kind === 'exit')) return this.say_('There is no exit to leave by');
+    const exit = areaAt(areas, 'exit', at);
+    const exits = exit ? [exit.id] : [];
+    this.give(selected.map((id) => leaveEvent(id, exits, this.queues.spotOf(id, keys.shift))));
+    this.say_(exit ? `Leaves by ${exit.name || 'the exit'}` : 'Leaves by all exits');
+  }
+
+  wait(at: GroundPoint, keys: Keys): void {
+    const { areas, selected } = this.store_.state;
+    const area = areaAt(areas, 'waiting', at);
+    if (!area) return this.say_('Press on the area where they shall wait');
+    this.give(selected.map((id) => waitEvent(id, area.id, this.queues.spotOf(id, keys.shift))));
+    this.say_(`Waits in ${area.name || 'the area'}`);
+  }
+
   formations(): readonly Cuttable[] {
     return (this.frame_?.groups ?? []).map((group, index) => ({
       group: group.id,
@@ -301,8 +322,7 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
 
   /** Tools that are meant for one order are put away. */
   private once(): void {
-    const { tool } = this.store_.state;
-    if (tool === 'follow' || tool === 'guard') this.store_.set({ tool: 'steer' });
+    if (kOnce.includes(this.store_.state.tool)) this.store_.set({ tool: 'steer' });
   }
 
   /** The orders that would be given. */
@@ -362,6 +382,8 @@ const kToolWords: Readonly<Record<ToolName, string>> = {
   cut: 'Cutting: draw across a formation',
   follow: 'Press on the group to follow',
   guard: 'Drag the rectangle to guard',
+  leave: 'Press on the exit to leave by; elsewhere: by all exits',
+  wait: 'Press on the area where they shall wait',
   draw: 'Draw an outline on the ground',
   place: 'Press on the ground for the new group',
 };

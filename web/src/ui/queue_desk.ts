@@ -36,7 +36,7 @@ export interface QueueScene {
   setPicked(order: number): void;
 }
 
-const kOrderWords = ['Move', 'Face', 'Follow', 'Guard'];
+const kOrderWords = ['Move', 'Face', 'Follow', 'Guard', 'Leave', 'Wait', 'Walk on'];
 /** Shapes that are no part of the library. */
 const kOwnWords: Readonly<Record<string, string>> = { outline: 'drawn', points: 'own shape' };
 

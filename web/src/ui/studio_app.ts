@@ -299,8 +299,8 @@ export class StudioApp {
     try {
       const scene = parseScene(message.json);
       this.reader_.setScene(scene);
-      const { title, name, credit, demonstration, parameters } = scene;
-      this.store.set({ title, scenario: name, credit, demonstration, parameters, loaded: true });
+      const { title, name, credit, demonstration, parameters, areas } = scene;
+      this.store.set({ title, scenario: name, credit, demonstration, parameters, areas, loaded: true });
       const before = this.scene_;
       // A scene comes again when only a parameter or a count changed: nothing looks different then.
       this.view_.orders.setGroups(scene.groups);

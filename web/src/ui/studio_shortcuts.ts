@@ -52,7 +52,7 @@ function crowdKeys(tools: KeyTools): Shortcut[] {
 }
 
 function orderKeys(orders: OrderActions): Shortcut[] {
-  const key = (keys: string, does: string, run: () => void): Shortcut => ({
+  const key = (keys: string, does: string, run: (event: KeyboardEvent) => void): Shortcut => ({
     keys,
     does,
     group: 'Orders',
@@ -61,9 +61,11 @@ function orderKeys(orders: OrderActions): Shortcut[] {
   });
   return [
     key('O', 'order tool: press or drag on the ground', () => orders.toggleTool('order')),
-    key('X', 'cutting tool: divides and joins', () => orders.toggleTool('cut')),
+    key('X', 'cutting tool: divides and joins', ({ shiftKey }) => orders.toggleTool(shiftKey ? 'leave' : 'cut')),
     key('J', 'follow: then press on a group', () => orders.toggleTool('follow')),
-    key('U', 'guard: then drag a rectangle', () => orders.toggleTool('guard')),
+    key('U', 'guard: then drag a rectangle', ({ shiftKey }) => orders.toggleTool(shiftKey ? 'wait' : 'guard')),
+    { keys: 'Shift+X', does: 'leave: then press on an exit', group: 'Orders', match: [] },
+    { keys: 'Shift+U', does: 'wait: then press on a waiting area', group: 'Orders', match: [] },
     key('S', 'stop', () => orders.stop()),
     key('K', 'hold, or go on', () => orders.toggleHold()),
     key('B', 'patrol, or end it', () => orders.togglePatrol()),

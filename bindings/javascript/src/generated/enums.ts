@@ -77,6 +77,9 @@ export type ItemId = number;
 /** Names a formation checkpoint of a world; 0 for none. */
 export type CheckpointId = number;
 
+/** Names an exit, a source or a waiting area; 0 for none. */
+export type AreaId = number;
+
 /** Names a control of a world; 0 for none. */
 export type ControlId = number;
 
@@ -146,8 +149,23 @@ export const OrderKind = {
   Follow: 2,
   /** Stand round a rectangle, which may move, until the next order. */
   Guard: 3,
+  /** Leave the world by exits. Nobody has a place meanwhile. */
+  Leave: 4,
+  /** Go to a waiting area and stand there. Nobody has a place meanwhile. */
+  Wait: 5,
+  /** Walk on towards `facing` without end. Nobody has a place meanwhile. */
+  Walk: 6,
 } as const;
 export type OrderKind = (typeof OrderKind)[keyof typeof OrderKind];
+
+/** By which exit each leaves. */
+export const ExitChoice = {
+  /** Where it will have left soonest, with the wait before it. */
+  Quickest: 0,
+  /** The one with the quickest way. */
+  Nearest: 1,
+} as const;
+export type ExitChoice = (typeof ExitChoice)[keyof typeof ExitChoice];
 
 /** How a group goes to its target. */
 export const Manner = {
@@ -211,6 +229,34 @@ export const Stance = {
   Yield: 2,
 } as const;
 export type Stance = (typeof Stance)[keyof typeof Stance];
+
+/** How a number is spread over persons. */
+export const Spread = {
+  /** All have `a`. */
+  Constant: 0,
+  /** Evenly from `a` to `b`. */
+  Uniform: 1,
+  /** Mean `a`, standard deviation `b`. */
+  Normal: 2,
+  /** Its logarithm has the mean `a` and the standard deviation `b`. */
+  LogNormal: 3,
+  /** Shape `a`, scale `b`. */
+  Gamma: 4,
+  /** Scale `a`, shape `b`. */
+  Weibull: 5,
+} as const;
+export type Spread = (typeof Spread)[keyof typeof Spread];
+
+/** What an area does. */
+export const AreaKind = {
+  /** People who are to leave by it go there, and leave the world in it. */
+  Exit: 0,
+  /** People come into the world in it, where there is room. */
+  Source: 1,
+  /** People who are to wait in it spread in it and stand. */
+  Waiting: 2,
+} as const;
+export type AreaKind = (typeof AreaKind)[keyof typeof AreaKind];
 
 /** The build of drawn bodies. */
 export const BodyBuild = {
@@ -338,8 +384,12 @@ export const CommandKind = {
   ColourGroup: 41,
   /** Its body is `setAppearance`. */
   SetAppearance: 42,
+  /** Its body is `putArea`. */
+  PutArea: 43,
+  /** Its body is `removeArea`. */
+  RemoveArea: 44,
   /** Number of kinds. */
-  Count: 43,
+  Count: 45,
 } as const;
 export type CommandKind = (typeof CommandKind)[keyof typeof CommandKind];
 
@@ -406,8 +456,12 @@ export const EventKind = {
   Left: 22,
   /** A character has changed groups; `value` is its new group. */
   Transferred: 23,
+  /** A character has left the world by an exit; `value` is that area. */
+  Exited: 24,
+  /** A character has come into the world by a source; `value` is that area. */
+  Entered: 25,
   /** Number of kinds. */
-  Count: 24,
+  Count: 26,
 } as const;
 export type EventKind = (typeof EventKind)[keyof typeof EventKind];
 

@@ -2,7 +2,7 @@
 
 import type { ReadOut } from '../binding/read_out.js';
 import type { Rows } from '../binding/rows.js';
-import type { Status, MotionIndex, FormationKind, ObstacleId, PatchId, GroupId, ItemId, CheckpointId, ControlId, CharacterId, OrderId, RoleArea, Driver, SplitBy, PartShape, OrderKind, Manner, Turn, QueueMode, QueueEdit, Stance, BodyBuild, MotionSet, CheckpointTrigger, ControlKind, EventKind, Limb } from './enums.js';
+import type { Status, MotionIndex, FormationKind, ObstacleId, PatchId, GroupId, ItemId, CheckpointId, AreaId, ControlId, CharacterId, OrderId, RoleArea, Driver, SplitBy, PartShape, OrderKind, ExitChoice, Manner, Turn, QueueMode, QueueEdit, Stance, Spread, AreaKind, BodyBuild, MotionSet, CheckpointTrigger, ControlKind, EventKind, Limb } from './enums.js';
 
 /** A point or vector in the ground plane: x right, y forward [m]. */
 export interface Vec2 {
@@ -186,6 +186,10 @@ export interface PatchDef {
   motion: MotionIndex;
   /** Travel speed relative to running, above 0; negative for the clip's. */
   speed: number;
+  /** Heading of the way up [rad]. Null: True: stairs or a ramp. There `speed` is that of going up. */
+  ascent: number | null;
+  /** For stairs and ramps: that of going down; negative for `speed`. */
+  speedDown: number;
 }
 
 /** What may be given of PatchDef. */
@@ -200,6 +204,10 @@ export interface PatchDefInit {
   readonly motion?: MotionIndex | undefined;
   /** Travel speed relative to running, above 0; negative for the clip's. */
   readonly speed?: number | undefined;
+  /** Heading of the way up [rad]. Null: True: stairs or a ramp. There `speed` is that of going up. */
+  readonly ascent?: number | null | undefined;
+  /** For stairs and ramps: that of going down; negative for `speed`. */
+  readonly speedDown?: number | undefined;
 }
 
 /** Facts of a motion clip that simulation needs. */
@@ -292,6 +300,14 @@ export interface Body {
   supply: number;
   /** Class, for roles; 0 for none. */
   unitClass: number;
+  /** Time that it keeps from who is ahead [s], 0 or 0.02 to 5. */
+  headway: number;
+  /** Time from its first order until it sets out [s], 0 to 1e7; no parameter. */
+  premovement: number;
+  /** Speed up stairs as a share of that in the open, 0.01 to 1; 0: the stairs'. */
+  upstairs: number;
+  /** Speed down stairs as a share of that in the open, 0.01 to 1; 0: the stairs'. */
+  downstairs: number;
 }
 
 /** What may be given of Body. */
@@ -308,6 +324,14 @@ export interface BodyInit {
   readonly supply?: number | undefined;
   /** Class, for roles; 0 for none. */
   readonly unitClass?: number | undefined;
+  /** Time that it keeps from who is ahead [s], 0 or 0.02 to 5. */
+  readonly headway?: number | undefined;
+  /** Time from its first order until it sets out [s], 0 to 1e7; no parameter. */
+  readonly premovement?: number | undefined;
+  /** Speed up stairs as a share of that in the open, 0.01 to 1; 0: the stairs'. */
+  readonly upstairs?: number | undefined;
+  /** Speed down stairs as a share of that in the open, 0.01 to 1; 0: the stairs'. */
+  readonly downstairs?: number | undefined;
 }
 
 /** Characters of a class take their places in a part of the formation. */
@@ -350,6 +374,20 @@ export interface Order {
   halfSize: Vec2;
   /** For Guard: how the rectangle moves from `target` on. */
   path: TimedPath;
+  /** For Leave: by which exits; none for all. */
+  exits: number[];
+  /** For Leave: by which of them each goes. */
+  choice: ExitChoice;
+  /** For Leave: seconds by which each of `exits` counts as nearer; or none. */
+  attractions: number[];
+  /** For Leave: seconds by which an exit counts as nearer if all others nearby choose it, 0 to 1e6. */
+  herding: number;
+  /** For Leave: deviation of the error by which each misjudges the time by an exit [s], 0 to 1e6. */
+  misjudgement: number;
+  /** For Wait: the waiting area. */
+  area: AreaId;
+  /** For Wait: how long, from when its share has come, 0 to 1e9; 0 for no end. */
+  seconds: number;
 }
 
 /** What may be given of Order. */
@@ -384,6 +422,20 @@ export interface OrderInit {
   readonly halfSize?: Vec2 | undefined;
   /** For Guard: how the rectangle moves from `target` on. */
   readonly path?: TimedPathInit | undefined;
+  /** For Leave: by which exits; none for all. */
+  readonly exits?: ArrayLike<number> | undefined;
+  /** For Leave: by which of them each goes. */
+  readonly choice?: ExitChoice | undefined;
+  /** For Leave: seconds by which each of `exits` counts as nearer; or none. */
+  readonly attractions?: ArrayLike<number> | undefined;
+  /** For Leave: seconds by which an exit counts as nearer if all others nearby choose it, 0 to 1e6. */
+  readonly herding?: number | undefined;
+  /** For Leave: deviation of the error by which each misjudges the time by an exit [s], 0 to 1e6. */
+  readonly misjudgement?: number | undefined;
+  /** For Wait: the waiting area. */
+  readonly area?: AreaId | undefined;
+  /** For Wait: how long, from when its share has come, 0 to 1e9; 0 for no end. */
+  readonly seconds?: number | undefined;
 }
 
 /** How a group behaves, whatever its orders. */
@@ -430,11 +482,153 @@ export interface Forecast {
   readonly seconds: number;
 }
 
+/** The distribution of a number over persons. What lies outside `least` to `most` is not drawn. */
+export interface Distribution {
+  /** Its kind. */
+  spread: Spread;
+  /** First number, in the unit of what is drawn but for LogNormal. */
+  a: number;
+  /** Second number; not read for Constant. */
+  b: number;
+  /** The smallest value that occurs. */
+  least: number;
+  /** The largest one. */
+  most: number;
+}
+
+/** What may be given of Distribution. */
+export interface DistributionInit {
+  /** Its kind. */
+  readonly spread?: Spread | undefined;
+  /** First number, in the unit of what is drawn but for LogNormal. */
+  readonly a?: number | undefined;
+  /** Second number; not read for Constant. */
+  readonly b?: number | undefined;
+  /** The smallest value that occurs. */
+  readonly least?: number | undefined;
+  /** The largest one. */
+  readonly most?: number | undefined;
+}
+
+/** One sort of persons in a group. A number of 0 stands for that of the parameters, as in Body. */
+export interface PeopleDef {
+  /** Name for display; null or empty for none. */
+  name: string;
+  /** Share of the group, above 0; shares are divided by their sum. */
+  share: number;
+  /** Class, for roles; 0 for none. */
+  unitClass: number;
+  /** Top speed in the open [m/s], 0 or 0.01 to 50. */
+  speed: Distribution;
+  /** Radius of the body [m], 0 or 0.05 to 1.5. */
+  radius: Distribution;
+  /** Time that it keeps from who is ahead [s], 0 or 0.02 to 5. */
+  headway: Distribution;
+  /** Time until it sets out on its first order [s], 0 to 1e7. */
+  premovement: Distribution;
+  /** Age [years]; above 0 it gives the top speed in the place of `speed`. */
+  age: Distribution;
+  /** Speed up stairs as a share of that in the open, 0 or 0.01 to 1. */
+  upstairs: number;
+  /** Speed down stairs as a share of that in the open, 0 or 0.01 to 1. */
+  downstairs: number;
+}
+
+/** What may be given of PeopleDef. */
+export interface PeopleDefInit {
+  /** Name for display; null or empty for none. */
+  readonly name?: string | null | undefined;
+  /** Share of the group, above 0; shares are divided by their sum. */
+  readonly share?: number | undefined;
+  /** Class, for roles; 0 for none. */
+  readonly unitClass?: number | undefined;
+  /** Top speed in the open [m/s], 0 or 0.01 to 50. */
+  readonly speed?: DistributionInit | undefined;
+  /** Radius of the body [m], 0 or 0.05 to 1.5. */
+  readonly radius?: DistributionInit | undefined;
+  /** Time that it keeps from who is ahead [s], 0 or 0.02 to 5. */
+  readonly headway?: DistributionInit | undefined;
+  /** Time until it sets out on its first order [s], 0 to 1e7. */
+  readonly premovement?: DistributionInit | undefined;
+  /** Age [years]; above 0 it gives the top speed in the place of `speed`. */
+  readonly age?: DistributionInit | undefined;
+  /** Speed up stairs as a share of that in the open, 0 or 0.01 to 1. */
+  readonly upstairs?: number | undefined;
+  /** Speed down stairs as a share of that in the open, 0 or 0.01 to 1. */
+  readonly downstairs?: number | undefined;
+}
+
+/** How many people a source has let in by a time. */
+export interface Arrivals {
+  /** [s] of the world. */
+  time: number;
+  /** That come at this time. */
+  count: number;
+}
+
+/** An area where people leave the world, come into it, or wait. It is no obstacle. */
+export interface AreaDef {
+  /** Name for display; null or empty for none. */
+  name: string;
+  /** What it does. */
+  kind: AreaKind;
+  /** Corners of a simple polygon, convex or not [m]. */
+  polygon: Polygon;
+  /** False: nobody leaves or comes here for now. */
+  open: boolean;
+  /**
+   * For Exit: the most who leave in a second, 0 for as many as come. For Source: how many come in a second on
+   * average. 0 to 1000.
+   */
+  rate: number;
+  /** For Exit: a line in which people queue, from who is next to the last [m]. */
+  queue: Vec2[];
+  /** For Source in a WorldDef: index of the group whom its people join. */
+  group: number;
+  /** For Source with a rate: when it begins [s]. */
+  from: number;
+  /** For Source with a rate: when it ends [s]. */
+  until: number;
+  /** For Source with a rate: how many come in all; 0 for no end. */
+  most: number;
+  /** For Source: further people, by ascending times. */
+  timetable: Arrivals[];
+}
+
+/** What may be given of AreaDef. */
+export interface AreaDefInit {
+  /** Name for display; null or empty for none. */
+  readonly name?: string | null | undefined;
+  /** What it does. */
+  readonly kind?: AreaKind | undefined;
+  /** Corners of a simple polygon, convex or not [m]. */
+  readonly polygon?: PolygonInit | undefined;
+  /** False: nobody leaves or comes here for now. */
+  readonly open?: boolean | undefined;
+  /**
+   * For Exit: the most who leave in a second, 0 for as many as come. For Source: how many come in a second on
+   * average. 0 to 1000.
+   */
+  readonly rate?: number | undefined;
+  /** For Exit: a line in which people queue, from who is next to the last [m]. */
+  readonly queue?: readonly Vec2[] | Float64Array | undefined;
+  /** For Source in a WorldDef: index of the group whom its people join. */
+  readonly group?: number | undefined;
+  /** For Source with a rate: when it begins [s]. */
+  readonly from?: number | undefined;
+  /** For Source with a rate: when it ends [s]. */
+  readonly until?: number | undefined;
+  /** For Source with a rate: how many come in all; 0 for no end. */
+  readonly most?: number | undefined;
+  /** For Source: further people, by ascending times. */
+  readonly timetable?: readonly Arrivals[] | undefined;
+}
+
 /** A group of characters with one mesh. */
 export interface GroupDef {
   /** Name for display; null or empty for none. */
   name: string;
-  /** Number of characters, 1 to 200,000; in all at most 5,000 with exact plans. */
+  /** Number of characters, 1 to 200,000, or 0 where a source sends some; in all at most 5,000 with exact plans. */
   count: number;
   /** Shape and spacing of the places. */
   formation: FormationDef;
@@ -464,13 +658,15 @@ export interface GroupDef {
   build: BodyBuild | null;
   /** How they walk and jog. Null: they walk in the plain manner. */
   motions: MotionSet | null;
+  /** Sorts of persons, who also come by sources; none for no sorts. */
+  people: PeopleDef[];
 }
 
 /** What may be given of GroupDef. */
 export interface GroupDefInit {
   /** Name for display; null or empty for none. */
   readonly name?: string | null | undefined;
-  /** Number of characters, 1 to 200,000; in all at most 5,000 with exact plans. */
+  /** Number of characters, 1 to 200,000, or 0 where a source sends some; in all at most 5,000 with exact plans. */
   readonly count?: number | undefined;
   /** Shape and spacing of the places. */
   readonly formation?: FormationDefInit | undefined;
@@ -500,6 +696,8 @@ export interface GroupDefInit {
   readonly build?: BodyBuild | null | undefined;
   /** How they walk and jog. Null: they walk in the plain manner. */
   readonly motions?: MotionSet | null | undefined;
+  /** Sorts of persons, who also come by sources; none for no sorts. */
+  readonly people?: readonly PeopleDefInit[] | undefined;
 }
 
 /** A disc that changes the formation of a group which passes it. */
@@ -618,6 +816,10 @@ export interface WorldDef {
   checkpoints: CheckpointDef[];
   /** Items to collect. */
   items: ItemDef[];
+  /** Exits, sources and waiting areas; at most 1,000. */
+  areas: AreaDef[];
+  /** True: the left and the right side of `box` are joined. */
+  ring: boolean;
   /** Preset of parameters, "muster" or "paper"; null for "muster". */
   preset: string;
   /** Parameters that differ from the preset, set in this order. */
@@ -654,6 +856,10 @@ export interface WorldDefInit {
   readonly checkpoints?: readonly CheckpointDefInit[] | undefined;
   /** Items to collect. */
   readonly items?: readonly ItemDefInit[] | undefined;
+  /** Exits, sources and waiting areas; at most 1,000. */
+  readonly areas?: readonly AreaDefInit[] | undefined;
+  /** True: the left and the right side of `box` are joined. */
+  readonly ring?: boolean | undefined;
   /** Preset of parameters, "muster" or "paper"; null for "muster". */
   readonly preset?: string | null | undefined;
   /** Parameters that differ from the preset, set in this order. */
@@ -1384,6 +1590,38 @@ export interface SetAppearanceInit {
   readonly motions?: MotionSet | null | undefined;
 }
 
+/** Adds an area, or changes one. */
+export interface PutArea {
+  /** Which is changed; 0 to add one. */
+  id: AreaId;
+  /** Its definition; its `group` is not read. */
+  area: AreaDef;
+  /** For Source: whom its people join. */
+  group: GroupId;
+}
+
+/** What may be given of PutArea. */
+export interface PutAreaInit {
+  /** Which is changed; 0 to add one. */
+  readonly id?: AreaId | undefined;
+  /** Its definition; its `group` is not read. */
+  readonly area?: AreaDefInit | undefined;
+  /** For Source: whom its people join. */
+  readonly group?: GroupId | undefined;
+}
+
+/** Removes an area. Who was to go there goes to the others of its order, or stands. */
+export interface RemoveArea {
+  /** Its id. */
+  id: AreaId;
+}
+
+/** What may be given of RemoveArea. */
+export interface RemoveAreaInit {
+  /** Its id. */
+  readonly id?: AreaId | undefined;
+}
+
 /** The body of each kind. */
 export interface CommandBodies {
   /** TouchDown */
@@ -1472,6 +1710,10 @@ export interface CommandBodies {
   41: ColourGroup;
   /** SetAppearance */
   42: SetAppearance;
+  /** PutArea */
+  43: PutArea;
+  /** RemoveArea */
+  44: RemoveArea;
 }
 
 /**
@@ -1584,6 +1826,10 @@ export interface CommandBodiesInit {
   41: ColourGroupInit;
   /** SetAppearance */
   42: SetAppearanceInit;
+  /** PutArea */
+  43: PutAreaInit;
+  /** RemoveArea */
+  44: RemoveAreaInit;
 }
 
 /**
@@ -1642,6 +1888,8 @@ export interface Characters extends ReadOut {
   readonly driver: Uint8Array;
   /** Velocity that steering aims at, before bounds and contacts [m/s]. */
   readonly wantedVelocity: Float64Array;
+  /** Exit or waiting area that it goes to; 0 for none. */
+  readonly goal: Uint32Array;
 }
 
 /** Sums over the path costs of all characters with a place, in metres of open ground. */
@@ -1784,6 +2032,20 @@ export interface Patch {
   readonly def: PatchDef;
   /** Current corners [m]. */
   readonly outline: Float64Array;
+}
+
+/** An exit, a source or a waiting area, and what it has seen. */
+export interface Area {
+  /** Unique id; it is not reused. */
+  readonly id: AreaId;
+  /** Definition as added or last changed; its `group` is not read. */
+  readonly def: AreaDef;
+  /** Of a source: whom its people join. */
+  readonly group: GroupId;
+  /** People who have left by an exit, or come by a source. */
+  readonly passed: number;
+  /** People of a source for whom there is no room yet. */
+  readonly waiting: number;
 }
 
 /** One event. */

@@ -4,7 +4,7 @@ import { Caller, Handle } from '../binding/handle.js';
 import type { ProgressFunction, ReplayFunction } from '../binding/callbacks.js';
 import type { Rows } from '../binding/rows.js';
 import type { Status, MotionIndex, FormationKind, ObstacleId, PatchId, GroupId, CharacterId, CommandKind, EventKind, JointRole, Limb, ReplayFrom } from './enums.js';
-import type { Vec2, TimedPathInit, PathState, FormationDef, ObstacleDef, PatchDef, ClipFacts, MapDef, MapDefInit, Body, Order, OrderInit, Conduct, QueuedOrder, Forecast, GroupDef, CheckpointDef, ItemDef, ParameterInfo, WorldDef, WorldDefInit, Command, CommandInit, Characters, Group, Control, Obstacle, Patch, Event, Rejection, Contacts, StageTime, Transform, Joint, BodyPose, LimbContact, Travel, Clip, ClipInit, ClipMeasures, BvhContents, MotionState, TakeContents, ReplayReport, ExportFormat, ExportDef, ExportDefInit } from './structs.js';
+import type { Vec2, TimedPathInit, PathState, FormationDef, ObstacleDef, PatchDef, ClipFacts, MapDef, MapDefInit, Body, Order, OrderInit, Conduct, QueuedOrder, Forecast, Distribution, DistributionInit, PeopleDef, AreaDef, GroupDef, CheckpointDef, ItemDef, ParameterInfo, WorldDef, WorldDefInit, Command, CommandInit, Characters, Group, Control, Obstacle, Patch, Area, Event, Rejection, Contacts, StageTime, Transform, Joint, BodyPose, LimbContact, Travel, Clip, ClipInit, ClipMeasures, BvhContents, MotionState, TakeContents, ReplayReport, ExportFormat, ExportDef, ExportDefInit } from './structs.js';
 
 /** A map that was read, and the ground that it makes. */
 export class GridMap extends Handle {
@@ -193,6 +193,16 @@ export class World extends Handle {
    */
   checkpoints(): { readonly checkpoints: readonly CheckpointDef[]; readonly ids: Uint32Array; readonly groups: Uint32Array } {
     return this.call_('muster_world_checkpoints') as { readonly checkpoints: readonly CheckpointDef[]; readonly ids: Uint32Array; readonly groups: Uint32Array };
+  }
+
+  /** All exits, sources and waiting areas, in ascending order of ids. Valid also until the next call. */
+  areas(): readonly Area[] {
+    return this.call_('muster_world_areas') as readonly Area[];
+  }
+
+  /** True where the left and the right side of the world's box are joined. */
+  ring(): boolean {
+    return this.call_('muster_world_ring') as boolean;
   }
 
   /** Events of the last step. */
@@ -647,6 +657,39 @@ export class MusterFunctions extends Caller {
   /** Everybody at their own pace, any squeeze. */
   defaultConduct(): Conduct {
     return this.call_('muster_default_conduct') as Conduct;
+  }
+
+  /** 0 for all, which stands for a parameter. */
+  defaultDistribution(): Distribution {
+    return this.call_('muster_default_distribution') as Distribution;
+  }
+
+  /**
+   * The value below which a share of persons lie, in (0, 1). Fails with InvalidArgument for other shares, and for
+   * a kind that is not known.
+   */
+  distributionQuantile(distribution: DistributionInit, share: number): number {
+    return this.call_('muster_distribution_quantile', distribution, share) as number;
+  }
+
+  /** One sort, by the parameters. */
+  defaultPeopleDef(): PeopleDef {
+    return this.call_('muster_default_people_def') as PeopleDef;
+  }
+
+  /** Adults: free speeds of mean 1.34 m/s and deviation 0.26 m/s, cut off at 0.5 and 2.2 m/s. */
+  adults(): PeopleDef {
+    return this.call_('muster_adults') as PeopleDef;
+  }
+
+  /** The mean free speed of persons by age [m/s], 5 to 90 years. */
+  walkingSpeedAtAge(years: number): number {
+    return this.call_('muster_walking_speed_at_age', years) as number;
+  }
+
+  /** An exit without a shape yet, open, for as many as come. */
+  defaultAreaDef(): AreaDef {
+    return this.call_('muster_default_area_def') as AreaDef;
   }
 
   /** 36 characters in a square at the origin. */

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/archive.h"
+#include "base/maths.h"
 #include "engine/geometry/triangulation.h"
 #include "engine/ground/environment/environment_impl.h"
 
@@ -78,17 +79,30 @@ Result<ObstacleEntry> makeObstacle(const ObstacleDef& def, double time) {
     return entry;
 }
 
+// By the mean time for a metre.
+double meanSpeed(double up, double down) {
+    return up == down ? up : 2.0 / (1.0 / up + 1.0 / down);
+}
+
 Result<PatchEntry> makePatch(const PatchDef& def, const std::vector<ClipFacts>& clips, double time) {
     if (def.motion < 0 || std::cmp_greater_equal(def.motion, clips.size())) {
         return invalidArgument("the patch plays motion " + std::to_string(def.motion) +
                                ", which no clip bears");
     }
-    if (!std::isfinite(def.speed) || def.speed == 0.0)
+    if (!std::isfinite(def.speed) || def.speed == 0.0 || !std::isfinite(def.speedDown) ||
+        def.speedDown == 0.0)
         return invalidArgument("the patch's speed must be positive");
+    if (!std::isfinite(def.ascent.value_or(0.0))) return invalidArgument("the patch's ascent is no angle");
     if (Status status = def.path.validate(); !status.ok()) return status.within("path of the patch");
     PatchEntry entry;
     entry.def = def;
     entry.speed = def.speed < 0.0 ? clips[def.motion].speed : def.speed;
+    entry.up = entry.down = entry.speed;
+    if (def.ascent) {
+        entry.down = def.speedDown < 0.0 ? entry.up : def.speedDown;
+        entry.ascent = {cosine(*def.ascent), sine(*def.ascent)};
+        entry.speed = meanSpeed(entry.up, entry.down);
+    }
     // The raster keeps it as a float, which must be above zero.
     if (static_cast<float>(entry.speed) <= 0.0f) return invalidArgument("the patch's speed must be positive");
     Result<Polygon> outline = cleanPolygon(def.polygon);

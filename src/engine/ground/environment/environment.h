@@ -47,7 +47,16 @@ struct EnvironmentDef {
 struct GroundSample {
     PatchId patch;             ///< The slowest patch here; none in the open.
     MotionId motion = 0;       ///< Its motion.
-    double travelSpeed = 1.0;  ///< Relative to running, above 0.
+    double travelSpeed = 1.0;  ///< Relative to running, above 0; on stairs the mean of up and down.
+    Vec2 ascent;               ///< Unit vector up stairs or a ramp; null elsewhere.
+    double up = 1.0;           ///< Travel speed up them; elsewhere the same as travelSpeed,
+    double down = 1.0;         ///< and down, above 0.
+
+    /// True on stairs and ramps.
+    bool isStairs() const { return !(ascent == Vec2{}); }
+    /// Travel speed in the direction of a unit vector, or the mean for the null vector: on stairs the time
+    /// for a metre goes from that of going down to that of going up with the cosine of the direction.
+    double speedAlong(Vec2 way) const;
 };
 
 /// A gap that is too narrow: between two obstacles, two parts of one, or an obstacle and the edge of the

@@ -40,7 +40,10 @@ struct PatchEntry {
     Polygon outline;             ///< The cleaned polygon as defined [m].
     std::vector<Polygon> parts;  ///< Convex parts as defined [m].
     Placement placement;         ///< Where it stands now.
-    double speed = 1.0;          ///< Travel speed relative to running.
+    double speed = 1.0;          ///< Travel speed relative to running; on stairs the mean.
+    double up = 1.0;             ///< On stairs, travel speed up,
+    double down = 1.0;           ///< and down.
+    Vec2 ascent;                 ///< Unit vector up stairs as defined; null elsewhere.
 };
 
 /// One convex part of a patch as it stands now.

@@ -134,7 +134,19 @@ GroundSample Environment::ground(Vec2 p) const {
         for (std::size_t i = 0; i < s.patchPieces.size(); ++i) look(static_cast<std::int32_t>(i));
     }
     if (slowest < 0) return {};
-    return {s.patchIds[slowest], s.patches[slowest].def.motion, s.patches[slowest].speed};
+    const PatchEntry& entry = s.patches[slowest];
+    return {s.patchIds[slowest],
+            entry.def.motion,
+            entry.speed,
+            entry.placement.rotation.apply(entry.ascent),
+            entry.up,
+            entry.down};
+}
+
+double GroundSample::speedAlong(Vec2 way) const {
+    if (up == down) return up;
+    const double along = std::clamp(dot(way, ascent), -1.0, 1.0);
+    return 2.0 / ((1.0 + along) / up + (1.0 - along) / down);
 }
 
 double Environment::travelLength(Vec2 a, Vec2 b) const {

@@ -178,7 +178,7 @@ void measureLags(WorldState& state) {
         double sum = 0.0;
         std::int32_t matched = 0;
         for (const std::int32_t i : group.members) {
-            if (characters.place[i] < 0) continue;
+            if (characters.place[i] < 0 || !characters.hasSetOut(i, state.stepCount)) continue;
             sum += distance(characters.position[i], group.places.reachableTargets()[characters.place[i]]);
             ++matched;
         }
@@ -192,13 +192,15 @@ void EventStage::watchWalks(WorldState& state) {
     const std::uint32_t stayed = stepsIn(state, kStayedFor);
     for (std::size_t i = 0; i < c.size(); ++i) {
         WalkProgress& walk = c.walk[i];
-        if (distance(c.position[i], walk.anchor) >= kStuckMove) {
+        // Who has not set out yet is about to: it counts as one who has just moved.
+        const bool stays = !c.hasSetOut(i, state.stepCount);
+        if (stays || distance(c.position[i], walk.anchor) >= kStuckMove) {
             walk.anchor = c.position[i];
             walk.movedAt = state.stepCount;
             walk.stuckRaised = false;
         }
-        const bool stays = walk.within && state.stepCount - walk.since >= stayed;
-        if (stays || distance(c.position[i], walk.camp) >= kCampReach) {
+        const bool there = walk.within && state.stepCount - walk.since >= stayed;
+        if (stays || there || distance(c.position[i], walk.camp) >= kCampReach) {
             walk.camp = c.position[i];
             walk.campedAt = state.stepCount;
         }

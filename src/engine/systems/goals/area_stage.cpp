@@ -7,6 +7,7 @@
 #include "base/maths.h"
 #include "engine/geometry/polygon.h"
 #include "engine/state/bare_groups.h"
+#include "engine/state/draw_person.h"
 #include "engine/state/group_edits.h"
 #include "engine/state/validation.h"
 #include "engine/steering/crowd_bodies.h"
@@ -63,16 +64,16 @@ void AreaStage::passInOrder(WorldState& state, Area& area) {
                 line.push_back(c.id[i]);
     const double rate = area.def.rate;
     if (rate > 0.0) area.exit.credit += rate * state.parameters.stepTime;
-    std::size_t passed = 0;
-    while (passed < line.size() && (rate == 0.0 || area.exit.credit >= 1.0)) {
-        const std::int32_t i = c.indexOf(line[passed]);
-        if (!isIn(i)) break;
+    // Without a line to stand in, who was pushed out again lets others pass.
+    const std::size_t most = area.def.queue.empty() ? line.size() : std::min<std::size_t>(1, line.size());
+    for (std::size_t k = 0; k < most && (rate == 0.0 || area.exit.credit >= 1.0); ++k) {
+        const std::int32_t i = c.indexOf(line[k]);
+        if (!isIn(i)) continue;
         leaves_[i] = 1;
-        ++passed;
         if (rate > 0.0) area.exit.credit -= 1.0;
     }
     area.exit.credit = std::min(area.exit.credit, 1.0);
-    line.erase(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(passed));
+    std::erase_if(line, [&](std::uint32_t id) { return leaves_[c.indexOf(id)] != 0; });
 }
 
 // Takes those out who leave. Groups without formation need no other one.
@@ -164,7 +165,8 @@ void AreaStage::admit(WorldState& state, Area& area, ThreadPool& pool, std::vect
     while (area.count.waiting > 0) {
         const auto total = static_cast<std::int64_t>(state.characters.size()) + 1;
         if (!validateTotal(total, state.parameters).ok()) return;
-        const Body body = bodyOf(group->def, group->members.size() + area.count.passed);
+        const std::size_t index = group->members.size() + area.count.passed;
+        const Body body = drawMember(group->def, index, state.seed, state.nextCharacter);
         Vec2 spot;
         if (!findRoom(state, area, radiusOf(state.parameters.character, body), spot)) return;
         if (come_.empty()) pool.wait();  // Background work reads the plans.

@@ -12,7 +12,6 @@ namespace muster {
 namespace {
 
 constexpr double kFarAhead = 100.0;  // Where somebody heads who goes on along a field [m].
-constexpr double kTurnedAway = 1.5;  // Who finds no spot stands so near the waiting area [m].
 
 // The order that the members of a group carry out without places; null where they stand.
 const Order* orderOf(const Group& group, const Gathering& gathering) {
@@ -122,8 +121,8 @@ void GoalStage::wait(WorldState& state, Group& group, Gathering& gathering, std:
         const GoalWay way = field.at(c.position[i]);
         if (spot != nullptr && field.ground().collisionFree(c.position[i], spot->spot))
             return goTo(state, i, spot->spot, distance(c.position[i], spot->spot), heads);
-        const bool turnedAway = spot == nullptr && way.cost < kTurnedAway;
-        follow(state, i, turnedAway ? GoalWay{way.cost, {}} : way, heads);
+        const bool stands = spot == nullptr && gathering.hasArrived(c.id[i]);
+        follow(state, i, stands ? GoalWay{way.cost, {}} : way, heads);
     });
 }
 

@@ -5,6 +5,7 @@
 
 #include "engine/geometry/polygon.h"
 #include "engine/steering/crowd_bodies.h"
+#include "engine/systems/events/standstill.h"
 
 namespace muster {
 namespace {
@@ -13,6 +14,7 @@ constexpr double kSpotsApart = 1.2;     // Least distance of spots, in diameters
 constexpr double kSpotsAtMost = 3.0;    // Greatest distance, in diameters.
 constexpr double kSpotsFill = 0.75;   // Share of the area that those who come fill with their squares.
 constexpr double kComesIn = 1.0;   // Who is so near the area gets a spot [m].
+constexpr double kNoRoomAfter = 1.5;  // Who has not got on for so long stands before an area that is full [s].
 
 double largestMember(const WorldState& state, const Group& group) {
     const Parameters::Character& usual = state.parameters.character;
@@ -31,6 +33,9 @@ void WaitingSpots::listFree(const WorldState& state, const Group& group, const A
     const double people = std::max<double>(1.0, static_cast<double>(group.members.size()));
     const double wide = std::sqrt(kSpotsFill * std::fabs(signedArea(polygon)) / people);
     const double apart = std::clamp(wide, kSpotsApart * diameter, kSpotsAtMost * diameter);
+    taken_.clear();
+    for (const Gathering& other : state.continuum.gatherings)
+        for (const StandingSpot& spot : other.spots) taken_.push_back(spot.spot);
     free_.clear();
     const Box box = boundsOf(polygon);
     const auto columns = static_cast<std::int32_t>(box.width() / apart);
@@ -46,6 +51,34 @@ void WaitingSpots::listFree(const WorldState& state, const Group& group, const A
         }
 }
 
+// Gives free spots to those who have come; false where one of them found none.
+bool WaitingSpots::takeSpots(const WorldState& state, const Group& group, Gathering& gathering,
+                             const Area& area, const StaticGround& ground) {
+    const Characters& c = state.characters;
+    const Polygon& polygon = area.def.polygon;
+    const double apart = kSpotsApart * 2.0 * largestMember(state, group) * (1.0 - 1e-9);
+    bool listed = false;
+    for (const std::int32_t i : group.members) {
+        if (gathering.spotOf(c.id[i]) != nullptr) continue;
+        const Vec2 p = c.position[i];
+        const Vec2 near = closestOnBoundary(polygon, p).point;
+        const bool in = containsPoint(polygon, p) ||
+                        (distance(near, p) < kComesIn && ground.collisionFree(p, near));
+        if (!in) continue;
+        if (!listed) listFree(state, group, area);
+        listed = true;
+        // Who comes first goes farthest in, so that nobody stands in the way of others.
+        const auto best = std::max_element(free_.begin(), free_.end(), [&](Vec2 a, Vec2 b) {
+            return lengthSquared(a - p) < lengthSquared(b - p);
+        });
+        if (best == free_.end()) return false;
+        const Vec2 taken = *best;
+        gathering.stand(c.id[i], taken);
+        std::erase_if(free_, [&](Vec2 q) { return distance(q, taken) < apart; });
+    }
+    return true;
+}
+
 void WaitingSpots::run(const WorldState& state, const Group& group, Gathering& gathering, const Area& area,
                        const StaticGround& ground) {
     const Characters& c = state.characters;
@@ -53,33 +86,18 @@ void WaitingSpots::run(const WorldState& state, const Group& group, Gathering& g
         const std::int32_t i = c.indexOf(spot.character);
         return i < 0 || &state.groups[c.group[i]] != &group;
     });
-    bool listed = false;
-    const Polygon& polygon = area.def.polygon;
+    if (gathering.spots.size() == group.members.size()) return;
+    if (takeSpots(state, group, gathering, area, ground)) {
+        gathering.arrived.clear();
+        return;
+    }
+    const std::uint32_t patience = stepsIn(state, kNoRoomAfter);
     for (const std::int32_t i : group.members) {
-        if (gathering.spots.size() == group.members.size()) return;
-        if (gathering.spotOf(c.id[i]) != nullptr) continue;
-        const Vec2 p = c.position[i];
-        const Vec2 near = closestOnBoundary(polygon, p).point;
-        const bool in = containsPoint(polygon, p) ||
-                        (distance(near, p) < kComesIn && ground.collisionFree(p, near));
-        if (!in) continue;
-        if (!listed) {
-            taken_.clear();
-            for (const Gathering& other : state.continuum.gatherings)
-                for (const StandingSpot& spot : other.spots) taken_.push_back(spot.spot);
-            listFree(state, group, area);
-        }
-        listed = true;
-        // Who comes first goes farthest in, so that nobody stands in the way of others.
-        const auto best = std::max_element(free_.begin(), free_.end(), [&](Vec2 a, Vec2 b) {
-            return lengthSquared(a - p) < lengthSquared(b - p);
-        });
-        if (best == free_.end()) return;
-        gathering.stand(c.id[i], *best);
-        const Vec2 taken = *best;
-        std::erase_if(free_, [&](Vec2 q) {
-            return distance(q, taken) < kSpotsApart * 2.0 * largestMember(state, group) * (1.0 - 1e-9);
-        });
+        if (gathering.spotOf(c.id[i]) != nullptr || gathering.hasArrived(c.id[i])) continue;
+        const double away = signedDistance(area.def.polygon, c.position[i]);
+        if (away > kComesIn && state.stepCount - c.walk[i].movedAt < patience) continue;
+        gathering.arrived.insert(
+            std::lower_bound(gathering.arrived.begin(), gathering.arrived.end(), c.id[i]), c.id[i]);
     }
 }
 

@@ -430,8 +430,14 @@ void FlowMarches::move(WorldState& state, Group& group, const MarchDef& def, Vec
     const double stops = std::sqrt(2.0 * def.brakes * left);
     flow.speed = std::min({def.speed * def.pace, flow.speed + def.acceleration * dt, std::max(stops, 0.2)});
     speeds_.resize(flow.places.size());
-    for (std::size_t i = 0; i < speeds_.size(); ++i)
-        speeds_[i] = std::max(1e-3, flow.speed * ground[grid.index(grid.nearestCell(flow.places[i]))]);
+    for (std::size_t i = 0; i < speeds_.size(); ++i) {
+        double travelSpeed = ground[grid.index(grid.nearestCell(flow.places[i]))];
+        if (travelSpeed != 1.0 && i < group.places.velocities().size()) {
+            const GroundSample here = state.environment.ground(flow.places[i]);
+            if (here.isStairs()) travelSpeed = here.speedAlong(normalized(group.places.velocities()[i]));
+        }
+        speeds_[i] = std::max(1e-3, flow.speed * travelSpeed);
+    }
     for (Vec2& p : flow.places) p -= group.avoidance.offCourse;
     if (flow.speed > 1e-4) flow.q = flow.plans.best().next(flow.q, dt, speeds_, flow.places, flow.rate);
     Pose pose = flow.poses.empty() ? between(flow.from, flow.to, flow.q) : flow.plans.best().pieceAt(flow.q);

@@ -13,15 +13,15 @@ constexpr double kShifted = 1.5;  // Places so far off the formation are not wai
 
 }  // namespace
 
-// By the lag of the last but a few, without those who do not get on, and those whose places had to leave the
-// formation.
+// By the lag of the last but a few, without those who do not get on or have not set out yet, and those whose
+// places had to leave the formation.
 double MarchPace::of(const WorldState& state, const Group& group) {
     if (!state.parameters.opposing.enabled) return 1.0;
     const Characters& c = state.characters;
     const std::uint32_t patience = stepsIn(state, kStuckFor);
     lags_.clear();
     for (const std::int32_t i : group.members) {
-        if (c.place[i] < 0 || c.driver[i] != Driver::Muster) continue;
+        if (c.place[i] < 0 || c.driver[i] != Driver::Muster || !c.hasSetOut(i, state.stepCount)) continue;
         const Vec2 target = group.places.reachableTargets()[c.place[i]];
         const double lag = distance(c.position[i], target);
         if (lag > kLagFree && distance(target, group.places.targetsWithinReach()[c.place[i]]) > kShifted)

@@ -13,6 +13,7 @@
 #include "engine/state/reform.h"
 #include "engine/systems/events/standstill.h"
 #include "engine/systems/orders/order_formations.h"
+#include "engine/systems/orders/premovement.h"
 #include "engine/systems/steering/continuum_stage.h"
 
 namespace muster {
@@ -40,8 +41,7 @@ bool isContinuum(const Order& order) {
 bool waits(const WorldState& state, const Gathering& gathering, std::int32_t i) {
     const Characters& c = state.characters;
     const StandingSpot* const spot = gathering.spotOf(c.id[i]);
-    if (spot != nullptr) return distance(c.position[i], spot->spot) <= kArrivedReach;
-    return c.goal[i] == gathering.area.value && c.direction[i] == Vec2{} && std::isfinite(c.cost[i]);
+    return spot != nullptr ? distance(c.position[i], spot->spot) <= kArrivedReach : gathering.hasArrived(c.id[i]);
 }
 
 void raise(std::vector<Event>& events, EventKind kind, const Group& group, std::uint32_t value) {
@@ -575,6 +575,7 @@ void OrderStage::run(WorldState& state, ThreadPool& pool, std::vector<Event>& ev
                               !group.members.empty();
         if (searches && searching_ == 0) searching_ = group.id.value;
     }
+    hearOrders(state);
     for (Group& group : state.groups) runQueue(state, group, pool, events);
 }
 

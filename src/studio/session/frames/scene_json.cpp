@@ -115,6 +115,15 @@ Json roles(const std::vector<RoleDef>& roles) {
     return item["roles"];
 }
 
+/// As in scenario files.
+Json people(const std::vector<PeopleDef>& people) {
+    Json item;
+    FieldWriter writer(item);
+    std::vector<PeopleDef> copy = people;
+    describePeople(writer, copy);
+    return item["people"];
+}
+
 Json groups(const World& world, const Place& place) {
     Json list = Json::array();
     for (std::size_t g = 0; g < world.groupCount(); ++g) {
@@ -127,12 +136,16 @@ Json groups(const World& world, const Place& place) {
         if (view.colour) item["chosenColour"] = colourText(*view.colour);
         if (view.build) item["build"] = kBuildWords[static_cast<std::size_t>(*view.build)];
         if (view.motions) item["motions"] = kMotionSetWords[static_cast<std::size_t>(*view.motions)];
-        if (const PlaceGroupDef* start = place.group(view.id))
-            item["start"] = Json{{"position", point(start->def.position)},
-                                 {"angle", start->def.angle},
-                                 {"formation", shape(start->def.formation)},
-                                 {"body", body(groupBody(world, g))},
-                                 {"roles", roles(inspect::groupDef(world, g).roles)}};
+        if (const PlaceGroupDef* start = place.group(view.id)) {
+            Json begins{{"count", start->def.count},
+                        {"position", point(start->def.position)},
+                        {"angle", start->def.angle},
+                        {"formation", shape(start->def.formation)},
+                        {"body", body(groupBody(world, g))},
+                        {"roles", roles(inspect::groupDef(world, g).roles)}};
+            if (!start->def.people.empty()) begins["people"] = people(start->def.people);
+            item["start"] = std::move(begins);
+        }
         list.push(std::move(item));
     }
     return list;

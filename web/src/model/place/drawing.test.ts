@@ -11,6 +11,13 @@ const kOptions: DrawingOptions = {
   formation: 'wedge',
   count: 12,
   spacing: 0.8,
+  stairsMotion: 1,
+  stairsWidth: 2,
+  speedUp: 0.5,
+  speedDown: 0.7,
+  exitRate: 0,
+  sourceRate: 1.5,
+  sourceGroup: 0,
 };
 
 describe('drawing', () => {
@@ -92,5 +99,26 @@ describe('snapping', () => {
     const p = rightAngled({ x: 1, y: 1 }, { x: 5, y: 1.4 });
     expect(p.y).toBeCloseTo(1, 9);
     expect(p.x).toBeCloseTo(1 + Math.hypot(4, 0.4), 9);
+  });
+
+  it('makes stairs from the foot to the top, with their speeds', () => {
+    const stairs = drawn('stairs', { x: 0, y: 0 }, { x: 0, y: 4 }, kOptions)!;
+    expect(stairs).toMatchObject({ kind: 'patch', motion: 1, rest: { speed: 0.5, speedDown: 0.7 } });
+    expect(stairs.ascent).toBeCloseTo(Math.PI / 2);
+    expect(stairs.polygon!.map(([x]) => Math.abs(x))).toEqual([1, 1, 1, 1]);
+    expect(drawn('stairs', { x: 0, y: 0 }, { x: 0, y: 0.1 }, kOptions)).toBeNull();
+  });
+
+  it('makes exits, sources and waiting areas from corner to corner', () => {
+    const [a, b] = [
+      { x: 0, y: 0 },
+      { x: 3, y: 2 },
+    ];
+    expect(drawn('exit', a, b, kOptions)).toMatchObject({ kind: 'area', area: { kind: 'exit', open: true, rate: 0 } });
+    expect(drawn('source', a, b, { ...kOptions, sourceGroup: 4 })).toMatchObject({
+      area: { kind: 'source', rate: 1.5 },
+      group: 4,
+    });
+    expect(drawn('waiting', a, b, kOptions)).toMatchObject({ name: 'Waiting area', centre: [1.5, 1] });
   });
 });

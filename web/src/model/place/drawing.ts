@@ -1,6 +1,6 @@
 // Things as they are drawn: from where a pointer came down to where it is.
 
-import type { Point2 } from '../../protocol/scene';
+import type { AreaKind, Point2 } from '../../protocol/scene';
 import { distance, type GroundPoint } from '../plane';
 import { groupRadius, thing, type Thing } from './things';
 
@@ -11,7 +11,11 @@ export const kBuildTools = [
   'polygon',
   'wall',
   'patch',
+  'stairs',
   'route',
+  'exit',
+  'source',
+  'waiting',
   'item',
   'checkpoint',
   'people',
@@ -26,6 +30,16 @@ export interface DrawingOptions {
   readonly width: number;
   /** Of patches: index into the scene's clips. */
   readonly motion: number;
+  /** Of stairs: index into the scene's clips, across the way up [m], travel speeds relative to running. */
+  readonly stairsMotion: number;
+  readonly stairsWidth: number;
+  readonly speedUp: number;
+  readonly speedDown: number;
+  /** Of exits: the most who leave [1/s], 0 for as many as come. */
+  readonly exitRate: number;
+  /** Of sources: how many come [1/s], and whom they join: id of a group, 0 for a new one. */
+  readonly sourceRate: number;
+  readonly sourceGroup: number;
   /** Of movers [m/s]. */
   readonly speed: number;
   /** Of people and checkpoints. */
@@ -39,8 +53,13 @@ export interface DrawingOptions {
 const kPress = 0.3;
 /** Of what is pressed, not drawn [m]. */
 const kPressed = { box: 1, disc: 0.5, checkpoint: 2, item: 0.5 };
+const kAreaNames = { exit: 'Exit', source: 'Source', waiting: 'Waiting area' };
 /** Points of a route lie so far apart [m]. */
 const kRouteStep = 0.5;
+
+export function isAreaTool(tool: BuildTool): tool is AreaKind {
+  return tool in kAreaNames;
+}
 
 function rectangle(a: GroundPoint, b: GroundPoint): Point2[] {
   const [x0, x1] = [Math.min(a.x, b.x), Math.max(a.x, b.x)];
@@ -81,6 +100,7 @@ function round(a: GroundPoint, b: GroundPoint, pressed: number): { centre: Point
 export function drawn(tool: BuildTool, a: GroundPoint, b: GroundPoint, options: DrawingOptions): Thing | null {
   const { height, motion, count, spacing } = options;
   const formation = { kind: options.formation, spacing };
+  if (isAreaTool(tool)) return areaThing(tool, boxOf(a, b), options);
   switch (tool) {
     case 'box':
       return polygonThing(boxOf(a, b), height);
@@ -94,6 +114,8 @@ export function drawn(tool: BuildTool, a: GroundPoint, b: GroundPoint, options: 
       const polygon = boxOf(a, b);
       return thing('patch', { polygon, centre: centreOf(polygon), motion });
     }
+    case 'stairs':
+      return stairsThing(a, b, options);
     case 'item':
       return thing('item', { centre: [b.x, b.y], radius: kPressed.item });
     case 'checkpoint':
@@ -108,6 +130,22 @@ export function drawn(tool: BuildTool, a: GroundPoint, b: GroundPoint, options: 
     case 'route':
       return null;
   }
+}
+
+/** Up from `a` to `b`; null for a press. */
+function stairsThing(a: GroundPoint, b: GroundPoint, options: DrawingOptions): Thing | null {
+  const polygon = wallOf(a, b, options.stairsWidth);
+  const ascent = Math.atan2(b.y - a.y, b.x - a.x);
+  const rest = { speed: options.speedUp, speedDown: options.speedDown };
+  const { stairsMotion: motion } = options;
+  return polygon && thing('patch', { name: 'Stairs', polygon, centre: centreOf(polygon), motion, ascent, rest });
+}
+
+function areaThing(kind: AreaKind, polygon: readonly Point2[], options: DrawingOptions): Thing {
+  const rate = { exit: options.exitRate, source: options.sourceRate, waiting: 0 }[kind];
+  const area = { kind, open: true, rate, queue: [] };
+  const group = kind === 'source' ? options.sourceGroup : 0;
+  return thing('area', { name: kAreaNames[kind], polygon, centre: centreOf(polygon), area, group });
 }
 
 function centreOf(polygon: readonly Point2[]): Point2 {

@@ -1,14 +1,30 @@
 // What stands and lies in a place, as somebody who builds it takes hold of it: chosen, moved, turned, scaled, and told to
 // the server in the words of gesture files.
 
-import type { Point2, SceneFacts, SceneGroupBody, ScenePath, SceneRole, SceneShape } from '../../protocol/scene';
+import type {
+  AreaKind,
+  Point2,
+  SceneFacts,
+  SceneGroupBody,
+  ScenePath,
+  SceneRole,
+  SceneShape,
+} from '../../protocol/scene';
 import { colourNumber } from '../accent';
 import { distance, insidePolygon, type GroundPoint } from '../plane';
 import { likeGroup } from './group_body';
 
-export type ThingKind = 'obstacle' | 'patch' | 'item' | 'checkpoint' | 'group';
+export type ThingKind = 'obstacle' | 'patch' | 'area' | 'item' | 'checkpoint' | 'group';
 
-export const kThingKinds: readonly ThingKind[] = ['obstacle', 'patch', 'item', 'checkpoint', 'group'];
+export const kThingKinds: readonly ThingKind[] = ['obstacle', 'patch', 'area', 'item', 'checkpoint', 'group'];
+
+/** What an area does; see SceneArea. */
+export interface AreaFields {
+  readonly kind: AreaKind;
+  readonly open: boolean;
+  readonly rate: number;
+  readonly queue: readonly Point2[];
+}
 
 /** One thing. It has a polygon, or a centre with a radius. */
 export interface Thing {
@@ -25,6 +41,9 @@ export interface Thing {
   readonly height: number;
   /** Of a patch: index into the scene's clips. */
   readonly motion: number;
+  /** Of stairs: heading of the way up [rad]; null for other things. */
+  readonly ascent: number | null;
+  readonly area: AreaFields | null;
   readonly path: ScenePath | null;
   /** Of a group and a checkpoint. */
   readonly formation: SceneShape;
@@ -36,7 +55,7 @@ export interface Thing {
   readonly colour: number;
   /** Fields of its definition that building leaves alone. */
   readonly rest: Readonly<Record<string, unknown>>;
-  /** Id of the group that a checkpoint concerns; 0 for any. */
+  /** Id of the group that a checkpoint concerns, 0 for any; of a source, whom its people join. */
   readonly group: number;
 }
 
@@ -53,6 +72,8 @@ const kBlank: Thing = {
   angle: 0,
   height: 3,
   motion: 0,
+  ascent: null,
+  area: null,
   path: null,
   formation: { kind: 'square', spacing: 1 },
   count: 0,
@@ -93,14 +114,15 @@ function shapeOf(polygon: readonly Point2[] | undefined, centre: Point2 | undefi
 
 /** All that can be taken hold of, what lies on top last. */
 export function thingsOf(scene: SceneFacts): Thing[] {
-  const patches = scene.patches.map(({ id, name, polygon, motion, path, ownSpeed }) =>
+  const patches = scene.patches.map(({ id, name, polygon, motion, path, ownSpeed, ascent, speedDown }) =>
     thing('patch', {
       id,
       name,
       ...shapeOf(polygon, undefined, undefined),
       motion,
+      ascent: ascent ?? null,
       path: path ?? null,
-      rest: present({ speed: ownSpeed }),
+      rest: present({ speed: ownSpeed, speedDown }),
     }),
   );
   const obstacles = scene.obstacles.map(({ id, name, polygon, centre, radius, height, path, range, strength }) =>
@@ -125,7 +147,20 @@ export function thingsOf(scene: SceneFacts): Thing[] {
   );
   const items = scene.items.map(({ id, position, radius }) => thing('item', { id, centre: position, radius }));
   const groups = groupsOf(scene);
-  return [...patches, ...obstacles, ...checkpoints, ...items, ...groups];
+  return [...patches, ...areasOf(scene), ...obstacles, ...checkpoints, ...items, ...groups];
+}
+
+function areasOf(scene: SceneFacts): Thing[] {
+  return scene.areas.map(({ id, name, polygon, kind, open, rate, queue, group, from, until, most, timetable }) =>
+    thing('area', {
+      id,
+      name: name ?? '',
+      ...shapeOf(polygon, undefined, undefined),
+      area: { kind, open, rate, queue: queue ?? [] },
+      group: group ?? 0,
+      rest: present({ from, until, most, timetable }),
+    }),
+  );
 }
 
 function groupsOf(scene: SceneFacts): Thing[] {
@@ -137,7 +172,7 @@ function groupsOf(scene: SceneFacts): Thing[] {
           thing('group', {
             id,
             name,
-            count,
+            count: start.count ?? count,
             centre: start.position,
             angle: start.angle,
             formation: start.formation,
@@ -146,9 +181,9 @@ function groupsOf(scene: SceneFacts): Thing[] {
             colour: colourNumber(colour, chosenColour),
             rest: {
               ...likeGroup(start.body ?? {}, start.roles ?? [], usual),
-              ...present({ colour: chosenColour, build, motions }),
+              ...present({ colour: chosenColour, build, motions, people: start.people }),
             },
-            radius: groupRadius(count, start.formation.spacing ?? 1),
+            radius: groupRadius(start.count ?? count, start.formation.spacing ?? 1),
           }),
         ]
       : [],
@@ -169,6 +204,8 @@ function mapped(one: Thing, map: (p: Point2) => Point2, turn: number, scale: num
     centre: map(one.centre),
     radius: grows ? Math.max(0.05, one.radius * scale) : one.radius,
     angle: one.angle + turn,
+    ascent: one.ascent === null ? null : one.ascent + turn,
+    area: one.area && { ...one.area, queue: one.area.queue.map(map) },
     path: one.path && {
       ...one.path,
       waypoints: one.path.waypoints.map(({ t, x, y, angle }) => ({ t, x: c * x - s * y, y: s * x + c * y, angle })),
@@ -202,7 +239,16 @@ function definition(one: Thing): Record<string, unknown> {
     case 'obstacle':
       return { name, ...shape, height: one.height, ...way, ...rest };
     case 'patch':
-      return { name, polygon, motion: one.motion, ...way, ...rest };
+      return {
+        name,
+        polygon,
+        motion: one.motion,
+        ...(one.ascent === null ? {} : { ascent: one.ascent }),
+        ...way,
+        ...rest,
+      };
+    case 'area':
+      return { name, polygon, ...areaDefinition(one.area!), ...rest };
     case 'item':
       return { position: centre, radius };
     case 'checkpoint':
@@ -212,22 +258,30 @@ function definition(one: Thing): Record<string, unknown> {
   }
 }
 
+function areaDefinition({ kind, open, rate, queue }: AreaFields): Record<string, unknown> {
+  return { kind, open, rate, ...(queue.length > 1 ? { queue } : {}) };
+}
+
+/** The group that a checkpoint or a source is about. */
+function concerned({ kind, group }: Thing): Record<string, unknown> {
+  return (kind === 'checkpoint' || kind === 'area') && group > 0 ? { group } : {};
+}
+
 function capital(kind: ThingKind): string {
   return kind[0]!.toUpperCase() + kind.slice(1);
 }
 
 /** Puts the thing there. */
 export function addEvent(one: Thing): PlaceEvent {
-  const concerned = one.kind === 'checkpoint' && one.group > 0 ? { group: one.group } : {};
-  return { kind: one.kind, definition: definition(one), ...concerned };
+  return { kind: one.kind, definition: definition(one), ...concerned(one) };
 }
 
 /** Makes the thing of that id as it is here. A group is placed; its other fields have events of their own. */
 export function changeEvent(one: Thing): PlaceEvent {
   if (one.kind === 'group')
     return { kind: 'placeGroup', group: one.id, x: one.centre[0], y: one.centre[1], angle: one.angle };
-  const concerned = one.kind === 'checkpoint' && one.group > 0 ? { group: one.group } : {};
-  return { kind: `change${capital(one.kind)}`, id: one.id, definition: definition(one), ...concerned };
+  const kind = one.kind === 'area' ? 'area' : `change${capital(one.kind)}`;
+  return { kind, id: one.id, definition: definition(one), ...concerned(one) };
 }
 
 export function removeEvent(one: Thing): PlaceEvent {

@@ -15,6 +15,10 @@ describe('palette', () => {
       for (const mark of [palette.waterLine, palette.net, palette.brickLine, palette.obstacleEdge]) {
         expect(contrast(mark, palette.ground)).toBeGreaterThan(3);
       }
+      for (const { floor, line } of Object.values(palette.areas)) {
+        expect(contrast(line, floor)).toBeGreaterThan(3);
+        expect(contrast(line, palette.ground)).toBeGreaterThan(3);
+      }
       expect(contrast(palette.ink, palette.panel)).toBeGreaterThan(12);
     }
   });

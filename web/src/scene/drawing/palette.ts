@@ -1,5 +1,6 @@
 // The colours of the scene in both themes (the tests hold the contrasts).
 
+import type { AreaKind } from '../../protocol/scene';
 import { accentOf, chosenOf, type Accent } from '../../model/accent';
 import { swatchOf } from '../../model/swatches';
 import type { Theme } from '../../model/view_settings';
@@ -29,6 +30,8 @@ export interface Palette {
   readonly brick: string;
   readonly brickLine: string;
   readonly plainFloor: string;
+  /** Of exits, sources and waiting areas. */
+  readonly areas: Readonly<Record<AreaKind, { readonly floor: string; readonly line: string }>>;
   readonly obstacleEdge: string;
   readonly roof: string;
   readonly roofHatch: string;
@@ -68,6 +71,11 @@ const kLight: Palette = {
   brick: '#D3B899',
   brickLine: '#7A604A',
   plainFloor: '#D8D2C6',
+  areas: {
+    exit: { floor: '#CFE3CE', line: '#1E7243' },
+    source: { floor: '#D2DDEA', line: '#3A6A9E' },
+    waiting: { floor: '#EADFBE', line: '#7D5F0E' },
+  },
   obstacleEdge: '#777166',
   roof: '#EDE8DF',
   roofHatch: '#DAD4C9',
@@ -106,6 +114,11 @@ const kDark: Palette = {
   brick: '#957A5F',
   brickLine: '#B99C82',
   plainFloor: '#2B3138',
+  areas: {
+    exit: { floor: '#1F3A2C', line: '#62C98A' },
+    source: { floor: '#24354A', line: '#7FB2E6' },
+    waiting: { floor: '#3B3421', line: '#D6B45A' },
+  },
   obstacleEdge: '#6C7884',
   roof: '#3F4750',
   roofHatch: '#475059',

@@ -3,7 +3,7 @@ import { parseScene } from '../../protocol/scene';
 import { CameraController } from '../camera/camera_controller';
 import { MarkState } from './mark_state';
 import { paletteOf } from '../drawing/palette';
-import { chipTags, overlayTags, patchTags, patchWords, type TagScene, uncrowded } from './scene_tags';
+import { areaWords, chipTags, overlayTags, patchTags, patchWords, type TagScene, uncrowded } from './scene_tags';
 import { madeControl, madeGroup } from '../../model/test_frames';
 
 function view(now: number, more: Partial<TagScene> = {}): TagScene {
@@ -16,6 +16,7 @@ function view(now: number, more: Partial<TagScene> = {}): TagScene {
     colours: [0, 1],
     now,
     moving: [],
+    areas: [],
     overlay: null,
     contours: [],
     chosenGroup: 1,
@@ -141,5 +142,37 @@ describe('tags', () => {
     expect(tags.map((tag) => tag.text)).toEqual(['5', 'Character 30', 'Its place']);
     expect(tags[1]?.fill).toBe(paletteOf('light').accents.ember);
     expect(overlayTags(view(0))).toEqual([]);
+  });
+});
+
+describe('tags of areas', () => {
+  it('say what an area is, whether it is closed, and how many have passed', () => {
+    const area = { id: 1, kind: 'exit', polygon: [], open: true, rate: 0 } as const;
+    const none = { passed: 0, waiting: 0 };
+    expect(areaWords(area, none)).toEqual({ text: 'Exit', detail: '' });
+    expect(areaWords({ ...area, name: 'Door', open: false }, { passed: 24, waiting: 0 })).toEqual({
+      text: 'Door',
+      detail: 'closed, 24 out',
+    });
+    const source = areaWords({ ...area, kind: 'source' }, { passed: 3, waiting: 2 });
+    expect(source).toEqual({ text: 'Source', detail: '3 in, 2 have no room' });
+  });
+
+  it('stay beside each other where they have the same words', () => {
+    const square = (x: number): unknown[] => [
+      [x, 0],
+      [x + 2, 0],
+      [x + 2, 2],
+      [x, 2],
+    ];
+    const areas = [-8, 8].map((x, k) => ({ id: k + 1, kind: 'waiting', polygon: square(x), open: true, rate: 0 }));
+    const scene = parseScene(JSON.stringify({ box: { min: [-10, -10], max: [10, 10] }, areas }));
+    expect(patchTags(scene, view(0)).map(({ key }) => key)).toEqual(['area:1', 'area:2']);
+  });
+
+  it('tell both speeds of stairs', () => {
+    const patch = { ...kScene.patches[0]!, name: '', speed: 0.5, ascent: 1, speedDown: 0.7 };
+    const [tag] = patchTags({ ...kScene, patches: [patch] }, view(0));
+    expect(tag).toMatchObject({ text: 'Stairs', detail: 'up 0.50×, down 0.70×' });
   });
 });

@@ -1,16 +1,16 @@
-// Chooses the words over the scene: names of patches, kinds of controls, numbers of contours.
+// Chooses the words over the scene: names of patches and areas, kinds of controls, numbers of contours.
 
 import type { ControlKind } from '../../protocol/messages';
 import { kKindNames } from '../../model/control_watch';
-import type { Point2, SceneFacts } from '../../protocol/scene';
+import type { Point2, SceneArea, SceneFacts, ScenePatch } from '../../protocol/scene';
 import type { CameraController } from '../camera/camera_controller';
 import type { MarkState } from './mark_state';
 import type { ContourLabel } from '../ground/field_raster';
-import type { MovingView, OverlayView } from '../../model/frame_view';
+import type { AreaView, MovingView, OverlayView } from '../../model/frame_view';
 import { centroid } from '../drawing/geometry_builder';
 import { accentColour, inkOn, type Palette } from '../drawing/palette';
 import { heightOfLook, lookOfMotion } from '../patches/patch_geometry';
-import { kMotionIcons, type Tag } from './tag_layer';
+import { kAreaIcons, kMotionIcons, kStairsIcon, type Tag } from './tag_layer';
 import type { ScreenPoint } from '../../model/plane';
 
 /** How long a chip names a control's kind [ms]. */
@@ -28,6 +28,7 @@ export interface TagScene {
   readonly colours: readonly number[];
   readonly now: number;
   readonly moving: readonly MovingView[];
+  readonly areas: readonly AreaView[];
   readonly overlay: OverlayView | null;
   readonly contours: readonly ContourLabel[];
   readonly chosenGroup: number;
@@ -39,19 +40,57 @@ export function patchWords(name: string, clip: string, speed: number): { text: s
   return name && name !== clip ? { text: name, detail: `${clip} ${figure}×` } : { text: clip, detail: `${figure}×` };
 }
 
+/** Of stairs both speeds: `Stairs` and `up 0.50×, down 0.70×`. */
+function wordsOfPatch(
+  { name, speed, ascent, speedDown = speed }: ScenePatch,
+  clip: string,
+): { text: string; detail: string } {
+  if (ascent === undefined) return patchWords(name, clip, speed);
+  return { text: name || 'Stairs', detail: `up ${speed.toFixed(2)}×, down ${speedDown.toFixed(2)}×` };
+}
+
+const kAreaWords = {
+  exit: { name: 'Exit', passed: 'out' },
+  source: { name: 'Source', passed: 'in' },
+  waiting: { name: 'Waiting area', passed: '' },
+};
+
+/** `Main door` and `24 out`. */
+export function areaWords(
+  { name, kind, open }: SceneArea,
+  { passed, waiting }: Omit<AreaView, 'id'>,
+): { text: string; detail: string } {
+  const words = kAreaWords[kind];
+  const parts = [
+    ...(open ? [] : ['closed']),
+    ...(passed > 0 ? [`${passed} ${words.passed}`] : []),
+    ...(waiting > 0 ? [`${waiting} have no room`] : []),
+  ];
+  return { text: name || words.name, detail: parts.join(', ') };
+}
+
+function areaTags(scene: SceneFacts, view: TagScene): Tag[] {
+  return scene.areas.flatMap((area): Tag[] => {
+    const at = aboveOutline(area.polygon, 0, undefined, view.camera);
+    if (!onScreen(at, view.camera)) return [];
+    const seen = view.areas.find(({ id }) => id === area.id) ?? { passed: 0, waiting: 0 };
+    return [{ key: `area:${area.id}`, kind: 'patch', at, ...areaWords(area, seen), icon: kAreaIcons[area.kind] }];
+  });
+}
+
 export function patchTags(scene: SceneFacts, view: TagScene): Tag[] {
-  const tags: Tag[] = [];
+  const tags: Tag[] = areaTags(scene, view);
   for (const patch of scene.patches) {
     const clip = scene.clips[patch.motion]?.name ?? '';
     const move = patch.moving ? view.moving.find((one) => one.kind === 1 && one.id === patch.id) : undefined;
-    const at = aboveOutline(patch.polygon, heightOfLook(lookOfMotion(clip)), move, view.camera);
+    const at = aboveOutline(patch.polygon, heightOf(patch, clip), move, view.camera);
     if (!onScreen(at, view.camera)) continue;
-    const icon = kMotionIcons[clip];
+    const icon = patch.ascent === undefined ? kMotionIcons[clip] : kStairsIcon;
     tags.push({
       key: `patch:${patch.id}`,
       kind: 'patch',
       at,
-      ...patchWords(patch.name, clip, patch.speed),
+      ...wordsOfPatch(patch, clip),
       ...(icon ? { icon } : {}),
     });
   }
@@ -65,18 +104,22 @@ export function patchTags(scene: SceneFacts, view: TagScene): Tag[] {
   return [...words, ...uncrowded(spots)];
 }
 
-/** Leaves out tags that would cover another; of those with the same words the nearest alone stays. */
+/** Leaves out tags that would cover another; of patches with the same words the nearest alone stays. */
 export function uncrowded(tags: readonly Tag[], width = kTagWidth): Tag[] {
   const kept: Tag[] = [];
   const nearest = [...tags].sort((a, b) => b.at.y - a.at.y || a.key.localeCompare(b.key));
   for (const tag of nearest) {
     const crowded = kept.some((other) => {
-      if (other.text === tag.text && other.detail === tag.detail) return true;
+      if (!tag.key.startsWith('area:') && other.text === tag.text && other.detail === tag.detail) return true;
       return Math.abs(other.at.x - tag.at.x) < width && Math.abs(other.at.y - tag.at.y) < kTagHeight;
     });
     if (!crowded) kept.push(tag);
   }
   return tags.filter((tag) => kept.includes(tag));
+}
+
+function heightOf({ ascent }: ScenePatch, clip: string): number {
+  return ascent === undefined ? heightOfLook(lookOfMotion(clip)) : 0;
 }
 
 /** The middle of the outline, just above its highest corner on the screen. */

@@ -1,5 +1,6 @@
 // Words over the scene: names of patches, kinds of controls, numbers of contours. Plain elements, moved by transforms.
 
+import type { AreaKind } from '../../protocol/scene';
 import type { ScreenPoint } from '../../model/plane';
 
 export interface Tag {
@@ -94,6 +95,14 @@ function makeIcon(path: string): SVGElement {
   svg.append(line);
   return svg;
 }
+
+/** Out through a door, in through it, and an hourglass. */
+export const kAreaIcons: Readonly<Record<AreaKind, string>> = {
+  exit: 'M8.500 3.500h-5v13h5M8 10h9M13.400 6.400 17 10l-3.600 3.600',
+  source: 'M11.500 3.500h5v13h-5M3 10h9M8.400 6.400 12 10l-3.600 3.600',
+  waiting: 'M5 3.500h10M5 16.500h10M6.500 3.500c0 3.500 7 9.500 7 13M13.500 3.500c0 3.500-7 9.500-7 13',
+};
+export const kStairsIcon = 'M2.500 16.500h4v-4h4v-4h4v-4h3';
 
 /** A small figure per motion: strokes of a head, trunk and limbs. */
 export const kMotionIcons: Readonly<Record<string, string>> = {

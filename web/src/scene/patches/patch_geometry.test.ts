@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Point2 } from '../../protocol/scene';
 import type { GeometryBuilder } from '../drawing/geometry_builder';
+import { addArea } from './area_shapes';
 import { addPatch, lookOfMotion } from './patch_geometry';
 import { paletteOf } from '../drawing/palette';
 import { blended, emptyParts, hatchChords, type PatchParts, postsAlong } from './patch_parts';
@@ -162,5 +163,55 @@ describe('patches', () => {
 
   it('colours mix by parts', () => {
     expect(blended('#000000', '#FF8040', 0.5)).toBe('#804020');
+  });
+});
+
+describe('areas and stairs', () => {
+  const palette = paletteOf('light');
+  const partsOfArea = (kind: 'exit' | 'source' | 'waiting', open = true, queue: Point2[] = []): PatchParts => {
+    const parts = emptyParts();
+    addArea(parts, { id: 1, kind, polygon: kSquare, open, rate: 0, queue }, palette);
+    return parts;
+  };
+
+  it('differ by rim and pattern, not by colour alone', () => {
+    const [exit, source, waiting] = [partsOfArea('exit'), partsOfArea('source'), partsOfArea('waiting')];
+    expect([exit.rim.length, exit.lines.length]).toEqual([0, 4]);
+    expect(source.rim).toHaveLength(4);
+    expect(source.lines.length).toBeGreaterThan(4);
+    // A rim, and a mark for each square metre.
+    expect(waiting.lines.length).toBeGreaterThanOrEqual(4 + 16);
+    for (const parts of [exit, source, waiting]) expect(parts.floor.triangleCount).toBe(2);
+  });
+
+  it('are crossed out in the colour of what cannot be where they are closed', () => {
+    const closed = partsOfArea('exit', false);
+    expect(closed.lines.length).toBeGreaterThan(10);
+    expect(new Set(closed.lines.map(({ colour }) => colour))).toEqual(new Set([palette.alarm]));
+  });
+
+  it('show the line in which people queue', () => {
+    const queue: Point2[] = [
+      [4, 2],
+      [6, 2],
+      [6, 5],
+    ];
+    expect(partsOfArea('exit', true, queue).lines).toHaveLength(6);
+  });
+
+  it('stairs have treads across the way up, and arrows along it', () => {
+    const parts = emptyParts();
+    addPatch(
+      parts,
+      { id: 1, name: '', polygon: kSquare, motion: 0, speed: 0.5, moving: false, ascent: 0 },
+      'walk',
+      palette,
+    );
+    const treads = parts.lines.filter(({ alpha }) => alpha < 1);
+    expect(treads.length).toBe(13);
+    for (const { line } of treads) expect(line[0][0]).toBeCloseTo(line[1][0]);
+    const arrows = parts.lines.filter(({ alpha }) => alpha === 1);
+    expect(arrows).toHaveLength(6);
+    for (const { line } of arrows) expect(line[1][0]).toBeGreaterThan(line[0][0]);
   });
 });

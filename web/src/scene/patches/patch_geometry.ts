@@ -8,6 +8,7 @@ import { addJump, kHurdleHeight } from './hurdle';
 import { addNet, kNetHeight } from './net';
 import { addPlain, type PatchParts } from './patch_parts';
 import { addPool } from './pool';
+import { addStairs } from './stairs';
 import { addWall, kWallHeight } from './wall';
 
 export type PatchLook = 'net' | 'pool' | 'wall' | 'jump' | 'branches' | 'plain';
@@ -40,6 +41,7 @@ export function heightOfLook(look: PatchLook): number {
 export function addPatch(parts: PatchParts, patch: ScenePatch, clip: string, palette: Palette): void {
   const outline = counterClockwise(patch.polygon);
   if (outline.length < 3) return;
+  if (patch.ascent !== undefined) return addStairs(parts, outline, patch.ascent, palette);
   addLook(lookOfMotion(clip), parts, outline, patch.name, palette);
 }
 

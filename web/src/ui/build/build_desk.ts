@@ -4,6 +4,7 @@ import type { StudioClient } from '../../link/studio_client';
 import type { StudioStore } from '../../model/studio_store';
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
 import type { BuildTool, DrawingOptions } from '../../model/place/drawing';
+import { emptiedGroups, kArrivals, newArrivals } from '../../model/place/areas';
 import * as things from '../../model/place/things';
 import type { PlaceEvent, Thing, ThingKind } from '../../model/place/things';
 import { OverlayKind, PlaybackAction } from '../../protocol/messages';
@@ -63,7 +64,16 @@ export class BuildDesk implements StrokeHost, BuildActions {
     formation: 'square',
     count: 20,
     spacing: 1,
+    stairsMotion: 1,
+    stairsWidth: 2,
+    speedUp: 0.5,
+    speedDown: 0.7,
+    exitRate: 0,
+    sourceRate: 1,
+    sourceGroup: 0,
   };
+  /** A source that waits for its group, with the gesture of both. */
+  private source_: { readonly made: Thing; readonly gesture: number } | null = null;
 
   constructor(private readonly parts_: BuildParts) {
     const { view, client } = parts_;
@@ -120,11 +130,14 @@ export class BuildDesk implements StrokeHost, BuildActions {
     const before = this.served_;
     const same = this.scene_?.world === scene.world && this.scene_.name === scene.name;
     this.scene_ = scene;
+    const follows = this.sourceFollows(scene, same);
+    const walk = scene.clips.findIndex(({ name }) => name === 'walk');
+    this.options = { ...this.options, stairsMotion: Math.max(0, walk) };
     this.served_ = things.thingsOf(scene);
     if (!same) this.edits_.forget();
     this.things_ = this.edits_.over(this.served_);
     this.chosen_ = things.chosenAgain(this.chosen_, before, this.things_, same);
-    if (this.choosesNew_ && same) {
+    if (this.choosesNew_ && same && !follows) {
       const fresh = this.served_.filter((one) => !before.some((old) => things.sameThing(old, one)));
       if (fresh.length > 0) this.chosen_ = fresh;
       this.choosesNew_ = fresh.length === 0;
@@ -140,11 +153,12 @@ export class BuildDesk implements StrokeHost, BuildActions {
   private showLayers(): void {
     if (!this.scene_) return;
     const shown = (kind: ThingKind): boolean => !this.open_ || !this.hidden_.has(kind);
-    const { obstacles, patches, items, checkpoints } = this.scene_;
+    const { obstacles, patches, areas, items, checkpoints } = this.scene_;
     this.parts_.view.setScene({
       ...this.scene_,
       obstacles: shown('obstacle') ? obstacles : [],
       patches: shown('patch') ? patches : [],
+      areas: shown('area') ? areas : [],
       items: shown('item') ? items : [],
       checkpoints: shown('checkpoint') ? checkpoints : [],
     });
@@ -177,6 +191,7 @@ export class BuildDesk implements StrokeHost, BuildActions {
 
   private refused(code: string): void {
     if (code !== 'rejected' && code !== 'Edit') return;
+    this.source_ = null;
     this.edits_.answered();
     if (this.strokes_.busy) return;
     this.edits_.forget();
@@ -187,10 +202,25 @@ export class BuildDesk implements StrokeHost, BuildActions {
     if (made.length === 0) return;
     this.preview = made;
     this.choosesNew_ = true;
-    this.edits_.send({ label, events: made.map(things.addEvent), changed: [] });
+    const source = made.find(({ area, group }) => area?.kind === 'source' && group === 0);
+    if (source) this.source_ = { made: source, gesture: this.edits_.sendApart(label, [newArrivals(source)]) };
+    else this.edits_.send({ label, events: made.map(things.addEvent), changed: [] });
     // A refusal brings no new thing.
     window.clearTimeout(this.waits_);
     this.waits_ = window.setTimeout(() => (this.preview = []), kPreviewStays);
+  }
+
+  /** True where the group of a new source has come: the source is next. */
+  private sourceFollows(scene: SceneFacts, sameWorld: boolean): boolean {
+    const { source_: waits } = this;
+    if (!sameWorld) this.source_ = null;
+    if (!waits || !sameWorld) return false;
+    const isKnown = (group: number): boolean => this.served_.some(({ kind, id }) => kind === 'group' && id === group);
+    const group = scene.groups.find(({ id, name }) => name === kArrivals && !isKnown(id));
+    if (!group) return false;
+    this.source_ = null;
+    this.edits_.sendApart('Add source', [things.addEvent({ ...waits.made, group: group.id })], waits.gesture);
+    return true;
   }
 
   change(label: string, changed: readonly Thing[]): void {
@@ -247,8 +277,11 @@ export class BuildDesk implements StrokeHost, BuildActions {
   remove(): void {
     if (this.chosen_.length === 0 || this.strokes_.removeCorner()) return;
     this.strokes_.drop();
-    const label = this.chosen_.length === 1 ? `Remove ${this.chosen_[0]!.kind}` : 'Remove';
-    this.edits_.send({ label, events: this.chosen_.map(things.removeEvent), changed: [] });
+    const [one] = this.chosen_;
+    const label = this.chosen_.length === 1 ? `Remove ${one!.area?.kind ?? one!.kind}` : 'Remove';
+    // Nobody would ever be in the group of a source that is gone.
+    const removed = [...this.chosen_, ...emptiedGroups(this.chosen_, this.things_)];
+    this.edits_.send({ label, events: removed.map(things.removeEvent), changed: [] });
     this.chosen_ = [];
     this.showChosen();
   }

@@ -9,6 +9,11 @@ const kShapes: Readonly<Record<BuildTool | 'redo' | 'undo' | 'remove' | 'copy', 
   polygon: '<path d="m10 3.500 6.500 5-2.500 7.500H6L3.500 8.500Z" stroke-linejoin="round"/>',
   wall: '<path d="M3 14.500 15.500 4l1.800 2.200L4.800 16.700Z" stroke-linejoin="round"/>',
   patch: '<path d="M3.500 8c2-2 4-2 6.500 0s4.500 2 6.500 0 M3.500 13c2-2 4-2 6.500 0s4.500 2 6.500 0"/>',
+  stairs: '<path d="M3 16.500h3.500v-3.500H10V9.500h3.500V6H17" stroke-linejoin="round"/>',
+  exit: '<path d="M8.500 3.500h-5v13h5 M8 10h9 M13.400 6.400 17 10l-3.600 3.600" stroke-linejoin="round"/>',
+  source: '<path d="M11.500 3.500h5v13h-5 M3 10h9 M8.400 6.400 12 10l-3.600 3.600" stroke-linejoin="round"/>',
+  waiting:
+    '<path d="M5 3.500h10 M5 16.500h10 M6.500 3.500c0 3.500 7 9.500 7 13 M13.500 3.500c0 3.500-7 9.500-7 13" stroke-linejoin="round"/>',
   route:
     '<path d="M4 15.500c6 0 2-11 8-11" stroke-dasharray="2.500 2"/><path d="m11 2 3.500 2.500L11 7" stroke-linejoin="round"/>',
   item: '<path d="m10 3 2 4.500 5 .5-3.700 3.300 1.100 4.900L10 13.700l-4.400 2.500 1.100-4.900L3 8l5-.5Z" stroke-linejoin="round"/>',

@@ -1,6 +1,7 @@
 // The panel of whoever builds: tools, what new things are like, what is chosen, layers, and the way back.
 
 import { kBuildTools, type BuildTool, type DrawingOptions } from '../../model/place/drawing';
+import { groupChoices } from '../../model/place/areas';
 import { kThingKinds, type Thing, type ThingKind } from '../../model/place/things';
 import type { HistoryFacts } from '../../model/studio_state';
 import type { SceneFacts } from '../../protocol/scene';
@@ -19,7 +20,11 @@ const kLabels: Record<BuildTool, string> = {
   polygon: 'Polygon',
   wall: 'Wall',
   patch: 'Patch',
+  stairs: 'Stairs',
   route: 'Route',
+  exit: 'Exit',
+  source: 'Source',
+  waiting: 'Waiting',
   item: 'Item',
   checkpoint: 'Checkpoint',
   people: 'People',
@@ -32,15 +37,26 @@ const kHints: Record<BuildTool, string> = {
   polygon: 'Tap corners; tap the first again to end.',
   wall: 'Drag along the wall.',
   patch: 'Drag from corner to corner.',
-  route: 'Draw from an obstacle: it moves there and back.',
+  stairs: 'Drag from the foot to the top.',
+  route: 'Draw from an obstacle: it moves there and back. From an exit: people queue along the line.',
+  exit: 'Drag from corner to corner: who is told to leave leaves there.',
+  source: 'Drag from corner to corner: people come there.',
+  waiting: 'Drag from corner to corner: who is told to wait stands there.',
   item: 'Tap where it shall lie.',
   checkpoint: 'Drag from the middle: who passes changes the formation.',
   people: 'Drag from where they stand to where they face.',
 };
 
+type SetOptions = (change: Partial<DrawingOptions>) => void;
+type OptionMakers = Partial<Record<BuildTool, () => HTMLElement[]>>;
+
+const kRate = { min: 0, max: 1000, unit: '1/s' };
+const kNewGroup = 'A new group';
+
 const kLayers: Record<ThingKind, string> = {
   obstacle: 'Obstacles',
   patch: 'Patches',
+  area: 'Exits and sources',
   item: 'Items',
   checkpoint: 'Checkpoints',
   group: 'People',
@@ -168,43 +184,63 @@ export class BuildPanel {
     const set = (change: Partial<DrawingOptions>): void => {
       desk.options = { ...desk.options, ...change };
     };
-    const { options } = desk;
+    const makers = { ...this.plainOptions(desk.options, scene, set), ...this.areaOptions(desk.options, scene, set) };
+    return makers[tool]?.() ?? [];
+  }
+
+  private plainOptions(options: DrawingOptions, scene: SceneFacts | null, set: SetOptions): OptionMakers {
     const height = (): HTMLElement =>
       numberField('Height', options.height, { min: 0.1, max: 100, unit: 'm' }, (value) => set({ height: value }));
     const shape = (): HTMLElement =>
       selectField('Formation', kShapes, options.formation, (value) => set({ formation: value }));
-    switch (tool) {
-      case 'box':
-      case 'disc':
-      case 'polygon':
-        return [height()];
-      case 'wall':
-        return [
-          numberField('Width', options.width, { min: 0.05, max: 20, unit: 'm' }, (value) => set({ width: value })),
-          height(),
-        ];
-      case 'patch': {
-        const clips = scene?.clips.map(({ name }) => name) ?? [];
-        return [
-          selectField('Motion', clips, clips[options.motion] ?? '', (value) => set({ motion: clips.indexOf(value) })),
-        ];
-      }
-      case 'route':
-        return [
-          numberField('Speed', options.speed, { min: 0.1, max: 20, unit: 'm/s' }, (value) => set({ speed: value })),
-        ];
-      case 'checkpoint':
-        return [shape()];
-      case 'people':
-        return [
-          numberField('People', options.count, { min: 1, max: 5000, whole: true }, (value) => set({ count: value })),
-          numberField('Spacing', options.spacing, { min: 0.3, max: 20, unit: 'm' }, (value) => set({ spacing: value })),
-          shape(),
-        ];
-      case 'select':
-      case 'item':
-        return [];
-    }
+    const width = (): HTMLElement =>
+      numberField('Width', options.width, { min: 0.05, max: 20, unit: 'm' }, (value) => set({ width: value }));
+    const clips = scene?.clips.map(({ name }) => name) ?? [];
+    return {
+      box: () => [height()],
+      disc: () => [height()],
+      polygon: () => [height()],
+      wall: () => [width(), height()],
+      patch: () => [
+        selectField('Motion', clips, clips[options.motion] ?? '', (value) => set({ motion: clips.indexOf(value) })),
+      ],
+      route: () => [
+        numberField('Speed', options.speed, { min: 0.1, max: 20, unit: 'm/s' }, (value) => set({ speed: value })),
+      ],
+      checkpoint: () => [shape()],
+      people: () => [
+        numberField('People', options.count, { min: 1, max: 5000, whole: true }, (value) => set({ count: value })),
+        numberField('Spacing', options.spacing, { min: 0.3, max: 20, unit: 'm' }, (value) => set({ spacing: value })),
+        shape(),
+      ],
+    };
+  }
+
+  private areaOptions(options: DrawingOptions, scene: SceneFacts | null, set: SetOptions): OptionMakers {
+    const speed = (label: string, key: 'speedUp' | 'speedDown'): HTMLElement =>
+      numberField(label, options[key], { min: 0.01, max: 100, unit: '×' }, (value) => set({ [key]: value }));
+    return {
+      stairs: () => [
+        numberField('Width', options.stairsWidth, { min: 0.3, max: 100, unit: 'm' }, (value) =>
+          set({ stairsWidth: value }),
+        ),
+        speed('Speed up', 'speedUp'),
+        speed('Speed down', 'speedDown'),
+      ],
+      exit: () => [numberField('At most, 0: all', options.exitRate, kRate, (value) => set({ exitRate: value }))],
+      source: () => [
+        numberField('People', options.sourceRate, kRate, (value) => set({ sourceRate: value })),
+        this.joins(scene, options.sourceGroup, (group) => set({ sourceGroup: group })),
+      ],
+    };
+  }
+
+  /** Whom the people of a new source join. */
+  private joins(scene: SceneFacts | null, group: number, changed: (group: number) => void): HTMLElement {
+    const choices = [{ id: 0, word: kNewGroup }, ...groupChoices(scene)];
+    const words = choices.map(({ word }) => word);
+    const shown = choices.find(({ id }) => id === group)?.word ?? kNewGroup;
+    return selectField('Join', words, shown, (word) => changed(choices.find((one) => one.word === word)?.id ?? 0));
   }
 
   setChosen(chosen: readonly Thing[], scene: SceneFacts | null): void {

@@ -31,7 +31,22 @@ beforeEach(() => {
     };
   host = {
     tool: 'select',
-    options: { height: 3, width: 0.3, motion: 0, speed: 1, formation: 'square', count: 9, spacing: 1 },
+    options: {
+      height: 3,
+      width: 0.3,
+      motion: 0,
+      speed: 1,
+      formation: 'square',
+      count: 9,
+      spacing: 1,
+      stairsMotion: 1,
+      stairsWidth: 2,
+      speedUp: 0.5,
+      speedDown: 0.7,
+      exitRate: 0,
+      sourceRate: 1,
+      sourceGroup: 0,
+    },
     snaps: true,
     all: [box],
     free: [box],

@@ -3,6 +3,7 @@
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
 import { drawn, polygonThing, routed, type BuildTool, type DrawingOptions } from '../../model/place/drawing';
 import { crossesItself, gripAt, hasCorners, withCorner, withoutCorner, type Grip } from '../../model/place/corners';
+import { queued } from '../../model/place/areas';
 import { aligned, type Guide } from '../../model/place/guides';
 import { rightAngled, snapped } from '../../model/place/snap';
 import * as things from '../../model/place/things';
@@ -51,6 +52,11 @@ type Drag = Handling | { readonly does: 'draw' | 'box' | 'lasso' | 'route'; read
 const kReach = { touch: 26, mouse: 14 };
 
 const kWords = { move: 'Move', scale: 'Scale', turn: 'Turn', corner: 'Move corner' } as const;
+/** Obstacles and patches move along a route; at an exit people queue along it. */
+function takesRoute({ kind, area }: Thing): boolean {
+  return kind === 'obstacle' || kind === 'patch' || area?.kind === 'exit';
+}
+
 const kCrosses = 'An outline must not cross itself.';
 
 export class BuildStroking implements BuildStrokes {
@@ -120,8 +126,8 @@ export class BuildStroking implements BuildStrokes {
     if (this.host_.tool === 'polygon') return;
     if (this.host_.tool === 'route') {
       const found = things.hit(this.host_.free, stroke.ground, this.host_.metres(12));
-      const mover = found && (found.kind === 'obstacle' || found.kind === 'patch') ? found : this.host_.chosen[0];
-      if (!mover) return this.host_.say('Begin on the obstacle that shall move.');
+      const mover = found && takesRoute(found) ? found : this.host_.chosen.find(takesRoute);
+      if (!mover) return this.host_.say('Begin on the obstacle that shall move, or on the exit of a queue.');
       this.host_.chosen = [mover];
       this.drag_ = { does: 'route', from: stroke.ground };
       this.line = [stroke.ground];
@@ -263,7 +269,8 @@ export class BuildStroking implements BuildStrokes {
   private endRoute(line: readonly GroundPoint[]): void {
     const { host_: host } = this;
     const [mover] = host.chosen;
-    if (mover) host.change(`Route of ${mover.kind}`, [routed(mover, line, host.options.speed)]);
+    if (mover?.area) host.change('Queue', [queued(mover, line)]);
+    else if (mover) host.change(`Route of ${mover.kind}`, [routed(mover, line, host.options.speed)]);
     host.setTool('select');
   }
 

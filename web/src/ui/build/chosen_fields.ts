@@ -4,6 +4,7 @@ import { extentOf, moved, scaled, turned, type Thing } from '../../model/place/t
 import type { SceneFacts } from '../../protocol/scene';
 import { element } from '../widgets/dom';
 import { kShapes, type BuildActions } from './build_actions';
+import { areaFields, stairsFields } from './area_fields';
 import { numberField, selectField, textField } from './fields';
 import { groupColourField } from './group_colour_field';
 import { groupBodyFields } from './group_body_fields';
@@ -12,9 +13,17 @@ const kDegree = Math.PI / 180;
 const kFar = { min: -1e5, max: 1e5, unit: 'm' };
 const kSize = { min: 0.05, max: 1e4, unit: 'm' };
 
+const kAreas = { exit: 'Exit', source: 'Source', waiting: 'Waiting area' };
+
+function titleOf({ kind, area, ascent }: Thing): string {
+  if (area) return kAreas[area.kind];
+  return ascent === null ? kNames[kind] : 'Stairs';
+}
+
 const kNames: Record<Thing['kind'], string> = {
   obstacle: 'Obstacle',
   patch: 'Patch',
+  area: 'Area',
   item: 'Item',
   checkpoint: 'Checkpoint',
   group: 'People',
@@ -47,7 +56,7 @@ export class ChosenFields {
     this.shown_ = key;
     const [one] = chosen;
     if (!one) return this.root.replaceChildren();
-    const title = chosen.length === 1 ? kNames[one.kind] : `${chosen.length} things`;
+    const title = chosen.length === 1 ? titleOf(one) : `${chosen.length} things`;
     const fields = chosen.length === 1 ? this.fieldsOf(one, scene) : [this.turn()];
     const focused = this.focused();
     this.root.replaceChildren(element('h3', {}, title), element('div', { class: 'build-fields' }, ...fields));
@@ -73,7 +82,7 @@ export class ChosenFields {
       numberField('X', one.centre[0], kFar, (x) => desk.edit('Move', (it) => moved(it, x - it.centre[0], 0))),
       numberField('Y', one.centre[1], kFar, (y) => desk.edit('Move', (it) => moved(it, 0, y - it.centre[1]))),
     ];
-    if (one.kind === 'obstacle' || one.kind === 'patch')
+    if (one.kind === 'obstacle' || one.kind === 'patch' || one.kind === 'area')
       fields.unshift(textField('Name', one.name, (name) => desk.edit('Rename', (it) => ({ ...it, name }))));
     if (one.polygon) fields.push(...this.size(one), this.turn());
     if (one.radius > 0 && one.kind !== 'group')
@@ -87,6 +96,8 @@ export class ChosenFields {
         ),
       );
     if (one.kind === 'patch') fields.push(this.motion(one, scene));
+    if (one.ascent !== null) fields.push(...stairsFields(one, one.ascent, desk));
+    if (one.area) fields.push(...areaFields(one, one.area, scene, desk));
     if (one.kind === 'checkpoint') fields.push(...this.checkpoint(one));
     if (one.kind === 'group') fields.push(...this.group(one));
     if (one.path) fields.push(this.stop());
@@ -139,7 +150,7 @@ export class ChosenFields {
       textField('Name', one.name, (name) => {
         if (name) desk.editGroup('Rename', (it) => ({ kind: 'nameGroup', group: it.id, name }));
       }),
-      numberField('People', one.count, { min: 1, max: 20000, whole: true }, (count) =>
+      numberField('People', one.count, { min: Math.min(1, one.count), max: 20000, whole: true }, (count) =>
         desk.editGroup('People', (it) => ({ kind: 'count', group: it.id, count })),
       ),
       numberField('Spacing', spacing, { min: 0.3, max: 20, unit: 'm' }, (value) => formation({ spacing: value })),

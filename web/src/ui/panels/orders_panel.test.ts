@@ -37,6 +37,17 @@ it('shows the tool in hand and takes another', () => {
   expect([tile('Cut'), tile('Steer')].map((one) => one.getAttribute('aria-pressed'))).toEqual(['true', 'false']);
 });
 
+it('offers to leave and to wait where there is an exit, or an area to wait in', () => {
+  expect([tile('Leave').hidden, tile('Wait').hidden]).toEqual([true, true]);
+  const area = { id: 1, polygon: [], open: true, rate: 0 };
+  store.set({ areas: [{ ...area, kind: 'exit' }] });
+  expect([tile('Leave').hidden, tile('Wait').hidden]).toEqual([false, true]);
+  store.set({ areas: [{ ...area, kind: 'waiting' }] });
+  expect([tile('Leave').hidden, tile('Wait').hidden]).toEqual([true, false]);
+  tile('Wait').click();
+  expect(calls).toEqual(['toggleTool "wait"']);
+});
+
 it('says what the button of a group that waits does', () => {
   tile('Hold').click();
   store.set({ units: [{ ...unit, held: true, patrols: true }] });

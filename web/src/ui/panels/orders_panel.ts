@@ -6,6 +6,7 @@ import { classColour } from '../../model/roles';
 import type { OrderActions } from '../../model/order_actions';
 import type { StudioState, ToolName, UnitInfo } from '../../model/studio_state';
 import type { StudioStore } from '../../model/studio_store';
+import type { AreaKind } from '../../protocol/scene';
 import { element, setAttribute, setPressed, setText } from '../widgets/dom';
 import { accentVariable } from '../widgets/group_marks';
 import { icon, type IconName } from '../widgets/icons';
@@ -39,7 +40,18 @@ const kTools: readonly (Omit<ButtonDef, 'act'> & { readonly tool: ToolName })[] 
   },
   { tool: 'follow', icon: 'follow', label: 'Follow', key: 'J', tip: 'Then press on the group to follow' },
   { tool: 'guard', icon: 'guard', label: 'Guard', key: 'U', tip: 'Then drag the rectangle to guard' },
+  {
+    tool: 'leave',
+    icon: 'leave',
+    label: 'Leave',
+    key: 'Shift+X',
+    tip: 'Then press on an exit; elsewhere: by all exits',
+  },
+  { tool: 'wait', icon: 'wait', label: 'Wait', key: 'Shift+U', tip: 'Then press on the area where they shall wait' },
 ];
+
+/** Tools that are shown where there is an area of that kind. */
+const kNeeds: Partial<Record<ToolName, AreaKind>> = { leave: 'exit', wait: 'waiting' };
 
 const kIdle: Omit<UnitInfo, 'id'> = {
   orders: [],
@@ -125,6 +137,9 @@ export class OrdersPanel {
       button.dataset['tool'] = tool;
       this.store_.watch(['tool'], (state) => setPressed(button, state.tool === tool));
       this.tools_.append(button);
+      const needs = kNeeds[tool];
+      if (needs)
+        this.store_.watch(['areas'], ({ areas }) => (button.hidden = !areas.some(({ kind }) => kind === needs)));
     }
   }
 

@@ -50,6 +50,7 @@ const kShapes = {
     '<circle cx="14.500" cy="5.500" r="2.400"/><circle cx="4.800" cy="14.500" r="2.400" fill="currentColor"/><path d="M6.800 12.600 11 8.600" stroke-dasharray="2 2.600"/>',
   guard:
     '<path d="M10 2.800 16 5v4.600c0 3.700-2.500 6.200-6 7.600-3.500-1.400-6-3.900-6-7.600V5Z" stroke-linejoin="round"/>',
+  wait: '<path d="M5 3.500h10 M5 16.500h10 M6.500 3.500c0 3.500 7 9.500 7 13 M13.500 3.500c0 3.500-7 9.500-7 13" stroke-linejoin="round"/>',
   dials: '<path d="M3 6h8 M15 6h2 M3 14h2 M9 14h8"/><circle cx="13" cy="6" r="2"/><circle cx="7" cy="14" r="2"/>',
   earlier: '<path d="M16 10H5 M9 5.500 4.500 10 9 14.500" stroke-linejoin="round"/>',
   later: '<path d="M4 10h11 M11 5.500 15.500 10 11 14.500" stroke-linejoin="round"/>',

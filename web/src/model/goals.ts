@@ -1,0 +1,29 @@
+// Where people can be told to go without places: exits to leave by, and areas to wait in.
+
+import type { AreaKind, SceneArea } from '../protocol/scene';
+import { distance, insidePolygon, type GroundPoint } from './plane';
+
+/** A press this near counts as one on the area [m]. */
+const kNear = 1;
+
+function away(at: GroundPoint, { polygon }: SceneArea): number {
+  const corners = polygon.map(([x, y]) => ({ x, y }));
+  if (insidePolygon(at, corners)) return 0;
+  const toEdges = corners.map((a, k) => {
+    const b = corners[(k + 1) % corners.length]!;
+    const [dx, dy] = [b.x - a.x, b.y - a.y];
+    const along = ((at.x - a.x) * dx + (at.y - a.y) * dy) / Math.max(1e-9, dx * dx + dy * dy);
+    const t = Math.min(1, Math.max(0, along));
+    return distance(at, { x: a.x + t * dx, y: a.y + t * dy });
+  });
+  return Math.min(...toEdges);
+}
+
+/** The area of that kind at a press, or near it; null for none. */
+export function areaAt(areas: readonly SceneArea[], kind: AreaKind, at: GroundPoint): SceneArea | null {
+  const near = areas
+    .filter((area) => area.kind === kind)
+    .map((area) => ({ area, away: away(at, area) }))
+    .sort((a, b) => a.away - b.away)[0];
+  return near && near.away <= kNear ? near.area : null;
+}

@@ -1,0 +1,57 @@
+// Exits, sources and waiting areas of a place that is being made: whom a source sends, and lines to queue in.
+
+import type { Point2, SceneFacts } from '../../protocol/scene';
+import { distance, type GroundPoint } from '../plane';
+import type { PlaceEvent, Thing } from './things';
+
+/** Points of a queue lie so far apart [m]. */
+const kQueueStep = 1;
+
+/** Groups that a source may send people to, by words that differ. */
+export function groupChoices(scene: SceneFacts | null): { readonly id: number; readonly word: string }[] {
+  const groups = scene?.groups ?? [];
+  return groups.map(({ id, name }) => {
+    const twice = groups.filter((one) => one.name === name).length > 1;
+    return { id, word: twice || !name ? `${name || 'Group'} ${id}` : name };
+  });
+}
+
+/** What a new group for the people of a source is called. */
+export const kArrivals = 'Arrivals';
+
+/** A group for the people of a source: adults who leave by the quickest exit. Nobody is in it at first. */
+export function newArrivals({ centre }: Thing): PlaceEvent {
+  const definition = {
+    name: kArrivals,
+    count: 0,
+    formation: { kind: 'square', spacing: 1 },
+    position: centre,
+    people: 'adults',
+    orders: [{ kind: 'leave' }],
+  };
+  return { kind: 'group', definition };
+}
+
+/** Groups that nobody is in and nobody comes to where these sources go. */
+export function emptiedGroups(removed: readonly Thing[], all: readonly Thing[]): Thing[] {
+  const gone = (one: Thing): boolean => removed.some(({ kind, id }) => kind === one.kind && id === one.id);
+  const feeds = (group: Thing, { area, group: fed }: Thing): boolean => area?.kind === 'source' && fed === group.id;
+  return all.filter(
+    (group) =>
+      group.kind === 'group' &&
+      group.count === 0 &&
+      !gone(group) &&
+      removed.some((one) => feeds(group, one)) &&
+      !all.some((one) => feeds(group, one) && !gone(one)),
+  );
+}
+
+/** The exit with a queue along the drawn line, from its end at the exit; none where the line is short. */
+export function queued(exit: Thing, line: readonly GroundPoint[]): Thing {
+  const queue: Point2[] = [];
+  for (const { x, y } of line) {
+    const last = queue[queue.length - 1];
+    if (!last || distance({ x, y }, { x: last[0], y: last[1] }) >= kQueueStep) queue.push([x, y]);
+  }
+  return { ...exit, area: exit.area && { ...exit.area, queue: queue.length > 1 ? queue : [] } };
+}
