@@ -6,6 +6,7 @@
 
 #include "engine/assignment/planning/main_places.h"
 #include "engine/state/ground_class.h"
+#include "engine/state/group_edits.h"
 #include "engine/systems/steering/own_routes.h"
 
 namespace muster {
@@ -212,7 +213,8 @@ bool PlanStage::goesWithout(WorldState& state, Group& group) {
         state.characters.place[i] = -1;
         state.characters.chosen[i] = {};
     }
-    if (!group.planNow || group.plan->pending()) group.plan->forget();
+    // While it makes no plans it follows no changes of the ground either.
+    if (!group.planNow || group.plan->pending()) group.plan = makePlan(state.parameters);
     group.planNow = true;
     group.provisional = group.assigned = false;
     group.slice = 0;
