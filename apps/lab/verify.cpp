@@ -68,7 +68,7 @@ int runVerify(const VerifyOptions& options) {
         std::printf("%s", verificationText(*verification).c_str());
         if (!options.noPage) std::printf("%s\n", options.page.c_str());
     }
-    return verification->passed() ? kExitOk : kExitFailure;
+    return verification->exitCode();
 }
 
 }  // namespace

@@ -15,8 +15,9 @@ using Json = nlohmann::json;
 
 namespace {
 
-const std::vector<std::string> kCommands = {"studio", "play",   "replay", "check",     "import", "picture",
-                                            "peers",  "motion", "export", "reproduce", "sweep"};
+const std::vector<std::string> kCommands = {"studio",  "play",   "replay", "check",  "import",
+                                            "picture", "peers",  "motion", "export", "reproduce",
+                                            "sweep",   "verify", "measure"};
 
 const char* kSmall = R"({"format":"muster-scenario","version":1,"box":[[-6,-5],[6,5]],"cell":0.5,
     "obstacles":[{"polygon":[[0,-1],[0.5,-1],[0.5,1],[0,1]]}],

@@ -14,6 +14,8 @@
 namespace muster {
 namespace {
 
+constexpr std::size_t kMostPictures = 6;  // Of a row.
+
 /// "RiMEA 4" as "rimea4".
 std::string plainId(const std::string& id) {
     std::string plain;
@@ -108,7 +110,7 @@ RowResult judged(const RowDef& row, const VerifyDef& def, const std::vector<Veri
     result.outcome = good && any ? Outcome::Pass : Outcome::Fail;
     for (const std::string& variant : row.variants) {
         const auto& runs = samples.runs(variant);
-        if (runs.empty() || runs.front().picture.empty()) continue;
+        if (runs.empty() || runs.front().picture.empty() || result.pictures.size() == kMostPictures) continue;
         result.pictures.push_back(runs.front().picture);
         result.pictureTitles.push_back(variant);
     }

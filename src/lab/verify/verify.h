@@ -48,6 +48,8 @@ struct Verification {
     std::size_t count(Outcome outcome) const;
     /// True where no row failed.
     bool passed() const { return count(Outcome::Fail) == 0; }
+    /// The program's: 0 where no row failed, else 1. Missing rows fail nothing, and pass nothing.
+    int exitCode() const { return passed() ? 0 : 1; }
 };
 
 /// Gets the share of work that is done, 0 to 1, and what has just ended.

@@ -137,11 +137,13 @@ TEST_CASE("tests are chosen by name, by suite, and by how long they take") {
 TEST_CASE("outcomes: pass, fail, missing") {
     const Verification good = madeOf({}, 5.2);
     CHECK(good.passed());
+    CHECK(good.exitCode() == 0);
     CHECK(good.count(Outcome::Pass) == 2);
     CHECK(good.count(Outcome::Missing) == 1);
     CHECK(good.rows[0].seeds == 2);
     const Verification bad = madeOf({}, 5.15);
     CHECK_FALSE(bad.passed());
+    CHECK(bad.exitCode() == 1);
     CHECK(bad.rows[0].outcome == Outcome::Fail);
     // With one seed the value is smaller.
     VerifyDef one;
@@ -205,7 +207,9 @@ TEST_CASE("the page has every row, its plots and pictures, and words stay words"
                                                               : "alpha-2") +
                         "\"") != std::string::npos);
     CHECK(occurrences(page, "class=\"chart\"") == 2);
-    CHECK(occurrences(page, "<title>drawn</title>") == 2);
+    // Both rows look at the same runs: their paths are shown once.
+    CHECK(occurrences(page, "<title>drawn</title>") == 1);
+    CHECK(page.find("see <a href=\"#alpha-1\">") != std::string::npos);
     CHECK(page.find("needs &lt;floors&gt;") != std::string::npos);
     CHECK(page.find("http://www.w3.org") != std::string::npos);
     CHECK(page.find("src=") == std::string::npos);

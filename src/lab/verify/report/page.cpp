@@ -1,4 +1,6 @@
 // The page with all tests, their plots and pictures.
+#include <algorithm>
+
 #include "files/report/markup.h"
 #include "lab/verify/report/words.h"
 
@@ -89,7 +91,8 @@ std::string checksTable(const RowResult& row) {
     return html + "</tbody></table>\n";
 }
 
-std::string drawings(const RowResult& row) {
+/// Plots, and paths unless an earlier row, `same`, has shown those of the same runs.
+std::string drawings(const RowResult& row, const RowResult* same) {
     std::string html;
     if (!row.report.plots.empty()) html += "<div class=\"plots charts\">\n";
     for (const VerifyPlot& plot : row.report.plots)
@@ -97,6 +100,9 @@ std::string drawings(const RowResult& row) {
                 plotSvg(plot) + "</figure>\n";
     if (!row.report.plots.empty()) html += "</div>\n";
     if (row.pictures.empty()) return html;
+    if (same != nullptr)
+        return html + "<p class=\"words\">Paths: see <a href=\"#" + anchorFor(*same) + "\">" +
+               escaped(same->row.id) + "</a>, which looks at the same runs.</p>\n";
     html += "<h3>Paths in the first seed</h3>\n<div class=\"frames c3\">\n";
     for (std::size_t k = 0; k < row.pictures.size(); ++k)
         html += "<figure>" +
@@ -105,7 +111,21 @@ std::string drawings(const RowResult& row) {
     return html + "</div>\n";
 }
 
-std::string chapterOf(const RowResult& row) {
+/// The first row that looks at the same scene in the same variants, or in more; null for this one itself.
+const RowResult* sameBefore(const Verification& verification, const RowResult& row) {
+    for (const RowResult& other : verification.rows) {
+        if (&other == &row) return nullptr;
+        const bool all = std::all_of(
+            row.row.variants.begin(), row.row.variants.end(), [&](const auto& variant) {
+                return std::find(other.row.variants.begin(), other.row.variants.end(), variant) !=
+                       other.row.variants.end();
+            });
+        if (other.row.scene == row.row.scene && all && !other.pictures.empty()) return &other;
+    }
+    return nullptr;
+}
+
+std::string chapterOf(const RowResult& row, const RowResult* same) {
     std::string html = "<section class=\"chapter\" id=\"" + anchorFor(row) + "\">\n<h2><span class=\"id\">" +
                        escaped(row.row.id) + "</span> " + escaped(row.row.title) + " " + signOf(row.outcome) +
                        "</h2>\n<p class=\"words\"><b>Expected:</b> " + escaped(row.row.expected) + ".</p>\n";
@@ -116,7 +136,7 @@ std::string chapterOf(const RowResult& row) {
             counted(static_cast<std::size_t>(row.seeds), "seed", "seeds") + ".</p>\n<p class=\"help\">" +
             escaped(row.row.source) + "</p>\n" + checksTable(row);
     for (const std::string& note : row.report.notes) html += "<p class=\"words\">" + escaped(note) + "</p>\n";
-    return html + drawings(row) + "</section>\n";
+    return html + drawings(row, same) + "</section>\n";
 }
 
 }  // namespace
@@ -124,7 +144,7 @@ std::string chapterOf(const RowResult& row) {
 std::string verificationPage(const Verification& verification) {
     std::string html = kPageHead + pageStyle() + "</style>\n</head>\n<body>\n<main>\n" +
                        pageTop(verification) + pageTable(verification);
-    for (const RowResult& row : verification.rows) html += chapterOf(row);
+    for (const RowResult& row : verification.rows) html += chapterOf(row, sameBefore(verification, row));
     return html + "</main>\n</body>\n</html>\n";
 }
 

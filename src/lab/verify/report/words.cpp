@@ -25,6 +25,8 @@ std::string limitsText(const VerifyCheck& check) {
 
 std::string valueText(const VerifyCheck& check) {
     if (!std::isfinite(check.value)) return "no value";
+    if (check.value != 0.0 && std::abs(check.value) < 1e-4)
+        return fixedNumber(check.value, 4) + unitText(check.unit);
     std::string number = plainNumber(check.value);
     if (std::isfinite(check.high) && check.value > check.high) number = judgedNumber(check.value, check.high);
     if (std::isfinite(check.low) && check.value < check.low) number = judgedNumber(check.value, check.low);

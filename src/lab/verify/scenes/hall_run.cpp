@@ -9,8 +9,8 @@
 namespace muster {
 namespace {
 
-constexpr double kPictureWide = 460.0;  // [px]
-constexpr std::size_t kMostPaths = 60;  // In a picture.
+constexpr double kPictureWide = 920.0;  // [px]
+constexpr std::size_t kMostPaths = 30;  // In a picture.
 
 /// Distance of a point from the ground [m]; 0 on it.
 double distanceFrom(const Region& ground, Vec2 p) {
@@ -29,7 +29,7 @@ public:
         std::string text;
         char number[48];
         for (const Vec2 p : corners) {
-            std::snprintf(number, sizeof(number), "%.1f,%.1f ", (p.x - box_.min.x) * scale_,
+            std::snprintf(number, sizeof(number), "%.0f,%.0f ", (p.x - box_.min.x) * scale_,
                           (box_.max.y - p.y) * scale_);
             text += number;
         }
@@ -131,18 +131,18 @@ std::string HallRun::draw() const {
         std::vector<Vec2> path;
         std::string paths;
         const auto rows = all.ofPerson(who);
-        for (std::size_t k = 0; k < rows.size(); k += 5) {
+        for (std::size_t k = 0; k < rows.size(); k += 10) {
             const Vec2 p = all.all()[rows[k]].position;
             // Who comes in at the other side of a ring begins a new path.
             if (!path.empty() && distance(path.back(), p) > 3.0) {
                 paths += "<polyline points=\"" + pencil.points(path) + "\"/>";
                 path.clear();
             }
-            path.push_back(p);
+            if (path.empty() || distance(path.back(), p) > 0.1) path.push_back(p);
         }
         paths += "<polyline points=\"" + pencil.points(path) + "\"/>";
         static const char* const colours[] = {"#1D5FD1", "#C3123A", "#016553", "#8A5A00", "#6B3FA0"};
-        body += "<g fill=\"none\" stroke-width=\"0.8\" stroke-opacity=\"0.7\" stroke=\"" +
+        body += "<g fill=\"none\" stroke-width=\"1.6\" stroke-opacity=\"0.7\" stroke=\"" +
                 std::string(colours[(who / stride) % 5]) + "\">" + paths + "</g>";
     }
     return pencil.document(body);
