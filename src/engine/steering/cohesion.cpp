@@ -12,7 +12,8 @@ void Cohesion::setPaces(double cohesion, const CrowdBodies& bodies, const Charac
     left_.clear();
     double slowest = 0.0;
     const auto counts = [&](std::int32_t i) {
-        return now.place[i] >= 0 && std::isfinite(now.cost[i]) && !bodies.isFixed(i);
+        const bool goes = now.place[i] >= 0 || (!now.goal.empty() && now.goal[i] != 0);
+        return goes && std::isfinite(now.cost[i]) && !bodies.isFixed(i);
     };
     for (const std::int32_t i : members) {
         if (!counts(i)) continue;
