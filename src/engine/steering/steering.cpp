@@ -117,6 +117,8 @@ void Steering::run(const CrowdBodies& bodies, Characters& now, const SteeringInp
         right_.run(bodies, environment, rows_, topSpeed_, giveWay_.leaving(), now, now.claim, preferred_);
     }
     standStill(now.claim);
+    if (!standing_.empty())
+        goPast_.run(bodies, now, environment, neighbours_, standing_, input.place, preferred_);
     const StepGains gains{std::min(1.0, def.velocityGain * dt), std::min(1.0, kHeadingRate * dt),
                           std::min(1.0, kLyingRate * dt)};
     const std::vector<ClipFacts>& clips = environment.def().clips;

@@ -11,6 +11,7 @@
 #include "engine/steering/characters.h"
 #include "engine/steering/crowd_bodies.h"
 #include "engine/steering/give_way.h"
+#include "engine/steering/go_past.h"
 #include "engine/steering/headway.h"
 #include "engine/steering/near_rows.h"
 #include "engine/steering/right_of_way.h"
@@ -58,6 +59,7 @@ private:
     GiveWay giveWay_;
     NearRows rows_;
     RightOfWay right_;
+    GoPast goPast_;
     Headway headway_;
     BodyAxes axes_;
     NeighbourList neighbours_;

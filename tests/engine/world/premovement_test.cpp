@@ -191,3 +191,43 @@ TEST_CASE("a snapshot within the times goes on bit for bit") {
         REQUIRE(played.world.hash() == restored.hash());
     }
 }
+
+TEST_CASE("persons leave a room at their own times, as one group, and none who has not set out") {
+    WorldDef def;
+    def.box = {{-6, -4}, {6, 4}};
+    // RiMEA 5: a room of 8 m by 5 m with an exit of 1 m; one stands in the exit area itself.
+    def.obstacles = {block(-4.2, -2.7, 4.2, -2.5), block(-4.2, 2.5, 4.2, 2.7), block(-4.2, -2.5, -4, 2.5),
+                     block(4, -2.5, 4.2, -0.5),    block(4, 0.5, 4.2, 2.5)};
+    AreaDef exit;
+    exit.polygon = {{4.3, -0.6}, {5.8, -0.6}, {5.8, 0.6}, {4.3, 0.6}};
+    def.areas = {exit};
+    GroupDef group;
+    group.count = 10;
+    group.people = {PeopleDef{}};
+    group.people[0].premovement = Distribution::uniform(10.0, 100.0);
+    for (int k = 0; k < 9; ++k) group.starts.push_back({-3.2 + 1.5 * (k % 3), -1.6 + 1.6 * (k / 3)});
+    group.starts.push_back({5.2, 0.0});
+    group.orders = {Order::leave()};
+    def.groups.push_back(group);
+    Played played(def);
+    const std::vector<Body> bodies = copyOf(played.world.characters().body);
+    const std::vector<Vec2> starts = copyOf(played.world.characters().position);
+    std::vector<std::uint32_t> moved(10, kNever), left(10, kNever);
+    while (played.world.stepCount() < 6600 && played.world.characters().size() > 0) {
+        const std::uint32_t step = played.world.stepCount();
+        played.run(1.0 / 60.0);
+        const CharactersView c = played.world.characters();
+        for (std::size_t k = 0; k < c.size(); ++k)
+            if (moved[c.id[k] - 1] == kNever && !(c.position[k] == starts[c.id[k] - 1]))
+                moved[c.id[k] - 1] = step;
+        for (const Event& event : played.world.events())
+            if (event.kind == EventKind::Exited) left[event.subject - 1] = step;
+    }
+    for (std::size_t i = 0; i < 10; ++i) {
+        const auto sets = static_cast<std::uint32_t>(std::ceil(bodies[i].premovement * 60.0 - 1e-9));
+        CAPTURE(i);
+        if (i < 9) CHECK(moved[i] == sets);
+        CHECK(left[i] >= sets);
+        CHECK(left[i] < sets + (i < 9 ? 600 : 3));
+    }
+}

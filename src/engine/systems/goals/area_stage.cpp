@@ -21,8 +21,10 @@ constexpr double kApart = 1.02;        // Least distance of somebody who comes f
 constexpr std::int32_t kTries = 24;    // Points at which room is looked for.
 constexpr double kLatest = 1e10;       // [s]
 
-// True while a group leaves by exits.
-bool isLeaving(const WorldState& state, const Group& group) {
+// True for who leaves by exits, with its group, and has set out.
+bool isLeaving(const WorldState& state, std::int32_t i) {
+    const Group& group = state.groups[state.characters.group[i]];
+    if (!state.characters.hasSetOut(i, state.stepCount)) return false;
     const Gathering* const gathering = state.continuum.find(group.id);
     return gathering != nullptr && gathering->kind == OrderKind::Leave && gathering->active && !group.orders.held;
 }
@@ -43,7 +45,7 @@ void AreaStage::findLeaving(WorldState& state) {
         const Area* const area = state.findArea(AreaId{c.goal[i]});
         const bool atOnce = area != nullptr && area->def.kind == AreaKind::Exit && area->def.open &&
                             area->def.rate == 0.0 && area->def.queue.empty();
-        if (atOnce && isLeaving(state, state.groups[c.group[i]]) && containsPoint(area->def.polygon, c.position[i]))
+        if (atOnce && isLeaving(state, static_cast<std::int32_t>(i)) && containsPoint(area->def.polygon, c.position[i]))
             leaves_[i] = 1;
     }
 }
@@ -53,7 +55,7 @@ void AreaStage::passInOrder(WorldState& state, Area& area) {
     const Characters& c = state.characters;
     std::vector<std::uint32_t>& line = area.exit.line;
     const auto wants = [&](std::int32_t i) {
-        return i >= 0 && c.goal[i] == area.id.value && isLeaving(state, state.groups[c.group[i]]);
+        return i >= 0 && c.goal[i] == area.id.value && isLeaving(state, i);
     };
     const auto isIn = [&](std::int32_t i) { return containsPoint(area.def.polygon, c.position[i]); };
     std::erase_if(line, [&](std::uint32_t id) { return !wants(c.indexOf(id)); });
