@@ -81,7 +81,7 @@ void addVerifyCommand(CommandLine& line) {
                 "Some tests (\"RiMEA 4\", rimea4) or suites (RiMEA, IMO, NIST, ISO, Data).")
         .separatedBy(',')
         .check(knownTest);
-    command.flag("--brief", options->def.brief, "The tests that take little time, with one seed each.");
+    command.flag("--brief", options->def.brief, "The tests that take little time, with one seed where it says enough.");
     command.option("--seeds", options->def.seeds, "Runs of each case; 0 takes as many as each test asks for.")
         .range(0, 1000);
     command

@@ -41,10 +41,10 @@ def test_speeds_and_densities() -> None:
     assert area.area == pytest.approx(4.0)
     assert area.contains((1.0, 0.0))
     density = measure.classic_density(persons, area)
-    assert density[40] == pytest.approx(8 / 4.0)
+    assert density[40] == pytest.approx(7 / 4.0)
     assert measure.mean_speed(persons, area, speeds)[40] == pytest.approx(1.0)
     ground = "POLYGON ((-10 -0.5, 10 -0.5, 10 0.5, -10 0.5, -10 -0.5))"
-    voronoi, speed = measure.voronoi(persons, area=((-1, -0.5), (1, 0.5)), walkable=ground, speeds=speeds)
+    voronoi, speed = measure.voronoi(persons, area=((-0.5, -0.5), (1, 0.5)), walkable=ground, speeds=speeds)
     assert voronoi[40] == pytest.approx(2.0)
     assert speed[40] == pytest.approx(1.0)
     assert measure.cell_areas(persons, 40, ground, cut_off=10.0)[3] == pytest.approx(0.5)

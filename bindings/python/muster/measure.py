@@ -30,6 +30,11 @@ Area = Union[str, Sequence[Sequence[float]], "Region"]
 Line = Sequence[Sequence[float]]
 
 
+def _point(given: Sequence[float]) -> tuple[float, float]:
+    x, y = given
+    return float(x), float(y)
+
+
 class Region:
     """Ground or a measurement area: polygons with holes."""
 
@@ -43,7 +48,7 @@ class Region:
         elif isinstance(area, str):
             self._data = _core.RegionData.parse(area)
         else:
-            corners = [tuple(float(x) for x in corner) for corner in area]
+            corners = [_point(corner) for corner in area]
             if len(corners) == 2:
                 (left, low), (right, high) = corners
                 corners = [(left, low), (right, low), (right, high), (left, high)]
@@ -56,7 +61,7 @@ class Region:
 
     def contains(self, point: Sequence[float]) -> bool:
         """Whether a point lies in it."""
-        return self._data.contains(tuple(point))
+        return self._data.contains(_point(point))
 
 
 class Trajectories:
@@ -139,8 +144,8 @@ def crossings(trajectories: Trajectories, line: Line, *, direction: int = 0, fir
 
     A movement that ends on the line does not cross it; one that begins on it does. direction: 1 or -1 for one side only.
     """
-    a, b = (tuple(float(x) for x in end) for end in line)
-    return Crossings(*trajectories._data.crossings(a, b, direction, first))
+    a, b = line
+    return Crossings(*trajectories._data.crossings(_point(a), _point(b), direction, first))
 
 
 def n_t(trajectories: Trajectories, crossed: Crossings) -> NDArray[np.int64]:
@@ -175,7 +180,7 @@ def speeds(
     border: Where frames before or after are missing: "adaptive" takes as many on both sides as there are, "single" the side that is
         there, "exclude" none. direction: For the speed along it, which may be negative. period: Of ground joined in x [m].
     """
-    along = None if direction is None else tuple(float(x) for x in direction)
+    along = None if direction is None else _point(direction)
     return trajectories._data.speeds(frame_step, border, along, period)
 
 

@@ -145,7 +145,9 @@ void defineTrajectoryData(py::module_& module) {
                                [](const Recording& self) { return self.trajectories.firstFrame(); });
     type.def_property_readonly("frame_count",
                                [](const Recording& self) { return self.trajectories.frameCount(); });
-    type.def_property_readonly("walkable", [](const Recording& self) { return self.walkable; });
+    type.def_property_readonly("walkable", [](const Recording& self) {
+        return self.walkable ? py::cast(*self.walkable) : py::object(py::none());
+    });
     type.def_property_readonly("frames", [](const Recording& self) {
         return columnOf<std::int32_t>(self.trajectories, [](const Sighting& s) { return s.frame; });
     });

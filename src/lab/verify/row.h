@@ -69,9 +69,9 @@ struct RowDef {
     std::string setup;     ///< Geometry and people.
     std::string scene;     ///< Id of the scene that it looks at; empty for a test that cannot be run.
     std::vector<std::string> variants;
-    std::int32_t seeds = 1;  ///< Runs of each variant.
-    bool brief = false;      ///< True: part of the short set.
-    std::string missing;     ///< Why it cannot be run; empty where it can.
+    std::int32_t seeds = 1;       ///< Runs of each variant.
+    std::int32_t briefSeeds = 0;  ///< The same in the short set; 0 where it is not part of it.
+    std::string missing;          ///< Why it cannot be run; empty where it can.
     std::function<void(const VerifySamples&, RowReport&)> judge;
 };
 

@@ -31,7 +31,7 @@ struct VerifyJob {
 };
 
 std::int32_t seedsOf(const RowDef& row, const VerifyDef& def) {
-    return def.seeds > 0 ? def.seeds : def.brief ? 1 : row.seeds;
+    return def.seeds > 0 ? def.seeds : def.brief ? row.briefSeeds : row.seeds;
 }
 
 /// Every run that some row looks at, once; long scenes first.
@@ -153,7 +153,7 @@ Result<std::vector<RowDef>> chosenRows(const VerifyDef& def, const std::vector<R
     std::vector<RowDef> chosen;
     for (const RowDef& row : rows) {
         const bool named = wanted.contains(plainId(row.id)) || wanted.contains(plainId(row.suite));
-        if ((wanted.empty() || named) && (!def.brief || row.brief || !row.missing.empty()))
+        if ((wanted.empty() || named) && (!def.brief || row.briefSeeds > 0 || !row.missing.empty()))
             chosen.push_back(row);
     }
     return chosen;

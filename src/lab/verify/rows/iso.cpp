@@ -9,7 +9,7 @@ namespace {
 
 RowDef iso(const std::string& number, const std::string& title, const std::string& setup,
            const std::string& expected, const std::string& scene, std::vector<std::string> variants,
-           std::int32_t seeds, bool brief, JudgeRow judge) {
+           std::int32_t seeds, std::int32_t briefSeeds, JudgeRow judge) {
     RowDef row;
     row.id = "ISO " + number;
     row.suite = "ISO";
@@ -20,7 +20,7 @@ RowDef iso(const std::string& number, const std::string& title, const std::strin
     row.scene = scene;
     row.variants = std::move(variants);
     row.seeds = seeds;
-    row.brief = brief;
+    row.briefSeeds = briefSeeds;
     row.judge = std::move(judge);
     return row;
 }
@@ -86,49 +86,49 @@ std::vector<RowDef> isoRows() {
     return {
         iso("1", "Pre-evacuation times", "Room 8 x 5 m, exit 1 m, 10 people, three distributions",
             "First movements follow the distribution that was set", "premovement",
-            {"uniform", "normal", "lognormal"}, 6, false, judgeStartDistributions(starts)),
-        iso("2", "Speed in a corridor", "40 m, one person of 1.0 m/s", "40 s", "corridor", {"1.0"}, 1, true,
+            {"uniform", "normal", "lognormal"}, 6, 1, judgeStartDistributions(starts)),
+        iso("2", "Speed in a corridor", "40 m, one person of 1.0 m/s", "40 s", "corridor", {"1.0"}, 1, 1,
             judgeSpeed("1.0", 40.0, 1.0)),
         iso("3", "Speed on stairs", "Stairs of 10 m, one person, half of 1.0 m/s on them",
-            "0.5 m/s: the factor that was set", "free stairs", {"up 1.0 10 0.5"}, 1, true,
+            "0.5 m/s: the factor that was set", "free stairs", {"up 1.0 10 0.5"}, 1, 1,
             [](const VerifySamples& samples, RowReport& report) {
                 report.within("speed", samples.mean("up 1.0 10 0.5", "speed"), 0.45, 0.55, "m/s", Whose::Own);
             }),
-        iso("4", "Corner", "L of 2 m width, 20 people", "All out, nobody outside", "corner", {"1.0"}, 3, true,
+        iso("4", "Corner", "L of 2 m width, 20 people", "All out, nobody outside", "corner", {"1.0"}, 10, 1,
             judgeCorner("1.0")),
         iso("5", "Demographics", "100 people of N(1.2, 0.2) m/s", "Mean and deviation as assigned",
-            "demographics", {"normal"}, 1, true,
+            "demographics", {"normal"}, 1, 1,
             judgeSpeeds("normal", Distribution::normal(1.2, 0.2, 0.3, 2.2), true)),
         iso("6", "Counterflow", "Two rooms 10 x 10 m, corridor 10 x 2 m, 100 people against 0, 10, 50, 100",
-            "The time rises from case to case", "counterflow", {"0", "10", "50", "100"}, 3, false,
+            "The time rises from case to case", "counterflow", {"0", "10", "50", "100"}, 10, 1,
             judgeCounterflow()),
         iso("7", "Overtaking of a disabled person", "24 and one slower and larger (room and corridor, ours)",
-            "Longer than with equals", "slow one", {"slow", "equal"}, 3, true, judgeSlowOne()),
-        iso("8", "Assigned routes", "12 cabins, 23 people, two exits", "All at their exit", "cabins", {""}, 3,
-            true, judgeCabins()),
+            "Longer than with equals", "slow one", {"slow", "equal"}, 10, 1, judgeSlowOne()),
+        iso("8", "Assigned routes", "12 cabins, 23 people, two exits", "All at their exit", "cabins", {""},
+            10, 1, judgeCabins()),
         iso("9", "Exits that are shut", "Two exits, exit 1 lost after 1 s", "The person leaves by exit 2",
-            "dynamic exit", {""}, 1, true, judgeDynamicExit()),
+            "dynamic exit", {""}, 1, 1, judgeDynamicExit()),
         iso("10", "Jam before stairs", "Room, neck of 2 m, stairs with half of the speed, 100 people",
-            "Denser at the neck and at the foot of the stairs than between", "stair jam", {"100"}, 1, false,
+            "Denser at the neck and at the foot of the stairs than between", "stair jam", {"100"}, 10, 1,
             judgeStairJam("100", false)),
         iso("11", "Largest flow", "Room 8 x 5 m, exit 1 m, 100 people", "At most 1.33 /s/m", "exit flow",
-            {"free", "capped"}, 3, true, judgeExitFlow()),
+            {"free", "capped"}, 10, 1, judgeExitFlow()),
         iso("12", "Flow on stairs", "Stairs 1.0 to 1.8 m wide, 4.24 m long, 100 people each",
-            "Flow rises with width", "stair width", kStairWidths, 3, false, judgeStairWidths),
+            "Flow rises with width", "stair width", kStairWidths, 10, 1, judgeStairWidths),
         iso("13", "Flow, density, speed", "Corridor 60 x 2 m, 60 to 480 people",
             "Flow, density and speed fit each other and the law, never above the free speed", "zones", kZones,
-            1, false, judgeZones),
+            10, 1, judgeZones),
         iso("14", "Groups",
             "Group 1: four of 1.25 m/s and one of 0.5; group 2: ten of 0.5 m/s (room 10 x 20 m, ours)",
-            "Within 10 s at the exit", "groups", {"0.5"}, 3, true, judgeGroups("0.5")),
+            "Within 10 s at the exit", "groups", {"0.5"}, 10, 1, judgeGroups("0.5")),
         iso("15", "Social influence", "Room 10 x 12 m, two exits, two, then three people",
-            "The share of exit 2 rises", "social", {"without", "with"}, 20, true, judgeSocial()),
+            "The share of exit 2 rises", "social", {"without", "with"}, 20, 20, judgeSocial()),
         iso("16", "Affiliation", "Room 10 x 12 m, two exits", "The preferred exit wins", "affiliation",
-            {"none", "left", "right"}, 20, false, judgeAffiliation()),
+            {"none", "left", "right"}, 20, 20, judgeAffiliation()),
         iso("17", "Routes by the layout",
             "Ring of corridors 20 x 20 m, a way across it over two stairs, 10 people, unfolded to one floor "
             "(dimensions ours)",
-            "Most take the quicker way", "layout", {""}, 3, true, judgeLayout),
+            "Most take the quicker way", "layout", {""}, 10, 1, judgeLayout),
         missingRow("ISO", "18", "Reduced visibility", "The time is that of the model's own law of smoke",
                    "Muster has no smoke, and no law of it"),
         missingRow("ISO", "19", "Incapacitation", "Time to a fractional effective dose of 1",

@@ -25,11 +25,11 @@ RowDef rimea(const std::string& number, const std::string& title, const std::str
 }
 
 RowDef runIn(RowDef row, const std::string& scene, std::vector<std::string> variants, std::int32_t seeds,
-             bool brief, JudgeRow judge) {
+             std::int32_t briefSeeds, JudgeRow judge) {
     row.scene = scene;
     row.variants = std::move(variants);
     row.seeds = seeds;
-    row.brief = brief;
+    row.briefSeeds = briefSeeds;
     row.judge = std::move(judge);
     return row;
 }
@@ -249,75 +249,75 @@ std::vector<RowDef> rimeaRows() {
         rimea(
             "1", "Speed in a corridor", "Corridor 40 x 2 m, one person of 1.33 m/s",
             "26 to 34 s for 40 m: 30.1 s, give or take the size of a body, 1 s of reaction and 5 % of speed"),
-        "corridor", {"1.33"}, 1, true, judgeFromRest("1.33", 26.0, 34.0)));
+        "corridor", {"1.33"}, 1, 1, judgeFromRest("1.33", 26.0, 34.0)));
     rows.push_back(runIn(rimea("2", "Speed up stairs", "Stairs 10 x 2 m, one person of 0.5 m/s on them",
                                "20 s +- 5 %: the speed that was set"),
-                         "free stairs", {"up 1.0 10 0.5"}, 1, true, judgeStairTime("up 1.0 10 0.5")));
+                         "free stairs", {"up 1.0 10 0.5"}, 1, 1, judgeStairTime("up 1.0 10 0.5")));
     rows.push_back(
         runIn(rimea("3", "Speed down stairs", "As 2, downwards", "20 s +- 5 %: the speed that was set"),
-              "free stairs", {"down 1.0 10 0.5"}, 1, true, judgeStairTime("down 1.0 10 0.5")));
+              "free stairs", {"down 1.0 10 0.5"}, 1, 1, judgeStairTime("down 1.0 10 0.5")));
     rows.push_back(runIn(rimea("4", "Fundamental diagram",
                                "Ring 20 x 4 m, 0.5 to 6 people/m2 of 1.2 to 1.4 m/s, 60 s after 10 s",
                                "Speed falls with density: within 0.10 m/s of Weidmann below 5.4 /m2"),
-                         "ring", kRingDensities, 1, false, judgeDiagram));
+                         "ring", kRingDensities, 10, 1, judgeDiagram));
     rows.push_back(runIn(rimea("5", "Premovement time", "Room 8 x 5 m, exit 1 m, 10 people, 10 to 100 s",
                                "Each starts at the assigned time"),
-                         "premovement", {"uniform"}, 1, true, judgeStarts()));
+                         "premovement", {"uniform"}, 1, 1, judgeStarts()));
     rows.push_back(
         runIn(rimea("6", "Corner", "L of 2 m width, 20 people", "All arrive, nobody passes a wall"), "corner",
-              {"people"}, 10, true, judgeCorner("people")));
+              {"people"}, 10, 1, judgeCorner("people")));
     rows.push_back(runIn(rimea("7", "Demographics", "50 adults of 20 to 70 years, each on a free way",
                                "Speeds by age are those of the guideline's curve"),
-                         "demographics", {"ages"}, 1, true, judgeAges));
+                         "demographics", {"ages"}, 1, 1, judgeAges));
     rows.push_back(missingRow("RiMEA", "8", "Parameter study",
                               "Documentation only: time over each parameter in a building of three floors",
                               "needs floors"));
     rows.push_back(
         runIn(rimea("9", "Large public space", "Room 30 x 20 m, 1000 people, four doors of 1 m, then two",
                     "About twice the time: half of the capacity (not an exclusion criterion)"),
-              "public room", {"4", "2"}, 1, false, judgePublicRoom()));
+              "public room", {"4", "2"}, 3, 0, judgePublicRoom()));
     rows.push_back(runIn(rimea("10", "Assigned routes", "12 cabins, 23 people, two exits",
                                "Everybody leaves by the assigned exit: 15 and 8"),
-                         "cabins", {""}, 3, true, judgeCabins()));
+                         "cabins", {""}, 10, 1, judgeCabins()));
     rows.push_back(runIn(
         rimea("11", "Choice of exits", "Room 30 x 20 m, 1000 people on the left, two exits on the right",
               "The near exit is preferred, the far one is used, too"),
-        "exit choice", {""}, 1, false, judgeChoice));
+        "exit choice", {""}, 3, 0, judgeChoice));
     std::vector<std::string> bottlenecks = kGoals;
     bottlenecks.insert(bottlenecks.end(), {"4 5 1", "4 5 0.8", "4 5 1.2"});
     rows.push_back(runIn(rimea("12", "Bottleneck: goal, length, width (a, b, d)",
                                "Room 10 x 10 m, 150 people, bottleneck 0.2 or 5 m long, 0.8 to 1.2 m wide",
                                "Time rises with the distance of the goal and is then constant; a long "
                                "bottleneck takes longer; flow rises with width"),
-                         "bottleneck", bottlenecks, 3, false, judgeBottlenecks));
+                         "bottleneck", bottlenecks, 3, 0, judgeBottlenecks));
     rows.push_back(runIn(
         rimea("12c", "Bottleneck: congestion", "Three rooms, two bottlenecks of 1.0 x 0.2 m, 150 people",
               "No jam before the second of two equal bottlenecks"),
-        "two bottlenecks", {""}, 1, false, judgeCongestion));
+        "two bottlenecks", {""}, 10, 1, judgeCongestion));
     rows.push_back(
         runIn(rimea("12 (3.0)", "Bottleneck",
                     "Room 10 x 10 m, corridor 5 x 1 m, room 10 x 10 m, exit 1 m, 150 people",
                     "A jam before the corridor, none before the exit (not an exclusion criterion)"),
-              "corridor between", {""}, 1, false, judgeOldBottleneck));
+              "corridor between", {""}, 10, 1, judgeOldBottleneck));
     rows.push_back(runIn(rimea("13", "Fundamental diagram on stairs",
                                "Room 10 x 10 m, stairs 5 x 2 m, 100 people, up and down",
                                "At least half of the samples in the band of figure 16; faster down than up"),
-                         "stair diagram", {"up", "down"}, 3, false, judgeStairs));
+                         "stair diagram", {"up", "down"}, 10, 1, judgeStairs));
     rows.push_back(runIn(
         rimea("13 (3.0)", "Jam before stairs", "Room 5 x 8 m, corridor 12 x 2 m, stairs 3 x 2 m, 150 people",
               "A jam at the door of the room and a growing one at the foot of the stairs"),
-        "stair jam", {"150"}, 1, false, judgeStairJam("150", true)));
+        "stair jam", {"150"}, 10, 1, judgeStairJam("150", true)));
     rows.push_back(missingRow("RiMEA", "14", "Choice of routes",
                               "Documentation only: short over stairs or long on one floor",
                               "needs floors; the guideline's figure has no dimensions"));
     rows.push_back(runIn(rimea("15", "Large crowd round a corner",
                                "20 m wide, 500 people, straight 44 m, corner, straight 75.4 m",
                                "The corner costs time: between both straight ways"),
-                         "wide corner", {"44", "corner", "75.4"}, 1, false, judgeWideCorner));
+                         "wide corner", {"44", "corner", "75.4"}, 3, 0, judgeWideCorner));
     rows.push_back(
         runIn(rimea("16", "Single file", "Ring of 26 m, 0.7 m wide, 8 to 56 people",
                     "Speeds by persons per metre in the band of 10 to 90 %, in at least 75 % of bins"),
-              "file", kFiles, 1, false, judgeFile));
+              "file", kFiles, 10, 1, judgeFile));
     return rows;
 }
 
