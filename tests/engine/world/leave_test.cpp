@@ -40,7 +40,7 @@ std::vector<Vec2> crowd(Box box, double spacing) {
     return starts;
 }
 
-std::int32_t countOf(const World& world, EventKind kind) {
+std::int32_t areaEventsOf(const World& world, EventKind kind) {
     return static_cast<std::int32_t>(std::count_if(world.events().begin(), world.events().end(),
                                                    [&](const Event& event) { return event.kind == kind; }));
 }
@@ -67,10 +67,10 @@ TEST_CASE("one person leaves after the time of its way, and its group ends") {
             CHECK(world.characters().goal[0] == 1);
             CHECK(world.characters().place[0] == -1);
         }
-        exited += countOf(world, EventKind::Exited);
-        gone += countOf(world, EventKind::Left);
-        done += countOf(world, EventKind::OrderDone);
-        removed += countOf(world, EventKind::GroupRemoved);
+        exited += areaEventsOf(world, EventKind::Exited);
+        gone += areaEventsOf(world, EventKind::Left);
+        done += areaEventsOf(world, EventKind::OrderDone);
+        removed += areaEventsOf(world, EventKind::GroupRemoved);
         if (world.characters().size() == 0) left = world.time();
     }
     const Parameters::Character& body = world.parameters().character;
@@ -129,14 +129,14 @@ TEST_CASE("who goes to an exit that closes goes to another one at once, and hear
     CHECK(world.characters().direction[0].x < 0.0);
     REQUIRE(give(world, n, RemoveArea{AreaId{1}}).ok());
     world.step();
-    CHECK(countOf(world, EventKind::NoPath) == 1);
+    CHECK(areaEventsOf(world, EventKind::NoPath) == 1);
     CHECK(world.characters().goal[0] == 0);
     run(world, 2.0);
     CHECK(length(world.characters().velocity[0]) < 0.01);
     closed.open = true;
     REQUIRE(give(world, n, PutArea{AreaId{2}, closed, {}}).ok());
     world.step();
-    CHECK(countOf(world, EventKind::Free) == 1);
+    CHECK(areaEventsOf(world, EventKind::Free) == 1);
     CHECK(emptied(world, 60.0) > 0.0);
     CHECK(world.area(0).count.passed == 2);
 }

@@ -10,6 +10,13 @@
 
 namespace muster {
 
+/// What a field says at a point.
+struct FieldWay {
+    double cost = 0.0;      ///< Of the cheapest path from there.
+    Vec2 direction;         ///< Unit vector along it; null where there is none.
+    bool straight = false;  ///< It is known to be a straight line up to a source.
+};
+
 /// The result of EikonalSolver::solve(), stored for the bounding rectangle of the cells that were reached.
 class CostField {
 public:
@@ -20,6 +27,8 @@ public:
     /// Where none of the four cells around `p` is reached, it points to a reached cell near by; null where
     /// there is none.
     Vec2 direction(Vec2 p) const;
+    /// Both at once.
+    FieldWay way(Vec2 p) const;
     /// Value of a cell; infinite where not reached.
     float value(Cell cell) const;
     /// Square of the cost at `p`, interpolated bilinearly between the squares of reached cells around it;
@@ -59,7 +68,11 @@ private:
             return -1;
         }
     };
-    double exactCost(Vec2 p, Vec2& towards) const;
+    double exactCost(Vec2 p, Vec2& towards) const {
+        std::int32_t ignored = 0;
+        return exactCost(p, towards, ignored);
+    }
+    double exactCost(Vec2 p, Vec2& towards, std::int32_t& over) const;
     double squaredCostOfReached(Cell low, double fx, double fy) const;
     std::int32_t indexOf(Cell cell) const;
     SourceSet pseudoSourcesAround(Vec2 p) const;

@@ -47,6 +47,17 @@ Vec2 CostField::direction(Vec2 p) const {
     return down == Vec2{} ? towardsReached(p) : down;
 }
 
+FieldWay CostField::way(Vec2 p) const {
+    Vec2 towards;
+    std::int32_t over = 0;
+    const double exact = isFinite(p) && !values_.empty() ? exactCost(p, towards, over) : kUnreachableCost;
+    if (!(exact < kUnreachableCost) || lengthSquared(towards) <= kNearSource) return {cost(p), direction(p)};
+    const BilinearPoint at = bilinearPoint(grid_, p);
+    for (int k = 0; k < 4; ++k)
+        if (!(value({at.low.x + (k & 1), at.low.y + (k >> 1)}) < kUnreachableCost)) return {exact, direction(p)};
+    return {exact, normalized(towards), sources_[over].parent == 0};
+}
+
 // Direction of steepest descent of the bilinear interpolant, changed at walls and at ridges; null where it is
 // undefined.
 Vec2 CostField::descent(Vec2 p) const {

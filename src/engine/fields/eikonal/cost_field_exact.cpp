@@ -52,9 +52,9 @@ std::int32_t CostField::visibleSource(std::int32_t first, std::int32_t last, Vec
 }
 
 // Cost of the cheapest path over the pseudo-sources around a point, exact also where two such paths meet, and
-// the vector to the pseudo-source that it runs over [cells]. Infinite where a reached cell around the point
+// the vector to the pseudo-source that it runs over, and the index of that [cells]. Infinite where a reached cell around the point
 // has no pseudo-source.
-double CostField::exactCost(Vec2 p, Vec2& towards) const {
+double CostField::exactCost(Vec2 p, Vec2& towards, std::int32_t& over) const {
     const SourceSet around = pseudoSourcesAround(p);
     const Vec2 at{(p.x - grid_.origin.x) / grid_.cell - 0.5, (p.y - grid_.origin.y) / grid_.cell - 0.5};
     // For each pseudo-source of the set the last ancestor that is in the set too. Ancestors are considered
@@ -77,12 +77,14 @@ double CostField::exactCost(Vec2 p, Vec2& towards) const {
         const PseudoSource& own = sources_[last];
         const bool atSource = lengthSquared(at - Vec2{own.x, own.y}) < kAtSource;
         if (first[k] == last && own.parent > 0 && atSource) first[k] = own.parent;
-        const PseudoSource& source = sources_[visibleSource(first[k], last, at)];
+        const std::int32_t visible = visibleSource(first[k], last, at);
+        const PseudoSource& source = sources_[visible];
         const Vec2 off{source.x - at.x, source.y - at.y};
         const double cost = (source.cost + source.unit * length(off)) * grid_.cell;
         if (!(cost < best)) continue;
         best = cost;
         towards = off;
+        over = visible;
     }
     return best;
 }

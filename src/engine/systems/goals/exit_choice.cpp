@@ -87,7 +87,7 @@ void ExitChooser::listExits(WorldState& state, GoalFields& fields, std::span<con
     }
 }
 
-void ExitChooser::listOptions(const WorldState&, std::span<const Leavers> leavers) {
+void ExitChooser::listOptions(std::span<const Leavers> leavers) {
     options_.resize(leavers.size());
     for (std::size_t g = 0; g < leavers.size(); ++g) {
         const Order& order = *leavers[g].order;
@@ -127,27 +127,23 @@ void ExitChooser::serve(WorldState& state) {
 }
 
 // Who has no exit, whose exit is closed or out of reach chooses at once, others in turn.
-void ExitChooser::listChoosers(const WorldState& state, std::span<const Leavers> leavers,
-                              std::span<const std::int32_t> groundClasses) {
+void ExitChooser::listChoosers(const WorldState& state, std::span<const Leavers> leavers) {
     const Characters& c = state.characters;
     const std::uint32_t turns = stepsIn(state, kThinksEvery);
     first_.clear();
     turn_.clear();
     for (std::size_t g = 0; g < leavers.size(); ++g) {
-        const auto has = [&](std::int32_t exit) {
-            return std::any_of(options_[g].begin(), options_[g].end(),
-                               [&](const Option& option) { return option.exit == exit; });
-        };
+        allowed_.assign(exits_.size(), 0);
+        for (const Option& option : options_[g]) allowed_[option.exit] = 1;
         for (const std::int32_t i : leavers[g].group->members) {
             const std::int32_t exit = c.goal[i] == 0 ? -1 : indexOf(c.goal[i]);
             const Chooser chooser{i, static_cast<std::int32_t>(g)};
-            if (exit < 0 || !has(exit) || !(c.cost[i] < kInfiniteCost))
+            if (exit < 0 || allowed_[exit] == 0 || !(c.cost[i] < kInfiniteCost))
                 first_.push_back(chooser);
             else if (options_[g].size() > 1 && (state.stepCount + c.id[i]) % turns == 0)
                 turn_.push_back(chooser);
         }
     }
-    (void)groundClasses;
 }
 
 // The exit by which somebody will have left soonest; its own one unless another one is clearly better.
@@ -189,10 +185,10 @@ void ExitChooser::run(WorldState& state, GoalFields& fields, std::span<const Lea
                      std::span<const std::int32_t> groundClasses, ThreadPool& pool) {
     Characters& c = state.characters;
     listExits(state, fields, leavers, groundClasses);
-    listOptions(state, leavers);
+    listOptions(leavers);
     count(state);
     serve(state);
-    listChoosers(state, leavers, groundClasses);
+    listChoosers(state, leavers);
     const auto choose = [&](const std::vector<Chooser>& list, std::size_t from, std::size_t stride) {
         const std::size_t count = list.size() > from ? (list.size() - from + stride - 1) / stride : 0;
         chosen_.resize(count);
@@ -201,8 +197,12 @@ void ExitChooser::run(WorldState& state, GoalFields& fields, std::span<const Lea
             const Chooser& chooser = list[from + k * stride];
             chosen_[k] = best(state, leavers[chooser.leavers], chooser, groundClasses, walk_[k]);
         });
-        for (std::size_t k = 0; k < count; ++k)
-            c.goal[list[from + k * stride].character] = chosen_[k] < 0 ? 0 : ids_[chosen_[k]];
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::int32_t i = list[from + k * stride].character;
+            const std::uint32_t goal = chosen_[k] < 0 ? 0 : ids_[chosen_[k]];
+            if (goal != c.goal[i]) c.direction[i] = {};  // Another way is to be found.
+            c.goal[i] = goal;
+        }
     };
     choose(turn_, 0, 1);
     for (const Chooser& chooser : first_) c.goal[chooser.character] = 0;

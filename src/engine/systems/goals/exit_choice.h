@@ -50,11 +50,10 @@ private:
     };
     void listExits(WorldState& state, GoalFields& fields, std::span<const Leavers> leavers,
                    std::span<const std::int32_t> groundClasses);
-    void listOptions(const WorldState& state, std::span<const Leavers> leavers);
+    void listOptions(std::span<const Leavers> leavers);
     void count(const WorldState& state);
     void serve(WorldState& state);
-    void listChoosers(const WorldState& state, std::span<const Leavers> leavers,
-                      std::span<const std::int32_t> groundClasses);
+    void listChoosers(const WorldState& state, std::span<const Leavers> leavers);
     std::int32_t indexOf(std::uint32_t area) const;
     std::int32_t classIndex(std::int32_t groundClass) const;
     std::int32_t best(const WorldState& state, const Leavers& leavers, const Chooser& chooser,
@@ -65,6 +64,7 @@ private:
     std::vector<std::uint32_t> ids_;      // Of their areas.
     std::vector<std::int32_t> classes_;   // Of ground, ascending.
     std::vector<std::vector<Option>> options_;  // By leavers.
+    std::vector<std::uint8_t> allowed_;   // By exit: whether the group at hand may leave by it.
     std::vector<Chooser> first_;          // Who have no exit.
     std::vector<Chooser> turn_;           // Whose turn it is to think again.
     std::vector<std::int32_t> chosen_;    // By first_ or turn_: an exit, -1 for none.

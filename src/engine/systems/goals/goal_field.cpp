@@ -12,6 +12,7 @@ namespace {
 constexpr double kBin = 0.5;        // Of costs by which the width of the way is measured [m].
 constexpr double kStraight = 1.05;  // A cost above this times the straight line tells that it is not clear...
 constexpr double kStraightBy = 1.0;  // ... and this [cells].
+constexpr double kLooksWithin = 3.0;  // So near an area the line to it is traced [m].
 constexpr std::int32_t kBeside = 2;  // Cells beside an area from which it is entered where none lies in it.
 
 float unitOf(const CellCost& cost) {
@@ -151,28 +152,29 @@ double GoalField::cost(Vec2 p) const {
     return holds(p) ? 0.0 : field_.cost(p);
 }
 
+// The wave of a heading ends at the sides of the ground; at a joined side the heading leads on.
+GoalWay GoalField::along(Vec2 p) const {
+    const FieldWay way = field_.way(p);
+    const Box box = field_.grid().box();
+    const double left = heading_.x > 0.0 ? box.max.x - p.x : p.x - box.min.x;
+    const bool atSide = left < ground_->radius() + kBeside * field_.grid().cell;
+    const bool goesOn = ring_ && (atSide || (way.direction == Vec2{} && way.cost < kInfiniteCost));
+    return {way.cost, goesOn ? heading_ : way.direction};
+}
+
 GoalWay GoalField::at(Vec2 p) const {
+    if (polygon_.empty()) return along(p);
     if (holds(p)) return {};
-    GoalWay way{field_.cost(p), {}};
-    if (polygon_.empty()) {
-        way.direction = field_.direction(p);
-        const Box box = field_.grid().box();
-        const double left = heading_.x > 0.0 ? box.max.x - p.x : p.x - box.min.x;
-        // At the joined side the heading leads on.
-        if (ring_ && left < ground_->radius() + kBeside * field_.grid().cell) way.direction = heading_;
-        if (way.direction == Vec2{} && way.cost < kInfiniteCost && ring_) way.direction = heading_;
-        return way;
-    }
+    const FieldWay way = field_.way(p);
     const Vec2 q = nearest(p);
     const double away = distance(p, q), straight = away * ground_->unitCost(p);
-    const bool direct = way.cost <= kStraight * straight + kStraightBy * field_.grid().cell &&
-                        ground_->lineOfSight(p, q, away);
-    if (direct) return {straight, normalized(q - p)};
-    if (way.cost < kInfiniteCost) {
-        way.direction = field_.direction(p);
-        if (way.direction == Vec2{}) way.direction = normalized(q - p);
-    }
-    return way;
+    // Far away the field knows whether the line is clear; near the area it is looked at.
+    const bool isNear = away < kLooksWithin;
+    const bool alike = way.cost <= kStraight * straight + kStraightBy * field_.grid().cell;
+    if (alike && (isNear ? ground_->lineOfSight(p, q, away) : way.straight))
+        return {straight, normalized(q - p)};
+    if (!(way.cost < kInfiniteCost)) return {kInfiniteCost, {}};
+    return {way.cost, way.direction == Vec2{} ? normalized(q - p) : way.direction};
 }
 
 }  // namespace muster

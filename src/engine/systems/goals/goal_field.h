@@ -45,6 +45,7 @@ private:
     void seedArea(const UnitCost& unitCost);
     void seedBeside(const UnitCost& unitCost);
     void measureWidths();
+    GoalWay along(Vec2 p) const;
     bool holds(Vec2 p) const;
     Vec2 nearest(Vec2 p) const;
 

@@ -11,6 +11,8 @@
 namespace muster {
 namespace {
 
+constexpr double kFarAway = 5.0;            // Who has a longer way does not look in every step [m]...
+constexpr std::uint32_t kLooksEvery = 4;  // ... but in each of so many.
 constexpr double kFarAhead = 100.0;  // Where somebody heads who goes on along a field [m].
 
 // The order that the members of a group carry out without places; null where they stand.
@@ -19,6 +21,14 @@ const Order* orderOf(const Group& group, const Gathering& gathering) {
     if (!gathering.active || queue.held) return nullptr;
     const bool begun = queue.begun && !queue.orders.empty() && queue.orders.front().order.kind == gathering.kind;
     return begun ? &queue.orders.front().order : nullptr;
+}
+
+// Far from its exit a way stays as it is for some steps, unless a command has changed something.
+bool keepsWay(const WorldState& state, std::size_t i) {
+    const Characters& c = state.characters;
+    const bool changed = state.lastCommandStep == state.stepCount || state.groundEdits != state.editsBefore;
+    const bool far = c.cost[i] > kFarAway && c.cost[i] < kInfiniteCost && !(c.direction[i] == Vec2{});
+    return !changed && far && (state.stepCount + c.id[i]) % kLooksEvery != 0;
 }
 
 }  // namespace
@@ -94,7 +104,10 @@ void GoalStage::leave(WorldState& state, std::span<Vec2> heads, ThreadPool& pool
             const GoalField* const field = choice_.fieldOf(c, i, classes_);
             if (field == nullptr) return follow(state, i, {kInfiniteCost, {}}, heads);
             const ExitLines::Duty duty = lines_.dutyOf(i);
-            if (duty == ExitLines::Duty::Free) return follow(state, i, field->at(c.position[i]), heads);
+            if (duty == ExitLines::Duty::Free) {
+                if (keepsWay(state, i)) return follow(state, i, {c.cost[i], c.direction[i]}, heads);
+                return follow(state, i, field->at(c.position[i]), heads);
+            }
             const double left = field->cost(c.position[i]);
             const Vec2 spot = lines_.spotOf(i);
             const StaticGround& ground = field->ground();
