@@ -89,6 +89,7 @@ Result<World> World::createOn(std::unique_ptr<ThreadPool> pool, const WorldDef& 
     WorldState& state = engine->state;
     state.parameters = def.parameters;
     state.environment = *std::move(environment);
+    state.seed = def.seed;
     state.random = Random(def.seed);
     if (const Status added = addGround(state.environment, def); !added.ok()) return added;
     state.environment.setTime(0.0);

@@ -161,3 +161,83 @@ TEST_CASE("who leaves disturbs nobody else, and a group that gets places again f
     CHECK(worstToPlace(world) < 0.6);
     CHECK(world.characters().goal[0] == 0);
 }
+
+TEST_CASE("those who follow others choose what most in sight choose") {
+    WorldDef def = hall(crowd({{17, 1}, {21, 9}}, 1.0));
+    def.areas = {exitAt(0, 4, 1, 6), exitAt(39, 4, 40, 6)};
+    def.groups[0].orders[0].choice = ExitChoice::Nearest;
+    const auto byLeft = [&](double herding) {
+        def.groups[0].orders[0].herding = herding;
+        World world = World::create(def).value();
+        run(world, 3.0);
+        const CharactersView c = world.characters();
+        return std::count(c.goal.begin(), c.goal.end(), 1u);
+    };
+    const auto count = static_cast<std::ptrdiff_t>(def.groups[0].starts.size());
+    CHECK(byLeft(0.0) > 0);
+    CHECK(byLeft(0.0) < count);
+    CHECK(byLeft(30.0) == count);
+}
+
+TEST_CASE("who misjudges the time takes another exit now and then, the same in every run") {
+    WorldDef def = hall(crowd({{10, 1}, {14, 9}}, 1.0));
+    def.areas = {exitAt(0, 4, 1, 6), exitAt(39, 4, 40, 6)};
+    def.groups[0].orders[0].choice = ExitChoice::Nearest;
+    const auto goals = [&](double misjudgement, std::uint64_t seed) {
+        def.seed = seed;
+        def.groups[0].orders[0].misjudgement = misjudgement;
+        World world = World::create(def).value();
+        run(world, 2.0);
+        return copyOf(world.characters().goal);
+    };
+    const auto none = goals(0.0, 1), some = goals(8.0, 1);
+    CHECK(std::count(none.begin(), none.end(), 2u) == 0);
+    CHECK(std::count(some.begin(), some.end(), 2u) > 0);
+    CHECK(some == goals(8.0, 1));
+    CHECK(some != goals(8.0, 2));
+}
+
+TEST_CASE("an attraction counts as time, and groups that are assigned exits keep to them") {
+    WorldDef def = hall(crowd({{10, 1}, {14, 9}}, 1.0));
+    def.areas = {exitAt(0, 4, 1, 6), exitAt(39, 4, 40, 6)};
+    def.groups[0].orders[0] = Order::leave({AreaId{1}, AreaId{2}});
+    def.groups[0].orders[0].attractions = {0.0, 100.0};
+    World drawn = World::create(def).value();
+    run(drawn, 2.0);
+    const CharactersView c = drawn.characters();
+    CHECK(std::cmp_equal(std::count(c.goal.begin(), c.goal.end(), 2u), c.size()));
+    def.groups[0].orders[0] = Order::leave({AreaId{2}});
+    World assigned = World::create(def).value();
+    CHECK(emptied(assigned, 120.0) > 0.0);
+    CHECK(assigned.area(0).count.passed == 0);
+}
+
+TEST_CASE("a near exit is preferred, and a far one is used where many wait") {
+    WorldDef def = hall(crowd({{3, 1}, {12, 9}}, 0.6));
+    def.obstacles = {block(2, 0, 2.4, 4.5), block(2, 5.5, 2.4, 10), block(37, 0, 37.4, 4.5),
+                     block(37, 5.5, 37.4, 10)};
+    def.areas = {exitAt(0, 4, 1, 6), exitAt(39, 4, 40, 6)};
+    World world = World::create(def).value();
+    double last[2] = {};
+    while (world.time() < 200.0 && world.characters().size() > 0) {
+        world.step();
+        for (const Event& event : world.events())
+            if (event.kind == EventKind::Exited) last[event.value - 1] = world.time();
+    }
+    REQUIRE(world.characters().size() == 0);
+    CHECK(world.area(0).count.passed > world.area(1).count.passed);
+    CHECK(world.area(1).count.passed > 40);
+    CHECK(std::fabs(last[0] - last[1]) < 0.15 * std::max(last[0], last[1]));
+}
+
+TEST_CASE("nothing is allocated while people walk to exits, and the outcome is the same with any threads") {
+    WorldDef def = hall(crowd({{3, 1}, {12, 9}}, 0.8));
+    def.areas = {exitAt(0, 4, 1, 6), exitAt(39, 4, 40, 6)};
+    World one = World::create(def, 1).value(), many = World::create(def, 4).value();
+    for (int s = 0; s < 600; ++s) {
+        one.step();
+        many.step();
+        if (s % 50 == 0) REQUIRE(one.hash() == many.hash());
+    }
+    REQUIRE(one.hash() == many.hash());
+}

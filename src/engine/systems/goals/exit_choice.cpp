@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "base/hash.h"
 #include "base/infinite_cost.h"
 #include "base/maths.h"
-#include "base/random.h"
+#include "engine/passages/specific_flow.h"
 #include "engine/steering/crowd_bodies.h"
 #include "engine/systems/events/standstill.h"
 
@@ -22,19 +24,19 @@ constexpr double kLeastFlow = 1e-3;   // Of an exit [1/s].
 
 // How much somebody errs about an exit, in deviations: a normal number by the world's seed.
 double errorOf(std::uint64_t seed, std::uint32_t character, std::uint32_t area) {
-    constexpr std::uint64_t kMix = 0x9e3779b97f4a7c15u, kOther = 0xc2b2ae3d27d4eb4fu;
-    Random random(seed ^ (character * kMix) ^ (area * kOther));
-    const double u = 1.0 - random.uniform(), v = random.uniform();
-    return std::sqrt(-2.0 * logarithm(u)) * cosine(2.0 * kPi * v);
+    const auto share = [&](std::uint32_t which) {
+        constexpr double kBits = 1.0 / 9007199254740992.0;  // 2 to the power -53.
+        Hash hash;
+        hash.add(seed);
+        hash.add(character);
+        hash.add(area);
+        hash.add(which);
+        return (static_cast<double>(hash.value() >> 11) + 0.5) * kBits;
+    };
+    return std::sqrt(-2.0 * logarithm(share(0))) * cosine(2.0 * kPi * share(1));
 }
 
 }  // namespace
-
-double specificFlow(const Parameters::Character& character) {
-    const double diameter = 2.0 * character.radius;
-    const double apart = diameter + character.maxSpeed * character.headway * (1.0 - character.inStep);
-    return character.maxSpeed / (diameter * apart);
-}
 
 std::int32_t ExitChooser::indexOf(std::uint32_t area) const {
     const auto at = std::lower_bound(ids_.begin(), ids_.end(), area);
@@ -101,13 +103,18 @@ void ExitChooser::listOptions(std::span<const Leavers> leavers) {
 }
 
 // Counts who goes where, and what the exits let through of late.
-void ExitChooser::count(const WorldState& state) {
+void ExitChooser::count(const WorldState& state, std::span<const Leavers> leavers) {
     const Characters& c = state.characters;
+    herding_ = std::any_of(leavers.begin(), leavers.end(),
+                           [](const Leavers& some) { return some.order->herding > 0.0; });
     waits_.clear(exits_.size());
+    if (herding_) herds_.clear(state.environment.def().box, exits_.size());
     for (std::size_t i = 0; i < c.size(); ++i) {
         if (c.goal[i] == 0 || !(c.cost[i] < kInfiniteCost)) continue;
-        if (const std::int32_t exit = indexOf(c.goal[i]); exit >= 0)
-            waits_.add(static_cast<std::size_t>(exit), walkTime(state, i, c.cost[i]));
+        const std::int32_t exit = indexOf(c.goal[i]);
+        if (exit < 0) continue;
+        waits_.add(static_cast<std::size_t>(exit), walkTime(state, i, c.cost[i]));
+        if (herding_) herds_.add(c.position[i], static_cast<std::size_t>(exit));
     }
 }
 
@@ -121,7 +128,7 @@ void ExitChooser::serve(WorldState& state) {
         const auto byWidth = [&](double walk) { return flow * (field.width(walk * speed) + 2.0 * usual.radius); };
         const double measured = (kPrior * byWidth(0.0) + area.exit.served) / (kPrior + area.exit.queued);
         const double whole = area.def.rate > 0.0 ? std::min(area.def.rate, measured) : measured;
-        area.exit.isQueued = waits_.queueing(e) > whole * ExitWaits::kNear;
+        area.exit.isQueued = waits_.isQueued(e, whole);
         waits_.serve(e, [&](double walk) { return std::max(kLeastFlow, std::min(whole, byWidth(walk))); });
     }
 }
@@ -154,6 +161,9 @@ std::int32_t ExitChooser::best(const WorldState& state, const Leavers& leavers, 
     const Order& order = *leavers.order;
     const std::int32_t own = c.goal[i] == 0 ? -1 : indexOf(c.goal[i]);
     const std::int32_t groundClass = classIndex(groundClasses[i]);
+    std::optional<Herds::Sight> sight;
+    if (order.herding > 0.0 && !options_[chooser.leavers].empty())
+        sight.emplace(herds_, exits_.front().fields[groundClass]->ground(), c.position[i], own);
     std::int32_t found = -1;
     double least = kInfiniteCost, ofOwn = kInfiniteCost, ownWalk = 0.0;
     for (const Option& option : options_[chooser.leavers]) {
@@ -164,6 +174,7 @@ std::int32_t ExitChooser::best(const WorldState& state, const Leavers& leavers, 
                           ? way
                           : waits_.leaves(static_cast<std::size_t>(option.exit), way);
         time -= option.attraction;
+        if (sight) time -= order.herding * sight->share(static_cast<std::size_t>(option.exit));
         if (order.misjudgement > 0.0)
             time += order.misjudgement * errorOf(state.seed, c.id[i], exit.area->id.value);
         if (option.exit == own) {
@@ -186,7 +197,7 @@ void ExitChooser::run(WorldState& state, GoalFields& fields, std::span<const Lea
     Characters& c = state.characters;
     listExits(state, fields, leavers, groundClasses);
     listOptions(leavers);
-    count(state);
+    count(state, leavers);
     serve(state);
     listChoosers(state, leavers);
     const auto choose = [&](const std::vector<Chooser>& list, std::size_t from, std::size_t stride) {
@@ -208,8 +219,12 @@ void ExitChooser::run(WorldState& state, GoalFields& fields, std::span<const Lea
     for (const Chooser& chooser : first_) c.goal[chooser.character] = 0;
     for (std::size_t round = 0; round < std::min(kRounds, first_.size()); ++round) {
         choose(first_, round, kRounds);
-        for (std::size_t k = 0; k < chosen_.size(); ++k)
-            if (chosen_[k] >= 0) waits_.add(static_cast<std::size_t>(chosen_[k]), walk_[k]);
+        for (std::size_t k = 0; k < chosen_.size(); ++k) {
+            if (chosen_[k] < 0) continue;
+            waits_.add(static_cast<std::size_t>(chosen_[k]), walk_[k]);
+            const std::int32_t i = first_[round + k * kRounds].character;
+            if (herding_) herds_.add(c.position[i], static_cast<std::size_t>(chosen_[k]));
+        }
         serve(state);
     }
     const double step = state.parameters.stepTime;

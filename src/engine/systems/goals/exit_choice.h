@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "engine/systems/goals/exit_waits.h"
 #include "engine/systems/goals/goal_fields.h"
+#include "engine/systems/goals/herds.h"
 
 namespace muster {
 
@@ -51,7 +52,7 @@ private:
     void listExits(WorldState& state, GoalFields& fields, std::span<const Leavers> leavers,
                    std::span<const std::int32_t> groundClasses);
     void listOptions(std::span<const Leavers> leavers);
-    void count(const WorldState& state);
+    void count(const WorldState& state, std::span<const Leavers> leavers);
     void serve(WorldState& state);
     void listChoosers(const WorldState& state, std::span<const Leavers> leavers);
     std::int32_t indexOf(std::uint32_t area) const;
@@ -70,10 +71,8 @@ private:
     std::vector<std::int32_t> chosen_;    // By first_ or turn_: an exit, -1 for none.
     std::vector<double> walk_;            // And the time of the way to it [s].
     ExitWaits waits_;
+    Herds herds_;
+    bool herding_ = false;  // Somebody follows others.
 };
-
-/// How many people a second pass a gap, for each metre of its width, at the most, by the law of steering
-/// [1/(m s)]: files side by side, each at top speed with its headway.
-double specificFlow(const Parameters::Character& character);
 
 }  // namespace muster

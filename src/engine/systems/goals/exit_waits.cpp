@@ -10,10 +10,16 @@ void ExitWaits::clear(std::size_t exits) {
     perPerson_.assign(exits * kBins, 0.0f);
 }
 
-double ExitWaits::queueing(std::size_t exit) const {
-    double sum = 0.0;
-    for (std::size_t k = 0; k < binOf(kNear); ++k) sum += static_cast<double>(count_[exit * kBins + k]);
-    return sum;
+bool ExitWaits::isQueued(std::size_t exit, double flow) const {
+    double come = 0.0;
+    bool isCrowded = false, isThere = false;
+    for (std::size_t k = 0; k < binOf(kSoon); ++k) {
+        come += static_cast<double>(count_[exit * kBins + k]);
+        const double until = static_cast<double>(k + 1) * kBin;
+        if (until == kNear) isThere = come > kThere * flow * kNear;
+        if (until >= kNear) isCrowded = isCrowded || come > flow * until;
+    }
+    return isThere && isCrowded;
 }
 
 double ExitWaits::leaves(std::size_t exit, double walk) const {

@@ -16,8 +16,9 @@ public:
     void add(std::size_t exit, double walk) {
         count_[exit * kBins + binOf(walk)] += 1.0f;
     }
-    /// How many people of an exit are nearer than kNear.
-    double queueing(std::size_t exit) const;
+    /// True where people queue before an exit that lets so many a second through: some are there, and more come
+    /// within a while than it lets through by then.
+    bool isQueued(std::size_t exit, double flow) const;
     /// Finds when each will have left. `capacity(walk)` tells how many a second get through on the way of so
     /// many [s].
     template <class Capacity>
@@ -34,9 +35,10 @@ public:
     /// When somebody whose way to an exit takes `walk` [s] will have left by it [s].
     double leaves(std::size_t exit, double walk) const;
 
-    static constexpr double kNear = 3.0;  ///< Whose way takes less than this is before the exit [s].
-
 private:
+    static constexpr double kNear = 3.0;   // Whose way takes less than this is before the exit [s].
+    static constexpr double kThere = 0.5;  // So much of what passes in that time are some.
+    static constexpr double kSoon = 15.0;  // Who comes within this comes soon [s].
     static constexpr double kBin = 0.5;          // [s]
     static constexpr std::size_t kBins = 1024;  // Ways that take longer count as that long.
 
