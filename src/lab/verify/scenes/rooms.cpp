@@ -1,5 +1,6 @@
 // Rooms with exits, and two rooms whose people change places.
 #include <algorithm>
+#include <set>
 
 #include "lab/verify/scenes/hall.h"
 
@@ -45,8 +46,13 @@ Result<VerifySample> runCounterflow(const SceneRun& run) {
                     .order = Order::leave({left})});
     auto walk = HallRun::start(hall, run.seed);
     if (!walk.ok()) return walk.status();
+    std::set<std::uint32_t> fromLeft;
+    const CharactersView persons = walk->world().characters();
+    for (std::size_t i = 0; i < persons.size(); ++i)
+        if (persons.group[i] == 0) fromLeft.insert(persons.id[i]);
     walk->runUntil(420.0);
-    const auto entered = firstCrossings(crossings(walk->trajectories(), uprightLine(20, 4, 6)), 1);
+    auto entered = firstCrossings(crossings(walk->trajectories(), uprightLine(20, 4, 6)), 1);
+    std::erase_if(entered, [&](const Crossing& c) { return !fromLeft.contains(c.id); });
     VerifySample sample;
     sample.figures["entered"] = static_cast<double>(entered.size());
     sample.figures["time"] = entered.size() < 100 ? kUnmeasured : entered.back().time;
