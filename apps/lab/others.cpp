@@ -16,35 +16,43 @@ namespace {
 /// Figures of JuPedSim's models by name, printed as "name value" by a program for Python; what it needs is in
 /// the package `jupedsim` and its `shapely`.
 constexpr const char* kJupedsimScript = R"python(
-import math, sys
+import sys
 try:
     import jupedsim as jps
     from shapely import Polygon, union_all
 except ImportError:
     sys.exit(3)
-def box(a, b, c, d): return Polygon([(a, b), (c, b), (c, d), (a, d)])
-def run(name, rooms, exit_box, start_box, count, speed, line, most):
-    area = union_all(rooms)
-    sim = jps.Simulation(model=jps.CollisionFreeSpeedModel(), geometry=area, dt=0.01)
+
+def box(a, b, c, d):
+    return Polygon([(a, b), (c, b), (c, d), (a, d)])
+
+def crossings(rooms, exit_box, start_box, count, speed, line, most):
+    sim = jps.Simulation(model=jps.CollisionFreeSpeedModel(), geometry=union_all(rooms), dt=0.01)
     out = sim.add_exit_stage(list(exit_box.exterior.coords)[:-1])
     journey = sim.add_journey(jps.JourneyDescription([out]))
-    for p in jps.distribute_by_number(polygon=start_box, number_of_agents=count, distance_to_agents=0.42, distance_to_polygon=0.22, seed=1):
-        sim.add_agent(jps.CollisionFreeSpeedModelAgentParameters(position=p, journey_id=journey, stage_id=out, desired_speed=speed, radius=0.2))
+    places = jps.distribute_by_number(polygon=start_box, number_of_agents=count, distance_to_agents=0.42,
+                                      distance_to_polygon=0.22, seed=1)
+    for place in places:
+        sim.add_agent(jps.CollisionFreeSpeedModelAgentParameters(
+            position=place, journey_id=journey, stage_id=out, desired_speed=speed, radius=0.2))
     before, crossed = {}, {}
     while sim.agent_count() > 0 and sim.elapsed_time() < most:
         sim.iterate()
-        for a in sim.agents():
-            x = a.position[0]
-            if before.get(a.id, x) < line <= x: crossed.setdefault(a.id, sim.elapsed_time())
-            before[a.id] = x
-    times = sorted(crossed.values())
-    if count == 1: print(name, times[0] if times else "nan")
-    else:
-        k = len(times) // 5
-        print(name, (len(times) - 1 - 2 * k) / (times[-1 - k] - times[k]) if len(times) > 9 else "nan")
-run("corridor_s", [box(0, 0, 60, 2)], box(58, 0, 60, 2), box(0.5, 0.5, 1.5, 1.5), 1, 1.33, 41.0, 120)
+        for agent in sim.agents():
+            x = agent.position[0]
+            if before.get(agent.id, x) < line <= x:
+                crossed.setdefault(agent.id, sim.elapsed_time())
+            before[agent.id] = x
+    return sorted(crossed.values())
+
+corridor = box(0, 0, 60, 2)
+times = crossings([corridor], box(58, 0, 60, 2), box(0.5, 0.5, 1.5, 1.5), 1, 1.33, 41.0, 120)
+print("corridor_s", times[0] if times else "nan")
 for w in (0.8, 1.0, 1.2, 2.0):
-    run("door_%g" % w, [box(0, 0, 12, 12), box(12, 6 - w / 2, 12.4, 6 + w / 2), box(12.4, 2, 17, 10)], box(15, 2, 17, 10), box(3, 0.5, 11.5, 11.5), 120, 1.34, 12.2, 300)
+    rooms = [box(0, 0, 12, 12), box(12, 6 - w / 2, 12.4, 6 + w / 2), box(12.4, 2, 17, 10)]
+    times = crossings(rooms, box(15, 2, 17, 10), box(3, 0.5, 11.5, 11.5), 120, 1.34, 12.2, 300)
+    k = len(times) // 5
+    print("door_%g" % w, (len(times) - 1 - 2 * k) / (times[-1 - k] - times[k]) if len(times) > 9 else "nan")
 )python";
 
 /// What the script printed; none where Python or the package is missing.

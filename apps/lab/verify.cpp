@@ -21,6 +21,7 @@ struct VerifyOptions {
     VerifyDef def;
     std::string page = "verification.html";
     bool json = false;
+    bool markdown = false;
     bool noPage = false;
     bool others = false;
 };
@@ -62,8 +63,10 @@ int runVerify(const VerifyOptions& options) {
     if (!options.noPage)
         if (Status s = writeTextFile(options.page, verificationPage(*verification)); !s.ok())
             return reportFailure(s);
-    if (options.json) {
-        std::printf("%s", verificationJson(*verification).c_str());
+    if (options.json || options.markdown) {
+        const std::string text = options.json ? verificationJson(*verification)
+                                              : verificationMarkdown(*verification);
+        std::printf("%s", text.c_str());
     } else {
         std::printf("%s", verificationText(*verification).c_str());
         if (!options.noPage) std::printf("%s\n", options.page.c_str());
@@ -81,7 +84,8 @@ void addVerifyCommand(CommandLine& line) {
                 "Some tests (\"RiMEA 4\", rimea4) or suites (RiMEA, IMO, NIST, ISO, Data).")
         .separatedBy(',')
         .check(knownTest);
-    command.flag("--brief", options->def.brief, "The tests that take little time, with one seed where it says enough.");
+    command.flag("--brief", options->def.brief,
+                 "The tests that take little time, with one seed where it says enough.");
     command.option("--seeds", options->def.seeds, "Runs of each case; 0 takes as many as each test asks for.")
         .range(0, 1000);
     command
@@ -95,7 +99,9 @@ void addVerifyCommand(CommandLine& line) {
     command.flag("--no-page", options->noPage, "Writes no page.");
     command.flag("--others", options->others,
                  "Adds the same scenes by JuPedSim, where its package is found, and recorded figures.");
-    command.flag("--json", options->json, "JSON on standard output in place of the table.");
+    const Option json = command.flag("--json", options->json,
+                                     "JSON on standard output in place of the table.");
+    command.flag("--markdown", options->markdown, "The table as Markdown, for documents.").excludes(json);
     command.footer(
         "The exit code is 1 where a test fails. Tests that cannot be run are listed as missing and count as "
         "not passed.\n"

@@ -66,6 +66,8 @@ Result<Verification> verifyRowsOf(const VerifyDef& def, const std::vector<RowDef
 
 /// The table for a terminal, columns aligned: test, expected, measured, outcome, seeds; and the counts.
 std::string verificationText(const Verification& verification);
+/// The same as a table in Markdown, for documents.
+std::string verificationMarkdown(const Verification& verification);
 /// An object with `rows`, each with its checks, and the counts.
 std::string verificationJson(const Verification& verification);
 /// One page that needs no other file.

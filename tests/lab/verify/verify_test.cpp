@@ -193,6 +193,10 @@ TEST_CASE("the table has aligned columns and a line of counts") {
     CHECK(text.find("1 pass, 1 fail, 1 missing") != std::string::npos);
     CHECK(text.find("[own]") != std::string::npos);
     CHECK(text.find("nan") == std::string::npos);
+    const std::string markdown = verificationMarkdown(bad);
+    CHECK(markdown.find("| Alpha 1 A number | ") != std::string::npos);
+    CHECK(markdown.find("| 2 | **fail** |") != std::string::npos);
+    CHECK(occurrences(markdown, "\n") == 5);
 }
 
 TEST_CASE("the page has every row, its plots and pictures, and words stay words") {

@@ -104,4 +104,15 @@ std::string verificationJson(const Verification& verification) {
     return indentedJson(all, 2) + "\n";
 }
 
+std::string verificationMarkdown(const Verification& verification) {
+    std::string text = "| Test | Expected | Measured | Seeds | Result |\n| --- | --- | --- | ---: | --- |\n";
+    for (const RowResult& row : verification.rows) {
+        const std::string outcome = row.outcome == Outcome::Fail ? "**fail**" : outcomeName(row.outcome);
+        text += "| " + markdownCell(row.row.id + " " + row.row.title) + " | " +
+                markdownCell(row.row.expected) + " | " + markdownCell(decisiveText(row)) + " | " +
+                (row.seeds > 0 ? std::to_string(row.seeds) : "") + " | " + outcome + " |\n";
+    }
+    return text;
+}
+
 }  // namespace muster

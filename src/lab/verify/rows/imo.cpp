@@ -36,7 +36,7 @@ std::vector<RowDef> imoRows() {
             "At most 1.33 /s over the whole period: the design capacity", "exit flow", {"free", "capped"}, 10,
             1, judgeExitFlow()),
         imo("5", "Response time", "Room of 4, 10 people, 10 to 100 s", "Each starts at its own time",
-            "premovement", {"uniform"}, 1, 1, judgeStarts()),
+            "premovement", {"uniform"}, 10, 1, judgeStarts()),
         imo("6", "Corner", "L of 2 m width, 20 people of 1.0 m/s", "All round, nobody passes a wall",
             "corner", {"1.0"}, 10, 1, judgeCorner("1.0")),
         imo("7", "Demographics", "50 men of 30 to 50 years, 0.97 to 1.62 m/s",

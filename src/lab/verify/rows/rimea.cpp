@@ -262,7 +262,7 @@ std::vector<RowDef> rimeaRows() {
                          "ring", kRingDensities, 10, 1, judgeDiagram));
     rows.push_back(runIn(rimea("5", "Premovement time", "Room 8 x 5 m, exit 1 m, 10 people, 10 to 100 s",
                                "Each starts at the assigned time"),
-                         "premovement", {"uniform"}, 1, 1, judgeStarts()));
+                         "premovement", {"uniform"}, 10, 1, judgeStarts()));
     rows.push_back(
         runIn(rimea("6", "Corner", "L of 2 m width, 20 people", "All arrive, nobody passes a wall"), "corner",
               {"people"}, 10, 1, judgeCorner("people")));

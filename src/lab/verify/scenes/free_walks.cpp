@@ -116,9 +116,14 @@ Result<VerifySample> runPremovement(const SceneRun& run) {
     while (!moves.all() && walk->time() < 2000.0)
         walk->runUntil(walk->time() + 1.0, [&] { moves.observe(walk->world()); });
     VerifySample sample;
-    double worst = 0.0;
-    for (const Vec2 p : moves.curve()) worst = std::max(worst, std::isnan(p.y) ? 1e9 : std::abs(p.y - p.x));
-    sample.figures["worst"] = worst;
+    double early = 0.0, late = 0.0;
+    for (const Vec2 p : moves.curve()) {
+        early = std::max(early, p.x - p.y);
+        late = std::max(late, std::isnan(p.y) ? 1e9 : p.y - p.x);
+    }
+    sample.figures["early"] = early;
+    sample.figures["late"] = late;
+    sample.figures["worst"] = std::max(early, late);
     sample.curves["starts"] = moves.curve();
     walk->report(sample, run);
     return sample;
