@@ -6,8 +6,8 @@
 
 namespace muster {
 
-/// Takes the formation of a group, which keeps its definition; no background work may be running. Nobody has a
-/// place from now on.
+/// Takes the formation of a group, which keeps its definition; no background work may be running. Nobody has
+/// a place from now on.
 void dissolveFormation(WorldState& state, Group& group);
 /// Gives a group that has none its formation again, where its people are; places begin where those stand who
 /// get them. No background work may be running.

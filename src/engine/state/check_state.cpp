@@ -60,10 +60,10 @@ Status checkGround(const Environment& environment) {
 Status checkArrays(const Characters& c) {
     const std::size_t n = c.size();
     for (const std::size_t size :
-         {c.group.size(), c.position.size(), c.velocity.size(), c.heading.size(), c.place.size(),
-          c.direction.size(), c.cost.size(), c.motion.size(), c.phase.size(), c.motionTime.size(),
-          c.patch.size(), c.lastSingle.size(), c.walk.size(), c.claim.size(), c.chosen.size(), c.body.size(),
-          c.driver.size(), c.wanted.size(), c.goal.size(), c.setsOutAt.size()})
+         {c.group.size(),     c.position.size(),   c.velocity.size(), c.heading.size(), c.place.size(),
+          c.direction.size(), c.cost.size(),       c.motion.size(),   c.phase.size(),   c.motionTime.size(),
+          c.patch.size(),     c.lastSingle.size(), c.walk.size(),     c.claim.size(),   c.chosen.size(),
+          c.body.size(),      c.driver.size(),     c.wanted.size(),   c.goal.size(),    c.setsOutAt.size()})
         if (size != n) return wrong("arrays of different lengths");
     if (!arePlaces(c.position) || !std::all_of(c.velocity.begin(), c.velocity.end(), isVelocity) ||
         !std::all_of(c.heading.begin(), c.heading.end(), isUnitOrNull) ||
@@ -324,7 +324,8 @@ bool isSane(const Area& area, std::uint32_t nextCharacter) {
     const ExitFlow& exit = area.exit;
     const SourceFlow& source = area.source;
     return isAmount(exit.served) && isAmount(exit.queued) && isAmount(exit.credit) &&
-           std::all_of(exit.line.begin(), exit.line.end(), [&](std::uint32_t id) { return id < nextCharacter; }) &&
+           std::all_of(exit.line.begin(), exit.line.end(),
+                       [&](std::uint32_t id) { return id < nextCharacter; }) &&
            source.next >= -1.0 && source.next <= 1e10 && isAmount(source.rate) && source.sent >= 0 &&
            source.entry <= area.def.timetable.size();
 }

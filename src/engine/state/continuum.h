@@ -1,5 +1,5 @@
-// Groups without places: their members go to one point by one cost field (Treuille, Cooper and Popovic 2006), or
-// to areas, each on its own (docs/method/goals.md).
+// Groups without places: their members go to one point by one cost field (Treuille, Cooper and Popovic 2006),
+// or to areas, each on its own (docs/method/goals.md).
 #pragma once
 
 #include <algorithm>
@@ -108,7 +108,8 @@ struct Continuum {
         Gathering& found = beginBare(group, OrderKind::Move, {});
         found.target = target;
     }
-    /// The members of a group go to areas, or on; the group has no formation from now on unless `kind` is Move.
+    /// The members of a group go to areas, or on; the group has no formation from now on unless `kind` is
+    /// Move.
     Gathering& beginBare(GroupId group, OrderKind kind, AreaId area) {
         Gathering* found = find(group);
         if (found == nullptr) found = &*gatherings.insert(lowerBound(group), Gathering{});

@@ -139,7 +139,8 @@ TEST_CASE("people stand in line before an exit, as far apart as their bodies, an
     World world = World::create(def).value();
     run(world, 45.0);
     int inLine = 0;
-    for (const Vec2 p : world.characters().position) inLine += std::fabs(p.y - 10.0) < 0.2 && p.x > 25.0 ? 1 : 0;
+    for (const Vec2 p : world.characters().position)
+        inLine += std::fabs(p.y - 10.0) < 0.2 && p.x > 25.0 ? 1 : 0;
     CHECK(inLine > 10);
     CHECK(closestBodies(world) > 0.0);
     run(world, 70.0);
@@ -154,7 +155,8 @@ TEST_CASE("a group waits in an area for its time, spread over it, and goes on") 
     World world = World::create(def).value();
     run(world, 28.0);
     int inside = 0;
-    for (const Vec2 p : world.characters().position) inside += p.x > 23.9 && p.x < 32.1 && p.y > 5.9 && p.y < 14.1;
+    for (const Vec2 p : world.characters().position)
+        inside += p.x > 23.9 && p.x < 32.1 && p.y > 5.9 && p.y < 14.1;
     CHECK(inside == 25);
     CHECK(closestBodies(world) > 0.1);
     CHECK(fastestWalker(world) < 0.05);

@@ -1,5 +1,5 @@
-// Groups that go to areas among random commands: snapshots at random steps go on alike, and nothing contradicts
-// itself.
+// Groups that go to areas among random commands: snapshots at random steps go on alike, and nothing
+// contradicts itself.
 #include <doctest.h>
 
 #include <algorithm>
@@ -70,19 +70,32 @@ private:
         const GroupId other = world.group(random_.below(static_cast<std::uint32_t>(world.groupCount()))).id;
         AreaDef area = world.area(random_.below(static_cast<std::uint32_t>(world.areaCount()))).def;
         switch (random_.below(22)) {
-            case 0: return GiveOrder{group.id, QueueMode::Replace, 0, Order::leave()};
-            case 1: return GiveOrder{group.id, QueueMode::Append, 0, Order::leave({AreaId{2}})};
-            case 2: return GiveOrder{group.id, QueueMode::Replace, 0, Order::wait(AreaId{4}, 1.0)};
-            case 3: return GiveOrder{group.id, QueueMode::Replace, 0, Order::walk(random_.uniform(-3, 3))};
-            case 4: return GiveOrder{group.id, QueueMode::Replace, 0, Order::go(p)};
-            case 5: return GiveOrder{group.id, QueueMode::Insert, 0, Order::move(p)};
-            case 6: return EditQueue{group.id, QueueEdit::Cancel, 0};
-            case 7: return EditQueue{group.id, QueueEdit::Hold, 0};
-            case 8: return EditQueue{group.id, QueueEdit::Resume, 0};
-            case 9: return EditQueue{group.id, QueueEdit::Stop, 0};
-            case 10: return RemoveCharacters{ids};
-            case 11: return TransferCharacters{ids, other};
-            case 12: return AddCharacters{group.id, {p, p + Vec2{1, 0}}, {}};
+            case 0:
+                return GiveOrder{group.id, QueueMode::Replace, 0, Order::leave()};
+            case 1:
+                return GiveOrder{group.id, QueueMode::Append, 0, Order::leave({AreaId{2}})};
+            case 2:
+                return GiveOrder{group.id, QueueMode::Replace, 0, Order::wait(AreaId{4}, 1.0)};
+            case 3:
+                return GiveOrder{group.id, QueueMode::Replace, 0, Order::walk(random_.uniform(-3, 3))};
+            case 4:
+                return GiveOrder{group.id, QueueMode::Replace, 0, Order::go(p)};
+            case 5:
+                return GiveOrder{group.id, QueueMode::Insert, 0, Order::move(p)};
+            case 6:
+                return EditQueue{group.id, QueueEdit::Cancel, 0};
+            case 7:
+                return EditQueue{group.id, QueueEdit::Hold, 0};
+            case 8:
+                return EditQueue{group.id, QueueEdit::Resume, 0};
+            case 9:
+                return EditQueue{group.id, QueueEdit::Stop, 0};
+            case 10:
+                return RemoveCharacters{ids};
+            case 11:
+                return TransferCharacters{ids, other};
+            case 12:
+                return AddCharacters{group.id, {p, p + Vec2{1, 0}}, {}};
             case 13: {
                 SplitGroup split;
                 split.group = group.id;
@@ -90,9 +103,12 @@ private:
                 split.shares = {1.0, 1.0};
                 return split;
             }
-            case 14: return MergeGroups{{group.id, other}};
-            case 15: return SetCount{group.id, 1 + static_cast<std::int32_t>(random_.below(30))};
-            case 16: return SetPose{group.id, p, 1.0};
+            case 14:
+                return MergeGroups{{group.id, other}};
+            case 15:
+                return SetCount{group.id, 1 + static_cast<std::int32_t>(random_.below(30))};
+            case 16:
+                return SetPose{group.id, p, 1.0};
             case 17: {
                 FormationDef formation;
                 formation.kind = FormationKind::Ring;
@@ -101,8 +117,10 @@ private:
             case 18:
                 area.open = random_.below(2) == 0;
                 return PutArea{AreaId{1 + random_.below(3)}, area, group.id};
-            case 19: return PlaceGroup{group.id, p, 0.5};
-            case 20: return AddObstacle{tree(p, 0.4)};
+            case 19:
+                return PlaceGroup{group.id, p, 0.5};
+            case 20:
+                return AddObstacle{tree(p, 0.4)};
             default: {
                 Order order = Order::go(p);
                 order.manner = Manner::Continuum;

@@ -54,7 +54,8 @@ FieldWay CostField::way(Vec2 p) const {
     if (!(exact < kUnreachableCost) || lengthSquared(towards) <= kNearSource) return {cost(p), direction(p)};
     const BilinearPoint at = bilinearPoint(grid_, p);
     for (int k = 0; k < 4; ++k)
-        if (!(value({at.low.x + (k & 1), at.low.y + (k >> 1)}) < kUnreachableCost)) return {exact, direction(p)};
+        if (!(value({at.low.x + (k & 1), at.low.y + (k >> 1)}) < kUnreachableCost))
+            return {exact, direction(p)};
     return {exact, normalized(towards), sources_[over].parent == 0};
 }
 

@@ -52,8 +52,8 @@ std::int32_t CostField::visibleSource(std::int32_t first, std::int32_t last, Vec
 }
 
 // Cost of the cheapest path over the pseudo-sources around a point, exact also where two such paths meet, and
-// the vector to the pseudo-source that it runs over, and the index of that [cells]. Infinite where a reached cell around the point
-// has no pseudo-source.
+// the vector to the pseudo-source that it runs over, and the index of that [cells]. Infinite where a reached
+// cell around the point has no pseudo-source.
 double CostField::exactCost(Vec2 p, Vec2& towards, std::int32_t& over) const {
     const SourceSet around = pseudoSourcesAround(p);
     const Vec2 at{(p.x - grid_.origin.x) / grid_.cell - 0.5, (p.y - grid_.origin.y) / grid_.cell - 0.5};

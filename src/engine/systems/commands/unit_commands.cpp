@@ -64,7 +64,8 @@ Result<Shrinking> shrink(const WorldState& state, std::span<const std::int32_t> 
 // Those who are left go on with a march on which they are.
 void apply(WorldState& state, Shrinking& shrinking) {
     for (Group& group : state.groups)
-        if (state.continuum.isBare(group.id)) group.def.count = static_cast<std::int32_t>(group.members.size());
+        if (state.continuum.isBare(group.id))
+            group.def.count = static_cast<std::int32_t>(group.members.size());
     for (std::size_t k = 0; k < shrinking.groups.size(); ++k) {
         Group& group = state.groups[shrinking.groups[k]];
         Reform& reform = shrinking.reforms[k];

@@ -16,17 +16,19 @@
 namespace muster {
 namespace {
 
-constexpr double kLooks = 1.0;         // Who has a longer way to its exit was not in it a step ago [m].
-constexpr double kApart = 1.02;        // Least distance of somebody who comes from others, in the sum of their radii.
-constexpr std::int32_t kTries = 24;    // Points at which room is looked for.
-constexpr double kLatest = 1e10;       // [s]
+constexpr double kLooks = 1.0;  // Who has a longer way to its exit was not in it a step ago [m].
+constexpr double
+    kApart = 1.02;  // Least distance of somebody who comes from others, in the sum of their radii.
+constexpr std::int32_t kTries = 24;  // Points at which room is looked for.
+constexpr double kLatest = 1e10;     // [s]
 
 // True for who leaves by exits, with its group, and has set out.
 bool isLeaving(const WorldState& state, std::int32_t i) {
     const Group& group = state.groups[state.characters.group[i]];
     if (!state.characters.hasSetOut(i, state.stepCount)) return false;
     const Gathering* const gathering = state.continuum.find(group.id);
-    return gathering != nullptr && gathering->kind == OrderKind::Leave && gathering->active && !group.orders.held;
+    return gathering != nullptr && gathering->kind == OrderKind::Leave && gathering->active &&
+           !group.orders.held;
 }
 
 }  // namespace
@@ -45,7 +47,8 @@ void AreaStage::findLeaving(WorldState& state) {
         const Area* const area = state.findArea(AreaId{c.goal[i]});
         const bool atOnce = area != nullptr && area->def.kind == AreaKind::Exit && area->def.open &&
                             area->def.rate == 0.0 && area->def.queue.empty();
-        if (atOnce && isLeaving(state, static_cast<std::int32_t>(i)) && containsPoint(area->def.polygon, c.position[i]))
+        if (atOnce && isLeaving(state, static_cast<std::int32_t>(i)) &&
+            containsPoint(area->def.polygon, c.position[i]))
             leaves_[i] = 1;
     }
 }
@@ -62,7 +65,8 @@ void AreaStage::passInOrder(WorldState& state, Area& area) {
     if (area.def.queue.empty())
         for (std::size_t i = 0; i < c.size(); ++i)
             if (c.goal[i] == area.id.value && c.cost[i] <= kLooks && wants(static_cast<std::int32_t>(i)) &&
-                isIn(static_cast<std::int32_t>(i)) && std::find(line.begin(), line.end(), c.id[i]) == line.end())
+                isIn(static_cast<std::int32_t>(i)) &&
+                std::find(line.begin(), line.end(), c.id[i]) == line.end())
                 line.push_back(c.id[i]);
     const double rate = area.def.rate;
     if (rate > 0.0) area.exit.credit += rate * state.parameters.stepTime;
@@ -131,7 +135,8 @@ bool AreaStage::findRoom(WorldState& state, Area& area, double radius, Vec2& spo
             continue;
         bool taken = std::any_of(come_.begin(), come_.end(), [&](std::int32_t i) { return isNear(i, p); });
         if (beyond)
-            for (std::size_t i = 0; i < c.size() && !taken; ++i) taken = isNear(static_cast<std::int32_t>(i), p);
+            for (std::size_t i = 0; i < c.size() && !taken; ++i)
+                taken = isNear(static_cast<std::int32_t>(i), p);
         else
             taken = taken || (cells_.grid().count() > 0 &&
                               cells_.anyBeside(p, [&](std::int32_t i) { return isNear(i, p); }));

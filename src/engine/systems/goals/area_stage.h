@@ -31,8 +31,8 @@ private:
     std::vector<std::int32_t> inside_;  // Who is in an exit that lets through in order.
     CellList cells_;                    // Of all characters, where somebody comes.
     bool sorted_ = false;
-    double largest_ = 0.0;       // Radius of all [m].
-    std::vector<std::int32_t> come_;    // Who have come in this step.
+    double largest_ = 0.0;            // Radius of all [m].
+    std::vector<std::int32_t> come_;  // Who have come in this step.
 };
 
 }  // namespace muster

@@ -15,8 +15,8 @@ namespace muster {
 namespace {
 
 constexpr double kThinksEvery = 1.0;  // Everybody thinks again once in so long [s].
-constexpr double kPays = 1.0;         // A change gains at least so much [s]...
-constexpr double kPaysShare = 0.1;    // ... and this share of the time that is left.
+constexpr double kChangePays = 1.0;   // A change gains at least so much [s]...
+constexpr double kChangeShare = 0.1;  // ... and this share of the time that is left.
 constexpr double kMemory = 10.0;      // For so long what an exit let through counts [s].
 constexpr double kPrior = 1.0;        // The law counts like so long a measurement [s].
 constexpr std::size_t kRounds = 8;    // Those who choose at once do it in so many parts, one after the other.
@@ -54,19 +54,22 @@ const Area* ExitChooser::areaOf(const Characters& characters, std::size_t i) con
 }
 
 const GoalField* ExitChooser::fieldOf(const Characters& characters, std::size_t i,
-                                     std::span<const std::int32_t> groundClasses) const {
+                                      std::span<const std::int32_t> groundClasses) const {
     const std::int32_t exit = indexOf(characters.goal[i]);
     return exit >= 0 ? exits_[exit].fields[classIndex(groundClasses[i])] : nullptr;
 }
 
+// Who has not set out yet comes so much later.
 double ExitChooser::walkTime(const WorldState& state, std::size_t i, double cost) const {
     const Parameters& parameters = state.parameters;
     const double open = parameters.cost.alpha + parameters.cost.beta;
-    return cost / (open * maxSpeedOf(parameters.character, state.characters.body[i]));
+    const Characters& c = state.characters;
+    const std::uint32_t stays = c.setsOutAt[i] > state.stepCount ? c.setsOutAt[i] - state.stepCount : 0;
+    return cost / (open * maxSpeedOf(parameters.character, c.body[i])) + stays * parameters.stepTime;
 }
 
 void ExitChooser::listExits(WorldState& state, GoalFields& fields, std::span<const Leavers> leavers,
-                           std::span<const std::int32_t> groundClasses) {
+                            std::span<const std::int32_t> groundClasses) {
     classes_.clear();
     for (const Leavers& some : leavers)
         for (const std::int32_t i : some.group->members)
@@ -83,7 +86,8 @@ void ExitChooser::listExits(WorldState& state, GoalFields& fields, std::span<con
         });
         if (!named) continue;
         Exit exit{&area, {}};
-        for (const std::int32_t groundClass : classes_) exit.fields.push_back(&fields.toArea(area, groundClass));
+        for (const std::int32_t groundClass : classes_)
+            exit.fields.push_back(&fields.toArea(area, groundClass));
         exits_.push_back(std::move(exit));
         ids_.push_back(area.id.value);
     }
@@ -98,7 +102,8 @@ void ExitChooser::listOptions(std::span<const Leavers> leavers) {
             if (const std::int32_t exit = indexOf(order.exits[k].value); exit >= 0)
                 options_[g].push_back({exit, order.attractions.empty() ? 0.0 : order.attractions[k]});
         if (!order.exits.empty()) continue;
-        for (std::int32_t exit = 0; std::cmp_less(exit, exits_.size()); ++exit) options_[g].push_back({exit, 0.0});
+        for (std::int32_t exit = 0; std::cmp_less(exit, exits_.size()); ++exit)
+            options_[g].push_back({exit, 0.0});
     }
 }
 
@@ -125,7 +130,9 @@ void ExitChooser::serve(WorldState& state) {
     for (std::size_t e = 0; e < exits_.size(); ++e) {
         Area& area = *exits_[e].area;
         const GoalField& field = *exits_[e].fields.front();
-        const auto byWidth = [&](double walk) { return flow * (field.width(walk * speed) + 2.0 * usual.radius); };
+        const auto byWidth = [&](double walk) {
+            return flow * (field.width(walk * speed) + 2.0 * usual.radius);
+        };
         const double measured = (kPrior * byWidth(0.0) + area.exit.served) / (kPrior + area.exit.queued);
         const double whole = area.def.rate > 0.0 ? std::min(area.def.rate, measured) : measured;
         area.exit.isQueued = waits_.isQueued(e, whole);
@@ -155,7 +162,7 @@ void ExitChooser::listChoosers(const WorldState& state, std::span<const Leavers>
 
 // The exit by which somebody will have left soonest; its own one unless another one is clearly better.
 std::int32_t ExitChooser::best(const WorldState& state, const Leavers& leavers, const Chooser& chooser,
-                              std::span<const std::int32_t> groundClasses, double& walk) const {
+                               std::span<const std::int32_t> groundClasses, double& walk) const {
     const Characters& c = state.characters;
     const auto i = static_cast<std::size_t>(chooser.character);
     const Order& order = *leavers.order;
@@ -186,14 +193,15 @@ std::int32_t ExitChooser::best(const WorldState& state, const Leavers& leavers, 
         found = option.exit;
         walk = way;
     }
-    const bool stays = ofOwn < kInfiniteCost && ofOwn - least < kPays + kPaysShare * std::max(0.0, ofOwn);
+    const bool stays = ofOwn < kInfiniteCost &&
+                       ofOwn - least < kChangePays + kChangeShare * std::max(0.0, ofOwn);
     if (!stays) return found;
     walk = ownWalk;
     return own;
 }
 
 void ExitChooser::run(WorldState& state, GoalFields& fields, std::span<const Leavers> leavers,
-                     std::span<const std::int32_t> groundClasses, ThreadPool& pool) {
+                      std::span<const std::int32_t> groundClasses, ThreadPool& pool) {
     Characters& c = state.characters;
     listExits(state, fields, leavers, groundClasses);
     listOptions(leavers);

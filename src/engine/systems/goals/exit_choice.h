@@ -61,15 +61,15 @@ private:
                       std::span<const std::int32_t> groundClasses, double& walk) const;
     double walkTime(const WorldState& state, std::size_t i, double cost) const;
 
-    std::vector<Exit> exits_;             // In ascending order of areas.
-    std::vector<std::uint32_t> ids_;      // Of their areas.
-    std::vector<std::int32_t> classes_;   // Of ground, ascending.
+    std::vector<Exit> exits_;                   // In ascending order of areas.
+    std::vector<std::uint32_t> ids_;            // Of their areas.
+    std::vector<std::int32_t> classes_;         // Of ground, ascending.
     std::vector<std::vector<Option>> options_;  // By leavers.
-    std::vector<std::uint8_t> allowed_;   // By exit: whether the group at hand may leave by it.
-    std::vector<Chooser> first_;          // Who have no exit.
-    std::vector<Chooser> turn_;           // Whose turn it is to think again.
-    std::vector<std::int32_t> chosen_;    // By first_ or turn_: an exit, -1 for none.
-    std::vector<double> walk_;            // And the time of the way to it [s].
+    std::vector<std::uint8_t> allowed_;         // By exit: whether the group at hand may leave by it.
+    std::vector<Chooser> first_;                // Who have no exit.
+    std::vector<Chooser> turn_;                 // Whose turn it is to think again.
+    std::vector<std::int32_t> chosen_;          // By first_ or turn_: an exit, -1 for none.
+    std::vector<double> walk_;                  // And the time of the way to it [s].
     ExitWaits waits_;
     Herds herds_;
     bool herding_ = false;  // Somebody follows others.

@@ -1,5 +1,5 @@
-// Lines before exits: who stands in which place of the line, spaced by their bodies, in the order in which they
-// came (docs/method/goals.md).
+// Lines before exits: who stands in which place of the line, spaced by their bodies, in the order in which
+// they came (docs/method/goals.md).
 #pragma once
 
 #include <cstdint>

@@ -13,7 +13,8 @@ namespace muster {
 
 /// What a field says at a point.
 struct GoalWay {
-    double cost = 0.0;  ///< Of the way that is left [m of open ground]; 0 in the area, infinite where there is none.
+    double cost = 0.0;  ///< Of the way that is left [m of open ground]; 0 in the area, infinite where there
+                        ///< is none.
     Vec2 direction;     ///< Unit vector along it; null in the area and where there is none.
 };
 
@@ -26,8 +27,8 @@ public:
     /// The same to a polyline.
     void solveToLine(const StaticGround& ground, const UnitCost& unitCost, std::span<const Vec2> line,
                      EikonalSolver& solver);
-    /// Solves the field of all who walk on towards a heading, a unit vector, up to the sides of the ground. The
-    /// direction does not end there if `ring`.
+    /// Solves the field of all who walk on towards a heading, a unit vector, up to the sides of the ground.
+    /// The direction does not end there if `ring`.
     void solveHeading(const StaticGround& ground, const UnitCost& unitCost, Vec2 heading, bool ring,
                       EikonalSolver& solver);
 

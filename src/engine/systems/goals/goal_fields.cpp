@@ -26,7 +26,8 @@ const UnitCost& GoalFields::unitCost(std::int32_t groundClass) {
 template <class Solve>
 const GoalField& GoalFields::find(const Key& key, const std::vector<Vec2>& shape, const Solve& solve) {
     const std::uint32_t version = ground(key.groundClass).version();
-    auto at = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.key == key; });
+    auto at = std::find_if(entries_.begin(), entries_.end(),
+                           [&](const Entry& entry) { return entry.key == key; });
     if (at != entries_.end() && at->version == version && at->shape == shape) return *at->field;
     if (at == entries_.end()) {
         entries_.push_back({key, {}, 0, std::make_unique<GoalField>()});
@@ -39,8 +40,9 @@ const GoalField& GoalFields::find(const Key& key, const std::vector<Vec2>& shape
 }
 
 const GoalField& GoalFields::solved(const Key& key) const {
-    return *std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.key == key; })
-                ->field;
+    return *std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+                return entry.key == key;
+            })->field;
 }
 
 const GoalField& GoalFields::toArea(const Area& area, std::int32_t groundClass) {

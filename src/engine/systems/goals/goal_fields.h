@@ -37,7 +37,9 @@ public:
         return solved({Kind::Heading, 0, heading, groundClass});
     }
     /// The ground of a class.
-    const StaticGround& ground(std::int32_t groundClass) { return costs_->ofClass(groundClass).staticGround(); }
+    const StaticGround& ground(std::int32_t groundClass) {
+        return costs_->ofClass(groundClass).staticGround();
+    }
 
 private:
     enum class Kind : std::uint8_t { Area, Queue, Heading };
@@ -50,7 +52,7 @@ private:
     };
     struct Entry {
         Key key;
-        std::vector<Vec2> shape;  // For which it was solved.
+        std::vector<Vec2> shape;    // For which it was solved.
         std::uint32_t version = 0;  // Of the ground.
         std::unique_ptr<GoalField> field;
     };

@@ -11,15 +11,16 @@
 namespace muster {
 namespace {
 
-constexpr double kFarAway = 5.0;            // Who has a longer way does not look in every step [m]...
+constexpr double kFarAway = 5.0;          // Who has a longer way does not look in every step [m]...
 constexpr std::uint32_t kLooksEvery = 4;  // ... but in each of so many.
-constexpr double kFarAhead = 100.0;  // Where somebody heads who goes on along a field [m].
+constexpr double kFieldAhead = 100.0;     // Where somebody heads who goes on along a field [m].
 
 // The order that the members of a group carry out without places; null where they stand.
 const Order* orderOf(const Group& group, const Gathering& gathering) {
     const OrderQueue& queue = group.orders;
     if (!gathering.active || queue.held) return nullptr;
-    const bool begun = queue.begun && !queue.orders.empty() && queue.orders.front().order.kind == gathering.kind;
+    const bool begun = queue.begun && !queue.orders.empty() &&
+                       queue.orders.front().order.kind == gathering.kind;
     return begun ? &queue.orders.front().order : nullptr;
 }
 
@@ -64,6 +65,16 @@ void GoalStage::findClasses(const WorldState& state, ThreadPool& pool) {
     });
 }
 
+// The classes of ground of a group's members, ascending.
+std::span<const std::int32_t> GoalStage::classesOf(const Group& group) {
+    used_.clear();
+    for (const std::int32_t i : group.members)
+        if (used_.empty() || used_.back() != classes_[i]) used_.push_back(classes_[i]);
+    std::sort(used_.begin(), used_.end());
+    used_.erase(std::unique(used_.begin(), used_.end()), used_.end());
+    return used_;
+}
+
 void GoalStage::standAll(WorldState& state, const Group& group, std::span<Vec2> heads) {
     for (const std::int32_t i : group.members) {
         if (!group.orders.held) state.characters.goal[i] = 0;
@@ -76,7 +87,7 @@ void GoalStage::follow(WorldState& state, std::size_t i, const GoalWay& way, std
     Characters& c = state.characters;
     c.direction[i] = way.direction;
     c.cost[i] = way.cost;
-    heads[i] = c.position[i] + way.direction * kFarAhead;
+    heads[i] = c.position[i] + way.direction * kFieldAhead;
 }
 
 // Lets a character stand at a point that it sees.
@@ -125,7 +136,7 @@ void GoalStage::wait(WorldState& state, Group& group, Gathering& gathering, std:
     const Area* const area = state.findArea(gathering.area);
     if (area == nullptr || area->def.kind != AreaKind::Waiting) return standAll(state, group, heads);
     spots_.run(state, group, gathering, *area, fields_.ground(0));
-    for (const std::int32_t i : group.members) fields_.toArea(*area, classes_[i]);
+    for (const std::int32_t groundClass : classesOf(group)) fields_.toArea(*area, groundClass);
     forChunks(&pool, group.members.size(), kPerTask, [&](std::size_t k) {
         const auto i = static_cast<std::size_t>(group.members[k]);
         c.goal[i] = gathering.area.value;
@@ -142,7 +153,7 @@ void GoalStage::wait(WorldState& state, Group& group, Gathering& gathering, std:
 void GoalStage::walk(WorldState& state, const Group& group, double heading, std::span<Vec2> heads,
                      ThreadPool& pool) {
     Characters& c = state.characters;
-    for (const std::int32_t i : group.members) fields_.towards(heading, classes_[i]);
+    for (const std::int32_t groundClass : classesOf(group)) fields_.towards(heading, groundClass);
     forChunks(&pool, group.members.size(), kPerTask, [&](std::size_t k) {
         const auto i = static_cast<std::size_t>(group.members[k]);
         c.goal[i] = 0;
@@ -180,7 +191,8 @@ void GoalStage::raiseWays(WorldState& state, std::vector<Event>& events) {
         const std::int32_t before = group->order.withoutWay;
         group->order.withoutWay = none;
         if (none > before)
-            events.push_back({EventKind::NoPath, group->id.value, static_cast<std::uint32_t>(none), middle / none});
+            events.push_back(
+                {EventKind::NoPath, group->id.value, static_cast<std::uint32_t>(none), middle / none});
         else if (none == 0 && before > 0 && goes && !group->members.empty())
             events.push_back({EventKind::Free, group->id.value, static_cast<std::uint32_t>(before),
                               group->mesh.pose().position});

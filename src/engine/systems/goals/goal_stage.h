@@ -30,6 +30,7 @@ public:
 private:
     bool listGroups(WorldState& state);
     void findClasses(const WorldState& state, ThreadPool& pool);
+    std::span<const std::int32_t> classesOf(const Group& group);
     void standAll(WorldState& state, const Group& group, std::span<Vec2> heads);
     void leave(WorldState& state, std::span<Vec2> heads, ThreadPool& pool);
     void wait(WorldState& state, Group& group, Gathering& gathering, std::span<Vec2> heads, ThreadPool& pool);
@@ -44,6 +45,7 @@ private:
     std::vector<Leavers> leavers_;
     std::vector<Group*> waiting_, walking_, idle_;
     std::vector<std::int32_t> classes_;  // Of ground, of all characters.
+    std::vector<std::int32_t> used_;     // Of the group at hand.
     std::vector<std::uint8_t> standing_;
 };
 

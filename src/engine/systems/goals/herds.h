@@ -38,7 +38,7 @@ public:
     };
 
 private:
-    static constexpr double kCell = 2.5;    // [m]
+    static constexpr double kCell = 2.5;     // [m]
     static constexpr double kNearby = 10.0;  // [m]
 
     Grid grid_;

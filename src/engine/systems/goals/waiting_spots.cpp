@@ -10,11 +10,12 @@
 namespace muster {
 namespace {
 
-constexpr double kSpotsApart = 1.2;     // Least distance of spots, in diameters.
-constexpr double kSpotsAtMost = 3.0;    // Greatest distance, in diameters.
+constexpr double kSpotsApart = 1.2;   // Least distance of spots, in diameters.
+constexpr double kSpotsAtMost = 3.0;  // Greatest distance, in diameters.
 constexpr double kSpotsFill = 0.75;   // Share of the area that those who come fill with their squares.
-constexpr double kComesIn = 1.0;   // Who is so near the area gets a spot [m].
-constexpr double kNoRoomAfter = 1.5;  // Who has not got on for so long stands before an area that is full [s].
+constexpr double kComesIn = 1.0;      // Who is so near the area gets a spot [m].
+constexpr double
+    kNoRoomAfter = 1.5;  // Who has not got on for so long stands before an area that is full [s].
 
 double largestMember(const WorldState& state, const Group& group) {
     const Parameters::Character& usual = state.parameters.character;
@@ -44,8 +45,11 @@ void WaitingSpots::listFree(const WorldState& state, const Group& group, const A
     for (std::int32_t y = 0; y <= rows; ++y)
         for (std::int32_t x = 0; x <= columns; ++x) {
             const Vec2 p = box.min + margin + Vec2{x * apart, y * apart};
-            const auto isNear = [&](Vec2 q) { return distance(p, q) < kSpotsApart * diameter * (1.0 - 1e-9); };
-            if (!containsPoint(polygon, p) || state.environment.distanceToObstacle(p, radius) < radius) continue;
+            const auto isNear = [&](Vec2 q) {
+                return distance(p, q) < kSpotsApart * diameter * (1.0 - 1e-9);
+            };
+            if (!containsPoint(polygon, p) || state.environment.distanceToObstacle(p, radius) < radius)
+                continue;
             if (!state.environment.def().box.grown(-radius).contains(p)) continue;
             if (std::none_of(taken_.begin(), taken_.end(), isNear)) free_.push_back(p);
         }
@@ -68,9 +72,10 @@ bool WaitingSpots::takeSpots(const WorldState& state, const Group& group, Gather
         if (!listed) listFree(state, group, area);
         listed = true;
         // Who comes first goes farthest in, so that nobody stands in the way of others.
-        const auto best = std::max_element(free_.begin(), free_.end(), [&](Vec2 a, Vec2 b) {
-            return lengthSquared(a - p) < lengthSquared(b - p);
-        });
+        const auto better = [&](Vec2 a, Vec2 b) { return lengthSquared(a - p) > lengthSquared(b - p); };
+        auto best = free_.end();
+        for (auto at = free_.begin(); at != free_.end(); ++at)
+            if ((best == free_.end() || better(*at, *best)) && ground.collisionFree(p, *at)) best = at;
         if (best == free_.end()) return false;
         const Vec2 taken = *best;
         gathering.stand(c.id[i], taken);

@@ -37,13 +37,6 @@ bool isContinuum(const Order& order) {
     return order.kind == OrderKind::Move && order.manner == Manner::Continuum;
 }
 
-/// True for a member who stands in its waiting area, or before it.
-bool waits(const WorldState& state, const Gathering& gathering, std::int32_t i) {
-    const Characters& c = state.characters;
-    const StandingSpot* const spot = gathering.spotOf(c.id[i]);
-    return spot != nullptr ? distance(c.position[i], spot->spot) <= kArrivedReach : gathering.hasArrived(c.id[i]);
-}
-
 void raise(std::vector<Event>& events, EventKind kind, const Group& group, std::uint32_t value) {
     events.push_back({kind, group.id.value, value, group.mesh.pose().position});
 }
@@ -61,30 +54,6 @@ void passCorners(March& march, double share) {
     while (march.next + 1 < march.way.size() &&
            (done -= distance(march.way[march.next - 1], march.way[march.next])) > 0.0)
         ++march.next;
-}
-
-/// Where an order without places leads about: the middle of the waiting area, of the nearest exit, or the side of
-/// the ground.
-Vec2 goalPoint(const WorldState& state, const Order& order, Vec2 from) {
-    const Box box = state.environment.def().box;
-    if (order.kind == OrderKind::Walk) {
-        const double facing = order.facing.value_or(0.0);
-        return box.clamp(from + Vec2{cosine(facing), sine(facing)} * (box.width() + box.height()));
-    }
-    Vec2 best = from;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Area& area : state.areas) {
-        const bool named = order.kind == OrderKind::Wait
-                               ? area.id == order.area
-                               : area.def.kind == AreaKind::Exit && area.def.open &&
-                                     (order.exits.empty() || std::find(order.exits.begin(), order.exits.end(),
-                                                                       area.id) != order.exits.end());
-        const Vec2 middle = meanOf(area.def.polygon);
-        if (!named || distance(middle, from) >= least) continue;
-        least = distance(middle, from);
-        best = middle;
-    }
-    return best;
 }
 
 /// False where a way is so short that it has no direction worth turning to.
@@ -178,41 +147,6 @@ bool OrderStage::isClear(const WorldState& state, const Group& group) {
         from = corner;
     }
     return true;
-}
-
-// Members of a group that goes to areas need no formation.
-OrderStage::Outcome OrderStage::beginBare(WorldState& state, Group& group, const Order& order,
-                                          std::uint32_t id, ThreadPool& pool, std::vector<Event>& events) {
-    OrderQueue& queue = group.orders;
-    if (order.kind == OrderKind::Wait && queue.orders.size() > 1 && state.findArea(order.area) == nullptr) {
-        raiseNoPath(events, group, group.def.count);
-        return Outcome::Skipped;
-    }
-    queue.begun = true;
-    queue.begunAt = queue.stoodAt = state.stepCount;
-    queue.arrived = 0;
-    queue.reachable = true;
-    queue.ground = state.groundEdits;
-    group.controls.clear();
-    if (order.formation) group.def.formation = *order.formation;
-    goBare(state, group, order, pool);
-    group.order.begin(state.stepCount);
-    raise(events, EventKind::OrderBegun, group, id);
-    return Outcome::GoesOn;
-}
-
-void OrderStage::goBare(WorldState& state, Group& group, const Order& order, ThreadPool& pool) {
-    pool.wait();  // Background work reads the plan.
-    if (!state.continuum.isBare(group.id)) dissolveFormation(state, group);
-    state.continuum.beginBare(group.id, order.kind, order.area);
-}
-
-// Whoever takes places needs a formation.
-void OrderStage::endBare(WorldState& state, Group& group, ThreadPool& pool) {
-    if (!state.continuum.isBare(group.id)) return;
-    pool.wait();
-    formUp(state, group);
-    state.continuum.end(group.id);
 }
 
 OrderStage::Outcome OrderStage::begin(WorldState& state, Group& group, ThreadPool& pool,
@@ -468,29 +402,6 @@ OrderStage::Outcome OrderStage::gather(WorldState& state, Group& group) {
     };
     const auto isStuck = [&](std::int32_t i) { return state.stepCount - c.walk[i].movedAt >= patience; };
     return isOver(state, group, 0, isThere, isStuck) ? Outcome::Done : Outcome::GoesOn;
-}
-
-// Members go to areas, or on, without end; those who wait do so for a while from when enough have come.
-OrderStage::Outcome OrderStage::goWithout(WorldState& state, Group& group, ThreadPool& pool) {
-    OrderQueue& queue = group.orders;
-    const Order& order = queue.orders.front().order;
-    queue.march.phase = MarchPhase::Stand;
-    queue.march.last = group.mesh.pose();
-    queue.ground = state.groundEdits;
-    Gathering* gathering = state.continuum.find(group.id);
-    // Fingers had taken the formation.
-    if (gathering == nullptr || !gathering->active || gathering->kind != order.kind)
-        goBare(state, group, order, pool);
-    if (order.kind != OrderKind::Wait) return Outcome::GoesOn;
-    gathering = state.continuum.find(group.id);
-    if (queue.orders.size() > 1 && state.findArea(order.area) == nullptr) return Outcome::Skipped;
-    const double share = order.share * static_cast<double>(group.members.size());
-    const auto come = static_cast<double>(std::count_if(
-        group.members.begin(), group.members.end(), [&](std::int32_t i) { return waits(state, *gathering, i); }));
-    if (gathering->since == 0 && come >= std::ceil(share - 1e-9)) gathering->since = std::max(1u, state.stepCount);
-    const bool over = gathering->since > 0 && order.seconds > 0.0 &&
-                      state.stepCount - gathering->since >= stepsIn(state, order.seconds);
-    return over ? Outcome::Done : Outcome::GoesOn;
 }
 
 // The formation of a group without places stays where its people are, so that fingers can take it there.

@@ -61,6 +61,7 @@ private:
     void followAlong(WorldState& state, Group& group, const MarchDef& def, const Pose& end);
     Outcome guard(WorldState& state, Group& group);
     Outcome gather(WorldState& state, Group& group);
+    static Vec2 goalPoint(const WorldState& state, const Order& order, Vec2 from);
     static Outcome beginBare(WorldState& state, Group& group, const Order& order, std::uint32_t id,
                              ThreadPool& pool, std::vector<Event>& events);
     static void goBare(WorldState& state, Group& group, const Order& order, ThreadPool& pool);

@@ -287,10 +287,9 @@ void PlanStage::run(WorldState& state, PlanCosts& costs, const WayStage& ways, G
             return !group.members.empty() && !isWithout(group) && (group.planNow || group.provisional);
         }));
     starts_ = static_cast<std::int32_t>(
-        std::count_if(state.groups.begin(), state.groups.end(),
-                      [&](const Group& group) {
-                          return !group.members.empty() && !isWithout(group) && group.plan->starting();
-                      }));
+        std::count_if(state.groups.begin(), state.groups.end(), [&](const Group& group) {
+            return !group.members.empty() && !isWithout(group) && group.plan->starting();
+        }));
     firstPlanRank_ = 0;
     firstCharacters_ = 0;
     // While something moves it is another ground in every step.

@@ -120,7 +120,7 @@ void SteeringStage::steer(WorldState& state, double dt, ThreadPool& pool) {
         claims_.push_back(
             {ordered ? group.orders.begunAt : 0, kind == OrderKind::Follow || kind == OrderKind::Guard});
     }
-    const SteeringInput input{placePosition_,  placeVelocity_, facing_,        claims_,
+    const SteeringInput input{placePosition_,  placeVelocity_, facing_,         claims_,
                               state.stepCount, pace_,          shared_.rooms(), goals_.standing()};
     steering_.run(bodies_, characters, input, state.environment, dt, next_.velocity, next_.heading, &pool);
     characters.wanted.assign(steering_.preferred().begin(), steering_.preferred().end());
