@@ -48,8 +48,10 @@ JudgeRow judgeStarts() {
     return [](const VerifySamples& samples, RowReport& report) {
         report.atMost("first movement away from the assigned time, the worst",
                       samples.most("uniform", "worst"), 0.5, "s", Whose::Own);
-        report.shown("moved before its time, at most", samples.most("uniform", "early"), "s");
+        report.shown("set out before its time, at most", samples.most("uniform", "early"), "s");
         report.shown("set out after its time, at most", samples.most("uniform", "late"), "s");
+        report.shown("pushed from their spots by 5 cm before their time, of 10",
+                     samples.mean("uniform", "pushed"), "");
         double least = samples.runs("uniform").empty() ? kUnmeasured : 1e9;
         for (const Vec2 p : samples.points("uniform", "starts")) least = std::min(least, p.x);
         report.within("smallest assigned time", least, 10.0, 100.0, "s", Whose::Standard);
