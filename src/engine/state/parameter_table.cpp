@@ -204,7 +204,8 @@ Result<Parameters> parameterPreset(std::string_view name) {
         parameters.character.inStep = 0.0;
         parameters.character.foresight = 3.0;
         parameters.density.min = 0.75;
-        parameters.density.max = 5.4;
+        parameters.cost.alpha = 0.0;
+        parameters.cost.beta = 1.0;
         return parameters;
     }
     if (name == "paper") {
