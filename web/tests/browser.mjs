@@ -2,6 +2,7 @@
 //
 //     always      each case in the first of its sizes, `everySize` ones in all, `release` ones in none: what a push may break
 //     --all       all cases in all of their sizes: a release
+import * as areas from './cases/areas.mjs';
 import * as build from './cases/build.mjs';
 import * as buildCorners from './cases/build_corners.mjs';
 import * as camera from './cases/camera.mjs';
@@ -192,6 +193,9 @@ const kCases = [
   ['build: bodies', build.bodies, [...kTablets, 'phone'], { scenario: 'scenarios/open.json', room: true }],
   ['build: drags', build.dragsInARow, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],
   ['build: drags by touch', build.dragsByTouch, ['portrait'], { scenario: 'scenarios/open.json', room: true }],
+  ['areas: drawn', areas.drawn, ['landscape', 'portrait', 'desktop'], kOpen],
+  ['areas: leave and wait', areas.leaveAndWait, ['landscape', 'portrait', 'phone'], kOpen],
+  ['areas: a source', areas.sourceToExit, ['desktop'], kOpen],
   ['build: by touch', build.byTouch, ['landscape', 'portrait', 'phone'], kOpen],
   ['people', people.appear, ['desktop'], { search: '?quality=full' }],
   ['people in light quality', people.appearLight, ['desktop'], { search: '?quality=light' }],

@@ -2,6 +2,7 @@
 
 import type { ForecastAsk, ForecastFrame, OrderFrame } from '../protocol/messages';
 import type { CommandEvent } from './commands';
+import { isPlaceless } from './goals';
 import { pointsOf, type GroundPoint } from './plane';
 
 /** An answer. */
@@ -31,12 +32,10 @@ export interface Asker extends Stand {
 
 const kFace = 1;
 const kFollow = 2;
-/** From here on nobody has a place meanwhile. */
-const kLeave = 4;
 
 /** Orders that end nowhere, or at no time, that is known before. */
-function endsAnywhere({ kind }: Pick<OrderFrame, 'kind'>): boolean {
-  return kind === kFollow || kind >= kLeave;
+function endsAnywhere(order: Pick<OrderFrame, 'kind'>): boolean {
+  return order.kind === kFollow || isPlaceless(order);
 }
 
 export function forecastOf({ group, order, arrives, seconds, x, y, way }: ForecastFrame): Forecast {

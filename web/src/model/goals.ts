@@ -1,7 +1,18 @@
 // Where people can be told to go without places: exits to leave by, and areas to wait in.
 
+import { OrderKind } from '../protocol/messages';
 import type { AreaKind, SceneArea } from '../protocol/scene';
 import { distance, insidePolygon, type GroundPoint } from './plane';
+
+/** True for orders during which nobody has a place. */
+export function isPlaceless({ kind }: { readonly kind: number }): boolean {
+  return kind >= OrderKind.Leave;
+}
+
+/** True while nobody of a group has a place. */
+export function hasNoPlaces({ orders }: { readonly orders: readonly { readonly kind: number }[] }): boolean {
+  return orders[0] !== undefined && isPlaceless(orders[0]);
+}
 
 /** A press this near counts as one on the area [m]. */
 const kNear = 1;

@@ -1,5 +1,6 @@
 // Finds the formation on which a contact begins, by the newest final mesh Vf.
 
+import { hasNoPlaces } from '../model/goals';
 import { distanceToSegment, insideTriangle, pointsOf, type GroundPoint, type ScreenPoint } from '../model/plane';
 import type { GroupMesh } from '../protocol/messages';
 import type { StudioGroup } from '../model/studio_frame';
@@ -63,7 +64,7 @@ export class FormationHitTest {
   find(point: GroundPoint, reach: RimReach): FormationHit | null {
     let best: FormationHit | null = null;
     this.groups_.forEach((group, index) => {
-      const distance = this.distanceTo(group, point, reach);
+      const distance = hasNoPlaces(group) ? null : this.distanceTo(group, point, reach);
       if (distance !== null && (best === null || distance < best.distance)) best = { index, group: group.id, distance };
     });
     return best;

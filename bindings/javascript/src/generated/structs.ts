@@ -820,7 +820,7 @@ export interface WorldDef {
   areas: AreaDef[];
   /** True: the left and the right side of `box` are joined. */
   ring: boolean;
-  /** Preset of parameters, "muster" or "paper"; null for "muster". */
+  /** Preset of parameters, "units", "people" or "paper"; null for "units". */
   preset: string;
   /** Parameters that differ from the preset, set in this order. */
   parameters: ParameterValue[];
@@ -860,7 +860,7 @@ export interface WorldDefInit {
   readonly areas?: readonly AreaDefInit[] | undefined;
   /** True: the left and the right side of `box` are joined. */
   readonly ring?: boolean | undefined;
-  /** Preset of parameters, "muster" or "paper"; null for "muster". */
+  /** Preset of parameters, "units", "people" or "paper"; null for "units". */
   readonly preset?: string | null | undefined;
   /** Parameters that differ from the preset, set in this order. */
   readonly parameters?: readonly ParameterValueInit[] | undefined;

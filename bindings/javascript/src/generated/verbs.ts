@@ -717,7 +717,7 @@ export class MusterFunctions extends Caller {
     return this.call_('muster_parameter_info', index) as ParameterInfo;
   }
 
-  /** The value of a parameter in a preset: "muster" (the defaults) or "paper". Fails with NotFound. */
+  /** The value of a parameter in a preset: "units" (the defaults), "people" or "paper". Fails with NotFound. */
   presetValue(preset: string, name: string): number {
     return this.call_('muster_preset_value', preset, name) as number;
   }

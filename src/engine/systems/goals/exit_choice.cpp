@@ -15,8 +15,8 @@ namespace muster {
 namespace {
 
 constexpr double kThinksEvery = 1.0;  // Everybody thinks again once in so long [s].
-constexpr double kPays = 1.0;         // A change gains at least so much [s]...
-constexpr double kPaysShare = 0.1;    // ... and this share of the time that is left.
+constexpr double kChangePays = 1.0;   // A change gains at least so much [s]...
+constexpr double kChangeShare = 0.1;  // ... and this share of the time that is left.
 constexpr double kMemory = 10.0;      // For so long what an exit let through counts [s].
 constexpr double kPrior = 1.0;        // The law counts like so long a measurement [s].
 constexpr std::size_t kRounds = 8;    // Those who choose at once do it in so many parts, one after the other.
@@ -191,7 +191,8 @@ std::int32_t ExitChooser::best(const WorldState& state, const Leavers& leavers, 
         found = option.exit;
         walk = way;
     }
-    const bool stays = ofOwn < kInfiniteCost && ofOwn - least < kPays + kPaysShare * std::max(0.0, ofOwn);
+    const bool stays = ofOwn < kInfiniteCost &&
+                       ofOwn - least < kChangePays + kChangeShare * std::max(0.0, ofOwn);
     if (!stays) return found;
     walk = ownWalk;
     return own;

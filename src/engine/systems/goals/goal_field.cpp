@@ -9,14 +9,15 @@
 namespace muster {
 namespace {
 
-constexpr double kBin = 0.5;        // Of costs by which the width of the way is measured [m].
-constexpr double kStraight = 1.05;  // A cost above this times the straight line tells that it is not clear...
-constexpr double kStraightBy = 1.0;   // ... and this [cells].
-constexpr double kLooksWithin = 3.0;  // So near an area the line to it is traced [m].
-constexpr double kAtOnce = 1.0;       // Who is so near an area keeps from nothing [m].
-constexpr double kNoWall = 2.5;       // Walls farther away than this are none [m].
-constexpr double kSlope = 0.5;        // From a point to where the clearance is read for its gradient [m].
-constexpr std::int32_t kBeside = 2;   // Cells beside an area from which it is entered where none lies in it.
+constexpr double kBin = 0.5;      // Of costs by which the width of the way is measured [m].
+constexpr double kClear = 1.05;   // A cost above this times the straight line tells that it is not clear...
+constexpr double kClearBy = 1.0;  // ... and this [cells].
+constexpr double kLooksWithin = 3.0;     // So near an area the line to it is traced [m].
+constexpr double kStraightWithin = 1.0;  // Who is so near an area keeps from nothing [m].
+constexpr double kWallsWithin = 2.5;     // Walls farther away than this are none [m].
+constexpr double kSlopeStep = 0.5;       // From a point to where the clearance is read for its gradient [m].
+constexpr std::int32_t
+    kEntryCells = 2;  // Cells beside an area from which it is entered where none lies in it.
 
 float unitOf(const CellCost& cost) {
     return std::min({cost.east, cost.north, cost.west, cost.south});
@@ -63,7 +64,7 @@ void GoalField::seedArea(const UnitCost& unitCost) {
 // An area that holds the centre of no free cell, and a line, are come to from the cells beside them.
 void GoalField::seedBeside(const UnitCost& unitCost) {
     const Grid& grid = unitCost.grid;
-    const double reach = kBeside * grid.cell;
+    const double reach = kEntryCells * grid.cell;
     const Box near = box_.grown(reach);
     const Cell low = grid.nearestCell(near.min), high = grid.nearestCell(near.max);
     for (std::int32_t y = low.y; y <= high.y; ++y)
@@ -116,10 +117,10 @@ void GoalField::solveHeading(const StaticGround& ground, const UnitCost& unitCos
     constexpr double kAcross = 1e-6;
     // The first free cell of each row and column, as seen from the far side.
     for (std::int32_t y = 0; y < grid.height && std::fabs(heading.x) > kAcross; ++y)
-        for (std::int32_t k = 0; k < kBeside + 2; ++k)
+        for (std::int32_t k = 0; k < kEntryCells + 2; ++k)
             if (add({heading.x > 0.0 ? grid.width - 1 - k : k, y})) break;
     for (std::int32_t x = 0; x < grid.width && std::fabs(heading.y) > kAcross; ++x)
-        for (std::int32_t k = 0; k < kBeside + 2; ++k)
+        for (std::int32_t k = 0; k < kEntryCells + 2; ++k)
             if (add({x, heading.y > 0.0 ? grid.height - 1 - k : k})) break;
     for (FieldSeed& seed : seeds_)
         seed.cost = (farthest - along(seed.cell)) * unitOf(unitCost.cells[grid.index(seed.cell)]);
@@ -160,7 +161,7 @@ GoalWay GoalField::along(Vec2 p) const {
     const FieldWay way = field_.way(p);
     const Box box = field_.grid().box();
     const double left = heading_.x > 0.0 ? box.max.x - p.x : p.x - box.min.x;
-    const bool atSide = left < ground_->radius() + kBeside * field_.grid().cell;
+    const bool atSide = left < ground_->radius() + kEntryCells * field_.grid().cell;
     const bool goesOn = ring_ && (atSide || (way.direction == Vec2{} && way.cost < kInfiniteCost));
     return {way.cost, goesOn ? heading_ : way.direction};
 }
@@ -173,7 +174,7 @@ GoalWay GoalField::at(Vec2 p) const {
     const double away = distance(p, q), straight = away * ground_->unitCost(p);
     // Far away the field knows whether the line is clear; near the area it is looked at.
     const bool isNear = away < kLooksWithin;
-    const bool alike = way.cost <= kStraight * straight + kStraightBy * field_.grid().cell;
+    const bool alike = way.cost <= kClear * straight + kClearBy * field_.grid().cell;
     if (alike && (isNear ? ground_->lineOfSight(p, q, away) : way.straight))
         return {straight, normalized(q - p)};
     if (!(way.cost < kInfiniteCost)) return {kInfiniteCost, {}};
@@ -182,20 +183,20 @@ GoalWay GoalField::at(Vec2 p) const {
 
 // Moved down the gradient of the clearance, which vanishes half way between two walls.
 Vec2 GoalField::nearerToWalls(Vec2 p, double by) const {
-    if (ground_->uniformClearance(p) > kNoWall) return p;
+    if (ground_->uniformClearance(p) > kWallsWithin) return p;
     const double free = ground_->interpolatedClearance(p);
-    if (free <= 0.0 || free > kNoWall) return p;
+    if (free <= 0.0 || free > kWallsWithin) return p;
     const auto clearance = [&](Vec2 at) {
-        return std::clamp(ground_->interpolatedClearance(at), 0.0, kNoWall);
+        return std::clamp(ground_->interpolatedClearance(at), 0.0, kWallsWithin);
     };
-    const Vec2 x{kSlope, 0.0}, y{0.0, kSlope};
+    const Vec2 x{kSlopeStep, 0.0}, y{0.0, kSlopeStep};
     const Vec2 slope{clearance(p + x) - clearance(p - x), clearance(p + y) - clearance(p - y)};
-    return p - slope * (std::min(by, free) / (2.0 * kSlope));
+    return p - slope * (std::min(by, free) / (2.0 * kSlopeStep));
 }
 
 GoalWay GoalField::at(Vec2 p, double aside) const {
     const GoalWay way = at(p);
-    if (!(aside > 0.0) || way.cost < kAtOnce || !(way.cost < kInfiniteCost)) return way;
+    if (!(aside > 0.0) || way.cost < kStraightWithin || !(way.cost < kInfiniteCost)) return way;
     const Vec2 q = nearerToWalls(p, aside);
     if (q == p) return way;
     const GoalWay beside = at(q);

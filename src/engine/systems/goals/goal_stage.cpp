@@ -14,7 +14,7 @@ namespace {
 constexpr double kFarAway = 5.0;          // Who has a longer way does not look in every step [m]...
 constexpr std::uint32_t kLooksEvery = 4;  // ... but in each of so many.
 constexpr double kMostAside = 0.5;        // [m]
-constexpr double kFarAhead = 100.0;       // Where somebody heads who goes on along a field [m].
+constexpr double kFieldAhead = 100.0;     // Where somebody heads who goes on along a field [m].
 
 // The order that the members of a group carry out without places; null where they stand.
 const Order* orderOf(const Group& group, const Gathering& gathering) {
@@ -94,7 +94,7 @@ void GoalStage::follow(WorldState& state, std::size_t i, const GoalWay& way, std
     Characters& c = state.characters;
     c.direction[i] = way.direction;
     c.cost[i] = way.cost;
-    heads[i] = c.position[i] + way.direction * kFarAhead;
+    heads[i] = c.position[i] + way.direction * kFieldAhead;
 }
 
 // Lets a character stand at a point that it sees.

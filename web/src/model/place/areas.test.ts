@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { parseScene } from '../../protocol/scene';
-import { emptiedGroups, groupChoices, newArrivals, queued } from './areas';
+import { emptiedGroups, groupChoices, joinedSource, newArrivals, queued } from './areas';
 import { addEvent, changeEvent, moved, removeEvent, thing, thingsOf, turned } from './things';
 
 const box = { min: [-9, -9], max: [9, 9] };
@@ -96,6 +96,13 @@ describe('areas', () => {
       kind: 'group',
       definition: { count: 0, people: 'adults', orders: [{ kind: 'leave' }], position: [1, 1] },
     });
+  });
+
+  it('of a new source wait for their group', () => {
+    const made = { ...source!, id: 0, group: 0 };
+    expect(joinedSource(made, scene, things)).toBeNull();
+    const before = things.filter(({ kind, id }) => kind !== 'group' || id !== 8);
+    expect(joinedSource(made, scene, before)?.group).toBe(8);
   });
 
   it('groups begin with as many as the place says, whoever has left since', () => {

@@ -17,7 +17,7 @@ export function groupChoices(scene: SceneFacts | null): { readonly id: number; r
 }
 
 /** What a new group for the people of a source is called. */
-export const kArrivals = 'Arrivals';
+const kArrivals = 'Arrivals';
 
 /** A group for the people of a source: adults who leave by the quickest exit. Nobody is in it at first. */
 export function newArrivals({ centre }: Thing): PlaceEvent {
@@ -32,14 +32,25 @@ export function newArrivals({ centre }: Thing): PlaceEvent {
   return { kind: 'group', definition };
 }
 
+/** The source with its group, which has come; null where it has not. `known`: what was there before. */
+export function joinedSource(source: Thing, scene: SceneFacts, known: readonly Thing[]): Thing | null {
+  const isKnown = (group: number): boolean => known.some(({ kind, id }) => kind === 'group' && id === group);
+  const group = scene.groups.find(({ id, name }) => name === kArrivals && !isKnown(id));
+  return group ? { ...source, group: group.id } : null;
+}
+
+/** True for a group that nobody is in before people come by a source: there is nothing to take hold of. */
+export function isNobody({ kind, count }: Thing): boolean {
+  return kind === 'group' && count === 0;
+}
+
 /** Groups that nobody is in and nobody comes to where these sources go. */
 export function emptiedGroups(removed: readonly Thing[], all: readonly Thing[]): Thing[] {
   const gone = (one: Thing): boolean => removed.some(({ kind, id }) => kind === one.kind && id === one.id);
   const feeds = (group: Thing, { area, group: fed }: Thing): boolean => area?.kind === 'source' && fed === group.id;
   return all.filter(
     (group) =>
-      group.kind === 'group' &&
-      group.count === 0 &&
+      isNobody(group) &&
       !gone(group) &&
       removed.some((one) => feeds(group, one)) &&
       !all.some((one) => feeds(group, one) && !gone(one)),

@@ -28,6 +28,16 @@ export interface PatchDefinition {
   readonly motion: string | number;
 }
 
+/** Where people leave, come, or wait; see docs/scenario-format.md. */
+export interface AreaDefinition {
+  readonly kind: 'exit' | 'source' | 'waiting';
+  readonly name?: string;
+  readonly polygon: readonly Pair[];
+  /** Of a source: index of the group whom its people join, and how many come [1/s]. */
+  readonly group?: number;
+  readonly rate?: number;
+}
+
 export interface GroupDefinition {
   readonly name?: string;
   /** `#rrggbb`; left out: the accent's. */
@@ -37,6 +47,9 @@ export interface GroupDefinition {
   readonly position?: Pair;
   /** [rad] */
   readonly angle?: number;
+  /** Sorts of persons, or the word for adults. */
+  readonly people?: unknown;
+  readonly orders?: readonly Readonly<Record<string, unknown>>[];
 }
 
 export interface MapDefinition {
@@ -60,6 +73,9 @@ export interface PlaceDefinition {
   readonly obstacles?: readonly ObstacleDefinition[];
   readonly patches?: readonly PatchDefinition[];
   readonly groups?: readonly GroupDefinition[];
+  readonly areas?: readonly AreaDefinition[];
+  /** The left and the right side of the box are joined. */
+  readonly ring?: boolean;
 }
 
 /** The ground that something takes [m], counter-clockwise. */

@@ -8,6 +8,7 @@ export interface PlaceDrawing {
   /** Left, top, width, height [m]. */
   readonly viewBox: readonly [number, number, number, number];
   readonly obstacles: string;
+  /** With exits, sources and waiting areas. */
   readonly patches: string;
   /** One for each group, in the order of the accents. */
   readonly groups: readonly string[];
@@ -91,7 +92,7 @@ export function drawingOf(place: PlaceDefinition): PlaceDrawing {
   return {
     viewBox: [left, -top, right - left, top - bottom],
     obstacles: mapPath(place) + (place.obstacles ?? []).map(obstaclePath).join(''),
-    patches: (place.patches ?? []).map(({ polygon }) => polygonPath(polygon)).join(''),
+    patches: [...(place.patches ?? []), ...(place.areas ?? [])].map(({ polygon }) => polygonPath(polygon)).join(''),
     groups: (place.groups ?? []).map(groupPath),
     colours: (place.groups ?? []).map(({ colour }, i) => colourNumber(i, colour)),
   };

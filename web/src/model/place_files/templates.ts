@@ -23,7 +23,7 @@ const crowd = (name: string, count: number, position: Pair, angle = 0, formation
   angle,
 });
 
-type Parts = Pick<PlaceDefinition, 'name' | 'description' | 'obstacles' | 'patches' | 'groups'>;
+type Parts = Pick<PlaceDefinition, 'name' | 'description' | 'obstacles' | 'patches' | 'groups' | 'areas' | 'ring'>;
 
 function place(wide: number, high: number, parts: Parts): PlaceDefinition {
   return {
@@ -221,6 +221,47 @@ function funnel(): PlaceDefinition {
   });
 }
 
+function hall(): PlaceDefinition {
+  const [w, h, t] = [12, 8, 0.4];
+  const leaves = { people: 'adults', orders: [{ kind: 'leave' }] };
+  return place(40, 24, {
+    name: 'Hall with exits',
+    description: 'Guests leave a hall by the exit where they have left soonest, while others come by the stop.',
+    obstacles: [
+      wall('North wall', box(-w, h - t, w, h)),
+      wall('South wall', box(-w, -h, w, -h + t)),
+      wall('West wall', box(-w, -h + t, -w + t, -0.8)),
+      wall('West wall', box(-w, 0.8, -w + t, h - t)),
+      wall('East wall', box(w - t, -h + t, w, 3)),
+      wall('East wall', box(w - t, 4.2, w, h - t)),
+    ],
+    groups: [
+      { ...crowd('Guests', 80, [-3, -2]), ...leaves },
+      { ...crowd('Arrivals', 0, [0, 5]), ...leaves },
+    ],
+    areas: [
+      { kind: 'exit', name: 'Main door', polygon: box(-w - 1.5, -1.5, -w - 0.5, 1.5) },
+      { kind: 'exit', name: 'Side door', polygon: box(w + 0.5, 2.5, w + 1.5, 4.7) },
+      { kind: 'source', name: 'Stop', polygon: box(-1.5, 4, 1.5, 7), group: 1, rate: 0.5 },
+    ],
+  });
+}
+
+function corridor(): PlaceDefinition {
+  const people = (name: string, x: number, facing: number): GroupDefinition => ({
+    ...crowd(name, 30, [x, 0], facing),
+    people: 'adults',
+    orders: [{ kind: 'walk', facing }],
+  });
+  return place(40, 8, {
+    name: 'Corridor without ends',
+    description: 'Its left and its right side are joined: two crowds walk through each other, again and again.',
+    obstacles: [wall('North wall', box(-20, 2, 20, 4)), wall('South wall', box(-20, -4, 20, -2))],
+    groups: [people('East', -8, 0), people('West', 8, Math.PI)],
+    ring: true,
+  });
+}
+
 export interface Template {
   readonly name: string;
   readonly make: () => PlaceDefinition;
@@ -233,4 +274,6 @@ export const kTemplates: readonly Template[] = [
   { name: 'Maze of hedges', make: hedges },
   { name: 'Obstacle course', make: course },
   { name: 'Stadium gate', make: funnel },
+  { name: 'Hall with exits', make: hall },
+  { name: 'Corridor without ends', make: corridor },
 ];

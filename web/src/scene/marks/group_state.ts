@@ -1,5 +1,6 @@
 // Meshes and places of all groups in the newest frame, and which of them the layers show already.
 
+import { hasNoPlaces } from '../../model/goals';
 import type { GroupMeshView, GroupView } from '../../model/frame_view';
 import { type PlaceLayer, kRing } from './place_layer';
 import type { MeshLayer, ShownMesh } from './mesh_layer';
@@ -64,7 +65,7 @@ export class GroupState {
     const shown: ShownMesh[] = [];
     this.groups_.forEach((group, index) => {
       const topology = this.topologies_.get(`${group.id}:${group.meshVersion}`);
-      if (!visible || !topology || group.vertices.length === 0) return;
+      if (!visible || !topology || group.vertices.length === 0 || hasNoPlaces(group)) return;
       shown.push({ topology, vertices: group.vertices, colour: accents[index] ?? '#808080' });
     });
     layer.update(shown);
@@ -78,7 +79,9 @@ export class GroupState {
     this.shownPlaces_ = wanted;
     rings.begin(visible ? this.groups_.reduce((sum, group) => sum + group.places.length / 2, 0) : 0);
     if (visible) {
-      this.groups_.forEach(({ places, fit }, index) => {
+      this.groups_.forEach((group, index) => {
+        if (hasNoPlaces(group)) return;
+        const { places, fit } = group;
         rings.setTint(accents[index] ?? '#808080');
         const [standing, alpha] = coming[index] ? [kRing.dashed, kComingAlpha] : [kRing.whole, kPlaceAlpha];
         for (let i = 0; i + 1 < places.length; i += 2) {

@@ -2,6 +2,7 @@
 // end. Orders that are being drawn are shown the same way, with all places.
 
 import type { GroupView, OrderView } from '../../model/frame_view';
+import { isPlaceless } from '../../model/goals';
 import { frontLine, outlineOf, placed, widened, type GroupShapes } from '../../model/group_shapes';
 import { distance, pointsOf, type GroundPoint, type ScreenPoint } from '../../model/plane';
 import type { CameraController } from '../camera/camera_controller';
@@ -77,10 +78,6 @@ export interface OrderScene {
 const kFollow = 2;
 const kGuard = 3;
 const kFace = 1;
-/** From here on nobody has a place meanwhile. */
-const kLeave = 4;
-/** How the group will stand is not known, or not shown. */
-const kGhostless = new Set([kFollow, kGuard, kLeave, kLeave + 1, kLeave + 2]);
 const kOthersAlpha = 0.42;
 /** Arrow heads on long legs stand so far apart [CSS px]. */
 const kArrowGap = 120;
@@ -104,7 +101,7 @@ export function legsOf(group: GroupView, groups: readonly GroupView[], ways: Way
   let facing = group.facing;
   return group.orders.map((order, k) => {
     const leader = order.kind === kFollow ? groups.find(({ id }) => id === order.group) : undefined;
-    const end = order.kind === kFace || order.kind >= kLeave ? from : (leader ?? order);
+    const end = order.kind === kFace || isPlaceless(order) ? from : (leader ?? order);
     const between = k === 0 ? pointsOf(group.way) : (ways.get(order.id) ?? pointsOf(order.route));
     const points = [from, ...between, { x: end.x, y: end.y }].filter(
       (point, i, all) => i === 0 || distance(point, all[i - 1]!) > 0.05,
@@ -242,7 +239,8 @@ export class OrderMarks {
   private ghost(group: GroupView, { order, points, facing }: Leg, { shapes }: OrderScene): StandPreview | null {
     const shape = shapes.of(group.id);
     const at = points[points.length - 1];
-    if (!shape || !at || shape.places.length === 0 || kGhostless.has(order.kind)) return null;
+    if (!shape || !at || shape.places.length === 0 || order.kind === kFollow || order.kind === kGuard) return null;
+    if (isPlaceless(order)) return null;
     const local = widened(shape, order.width);
     const [left, right] = placed(frontLine(local), at, facing);
     const outline = outlineOf(placed(local, at, facing));

@@ -4,7 +4,7 @@ import type { StudioClient } from '../../link/studio_client';
 import type { StudioStore } from '../../model/studio_store';
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
 import type { BuildTool, DrawingOptions } from '../../model/place/drawing';
-import { emptiedGroups, kArrivals, newArrivals } from '../../model/place/areas';
+import { emptiedGroups, isNobody, joinedSource, newArrivals } from '../../model/place/areas';
 import * as things from '../../model/place/things';
 import type { PlaceEvent, Thing, ThingKind } from '../../model/place/things';
 import { OverlayKind, PlaybackAction } from '../../protocol/messages';
@@ -72,8 +72,8 @@ export class BuildDesk implements StrokeHost, BuildActions {
     sourceRate: 1,
     sourceGroup: 0,
   };
-  /** A source that waits for its group, with the gesture of both. */
-  private source_: { readonly made: Thing; readonly gesture: number } | null = null;
+  /** A source that waits for its group. */
+  private source_: Thing | null = null;
 
   constructor(private readonly parts_: BuildParts) {
     const { view, client } = parts_;
@@ -168,7 +168,7 @@ export class BuildDesk implements StrokeHost, BuildActions {
     if (!this.open_) return;
     requestAnimationFrame(this.drawn);
     this.layer_.draw({
-      things: this.things_.filter(({ kind }) => !this.hidden_.has(kind)),
+      things: this.things_.filter((one) => !this.hidden_.has(one.kind) && !isNobody(one)),
       chosen: this.chosen_,
       preview: this.preview,
       line: this.strokes_.line.length > 0 ? this.strokes_.line : this.strokes_.corners,
@@ -203,8 +203,10 @@ export class BuildDesk implements StrokeHost, BuildActions {
     this.preview = made;
     this.choosesNew_ = true;
     const source = made.find(({ area, group }) => area?.kind === 'source' && group === 0);
-    if (source) this.source_ = { made: source, gesture: this.edits_.sendApart(label, [newArrivals(source)]) };
-    else this.edits_.send({ label, events: made.map(things.addEvent), changed: [] });
+    if (source) {
+      this.source_ = source;
+      this.edits_.send({ label: 'Add group', events: [newArrivals(source)], changed: [] });
+    } else this.edits_.send({ label, events: made.map(things.addEvent), changed: [] });
     // A refusal brings no new thing.
     window.clearTimeout(this.waits_);
     this.waits_ = window.setTimeout(() => (this.preview = []), kPreviewStays);
@@ -212,15 +214,10 @@ export class BuildDesk implements StrokeHost, BuildActions {
 
   /** True where the group of a new source has come: the source is next. */
   private sourceFollows(scene: SceneFacts, sameWorld: boolean): boolean {
-    const { source_: waits } = this;
-    if (!sameWorld) this.source_ = null;
-    if (!waits || !sameWorld) return false;
-    const isKnown = (group: number): boolean => this.served_.some(({ kind, id }) => kind === 'group' && id === group);
-    const group = scene.groups.find(({ id, name }) => name === kArrivals && !isKnown(id));
-    if (!group) return false;
-    this.source_ = null;
-    this.edits_.sendApart('Add source', [things.addEvent({ ...waits.made, group: group.id })], waits.gesture);
-    return true;
+    const made = this.source_ && sameWorld ? joinedSource(this.source_, scene, this.served_) : null;
+    if (made || !sameWorld) this.source_ = null;
+    if (made) this.edits_.send({ label: 'Add source', events: [things.addEvent(made)], changed: [] });
+    return made !== null;
   }
 
   change(label: string, changed: readonly Thing[]): void {
@@ -279,9 +276,12 @@ export class BuildDesk implements StrokeHost, BuildActions {
     this.strokes_.drop();
     const [one] = this.chosen_;
     const label = this.chosen_.length === 1 ? `Remove ${one!.area?.kind ?? one!.kind}` : 'Remove';
-    // Nobody would ever be in the group of a source that is gone.
+    // Nobody would ever be in the group of a source that is gone. Groups go last, and so come back first.
     const removed = [...this.chosen_, ...emptiedGroups(this.chosen_, this.things_)];
-    this.edits_.send({ label, events: removed.map(things.removeEvent), changed: [] });
+    const sources = removed.filter(({ group }) => removed.some(({ kind, id }) => kind === 'group' && id === group));
+    const others = removed.filter((gone) => !sources.includes(gone));
+    for (const gone of [sources, others])
+      this.edits_.send({ label, events: gone.map(things.removeEvent), changed: [] });
     this.chosen_ = [];
     this.showChosen();
   }
@@ -382,7 +382,7 @@ export class BuildDesk implements StrokeHost, BuildActions {
   }
 
   get free(): readonly Thing[] {
-    return this.things_.filter(({ kind }) => !this.locked_.has(kind) && !this.hidden_.has(kind));
+    return this.things_.filter((one) => !this.locked_.has(one.kind) && !this.hidden_.has(one.kind) && !isNobody(one));
   }
 
   say(text: string): void {

@@ -47,12 +47,6 @@ export class BuildEdits {
     if (edit.events.length > 0) this.tell(edit, edit.events.length > kMostEvents ? ++this.gestures_ : 0);
   }
 
-  /** Events that are taken back together with those of the same gesture, a new one where none is given; its number. */
-  sendApart(label: string, events: readonly PlaceEvent[], gesture = ++this.gestures_): number {
-    this.tell({ label, events, changed: [] }, gesture);
-    return gesture;
-  }
-
   /** A drag begins: all its edits are taken back together. */
   begin(): void {
     this.live_.begin(++this.gestures_);

@@ -138,7 +138,8 @@ export class BuildLayer {
     const parts = [this.reach()];
     for (const one of things) {
       const taken = chosen.some((other) => sameThing(other, one));
-      parts.push(this.outline(one, `build-thing build-${one.kind}${taken ? ' build-chosen' : ''}`));
+      const kind = one.area?.kind ?? one.kind;
+      parts.push(this.outline(one, `build-thing build-${kind}${taken ? ' build-chosen' : ''}`));
     }
     for (const one of things) if (one.kind === 'group') parts.push(this.arrow(one));
     for (const gap of this.gaps_) parts.push(...this.gap(gap));

@@ -16,12 +16,14 @@ export class EmptyPanel {
     store: StudioStore,
     private readonly actions_: StudioActions,
   ) {
-    store.watch(['groups', 'loaded', 'scenarios', 'link'], (state) => this.show(state));
+    store.watch(['groups', 'areas', 'loaded', 'scenarios', 'link'], (state) => this.show(state));
   }
 
   private show(state: StudioState): void {
     const waiting = !state.loaded;
-    this.root.hidden = state.groups.length > 0 || (waiting && state.link.phase === 'lost');
+    // Where there are areas people have left, or come.
+    const used = state.groups.length > 0 || state.areas.length > 0;
+    this.root.hidden = used || (waiting && state.link.phase === 'lost');
     if (this.root.hidden) return;
     setText(this.title_, waiting ? 'Opening the studio' : 'Nobody is here yet');
     setText(this.about_, waiting ? 'Waiting for the server.' : 'Add a group, or open one of these scenarios.');
