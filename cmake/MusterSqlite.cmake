@@ -1,4 +1,4 @@
-# SQLite, for one format of muster export and for the study's database; both say so where it is missing.
+# SQLite, for one format of muster export and muster measure and for the study's database; all say so where it is missing.
 option(MUSTER_WITH_SQLITE "Write JuPedSim files and the study's database, where SQLite is there" ON)
 set(MUSTER_SQLITE_LIBRARY "")
 set(MUSTER_SQLITE_COMPONENTS "")
@@ -6,7 +6,7 @@ if(NOT EMSCRIPTEN AND (TARGET muster_export OR TARGET muster_store))
     if(MUSTER_WITH_SQLITE)
         find_package(SQLite3 QUIET)
     endif()
-    foreach(target muster_export muster_store)
+    foreach(target muster_export muster_measures muster_store)
         if(TARGET ${target} AND SQLite3_FOUND)
             target_link_libraries(${target} PRIVATE SQLite::SQLite3)
             target_compile_definitions(${target} PRIVATE MUSTER_SQLITE=1)

@@ -17,8 +17,12 @@ inline constexpr LabCommand kReproduceCommand{"reproduce",
                                               "Runs the paper's experiments and writes a report."};
 inline constexpr LabCommand kSweepCommand{"sweep",
                                           "Runs the paper's experiments with several values of a parameter."};
-inline constexpr LabCommand kLabCommands[] = {kPictureCommand, kPeersCommand, kMotionCommand,
-                                              kReproduceCommand, kSweepCommand};
+inline constexpr LabCommand kVerifyCommand{"verify", "Runs the standard tests of pedestrian dynamics."};
+inline constexpr LabCommand kMeasureCommand{"measure",
+                                            "Flow, density and speed from a file of trajectories."};
+inline constexpr LabCommand kLabCommands[] = {kPictureCommand,   kPeersCommand, kMotionCommand,
+                                              kReproduceCommand, kSweepCommand, kVerifyCommand,
+                                              kMeasureCommand};
 
 // Commands of `muster study` that need no person.
 inline constexpr LabCommand kStudyModelsCommand{"models", "Runs trials of operator models and keeps them."};

@@ -10,8 +10,9 @@
 
 namespace muster {
 
-/// Writes `t,id,x,y,place_x,place_y`, one line per character and step; the place is empty for unmatched
-/// characters.
+/// Writes `t,id,x,y,place_x,place_y,group,heading,motion,goal`, one line per character and step: the place is
+/// empty for unmatched characters, `group` is the id of the group, `heading` in radians, `motion` an index
+/// into the world's clips, `goal` the id of the exit or waiting area that it goes to, 0 for none.
 class TrajectoryWriter {
 public:
     /// Creates the file and writes the header. Fails with IoError.

@@ -10,6 +10,8 @@ void addPeersCommand(CommandLine& line);
 void addMotionCommand(CommandLine& line);
 void addReproduceCommand(CommandLine& line);
 void addSweepCommand(CommandLine& line);
+void addVerifyCommand(CommandLine& line);
+void addMeasureCommand(CommandLine& line);
 /// Those of `muster study` that need no person: models, report, export.
 void addStudyCommands(CommandLine& line);
 

@@ -10,6 +10,8 @@ void addCommands(muster::CommandLine& line) {
     muster::addMotionCommand(line);
     muster::addReproduceCommand(line);
     muster::addSweepCommand(line);
+    muster::addVerifyCommand(line);
+    muster::addMeasureCommand(line);
     muster::addStudyCommands(line);
 }
 

@@ -235,10 +235,10 @@ void addPeersCommand(CommandLine& line) {
                    "plan is exact.");
     options->overrides.addTo(command);
     command.option("--threads", options->threads, "Threads; 0 takes what the machine has.").range(0, 256);
-    command.option(
-        "--trajectory", options->trajectory,
-        "Writes t,id,x,y,place_x,place_y for every step into this CSV file; where several scenes run, "
-        "each into a file of its own, whose name ends with that of the scene.");
+    command.option("--trajectory", options->trajectory,
+                   "Writes t,id,x,y,place_x,place_y,group,heading,motion,goal for every step into this CSV "
+                   "file; where several scenes run, "
+                   "each into a file of its own, whose name ends with that of the scene.");
     command.flag(
         "--inertia", options->inertia,
         "With Muster's own inertia; else velocities change at once, as those of other engines' agents do.");

@@ -64,8 +64,9 @@ void addPlayCommand(CommandLine& line) {
                 "Threads; 0 takes what the machine has. Results are the same.")
         .range(0, 256);
     command.option("--take", options->run.takePath, "Records a take into this file.");
-    command.option("--trajectory", options->run.trajectoryPath,
-                   "Writes t,id,x,y,place_x,place_y for every step into this CSV file.");
+    command.option(
+        "--trajectory", options->run.trajectoryPath,
+        "Writes t,id,x,y,place_x,place_y,group,heading,motion,goal for every step into this CSV file.");
     command.flag("--json", options->json, "One JSON value on standard output.");
     command.footer(
         "Examples:\n"

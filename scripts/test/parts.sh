@@ -2,8 +2,8 @@
 # The parts of ./test: what each needs, and how it is run. Sourced, not run.
 
 # What a push needs, in the order in which it is run; parts that a release needs on top are named by ./test --help.
-push_parts=(cpp hashes style wasm paper export python server web browser player javascript site consumer)
-known_parts=(style cpp sanitize hashes wasm javascript site consumer python paper export player blender server web browser firefox)
+push_parts=(cpp hashes style wasm paper verify export python server web browser player javascript site consumer)
+known_parts=(style cpp sanitize hashes wasm javascript site consumer python paper verify export player blender server web browser firefox)
 
 # needs PART: the Debian packages that only this part needs.
 needs() {
@@ -24,7 +24,7 @@ uses() {
     case "$1" in
         cpp) test_programs ;;
         hashes | export | blender | server | python) echo muster_program ;;
-        paper) echo muster_program muster_lab ;;
+        paper | verify) echo muster_program muster_lab ;;
         wasm) echo scenario_hashes wasm:scenario_hashes ;;
         consumer) echo muster_everything page ;;
         browser | firefox) echo muster_program page ;;
@@ -46,7 +46,7 @@ test_programs() {
 
 # chosen SUITE: whether this run has it. The answer that matters leaves out what tests programs.
 chosen() {
-    [ "$quick" = no ] || [[ " cli reproduce bench muster " != *" $1 "* ]] || return 1
+    [ "$quick" = no ] || [[ " cli reproduce verify bench muster " != *" $1 "* ]] || return 1
     [ ${#suites[@]} -eq 0 ] || [[ " ${suites[*]} " == *" $1 "* ]]
 }
 
@@ -84,6 +84,7 @@ run_part() {
         consumer) run_counting consumer bash tests/consumer/run.sh "${header_options[@]}" ;;
         python) run_counting python bash tests/python/run.sh "$program" ;;
         paper) run_counting paper bash tests/lab/reproduce/run.sh "$program" "${all_options[@]}" ;;
+        verify) run_counting verify bash tests/lab/verify/run.sh "$program" "${all_options[@]}" ;;
         export) needed "the page's packages" install_page_packages && run_counting export bash tests/files/export/run.sh "$program" ;;
         player) run_counting player bash tests/player/run.sh "$program" ;;
         blender) run_counting blender bash scripts/blender/check.sh "$program" ;;

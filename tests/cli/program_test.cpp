@@ -15,8 +15,9 @@ using Json = nlohmann::json;
 
 namespace {
 
-const std::vector<std::string> kCommands = {"studio", "play",   "replay", "check",     "import", "picture",
-                                            "peers",  "motion", "export", "reproduce", "sweep"};
+const std::vector<std::string> kCommands = {"studio",  "play",   "replay", "check",  "import",
+                                            "picture", "peers",  "motion", "export", "reproduce",
+                                            "sweep",   "verify", "measure"};
 
 const char* kSmall = R"({"format":"muster-scenario","version":1,"box":[[-6,-5],[6,5]],"cell":0.5,
     "obstacles":[{"polygon":[[0,-1],[0.5,-1],[0.5,1],[0,1]]}],
@@ -180,7 +181,7 @@ TEST_CASE("play reports every result by name, records a take that replays, and w
     CHECK(runProgram("replay '" + path("a.take") + "'").out.find("reproduced") == 0);
 
     const std::string csv = slurp(path("a.csv"));
-    CHECK(csv.rfind("t,id,x,y,place_x,place_y\n0,1,", 0) == 0);
+    CHECK(csv.rfind("t,id,x,y,place_x,place_y,group,heading,motion,goal\n0,1,", 0) == 0);
     CHECK(std::count(csv.begin(), csv.end(), '\n') == 1 + 9 * 481);
 }
 
@@ -303,8 +304,11 @@ TEST_CASE("peers runs scenes with explicit starts and slots") {
     CHECK(list[1]["arrived100_s"].get<double>() < 2.0);
     // One file per scene; for a single scene the file itself.
     CHECK(!std::filesystem::exists(path("peers.csv")));
-    CHECK(slurp(path("peers-A.csv")).rfind("t,id,x,y,place_x,place_y\n0,1,0,0.4,", 0) == 0);
-    CHECK(slurp(path("peers-B.csv")).rfind("t,id,x,y,place_x,place_y\n0,1,0,0,", 0) == 0);
+    CHECK(slurp(path("peers-A.csv"))
+              .rfind("t,id,x,y,place_x,place_y,group,heading,motion,goal\n0,1,0,0.4,", 0) == 0);
+    CHECK(
+        slurp(path("peers-B.csv")).rfind("t,id,x,y,place_x,place_y,group,heading,motion,goal\n0,1,0,0,", 0) ==
+        0);
     REQUIRE(runProgram("peers '" + scenes + "' --scene B --trajectory '" + path("peers.csv") + "'").code ==
             0);
     CHECK(slurp(path("peers.csv")) == slurp(path("peers-B.csv")));

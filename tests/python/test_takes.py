@@ -86,7 +86,7 @@ def test_trajectories_are_those_of_the_programs_export(recorded, tmp_path, progr
     file, _ = recorded
     text = tmp_path / "native.txt"
     program("export", file, "--format", "pedpy", "--out", text, "--fps", "25")
-    native = pandas.read_csv(text, sep=" ", comment="#", names=["id", "frame", "x", "y", "z"])
+    native = pandas.read_csv(text, sep=" ", comment="#", usecols=[0, 1, 2, 3], names=["id", "frame", "x", "y"])
     native = native.sort_values(["id", "frame"], ignore_index=True)
     ours = muster.Take.load(file).trajectories(fps=25.0)
     assert list(ours.columns) == ["id", "frame", "x", "y"]

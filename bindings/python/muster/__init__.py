@@ -14,7 +14,7 @@ Lengths are metres, times seconds, angles radians counter-clockwise from +x. Fai
 
 from __future__ import annotations
 
-from . import _types, errors, gym, records
+from . import _types, errors, gym, measure, records
 from ._core import (
     JOINT_PARENTS,
     JOINTS,
@@ -85,6 +85,7 @@ __all__ = [
     "LimitExceededError",
     "load_gestures",
     "load_scenario",
+    "measure",
     "NotFoundError",
     "Obstacle",
     "Parameter",

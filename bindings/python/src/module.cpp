@@ -16,6 +16,7 @@ PYBIND11_MODULE(_core, module) {
     defineWorld(module);
     defineScenarios(module);
     defineTakes(module);
+    defineMeasures(module);
     defineFigures(module);
     defineMotion(module);
     module.def("engine_defaults", &engineDefaults,

@@ -45,6 +45,7 @@ void defineCharacters(py::module_& module);
 void defineGroups(py::module_& module);
 void defineScenarios(py::module_& module);
 void defineTakes(py::module_& module);
+void defineMeasures(py::module_& module);
 void defineFigures(py::module_& module);
 void defineMotion(py::module_& module);
 

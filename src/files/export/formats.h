@@ -33,7 +33,8 @@ std::unique_ptr<Exporter> makeGltfExporter(const std::string& path);
 std::unique_ptr<Exporter> makeJointListExporter(const std::string& path);
 
 /// Writes JuPedSim's SQLite format, version 2: trajectories with directions, metadata, and the walkable area
-/// as WKT. The area is written again whenever the static obstacles change; moving obstacles are left out.
+/// as WKT. The area is written again whenever the static obstacles change; moving obstacles are left out. A
+/// table of its own, muster_data, has the id of the group, heading [rad], motion and goal of PersonFacts.
 /// begin() fails with Unsupported where this build has no SQLite.
 std::unique_ptr<Exporter> makeJupedsimExporter(const std::string& path);
 
@@ -41,8 +42,9 @@ std::unique_ptr<Exporter> makeJupedsimExporter(const std::string& path);
 /// Discs have 32 corners. Empty where this build has no SQLite.
 std::string walkableArea(const Environment& environment);
 
-/// Writes the text that PedPy reads: `# framerate: N`, then one line `id frame x y z` per character and
-/// frame, in metres. z is 0, the ground. Frames are numbered from 0.
+/// Writes the text that PedPy reads: `# framerate: N`, then one line `id frame x y z group heading motion
+/// goal` per character and frame, in metres; PedPy reads the first four. z is 0, the ground; heading is in
+/// radians; the others are those of PersonFacts. Frames are numbered from 0.
 std::unique_ptr<Exporter> makePedpyExporter(const std::string& path);
 
 /// Writes one USDA file: for each character a SkelRoot with skeleton, animation and a skinned body, its shirt

@@ -9,6 +9,7 @@
 #include "base/output_file.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
+#include "files/export/person_facts.h"
 #include "files/export/sql_file.h"
 
 namespace muster {
@@ -20,9 +21,14 @@ constexpr const char* kTables =
     " ori_x REAL NOT NULL, ori_y REAL NOT NULL);"
     "CREATE TABLE metadata(key TEXT NOT NULL UNIQUE PRIMARY KEY, value TEXT NOT NULL);"
     "CREATE TABLE geometry(hash INTEGER NOT NULL UNIQUE PRIMARY KEY, wkt TEXT NOT NULL);"
-    "CREATE TABLE frame_data(frame INTEGER NOT NULL UNIQUE PRIMARY KEY, geometry_hash INTEGER NOT NULL);";
+    "CREATE TABLE frame_data(frame INTEGER NOT NULL UNIQUE PRIMARY KEY, geometry_hash INTEGER NOT NULL);"
+    // Of Muster alone: JuPedSim and PedPy do not look at it.
+    "CREATE TABLE muster_data(frame INTEGER NOT NULL, id INTEGER NOT NULL, group_id INTEGER NOT NULL, "
+    "heading "
+    "REAL NOT NULL, motion INTEGER NOT NULL, goal INTEGER NOT NULL);";
 constexpr const char* kAddFrame = "INSERT INTO frame_data VALUES(?, ?)";
 constexpr const char* kAddCharacter = "INSERT INTO trajectory_data VALUES(?, ?, ?, ?, ?, ?)";
+constexpr const char* kAddFacts = "INSERT INTO muster_data VALUES(?, ?, ?, ?, ?, ?)";
 constexpr const char* kAddMetadata = "INSERT INTO metadata VALUES(?, ?)";
 constexpr const char* kAddArea = "INSERT OR IGNORE INTO geometry VALUES(?, ?)";
 
@@ -51,10 +57,14 @@ public:
         std::int64_t area = 0;
         if (!addArea(inspect::environment(*frame.world), area) || !insert(kAddFrame, number, area))
             return failed();
+        PersonFactsReader reader(frame);
         for (const ExportCharacter& c : frame.characters) {
             const double yaw = c.yaw;
-            if (!insert(kAddCharacter, number, static_cast<std::int64_t>(c.id), c.position.x, c.position.y,
-                        cosine(yaw), sine(yaw)))
+            const auto id = static_cast<std::int64_t>(c.id);
+            const PersonFacts facts = reader.of(c.id);
+            if (!insert(kAddCharacter, number, id, c.position.x, c.position.y, cosine(yaw), sine(yaw)) ||
+                !insert(kAddFacts, number, id, std::int64_t{facts.group}, yaw, std::int64_t{facts.motion},
+                        std::int64_t{facts.goal}))
                 return failed();
         }
         return {};

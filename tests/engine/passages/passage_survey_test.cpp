@@ -15,7 +15,7 @@ namespace {
 SurveyState order(double people) {
     SurveyState state;
     state.phase = SurveyPhase::Search;
-    state.orders = {{{-10, 0}, {10, 0}, people, 2.0, 2}};
+    state.orders = {{{-10, 0}, {10, 0}, people, 2.0, 4.5, 2}};
     state.crowd = {{-9, 2}, {-12, -1}};
     return state;
 }

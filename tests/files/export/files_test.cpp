@@ -46,9 +46,15 @@ TEST_CASE("text for PedPy holds every character in every frame") {
         for (const ExportCharacter& c : frame.characters) {
             std::uint32_t id = 0;
             std::size_t number = 0;
-            double x = 0.0, y = 0.0, z = 1.0;
-            file >> id >> number >> x >> y >> z;
+            double x = 0.0, y = 0.0, z = 1.0, heading = 9.0;
+            std::uint32_t group = 0, goal = 9;
+            int motion = -1;
+            file >> id >> number >> x >> y >> z >> group >> heading >> motion >> goal;
             REQUIRE(file.good());
+            CHECK(group >= 1);
+            CHECK(heading == doctest::Approx(c.yaw).epsilon(1e-3));
+            CHECK(motion >= 0);
+            CHECK(goal == 0);
             CHECK(id == c.id);
             CHECK(number == frame.index);
             CHECK(x == doctest::Approx(c.position.x).epsilon(1e-6));
@@ -162,6 +168,10 @@ TEST_CASE("JuPedSim's file holds trajectories, directions, metadata and the area
           std::vector<std::string>{"51|0|50"});
     CHECK(query(path, "SELECT count(*) FROM frame_data JOIN geometry ON geometry_hash = hash") ==
           std::vector<std::string>{"51"});
+    CHECK(
+        query(path,
+              "SELECT count(*), min(group_id), min(motion), max(goal) FROM muster_data WHERE motion >= 0") ==
+        std::vector<std::string>{"459|1|0|0"});
     const auto areas = query(path, "SELECT wkt FROM geometry");
     REQUIRE(areas.size() == 1);
     CHECK(areas[0].rfind("POLYGON((", 0) == 0);

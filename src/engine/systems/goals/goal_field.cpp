@@ -131,7 +131,8 @@ void GoalField::solveHeading(const StaticGround& ground, const UnitCost& unitCos
 // coarea formula).
 void GoalField::measureWidths() {
     const Grid& grid = field_.grid();
-    std::vector<double> area;
+    std::vector<double>& area = area_;
+    area.clear();
     for (std::int32_t y = 0; y < grid.height; ++y)
         for (std::int32_t x = 0; x < grid.width; ++x) {
             const float cost = field_.value({x, y});

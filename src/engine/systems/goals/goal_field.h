@@ -62,6 +62,7 @@ private:
     Vec2 heading_;  // Null for an area.
     bool ring_ = false;
     std::vector<FieldSeed> seeds_;
+    std::vector<double> area_;  // By cost [m^2].
     std::vector<float> width_;  // Least length of the front up to each multiple of kBin [m].
 };
 

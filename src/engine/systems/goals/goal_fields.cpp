@@ -4,8 +4,15 @@
 
 #include "base/maths.h"
 #include "engine/fields/cost/ground_level.h"
+#include "engine/systems/events/standstill.h"
 
 namespace muster {
+namespace {
+
+constexpr double kFrozenFor = 1.0;           // Time for which fields through the crowd serve [s].
+constexpr std::int32_t kMostCells = 250'000;  // Of ground on which they are solved.
+
+}  // namespace
 
 void GoalFields::begin(const WorldState& state, PlanCosts& costs) {
     state_ = &state;
@@ -24,8 +31,8 @@ const UnitCost& GoalFields::unitCost(std::int32_t groundClass) {
 }
 
 template <class Solve>
-const GoalField& GoalFields::find(const Key& key, const std::vector<Vec2>& shape, const Solve& solve) {
-    const std::uint32_t version = ground(key.groundClass).version();
+const GoalField& GoalFields::find(const Key& key, const std::vector<Vec2>& shape, std::uint32_t version,
+                                  const Solve& solve) {
     auto at = std::find_if(entries_.begin(), entries_.end(),
                            [&](const Entry& entry) { return entry.key == key; });
     if (at != entries_.end() && at->version == version && at->shape == shape) return *at->field;
@@ -47,20 +54,54 @@ const GoalField& GoalFields::solved(const Key& key) const {
 
 const GoalField& GoalFields::toArea(const Area& area, std::int32_t groundClass) {
     const std::vector<Vec2>& polygon = area.def.polygon;
-    return find({Kind::Area, area.id.value, 0.0, groundClass}, polygon, [&](GoalField& field) {
+    const Key key{Kind::Area, area.id.value, 0.0, groundClass};
+    return find(key, polygon, ground(groundClass).version(), [&](GoalField& field) {
         field.solve(ground(groundClass), unitCost(groundClass), polygon, solver_);
+    });
+}
+
+void GoalFields::freezeCrowd(WorldState& state, std::span<const std::int32_t> classes) {
+    Continuum& continuum = state.continuum;
+    const auto isFrozen = [&](std::int32_t wanted) { return crowdOf(wanted) != nullptr; };
+    const bool small = state.environment.grid().count() <= kMostCells;
+    if (!small || classes.empty()) return continuum.crowd.clear();
+    const bool fresh = continuum.crowdEdits == state.groundEdits &&
+                       state.stepCount - continuum.crowdAt < stepsIn(state, kFrozenFor) &&
+                       std::all_of(classes.begin(), classes.end(), isFrozen);
+    if (fresh) return;
+    continuum.crowd.resize(classes.size());
+    for (std::size_t k = 0; k < classes.size(); ++k)
+        continuum.crowd[k] = {classes[k], costs_->ofClass(classes[k]).unitCost()};
+    continuum.crowdAt = state.stepCount;
+    continuum.crowdEdits = state.groundEdits;
+}
+
+const UnitCost* GoalFields::crowdOf(std::int32_t groundClass) const {
+    for (const FrozenCost& frozen : state_->continuum.crowd)
+        if (frozen.groundClass == groundClass) return &frozen.cost;
+    return nullptr;
+}
+
+const GoalField& GoalFields::throughCrowd(const Area& area, std::int32_t groundClass) {
+    const UnitCost* const crowd = crowdOf(groundClass);
+    if (crowd == nullptr) return toArea(area, groundClass);
+    const Key key{Kind::Crowd, area.id.value, 0.0, groundClass};
+    return find(key, area.def.polygon, state_->continuum.crowdAt, [&](GoalField& field) {
+        field.solve(ground(groundClass), *crowd, area.def.polygon, solver_);
     });
 }
 
 const GoalField& GoalFields::toQueue(const Area& area, std::int32_t groundClass) {
     const std::vector<Vec2>& line = area.def.queue;
-    return find({Kind::Queue, area.id.value, 0.0, groundClass}, line, [&](GoalField& field) {
+    const Key key{Kind::Queue, area.id.value, 0.0, groundClass};
+    return find(key, line, ground(groundClass).version(), [&](GoalField& field) {
         field.solveToLine(ground(groundClass), unitCost(groundClass), line, solver_);
     });
 }
 
 const GoalField& GoalFields::towards(double heading, std::int32_t groundClass) {
-    return find({Kind::Heading, 0, heading, groundClass}, {}, [&](GoalField& field) {
+    const Key key{Kind::Heading, 0, heading, groundClass};
+    return find(key, {}, ground(groundClass).version(), [&](GoalField& field) {
         field.solveHeading(ground(groundClass), unitCost(groundClass), {cosine(heading), sine(heading)},
                            state_->environment.def().ring, solver_);
     });

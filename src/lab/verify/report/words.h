@@ -1,0 +1,19 @@
+// Words and drawings of the report.
+#pragma once
+
+#include <string>
+
+#include "lab/verify/verify.h"
+
+namespace muster {
+
+/// "26 to 34 s", "at most 1.33 /s", "-" for a value that is only shown.
+std::string limitsText(const VerifyCheck& check);
+/// "30.1 s"; "no value".
+std::string valueText(const VerifyCheck& check);
+/// What decides a row, in one line: the first check that fails, else the first one.
+std::string decisiveText(const RowResult& row);
+/// The plot as SVG, with class `chart` of the page's style.
+std::string plotSvg(const VerifyPlot& plot);
+
+}  // namespace muster

@@ -1,0 +1,55 @@
+// Judges that several tests share.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "lab/verify/row.h"
+#include "lab/verify/rows/references.h"
+
+namespace muster {
+
+using JudgeRow = std::function<void(const VerifySamples&, RowReport&)>;
+
+/// The time over 40 m from rest, between two limits.
+JudgeRow judgeFromRest(const std::string& variant, double low, double high);
+/// The mean speed over the measured length, within 5 % of the one that was set [own].
+JudgeRow judgeSpeed(const std::string& variant, double length, double speed);
+/// Everybody sets out within half a second of the assigned time [own].
+JudgeRow judgeStarts();
+/// First movements of all seeds fit each distribution: Kolmogorov and Smirnov, p above 0.05 [own].
+JudgeRow judgeStartDistributions(const std::vector<std::pair<std::string, Distribution>>& spreads);
+/// All 20 are round the corner and nobody was in a wall by more than a millimetre.
+JudgeRow judgeCorner(const std::string& variant);
+/// Free speeds fit a distribution; mean and deviation where they are given.
+JudgeRow judgeSpeeds(const std::string& variant, const Distribution& spread, bool meanAndDeviation);
+/// The time of the last one to cross rises from each case to the next.
+JudgeRow judgeCounterflow();
+/// Two doors take about twice as long as four [own: 1.6 to 2.4].
+JudgeRow judgePublicRoom();
+/// 15 leave by the main exit, 8 by the second one, as assigned.
+JudgeRow judgeCabins();
+/// The flow over the whole period is at most 1.33 /s with the exit's rate; what emerges without is shown.
+JudgeRow judgeExitFlow();
+/// A jam at the door of the room, another at the foot of the stairs, less between.
+JudgeRow judgeStairJam(const std::string& variant, bool grows);
+/// The first group is out within 10 s.
+JudgeRow judgeGroups(const std::string& variant);
+/// With the slow one it takes longer.
+JudgeRow judgeSlowOne();
+/// The share of the second exit rises with a third person who takes it.
+JudgeRow judgeSocial();
+/// Without a preference both exits are used alike [own: by 20 % of seeds], with it the preferred one wins.
+JudgeRow judgeAffiliation();
+/// The one whose exit is shut leaves by the other.
+JudgeRow judgeDynamicExit();
+
+/// A row that cannot be run.
+RowDef missingRow(const std::string& suite, const std::string& number, const std::string& title,
+                  const std::string& expected, const std::string& why);
+/// A plot of N-t curves of the first seed of some variants.
+VerifyPlot curvesPlot(const VerifySamples& samples, const std::vector<std::string>& variants,
+                      const std::string& curve, const std::string& title);
+
+}  // namespace muster
