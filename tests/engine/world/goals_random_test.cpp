@@ -24,6 +24,8 @@ WorldDef rooms(std::uint64_t seed) {
     Random random(seed);
     WorldDef def;
     if (random.below(2) == 0) def.parameters = *parameterPreset("people");
+    if (seed % 4 == 0) def.parameters.plan.solver = PlanSolver::Exact;
+    if (seed % 5 == 0) def.parameters.plan.mode = PlanMode::Fixed;
     def.seed = seed;
     def.box = {{0, 0}, {30, 16}};
     def.obstacles = {block(14, 0, 14.5, 6), block(14, 8, 14.5, 16), tree({6, 8}, 0.5)};

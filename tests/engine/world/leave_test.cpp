@@ -84,7 +84,9 @@ TEST_CASE("one person leaves after the time of its way, and its group ends") {
 }
 
 TEST_CASE("a crowd in a straight hall walks parallel to the walls over its whole width") {
-    World world = World::create(hall(crowd({{2, 1}, {10, 9}}, 1.0))).value();
+    WorldDef def = hall(crowd({{2, 1}, {10, 9}}, 1.0));
+    def.groups[0].orders[0].choice = ExitChoice::Nearest;  // Nobody goes round others then.
+    World world = World::create(def).value();
     const std::vector<Vec2> before = copyOf(world.characters().position);
     const std::vector<std::uint32_t> ids = copyOf(world.characters().id);
     for (int s = 0; s < 900; ++s) world.step();
@@ -240,4 +242,23 @@ TEST_CASE("nothing is allocated while people walk to exits, and the outcome is t
         if (s % 50 == 0) REQUIRE(one.hash() == many.hash());
     }
     REQUIRE(one.hash() == many.hash());
+}
+
+TEST_CASE("a thin wall before an exit is gone round, and an exit thinner than a cell is found") {
+    WorldDef def = hall(crowd({{10, 2}, {14, 8}}, 1.0));
+    def.obstacles = {block(20, 0, 20.05, 8.8)};
+    def.areas = {exitAt(20.3, 1, 20.38, 8)};
+    World world = World::create(def).value();
+    const auto count = static_cast<std::uint32_t>(world.characters().size());
+    for (int s = 0; s < 3600 && world.characters().size() > 0; ++s) {
+        const std::vector<Vec2> before = copyOf(world.characters().position);
+        const std::vector<std::uint32_t> ids = copyOf(world.characters().id);
+        world.step();
+        const CharactersView c = world.characters();
+        for (std::size_t i = 0; i < c.size(); ++i) {
+            const auto k = std::find(ids.begin(), ids.end(), c.id[i]) - ids.begin();
+            if (before[k].x < 20.0 && c.position[i].x >= 20.0) CHECK(c.position[i].y > 8.7);
+        }
+    }
+    CHECK(world.area(0).count.passed == count);
 }
