@@ -120,7 +120,7 @@ TEST_CASE("orders are made one after the other, each with the passages of those 
     const Environment doors = walledFloor({{-12, -10}, {-0.6, 0.6}, {6, 11}});
     const StaticGround ground = groundOf(doors);
     SurveyState state = order(200.0);
-    state.orders.push_back({{-10, 3}, {10, 3}, 200.0, 2.0, 1});
+    state.orders.push_back({{-10, 3}, {10, 3}, 200.0, 2.0, 4.5, 1});
     state.crowd.push_back({-9, 3});
     const SurveyState both = surveyed(doors, ground, state, 1 << 20);
     CHECK(both.orders.empty());

@@ -49,6 +49,27 @@ TEST_CASE("60 steps of a standing crowd of several bodies, stances and drivers a
     CHECK(allocationsOf(world) == 0);
 }
 
+TEST_CASE("60 steps of people on their way to exits, and of those who wait and walk, allocate nothing") {
+    WorldDef def = openFloor(36);
+    def.box = {{-60, -12}, {60, 12}};
+    AreaDef exit;
+    exit.polygon = {{58, -4}, {60, -4}, {60, 4}, {58, 4}};
+    def.areas = {exit, exit, exit};
+    for (Vec2& p : def.areas[1].polygon) p.x = -p.x;
+    std::reverse(def.areas[1].polygon.begin(), def.areas[1].polygon.end());
+    def.areas[2].kind = AreaKind::Waiting;
+    for (Vec2& p : def.areas[2].polygon) p.x -= 10.0;
+    def.groups.resize(3, def.groups[0]);
+    def.groups[1].position = {-20, 0};
+    def.groups[2].position = {20, 0};
+    def.groups[0].orders = {Order::leave()};
+    def.groups[0].orders[0].herding = 1.0;
+    def.groups[1].orders = {Order::walk(1.0)};
+    def.groups[2].orders = {Order::wait(AreaId{3})};
+    World world = World::create(def).value();
+    CHECK(allocationsOf(world) == 0);
+}
+
 TEST_CASE("60 steps of two formations that keep clear of each other allocate nothing") {
     WorldDef def = openFloor(16);
     def.box = {{-40, -20}, {40, 20}};

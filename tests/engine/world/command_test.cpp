@@ -15,6 +15,12 @@ namespace {
 
 /// One good command of every kind.
 std::vector<Command> everyCommand() {
+    AreaDef source;
+    source.name = "Gate";
+    source.kind = AreaKind::Source;
+    source.polygon = {{0, 0}, {2, 0}, {2, 2}};
+    source.rate = 0.5;
+    source.timetable = {{1.0, 3}, {2.0, 4}};
     FormationDef outline;
     outline.kind = FormationKind::Outline;
     outline.outline.outline = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
@@ -92,7 +98,9 @@ std::vector<Command> everyCommand() {
         PlaceGroup{GroupId{1}, {1, 2}, 0.3},
         NameGroup{GroupId{1}, "Guests"},
         ColourGroup{GroupId{1}, 0x1D5FD1},
-        SetAppearance{GroupId{1}, BodyBuild::Narrow, MotionSet::March}};
+        SetAppearance{GroupId{1}, BodyBuild::Narrow, MotionSet::March},
+        PutArea{AreaId{2}, source, GroupId{1}},
+        RemoveArea{AreaId{2}}};
     std::vector<Command> commands;
     for (const CommandBody& body : bodies) {
         const auto n = static_cast<std::uint32_t>(commands.size());
@@ -109,14 +117,10 @@ std::vector<std::uint8_t> bytesOf(const Command& command) {
 
 }  // namespace
 
-TEST_CASE("the bytes that are hashed of a group without a colour are those of version 4") {
+TEST_CASE("what a group may have and has not is not hashed") {
     Command command{5, 1, 0, AddGroup{}};
     Writer hashed(true);
     encodeCommand(hashed, command);
-    Reader reader(hashed.bytes(), 4);
-    const auto read = decodeCommand(reader);
-    REQUIRE_MESSAGE(read.ok(), read.status().message());
-    CHECK(reader.remaining() == 0);
     CHECK(bytesOf(command).size() == hashed.bytes().size() + 3);
     GroupDef& group = std::get<AddGroup>(command.body).group;
     group.colour = 0;

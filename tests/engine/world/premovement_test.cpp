@@ -40,7 +40,7 @@ std::vector<std::uint32_t> firstMoves(Played& played, double seconds) {
     return moved;
 }
 
-int startEventsOf(const World& world, EventKind kind) {
+int raisedOf(const World& world, EventKind kind) {
     return static_cast<int>(std::count_if(world.events().begin(), world.events().end(),
                                           [&](const Event& event) { return event.kind == kind; }));
 }
@@ -114,9 +114,9 @@ TEST_CASE("who stands before its time is over is not stuck, does not hold up its
     double doneAt = 0.0;
     for (int s = 0; s < 60 * 60; ++s) {
         played.run(1.0 / 60.0);
-        stuck += startEventsOf(played.world, EventKind::Stuck);
-        arrived += startEventsOf(played.world, EventKind::Arrived);
-        const int now = startEventsOf(played.world, EventKind::OrderDone);
+        stuck += raisedOf(played.world, EventKind::Stuck);
+        arrived += raisedOf(played.world, EventKind::Arrived);
+        const int now = raisedOf(played.world, EventKind::OrderDone);
         if (now > 0) doneAt = played.world.time();
         done += now;
         if (played.world.time() < 39.9 && played.world.time() > 15.0) {
@@ -145,8 +145,8 @@ TEST_CASE("nobody counts as stuck while all stand yet, and the order goes on") {
         int done = 0, stuck = 0;
         for (int s = 0; s < 25 * 60; ++s) {
             played.run(1.0 / 60.0);
-            done += startEventsOf(played.world, EventKind::OrderDone);
-            stuck += startEventsOf(played.world, EventKind::Stuck);
+            done += raisedOf(played.world, EventKind::OrderDone);
+            stuck += raisedOf(played.world, EventKind::Stuck);
         }
         CHECK(done == 0);
         CHECK(stuck == 0);

@@ -50,13 +50,13 @@ std::int32_t ExitChooser::classIndex(std::int32_t groundClass) const {
 
 const Area* ExitChooser::areaOf(const Characters& characters, std::size_t i) const {
     const std::int32_t exit = indexOf(characters.goal[i]);
-    return exit >= 0 ? exits_[exit].area : nullptr;
+    return exit >= 0 ? exits_[exit] : nullptr;
 }
 
 const GoalField* ExitChooser::fieldOf(const Characters& characters, std::size_t i,
                                       std::span<const std::int32_t> groundClasses) const {
     const std::int32_t exit = indexOf(characters.goal[i]);
-    return exit >= 0 ? exits_[exit].fields[classIndex(groundClasses[i])] : nullptr;
+    return exit >= 0 ? &fieldTo(exit, classIndex(groundClasses[i])) : nullptr;
 }
 
 // Who has not set out yet comes so much later.
@@ -77,6 +77,7 @@ void ExitChooser::listExits(WorldState& state, GoalFields& fields, std::span<con
     std::sort(classes_.begin(), classes_.end());
     classes_.erase(std::unique(classes_.begin(), classes_.end()), classes_.end());
     exits_.clear();
+    fields_.clear();
     ids_.clear();
     for (Area& area : state.areas) {
         if (area.def.kind != AreaKind::Exit || !area.def.open) continue;
@@ -85,10 +86,8 @@ void ExitChooser::listExits(WorldState& state, GoalFields& fields, std::span<con
             return exits.empty() || std::find(exits.begin(), exits.end(), area.id) != exits.end();
         });
         if (!named) continue;
-        Exit exit{&area, {}};
-        for (const std::int32_t groundClass : classes_)
-            exit.fields.push_back(&fields.toArea(area, groundClass));
-        exits_.push_back(std::move(exit));
+        for (const std::int32_t groundClass : classes_) fields_.push_back(&fields.toArea(area, groundClass));
+        exits_.push_back(&area);
         ids_.push_back(area.id.value);
     }
 }
@@ -128,8 +127,8 @@ void ExitChooser::serve(WorldState& state) {
     const double flow = specificFlow(usual);
     const double speed = usual.maxSpeed * (state.parameters.cost.alpha + state.parameters.cost.beta);
     for (std::size_t e = 0; e < exits_.size(); ++e) {
-        Area& area = *exits_[e].area;
-        const GoalField& field = *exits_[e].fields.front();
+        Area& area = *exits_[e];
+        const GoalField& field = fieldTo(static_cast<std::int32_t>(e), 0);
         const auto byWidth = [&](double walk) {
             return flow * (field.width(walk * speed) + 2.0 * usual.radius);
         };
@@ -170,12 +169,11 @@ std::int32_t ExitChooser::best(const WorldState& state, const Leavers& leavers, 
     const std::int32_t groundClass = classIndex(groundClasses[i]);
     std::optional<Herds::Sight> sight;
     if (order.herding > 0.0 && !options_[chooser.leavers].empty())
-        sight.emplace(herds_, exits_.front().fields[groundClass]->ground(), c.position[i], own);
+        sight.emplace(herds_, fieldTo(0, groundClass).ground(), c.position[i], own);
     std::int32_t found = -1;
     double least = kInfiniteCost, ofOwn = kInfiniteCost, ownWalk = 0.0;
     for (const Option& option : options_[chooser.leavers]) {
-        const Exit& exit = exits_[option.exit];
-        const double way = walkTime(state, i, exit.fields[groundClass]->cost(c.position[i]));
+        const double way = walkTime(state, i, fieldTo(option.exit, groundClass).cost(c.position[i]));
         if (!(way < kInfiniteCost)) continue;
         double time = order.choice == ExitChoice::Nearest
                           ? way
@@ -183,7 +181,7 @@ std::int32_t ExitChooser::best(const WorldState& state, const Leavers& leavers, 
         time -= option.attraction;
         if (sight) time -= order.herding * sight->share(static_cast<std::size_t>(option.exit));
         if (order.misjudgement > 0.0)
-            time += order.misjudgement * errorOf(state.seed, c.id[i], exit.area->id.value);
+            time += order.misjudgement * errorOf(state.seed, c.id[i], ids_[option.exit]);
         if (option.exit == own) {
             ofOwn = time;
             ownWalk = way;
@@ -236,8 +234,8 @@ void ExitChooser::run(WorldState& state, GoalFields& fields, std::span<const Lea
         serve(state);
     }
     const double step = state.parameters.stepTime;
-    for (const Exit& exit : exits_) {
-        ExitFlow& flow = exit.area->exit;
+    for (Area* exit : exits_) {
+        ExitFlow& flow = exit->exit;
         const double kept = std::max(0.0, 1.0 - step / kMemory);
         flow.served *= kept;
         flow.queued = flow.queued * kept + (flow.isQueued ? step : 0.0);

@@ -34,11 +34,6 @@ public:
                              std::span<const std::int32_t> groundClasses) const;
 
 private:
-    /// An open exit that somebody may leave by.
-    struct Exit {
-        Area* area = nullptr;
-        std::vector<const GoalField*> fields;  // By index of class.
-    };
     /// An exit as a group sees it.
     struct Option {
         std::int32_t exit = 0;
@@ -57,11 +52,16 @@ private:
     void listChoosers(const WorldState& state, std::span<const Leavers> leavers);
     std::int32_t indexOf(std::uint32_t area) const;
     std::int32_t classIndex(std::int32_t groundClass) const;
+    const GoalField& fieldTo(std::int32_t exit, std::int32_t classIndex) const {
+        return *fields_[static_cast<std::size_t>(exit) * classes_.size() +
+                        static_cast<std::size_t>(classIndex)];
+    }
     std::int32_t best(const WorldState& state, const Leavers& leavers, const Chooser& chooser,
                       std::span<const std::int32_t> groundClasses, double& walk) const;
     double walkTime(const WorldState& state, std::size_t i, double cost) const;
 
-    std::vector<Exit> exits_;                   // In ascending order of areas.
+    std::vector<Area*> exits_;                  // Open ones that somebody may leave by, in ascending order.
+    std::vector<const GoalField*> fields_;      // By exit and index of class.
     std::vector<std::uint32_t> ids_;            // Of their areas.
     std::vector<std::int32_t> classes_;         // Of ground, ascending.
     std::vector<std::vector<Option>> options_;  // By leavers.

@@ -12,7 +12,10 @@ namespace {
 constexpr double kBin = 0.5;      // Of costs by which the width of the way is measured [m].
 constexpr double kClear = 1.05;   // A cost above this times the straight line tells that it is not clear...
 constexpr double kClearBy = 1.0;  // ... and this [cells].
-constexpr double kLooksWithin = 3.0;  // So near an area the line to it is traced [m].
+constexpr double kLooksWithin = 3.0;     // So near an area the line to it is traced [m].
+constexpr double kStraightWithin = 1.0;  // Who is so near an area keeps from nothing [m].
+constexpr double kWallsWithin = 2.5;     // Walls farther away than this are none [m].
+constexpr double kSlopeStep = 0.5;       // From a point to where the clearance is read for its gradient [m].
 constexpr std::int32_t
     kEntryCells = 2;  // Cells beside an area from which it is entered where none lies in it.
 
@@ -176,6 +179,29 @@ GoalWay GoalField::at(Vec2 p) const {
         return {straight, normalized(q - p)};
     if (!(way.cost < kInfiniteCost)) return {kInfiniteCost, {}};
     return {way.cost, way.direction == Vec2{} ? normalized(q - p) : way.direction};
+}
+
+// Moved down the gradient of the clearance, which vanishes half way between two walls.
+Vec2 GoalField::nearerToWalls(Vec2 p, double by) const {
+    if (ground_->uniformClearance(p) > kWallsWithin) return p;
+    const double free = ground_->interpolatedClearance(p);
+    if (free <= 0.0 || free > kWallsWithin) return p;
+    const auto clearance = [&](Vec2 at) {
+        return std::clamp(ground_->interpolatedClearance(at), 0.0, kWallsWithin);
+    };
+    const Vec2 x{kSlopeStep, 0.0}, y{0.0, kSlopeStep};
+    const Vec2 slope{clearance(p + x) - clearance(p - x), clearance(p + y) - clearance(p - y)};
+    return p - slope * (std::min(by, free) / (2.0 * kSlopeStep));
+}
+
+GoalWay GoalField::at(Vec2 p, double aside) const {
+    const GoalWay way = at(p);
+    if (!(aside > 0.0) || way.cost < kStraightWithin || !(way.cost < kInfiniteCost)) return way;
+    const Vec2 q = nearerToWalls(p, aside);
+    if (q == p) return way;
+    const GoalWay beside = at(q);
+    return beside.direction == Vec2{} || !ground_->collisionFree(p, q) ? way
+                                                                       : GoalWay{way.cost, beside.direction};
 }
 
 }  // namespace muster

@@ -34,6 +34,9 @@ public:
 
     /// The way from a point. Straight where the nearest point of the area is in sight, else down the field.
     GoalWay at(Vec2 p) const;
+    /// The same for somebody who keeps by so much farther from walls than it must [m]: its way is that of a
+    /// point which is nearer to them.
+    GoalWay at(Vec2 p, double aside) const;
     /// Only its cost.
     double cost(Vec2 p) const;
     /// The ground for which it was solved.
@@ -47,6 +50,7 @@ private:
     void seedBeside(const UnitCost& unitCost);
     void measureWidths();
     GoalWay along(Vec2 p) const;
+    Vec2 nearerToWalls(Vec2 p, double by) const;
     bool holds(Vec2 p) const;
     Vec2 nearest(Vec2 p) const;
 

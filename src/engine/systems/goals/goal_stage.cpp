@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kFarAway = 5.0;          // Who has a longer way does not look in every step [m]...
 constexpr std::uint32_t kLooksEvery = 4;  // ... but in each of so many.
+constexpr double kMostAside = 0.5;        // [m]
 constexpr double kFieldAhead = 100.0;     // Where somebody heads who goes on along a field [m].
 
 // The order that the members of a group carry out without places; null where they stand.
@@ -22,6 +23,12 @@ const Order* orderOf(const Group& group, const Gathering& gathering) {
     const bool begun = queue.begun && !queue.orders.empty() &&
                        queue.orders.front().order.kind == gathering.kind;
     return begun ? &queue.orders.front().order : nullptr;
+}
+
+// By how much more than it must somebody keeps from walls [m]: evenly spread over all.
+double asideOf(std::uint32_t id) {
+    constexpr std::uint32_t kGolden = 2654435769u;  // 2 to the power 32 by the golden ratio.
+    return kMostAside * (static_cast<double>(id * kGolden) / 4294967296.0);
 }
 
 // Far from its exit a way stays as it is for some steps, unless a command has changed something.
@@ -117,7 +124,7 @@ void GoalStage::leave(WorldState& state, std::span<Vec2> heads, ThreadPool& pool
             const ExitLines::Duty duty = lines_.dutyOf(i);
             if (duty == ExitLines::Duty::Free) {
                 if (keepsWay(state, i)) return follow(state, i, {c.cost[i], c.direction[i]}, heads);
-                return follow(state, i, field->at(c.position[i]), heads);
+                return follow(state, i, field->at(c.position[i], asideOf(c.id[i])), heads);
             }
             const double left = field->cost(c.position[i]);
             const Vec2 spot = lines_.spotOf(i);
