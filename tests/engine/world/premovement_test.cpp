@@ -197,7 +197,7 @@ TEST_CASE("persons leave a room at their own times, as one group, and none who h
     def.box = {{-6, -4}, {6, 4}};
     // RiMEA 5: a room of 8 m by 5 m with an exit of 1 m; one stands in the exit area itself.
     def.obstacles = {block(-4.2, -2.7, 4.2, -2.5), block(-4.2, 2.5, 4.2, 2.7), block(-4.2, -2.5, -4, 2.5),
-                     block(4, -2.5, 4.2, -0.5),    block(4, 0.5, 4.2, 2.5)};
+                     block(4, -2.5, 4.2, -0.5), block(4, 0.5, 4.2, 2.5)};
     AreaDef exit;
     exit.polygon = {{4.3, -0.6}, {5.8, -0.6}, {5.8, 0.6}, {4.3, 0.6}};
     def.areas = {exit};
