@@ -64,6 +64,10 @@ def filled(type_: type) -> object:
     made = type_(**{field.name: value_for(hints[field.name]) for field in dataclasses.fields(type_)})
     if isinstance(made, _types.ObstacleDef):
         made.radius = 0.0  # It has a polygon.
+    if isinstance(made, _types.PeopleDef):
+        made.age = _types.Distribution.constant(42.0)
+    if isinstance(made, _types.AreaDef):
+        made.kind, made.queue = _types.AreaKind.SOURCE, []
     if isinstance(made, _types.SetParameter):
         made.name = "plan.exponent"
         made.value = 1.25

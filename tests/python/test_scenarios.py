@@ -33,7 +33,7 @@ def test_a_scenario_may_be_a_dict_a_path_or_a_definition(scenarios) -> None:
 def test_failures_name_file_and_place(tmp_path) -> None:
     file = tmp_path / "bad.json"
     file.write_text('{"format": "muster-scenario", "version": 1, "groups": [{"count": -1}]}')
-    with pytest.raises(muster.ParseError, match=r"bad.json: \$.groups\[0\].count: found the number 0, expected"):
+    with pytest.raises(muster.ParseError, match=r"bad.json: \$.groups\[0\].count: found the number -1, expected"):
         muster.Scenario.load(file)
     file.write_text("{")
     with pytest.raises(muster.ParseError, match="bad.json"):

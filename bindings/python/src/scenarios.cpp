@@ -141,7 +141,8 @@ void defineParameters(py::module_& module) {
     module.def(
         "parameter_preset", [](const std::string& name) { return toPython(take(parameterPreset(name))); },
         py::arg("name"),
-        "The parameters of a preset, \"units\", \"people\" or \"paper\", as a dict of those that differ from the "
+        "The parameters of a preset, \"units\", \"people\" or \"paper\", as a dict of those that differ from "
+        "the "
         "defaults.\n"
         "Fails with NotFoundError.");
     module.def(

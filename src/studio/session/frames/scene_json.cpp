@@ -137,12 +137,10 @@ Json groups(const World& world, const Place& place) {
         if (view.build) item["build"] = kBuildWords[static_cast<std::size_t>(*view.build)];
         if (view.motions) item["motions"] = kMotionSetWords[static_cast<std::size_t>(*view.motions)];
         if (const PlaceGroupDef* start = place.group(view.id)) {
-            Json begins{{"count", start->def.count},
-                        {"position", point(start->def.position)},
-                        {"angle", start->def.angle},
-                        {"formation", shape(start->def.formation)},
-                        {"body", body(groupBody(world, g))},
-                        {"roles", roles(inspect::groupDef(world, g).roles)}};
+            Json begins{
+                {"count", start->def.count},         {"position", point(start->def.position)},
+                {"angle", start->def.angle},         {"formation", shape(start->def.formation)},
+                {"body", body(groupBody(world, g))}, {"roles", roles(inspect::groupDef(world, g).roles)}};
             if (!start->def.people.empty()) begins["people"] = people(start->def.people);
             item["start"] = std::move(begins);
         }
