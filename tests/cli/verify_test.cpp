@@ -45,7 +45,7 @@ TEST_CASE("verify tells what is missing and what is not known") {
 
 TEST_CASE("measure reads what play writes") {
     const char* march = R"({"format":"muster-scenario","version":1,"box":[[-12,-6],[12,6]],"cell":0.5,
-        "groups":[{"count":9,"position":[-8,0],"orders":[{"kind":"move","target":[8,0]}]}]})";
+        "groups":[{"count":9,"position":[-8,0],"orders":[{"kind":"move","x":8,"y":0}]}]})";
     const std::string csv = path("march.csv");
     REQUIRE(runProgram("play '" + put("march.json", march) + "' --seconds 12 --trajectory " + csv).code == 0);
     const auto found = verified(runProgram(

@@ -239,6 +239,8 @@ TEST_CASE("a take that simulates otherwise is exported from its stored frames, w
             double storedId = 0.0, storedNumber = 0.0, storedX = 0.0, storedY = 0.0;
             frames >> storedId >> storedNumber >> storedX >> storedY >> z;
             REQUIRE(!frames.fail());
+            std::getline(steps, line);
+            std::getline(frames, line);
             CHECK(storedId == id);
             CHECK(storedNumber == number);
             // Frames are stored to the millimetre, and curves lie between them.
