@@ -65,6 +65,8 @@ void Headway::share(NeighbourPair pair, double own, const Tangent& tangent, doub
 // The share of the first of two who meet: the less the one with the right of way gets on, the more the other
 // one takes.
 double Headway::shareOf(NeighbourPair pair, const HeadwayInput& input) const {
+    const bool lowStays = input.claims[pair.low].stays, highStays = input.claims[pair.high].stays;
+    if (lowStays != highStays) return lowStays ? 0.0 : 1.0;  // Who walks goes past who stays.
     if (input.right == nullptr) return bodies_->share(pair.low, pair.high);
     const bool lowFirst = input.right->precedes(pair.low, pair.high);
     const std::int32_t first = lowFirst ? pair.low : pair.high, other = lowFirst ? pair.high : pair.low;

@@ -64,7 +64,6 @@ TEST_CASE("60 steps of people on their way to exits, and of those who wait and w
     def.groups[2].position = {20, 0};
     def.groups[0].orders = {Order::leave()};
     def.groups[0].orders[0].herding = 1.0;
-    def.groups[0].orders[0].choice = ExitChoice::Nearest;
     def.groups[1].orders = {Order::walk(1.0)};
     def.groups[2].orders = {Order::wait(AreaId{3})};
     World world = World::create(def).value();

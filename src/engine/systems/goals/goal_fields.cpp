@@ -70,8 +70,10 @@ void GoalFields::freezeCrowd(WorldState& state, std::span<const std::int32_t> cl
                        std::all_of(classes.begin(), classes.end(), isFrozen);
     if (fresh) return;
     continuum.crowd.resize(classes.size());
-    for (std::size_t k = 0; k < classes.size(); ++k)
-        continuum.crowd[k] = {classes[k], costs_->ofClass(classes[k]).unitCost()};
+    for (std::size_t k = 0; k < classes.size(); ++k) {
+        continuum.crowd[k].groundClass = classes[k];
+        continuum.crowd[k].cost = costs_->ofClass(classes[k]).unitCost();
+    }
     continuum.crowdAt = state.stepCount;
     continuum.crowdEdits = state.groundEdits;
 }
