@@ -158,6 +158,16 @@ int runBattle(const BattleDef& def) {
     return 0;
 }
 
+int runPeople(const PeopleCostDef& def) {
+    const auto rows = measurePeople(def);
+    if (!rows.ok()) {
+        std::fprintf(stderr, "muster-bench: %s\n", rows.status().message().c_str());
+        return 1;
+    }
+    std::printf("%s", peopleText(*rows).c_str());
+    return 0;
+}
+
 }  // namespace
 }  // namespace muster::scale
 
@@ -171,6 +181,7 @@ int main(int argc, char** argv) {
             return options.lead ? runLed(options.ground) : runGround(options.ground.ground);
         if (options.command == "commands") return runCommands(options.commands);
         if (options.command == "battle") return runBattle(options.battle);
+        if (options.command == "people") return runPeople(options.people);
         if (options.command == "rewind") return runRewind(options.rewind);
         return options.command == "orders" ? runOrders(options.orders) : run(options);
     } catch (const std::exception& error) {

@@ -36,8 +36,8 @@ struct AreaDef {
     AreaKind kind = AreaKind::Exit;  ///< What it does.
     Polygon polygon;                 ///< Corners of a simple polygon, convex or not [m].
     bool open = true;                ///< False: nobody leaves or comes here for now.
-    /// For Exit: the most people who leave in a second, 0 to 1000; 0 for as many as come. For Source: how many
-    /// come in a second on average, at random times by the world's seed, 0 to 1000.
+    /// For Exit: the most people who leave in a second, 0 to 1000; 0 for as many as come. For Source: how
+    /// many come in a second on average, at random times by the world's seed, 0 to 1000.
     double rate = 0.0;
     /// For Exit: a line in which people queue, from who is next to the last; empty for a crowd.
     std::vector<Vec2> queue;

@@ -75,8 +75,8 @@ struct Order {
     std::vector<double> attractions;
     /// For Leave: seconds by which an exit counts as nearer if all others nearby choose it, 0 to 1e6.
     double herding = 0.0;
-    /// For Leave: deviation of the error by which each misjudges the time by an exit [s], drawn by the world's
-    /// seed, 0 to 1e6.
+    /// For Leave: deviation of the error by which each misjudges the time by an exit [s], drawn by the
+    /// world's seed, 0 to 1e6.
     double misjudgement = 0.0;
     AreaId area;           ///< For Wait: the waiting area.
     double seconds = 0.0;  ///< For Wait: how long, from when its share has come, 0 to 1e9; 0 for no end.

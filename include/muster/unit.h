@@ -18,8 +18,8 @@ struct Body {
     double supply = 1.0;  ///< Units that it supplies to places (SPEC A1), above 0 and at most 1000.
     std::uint8_t unitClass = 0;  ///< Class, for roles; 0 for none.
     double headway = 0.0;        ///< Time that it keeps from who is ahead [s], 0 or 0.02 to 5.
-    double premovement = 0.0;  ///< Time from its first order until it sets out [s], 0 to 1e7; no parameter.
-    double upstairs = 0.0;  ///< Speed up stairs as a share of that in the open, 0.01 to 1; 0: the stairs'.
+    double premovement = 0.0;    ///< Time from its first order until it sets out [s], 0 to 1e7; no parameter.
+    double upstairs = 0.0;    ///< Speed up stairs as a share of that in the open, 0.01 to 1; 0: the stairs'.
     double downstairs = 0.0;  ///< Speed down stairs as a share of that in the open, 0.01 to 1; 0: theirs.
 
     /// Lets an archive read or write it.

@@ -63,12 +63,13 @@ struct StageTimes {
 
 /// What can be read of a group. Text and spans are valid until the world steps or ends.
 struct GroupView {
-    GroupId id;                                 ///< Unique id; it is not reused after the group is removed.
-    std::string_view name;                      ///< Name for display.
-    std::optional<std::uint32_t> colour;        ///< Chosen colour, 0xRRGGBB; none for the palette's.
-    std::optional<BodyBuild> build;             ///< Build of its drawn bodies; none for both.
-    std::optional<MotionSet> motions;           ///< How it walks and jogs; none for the plain manner.
-    /// Number of characters, and of places but where they go without (Leave, Wait, Walk): then there are none.
+    GroupId id;                           ///< Unique id; it is not reused after the group is removed.
+    std::string_view name;                ///< Name for display.
+    std::optional<std::uint32_t> colour;  ///< Chosen colour, 0xRRGGBB; none for the palette's.
+    std::optional<BodyBuild> build;       ///< Build of its drawn bodies; none for both.
+    std::optional<MotionSet> motions;     ///< How it walks and jogs; none for the plain manner.
+    /// Number of characters, and of places but where they go without (Leave, Wait, Walk): then there are
+    /// none.
     std::int32_t count = 0;
     FormationKind formation{};                  ///< Current shape; World::groupDef has the whole definition.
     std::uint32_t formationVersion = 0;         ///< Increases whenever the mesh is replaced.

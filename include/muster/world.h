@@ -71,10 +71,10 @@ public:
     std::span<const std::uint8_t> collected() const;              ///< Per item: 1 once collected, else 0.
     std::span<const FormationCheckpointDef> checkpoints() const;  ///< All formation checkpoints.
     std::span<const CheckpointId> checkpointIds() const;          ///< Of each checkpoint, ascending.
-    std::size_t areaCount() const;              ///< Number of exits, sources and waiting areas.
-    AreaView area(std::size_t index) const;     ///< Areas are in ascending order of ids.
-    bool ring() const;                          ///< True where the left and the right side are joined.
-    std::span<const GroupId> checkpointGroups() const;            ///< Whom each concerns; none for any group.
+    std::size_t areaCount() const;           ///< Number of exits, sources and waiting areas.
+    AreaView area(std::size_t index) const;  ///< Areas are in ascending order of ids.
+    bool ring() const;                       ///< True where the left and the right side are joined.
+    std::span<const GroupId> checkpointGroups() const;  ///< Whom each concerns; none for any group.
 
     std::span<const Event> events() const;          ///< Events of the last step.
     std::span<const Rejection> rejections() const;  ///< Commands that failed in the last step.

@@ -17,11 +17,11 @@ struct Passage {
     double right = 0.0;  ///< The same to the right [m].
     double pace = 1.0;   ///< Share of the nominal flow that gets through, above 0.
 
-    double width() const { return distance(a, b); }                            ///< Clear width [m].
+    double width() const { return distance(a, b); }  ///< Clear width [m].
     /// Characters a second, where specificFlow() gives `flow` [1/(s m)].
     double capacity(double flow) const { return flow * throughput(); }
     double throughput() const { return width() * speed * pace; }  ///< Clear width at full flow [m].
-    Vec2 middle() const { return 0.5 * (a + b); }                              ///< [m]
+    Vec2 middle() const { return 0.5 * (a + b); }                 ///< [m]
     /// Positive on the left of the line from `a` to `b`, negative on the right.
     double leftOf(Vec2 p) const { return cross(b - a, p - a); }
     /// True on the left; points on the line, within rounding, count as left.

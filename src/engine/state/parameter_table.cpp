@@ -216,8 +216,8 @@ Result<Parameters> parameterPreset(std::string_view name) {
         parameters.plan.period = 1;
         return parameters;
     }
-    return Status(StatusCode::NotFound,
-                  "there is no preset \"" + std::string(name.substr(0, 80)) + "\", expected units, people or paper");
+    return Status(StatusCode::NotFound, "there is no preset \"" + std::string(name.substr(0, 80)) +
+                                            "\", expected units, people or paper");
 }
 
 Status usePreset(Parameters& parameters, std::string_view name) {

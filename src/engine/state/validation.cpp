@@ -10,7 +10,7 @@ namespace muster {
 namespace {
 
 constexpr double kShortestRing = 10.0;  // More than twice as far as steering looks [m].
-constexpr double kMostCells = 16e6;  // Of a grid.
+constexpr double kMostCells = 16e6;     // Of a grid.
 
 Status isShape(const char* what, std::span<const Vec2> corners) {
     if (corners.size() > kMaxCorners) {
@@ -40,8 +40,8 @@ Status validateGround(const WorldDef& def) {
     if (def.seed > 9007199254740991ull) return invalidArgument("seed is above 2^53 - 1");
     if (!(def.box.width() > 0.0 && def.box.height() > 0.0)) return invalidArgument("box is empty");
     if (def.ring && def.box.width() < kShortestRing)
-        return invalidArgument("ring: the box is " + numberText(def.box.width()) + " m wide, expected at least " +
-                               numberText(kShortestRing) + " m");
+        return invalidArgument("ring: the box is " + numberText(def.box.width()) +
+                               " m wide, expected at least " + numberText(kShortestRing) + " m");
     const double cells = std::ceil(def.box.width() / def.cell) * std::ceil(def.box.height() / def.cell);
     if (cells > kMostCells) {
         return {StatusCode::LimitExceeded,

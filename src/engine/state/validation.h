@@ -12,10 +12,10 @@ inline constexpr std::size_t kMaxGroups = 20000;   ///< Of a world; their indice
 inline constexpr std::size_t kMaxOrders = 1000;    ///< In the queue of one group.
 inline constexpr std::size_t kMaxCorners = 10000;  ///< Of one polygon, and waypoints of one path.
 inline constexpr std::size_t
-    kMaxObstacles = 20000;                     ///< Of a scenario; also the limit for patches and for items.
-inline constexpr std::size_t kMaxText = 4096;  ///< Bytes of a name or description.
+    kMaxObstacles = 20000;                      ///< Of a scenario; also the limit for patches and for items.
+inline constexpr std::size_t kMaxText = 4096;   ///< Bytes of a name or description.
 inline constexpr std::size_t kMaxAreas = 1000;  ///< Exits, sources and waiting areas.
-inline constexpr double kMaxCoordinate = 1e6;  ///< Of any position [m].
+inline constexpr double kMaxCoordinate = 1e6;   ///< Of any position [m].
 
 /// InvalidArgument where the spacing, the opening or the shape is bad.
 Status validateFormation(const FormationDef& formation);

@@ -14,14 +14,12 @@ Status isOwn(const char* what, double value, double low, double high) {
 }
 
 Status validateBody(const Body& body) {
-    return first({isOwn("radius", body.radius, kLeastRadius, kMostRadius),
-                  isOwn("maxSpeed", body.maxSpeed, 0.01, 50.0),
-                  isOwn("acceleration", body.acceleration, 0.01, 1000.0),
-                  inRange("mass", body.mass, 0.01, 1000.0), inRange("supply", body.supply, 1e-3, 1000.0),
-                  isOwn("headway", body.headway, 0.02, 5.0),
-                  inRange("premovement", body.premovement, 0.0, 1e7),
-                  isOwn("upstairs", body.upstairs, 0.01, 1.0),
-                  isOwn("downstairs", body.downstairs, 0.01, 1.0)});
+    return first(
+        {isOwn("radius", body.radius, kLeastRadius, kMostRadius),
+         isOwn("maxSpeed", body.maxSpeed, 0.01, 50.0), isOwn("acceleration", body.acceleration, 0.01, 1000.0),
+         inRange("mass", body.mass, 0.01, 1000.0), inRange("supply", body.supply, 1e-3, 1000.0),
+         isOwn("headway", body.headway, 0.02, 5.0), inRange("premovement", body.premovement, 0.0, 1e7),
+         isOwn("upstairs", body.upstairs, 0.01, 1.0), isOwn("downstairs", body.downstairs, 0.01, 1.0)});
 }
 
 // What orders without places name.
@@ -35,8 +33,7 @@ Status validateGoals(const Order& order) {
                                std::to_string(order.exits.size()) + " exits");
     for (const double attraction : order.attractions)
         if (Status s = inRange("attraction", attraction, -1e6, 1e6); !s.ok()) return s;
-    if (order.kind == OrderKind::Wait && !order.area)
-        return invalidArgument("it names no waiting area");
+    if (order.kind == OrderKind::Wait && !order.area) return invalidArgument("it names no waiting area");
     return first({inRange("herding", order.herding, 0.0, 1e6),
                   inRange("misjudgement", order.misjudgement, 0.0, 1e6),
                   inRange("seconds", order.seconds, 0.0, 1e9)});

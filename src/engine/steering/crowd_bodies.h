@@ -67,8 +67,8 @@ public:
     }
     /// The distance in which it brakes from its top speed, as a time at that speed [s].
     double brakingTime(std::size_t i) const { return 0.5 * maxSpeed(i) / acceleration(i); }
-    /// The speed of a stream in which gaps are as long as a radius, by the law of headway: g / (T (1 - k)), at
-    /// most `topSpeed` [m/s]. Who walks as fast gets on.
+    /// The speed of a stream in which gaps are as long as a radius, by the law of headway: g / (T (1 - k)),
+    /// at most `topSpeed` [m/s]. Who walks as fast gets on.
     double crowdedSpeed(std::size_t i, double topSpeed) const {
         const double slower = (1.0 - def_.inStep) * headway(i);
         return slower * topSpeed > radius(i) ? radius(i) / slower : topSpeed;

@@ -75,13 +75,14 @@ double Headway::shareOf(NeighbourPair pair, const HeadwayInput& input) const {
     return lowFirst ? own : 1.0 - own;
 }
 
-// No limit of two is near unless they close their gap while any law looks ahead or, out of step, one of them is
-// too fast for it. Who is is as good as random, so they are noted without a branch.
+// No limit of two is near unless they close their gap while any law looks ahead or, out of step, one of them
+// is too fast for it. Who is is as good as random, so they are noted without a branch.
 std::span<const NeighbourPair> Headway::findMeetings(const Characters& now, const NeighbourList& neighbours,
                                                      std::span<const Vec2> velocity) {
     const CrowdBodies& bodies = *bodies_;
     const std::span<const NeighbourPair> pairs = neighbours.pairs();
-    const double ahead = std::max({bodies.usual().foresight, bodies.longestHeadway(), bodies.longestBraking()}),
+    const double ahead = std::max(
+                     {bodies.usual().foresight, bodies.longestHeadway(), bodies.longestBraking()}),
                  ahead2 = ahead * ahead;
     const double headway = inStep_ < 1.0 ? bodies.longestHeadway() : 0.0, headway2 = headway * headway;
     const std::span<const Vec2> position = now.position;
@@ -110,7 +111,8 @@ std::span<const NeighbourPair> Headway::findMeetings(const Characters& now, cons
 void Headway::meet(NeighbourPair pair, const Apart& two, const HeadwayInput& input,
                    std::span<const Vec2> velocity) {
     const double foresight = bodies_->usual().foresight;
-    const double ahead = std::max({foresight, bodies_->brakingTime(pair.low), bodies_->brakingTime(pair.high)});
+    const double ahead = std::max(
+        {foresight, bodies_->brakingTime(pair.low), bodies_->brakingTime(pair.high)});
     const bool turns = ahead > foresight && getsOn(input.claims[pair.low]) && getsOn(input.claims[pair.high]);
     const Vec2 closing = velocity[pair.low] - velocity[pair.high];
     share(pair, shareOf(pair, input), tangentOf(two, closing, ahead, turns, dt_), ahead, velocity);
@@ -118,8 +120,8 @@ void Headway::meet(NeighbourPair pair, const Apart& two, const HeadwayInput& inp
 
 // Those who go the same way. Out of step the one behind passes the other or keeps behind, and pushes nobody.
 // In step both keep clear, but nobody pushes one ahead that does not get on.
-void Headway::goTogether(const Characters& now, NeighbourPair pair, const Apart& two, const HeadwayInput& input,
-                         std::span<const Vec2> velocity) {
+void Headway::goTogether(const Characters& now, NeighbourPair pair, const Apart& two,
+                         const HeadwayInput& input, std::span<const Vec2> velocity) {
     const std::int32_t a = pair.low, b = pair.high;
     const double topA = std::max(input.topSpeed[a], 1e-9), topB = std::max(input.topSpeed[b], 1e-9);
     const double lead = dot(two.towards, input.wanted[a] / topA + input.wanted[b] / topB);
@@ -155,7 +157,8 @@ void Headway::addPair(const Characters& now, NeighbourPair pair, const HeadwayIn
 }
 
 // Pieces are listed in no certain order: the limits of a character are sorted.
-void Headway::addWalls(const Characters& now, const Environment& environment, std::span<const Vec2> velocity) {
+void Headway::addWalls(const Characters& now, const Environment& environment,
+                       std::span<const Vec2> velocity) {
     const CrowdBodies& bodies = *bodies_;
     nearObstacle_.resize(now.size());
     environment.markNearObstacles(now.position, bodies.largestRadius() + kWallReach, nearObstacle_);

@@ -69,7 +69,8 @@ private:
     void share(NeighbourPair pair, double own, const Tangent& tangent, double ahead,
                std::span<const Vec2> velocity);
     double shareOf(NeighbourPair pair, const HeadwayInput& input) const;
-    void meet(NeighbourPair pair, const Apart& two, const HeadwayInput& input, std::span<const Vec2> velocity);
+    void meet(NeighbourPair pair, const Apart& two, const HeadwayInput& input,
+              std::span<const Vec2> velocity);
     void goTogether(const Characters& now, NeighbourPair pair, const Apart& two, const HeadwayInput& input,
                     std::span<const Vec2> velocity);
     void addPair(const Characters& now, NeighbourPair pair, const HeadwayInput& input,

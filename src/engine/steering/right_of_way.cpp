@@ -86,8 +86,8 @@ bool RightOfWay::count(const ClaimInput& input, const Characters& characters, st
         const auto now = static_cast<float>(dot(characters.velocity[i], along) /
                                             std::max(input.bodies.crowdedSpeed(i, input.topSpeed[i]), 1e-9));
         claim.progress += (now - claim.progress) * share;
-        const bool waits = !getsOn(claim) && !claim.queues && left >= kReached && claim.lends == 0.0f && claim.last == 0.0f &&
-                           !(along == Vec2{});
+        const bool waits = !getsOn(claim) && !claim.queues && left >= kReached && claim.lends == 0.0f &&
+                           claim.last == 0.0f && !(along == Vec2{});
         claim.stuck = waits ? claim.stuck + time : 0.0f;
         any = any || waits || claim.lends > 0.0f;
     }

@@ -87,7 +87,8 @@ struct Walkers {
             wanted[i] = normalized(aim - now.position[i]) * std::min(2.0, 3.0 * left);
             now.cost[i] = left;
         }
-        const bool blocked = right.count({bodies, top, wanted, goal, still, {}, groups, tick, kTick}, now, claims);
+        const bool blocked = right.count({bodies, top, wanted, goal, still, {}, groups, tick, kTick}, now,
+                                         claims);
         neighbours.build(now.position, 1.5);
         rows.build(bodies, now.position, neighbours.pairs());
         if (blocked) right.run(bodies, environment, rows, top, {}, now, claims, wanted);

@@ -45,7 +45,8 @@ Differences forDifferences(const std::vector<Id>& idsA, const std::vector<Entry>
 }
 
 bool sameFrame(const EnvironmentDef& a, const EnvironmentDef& b) {
-    return a.box.min == b.box.min && a.box.max == b.box.max && a.cell == b.cell && a.ring == b.ring && a.clips == b.clips;
+    return a.box.min == b.box.min && a.box.max == b.box.max && a.cell == b.cell && a.ring == b.ring &&
+           a.clips == b.clips;
 }
 
 }  // namespace

@@ -195,10 +195,10 @@ Vec2 GoalField::nearerToWalls(Vec2 p, double by) const {
     return p - slope * (std::min(by, free) / (2.0 * kSlopeStep));
 }
 
-GoalWay GoalField::at(Vec2 p, double aside) const {
+GoalWay GoalField::at(Vec2 p, double wallGap) const {
     const GoalWay way = at(p);
-    if (!(aside > 0.0) || way.cost < kStraightWithin || !(way.cost < kInfiniteCost)) return way;
-    const Vec2 q = nearerToWalls(p, aside);
+    if (!(wallGap > 0.0) || way.cost < kStraightWithin || !(way.cost < kInfiniteCost)) return way;
+    const Vec2 q = nearerToWalls(p, wallGap);
     if (q == p) return way;
     const GoalWay beside = at(q);
     return beside.direction == Vec2{} || !ground_->collisionFree(p, q) ? way

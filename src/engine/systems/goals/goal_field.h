@@ -36,7 +36,7 @@ public:
     GoalWay at(Vec2 p) const;
     /// The same for somebody who keeps by so much farther from walls than it must [m]: its way is that of a
     /// point which is nearer to them.
-    GoalWay at(Vec2 p, double aside) const;
+    GoalWay at(Vec2 p, double wallGap) const;
     /// Only its cost.
     double cost(Vec2 p) const;
     /// The ground for which it was solved.

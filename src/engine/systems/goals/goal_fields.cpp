@@ -9,7 +9,7 @@
 namespace muster {
 namespace {
 
-constexpr double kFrozenFor = 1.0;           // Time for which fields through the crowd serve [s].
+constexpr double kFrozenFor = 1.0;            // Time for which fields through the crowd serve [s].
 constexpr std::int32_t kMostCells = 250'000;  // Of ground on which they are solved.
 
 }  // namespace

@@ -25,8 +25,8 @@ public:
     const GoalField& toArea(const Area& area, std::int32_t groundClass);
     /// Freezes the crowd of this step for those classes of ground where that is due: once a second.
     void freezeCrowd(WorldState& state, std::span<const std::int32_t> classes);
-    /// The field to an area through the frozen crowd, whose density slows (Kretz 2009); on ground of very many
-    /// cells that to the area alone.
+    /// The field to an area through the frozen crowd, whose density slows (Kretz 2009); on ground of very
+    /// many cells that to the area alone.
     const GoalField& throughCrowd(const Area& area, std::int32_t groundClass);
     /// The field to the line in which people queue before an exit.
     const GoalField& toQueue(const Area& area, std::int32_t groundClass);

@@ -26,7 +26,7 @@ const Order* orderOf(const Group& group, const Gathering& gathering) {
 }
 
 // By how much more than it must somebody keeps from walls [m]: evenly spread over all.
-double asideOf(std::uint32_t id) {
+double wallGapOf(std::uint32_t id) {
     constexpr std::uint32_t kGolden = 2654435769u;  // 2 to the power 32 by the golden ratio.
     return kMostAside * (static_cast<double>(id * kGolden) / 4294967296.0);
 }
@@ -143,11 +143,11 @@ void GoalStage::leave(WorldState& state, std::span<Vec2> heads, ThreadPool& pool
             const ExitLines::Duty duty = lines_.dutyOf(i);
             if (duty == ExitLines::Duty::Free) {
                 if (keepsWay(state, i)) return follow(state, i, {c.cost[i], c.direction[i]}, heads);
-                const double aside = asideOf(c.id[i]);
-                GoalWay way = field->at(c.position[i], aside);
+                const double wallGap = wallGapOf(c.id[i]);
+                GoalWay way = field->at(c.position[i], wallGap);
                 if (some.order->choice == ExitChoice::Quickest)
                     way.direction = fields_.solvedCrowd(*choice_.areaOf(c, i), classes_[i])
-                                        .at(c.position[i], aside)
+                                        .at(c.position[i], wallGap)
                                         .direction;
                 return follow(state, i, way, heads);
             }
