@@ -7,6 +7,7 @@
 #include "muster/parameter_table.h"
 #include "muster/world.h"
 #include "scale/meter.h"
+#include "scale/stages.h"
 
 namespace muster::scale {
 namespace {
