@@ -51,7 +51,7 @@ const kRules = [
   [/^tests\/hashes\//, ['hashes', 'wasm', 'javascript', 'python', 'site']],
   [/^tests\/lab\/reproduce\/run\.sh$/, ['paper']],
   [/^tests\/lab\/verify\/run\.sh$/, ['verify']],
-  [/^tests\/lab\/measures\/reference\.py$/, []],
+  [/^tests\/lab\/measures\/reference\.py$/, ['cpp/measures']],
   [/^tests\/files\/export\/[^/]*\.(sh|mjs)$/, ['export']],
   [/^samples\/js_/, ['javascript']],
   [/^samples\/.*\.json$/, null],

@@ -283,7 +283,9 @@ std::vector<RowDef> dataRows() {
         data("4", "Bottlenecks", "Doors of 0.8 to 2.5 m", "Within 20 % of the mean of three measured series",
              "Kretz 2006, Seyfried 2009, EG 2006 (JuPedSim's validation data)"),
         "door", kNecks, 10, 1, judgeNecks));
-    rows.push_back(madeIn(data("5", "Corner", "Corner of 2.4 m width, 0.5 to 3 people/m2",
+    rows.push_back(madeIn(data("5", "Corner",
+                               "Corner of 2.4 m width, 0.5 to 3 people/m2, measured on the 2 m before it "
+                               "(where the data were is not established)",
                                "Speeds by density as measured", "Juelich, corner of 2.4 m"),
                           "narrow corner", kCorners, 10, 1,
                           judgeAgainstBins(kCorners, {"points"}, cornerBins(), "Corner")));
