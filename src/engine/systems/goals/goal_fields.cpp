@@ -9,8 +9,8 @@
 namespace muster {
 namespace {
 
-constexpr double kFrozenFor = 1.0;            // Time for which fields through the crowd serve [s].
-constexpr std::int32_t kMostCells = 250'000;  // Of ground on which they are solved.
+constexpr double kCrowdHolds = 1.0;                // Time for which fields through the crowd serve [s].
+constexpr std::int32_t kMostCrowdCells = 250'000;  // Of ground on which they are solved.
 
 }  // namespace
 
@@ -63,10 +63,10 @@ const GoalField& GoalFields::toArea(const Area& area, std::int32_t groundClass) 
 void GoalFields::freezeCrowd(WorldState& state, std::span<const std::int32_t> classes) {
     Continuum& continuum = state.continuum;
     const auto isFrozen = [&](std::int32_t wanted) { return crowdOf(wanted) != nullptr; };
-    const bool small = state.environment.grid().count() <= kMostCells;
+    const bool small = state.environment.grid().count() <= kMostCrowdCells;
     if (!small || classes.empty()) return continuum.crowd.clear();
     const bool fresh = continuum.crowdEdits == state.groundEdits &&
-                       state.stepCount - continuum.crowdAt < stepsIn(state, kFrozenFor) &&
+                       state.stepCount - continuum.crowdAt < stepsIn(state, kCrowdHolds) &&
                        std::all_of(classes.begin(), classes.end(), isFrozen);
     if (fresh) return;
     continuum.crowd.resize(classes.size());
