@@ -17,7 +17,7 @@ struct Overrides {
 
     /// Adds the options to a command.
     void addTo(Subcommand& command);
-    /// Applies preset, then plan, then settings. A preset sets only the parameters in which presets differ.
+    /// Applies preset, then plan, then settings. A preset sets only what usePreset() does.
     /// Fails naming the option; it also fails where the final parameters contradict each other.
     Status apply(WorldDef& def) const;
 };

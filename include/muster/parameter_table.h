@@ -35,8 +35,8 @@ Status setParameter(Parameters& parameters, std::string_view name, double value)
 /// "people" (pedestrians: each keeps a headway of time and stands closer the slower all are, docs/people.md)
 /// or "paper" (exact plans of exponent 1 and threshold 0 in every step). Fails with NotFound.
 Result<Parameters> parameterPreset(std::string_view name);
-/// Sets the parameters in which presets differ to the values of that preset, and no others. Fails with
-/// NotFound and then changes nothing.
+/// Sets the parameters in which that preset differs from `units`, and those that have the value of another
+/// preset, and no others. Fails with NotFound and then changes nothing.
 Status usePreset(Parameters& parameters, std::string_view name);
 
 }  // namespace muster

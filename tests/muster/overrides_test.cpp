@@ -55,7 +55,11 @@ TEST_CASE("settings come after the plan, the plan after the preset, and a preset
     REQUIRE(Overrides{"exact", "", {"plan.solver=1"}}.apply(def).ok());
     CHECK(def.parameters.plan.solver == PlanSolver::Fast);
     REQUIRE(Overrides{"", "muster", {}}.apply(def).ok());
-    CHECK(differences(def.parameters, Parameters{}) == Names{"character.maxSpeed"});
+    CHECK(differences(def.parameters, Parameters{}) == Names{"plan.exponent", "character.maxSpeed"});
+    REQUIRE(Overrides{"", "people", {}}.apply(def).ok());
+    CHECK(def.parameters.character.maxSpeed == 1.34);
+    REQUIRE(Overrides{"", "units", {}}.apply(def).ok());
+    CHECK(differences(def.parameters, Parameters{}) == Names{"plan.exponent"});
 }
 
 TEST_CASE("what is no setting is refused with the option and the culprit in the sentence") {

@@ -224,10 +224,13 @@ Status usePreset(Parameters& parameters, std::string_view name) {
     const auto preset = parameterPreset(name);
     if (!preset.ok()) return preset.status();
     const Parameters units = *parameterPreset("units");
-    for (const char* other : {"people", "paper"}) {
-        const Parameters others = *parameterPreset(other);
-        for (const ParameterInfo& info : kTable)
-            if (info.get(units) != info.get(others)) info.set(parameters, info.get(*preset));
+    const Parameters others[] = {*parameterPreset("people"), *parameterPreset("paper")};
+    for (const ParameterInfo& info : kTable) {
+        const double now = info.get(parameters), usual = info.get(units), wanted = info.get(*preset);
+        const bool ofOther = std::any_of(std::begin(others), std::end(others), [&](const Parameters& other) {
+            return info.get(other) != usual && info.get(other) == now;
+        });
+        if (wanted != usual || ofOther) info.set(parameters, wanted);
     }
     return {};
 }
