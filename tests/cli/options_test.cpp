@@ -81,11 +81,12 @@ TEST_CASE("a trajectory has a row per character and step, in order, at plausible
                        file + "'")
                 .code == 0);
     const auto rows = table(slurp(file));
-    CHECK(rows[0] == std::vector<std::string>{"t", "id", "x", "y", "place_x", "place_y"});
+    CHECK(rows[0] == std::vector<std::string>{"t", "id", "x", "y", "place_x", "place_y", "group", "heading",
+                                              "motion", "goal"});
     REQUIRE(rows.size() == 1 + 9 * 91);
     std::map<int, std::pair<double, double>> last;
     for (std::size_t i = 1; i < rows.size(); ++i) {
-        REQUIRE(rows[i].size() == 6);
+        REQUIRE(rows[i].size() == 10);
         const int id = std::stoi(rows[i][1]);
         const double x = std::stod(rows[i][2]), y = std::stod(rows[i][3]);
         CHECK(std::stod(rows[i][0]) ==

@@ -110,7 +110,7 @@ export async function templates(studio, server) {
   await openPlaces(studio, 'New place');
   const cards = dialogOf(studio).locator('.place-card');
   const count = await cards.count();
-  expect(count === 6, `six templates: ${count}`);
+  expect(count === 8, `eight templates: ${count}`);
   await serious(studio, 'templates');
   await fits(studio, 'templates');
   await studio.shot('place-templates');

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kFarAway = 5.0;          // Who has a longer way does not look in every step [m]...
 constexpr std::uint32_t kLooksEvery = 4;  // ... but in each of so many.
-constexpr double kMostAside = 0.5;        // [m]
+constexpr double kMostWallGap = 0.5;      // [m]
 constexpr double kFieldAhead = 100.0;     // Where somebody heads who goes on along a field [m].
 
 // The order that the members of a group carry out without places; null where they stand.
@@ -28,7 +28,7 @@ const Order* orderOf(const Group& group, const Gathering& gathering) {
 // By how much more than it must somebody keeps from walls [m]: evenly spread over all.
 double wallGapOf(std::uint32_t id) {
     constexpr std::uint32_t kGolden = 2654435769u;  // 2 to the power 32 by the golden ratio.
-    return kMostAside * (static_cast<double>(id * kGolden) / 4294967296.0);
+    return kMostWallGap * (static_cast<double>(id * kGolden) / 4294967296.0);
 }
 
 // Far from its exit a way stays as it is for some steps, unless a command has changed something.
