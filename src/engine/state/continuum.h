@@ -93,9 +93,6 @@ struct Continuum {
     std::vector<FrozenCost> costs;      ///< In ascending order of classes.
     std::uint32_t frozenAt = 0;         ///< Step in which the costs were frozen.
     std::uint32_t groundEdits = 0;      ///< WorldState::groundEdits then.
-    std::vector<FrozenCost> crowd;      ///< The same for those who leave by the quickest way.
-    std::uint32_t crowdAt = 0;          ///< Step in which these were frozen.
-    std::uint32_t crowdEdits = 0;       ///< WorldState::groundEdits then.
 
     /// The gathering of a group; null where its members have places.
     const Gathering* find(GroupId group) const {
@@ -144,7 +141,7 @@ struct Continuum {
     /// Lets an archive read or write all.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(gatherings, costs, frozenAt, groundEdits, crowd, crowdAt, crowdEdits);
+        archive(gatherings, costs, frozenAt, groundEdits);
     }
 
 private:

@@ -4,16 +4,8 @@
 
 #include "base/maths.h"
 #include "engine/fields/cost/ground_level.h"
-#include "engine/systems/events/standstill.h"
 
 namespace muster {
-namespace {
-
-constexpr double kCrowdHolds = 1.0;                // Time for which fields through the crowd serve [s].
-constexpr std::int32_t kMostCrowdCells = 250'000;  // Of ground on which they are solved.
-
-}  // namespace
-
 void GoalFields::begin(const WorldState& state, PlanCosts& costs) {
     state_ = &state;
     costs_ = &costs;
@@ -57,39 +49,6 @@ const GoalField& GoalFields::toArea(const Area& area, std::int32_t groundClass) 
     const Key key{Kind::Area, area.id.value, 0.0, groundClass};
     return find(key, polygon, ground(groundClass).version(), [&](GoalField& field) {
         field.solve(ground(groundClass), unitCost(groundClass), polygon, solver_);
-    });
-}
-
-void GoalFields::freezeCrowd(WorldState& state, std::span<const std::int32_t> classes) {
-    Continuum& continuum = state.continuum;
-    const auto isFrozen = [&](std::int32_t wanted) { return crowdOf(wanted) != nullptr; };
-    const bool small = state.environment.grid().count() <= kMostCrowdCells;
-    if (!small || classes.empty()) return continuum.crowd.clear();
-    const bool fresh = continuum.crowdEdits == state.groundEdits &&
-                       state.stepCount - continuum.crowdAt < stepsIn(state, kCrowdHolds) &&
-                       std::all_of(classes.begin(), classes.end(), isFrozen);
-    if (fresh) return;
-    continuum.crowd.resize(classes.size());
-    for (std::size_t k = 0; k < classes.size(); ++k) {
-        continuum.crowd[k].groundClass = classes[k];
-        continuum.crowd[k].cost = costs_->ofClass(classes[k]).unitCost();
-    }
-    continuum.crowdAt = state.stepCount;
-    continuum.crowdEdits = state.groundEdits;
-}
-
-const UnitCost* GoalFields::crowdOf(std::int32_t groundClass) const {
-    for (const FrozenCost& frozen : state_->continuum.crowd)
-        if (frozen.groundClass == groundClass) return &frozen.cost;
-    return nullptr;
-}
-
-const GoalField& GoalFields::throughCrowd(const Area& area, std::int32_t groundClass) {
-    const UnitCost* const crowd = crowdOf(groundClass);
-    if (crowd == nullptr) return toArea(area, groundClass);
-    const Key key{Kind::Crowd, area.id.value, 0.0, groundClass};
-    return find(key, area.def.polygon, state_->continuum.crowdAt, [&](GoalField& field) {
-        field.solve(ground(groundClass), *crowd, area.def.polygon, solver_);
     });
 }
 

@@ -23,11 +23,6 @@ public:
     void begin(const WorldState& state, PlanCosts& costs);
     /// The field to an area. It holds until the next begin().
     const GoalField& toArea(const Area& area, std::int32_t groundClass);
-    /// Freezes the crowd of this step for those classes of ground where that is due: once a second.
-    void freezeCrowd(WorldState& state, std::span<const std::int32_t> classes);
-    /// The field to an area through the frozen crowd, whose density slows (Kretz 2009); on ground of very
-    /// many cells that to the area alone.
-    const GoalField& throughCrowd(const Area& area, std::int32_t groundClass);
     /// The field to the line in which people queue before an exit.
     const GoalField& toQueue(const Area& area, std::int32_t groundClass);
     /// The field of those who walk on towards a heading [rad].
@@ -35,10 +30,6 @@ public:
     /// The same where they were asked for in this step; calls may come from several threads.
     const GoalField& solvedArea(const Area& area, std::int32_t groundClass) const {
         return solved({Kind::Area, area.id.value, 0.0, groundClass});
-    }
-    const GoalField& solvedCrowd(const Area& area, std::int32_t groundClass) const {
-        const Key key{Kind::Crowd, area.id.value, 0.0, groundClass};
-        return crowdOf(groundClass) == nullptr ? solvedArea(area, groundClass) : solved(key);
     }
     const GoalField& solvedQueue(const Area& area, std::int32_t groundClass) const {
         return solved({Kind::Queue, area.id.value, 0.0, groundClass});
@@ -52,7 +43,7 @@ public:
     }
 
 private:
-    enum class Kind : std::uint8_t { Area, Queue, Heading, Crowd };
+    enum class Kind : std::uint8_t { Area, Queue, Heading };
     struct Key {
         Kind kind = Kind::Area;
         std::uint32_t area = 0;
@@ -63,13 +54,12 @@ private:
     struct Entry {
         Key key;
         std::vector<Vec2> shape;    // For which it was solved.
-        std::uint32_t version = 0;  // Of the ground, or of the crowd.
+        std::uint32_t version = 0;  // Of the ground.
         std::unique_ptr<GoalField> field;
     };
     template <class Solve>
     const GoalField& find(const Key& key, const std::vector<Vec2>& shape, std::uint32_t version,
                           const Solve& solve);
-    const UnitCost* crowdOf(std::int32_t groundClass) const;
     const GoalField& solved(const Key& key) const;
     const UnitCost& unitCost(std::int32_t groundClass);
 

@@ -106,24 +106,6 @@ void GoalStage::goTo(WorldState& state, std::size_t i, Vec2 spot, double cost, s
     standing_[i] = 1;
 }
 
-// Solves the fields through the crowd to all exits that somebody leaves by the quickest way.
-void GoalStage::lookThroughCrowd(WorldState& state) {
-    headed_.clear();
-    for (const Leavers& some : leavers_)
-        if (some.order->choice == ExitChoice::Quickest)
-            for (const std::int32_t i : some.group->members)
-                if (const std::uint32_t goal = state.characters.goal[i];
-                    goal != 0 && (headed_.empty() || headed_.back() != goal))
-                    headed_.push_back(goal);
-    std::sort(headed_.begin(), headed_.end());
-    headed_.erase(std::unique(headed_.begin(), headed_.end()), headed_.end());
-    const std::span<const std::int32_t> classes = choice_.classes();
-    fields_.freezeCrowd(state, headed_.empty() ? std::span<const std::int32_t>() : classes);
-    for (const std::uint32_t goal : headed_)
-        if (const Area* const area = state.findArea(AreaId{goal}))
-            for (const std::int32_t groundClass : classes) fields_.throughCrowd(*area, groundClass);
-}
-
 void GoalStage::leave(WorldState& state, std::span<Vec2> heads, ThreadPool& pool) {
     if (leavers_.empty()) return;
     Characters& c = state.characters;
@@ -133,7 +115,6 @@ void GoalStage::leave(WorldState& state, std::span<Vec2> heads, ThreadPool& pool
         for (Area& area : state.areas)
             if (!area.def.queue.empty())
                 for (const std::int32_t groundClass : choice_.classes()) fields_.toQueue(area, groundClass);
-    lookThroughCrowd(state);
     for (const Leavers& some : leavers_) {
         const std::vector<std::int32_t>& members = some.group->members;
         forChunks(&pool, members.size(), kPerTask, [&](std::size_t k) {
@@ -145,10 +126,6 @@ void GoalStage::leave(WorldState& state, std::span<Vec2> heads, ThreadPool& pool
                 if (keepsWay(state, i)) return follow(state, i, {c.cost[i], c.direction[i]}, heads);
                 const double wallGap = wallGapOf(c.id[i]);
                 GoalWay way = field->at(c.position[i], wallGap);
-                if (some.order->choice == ExitChoice::Quickest)
-                    way.direction = fields_.solvedCrowd(*choice_.areaOf(c, i), classes_[i])
-                                        .at(c.position[i], wallGap)
-                                        .direction;
                 return follow(state, i, way, heads);
             }
             const double left = field->cost(c.position[i]);

@@ -32,7 +32,6 @@ private:
     void findClasses(const WorldState& state, ThreadPool& pool);
     std::span<const std::int32_t> classesOf(const Group& group);
     void standAll(WorldState& state, const Group& group, std::span<Vec2> heads);
-    void lookThroughCrowd(WorldState& state);
     void leave(WorldState& state, std::span<Vec2> heads, ThreadPool& pool);
     void wait(WorldState& state, Group& group, Gathering& gathering, std::span<Vec2> heads, ThreadPool& pool);
     void walk(WorldState& state, const Group& group, double heading, std::span<Vec2> heads, ThreadPool& pool);
@@ -48,7 +47,6 @@ private:
     std::vector<std::int32_t> classes_;  // Of ground, of all characters.
     std::vector<std::int32_t> used_;     // Of the group at hand.
     std::vector<std::uint8_t> standing_;
-    std::vector<std::uint32_t> headed_;  // Exits that somebody heads for, ascending.
 };
 
 }  // namespace muster
