@@ -85,7 +85,6 @@ TEST_CASE("one person leaves after the time of its way, and its group ends") {
 
 TEST_CASE("a crowd in a straight hall walks parallel to the walls over its whole width") {
     WorldDef def = hall(crowd({{2, 1}, {10, 9}}, 1.0));
-    def.groups[0].orders[0].choice = ExitChoice::Nearest;  // Nobody goes round others then.
     World world = World::create(def).value();
     const std::vector<Vec2> before = copyOf(world.characters().position);
     const std::vector<std::uint32_t> ids = copyOf(world.characters().id);
