@@ -43,6 +43,12 @@ public:
         return h ^ (h >> 33);
     }
 
+    /// That as a random number in (0, 1), 53 bits: what was added has it for ever, whatever else is drawn.
+    double randomShare() const {
+        constexpr double kBits = 1.0 / 9007199254740992.0;  // 2 to the power -53.
+        return (static_cast<double>(value() >> 11) + 0.5) * kBits;
+    }
+
 private:
     std::uint64_t state_ = 0xcbf29ce484222325ull;
 };

@@ -23,11 +23,8 @@ HeldPlaces definedPlaces(const Group& group) {
 }  // namespace
 
 void dissolveFormation(WorldState& state, Group& group) {
-    Characters& c = state.characters;
-    for (const std::int32_t i : group.members) {
-        c.place[i] = -1;
-        c.chosen[i] = {};
-    }
+    const Characters& c = state.characters;
+    leavePlaces(state, group);
     std::erase_if(state.ownRoutes, [&](const OwnRoute& route) {
         const std::int32_t i = c.indexOf(route.character);
         return i < 0 || &state.groups[c.group[i]] == &group;
@@ -42,12 +39,8 @@ void dissolveFormation(WorldState& state, Group& group) {
     group.avoidance = {};
     // While it makes no plans it follows no changes of the ground either.
     group.plan = makePlan(state.parameters);
-    group.planNow = true;
-    group.provisional = group.assigned = false;
-    group.slice = 0;
     group.slices = 1;
-    group.objective = group.gapBound = group.meanLag = 0.0;
-    group.walk = {};
+    group.meanLag = 0.0;
     group.refitted = false;
     ++group.formationVersion;
 }

@@ -104,13 +104,10 @@ struct Continuum {
         return const_cast<Gathering*>(static_cast<const Continuum&>(*this).find(group));
     }
     /// A group goes to `target`, and has no places from now on.
-    void begin(GroupId group, Vec2 target) {
-        Gathering& found = beginBare(group, OrderKind::Move, {});
-        found.target = target;
-    }
+    void begin(GroupId group, Vec2 target) { begin(group, OrderKind::Move, {}).target = target; }
     /// The members of a group go to areas, or on; the group has no formation from now on unless `kind` is
     /// Move.
-    Gathering& beginBare(GroupId group, OrderKind kind, AreaId area) {
+    Gathering& begin(GroupId group, OrderKind kind, AreaId area) {
         Gathering* found = find(group);
         if (found == nullptr) found = &*gatherings.insert(lowerBound(group), Gathering{});
         *found = {};

@@ -51,8 +51,7 @@ double randomShare(std::uint64_t seed, std::uint32_t character, Drawn what) {
     hash.add(seed);
     hash.add(character);
     hash.add(static_cast<std::uint32_t>(what));
-    constexpr double kBits = 1.0 / 9007199254740992.0;  // 2 to the power -53.
-    return (static_cast<double>(hash.value() >> 11) + 0.5) * kBits;
+    return hash.randomShare();
 }
 
 Body drawPerson(const PeopleDef& sort, Body body, std::uint64_t seed, std::uint32_t character) {

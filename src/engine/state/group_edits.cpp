@@ -215,6 +215,18 @@ std::unique_ptr<Plan> makePlan(const Parameters& parameters) {
     return parameters.plan.solver == PlanSolver::Fast ? makeFastPlan() : makeExactPlan();
 }
 
+void leavePlaces(WorldState& state, Group& group) {
+    for (const std::int32_t i : group.members) {
+        state.characters.place[i] = -1;
+        state.characters.chosen[i] = {};
+    }
+    group.planNow = true;
+    group.provisional = group.assigned = false;
+    group.slice = 0;
+    group.objective = group.gapBound = 0.0;
+    group.walk = {};
+}
+
 void exchangePlans(WorldState& state) {
     for (Group& group : state.groups) {
         group.plan = makePlan(state.parameters);

@@ -16,6 +16,9 @@ std::unique_ptr<Plan> makePlan(const Parameters& parameters);
 /// that characters have as incumbents. No background work may be running.
 void exchangePlans(WorldState& state);
 
+/// Takes the places of a group's members, and what was planned for them.
+void leavePlaces(WorldState& state, Group& group);
+
 /// Adds a character, which stands still, to the arrays; its index. The members of its group are not changed.
 std::size_t addCharacter(WorldState& state, const Group& group, std::uint32_t groupIndex, Vec2 position,
                          const Body& body);

@@ -12,6 +12,10 @@ Status inRange(const char* what, double value, double low, double high) {
                            numberText(low) + ", " + numberText(high) + "]");
 }
 
+Status isOwn(const char* what, double value, double low, double high) {
+    return value == 0.0 ? Status() : inRange(what, value, low, high);
+}
+
 Status isPlace(const char* what, Vec2 p) {
     if (std::fabs(p.x) <= kMaxCoordinate && std::fabs(p.y) <= kMaxCoordinate) return {};
     return invalidArgument(std::string(what) + " (" + numberText(p.x) + ", " + numberText(p.y) +

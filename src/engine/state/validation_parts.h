@@ -14,6 +14,8 @@ namespace muster {
 
 /// Fails unless `low` <= value <= `high`.
 Status inRange(const char* what, double value, double low, double high);
+/// The same for a number of a body or a person, where 0 stands for another one.
+Status isOwn(const char* what, double value, double low, double high);
 /// Fails where a position is not finite or too far away.
 Status isPlace(const char* what, Vec2 p);
 /// Fails where one of the positions is, or there are too many.

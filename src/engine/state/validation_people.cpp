@@ -38,7 +38,7 @@ Status isDistribution(const char* what, const Distribution& drawn, double low, d
             !s.ok())
             return s;
         const Spread spread = drawn.spread;
-        if (spread == Spread::Constant) return drawn.a == 0.0 ? Status() : inRange("a", drawn.a, low, high);
+        if (spread == Spread::Constant) return isOwn("a", drawn.a, low, high);
         if (spread == Spread::Uniform && drawn.b < drawn.a)
             return invalidArgument("b is " + numberText(drawn.b) + ", expected a number of at least a, " +
                                    numberText(drawn.a));
@@ -59,11 +59,6 @@ Status isDistribution(const char* what, const Distribution& drawn, double low, d
                                "]; least and most cut it off");
     };
     return check().within(what);
-}
-
-// A number of a person is 0 or in its range.
-Status isOwn(const char* what, double value) {
-    return value == 0.0 ? Status() : inRange(what, value, 0.01, 1.0);
 }
 
 }  // namespace
@@ -95,8 +90,9 @@ Status validatePeople(const std::vector<PeopleDef>& people) {
                                 isDistribution("radius", sort.radius, 0.05, 1.5),
                                 isDistribution("headway", sort.headway, 0.02, 5.0),
                                 isDistribution("premovement", sort.premovement, 0.0, 1e7),
-                                isDistribution("age", sort.age, 5.0, 90.0), isOwn("upstairs", sort.upstairs),
-                                isOwn("downstairs", sort.downstairs)});
+                                isDistribution("age", sort.age, 5.0, 90.0),
+                                isOwn("upstairs", sort.upstairs, 0.01, 1.0),
+                                isOwn("downstairs", sort.downstairs, 0.01, 1.0)});
         if (!s.ok()) return s.within("people[" + std::to_string(k) + "]");
     }
     return {};

@@ -8,11 +8,6 @@ namespace {
 constexpr double kLeastRadius = 0.05, kMostRadius = 1.5;  // Of a body [m].
 constexpr double kMostSize = 1e5;                         // Of a front or a rectangle [m].
 
-// A number of a body is 0 or in its range.
-Status isOwn(const char* what, double value, double low, double high) {
-    return value == 0.0 ? Status() : inRange(what, value, low, high);
-}
-
 Status validateBody(const Body& body) {
     return first(
         {isOwn("radius", body.radius, kLeastRadius, kMostRadius),

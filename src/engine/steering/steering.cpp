@@ -83,6 +83,20 @@ void Steering::standStill(std::span<const Claim> claims) {
     }
 }
 
+// Finds the top speed of a character on its ground and the velocity that it would have alone.
+void Steering::aim(const CrowdBodies& bodies, const Characters& now, const SteeringInput& input,
+                   const GroundSample& ground, std::size_t i) {
+    const auto aimAt = [&](double travelSpeed) {
+        topSpeed_[i] = bodies.maxSpeed(i) * travelSpeed;
+        if (!input.pace.empty()) topSpeed_[i] *= input.pace[i];
+        preferred_[i] = preferredVelocity(bodies.usual(), now, input, i, topSpeed_[i],
+                                          bodies.acceleration(i));
+    };
+    aimAt(ground.travelSpeed);
+    if (ground.isStairs()) aimAt(travelSpeedOf(ground, now.body[i], normalized(preferred_[i])));
+    if (!now.hasSetOut(i, input.step)) preferred_[i] = {};
+}
+
 void Steering::run(const CrowdBodies& bodies, Characters& now, const SteeringInput& input,
                    const Environment& environment, double dt, std::span<Vec2> velocity,
                    std::span<Vec2> heading, ThreadPool* pool) {
@@ -92,15 +106,7 @@ void Steering::run(const CrowdBodies& bodies, Characters& now, const SteeringInp
     topSpeed_.resize(count);
     const bool patches = !environment.patchIds().empty();
     forChunks(pool, count, kPerTask, [&](std::size_t i) {
-        const GroundSample ground = patches ? environment.ground(now.position[i]) : GroundSample{};
-        const auto aim = [&](double travelSpeed) {
-            topSpeed_[i] = bodies.maxSpeed(i) * travelSpeed;
-            if (!input.pace.empty()) topSpeed_[i] *= input.pace[i];
-            preferred_[i] = preferredVelocity(def, now, input, i, topSpeed_[i], bodies.acceleration(i));
-        };
-        aim(ground.travelSpeed);
-        if (ground.isStairs()) aim(travelSpeedOf(ground, now.body[i], normalized(preferred_[i])));
-        if (!now.hasSetOut(i, input.step)) preferred_[i] = {};
+        aim(bodies, now, input, patches ? environment.ground(now.position[i]) : GroundSample{}, i);
     });
     const bool blocked = right_.count({bodies, topSpeed_, preferred_, input.place, input.placeVelocity,
                                        input.room, input.groups, input.step, dt},

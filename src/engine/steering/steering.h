@@ -54,6 +54,8 @@ public:
     const NeighbourList& neighbours() const { return neighbours_; }
 
 private:
+    void aim(const CrowdBodies& bodies, const Characters& now, const SteeringInput& input,
+             const GroundSample& ground, std::size_t i);
     void standStill(std::span<const Claim> claims);
 
     GiveWay giveWay_;

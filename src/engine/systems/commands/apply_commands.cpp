@@ -13,6 +13,7 @@
 #include "engine/systems/commands/area_commands.h"
 #include "engine/systems/commands/body_commands.h"
 #include "engine/systems/commands/ended_paths.h"
+#include "engine/systems/commands/not_found.h"
 #include "engine/systems/commands/order_commands.h"
 #include "engine/systems/commands/place_commands.h"
 #include "engine/systems/commands/role_commands.h"
@@ -21,10 +22,6 @@
 
 namespace muster {
 namespace {
-
-Status notFound(const char* what, std::uint32_t id) {
-    return {StatusCode::NotFound, std::string("no ") + what + " has the id " + std::to_string(id)};
-}
 
 Status refused(bool accepted, const std::string& why) {
     return accepted ? Status{} : invalidArgument(why);

@@ -7,13 +7,6 @@
 #include "engine/systems/commands/not_found.h"
 
 namespace muster {
-namespace {
-
-Status noArea(AreaId id) {
-    return {StatusCode::NotFound, "no area has the id " + std::to_string(id.value)};
-}
-
-}  // namespace
 
 void addArea(WorldState& state, const AreaDef& def, GroupId group) {
     constexpr std::uint64_t kStream = 0x9e3779b97f4a7c15u;  // Areas draw from streams of their own.
@@ -28,7 +21,7 @@ Status putArea(WorldState& state, const PutArea& put) {
     const bool source = put.area.kind == AreaKind::Source;
     if (source && state.findGroup(put.group) == nullptr) return noGroup(put.group);
     Area* area = state.findArea(put.id);
-    if (put.id && area == nullptr) return noArea(put.id);
+    if (put.id && area == nullptr) return notFound("area", put.id.value);
     if (area == nullptr) {
         if (state.areas.size() >= kMaxAreas)
             return {StatusCode::LimitExceeded,
@@ -44,7 +37,7 @@ Status putArea(WorldState& state, const PutArea& put) {
 Status removeArea(WorldState& state, const RemoveArea& remove) {
     const std::size_t removed = std::erase_if(state.areas,
                                               [&](const Area& area) { return area.id == remove.id; });
-    return removed > 0 ? Status{} : noArea(remove.id);
+    return removed > 0 ? Status{} : notFound("area", remove.id.value);
 }
 
 }  // namespace muster

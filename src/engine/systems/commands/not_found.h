@@ -1,6 +1,7 @@
 // Answers to commands that name what there is not.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "muster/id.h"
@@ -8,14 +9,17 @@
 
 namespace muster {
 
-/// The answer to a command that names a group that there is not.
-inline Status noGroup(GroupId id) {
-    return {StatusCode::NotFound, "no group has the id " + std::to_string(id.value)};
+/// The answer to a command that names a thing that there is not: "group".
+inline Status notFound(const char* what, std::uint32_t id) {
+    return {StatusCode::NotFound, std::string("no ") + what + " has the id " + std::to_string(id)};
 }
-
-/// The answer to a command that names a character that there is not.
+/// The same for a group.
+inline Status noGroup(GroupId id) {
+    return notFound("group", id.value);
+}
+/// The same for a character.
 inline Status noCharacter(std::uint32_t id) {
-    return {StatusCode::NotFound, "no character has the id " + std::to_string(id)};
+    return notFound("character", id);
 }
 
 }  // namespace muster

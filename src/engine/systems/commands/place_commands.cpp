@@ -24,10 +24,6 @@ Status tooMany(const char* what) {
     return {StatusCode::LimitExceeded, "a world holds at most " + std::to_string(kMaxObstacles) + " " + what};
 }
 
-Status noThing(const char* what, std::uint32_t id) {
-    return {StatusCode::NotFound, std::string("no ") + what + " has the id " + std::to_string(id)};
-}
-
 Status groupIsThere(WorldState& state, GroupId group) {
     return !group || state.findGroup(group) != nullptr ? Status{} : noGroup(group);
 }
@@ -55,14 +51,14 @@ Status addItem(WorldState& state, const AddItem& add) {
 
 Status changeItem(WorldState& state, const ChangeItem& change) {
     const std::ptrdiff_t at = indexOf(state.itemIds, change.id);
-    if (at < 0) return noThing("item", change.id.value);
+    if (at < 0) return notFound("item", change.id.value);
     state.items[at] = change.item;
     return {};
 }
 
 Status removeItem(WorldState& state, const RemoveItem& remove) {
     const std::ptrdiff_t at = indexOf(state.itemIds, remove.id);
-    if (at < 0) return noThing("item", remove.id.value);
+    if (at < 0) return notFound("item", remove.id.value);
     state.items.erase(state.items.begin() + at);
     state.itemIds.erase(state.itemIds.begin() + at);
     state.collected.erase(state.collected.begin() + at);
@@ -83,7 +79,7 @@ Status addCheckpoint(WorldState& state, const AddCheckpoint& add) {
 
 Status changeCheckpoint(WorldState& state, const ChangeCheckpoint& change) {
     const std::ptrdiff_t at = indexOf(state.checkpointIds, change.id);
-    if (at < 0) return noThing("checkpoint", change.id.value);
+    if (at < 0) return notFound("checkpoint", change.id.value);
     if (const Status there = groupIsThere(state, change.group); !there.ok()) return there;
     state.checkpoints[at] = change.checkpoint;
     state.checkpoints[at].group = -1;
@@ -93,7 +89,7 @@ Status changeCheckpoint(WorldState& state, const ChangeCheckpoint& change) {
 
 Status removeCheckpoint(WorldState& state, const RemoveCheckpoint& remove) {
     const std::ptrdiff_t at = indexOf(state.checkpointIds, remove.id);
-    if (at < 0) return noThing("checkpoint", remove.id.value);
+    if (at < 0) return notFound("checkpoint", remove.id.value);
     const std::size_t before = state.checkpoints.size();
     changeColumns(state, before, before - 1, static_cast<std::size_t>(at));
     state.checkpoints.erase(state.checkpoints.begin() + at);

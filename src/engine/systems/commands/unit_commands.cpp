@@ -102,7 +102,7 @@ std::int32_t joinOne(WorldState& state, Group& group, Vec2 position, const Body&
     // The first of a group that is to go without a formation needs none.
     if (group.members.empty() && leaves && !state.continuum.isBare(group.id)) {
         dissolveFormation(state, group);
-        state.continuum.beginBare(group.id, group.orders.orders.front().order.kind, {}).active = false;
+        state.continuum.begin(group.id, group.orders.orders.front().order.kind, {}).active = false;
     }
     HeldPlaces held;
     held.add(state, group, group);

@@ -10,6 +10,7 @@
 #include "engine/passages/specific_flow.h"
 #include "engine/steering/crowd_bodies.h"
 #include "engine/systems/events/standstill.h"
+#include "engine/systems/passages/goals.h"
 
 namespace muster {
 namespace {
@@ -25,13 +26,12 @@ constexpr double kLeastFlow = 1e-3;   // Of an exit [1/s].
 // How much somebody errs about an exit, in deviations: a normal number by the world's seed.
 double errorOf(std::uint64_t seed, std::uint32_t character, std::uint32_t area) {
     const auto share = [&](std::uint32_t which) {
-        constexpr double kBits = 1.0 / 9007199254740992.0;  // 2 to the power -53.
         Hash hash;
         hash.add(seed);
         hash.add(character);
         hash.add(area);
         hash.add(which);
-        return (static_cast<double>(hash.value() >> 11) + 0.5) * kBits;
+        return hash.randomShare();
     };
     return std::sqrt(-2.0 * logarithm(share(0))) * cosine(2.0 * kPi * share(1));
 }
@@ -71,11 +71,7 @@ double ExitChooser::walkTime(const WorldState& state, std::size_t i, double cost
 void ExitChooser::listExits(WorldState& state, GoalFields& fields, std::span<const Leavers> leavers,
                             std::span<const std::int32_t> groundClasses) {
     classes_.clear();
-    for (const Leavers& some : leavers)
-        for (const std::int32_t i : some.group->members)
-            if (classes_.empty() || classes_.back() != groundClasses[i]) classes_.push_back(groundClasses[i]);
-    std::sort(classes_.begin(), classes_.end());
-    classes_.erase(std::unique(classes_.begin(), classes_.end()), classes_.end());
+    for (const Leavers& some : leavers) addClasses(*some.group, groundClasses, classes_);
     exits_.clear();
     fields_.clear();
     ids_.clear();
@@ -125,7 +121,7 @@ void ExitChooser::count(const WorldState& state, std::span<const Leavers> leaver
 void ExitChooser::serve(WorldState& state) {
     const Parameters::Character& usual = state.parameters.character;
     const double flow = specificFlow(usual);
-    const double speed = usual.maxSpeed * (state.parameters.cost.alpha + state.parameters.cost.beta);
+    const double speed = metresPerSecond(state.parameters);
     for (std::size_t e = 0; e < exits_.size(); ++e) {
         Area& area = *exits_[e];
         const GoalField& field = fieldTo(static_cast<std::int32_t>(e), 0);

@@ -25,7 +25,7 @@ float unitOf(const CellCost& cost) {
 
 }  // namespace
 
-void GoalField::begin(const StaticGround& ground, const UnitCost&) {
+void GoalField::begin(const StaticGround& ground) {
     ground_ = &ground;
     seeds_.clear();
     width_.clear();
@@ -79,7 +79,7 @@ void GoalField::seedBeside(const UnitCost& unitCost) {
 
 void GoalField::solve(const StaticGround& ground, const UnitCost& unitCost, const Polygon& polygon,
                       EikonalSolver& solver) {
-    begin(ground, unitCost);
+    begin(ground);
     polygon_ = polygon;
     box_ = boundsOf(polygon);
     seedArea(unitCost);
@@ -90,7 +90,7 @@ void GoalField::solve(const StaticGround& ground, const UnitCost& unitCost, cons
 
 void GoalField::solveToLine(const StaticGround& ground, const UnitCost& unitCost, std::span<const Vec2> line,
                             EikonalSolver& solver) {
-    begin(ground, unitCost);
+    begin(ground);
     isLine_ = true;
     polygon_.assign(line.begin(), line.end());
     box_ = boundsOf(polygon_);
@@ -101,7 +101,7 @@ void GoalField::solveToLine(const StaticGround& ground, const UnitCost& unitCost
 // A plane wave from the outermost cells on the far sides: in the open all go straight along the heading.
 void GoalField::solveHeading(const StaticGround& ground, const UnitCost& unitCost, Vec2 heading, bool ring,
                              EikonalSolver& solver) {
-    begin(ground, unitCost);
+    begin(ground);
     heading_ = heading;
     ring_ = ring;
     polygon_.clear();
@@ -131,19 +131,18 @@ void GoalField::solveHeading(const StaticGround& ground, const UnitCost& unitCos
 // coarea formula).
 void GoalField::measureWidths() {
     const Grid& grid = field_.grid();
-    std::vector<double>& area = area_;
-    area.clear();
+    area_.clear();
     for (std::int32_t y = 0; y < grid.height; ++y)
         for (std::int32_t x = 0; x < grid.width; ++x) {
             const float cost = field_.value({x, y});
             if (!(cost > 0.0f) || !(cost < kUnreachableCost)) continue;
             const auto bin = static_cast<std::size_t>(cost / kBin);
-            if (bin >= area.size()) area.resize(bin + 1, 0.0);
+            if (bin >= area_.size()) area_.resize(bin + 1, 0.0);
             const float unit = ground_->unitCost(grid.centre({x, y}));
-            area[bin] += grid.cell * grid.cell * unit;
+            area_[bin] += grid.cell * grid.cell * unit;
         }
     double least = kInfiniteCost;
-    for (const double a : area) width_.push_back(static_cast<float>(least = std::min(least, a / kBin)));
+    for (const double a : area_) width_.push_back(static_cast<float>(least = std::min(least, a / kBin)));
 }
 
 double GoalField::width(double cost) const {

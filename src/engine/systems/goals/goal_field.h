@@ -45,7 +45,7 @@ public:
     double width(double cost) const;
 
 private:
-    void begin(const StaticGround& ground, const UnitCost& unitCost);
+    void begin(const StaticGround& ground);
     void seedArea(const UnitCost& unitCost);
     void seedBeside(const UnitCost& unitCost);
     void measureWidths();

@@ -6,6 +6,14 @@
 #include "engine/fields/cost/ground_level.h"
 
 namespace muster {
+
+void addClasses(const Group& group, std::span<const std::int32_t> classes, std::vector<std::int32_t>& used) {
+    for (const std::int32_t i : group.members) {
+        const auto at = std::lower_bound(used.begin(), used.end(), classes[i]);
+        if (at == used.end() || *at != classes[i]) used.insert(at, classes[i]);
+    }
+}
+
 void GoalFields::begin(const WorldState& state, PlanCosts& costs) {
     state_ = &state;
     costs_ = &costs;
@@ -23,8 +31,8 @@ const UnitCost& GoalFields::unitCost(std::int32_t groundClass) {
 }
 
 template <class Solve>
-const GoalField& GoalFields::find(const Key& key, const std::vector<Vec2>& shape, std::uint32_t version,
-                                  const Solve& solve) {
+const GoalField& GoalFields::find(const Key& key, const std::vector<Vec2>& shape, const Solve& solve) {
+    const std::uint32_t version = ground(key.groundClass).version();
     auto at = std::find_if(entries_.begin(), entries_.end(),
                            [&](const Entry& entry) { return entry.key == key; });
     if (at != entries_.end() && at->version == version && at->shape == shape) return *at->field;
@@ -47,7 +55,7 @@ const GoalField& GoalFields::solved(const Key& key) const {
 const GoalField& GoalFields::toArea(const Area& area, std::int32_t groundClass) {
     const std::vector<Vec2>& polygon = area.def.polygon;
     const Key key{Kind::Area, area.id.value, 0.0, groundClass};
-    return find(key, polygon, ground(groundClass).version(), [&](GoalField& field) {
+    return find(key, polygon, [&](GoalField& field) {
         field.solve(ground(groundClass), unitCost(groundClass), polygon, solver_);
     });
 }
@@ -55,14 +63,14 @@ const GoalField& GoalFields::toArea(const Area& area, std::int32_t groundClass) 
 const GoalField& GoalFields::toQueue(const Area& area, std::int32_t groundClass) {
     const std::vector<Vec2>& line = area.def.queue;
     const Key key{Kind::Queue, area.id.value, 0.0, groundClass};
-    return find(key, line, ground(groundClass).version(), [&](GoalField& field) {
+    return find(key, line, [&](GoalField& field) {
         field.solveToLine(ground(groundClass), unitCost(groundClass), line, solver_);
     });
 }
 
 const GoalField& GoalFields::towards(double heading, std::int32_t groundClass) {
     const Key key{Kind::Heading, 0, heading, groundClass};
-    return find(key, {}, ground(groundClass).version(), [&](GoalField& field) {
+    return find(key, {}, [&](GoalField& field) {
         field.solveHeading(ground(groundClass), unitCost(groundClass), {cosine(heading), sine(heading)},
                            state_->environment.def().ring, solver_);
     });

@@ -14,6 +14,10 @@
 
 namespace muster {
 
+/// Adds the classes of ground of a group's members to a list that ascends. `classes` are those of all
+/// characters.
+void addClasses(const Group& group, std::span<const std::int32_t> classes, std::vector<std::int32_t>& used);
+
 /// Fields by area and class of ground.
 class GoalFields {
 public:
@@ -58,8 +62,7 @@ private:
         std::unique_ptr<GoalField> field;
     };
     template <class Solve>
-    const GoalField& find(const Key& key, const std::vector<Vec2>& shape, std::uint32_t version,
-                          const Solve& solve);
+    const GoalField& find(const Key& key, const std::vector<Vec2>& shape, const Solve& solve);
     const GoalField& solved(const Key& key) const;
     const UnitCost& unitCost(std::int32_t groundClass);
 

@@ -75,10 +75,7 @@ void GoalStage::findClasses(const WorldState& state, ThreadPool& pool) {
 // The classes of ground of a group's members, ascending.
 std::span<const std::int32_t> GoalStage::classesOf(const Group& group) {
     used_.clear();
-    for (const std::int32_t i : group.members)
-        if (used_.empty() || used_.back() != classes_[i]) used_.push_back(classes_[i]);
-    std::sort(used_.begin(), used_.end());
-    used_.erase(std::unique(used_.begin(), used_.end()), used_.end());
+    addClasses(group, classes_, used_);
     return used_;
 }
 
@@ -124,9 +121,7 @@ void GoalStage::leave(WorldState& state, std::span<Vec2> heads, ThreadPool& pool
             const ExitLines::Duty duty = lines_.dutyOf(i);
             if (duty == ExitLines::Duty::Free) {
                 if (keepsWay(state, i)) return follow(state, i, {c.cost[i], c.direction[i]}, heads);
-                const double wallGap = wallGapOf(c.id[i]);
-                GoalWay way = field->at(c.position[i], wallGap);
-                return follow(state, i, way, heads);
+                return follow(state, i, field->at(c.position[i], wallGapOf(c.id[i])), heads);
             }
             const double left = field->cost(c.position[i]);
             const Vec2 spot = lines_.spotOf(i);

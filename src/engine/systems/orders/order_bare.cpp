@@ -71,7 +71,7 @@ OrderStage::Outcome OrderStage::beginBare(WorldState& state, Group& group, const
 void OrderStage::goBare(WorldState& state, Group& group, const Order& order, ThreadPool& pool) {
     pool.wait();  // Background work reads the plan.
     if (!state.continuum.isBare(group.id)) dissolveFormation(state, group);
-    state.continuum.beginBare(group.id, order.kind, order.area);
+    state.continuum.begin(group.id, order.kind, order.area);
 }
 
 // Whoever takes places needs a formation.

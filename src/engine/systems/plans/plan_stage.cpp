@@ -209,17 +209,9 @@ void PlanStage::finish(WorldState& state, Group& group, MemberArrays& members, T
 // Who goes by a field has no place; a new plan is made when places count again.
 bool PlanStage::goesWithout(WorldState& state, Group& group) {
     if (state.continuum.find(group.id) == nullptr) return false;
-    for (const std::int32_t i : group.members) {
-        state.characters.place[i] = -1;
-        state.characters.chosen[i] = {};
-    }
     // While it makes no plans it follows no changes of the ground either.
     if (!group.planNow || group.plan->pending()) group.plan = makePlan(state.parameters);
-    group.planNow = true;
-    group.provisional = group.assigned = false;
-    group.slice = 0;
-    group.objective = group.gapBound = 0.0;
-    group.walk = {};
+    leavePlaces(state, group);
     return true;
 }
 
