@@ -10,24 +10,7 @@ namespace {
 
 RowDef data(const std::string& number, const std::string& title, const std::string& setup,
             const std::string& expected, const std::string& source) {
-    RowDef row;
-    row.id = "Data " + number;
-    row.suite = "Data";
-    row.source = source;
-    row.title = title;
-    row.setup = setup;
-    row.expected = expected;
-    return row;
-}
-
-RowDef madeIn(RowDef row, const std::string& scene, std::vector<std::string> variants, std::int32_t seeds,
-              std::int32_t briefSeeds, JudgeRow judge) {
-    row.scene = scene;
-    row.variants = std::move(variants);
-    row.seeds = seeds;
-    row.briefSeeds = briefSeeds;
-    row.judge = std::move(judge);
-    return row;
+    return rowOf("Data", number, title, setup, expected, source);
 }
 
 const std::vector<std::string> kAdults{"0.5 adults", "1 adults", "2 adults", "3 adults", "4 adults"};
@@ -267,44 +250,44 @@ void judgeEveryday(const VerifySamples& samples, RowReport& report) {
 std::vector<RowDef> dataRows() {
     std::vector<RowDef> rows;
     rows.push_back(
-        madeIn(data("1", "Fundamental diagram", "Ring 20 x 4 m, 0.5 to 4 adults/m2, 60 s after 10 s",
-                    "Within 15 % of Weidmann and inside the scatter of measured corridors",
-                    "Weidmann 1993; Juelich data of corridors of 1.8 and 3.0 m"),
-               "ring", kAdults, 10, 1, judgeWeidmann));
-    rows.push_back(madeIn(data("2", "Single file", "Ring of 26 m, 0.7 m wide, 14 to 56 people",
-                               "Within the 10 to 90 % of measured speeds, near Seyfried's line",
-                               "Seyfried et al. 2005 (physics/0506170); Juelich single-file runs"),
-                          "file", kFileCounts, 10, 1, judgeSeyfried));
-    rows.push_back(madeIn(data("3", "Flow of doors", "Doors of 0.8 to 3.0 m, 128 to 260 people",
-                               "1.2 to 1.9 /s/m, constant within 15 % over widths",
-                               "Handbooks and experiments (Seyfried et al. 2008, Zhang et al. 2011)"),
-                          "door", kDoors, 10, 1, judgeDoors));
-    rows.push_back(madeIn(
+        runIn(data("1", "Fundamental diagram", "Ring 20 x 4 m, 0.5 to 4 adults/m2, 60 s after 10 s",
+                   "Within 15 % of Weidmann and inside the scatter of measured corridors",
+                   "Weidmann 1993; Juelich data of corridors of 1.8 and 3.0 m"),
+              "ring", kAdults, 10, 1, judgeWeidmann));
+    rows.push_back(runIn(data("2", "Single file", "Ring of 26 m, 0.7 m wide, 14 to 56 people",
+                              "Within the 10 to 90 % of measured speeds, near Seyfried's line",
+                              "Seyfried et al. 2005 (physics/0506170); Juelich single-file runs"),
+                         "file", kFileCounts, 10, 1, judgeSeyfried));
+    rows.push_back(runIn(data("3", "Flow of doors", "Doors of 0.8 to 3.0 m, 128 to 260 people",
+                              "1.2 to 1.9 /s/m, constant within 15 % over widths",
+                              "Handbooks and experiments (Seyfried et al. 2008, Zhang et al. 2011)"),
+                         "door", kDoors, 10, 1, judgeDoors));
+    rows.push_back(runIn(
         data("4", "Bottlenecks", "Doors of 0.8 to 2.5 m", "Within 20 % of the mean of three measured series",
              "Kretz 2006, Seyfried 2009, EG 2006 (JuPedSim's validation data)"),
         "door", kNecks, 10, 1, judgeNecks));
-    rows.push_back(madeIn(data("5", "Corner",
-                               "Corner of 2.4 m width, 0.5 to 3 people/m2, measured on the 2 m before it "
-                               "(where the data were is not established)",
-                               "Speeds by density as measured", "Juelich, corner of 2.4 m"),
-                          "narrow corner", kCorners, 10, 1,
-                          judgeAgainstBins(kCorners, {"points"}, cornerBins(), "Corner")));
-    rows.push_back(madeIn(data("6", "T-junction", "Junction of 2.4 m width, 0.5 to 3 people/m2 in both arms",
-                               "Speeds by density as measured", "J. Zhang's thesis, table 4.4 (Juelich)"),
-                          "junction", kCorners, 10, 1,
-                          judgeAgainstBins(kCorners, {"before", "after"}, junctionBins(), "T-junction")));
+    rows.push_back(runIn(data("5", "Corner",
+                              "Corner of 2.4 m width, 0.5 to 3 people/m2, measured on the 2 m before it "
+                              "(where the data were is not established)",
+                              "Speeds by density as measured", "Juelich, corner of 2.4 m"),
+                         "narrow corner", kCorners, 10, 1,
+                         judgeAgainstBins(kCorners, {"points"}, cornerBins(), "Corner")));
+    rows.push_back(runIn(data("6", "T-junction", "Junction of 2.4 m width, 0.5 to 3 people/m2 in both arms",
+                              "Speeds by density as measured", "J. Zhang's thesis, table 4.4 (Juelich)"),
+                         "junction", kCorners, 10, 1,
+                         judgeAgainstBins(kCorners, {"before", "after"}, junctionBins(), "T-junction")));
     rows.push_back(
-        madeIn(data("7", "Two directions", "Ring 20 x 3.6 m, 0.5 to 3 people/m2, half in each direction",
-                    "Speeds by density as measured", "Juelich, 3.6 m"),
-               "two ways", kTwoWays, 10, 1, judgeTwoWays));
+        runIn(data("7", "Two directions", "Ring 20 x 3.6 m, 0.5 to 3 people/m2, half in each direction",
+                   "Speeds by density as measured", "Juelich, 3.6 m"),
+              "two ways", kTwoWays, 10, 1, judgeTwoWays));
     rows.push_back(
-        madeIn(data("8", "Lanes", "Corridor 40 x 5 m, two blocks of 0.5 to 2.5 people/m2 that meet",
-                    "All through, no deadlock in 20 seeds", "Observed: lanes form, nobody is stuck"),
-               "lanes", kSides, 20, 0, judgeLanes));
-    rows.push_back(madeIn(data("9", "Everyday scenes", "Obstacle, swapping, overtaking, maze",
-                               "Successful paths and more points than the best published model",
-                               "Jain et al. 2025 (arXiv 2501.05106), by our reading"),
-                          "everyday", kEverydays, 10, 1, judgeEveryday));
+        runIn(data("8", "Lanes", "Corridor 40 x 5 m, two blocks of 0.5 to 2.5 people/m2 that meet",
+                   "All through, no deadlock in 20 seeds", "Observed: lanes form, nobody is stuck"),
+              "lanes", kSides, 20, 0, judgeLanes));
+    rows.push_back(runIn(data("9", "Everyday scenes", "Obstacle, swapping, overtaking, maze",
+                              "Successful paths and more points than the best published model",
+                              "Jain et al. 2025 (arXiv 2501.05106), by our reading"),
+                         "everyday", kEverydays, 10, 1, judgeEveryday));
     return rows;
 }
 

@@ -7,19 +7,9 @@ namespace {
 RowDef imo(const std::string& number, const std::string& title, const std::string& setup,
            const std::string& expected, const std::string& scene, std::vector<std::string> variants,
            std::int32_t seeds, std::int32_t briefSeeds, JudgeRow judge) {
-    RowDef row;
-    row.id = "IMO " + number;
-    row.suite = "IMO";
-    row.source = "IMO MSC.1/Circ.1238 and 1533, Annex 3, as FDS+Evac renders it";
-    row.title = title;
-    row.setup = setup;
-    row.expected = expected;
-    row.scene = scene;
-    row.variants = std::move(variants);
-    row.seeds = seeds;
-    row.briefSeeds = briefSeeds;
-    row.judge = std::move(judge);
-    return row;
+    return runIn(rowOf("IMO", number, title, setup, expected,
+                       "IMO MSC.1/Circ.1238 and 1533, Annex 3, as FDS+Evac renders it"),
+                 scene, std::move(variants), seeds, briefSeeds, std::move(judge));
 }
 
 }  // namespace

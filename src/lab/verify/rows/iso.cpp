@@ -10,19 +10,9 @@ namespace {
 RowDef iso(const std::string& number, const std::string& title, const std::string& setup,
            const std::string& expected, const std::string& scene, std::vector<std::string> variants,
            std::int32_t seeds, std::int32_t briefSeeds, JudgeRow judge) {
-    RowDef row;
-    row.id = "ISO " + number;
-    row.suite = "ISO";
-    row.source = "ISO 20414:2020, as jupedsim-web and pyFDS-Evac render it";
-    row.title = title;
-    row.setup = setup;
-    row.expected = expected;
-    row.scene = scene;
-    row.variants = std::move(variants);
-    row.seeds = seeds;
-    row.briefSeeds = briefSeeds;
-    row.judge = std::move(judge);
-    return row;
+    return runIn(rowOf("ISO", number, title, setup, expected,
+                       "ISO 20414:2020, as jupedsim-web and pyFDS-Evac render it"),
+                 scene, std::move(variants), seeds, briefSeeds, std::move(judge));
 }
 
 const std::vector<std::string> kStairWidths{"1.0", "1.2", "1.4", "1.6", "1.8"};

@@ -222,13 +222,31 @@ JudgeRow judgeDynamicExit() {
     };
 }
 
-RowDef missingRow(const std::string& suite, const std::string& number, const std::string& title,
-                  const std::string& expected, const std::string& why) {
+RowDef rowOf(const std::string& suite, const std::string& number, const std::string& title,
+             const std::string& setup, const std::string& expected, const std::string& source) {
     RowDef row;
     row.id = suite + " " + number;
     row.suite = suite;
+    row.source = source;
     row.title = title;
+    row.setup = setup;
     row.expected = expected;
+    return row;
+}
+
+RowDef runIn(RowDef row, const std::string& scene, std::vector<std::string> variants, std::int32_t seeds,
+             std::int32_t briefSeeds, JudgeRow judge) {
+    row.scene = scene;
+    row.variants = std::move(variants);
+    row.seeds = seeds;
+    row.briefSeeds = briefSeeds;
+    row.judge = std::move(judge);
+    return row;
+}
+
+RowDef missingRow(const std::string& suite, const std::string& number, const std::string& title,
+                  const std::string& expected, const std::string& why) {
+    RowDef row = rowOf(suite, number, title, "", expected, "");
     row.missing = why;
     return row;
 }

@@ -45,6 +45,12 @@ JudgeRow judgeAffiliation();
 /// The one whose exit is shut leaves by the other.
 JudgeRow judgeDynamicExit();
 
+/// What a row of a suite says of itself.
+RowDef rowOf(const std::string& suite, const std::string& number, const std::string& title,
+             const std::string& setup, const std::string& expected, const std::string& source);
+/// A row that is run in a scene: its variants, its seeds, those of the short set, and its judge.
+RowDef runIn(RowDef row, const std::string& scene, std::vector<std::string> variants, std::int32_t seeds,
+             std::int32_t briefSeeds, JudgeRow judge);
 /// A row that cannot be run.
 RowDef missingRow(const std::string& suite, const std::string& number, const std::string& title,
                   const std::string& expected, const std::string& why);

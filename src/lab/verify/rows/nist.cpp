@@ -7,19 +7,9 @@ namespace {
 RowDef nist(const std::string& number, const std::string& title, const std::string& setup,
             const std::string& expected, const std::string& scene, std::vector<std::string> variants,
             std::int32_t seeds, std::int32_t briefSeeds, JudgeRow judge) {
-    RowDef row;
-    row.id = "NIST " + number;
-    row.suite = "NIST";
-    row.source = "NIST TN 1822 (2013), as jupedsim-web renders it";
-    row.title = title;
-    row.setup = setup;
-    row.expected = expected;
-    row.scene = scene;
-    row.variants = std::move(variants);
-    row.seeds = seeds;
-    row.briefSeeds = briefSeeds;
-    row.judge = std::move(judge);
-    return row;
+    return runIn(
+        rowOf("NIST", number, title, setup, expected, "NIST TN 1822 (2013), as jupedsim-web renders it"),
+        scene, std::move(variants), seeds, briefSeeds, std::move(judge));
 }
 
 }  // namespace

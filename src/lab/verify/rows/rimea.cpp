@@ -14,24 +14,7 @@ const std::vector<std::string> kRingDensities{"0.5 equal", "1 equal", "2 equal",
 
 RowDef rimea(const std::string& number, const std::string& title, const std::string& setup,
              const std::string& expected) {
-    RowDef row;
-    row.id = "RiMEA " + number;
-    row.suite = "RiMEA";
-    row.source = kRimeaSource;
-    row.title = title;
-    row.setup = setup;
-    row.expected = expected;
-    return row;
-}
-
-RowDef runIn(RowDef row, const std::string& scene, std::vector<std::string> variants, std::int32_t seeds,
-             std::int32_t briefSeeds, JudgeRow judge) {
-    row.scene = scene;
-    row.variants = std::move(variants);
-    row.seeds = seeds;
-    row.briefSeeds = briefSeeds;
-    row.judge = std::move(judge);
-    return row;
+    return rowOf("RiMEA", number, title, setup, expected, kRimeaSource);
 }
 
 JudgeRow judgeStairTime(const std::string& variant) {

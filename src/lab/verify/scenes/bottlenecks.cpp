@@ -20,6 +20,16 @@ double longestGap(const std::vector<Crossing>& crossed) {
     return longest;
 }
 
+/// Adults who are scattered over a box leave the hall; 300 s at most.
+Result<HallRun> emptied(Hall& hall, const Box& box, std::int32_t count, std::uint64_t seed,
+                        double margin = 0.3) {
+    hall.crowd(
+        {.starts = scattered(box, count, seed, margin), .people = {adults()}, .order = Order::leave()});
+    Result<HallRun> walk = HallRun::start(hall, seed);
+    if (walk.ok()) walk->runUntil(300.0);
+    return walk;
+}
+
 /// Variant: the width of a door, 0.4 m deep, in the wall of a room of 12 m depth and width, from which people
 /// flow off freely.
 Result<VerifySample> runDoor(const SceneRun& run) {
@@ -29,12 +39,8 @@ Result<VerifySample> runDoor(const SceneRun& run) {
     hall.exit(boxOf(15, 2, 17, 10));
     // The jam is there from the beginning: 2.5 people on a square metre before the door.
     const double depth = count / 2.5 / 12.0;
-    hall.crowd({.starts = scattered(boxOf(11.5 - depth, 0, 11.5, 12), count, run.seed, 0.25),
-                .people = {adults()},
-                .order = Order::leave()});
-    auto walk = HallRun::start(hall, run.seed);
+    auto walk = emptied(hall, boxOf(11.5 - depth, 0, 11.5, 12), count, run.seed, 0.25);
     if (!walk.ok()) return walk.status();
-    walk->runUntil(300.0);
     const auto crossed = firstCrossings(crossings(walk->trajectories(), uprightLine(12.2, low, high)), 1);
     VerifySample sample;
     sample.figures["flow"] = crossed.size() + 1 < static_cast<std::size_t>(count) ? kUnmeasured
@@ -52,12 +58,8 @@ Result<VerifySample> runCorridorBetween(const SceneRun& run) {
     Hall hall(
         {boxOf(0, 0, 10, 10), boxOf(10, 4.5, 15, 5.5), boxOf(15, 0, 25, 10), boxOf(25, 4.5, 26.5, 5.5)});
     hall.exit(boxOf(25.2, 4.5, 26.5, 5.5));
-    hall.crowd({.starts = scattered(boxOf(0, 0, 5, 10), 150, run.seed),
-                .people = {adults()},
-                .order = Order::leave()});
-    auto walk = HallRun::start(hall, run.seed);
+    auto walk = emptied(hall, boxOf(0, 0, 5, 10), 150, run.seed);
     if (!walk.ok()) return walk.status();
-    walk->runUntil(300.0);
     const Trajectories all = walk->trajectories();
     const auto corridor = firstCrossings(crossings(all, uprightLine(12.5, 4.5, 5.5)), 1);
     const auto exit = firstCrossings(crossings(all, uprightLine(25.1, 4.5, 5.5)), 1);
@@ -85,12 +87,8 @@ Result<VerifySample> runBottleneck(const SceneRun& run) {
     const double low = 5.0 - 0.5 * width, high = 5.0 + 0.5 * width, end = 10.0 + length;
     Hall hall({boxOf(0, 0, 10, 10), boxOf(10, low, end, high), boxOf(end, 0, end + 12, 10)});
     hall.exit(away > 0.0 ? boxOf(end + away, 0, end + 12, 10) : boxOf(end, low, end + 1.0, high));
-    hall.crowd({.starts = scattered(boxOf(0, 0, 10, 10), 150, run.seed),
-                .people = {adults()},
-                .order = Order::leave()});
-    auto walk = HallRun::start(hall, run.seed);
+    auto walk = emptied(hall, boxOf(0, 0, 10, 10), 150, run.seed);
     if (!walk.ok()) return walk.status();
-    walk->runUntil(300.0);
     const auto crossed = firstCrossings(crossings(walk->trajectories(), uprightLine(10.1, low, high)), 1);
     VerifySample sample;
     sample.figures["time"] = crossed.size() < 150 ? kUnmeasured : crossed.back().time;
@@ -105,12 +103,8 @@ Result<VerifySample> runTwoBottlenecks(const SceneRun& run) {
     Hall hall({boxOf(0, 0, 10, 10), boxOf(10, 4.5, 10.2, 5.5), boxOf(10.2, 0, 20.2, 10),
                boxOf(20.2, 4.5, 20.4, 5.5), boxOf(20.4, 0, 25.4, 10)});
     hall.exit(boxOf(24.4, 0, 25.4, 10));
-    hall.crowd({.starts = scattered(boxOf(0, 0, 10, 10), 150, run.seed),
-                .people = {adults()},
-                .order = Order::leave()});
-    auto walk = HallRun::start(hall, run.seed);
+    auto walk = emptied(hall, boxOf(0, 0, 10, 10), 150, run.seed);
     if (!walk.ok()) return walk.status();
-    walk->runUntil(300.0);
     const Trajectories all = walk->trajectories();
     const auto queue = [&](const Box& box) {
         const auto density = classicDensity(all, Region::create(cornersOf(box)).value());
