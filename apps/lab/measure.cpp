@@ -127,7 +127,7 @@ Result<Measurement> measureAll(const TrajectoryOptions& options) {
     }
     measured.lastSeen = lastSeen(all);
     if (options.singleFile)
-        for (const Headway& h : headways(all, options.period)) measured.headways.push_back(h.distance);
+        for (const FileHeadway& h : headways(all, options.period)) measured.headways.push_back(h.distance);
     return measured;
 }
 

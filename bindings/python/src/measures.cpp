@@ -124,7 +124,7 @@ py::tuple headwaysOf(const Recording& self, double period, bool backwards) {
     std::vector<std::int64_t> rows;
     std::vector<std::uint32_t> ahead;
     std::vector<double> distances;
-    for (const Headway& h : headways(self.trajectories, period, backwards)) {
+    for (const FileHeadway& h : headways(self.trajectories, period, backwards)) {
         rows.push_back(static_cast<std::int64_t>(h.sighting));
         ahead.push_back(h.ahead);
         distances.push_back(h.distance);

@@ -15,6 +15,7 @@ inline constexpr std::size_t
     kMaxObstacles = 20000;                      ///< Of a scenario; also the limit for patches and for items.
 inline constexpr std::size_t kMaxText = 4096;   ///< Bytes of a name or description.
 inline constexpr std::size_t kMaxAreas = 1000;  ///< Exits, sources and waiting areas.
+inline constexpr std::size_t kMaxSorts = 100;   ///< Of persons in one group.
 inline constexpr double kMaxCoordinate = 1e6;   ///< Of any position [m].
 
 /// InvalidArgument where the spacing, the opening or the shape is bad.

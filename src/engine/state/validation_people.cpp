@@ -80,8 +80,7 @@ Status validateArea(const AreaDef& area) {
 }
 
 Status validatePeople(const std::vector<PeopleDef>& people) {
-    constexpr std::size_t kMostSorts = 100;
-    if (people.size() > kMostSorts)
+    if (people.size() > kMaxSorts)
         return {StatusCode::LimitExceeded, "people: there are more than 100 sorts"};
     for (std::size_t k = 0; k < people.size(); ++k) {
         const PeopleDef& sort = people[k];

@@ -52,8 +52,7 @@ void describePeople(FieldReader& v, std::vector<PeopleDef>& people) {
     const Json* found = v.find("people");
     if (found == nullptr) return;
     const bool list = found->isArray();
-    if (list && found->size() > kMostSorts)
-        return v.fail("people", describeJson(*found), "at most 100 sorts");
+    if (list && found->size() > kMaxSorts) return v.fail("people", describeJson(*found), "at most 100 sorts");
     people.clear();
     for (std::size_t i = 0; i < (list ? found->size() : 1) && !v.failed(); ++i) {
         const Json& one = list ? (*found)[i] : *found;
@@ -70,7 +69,7 @@ void describePeople(FieldReader& v, std::vector<PeopleDef>& people) {
 
 void describePeople(FieldWriter& v, std::vector<PeopleDef>& people) {
     if (people.size() == 1 && people.front() == adults()) return v.set("people", kAdultsWord);
-    v.list("people", people, kMostSorts, kPeople,
+    v.list("people", people, kMaxSorts, kPeople,
            [](FieldWriter& item, PeopleDef& sort) { describeSort(item, sort); });
 }
 
@@ -81,7 +80,7 @@ void describePeople(FieldSchema& v, std::vector<PeopleDef>&) {
     describeSort(inner, none);
     const Json word = {{"enum", Json::array({kAdultsWord})}};
     const Json either = {{"anyOf", Json::array({word, sort})}};
-    const Json list = {{"type", "array"}, {"maxItems", kMostSorts}, {"items", either}};
+    const Json list = {{"type", "array"}, {"maxItems", kMaxSorts}, {"items", either}};
     v.set("people", {{"anyOf", Json::array({word, sort, list})}}, kPeople, Need::Optional);
 }
 

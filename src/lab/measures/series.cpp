@@ -69,8 +69,8 @@ std::vector<double> smoothed(std::span<const double> values, std::size_t width) 
     return means;
 }
 
-std::vector<Headway> headways(const Trajectories& trajectories, double period, bool backwards) {
-    std::vector<Headway> found;
+std::vector<FileHeadway> headways(const Trajectories& trajectories, double period, bool backwards) {
+    std::vector<FileHeadway> found;
     const Sighting* first = trajectories.all().data();
     std::vector<const Sighting*> file;
     for (std::int32_t f = 0; f < trajectories.frameCount(); ++f) {

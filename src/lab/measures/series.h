@@ -33,13 +33,14 @@ std::size_t firstReaching(std::span<const double> values, double value);
 std::vector<double> smoothed(std::span<const double> values, std::size_t width);
 
 /// Who walks ahead in single file, and how far.
-struct Headway {
+struct FileHeadway {
     std::size_t sighting = 0;  ///< Index into all().
     std::uint32_t ahead = 0;   ///< Id of the one ahead.
     double distance = 0.0;     ///< Between both, along the file [m].
 };
 /// For everybody in every frame the one ahead in the direction +x, or -x where `backwards`; on ground joined
 /// in x the one across the seam, where `period` is above 0 [m].
-std::vector<Headway> headways(const Trajectories& trajectories, double period = 0.0, bool backwards = false);
+std::vector<FileHeadway> headways(const Trajectories& trajectories, double period = 0.0,
+                                  bool backwards = false);
 
 }  // namespace muster

@@ -208,7 +208,7 @@ private:
     const Mover& mover_;
     float dt_;
     PosedBody& body_;
-    BodyAxes axes_;
+    BodyFrame axes_;
 };
 
 }  // namespace

@@ -39,7 +39,7 @@ struct JointTarget {
 /// The update of one limb in one step.
 class LimbStep {
 public:
-    LimbStep(const ClipTable& table, const Mover& mover, const BodyAxes& axes, std::size_t number,
+    LimbStep(const ClipTable& table, const Mover& mover, const BodyFrame& axes, std::size_t number,
              PosedBody& body)
         : table_(table),
           mover_(mover),
@@ -162,7 +162,7 @@ private:
 
     const ClipTable& table_;
     const Mover& mover_;
-    const BodyAxes& axes_;
+    const BodyFrame& axes_;
     std::size_t number_;
     LimbLock& limb_;
     const LimbLock& other_;
@@ -183,16 +183,16 @@ Quat yawRotation(const Rotation& rotation) {
     return {0.0f, 0.0f, z, s / (2.0f * z)};
 }
 
-BodyAxes::BodyAxes(const Mover& mover)
+BodyFrame::BodyFrame(const Mover& mover)
     : position(mover.position), facing(mover.facing), rotation(yawRotation(mover.facing)), size(mover.size) {}
 
-Vec3 BodyAxes::toBody(Vec2 point, float height) const {
+Vec3 BodyFrame::toBody(Vec2 point, float height) const {
     const Vec2 p = facing.applyInverse(point - position);
     const float shrink = 1.0f / size;
     return {static_cast<float>(p.x) * shrink, static_cast<float>(p.y) * shrink, height * shrink};
 }
 
-LimbTarget lockLimb(const ClipTable& table, const Mover& mover, const BodyAxes& axes, std::size_t limb,
+LimbTarget lockLimb(const ClipTable& table, const Mover& mover, const BodyFrame& axes, std::size_t limb,
                     const LimbTarget& free, float dt, PosedBody& body) {
     return LimbStep(table, mover, axes, limb, body).run(free, dt);
 }

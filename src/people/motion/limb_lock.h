@@ -17,13 +17,13 @@ inline Vec3 touchingPoint(Quat rotation) {
 inline constexpr float kFixedHeight = 0.3f;
 
 /// The axes of a body of size 1 in the world: x forward, y left, z up, from the ground below it.
-struct BodyAxes {
+struct BodyFrame {
     Vec2 position;      ///< Position of the origin [m].
     Rotation facing;    ///< From the body axes to the world.
     Quat rotation;      ///< The same as `facing`.
     float size = 1.0f;  ///< Size of the body relative to the skeleton.
 
-    explicit BodyAxes(const Mover& mover);
+    explicit BodyFrame(const Mover& mover);
     /// Transforms a point from the world to the body axes.
     Vec3 toBody(Vec2 point, float height) const;
     /// The point on the ground below a point in the body axes.
@@ -42,7 +42,7 @@ struct LimbTarget {
 /// Updates the lock of a limb (index of kLockableLimbs) and returns its target. `free` is the target by the
 /// clip alone. A limb is locked at its position when its contact begins. It is released when the contact ends
 /// or the body has moved too far; then the remaining offset fades.
-LimbTarget lockLimb(const ClipTable& table, const Mover& mover, const BodyAxes& axes, std::size_t limb,
+LimbTarget lockLimb(const ClipTable& table, const Mover& mover, const BodyFrame& axes, std::size_t limb,
                     const LimbTarget& free, float dt, PosedBody& body);
 
 }  // namespace muster

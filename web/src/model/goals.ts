@@ -2,7 +2,7 @@
 
 import { OrderKind } from '../protocol/messages';
 import type { AreaKind, SceneArea } from '../protocol/scene';
-import { distance, insidePolygon, type GroundPoint } from './plane';
+import { distanceToSegment, insidePolygon, type GroundPoint } from './plane';
 
 /** True for orders during which nobody has a place. */
 export function isPlaceless({ kind }: { readonly kind: number }): boolean {
@@ -20,14 +20,7 @@ const kNear = 1;
 function away(at: GroundPoint, { polygon }: SceneArea): number {
   const corners = polygon.map(([x, y]) => ({ x, y }));
   if (insidePolygon(at, corners)) return 0;
-  const toEdges = corners.map((a, k) => {
-    const b = corners[(k + 1) % corners.length]!;
-    const [dx, dy] = [b.x - a.x, b.y - a.y];
-    const along = ((at.x - a.x) * dx + (at.y - a.y) * dy) / Math.max(1e-9, dx * dx + dy * dy);
-    const t = Math.min(1, Math.max(0, along));
-    return distance(at, { x: a.x + t * dx, y: a.y + t * dy });
-  });
-  return Math.min(...toEdges);
+  return Math.min(...corners.map((a, k) => distanceToSegment(at, a, corners[(k + 1) % corners.length]!)));
 }
 
 /** The area of that kind at a press, or near it; null for none. */

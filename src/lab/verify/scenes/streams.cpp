@@ -113,7 +113,7 @@ Result<VerifySample> runFile(const SceneRun& run) {
     // Each by itself: one over the distance to the one ahead, and its speed, once in a second.
     const Trajectories all = walk->trajectories();
     const auto speeds = personalSpeeds(all, {.frameStep = 10, .direction = Vec2{1, 0}, .period = kLength});
-    for (const Headway& h : headways(all, kLength)) {
+    for (const FileHeadway& h : headways(all, kLength)) {
         const Sighting& s = all.all()[h.sighting];
         if (s.frame % 20 != 0 || all.timeOf(s.frame) < kFileWarmUp || !std::isfinite(speeds[h.sighting]))
             continue;
