@@ -131,7 +131,8 @@ export async function templates(studio, server) {
     studio.page.waitForEvent('download'),
     dialogOf(studio).locator('button', { hasText: 'Download' }).click(),
   ]);
-  expect(download.suggestedFilename() === 'stadium-gate.json', download.suggestedFilename());
+  const file = `${names.at(-1).toLowerCase().replaceAll(' ', '-')}.json`;
+  expect(download.suggestedFilename() === file, `${download.suggestedFilename()}, not ${file}`);
   const folder = mkdtempSync(join(tmpdir(), 'muster-place-'));
   const [mine, own] = ['downloaded.json', 'server.json'].map((name) => join(folder, name));
   await download.saveAs(mine);
