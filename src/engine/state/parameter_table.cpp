@@ -198,9 +198,9 @@ Result<Parameters> parameterPreset(std::string_view name) {
     Parameters parameters;
     if (name == "units" || name == "muster") return parameters;
     if (name == "people") {
-        parameters.character.radius = 0.22;
+        parameters.character.radius = 0.18;
         parameters.character.maxSpeed = 1.34;
-        parameters.character.headway = 0.6;
+        parameters.character.headway = 1.06;
         parameters.character.inStep = 0.0;
         parameters.character.foresight = 3.0;
         parameters.density.min = 0.75;

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "engine/steering/lane.h"
 
 namespace muster {
 namespace {
@@ -84,18 +87,19 @@ std::span<const NeighbourPair> Headway::findMeetings(const Characters& now, cons
     const double ahead = std::max(
                      {bodies.usual().foresight, bodies.longestHeadway(), bodies.longestBraking()}),
                  ahead2 = ahead * ahead;
-    const double headway = inStep_ < 1.0 ? bodies.longestHeadway() : 0.0, headway2 = headway * headway;
+    const double headway = inStep_ < 1.0 ? bodies.longestHeadway() : 0.0;
     const std::span<const Vec2> position = now.position;
     meetings_.resize(std::max({meetings_.size(), pairs.size(), kPairsPerCharacter * now.size()}));
     NeighbourPair* next = meetings_.data();
     const auto note = [&](NeighbourPair pair, double touching) {
         const Vec2 a = velocity[pair.low], b = velocity[pair.high];
-        const double gap = length(bodies.between(position[pair.low], position[pair.high])) - touching;
+        const Vec2 between = bodies.between(position[pair.low], position[pair.high]);
+        const double apart = length(between), gap = apart - touching;
         const double near = gap - kSlack * kSlackTime, slow = gap - kSlack * headway;
-        const double fastest2 = std::max(lengthSquared(a), lengthSquared(b));
+        const double onto = std::max(dot(a, between), -dot(b, between));
         const bool apartForLong = static_cast<int>(near > 0.0) &
                                   static_cast<int>(near * near > ahead2 * lengthSquared(a - b)) &
-                                  static_cast<int>(slow * slow >= headway2 * fastest2);
+                                  static_cast<int>(slow * apart >= headway * onto);
         *next = pair;
         next += apartForLong ? 0 : 1;
     };
@@ -118,6 +122,15 @@ void Headway::meet(NeighbourPair pair, const Apart& two, const HeadwayInput& inp
     share(pair, shareOf(pair, input), tangentOf(two, closing, ahead, turns, dt_), ahead, velocity);
 }
 
+// Out of step the one behind keeps its headway in the lane of its heading, and off whom it touches.
+void Headway::keepBehind(const Apart& two, std::int32_t back, std::int32_t front, Vec2 heading,
+                         std::span<const Vec2> velocity) {
+    if (two.gap() <= 0.0 || heading == Vec2{}) return follow(back, front, two.towards, two.gap(), true, velocity);
+    const double way = wayAhead(two.between, heading, two.touching);
+    if (way < std::numeric_limits<double>::infinity())
+        follow(back, front, two.towards, std::max(0.0, way) * dot(two.towards, heading), true, velocity);
+}
+
 // Those who go the same way. Out of step the one behind passes the other or keeps behind, and pushes nobody.
 // In step both keep clear, but nobody pushes one ahead that does not get on.
 void Headway::goTogether(const Characters& now, NeighbourPair pair, const Apart& two,
@@ -129,15 +142,18 @@ void Headway::goTogether(const Characters& now, NeighbourPair pair, const Apart&
     const bool aFirst = inFront ? lead < 0.0 : now.cost[a] <= now.cost[b];
     const Claim& first = input.claims[aFirst ? a : b];
     const Vec2 closing = velocity[a] - velocity[b];
-    const bool outOfStep = inStep_ < 1.0;
-    if (outOfStep) {
-        const double foresight = bodies_->usual().foresight;
-        share(pair, aFirst ? 0.0 : 1.0, tangentOf(two, closing, foresight, false, dt_), foresight, velocity);
-    }
-    if (outOfStep || (inFront ? !getsOn(first) : first.stuck > 0.0f))
-        return aFirst ? follow(b, a, -two.towards, two.gap(), outOfStep, velocity)
-                      : follow(a, b, two.towards, two.gap(), outOfStep, velocity);
     const double headway = std::max(bodies_->headway(a), bodies_->headway(b));
+    if (inStep_ < 1.0) {
+        const double near = two.gap() - kSlack * kSlackTime;
+        if (near <= 0.0 || near * near <= headway * headway * lengthSquared(closing))
+            share(pair, aFirst ? 0.0 : 1.0, tangentOf(two, closing, headway, false, dt_), headway, velocity);
+        const Vec2 heading = normalized(input.turned[aFirst ? b : a]);
+        return aFirst ? keepBehind(two.reversed(), b, a, heading, velocity)
+                      : keepBehind(two, a, b, heading, velocity);
+    }
+    if (inFront ? !getsOn(first) : first.stuck > 0.0f)
+        return aFirst ? follow(b, a, -two.towards, two.gap(), false, velocity)
+                      : follow(a, b, two.towards, two.gap(), false, velocity);
     share(pair, bodies_->share(a, b), tangentOf(two, closing, headway, false, dt_), headway, velocity);
 }
 

@@ -18,7 +18,8 @@ namespace muster {
 
 /// What all characters want in one step, one entry per character.
 struct HeadwayInput {
-    std::span<const Vec2> wanted;       ///< Velocity that each wants [m/s].
+    std::span<const Vec2> wanted;       ///< Velocity along the own way that each wants [m/s].
+    std::span<const Vec2> turned;       ///< The same, turned to overtake [m/s].
     std::span<const double> topSpeed;   ///< On its ground [m/s].
     std::span<const Claim> claims;      ///< How each gets on.
     const RightOfWay* right = nullptr;  ///< Null where nobody is blocked.
@@ -32,6 +33,8 @@ struct Apart {
     double touching;        ///< The same where they touch [m].
 
     double gap() const { return distance - touching; }  ///< Between their bodies [m].
+    /// The same from the other to the first.
+    Apart reversed() const { return {-between, -towards, distance, touching}; }
 };
 
 /// A limit on the closing velocity of two: n.v <= most.
@@ -71,6 +74,8 @@ private:
     double shareOf(NeighbourPair pair, const HeadwayInput& input) const;
     void meet(NeighbourPair pair, const Apart& two, const HeadwayInput& input,
               std::span<const Vec2> velocity);
+    void keepBehind(const Apart& two, std::int32_t back, std::int32_t front, Vec2 heading,
+                    std::span<const Vec2> velocity);
     void goTogether(const Characters& now, NeighbourPair pair, const Apart& two, const HeadwayInput& input,
                     std::span<const Vec2> velocity);
     void addPair(const Characters& now, NeighbourPair pair, const HeadwayInput& input,

@@ -118,22 +118,25 @@ void Steering::run(const CrowdBodies& bodies, Characters& now, const SteeringInp
     axes_.resolve(environment, now, input.place, input.placeVelocity);
     axes_.keepDistance(bodies, now, preferred_);
     giveWay_.run(bodies, now, environment, neighbours_, topSpeed_, preferred_);
+    const bool outOfStep = def.inStep < 1.0;
+    if (blocked || outOfStep) rows_.build(bodies, now.position, neighbours_.pairs());
     if (blocked) {
-        rows_.build(bodies, now.position, neighbours_.pairs());
         right_.run(bodies, environment, rows_, topSpeed_, giveWay_.leaving(), now, now.claim, preferred_);
     }
     standStill(now.claim);
+    turned_.assign(preferred_.begin(), preferred_.end());
+    if (outOfStep) overtaking_.run(bodies, now, environment, rows_, topSpeed_, turned_);
     if (!standing_.empty())
-        goPast_.run(bodies, now, environment, neighbours_, standing_, input.place, preferred_);
+        goPast_.run(bodies, now, environment, neighbours_, standing_, input.place, turned_);
     const StepGains gains{std::min(1.0, def.velocityGain * dt), std::min(1.0, kHeadingRate * dt),
                           std::min(1.0, kLyingRate * dt)};
     const std::vector<ClipFacts>& clips = environment.def().clips;
     forChunks(pool, count, kPerTask, [&, gains](std::size_t i) {
         velocity[i] = bodies.isFixed(i) ? now.velocity[i]
                                         : nextVelocity(gains.velocityShare, bodies.acceleration(i) * dt,
-                                                       now.velocity[i], preferred_[i], topSpeed_[i]);
+                                                       now.velocity[i], turned_[i], topSpeed_[i]);
     });
-    const HeadwayInput headway{preferred_, topSpeed_, now.claim, blocked ? &right_ : nullptr, dt};
+    const HeadwayInput headway{preferred_, turned_, topSpeed_, now.claim, blocked ? &right_ : nullptr, dt};
     headway_.run(bodies, now, environment, neighbours_, headway, velocity);
     for (std::size_t i = 0; i < standing_.size(); ++i)
         if (standing_[i] != 0)

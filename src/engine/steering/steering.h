@@ -14,6 +14,7 @@
 #include "engine/steering/go_past.h"
 #include "engine/steering/headway.h"
 #include "engine/steering/near_rows.h"
+#include "engine/steering/overtaking.h"
 #include "engine/steering/right_of_way.h"
 #include "muster/parameters.h"
 
@@ -62,10 +63,12 @@ private:
     NearRows rows_;
     RightOfWay right_;
     GoPast goPast_;
+    Overtaking overtaking_;
     Headway headway_;
     BodyAxes axes_;
     NeighbourList neighbours_;
     std::vector<Vec2> preferred_;         // Preferred velocities [m/s].
+    std::vector<Vec2> turned_;            // The same, turned past others [m/s].
     std::vector<double> topSpeed_;        // [m/s]
     std::vector<std::uint8_t> standing_;  // 1 for who stays where it is; empty where nobody does.
 };

@@ -95,7 +95,7 @@ struct Walkers {
         for (std::size_t i = 0; i < n; ++i)
             velocity[i] = now.velocity[i] + clampLength(wanted[i] - now.velocity[i], 10.0 * kTick);
         headway.run(bodies, now, environment, neighbours,
-                    {wanted, top, claims, blocked ? &right : nullptr, kTick}, velocity);
+                    {wanted, wanted, top, claims, blocked ? &right : nullptr, kTick}, velocity);
         next = now.position;
         for (std::size_t i = 0; i < n; ++i) next[i] += velocity[i] * kTick;
         const std::vector<double> reach(n, 1.04 * 2.0 * kTick);

@@ -1,0 +1,53 @@
+// Overtaking: who is slowed by somebody ahead looks for a heading in which it gets on better (after the first
+// heuristic of Moussaid, Helbing and Theraulaz 2011).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/ground/environment/environment.h"
+#include "engine/steering/characters.h"
+#include "engine/steering/crowd_bodies.h"
+#include "engine/steering/near_rows.h"
+
+namespace muster {
+
+/// Turns the velocities of those who walk out of step.
+class Overtaking {
+public:
+    /// Turns `wanted` [m/s] by 20, 40 or 60 degrees where the walker makes more way so, by the law of headway
+    /// and within the time of foresight, and no wall stands there; of two sides alike to the right.
+    void run(const CrowdBodies& bodies, const Characters& now, const Environment& environment,
+             const NearRows& rows, std::span<const double> topSpeed, std::span<Vec2> wanted);
+
+private:
+    struct Walker {
+        Vec2 position;     // [m]
+        double speed;      // That it wants [m/s].
+        double radius;     // [m]
+        double headway;    // [s]
+        double foresight;  // [s]
+    };
+    // Somebody near a walker.
+    struct Other {
+        Vec2 between;     // From the walker to it [m].
+        Vec2 velocity;    // [m/s]
+        double touching;  // Distance at which the two touch [m].
+    };
+    // What a heading promises.
+    struct Prospect {
+        double speed;  // [m/s]
+        double past;   // Way until it is past who is ahead [m]; 0 for nobody.
+    };
+
+    static Other other(const CrowdBodies& bodies, const Characters& now, std::int32_t self,
+                       std::int32_t other);
+    static void keepBehind(const Other& other, Vec2 heading, const Walker& walker, Prospect& found);
+    void turn(const Walker& walker, const Environment& environment, const Prospect& straight,
+              Vec2& wanted) const;
+
+    std::vector<Other> others_;  // Of one walker.
+};
+
+}  // namespace muster
