@@ -53,6 +53,7 @@ from .errors import (
     ParseError,
     UnsupportedError,
 )
+from .plan import Plan, Room, load_plan, parse_plan
 from .play import play
 from .records import Area, FormationCheckpoint, Item, Obstacle, Parameter, Patch, Rejection
 from .scenario import Scenario, load_gestures, load_scenario, parse_gestures, parse_scenario, save_scenario
@@ -84,6 +85,7 @@ __all__ = [
     "JOINTS",
     "LimitExceededError",
     "load_gestures",
+    "load_plan",
     "load_scenario",
     "measure",
     "NotFoundError",
@@ -93,12 +95,15 @@ __all__ = [
     "parameter_table",
     "parse_gestures",
     "parse_map",
+    "parse_plan",
     "parse_scenario",
     "ParseError",
     "Patch",
+    "Plan",
     "play",
     "records",
     "Rejection",
+    "Room",
     "run_batch",
     "RunMetrics",
     "save_scenario",
