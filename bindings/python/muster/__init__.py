@@ -53,7 +53,7 @@ from .errors import (
     ParseError,
     UnsupportedError,
 )
-from .plan import Plan, Room, load_plan, parse_plan
+from .floor_plan import FloorPlan, Room, load_floor_plan, parse_floor_plan
 from .play import play
 from .records import Area, FormationCheckpoint, Item, Obstacle, Parameter, Patch, Rejection
 from .scenario import Scenario, load_gestures, load_scenario, parse_gestures, parse_scenario, save_scenario
@@ -74,6 +74,7 @@ __all__ = [
     "Error",
     "errors",
     "export_formats",
+    "FloorPlan",
     "FormationCheckpoint",
     "gestures_schema",
     "Group",
@@ -84,8 +85,8 @@ __all__ = [
     "JOINT_PARENTS",
     "JOINTS",
     "LimitExceededError",
+    "load_floor_plan",
     "load_gestures",
-    "load_plan",
     "load_scenario",
     "measure",
     "NotFoundError",
@@ -93,13 +94,12 @@ __all__ = [
     "Parameter",
     "parameter_preset",
     "parameter_table",
+    "parse_floor_plan",
     "parse_gestures",
     "parse_map",
-    "parse_plan",
     "parse_scenario",
     "ParseError",
     "Patch",
-    "Plan",
     "play",
     "records",
     "Rejection",

@@ -1,8 +1,8 @@
-"""Plans of buildings: GeoJSON in metres as obstacles, areas and rooms.
+"""Floor plans: GeoJSON in metres as obstacles, areas and rooms.
 
     import muster
 
-    plan = muster.load_plan("plan.geojson")
+    plan = muster.load_floor_plan("building.geojson")
     definition = muster.WorldDef(box=plan.box, obstacles=plan.obstacles, areas=plan.areas)
 
 Lines are walls, polygons are obstacles. A polygon with the property `place` is ground instead: "room", or an area by the word of its
@@ -29,7 +29,7 @@ _DEGREES = re.compile(r"CRS84|EPSG:*(4326|4258)$", re.IGNORECASE)
 
 @dataclass(slots=True)
 class Room:
-    """Ground of a plan that has a name.
+    """Ground of a floor plan that has a name.
 
     Attributes:
         name: Its name.
@@ -43,8 +43,8 @@ class Room:
 
 
 @dataclass(slots=True)
-class Plan:
-    """What a plan holds. Coordinates are those of the file.
+class FloorPlan:
+    """What a floor plan holds. Coordinates are those of the file.
 
     Attributes:
         box: The least box round all that is in it: lower left and upper right corner [m].
@@ -59,8 +59,8 @@ class Plan:
     rooms: dict[str, Room] = field(default_factory=dict)
 
 
-def load_plan(path: PathLike, *, wall_width: float = 0.2) -> Plan:
-    """Reads a plan of a building from GeoJSON in metres; lines are walls of that width [m].
+def load_floor_plan(path: PathLike, *, wall_width: float = 0.2) -> FloorPlan:
+    """Reads a floor plan from GeoJSON in metres; lines are walls of that width [m].
 
     Fails with IoError, or with ParseError: `FILE: PLACE: found X, expected Y`. Longitudes and latitudes are refused: a file whose
     numbers could be such has to name another coordinate system under `crs`.
@@ -69,10 +69,10 @@ def load_plan(path: PathLike, *, wall_width: float = 0.2) -> Plan:
         text = Path(path).read_text(encoding="utf-8")
     except OSError as error:
         raise IoError(f"{os.fspath(path)}: {error.strerror}") from error
-    return parse_plan(text, wall_width=wall_width, source_name=os.fspath(path))
+    return parse_floor_plan(text, wall_width=wall_width, source_name=os.fspath(path))
 
 
-def parse_plan(content: str | Mapping[str, Any], *, wall_width: float = 0.2, source_name: str = "plan") -> Plan:
+def parse_floor_plan(content: str | Mapping[str, Any], *, wall_width: float = 0.2, source_name: str = "floor plan") -> FloorPlan:
     """The same from the text of a file, or from its content as a dict."""
     try:
         root = json.loads(content) if isinstance(content, str) else content
@@ -83,8 +83,8 @@ def parse_plan(content: str | Mapping[str, Any], *, wall_width: float = 0.2, sou
         raise ParseError(f"{source_name}: {error}") from None
 
 
-def _plan_of(root: Any, wall_width: float) -> Plan:
-    plan = Plan()
+def _plan_of(root: Any, wall_width: float) -> FloorPlan:
+    plan = FloorPlan()
     for where, geometry, properties in _shapes(root, "$", {}):
         if geometry["type"] == "LineString":
             line = _points(geometry.get("coordinates"), f"{where}.coordinates", 2)
@@ -96,11 +96,11 @@ def _plan_of(root: Any, wall_width: float) -> Plan:
     return plan
 
 
-def _box_of(plan: Plan) -> tuple[Vec2, Vec2]:
+def _box_of(plan: FloorPlan) -> tuple[Vec2, Vec2]:
     outlines = [one.polygon for one in plan.obstacles] + [one.polygon for one in plan.areas] + [one.polygon for one in plan.rooms.values()]
     corners = [corner for outline in outlines for corner in outline]
     if not corners:
-        raise ParseError("$: found no lines and no polygons, expected a plan")
+        raise ParseError("$: found no lines and no polygons, expected a floor plan")
     xs, ys = zip(*corners)
     return (min(xs), min(ys)), (max(xs), max(ys))
 
@@ -159,7 +159,7 @@ def _name(properties: Mapping[str, Any]) -> str:
     return name if isinstance(name, str) else ""
 
 
-def _add_polygon(plan: Plan, polygon: list[Vec2], properties: Mapping[str, Any], where: str) -> None:
+def _add_polygon(plan: FloorPlan, polygon: list[Vec2], properties: Mapping[str, Any], where: str) -> None:
     place = properties.get("place")
     if place is None:
         plan.obstacles.append(_obstacle(polygon, properties))

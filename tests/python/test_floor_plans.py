@@ -1,4 +1,4 @@
-"""Plans of buildings from GeoJSON."""
+"""Floor plans from GeoJSON."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def bounds(obstacle: muster.ObstacleDef) -> list[float]:
 def test_walls_are_as_wide_as_told_and_leave_gaps_as_drawn() -> None:
     north = feature("LineString", [[0, 0], [4, 0]], name="West of the door")
     angle = feature("LineString", [[5, 0], [10, 0], [10, 5]])
-    plan = muster.parse_plan(collection(north, angle), wall_width=0.4)
+    plan = muster.parse_floor_plan(collection(north, angle), wall_width=0.4)
     assert [wall.name for wall in plan.obstacles] == ["West of the door", "", ""]
     assert bounds(plan.obstacles[0]) == pytest.approx([0, -0.2, 4, 0.2])
     # The corner is closed, and the ends are where they were drawn.
@@ -42,14 +42,14 @@ def test_walls_are_as_wide_as_told_and_leave_gaps_as_drawn() -> None:
 
 
 def test_a_closed_line_leaves_no_gap() -> None:
-    plan = muster.parse_plan(collection(feature("LineString", square(0, 0, 10)[0])), wall_width=0.2)
+    plan = muster.parse_floor_plan(collection(feature("LineString", square(0, 0, 10)[0])), wall_width=0.2)
     assert [bounds(wall) for wall in plan.obstacles][0] == pytest.approx([-0.1, -0.1, 10.1, 0.1])
     assert len(plan.obstacles) == 4
     assert bounds(plan.obstacles[3]) == pytest.approx([-0.1, -0.1, 0.1, 10.1])
 
 
 def test_polygons_are_obstacles_areas_and_rooms() -> None:
-    plan = muster.parse_plan(
+    plan = muster.parse_floor_plan(
         collection(
             feature("Polygon", square(0, 0, 1), name="Desk", height=0.8),
             feature("MultiPolygon", [square(3, 0, 1), square(5, 0, 1)]),
@@ -70,7 +70,7 @@ def test_people_leave_by_the_exit_of_a_plan() -> None:
     outside = feature("LineString", [[9, 0], [0, 0], [0, 6], [9, 6]])
     door = [feature("LineString", [[9, 0], [9, 2.5]]), feature("LineString", [[9, 3.5], [9, 6]])]
     way_out = feature("Polygon", square(9.5, 2.0, 2), place="exit", name="Door")
-    plan = muster.parse_plan(collection(outside, *door, way_out))
+    plan = muster.parse_floor_plan(collection(outside, *door, way_out))
     guests = muster.GroupDef(count=12, position=(4.0, 3.0), people=[muster.adults()], orders=[muster.Order.leave()])
     definition = muster.WorldDef(box=plan.box, obstacles=plan.obstacles, areas=plan.areas, groups=[guests])
     definition.parameters = muster.parameter_preset("people")
@@ -83,7 +83,7 @@ def test_people_leave_by_the_exit_of_a_plan() -> None:
 @pytest.mark.parametrize(
     ("content", "sentence"),
     [
-        ('{"type": ', "plan: Expecting value"),
+        ('{"type": ', "floor plan: Expecting value"),
         ({"type": "FeatureCollection", "crs": METRES, "features": [None, {"type": "Feature", "geometry": None}]}, "found no lines"),
         (collection(feature("LineString", [[0, 0], [0, "a"]])), r"\$.features\[0\].geometry.coordinates\[1\]: found .*expected two numbers"),
         (collection(feature("LineString", [[0, 0], [0, 0]])), "found 1 points, expected 2 or more"),
@@ -95,15 +95,15 @@ def test_people_leave_by_the_exit_of_a_plan() -> None:
 )
 def test_what_is_wrong_gets_one_sentence(content: Any, sentence: str) -> None:
     with pytest.raises(muster.ParseError, match=sentence):
-        muster.parse_plan(content)
+        muster.parse_floor_plan(content)
 
 
 def test_files_are_read_and_named_in_failures(tmp_path) -> None:
     path = tmp_path / "house.geojson"
     path.write_text(json.dumps(collection(feature("Polygon", square(0, 0, 1)))))
-    assert muster.load_plan(path).box == ((0.0, 0.0), (1.0, 1.0))
+    assert muster.load_floor_plan(path).box == ((0.0, 0.0), (1.0, 1.0))
     path.write_text("[]")
     with pytest.raises(muster.ParseError, match="house.geojson: "):
-        muster.load_plan(path)
+        muster.load_floor_plan(path)
     with pytest.raises(muster.IoError, match="none.geojson: "):
-        muster.load_plan(tmp_path / "none.geojson")
+        muster.load_floor_plan(tmp_path / "none.geojson")
