@@ -18,5 +18,5 @@ def test_programs_of_the_page_run(page: str, root, tmp_path, monkeypatch, capsys
         exec(compile(program, page, "exec"), scope)
     assert "15.0 [" in capsys.readouterr().out
     if page == "docs/python.md":
-        assert len(programs) == 8 and scope["info"]["time"] == 1.0 and len(scope["figures"]) == 4
+        assert len(programs) == 9 and scope["info"]["time"] == 1.0 and len(scope["figures"]) == 4
         assert (scope["frame"]["id"].nunique(), scope["frame"]["frame"].max()) == (36, 125)

@@ -52,6 +52,17 @@ def test_speeds_and_densities() -> None:
         measure.voronoi(persons, area=area)
 
 
+def test_the_ground_of_a_world_bounds_cells() -> None:
+    wall = muster.ObstacleDef(polygon=[(4, 0), (5, 0), (5, 6), (4, 6)])
+    corner = muster.ObstacleDef(polygon=[(0, 0), (2, 0), (2, 2), (1, 2), (1, 1), (0, 1)])
+    ground = measure.ground(muster.World(muster.WorldDef(box=((0, 0), (10, 6)), obstacles=[wall, corner])))
+    assert ground.area == pytest.approx(60 - 6 - 3)
+    assert ground.contains((0.5, 1.5)) and not ground.contains((1.5, 1.5))
+    # Each alone in a room of the two.
+    alone = measure.Trajectories(10.0, [0, 0], [1, 2], [(3, 3), (6, 3)])
+    assert measure.cell_areas(alone, 0, ground, cut_off=20.0) == pytest.approx([21.0, 30.0])
+
+
 def test_headways_and_series() -> None:
     persons = file_of_persons()
     rows, ahead, distances = measure.headways(persons)

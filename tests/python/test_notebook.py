@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import json
-
 import pytest
+from notebook_cells import cells_of, pictures_of, texts_of
 
 import muster
 
@@ -14,17 +13,7 @@ KNOWN_MISS = "without at most 5 % do in every seed"  # Two of 36 in some of ten 
 @pytest.fixture(scope="module")
 def cells():
     """What the cells leave behind."""
-    matplotlib = pytest.importorskip("matplotlib", reason="matplotlib is not there (Debian's python3-matplotlib)")
-    matplotlib.use("Agg")
-    from conftest import ROOT
-
-    notebook = json.loads((ROOT / "docs/notebooks/x8-and-j1.ipynb").read_text(encoding="utf-8"))
-    scope: dict = {"__name__": "notebook"}
-    for cell in notebook["cells"]:
-        if cell["cell_type"] == "code":
-            exec(compile("".join(cell["source"]), "x8-and-j1.ipynb", "exec"), scope)
-    scope["notebook"] = notebook
-    return scope
+    return cells_of("x8-and-j1.ipynb")
 
 
 def test_criteria_hold(cells, measured) -> None:
@@ -35,11 +24,10 @@ def test_criteria_hold(cells, measured) -> None:
 
 
 def test_its_outputs_are_those_of_this_version(cells) -> None:
-    texts = ["".join(out["text"]) for cell in cells["notebook"]["cells"] for out in cell.get("outputs", []) if "text" in out]
+    texts = texts_of(cells["notebook"])
     for criterion, (found, _) in cells["verdicts"].items():
         assert any(f"{criterion}: {found}" in text for text in texts), f"{criterion}: run the notebook again"
-    pictures = [out for cell in cells["notebook"]["cells"] for out in cell.get("outputs", []) if "image/png" in out.get("data", {})]
-    assert len(pictures) == 2 and len(cells["plt"].get_fignums()) == 2
+    assert len(pictures_of(cells["notebook"])) == 2 and len(cells["plt"].get_fignums()) == 2
 
 
 @pytest.mark.parametrize("blind", [False, True])

@@ -53,6 +53,7 @@ from .errors import (
     ParseError,
     UnsupportedError,
 )
+from .floor_plan import FloorPlan, Room, load_floor_plan, parse_floor_plan
 from .play import play
 from .records import Area, FormationCheckpoint, Item, Obstacle, Parameter, Patch, Rejection
 from .scenario import Scenario, load_gestures, load_scenario, parse_gestures, parse_scenario, save_scenario
@@ -73,6 +74,7 @@ __all__ = [
     "Error",
     "errors",
     "export_formats",
+    "FloorPlan",
     "FormationCheckpoint",
     "gestures_schema",
     "Group",
@@ -83,6 +85,7 @@ __all__ = [
     "JOINT_PARENTS",
     "JOINTS",
     "LimitExceededError",
+    "load_floor_plan",
     "load_gestures",
     "load_scenario",
     "measure",
@@ -91,6 +94,7 @@ __all__ = [
     "Parameter",
     "parameter_preset",
     "parameter_table",
+    "parse_floor_plan",
     "parse_gestures",
     "parse_map",
     "parse_scenario",
@@ -99,6 +103,7 @@ __all__ = [
     "play",
     "records",
     "Rejection",
+    "Room",
     "run_batch",
     "RunMetrics",
     "save_scenario",

@@ -64,6 +64,13 @@ class Region:
         return self._data.contains(_point(point))
 
 
+def ground(world: _core.World) -> Region:
+    """Where people can walk in a world: its box outside of all obstacles that do not move."""
+    region = Region.__new__(Region)
+    region._data = _core.RegionData.of_world(world)
+    return region
+
+
 class Trajectories:
     """Where persons were, frame by frame, sorted by frame and id."""
 

@@ -2,6 +2,8 @@
 #include <limits>
 
 #include "array_view.h"
+#include "engine/world/inspect.h"
+#include "files/export/formats.h"
 #include "from_python.h"
 #include "lab/measures/crossings.h"
 #include "lab/measures/recording.h"
@@ -192,6 +194,12 @@ void defineMeasures(py::module_& module) {
         py::arg("corners"));
     region.def_static(
         "parse", [](const std::string& text) { return take(Region::parse(text)); }, py::arg("text"));
+    region.def_static(
+        "of_world",
+        [](const py::object& world) {
+            return take(Region::parse(walkableArea(inspect::environment(worldOf(world)))));
+        },
+        py::arg("world"));
     region.def_property_readonly("area", &Region::area);
     region.def(
         "contains",
