@@ -108,3 +108,15 @@ TEST_CASE("a trajectory may have some of the steps only, from the first one on")
     CHECK(runProgram(play + " --every 6").code == 2);
     CHECK(runProgram(play + " --trajectory x.csv --every 0").code == 2);
 }
+
+TEST_CASE("check warns of an exit that nobody can come into") {
+    const std::string scenario = "'" + put("walled.json", R"({"format":"muster-scenario","version":1,
+        "preset":"people","box":[[0,0],[20,10]],"obstacles":[{"polygon":[[10,0],[11,0],[11,4],[10,4]]}],
+        "groups":[{"count":9,"position":[5,5],"orders":[{"kind":"leave"}]}],
+        "areas":[{"kind":"exit","polygon":[[10.1,1],[10.9,1],[10.9,3],[10.1,3]]}]})") +
+                                 "'";
+    const Json list = json(runProgram("check " + scenario + " --json"));
+    CHECK(list[0]["good"] == true);
+    REQUIRE(list[0]["warnings"].size() == 1);
+    CHECK(list[0]["warnings"][0].get<std::string>().rfind("exit 1 lies in obstacles", 0) == 0);
+}
