@@ -60,7 +60,7 @@ void warnOfStarts(const WarnedScene& scene, WarningList& warnings);
 /// Exits and waiting areas that nobody can come into, sources that can send nobody, lines of people through
 /// obstacles.
 void warnOfAreas(const WarnedScene& scene, WarningList& warnings);
-/// People who have no way to an exit of theirs, because of their size or at all.
+/// People who have no way to an exit of theirs or to their waiting area, because of their size or at all.
 void warnOfWays(const WarnedScene& scene, WarningList& warnings);
 
 }  // namespace muster

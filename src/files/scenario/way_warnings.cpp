@@ -1,4 +1,5 @@
-// Whether people have a way to an exit of theirs, by the regions of ground that bodies of their size walk on.
+// Whether people have a way to their exits and waiting areas, by the regions of ground that bodies of their
+// size walk on.
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -70,34 +71,43 @@ private:
     std::map<std::pair<std::size_t, std::int32_t>, std::vector<std::int32_t>> areas_;
 };
 
-/// The exits of an order that bodies have room in, as indices of areas.
-std::vector<std::size_t> exitsOf(const Order& order, const std::vector<std::size_t>& usable) {
-    std::vector<std::size_t> exits;
+/// Where an order leads, as indices of areas of those that bodies have room in.
+std::vector<std::size_t> goalsOf(const WorldDef& def, const Order& order,
+                                 const std::vector<std::size_t>& usable) {
+    std::vector<std::size_t> goals;
     for (const std::size_t k : usable) {
-        const bool named = order.exits.empty() || std::any_of(order.exits.begin(), order.exits.end(),
-                                                              [&](AreaId id) { return id.value == k + 1; });
-        if (named) exits.push_back(k);
+        const auto is = [&](AreaId id) { return id.value == k + 1; };
+        const bool exit = order.kind == OrderKind::Leave && def.areas[k].kind == AreaKind::Exit &&
+                          (order.exits.empty() || std::any_of(order.exits.begin(), order.exits.end(), is));
+        const bool waiting = order.kind == OrderKind::Wait && def.areas[k].kind == AreaKind::Waiting &&
+                             is(order.area);
+        if (exit || waiting) goals.push_back(k);
     }
-    return exits;
+    return goals;
 }
 
-/// The members of a group who have no way to any of its exits.
+/// The goals of an order as text.
+std::string goalsText(const WorldDef& def, const Order& order) {
+    return order.kind == OrderKind::Leave ? "an exit of theirs" : areaText(def, order.area.value - 1);
+}
+
+/// The members of a group who have no way to any of its goals.
 struct Cut {
     std::size_t count = 0;    // How many.
     std::size_t large = 0;    // How many of them would have one if they were as small as usual.
     std::size_t example = 0;  // One of them.
 };
 
-/// Whether a body of a class has a way from a point to one of some exits.
-bool hasWay(Vec2 p, std::int32_t groundClass, const std::vector<std::size_t>& exits, Regions& regions) {
+/// Whether a body of a class has a way from a point to one of some areas.
+bool hasWay(Vec2 p, std::int32_t groundClass, const std::vector<std::size_t>& goals, Regions& regions) {
     const std::int32_t region = regions.of(p, groundClass);
-    return std::any_of(exits.begin(), exits.end(), [&](std::size_t exit) {
-        const std::vector<std::int32_t>& list = regions.at(exit, groundClass);
+    return std::any_of(goals.begin(), goals.end(), [&](std::size_t goal) {
+        const std::vector<std::int32_t>& list = regions.at(goal, groundClass);
         return std::binary_search(list.begin(), list.end(), region);
     });
 }
 
-Cut cutOff(const WarnedScene& scene, std::size_t g, const std::vector<std::size_t>& exits, Regions& regions) {
+Cut cutOff(const WarnedScene& scene, std::size_t g, const std::vector<std::size_t>& goals, Regions& regions) {
     const GroupDef& group = scene.def.groups[g];
     Cut cut;
     // By class: whose starts are not given are taken to be in the middle of the group.
@@ -107,55 +117,45 @@ Cut cutOff(const WarnedScene& scene, std::size_t g, const std::vector<std::size_
                                                         scene.radiusOf(g, k));
         const bool given = k < group.starts.size();
         const Vec2 p = given ? group.starts[k] : group.position;
-        if (scene.clearance(p) < 0.0) continue;  // Who stands in an obstacle is told of elsewhere.
+        if (scene.clearance(p) < 0.0) continue;  // Starts in obstacles have a warning of their own.
         const auto known = fromMiddle.find(groundClass);
         const bool way = !given && known != fromMiddle.end() ? known->second
-                                                             : hasWay(p, groundClass, exits, regions);
+                                                             : hasWay(p, groundClass, goals, regions);
         if (!given) fromMiddle[groundClass] = way;
         if (way) continue;
         if (cut.count++ == 0) cut.example = k;
-        cut.large += groundClass > 0 && hasWay(p, 0, exits, regions) ? 1 : 0;
+        cut.large += groundClass > 0 && hasWay(p, 0, goals, regions) ? 1 : 0;
     }
     return cut;
 }
 
-/// The first order of a group by which it leaves; null where it has none.
-const Order* leaveOf(const GroupDef& group) {
-    const auto at = std::find_if(group.orders.begin(), group.orders.end(),
-                                 [](const Order& order) { return order.kind == OrderKind::Leave; });
-    return at == group.orders.end() ? nullptr : &*at;
-}
-
-/// Warns of members of a group who have no way.
-void warnOfMembers(const WarnedScene& scene, std::size_t g, const std::vector<std::size_t>& exits,
-                   Regions& regions, WarningList& warnings) {
+/// Warns of members of a group who have no way to where an order leads.
+void warnOfMembers(const WarnedScene& scene, std::size_t g, const std::string& where,
+                   const std::vector<std::size_t>& goals, Regions& regions, WarningList& warnings) {
     const GroupDef& group = scene.def.groups[g];
-    const Cut cut = cutOff(scene, g, exits, regions);
+    const Cut cut = cutOff(scene, g, goals, regions);
     if (cut.count == 0) return;
     const std::string who = groupText(scene.def, g) + " has " + std::to_string(cut.count) + " of " +
                             std::to_string(scene.bodies[g].size()) + " persons ";
     const Vec2 start = cut.example < group.starts.size() ? group.starts[cut.example] : group.position;
-    const std::string example = ": the first, of radius " + metresText(scene.radiusOf(g, cut.example)) +
-                                ", starts at " + pointText(start);
-    const bool large = cut.large == cut.count;
-    warnings.add(who +
-                 (large ? "larger than every way to their exits" : "without a way to an exit of theirs") +
-                 example);
+    const char* const what = cut.large == cut.count ? "larger than every way to " : "without a way to ";
+    warnings.add(who + what + where + ": the first, of radius " + metresText(scene.radiusOf(g, cut.example)) +
+                 ", starts at " + pointText(start));
 }
 
-/// Warns of sources from which people of the usual size have no way.
-void warnOfSources(const WarnedScene& scene, std::size_t g, const std::vector<std::size_t>& exits,
-                   Regions& regions, WarningList& warnings) {
+/// Warns of sources from which people of the usual size have no way to where an order leads.
+void warnOfSources(const WarnedScene& scene, std::size_t g, const std::string& where,
+                   const std::vector<std::size_t>& goals, Regions& regions, WarningList& warnings) {
     for (std::size_t k = 0; k < scene.def.areas.size(); ++k) {
         const AreaDef& area = scene.def.areas[k];
         if (area.kind != AreaKind::Source || !std::cmp_equal(area.group, g)) continue;
         const std::vector<std::int32_t>& from = regions.at(k, 0);
-        const bool way = std::any_of(exits.begin(), exits.end(), [&](std::size_t exit) {
-            const std::vector<std::int32_t>& to = regions.at(exit, 0);
+        const bool way = std::any_of(goals.begin(), goals.end(), [&](std::size_t goal) {
+            const std::vector<std::int32_t>& to = regions.at(goal, 0);
             return std::find_first_of(from.begin(), from.end(), to.begin(), to.end()) != from.end();
         });
         if (!way && !from.empty())
-            warnings.add(areaText(scene.def, k) + " sends people who have no way to an exit of theirs");
+            warnings.add(areaText(scene.def, k) + " sends people who have no way to " + where);
     }
 }
 
@@ -163,21 +163,20 @@ void warnOfSources(const WarnedScene& scene, std::size_t g, const std::vector<st
 
 void warnOfWays(const WarnedScene& scene, WarningList& warnings) {
     if (scene.def.ring) return;  // Ways lead across its seam.
-    const std::vector<AreaDef>& areas = scene.def.areas;
-    // Exits without room are told of elsewhere.
+    const WorldDef& def = scene.def;
+    // Areas without room have a warning of their own.
     std::vector<std::size_t> usable;
-    for (std::size_t k = 0; k < areas.size(); ++k)
-        if (areas[k].kind == AreaKind::Exit && hasRoom(scene, areas[k], scene.leastRadius()))
+    for (std::size_t k = 0; k < def.areas.size(); ++k)
+        if (def.areas[k].kind != AreaKind::Source && hasRoom(scene, def.areas[k], scene.leastRadius()))
             usable.push_back(k);
     Regions regions(scene);
-    for (std::size_t g = 0; g < scene.def.groups.size() && !warnings.full(); ++g) {
-        const Order* const order = leaveOf(scene.def.groups[g]);
-        if (order == nullptr) continue;
-        const std::vector<std::size_t> exits = exitsOf(*order, usable);
-        if (exits.empty()) continue;
-        warnOfMembers(scene, g, exits, regions, warnings);
-        warnOfSources(scene, g, exits, regions, warnings);
-    }
+    for (std::size_t g = 0; g < def.groups.size(); ++g)
+        for (const Order& order : def.groups[g].orders) {
+            const std::vector<std::size_t> goals = goalsOf(def, order, usable);
+            if (goals.empty() || warnings.full()) continue;
+            warnOfMembers(scene, g, goalsText(def, order), goals, regions, warnings);
+            warnOfSources(scene, g, goalsText(def, order), goals, regions, warnings);
+        }
 }
 
 }  // namespace muster

@@ -118,7 +118,7 @@ TEST_CASE("people who are too large for every way, and people without a way, are
     def.groups[0].bodies[3].radius = def.groups[0].bodies[7].radius = 0.7;
     CHECK(startsWith(
         warningOf(def),
-        "group 1 \"Guests\" has 2 of 10 persons larger than every way to their exits: the first, of "
+        "group 1 \"Guests\" has 2 of 10 persons larger than every way to an exit of theirs: the first, of "
         "radius 0.7 m"));
     // A second exit on their side.
     def.areas.push_back(areaOf(AreaKind::Exit, 1, 3, 2, 7));
@@ -132,6 +132,21 @@ TEST_CASE("people who are too large for every way, and people without a way, are
     source.timetable = {{1.0, 4}};
     walled.areas.push_back(source);
     CHECK(warningOf(walled) == "source 2 sends people who have no way to an exit of theirs");
+}
+
+TEST_CASE("people without a way to their waiting area are counted, before what they do next") {
+    WorldDef def = rooms();
+    def.obstacles.push_back(wallOf(10, 4.4, 10.2, 5.6));
+    def.areas[0] = areaOf(AreaKind::Exit, 1, 3, 2, 7);
+    def.areas.push_back(areaOf(AreaKind::Waiting, 12, 3, 16, 7));
+    def.areas[1].name = "Lounge";
+    def.groups[0].orders = {Order::wait(AreaId{2}, 5.0), Order::leave()};
+    CHECK(startsWith(warningOf(def),
+                     "group 1 \"Guests\" has 10 of 10 persons without a way to waiting area 2 "
+                     "\"Lounge\": the first"));
+    def.groups[0].position = {13, 5};
+    CHECK(startsWith(warningOf(def),
+                     "group 1 \"Guests\" has 10 of 10 persons without a way to an exit of theirs"));
 }
 
 TEST_CASE("the joined sides of a ring are no walls") {
