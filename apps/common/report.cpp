@@ -40,7 +40,7 @@ Json exitsJson(const std::vector<ExitFigures>& exits) {
                    {"left", exit.left},
                    {"first_s", orNull(exit.first)},
                    {"last_s", orNull(exit.last)},
-                   {"flow_per_s", orNull(exit.flow())}});
+                   {"flow_per_s", orNull(exit.flow)}});
     return list;
 }
 
@@ -70,7 +70,7 @@ void printDepartures(const DepartureFigures& d, std::int32_t inside) {
     for (const ExitFigures& exit : d.exits)
         std::printf("%-26s %u left  first_s %s  last_s %s  flow_per_s %s\n",
                     areaName("exit", exit.id, exit.name).c_str(), exit.left, timeText(exit.first).c_str(),
-                    timeText(exit.last).c_str(), timeText(exit.flow()).c_str());
+                    timeText(exit.last).c_str(), timeText(exit.flow).c_str());
     for (const SourceFigures& source : d.sources)
         std::printf("%-26s %u entered  %u wait\n", areaName("source", source.id, source.name).c_str(),
                     source.entered, source.waiting);

@@ -54,6 +54,8 @@ DepartureFigures DepartureWatch::figures(const World& world) const {
     DepartureFigures figures;
     figures.left = static_cast<std::uint32_t>(leftAt_.size());
     figures.exits = exits_;
+    for (ExitFigures& exit : figures.exits)
+        if (exit.last > exit.first) exit.flow = (exit.left - 1.0) / (exit.last - exit.first);
     figures.sources = sources_;
     std::size_t all = leftAt_.size() + world.characters().size();
     for (std::size_t k = 0; k < world.areaCount(); ++k) {

@@ -16,9 +16,7 @@ struct ExitFigures {
     std::uint32_t left = 0;  ///< Persons who left by it.
     double first = -1.0;     ///< When the first one did [s]; -1 where nobody did.
     double last = -1.0;      ///< When the last one did [s]; -1 where nobody did.
-
-    /// Persons a second from the first to the last one, (left - 1) / (last - first); -1 where that is none.
-    double flow() const { return last > first ? (left - 1.0) / (last - first) : -1.0; }
+    double flow = -1.0;      ///< (left - 1) / (last - first) [1/s]; -1 where that is no number.
 };
 
 /// What a source let in in a run.
@@ -34,9 +32,10 @@ struct DepartureFigures {
     std::uint32_t left = 0;  ///< Persons who left by an exit.
     double first = -1.0;     ///< When the first one of them left [s].
     double last = -1.0;      ///< When the last one of them left [s].
-    /// When so large a share had left of all: of those who left, who are still there and who wait at a source
-    /// [s]; -1 also while a source may still send more.
-    double left50 = -1.0, left95 = -1.0;
+    /// When half of all had left: of those who left, who are still there and who wait at a source [s]; -1
+    /// also while a source may still send more.
+    double left50 = -1.0;
+    double left95 = -1.0;                ///< When 95 % of all had left [s], as left50.
     std::vector<ExitFigures> exits;      ///< In ascending order of ids.
     std::vector<SourceFigures> sources;  ///< In ascending order of ids.
 };

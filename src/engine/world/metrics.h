@@ -30,10 +30,11 @@ struct RunFigures {
     std::int32_t characters = 0;  ///< At the end.
     std::uint32_t steps = 0;      ///< Done.
     std::uint64_t hash = 0;       ///< Of the state at the end.
-    /// When so large a share had arrived of all who are there or have left by an exit, which is arriving
-    /// [s]; -1 where not reached, and while a source may still send more.
-    double arrived95 = -1.0, arrived100 = -1.0;
-    std::int32_t stuck = 0;  ///< Not arrived, and within 0.25 m for the last 5 s.
+    /// When 95 % had arrived of all who are there or have left by an exit, which is arriving [s]; -1 where
+    /// not reached, and while a source may still send more.
+    double arrived95 = -1.0;
+    double arrived100 = -1.0;  ///< When all had arrived [s], as arrived95.
+    std::int32_t stuck = 0;    ///< Not arrived, and within 0.25 m for the last 5 s.
     /// Length walked over the least-sum geodesic assignment; -1 where it has no meaning.
     double pathRatio = -1.0;
     std::int32_t overlapPairsMax = 0;  ///< Most pairs at once deeper than 10 % of the mean diameter.

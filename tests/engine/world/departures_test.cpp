@@ -67,7 +67,7 @@ TEST_CASE("who leaves is counted by exit with its times, and the last one ends t
     CHECK(f.arrived95 == d.left95);
     CHECK(f.arrived100 == d.last);
     const ExitFigures& west = d.exits[0];
-    CHECK(west.flow() == doctest::Approx((west.left - 1) / (west.last - west.first)));
+    CHECK(west.flow == doctest::Approx((west.left - 1) / (west.last - west.first)));
 }
 
 TEST_CASE("who is still inside, before the exit too, has not arrived") {
