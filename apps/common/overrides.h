@@ -9,15 +9,16 @@
 
 namespace muster {
 
-/// The options --plan, --preset and --set.
+/// The options --plan, --preset, --set and --seed.
 struct Overrides {
     std::string plan;
     std::string preset;
     std::vector<std::string> settings;  ///< In the form "name=value".
+    double seed = -1.0;                 ///< Of all random numbers; below 0 for that of the definition.
 
     /// Adds the options to a command.
     void addTo(Subcommand& command);
-    /// Applies preset, then plan, then settings. A preset sets only what usePreset() does.
+    /// Applies seed, preset, then plan, then settings. A preset sets only what usePreset() does.
     /// Fails naming the option; it also fails where the final parameters contradict each other.
     Status apply(WorldDef& def) const;
 };

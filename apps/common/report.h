@@ -14,8 +14,9 @@ namespace muster {
 /// The results by the names that docs/scenario-format.md and `muster play --help` list. Times that were not
 /// reached are null.
 Json figuresJson(const RunFigures& figures);
-/// Prints the results as lines of text on standard output.
-void printFigures(const RunFigures& figures);
+/// Prints the results as lines of text on standard output, the mean time of every stage of a step if
+/// `timings`.
+void printFigures(const RunFigures& figures, bool timings = false);
 /// Formats as "12.3", or as "-" where negative.
 std::string timeText(double seconds);
 /// Prints one JSON value on standard output.

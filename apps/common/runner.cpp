@@ -17,6 +17,7 @@ constexpr double kMostSteps = 4294967295.0;  // Largest number of steps that a s
 struct Recorders {
     std::optional<TakeWriter> take;
     std::optional<TrajectoryWriter> trajectory;
+    std::uint32_t every = 1;
 
     Status open(const WorldDef& def, const RunDef& run) {
         if (!run.takePath.empty()) {
@@ -28,11 +29,12 @@ struct Recorders {
             auto writer = TrajectoryWriter::create(run.trajectoryPath);
             if (!writer.ok()) return writer.status();
             trajectory.emplace(std::move(writer).value());
+            every = static_cast<std::uint32_t>(run.every);
         }
         return {};
     }
     Status observe(const World& world) {
-        if (trajectory) trajectory->add(world);
+        if (trajectory && world.stepCount() % every == 0) trajectory->add(world);
         return take && world.stepCount() > 0 ? take->observe(world) : Status();
     }
     Status finish(const World& world) {
@@ -45,7 +47,7 @@ struct Recorders {
 
 }  // namespace
 
-Result<RunFigures> runWorld(World world, const WorldDef& def, const std::vector<Command>& commands,
+Result<RunOutcome> runWorld(World world, const WorldDef& def, const std::vector<Command>& commands,
                             const RunDef& run) {
     Recorders recorders;
     if (Status s = recorders.open(def, run); !s.ok()) return s;
@@ -80,7 +82,7 @@ Result<RunFigures> runWorld(World world, const WorldDef& def, const std::vector<
         if (due && metrics.settled(world)) break;
     }
     if (Status s = recorders.finish(world); !s.ok()) return s;
-    return metrics.figures(world, run.pathRatio);
+    return RunOutcome{metrics.figures(world, run.pathRatio), open && !metrics.settled(world)};
 }
 
 }  // namespace muster

@@ -11,20 +11,28 @@ namespace muster {
 
 /// Options of a run.
 struct RunDef {
-    /// Simulated time [s]; negative ends when all characters have arrived and stand, after at most `longest`.
+    /// Simulated time [s]; negative ends when all characters have arrived and stand or have left, after at
+    /// most `longest`.
     double seconds = -1.0;
     double longest = 120.0;      ///< Time limit after the last command [s].
     std::int32_t threads = 1;    ///< As in World::create.
     std::string takePath;        ///< Output path of the take; empty for none.
     std::string trajectoryPath;  ///< Output path of the CSV; empty for none.
+    std::int32_t every = 1;      ///< Steps from one row of a character in the CSV to the next.
     /// Whether the path ratio is reported; it needs a cost field per character.
     bool pathRatio = true;
     std::string label;  ///< Shown with the progress.
 };
 
+/// How a run went.
+struct RunOutcome {
+    RunFigures figures;   ///< Its results.
+    bool cutOff = false;  ///< It ended after `longest`, with something left to do.
+};
+
 /// Simulates a new world of that definition and reports the results. Commands are submitted before the first
 /// step.
-Result<RunFigures> runWorld(World world, const WorldDef& def, const std::vector<Command>& commands,
+Result<RunOutcome> runWorld(World world, const WorldDef& def, const std::vector<Command>& commands,
                             const RunDef& run);
 
 }  // namespace muster

@@ -208,11 +208,11 @@ int peers(const PeersOptions& options) {
         run.pathRatio = countOf(scene.def) <= kLargestExact;
         auto world = World::create(scene.def, run.threads);
         if (!world.ok()) return reportFailure(world.status().within(sceneName(options.file, scene.name)));
-        const auto figures = runWorld(*std::move(world), scene.def, {}, run);
-        if (!figures.ok()) return reportFailure(figures.status().within(sceneName(options.file, scene.name)));
-        if (!options.json) printRow(scene, *figures);
+        const auto outcome = runWorld(*std::move(world), scene.def, {}, run);
+        if (!outcome.ok()) return reportFailure(outcome.status().within(sceneName(options.file, scene.name)));
+        if (!options.json) printRow(scene, outcome->figures);
         Json entry = {{"scene", scene.name}};
-        const Json values = figuresJson(*figures);
+        const Json values = figuresJson(outcome->figures);
         for (const auto& [key, value] : values.members()) entry[key] = value;
         results.push(std::move(entry));
     }

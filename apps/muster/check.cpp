@@ -146,7 +146,8 @@ void addCheckCommand(CommandLine& line) {
     command.flag("--gestures-schema", options->gesturesSchema, "Prints that of gesture files instead.");
     command.flag("--json", options->json, "One JSON array on standard output, an object per file.");
     command.footer(
-        "Ends with 1 where any file is bad. Warnings (gaps too narrow, starts in obstacles) change nothing.\n"
+        "Ends with 1 where any file is bad. Warnings (gaps too narrow, starts in obstacles,\n"
+        "exits that nobody can come into...) change nothing.\n"
         "Examples:\n"
         "  muster check scenarios/*.json\n"
         "  muster check cars.take --json\n"

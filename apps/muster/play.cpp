@@ -19,8 +19,22 @@ struct PlayOptions {
     Touches touches;
     Overrides overrides;
     RunDef run;
+    bool timings = false;
     bool json = false;
 };
+
+/// Says that a run ended before everybody had arrived or left.
+void printCutOff(const RunOutcome& outcome, const WorldDef& def, const std::string& path) {
+    const RunFigures& f = outcome.figures;
+    std::uint32_t waiting = 0;
+    for (const SourceFigures& source : f.departures.sources) waiting += source.waiting;
+    const std::string wait = waiting > 0 ? " and " + std::to_string(waiting) + " waiting at sources" : "";
+    const std::string who = f.departures.exits.empty()
+                                ? "before all had arrived"
+                                : "with " + std::to_string(f.characters) + " persons inside" + wait;
+    std::fprintf(stderr, "muster: %s: the run ended after %.0f s, %s; --seconds lets it go on\n",
+                 path.c_str(), f.steps * def.parameters.stepTime, who.c_str());
+}
 
 int play(const PlayOptions& options) {
     const RunDef& run = options.run;
@@ -36,12 +50,15 @@ int play(const PlayOptions& options) {
     auto world = World::create(*def, run.threads);
     if (!world.ok()) return reportFailure(world.status().within(options.scenario));
     printWarnings(*def, options.scenario);
-    const auto figures = runWorld(*std::move(world), *def, *commands, run);
-    if (!figures.ok()) return reportFailure(figures.status());
+    const auto outcome = runWorld(*std::move(world), *def, *commands, run);
+    if (!outcome.ok()) return reportFailure(outcome.status());
+    if (outcome->cutOff) printCutOff(*outcome, *def, options.scenario);
     if (options.json) {
-        printJsonValue(figuresJson(*figures));
+        Json value = figuresJson(outcome->figures);
+        value["cut_off"] = outcome->cutOff;
+        printJsonValue(value);
     } else {
-        printFigures(*figures);
+        printFigures(outcome->figures, options.timings);
     }
     return kExitOk;
 }
@@ -54,9 +71,10 @@ void addPlayCommand(CommandLine& line) {
     command.option("SCENARIO", options->scenario, "Scenario file.").required();
     options->touches.addTo(command);
     command
-        .option("--seconds", options->run.seconds,
-                "Simulated time; without it until all have arrived and stand, at most 120 s after the last "
-                "command.")
+        .option(
+            "--seconds", options->run.seconds,
+            "Simulated time; without it until all have arrived and stand or have left and nobody comes any "
+            "more, at most 120 s after the last command.")
         .finite(0.0, 1e6);
     options->overrides.addTo(command);
     command
@@ -64,14 +82,22 @@ void addPlayCommand(CommandLine& line) {
                 "Threads; 0 takes what the machine has. Results are the same.")
         .range(0, 256);
     command.option("--take", options->run.takePath, "Records a take into this file.");
-    command.option(
+    const Option trajectory = command.option(
         "--trajectory", options->run.trajectoryPath,
         "Writes t,id,x,y,place_x,place_y,group,heading,motion,goal for every step into this CSV file.");
+    command
+        .option("--every", options->run.every,
+                "Writes the trajectory of every N-th step only; there are 60 a second, unless step.time says "
+                "other.")
+        .range(1, 1000000)
+        .needs(trajectory);
+    command.flag("--timings", options->timings, "Also prints the mean time of every stage of a step.");
     command.flag("--json", options->json, "One JSON value on standard output.");
     command.footer(
         "Examples:\n"
         "  muster play scenarios/block.json --demo\n"
         "  muster play scenarios/open.json --seconds 10 --set character.maxSpeed=1.5 --json\n"
+        "  muster play hall.json --seconds 600 --seed 7 --trajectory hall.csv --every 6\n"
         "  muster play scenarios/cars.json --gestures scenarios/gestures/cars.json --take cars.take");
     command.run([options] { return play(*options); });
 }

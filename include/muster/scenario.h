@@ -31,8 +31,9 @@ Status saveScenario(const WorldDef& def, const std::string& path);
 /// The JSON Schema (draft 2020-12) of scenario files, made from the same tables as the loader.
 std::string scenarioSchema();
 
-/// Lists what is valid but likely a mistake: gaps narrower than a character, starts inside obstacles, groups
-/// that overlap. One sentence each, at most `most`.
+/// Lists what is valid but likely a mistake: gaps narrower than a character, starts inside obstacles or on
+/// top of each other, orders that lead nowhere, exits and sources without room for a body, people without a
+/// way to an exit. One sentence each, at most `most`.
 std::vector<std::string> scenarioWarnings(const WorldDef& def, std::size_t most = 20);
 
 /// Reads a gestures file into commands for a world of that step time, ordered by (step, client, sequence).

@@ -24,7 +24,7 @@ def test_every_type_has_the_defaults_of_the_engine() -> None:
     for name, made in engine.items():
         mine = getattr(_types, name)()
         if name == "RunFigures":  # Python counts nothing before there is a run.
-            made.events, made.stage_mean = {}, {}
+            made.events, made.event_persons, made.stage_mean = {}, {}, {}
         assert mine == made, name
     assert len(engine) == sum(dataclasses.is_dataclass(value) for value in vars(_types).values())
 

@@ -210,7 +210,8 @@ def command_names(header: Path) -> list[str]:
 def main() -> None:
     root, folder = Path(sys.argv[1]), Path(sys.argv[2])
     include = root / "include/muster"
-    paths = [include / f"{name}.h" for name in HEADERS] + [root / "src/engine/world/metrics.h"]
+    figures = [root / f"src/engine/world/{name}.h" for name in ("departures", "metrics")]
+    paths = [include / f"{name}.h" for name in HEADERS] + figures
     things = [thing for path in paths for thing in read_header(path) if thing.name not in LEFT_OUT]
     commands = command_names(include / "command.h")
     things = in_order(things, commands)

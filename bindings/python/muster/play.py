@@ -25,7 +25,7 @@ def play(
     """Plays a scenario with the commands that it carries, and gives the figures of the run.
 
     scenario: A Scenario, the path of a scenario file (its gestures are played too), a WorldDef, or a dict.
-    seconds: Simulated time [s]; None until all have arrived and stand, at most `longest` [s] after the last command.
+    seconds: Simulated time [s]; None until all have arrived and stand or have left, at most `longest` [s] after the last command.
     seed, parameters: Other than the scenario's.
     threads: As for World.
     take: Records a take into this file.

@@ -30,7 +30,9 @@ void defineFigures(py::module_& module) {
             "Call after every single step.")
         .def(
             "settled", [](const WorldMetrics& self) { return self.metrics.settled(worldOf(self.world)); },
-            "True where nothing is left to do: no control still moves, places stand, and all have arrived.")
+            "True where nothing is left to do: no control still moves, places stand, all have arrived or "
+            "left, no "
+            "group has further orders, and no source may still send anybody.")
         .def(
             "figures",
             [](const WorldMetrics& self, bool pathRatio) {

@@ -55,4 +55,12 @@ struct Area {
     }
 };
 
+/// True while a source may still send people, now or once it is open.
+inline bool maySend(const Area& area) {
+    const AreaDef& def = area.def;
+    const bool byRate = def.rate > 0.0 && (def.most == 0 || area.source.sent < def.most) &&
+                        !(area.source.rate == def.rate && area.source.next > def.until);
+    return area.count.waiting > 0 || byRate || area.source.entry < def.timetable.size();
+}
+
 }  // namespace muster

@@ -45,6 +45,10 @@ const PlaceTracker& places(const World& world, std::size_t group);
 /// where that ends; infinite without a place, and while its formation is on its way. Without places: beyond
 /// the crowd round the target.
 double distanceLeft(const World& world, std::size_t character);
+/// True for a character who is to leave the world by an exit.
+bool leaves(const World& world, std::size_t character);
+/// True for an open source that may still send people to a group that is there.
+bool maySend(const World& world, std::size_t area);
 /// The plan of a group.
 const Plan& plan(const World& world, std::size_t group);
 

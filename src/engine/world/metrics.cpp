@@ -40,6 +40,7 @@ RunMetrics::RunMetrics(const World& world) {
     samplePeriod_ = static_cast<std::uint32_t>(
         std::max(1.0, std::floor(1.0 / world.parameters().stepTime + 0.5)));
     follow(world.characters());
+    departures_.observe(world);
     still_ = world.stepCount() == 0 && !anythingMoves(inspect::environment(world));
 }
 
@@ -69,7 +70,8 @@ void RunMetrics::follow(const CharactersView& characters) {
 
 void RunMetrics::watchArrivals(const World& world) {
     for (std::size_t i = 0; i < ids_.size(); ++i) {
-        if (inspect::distanceLeft(world, i) > kArrivedReach) {
+        // Who leaves has arrived when it has left, not before the exit.
+        if (inspect::distanceLeft(world, i) > kArrivedReach || inspect::leaves(world, i)) {
             reachedAt_[i] = kNever;
         } else if (reachedAt_[i] == kNever) {
             reachedAt_[i] = world.stepCount();
@@ -80,27 +82,40 @@ void RunMetrics::watchArrivals(const World& world) {
 void RunMetrics::watchSpeeds(const World& world) {
     const CharactersView characters = world.characters();
     const Environment& environment = inspect::environment(world);
+    const Ring ring = environment.def().joined();
     const bool patches = !environment.patchIds().empty();
     const Parameters& parameters = world.parameters();
     for (std::size_t i = 0; i < ids_.size(); ++i) {
         if (characters.driver[i] != Driver::Muster) continue;
         const double own = characters.body[i].maxSpeed;
         const double top = own > 0.0 ? own : parameters.character.maxSpeed;
-        const double ratio = distance(last_[i], characters.position[i]) / (top * parameters.stepTime);
+        const Vec2 moved = ring.between(last_[i], characters.position[i]);
+        const double ratio = length(moved) / (top * parameters.stepTime);
         if (ratio <= topSpeedRatio_) continue;
         const GroundSample ground = patches ? environment.ground(last_[i]) : GroundSample{};
-        const Vec2 way = normalized(characters.position[i] - last_[i]);
-        topSpeedRatio_ = std::max(topSpeedRatio_, ratio / travelSpeedOf(ground, characters.body[i], way));
+        const double travel = travelSpeedOf(ground, characters.body[i], normalized(moved));
+        topSpeedRatio_ = std::max(topSpeedRatio_, ratio / travel);
     }
+}
+
+void RunMetrics::watchEvents(const World& world) {
+    for (const Event& event : world.events()) {
+        ++events_[static_cast<std::size_t>(event.kind)];
+        if (!isAboutMany(event.kind)) continue;
+        std::uint32_t& most = persons_[{event.kind, event.subject}];
+        most = std::max(most, event.value);
+    }
+    departures_.observe(world);
 }
 
 void RunMetrics::observe(const World& world) {
     const CharactersView characters = world.characters();
+    const Ring ring = inspect::environment(world).def().joined();
     follow(characters);
     watchSpeeds(world);
     const bool sample = world.stepCount() % samplePeriod_ == 0;
     for (std::size_t i = 0; i < ids_.size(); ++i) {
-        walked_[i] += distance(last_[i], characters.position[i]);
+        walked_[i] += length(ring.between(last_[i], characters.position[i]));
         last_[i] = characters.position[i];
         if (!sample) continue;
         std::move_backward(trail_[i].begin(), trail_[i].end() - 1, trail_[i].end());
@@ -108,7 +123,7 @@ void RunMetrics::observe(const World& world) {
     }
     if (sample) ++trailSamples_;
     watchArrivals(world);
-    for (const Event& event : world.events()) ++events_[static_cast<std::size_t>(event.kind)];
+    watchEvents(world);
     characterSeconds_ += static_cast<double>(ids_.size()) * world.parameters().stepTime;
     overlapPairsMax_ = std::max(overlapPairsMax_, world.contacts().overlapPairs);
     worstPenetration_ = std::max(worstPenetration_, world.contacts().worstPenetration);
@@ -131,17 +146,20 @@ std::int32_t RunMetrics::notArrived(const World& world) const {
 void RunMetrics::arrivals(const World& world, RunFigures& figures) const {
     const double stepTime = world.parameters().stepTime;
     const std::uint32_t clock = world.lastCommandStep();
+    const Ring ring = inspect::environment(world).def().joined();
+    const auto since = [&](std::uint32_t step) { return step > clock ? (step - clock) * stepTime : 0.0; };
     std::vector<double> moments;
+    for (const std::uint32_t step : departures_.leftAt()) moments.push_back(since(step));
     for (std::size_t i = 0; i < ids_.size(); ++i) {
         const std::uint32_t at = reachedAt_[i];
         const bool arrived = hasArrived(world, i);
-        moments.push_back(arrived ? (at > clock ? (at - clock) * stepTime : 0.0)
-                                  : std::numeric_limits<double>::infinity());
+        moments.push_back(arrived ? since(at) : std::numeric_limits<double>::infinity());
         if (arrived || trailSamples_ < trail_[i].size()) continue;
         double moved = 0.0;
-        for (Vec2 p : trail_[i]) moved = std::max(moved, distance(p, last_[i]));
+        for (Vec2 p : trail_[i]) moved = std::max(moved, length(ring.between(p, last_[i])));
         if (moved < kStuckMove) ++figures.stuck;
     }
+    if (DepartureWatch::moreMayCome(world)) return;
     const auto finite = [](double moment) { return std::isfinite(moment) ? moment : -1.0; };
     figures.arrived95 = finite(quantile(moments, 0.95));
     figures.arrived100 = finite(quantile(moments, 1.0));
@@ -174,6 +192,8 @@ RunFigures RunMetrics::figures(const World& world, bool withPathRatio) const {
     figures.worstPenetration = worstPenetration_;
     figures.topSpeedRatio = topSpeedRatio_;
     figures.events = events_;
+    for (const auto& [of, most] : persons_) figures.eventPersons[static_cast<std::size_t>(of.first)] += most;
+    figures.departures = departures_.figures(world);
     const auto swaps = static_cast<double>(events_[static_cast<std::size_t>(EventKind::Swap)]);
     if (characterSeconds_ > 0.0) figures.swapsPerCharacterPerSecond = swaps / characterSeconds_;
     for (std::size_t g = 0; g < world.groupCount(); ++g) figures.planned.add(world.group(g).walk);
@@ -204,7 +224,10 @@ RunFigures RunMetrics::figures(const World& world, bool withPathRatio) const {
 }
 
 bool RunMetrics::settled(const World& world) const {
+    if (DepartureWatch::moreMayCome(world)) return false;
+    if (ids_.empty()) return true;
     for (std::size_t g = 0; g < world.groupCount(); ++g) {
+        if (!world.group(g).held && world.group(g).orders.size() > 1) return false;
         for (const Control& control : world.group(g).controls) {
             for (const ControlPoint& point : control.points) {
                 if (!point.trajectory.empty() || (!point.down && !control.pinned)) return false;

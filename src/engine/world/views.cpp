@@ -226,6 +226,19 @@ double distanceLeft(const World& world, std::size_t character) {
     if (queue.march.phase != MarchPhase::Stand) return kNone;
     return std::max(left, distance(c.position[character], group.places.reachableTargets()[place]));
 }
+bool leaves(const World& world, std::size_t character) {
+    const WorldState& state = WorldAccess::of(world).state;
+    const GroupId group = state.groups[state.characters.group[character]].id;
+    const Gathering* const gathering = state.continuum.find(group);
+    return gathering != nullptr && gathering->kind == OrderKind::Leave;
+}
+bool maySend(const World& world, std::size_t area) {
+    const WorldState& state = WorldAccess::of(world).state;
+    const Area& source = state.areas[area];
+    const bool isFor = std::any_of(state.groups.begin(), state.groups.end(),
+                                   [&](const Group& group) { return group.id == source.group; });
+    return source.def.kind == AreaKind::Source && source.def.open && isFor && maySend(source);
+}
 const GroupDef& groupDef(const World& world, std::size_t group) {
     return WorldAccess::of(world).state.groups[group].def;
 }

@@ -97,7 +97,8 @@ void describeCheckpoint(Visitor& v, FormationCheckpointDef& checkpoint, std::siz
     describeCheckpoint(v, checkpoint, [&] {
         if (!Visitor::kReading && !Visitor::kSchema && checkpoint.group < 0) return;
         const double most = Visitor::kSchema ? 999.0 : static_cast<double>(groups) - 1.0;
-        v.whole("group", checkpoint.group, {-1.0, most}, "Index of the group it concerns; -1 for any.");
+        v.whole("group", checkpoint.group, {-1.0, most},
+                "Index of the group it concerns, from 0; -1 for any.");
     });
 }
 

@@ -84,7 +84,8 @@ void describeArea(Visitor& v, AreaDef& area, std::size_t groups) {
         if (!takesPart<Visitor>(area.kind == AreaKind::Source || area.group != 0)) return;
         const double most = Visitor::kSchema ? static_cast<double>(kMaxGroups) - 1.0
                                              : static_cast<double>(groups) - 1.0;
-        v.whole("group", area.group, {0.0, most}, "For source: index of the group whom its people join.");
+        v.whole("group", area.group, {0.0, most},
+                "For source: index of the group whom its people join, from 0.");
     });
 }
 

@@ -135,7 +135,7 @@ template <class Visitor>
 void describeGoals(Visitor& v, Order& order) {
     std::vector<std::uint32_t> exits;
     for (const AreaId exit : order.exits) exits.push_back(exit.value);
-    v.numbers("exits", exits, kId, kMaxAreas, "For leave: ids of areas; left out: all exits.");
+    v.numbers("exits", exits, kId, kMaxAreas, "For leave: ids of areas, from 1; left out: all exits.");
     order.exits.clear();
     for (const std::uint32_t exit : exits) order.exits.push_back({exit});
     if (takesPart<Visitor>(order.choice != ExitChoice::Quickest))
@@ -150,7 +150,7 @@ void describeGoals(Visitor& v, Order& order) {
         v.number("misjudgement", order.misjudgement, {0.0, 1e6, "s"},
                  "For leave: deviation of the error by which each misjudges the time by an exit.");
     if (takesPart<Visitor>(static_cast<bool>(order.area)))
-        v.whole("area", order.area.value, kId, "For wait: id of the waiting area.",
+        v.whole("area", order.area.value, kId, "For wait: id of the waiting area, from 1.",
                 order.kind == OrderKind::Wait && !Visitor::kSchema ? Need::Required : Need::Optional);
     if (takesPart<Visitor>(isSet(order.seconds)))
         v.number("seconds", order.seconds, kTime, "For wait: from when its share has come; 0: no end.");

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "engine/ground/environment/environment.h"
+#include "files/scenario/warning_parts.h"
 #include "muster/scenario.h"
 
 namespace muster {
@@ -12,16 +12,10 @@ namespace {
 // A single-step patch whose length differs from its clip's by more than this share gives a warning.
 constexpr double kLengthShare = 0.15;
 
-std::string at(Vec2 p) {
-    char buffer[64];
-    std::snprintf(buffer, sizeof(buffer), "(%.2f, %.2f)", p.x, p.y);
-    return buffer;
-}
-
 /// The ground of the definition at time 0.
 Result<Environment> groundOf(const WorldDef& def) {
-    EnvironmentDef ground{def.box, def.cell, def.parameters.field.range, def.parameters.field.strength,
-                          def.clips};
+    EnvironmentDef ground{def.box,   def.cell, def.parameters.field.range, def.parameters.field.strength,
+                          def.clips, def.ring};
     auto environment = Environment::create(ground);
     if (!environment.ok()) return environment;
     std::vector<ObstacleDef> obstacles = def.obstacles;
@@ -49,15 +43,13 @@ std::string placeOf(const Environment& environment, const NarrowGap& gap) {
     return "between " + nameOf(environment, gap.a) + " and " + nameOf(environment, gap.b);
 }
 
-void warnOfGaps(const WorldDef& def, const Environment& environment, std::size_t most,
-                std::vector<std::string>& warnings) {
-    const double diameter = 2.0 * def.parameters.character.radius;
-    for (const NarrowGap& gap : environment.narrowGaps(diameter, static_cast<std::int32_t>(most))) {
-        if (warnings.size() >= most) return;
+void warnOfGaps(const WarnedScene& scene, WarningList& warnings) {
+    const double diameter = 2.0 * scene.def.parameters.character.radius;
+    for (const NarrowGap& gap : scene.ground.narrowGaps(diameter, static_cast<std::int32_t>(warnings.most))) {
         char width[32];
         std::snprintf(width, sizeof(width), "%.2f", gap.width);
-        warnings.push_back("the gap " + placeOf(environment, gap) + " at " + at(gap.where) + " is " + width +
-                           " m wide, narrower than a character");
+        warnings.add("the gap " + placeOf(scene.ground, gap) + " at " + pointText(gap.where) + " is " +
+                     width + " m wide, narrower than a character");
     }
 }
 
@@ -75,8 +67,8 @@ double widthOf(std::span<const Vec2> polygon) {
 }
 
 /// SPEC C3: a single-step motion runs once, so its patch must be as long as its clip.
-void warnOfSingleSteps(const WorldDef& def, std::size_t most, std::vector<std::string>& warnings) {
-    for (std::size_t i = 0; i < def.patches.size() && warnings.size() < most; ++i) {
+void warnOfSingleSteps(const WorldDef& def, WarningList& warnings) {
+    for (std::size_t i = 0; i < def.patches.size() && !warnings.full(); ++i) {
         const ClipFacts& clip = def.clips[def.patches[i].motion];
         if (clip.cyclic || clip.length <= 0.0) continue;
         const double found = widthOf(def.patches[i].polygon);
@@ -86,27 +78,7 @@ void warnOfSingleSteps(const WorldDef& def, std::size_t most, std::vector<std::s
                       ": found %.2f m across, expected %.2f to %.2f m, as a play of \"%.40s\" covers %.2f m",
                       found, (1.0 - kLengthShare) * clip.length, (1.0 + kLengthShare) * clip.length,
                       clip.name.c_str(), clip.length);
-        warnings.push_back("$.patches[" + std::to_string(i) + "].polygon" + text);
-    }
-}
-
-void warnOfStarts(const WorldDef& def, const Environment& environment, std::size_t most,
-                  std::vector<std::string>& warnings) {
-    for (const GroupDef& group : def.groups) {
-        std::int32_t blocked = 0;
-        Vec2 example;
-        for (Vec2 p : group.starts) {
-            if (def.box.contains(p) && environment.distanceToObstacle(p) >= def.parameters.character.radius)
-                continue;
-            if (blocked++ == 0) example = p;
-        }
-        if (group.starts.empty() && !def.box.contains(group.position)) {
-            warnings.push_back("group \"" + group.name + "\" stands outside the world box");
-        }
-        if (blocked > 0 && warnings.size() < most) {
-            warnings.push_back(std::to_string(blocked) + " characters of group \"" + group.name +
-                               "\" start in an obstacle or outside, the first at " + at(example));
-        }
+        warnings.add("$.patches[" + std::to_string(i) + "].polygon" + text);
     }
 }
 
@@ -126,27 +98,27 @@ std::string troubleOf(const Order& order, const WorldDef& def) {
     return none ? "leave, and there is no exit" : "";
 }
 
-void warnOfGoals(const WorldDef& def, std::size_t most, std::vector<std::string>& warnings) {
-    for (const GroupDef& group : def.groups) {
-        for (const Order& order : group.orders) {
-            if (warnings.size() >= most) return;
+void warnOfGoals(const WorldDef& def, WarningList& warnings) {
+    for (const GroupDef& group : def.groups)
+        for (const Order& order : group.orders)
             if (const std::string trouble = troubleOf(order, def); !trouble.empty())
-                warnings.push_back("group \"" + group.name + "\" is to " + trouble);
-        }
-    }
+                warnings.add("group \"" + group.name + "\" is to " + trouble);
 }
 
 }  // namespace
 
 std::vector<std::string> scenarioWarnings(const WorldDef& def, std::size_t most) {
-    std::vector<std::string> warnings;
     const auto environment = groundOf(def);
     if (!environment.ok()) return {environment.status().message()};
-    warnOfGaps(def, *environment, most, warnings);
-    warnOfSingleSteps(def, most, warnings);
-    warnOfStarts(def, *environment, most, warnings);
-    warnOfGoals(def, most, warnings);
-    return warnings;
+    const WarnedScene scene = warnedScene(def, *environment);
+    WarningList warnings{most, {}};
+    warnOfGaps(scene, warnings);
+    warnOfSingleSteps(def, warnings);
+    warnOfStarts(scene, warnings);
+    warnOfGoals(def, warnings);
+    warnOfAreas(scene, warnings);
+    warnOfWays(scene, warnings);
+    return std::move(warnings.texts);
 }
 
 }  // namespace muster

@@ -180,6 +180,43 @@ TEST_CASE("who does not fit into a waiting area stands before it") {
     CHECK(world.characters().size() == 0);
 }
 
+TEST_CASE("groups share the spots of a waiting area, whoever comes first") {
+    for (const bool later : {false, true}) {
+        CAPTURE(later);
+        WorldDef def = floorFor(15, {Order::wait(AreaId{1})});
+        def.areas = {areaOf(AreaKind::Waiting, 18, 7, 22, 13), areaOf(AreaKind::Waiting, 1, 1, 4, 4)};
+        GroupDef other = def.groups[0];
+        other.position = {30, 10};
+        if (later) other.orders.clear();
+        def.groups.push_back(other);
+        World world = World::create(def).value();
+        run(world, 20.0);
+        const Order wait = Order::wait(AreaId{1});
+        if (later)
+            REQUIRE(
+                world.submit({world.stepCount(), 1, 0, GiveOrder{GroupId{2}, QueueMode::Replace, 0, wait}})
+                    .ok());
+        run(world, 30.0);
+        int inside = 0;
+        for (const Vec2 p : world.characters().position)
+            inside += p.x > 17.9 && p.x < 22.1 && p.y > 6.9 && p.y < 13.1;
+        CHECK(inside == 30);
+        CHECK(closestBodies(world) > 0.05);
+        CHECK(fastestWalker(world) < 0.05);
+    }
+}
+
+TEST_CASE("a waiting area takes as many as have room in it") {
+    WorldDef def = floorFor(60, {Order::wait(AreaId{1})});
+    def.areas = {areaOf(AreaKind::Waiting, 18, 7, 22, 13)};
+    World world = World::create(def).value();
+    run(world, 60.0);
+    int inside = 0;
+    for (const Vec2 p : world.characters().position)
+        inside += p.x > 17.9 && p.x < 22.1 && p.y > 6.9 && p.y < 13.1;
+    CHECK(inside == 60);
+}
+
 TEST_CASE("people walk on towards a heading round obstacles, and stand at the far side") {
     WorldDef def = floorFor(16, {Order::walk(0.0)});
     def.obstacles = {block(20, 7, 22, 13)};

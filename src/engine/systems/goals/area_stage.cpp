@@ -101,14 +101,6 @@ void AreaStage::takeOut(WorldState& state, ThreadPool& pool, std::vector<Event>&
     state.refreshMembers();
 }
 
-// True while a source may still send people.
-bool AreaStage::sends(const Area& area) {
-    const AreaDef& def = area.def;
-    const bool byRate = def.rate > 0.0 && (def.most == 0 || area.source.sent < def.most) &&
-                        !(area.source.rate == def.rate && area.source.next > def.until);
-    return area.count.waiting > 0 || byRate || area.source.entry < def.timetable.size();
-}
-
 // A free point in a source; false where none was found.
 bool AreaStage::findRoom(WorldState& state, Area& area, double radius, Vec2& spot) {
     const Characters& c = state.characters;
@@ -193,7 +185,7 @@ void AreaStage::endGroups(WorldState& state, ThreadPool& pool, std::vector<Event
         const Gathering* const gathering = state.continuum.find(group.id);
         if (!group.members.empty() || gathering == nullptr || gathering->kind != OrderKind::Leave) continue;
         const bool fed = std::any_of(state.areas.begin(), state.areas.end(), [&](const Area& area) {
-            return area.def.kind == AreaKind::Source && area.group == group.id && sends(area);
+            return area.def.kind == AreaKind::Source && area.group == group.id && maySend(area);
         });
         if (fed) continue;
         const Vec2 at = group.mesh.pose().position;

@@ -22,7 +22,6 @@ private:
     void findLeaving(WorldState& state);
     void passInOrder(WorldState& state, Area& area);
     void takeOut(WorldState& state, ThreadPool& pool, std::vector<Event>& events);
-    static bool sends(const Area& area);
     void admit(WorldState& state, Area& area, ThreadPool& pool, std::vector<Event>& events);
     bool findRoom(WorldState& state, Area& area, double radius, Vec2& spot);
     void endGroups(WorldState& state, ThreadPool& pool, std::vector<Event>& events);

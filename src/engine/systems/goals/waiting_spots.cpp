@@ -13,55 +13,118 @@ namespace {
 constexpr double kSpotsApart = 1.2;   // Least distance of spots, in diameters.
 constexpr double kSpotsAtMost = 3.0;  // Greatest distance, in diameters.
 constexpr double kSpotsFill = 0.75;   // Share of the area that those who come fill with their squares.
-constexpr double kComesIn = 1.0;      // Who is so near the area gets a spot [m].
+constexpr double kFineStep = 0.25;  // Of the grid for as many spots as there is room for, in their distance.
+constexpr double kComesIn = 1.0;    // Who is so near the area gets a spot [m].
 constexpr double
     kNoRoomAfter = 1.5;  // Who has not got on for so long stands before an area that is full [s].
 
-double largestMember(const WorldState& state, const Group& group) {
-    const Parameters::Character& usual = state.parameters.character;
-    double largest = usual.radius;
-    for (const std::int32_t i : group.members)
-        largest = std::max(largest, radiusOf(usual, state.characters.body[i]));
-    return largest;
+// So far apart are spots at least, for people whose largest has this radius [m].
+double leastApart(double radius) {
+    return kSpotsApart * 2.0 * radius * (1.0 - 1e-9);
 }
+
+/// The nodes of a grid in the middle of a box, and which of them are too near others.
+class NodeGrid {
+public:
+    NodeGrid(const Box& box, double step, std::vector<std::uint8_t>& near)
+        : step_(step),
+          columns_(static_cast<std::int32_t>(box.width() / step) + 1),
+          rows_(static_cast<std::int32_t>(box.height() / step) + 1),
+          near_(near) {
+        const Vec2 used{(columns_ - 1) * step, (rows_ - 1) * step};
+        origin_ = box.min + 0.5 * (box.max - box.min - used);
+        near_.assign(static_cast<std::size_t>(columns_) * rows_, 0);
+    }
+    std::int32_t columns() const { return columns_; }
+    std::int32_t rows() const { return rows_; }
+    Vec2 node(std::int32_t x, std::int32_t y) const { return origin_ + Vec2{x * step_, y * step_}; }
+    bool isFree(std::int32_t x, std::int32_t y) const { return near_[index(x, y)] == 0; }
+    /// Nodes nearer than `apart` [m] to a point are not free any more.
+    void keepOff(Vec2 p, double apart) {
+        const Vec2 at = (p - origin_) / step_;
+        const double reach = apart / step_;
+        const std::int32_t left = within(at.x - reach, columns_), right = within(at.x + reach + 1, columns_);
+        const std::int32_t first = within(at.y - reach, rows_), last = within(at.y + reach + 1, rows_);
+        for (std::int32_t y = first; y <= last; ++y)
+            for (std::int32_t x = left; x <= right; ++x)
+                if (distance(node(x, y), p) < apart) near_[index(x, y)] = 1;
+    }
+
+private:
+    static std::int32_t within(double at, std::int32_t count) {
+        return static_cast<std::int32_t>(std::clamp(at, 0.0, count - 1.0));
+    }
+    std::size_t index(std::int32_t x, std::int32_t y) const {
+        return static_cast<std::size_t>(y) * columns_ + x;
+    }
+
+    double step_;
+    std::int32_t columns_, rows_;
+    Vec2 origin_;
+    std::vector<std::uint8_t>& near_;
+};
 
 }  // namespace
 
-// Spots on a square grid: as far apart as all the group's members leave them.
-void WaitingSpots::listFree(const WorldState& state, const Group& group, const Area& area) {
-    const Polygon& polygon = area.def.polygon;
-    const double radius = largestMember(state, group), diameter = 2.0 * radius;
-    const double people = std::max<double>(1.0, static_cast<double>(group.members.size()));
-    const double wide = std::sqrt(kSpotsFill * std::fabs(signedArea(polygon)) / people);
-    const double apart = std::clamp(wide, kSpotsApart * diameter, kSpotsAtMost * diameter);
-    taken_.clear();
-    for (const Gathering& other : state.continuum.gatherings)
-        for (const StandingSpot& spot : other.spots) taken_.push_back(spot.spot);
+WaitingSpots::Crowd WaitingSpots::crowdOf(const WorldState& state, AreaId area) {
+    const Parameters::Character& usual = state.parameters.character;
+    Crowd crowd{0, 0, usual.radius};
+    for (const Group& group : state.groups) {
+        const Gathering* const gathering = state.continuum.find(group.id);
+        if (gathering == nullptr || gathering->kind != OrderKind::Wait || !gathering->active ||
+            gathering->area != area)
+            continue;
+        crowd.people += group.members.size();
+        for (const std::int32_t i : group.members) {
+            crowd.radius = std::max(crowd.radius, radiusOf(usual, state.characters.body[i]));
+            crowd.without += gathering->spotOf(state.characters.id[i]) == nullptr ? 1 : 0;
+        }
+    }
+    return crowd;
+}
+
+// Spots on the nodes of a grid over the area, from its lower left corner on: each where there is room for it
+// beside those that are there.
+void WaitingSpots::lay(const WorldState& state, const Polygon& polygon, double radius, double step) {
+    NodeGrid grid(boundsOf(polygon), step, nearOthers_);
+    const double apart = leastApart(radius);
     free_.clear();
-    const Box box = boundsOf(polygon);
-    const auto columns = static_cast<std::int32_t>(box.width() / apart);
-    const auto rows = static_cast<std::int32_t>(box.height() / apart);
-    const Vec2 margin{0.5 * (box.width() - columns * apart), 0.5 * (box.height() - rows * apart)};
-    for (std::int32_t y = 0; y <= rows; ++y)
-        for (std::int32_t x = 0; x <= columns; ++x) {
-            const Vec2 p = box.min + margin + Vec2{x * apart, y * apart};
-            const auto isNear = [&](Vec2 q) {
-                return distance(p, q) < kSpotsApart * diameter * (1.0 - 1e-9);
-            };
-            if (!containsPoint(polygon, p) || state.environment.distanceToObstacle(p, radius) < radius)
+    for (const Vec2 spot : taken_) grid.keepOff(spot, apart);
+    const Box inner = state.environment.def().box.grown(-radius);
+    for (std::int32_t y = 0; y < grid.rows(); ++y)
+        for (std::int32_t x = 0; x < grid.columns(); ++x) {
+            const Vec2 p = grid.node(x, y);
+            if (!grid.isFree(x, y) || !containsPoint(polygon, p) || !inner.contains(p) ||
+                state.environment.distanceToObstacle(p, radius) < radius)
                 continue;
-            if (!state.environment.def().box.grown(-radius).contains(p)) continue;
-            if (std::none_of(taken_.begin(), taken_.end(), isNear)) free_.push_back(p);
+            free_.push_back(p);
+            grid.keepOff(p, apart);
         }
 }
 
-// Gives free spots to those who have come; false where one of them found none.
+// On a square grid, as far apart as all who wait there leave them. Where that has too few for those who still
+// come, as beside others who stood wider, as many as there is room for.
+void WaitingSpots::listFree(const WorldState& state, const Area& area, const Crowd& crowd) {
+    const Polygon& polygon = area.def.polygon;
+    const double diameter = 2.0 * crowd.radius, least = kSpotsApart * diameter;
+    const double people = std::max<double>(1.0, static_cast<double>(crowd.people));
+    const double wide = std::sqrt(kSpotsFill * std::fabs(signedArea(polygon)) / people);
+    const Box near = boundsOf(polygon).grown(least);
+    taken_.clear();
+    for (const Gathering& other : state.continuum.gatherings)
+        for (const StandingSpot& spot : other.spots)
+            if (near.contains(spot.spot)) taken_.push_back(spot.spot);
+    lay(state, polygon, crowd.radius, std::clamp(wide, least, kSpotsAtMost * diameter));
+    if (free_.size() < crowd.without) lay(state, polygon, crowd.radius, kFineStep * least);
+}
+
+// Gives free spots to those who have come; false where some of them found none.
 bool WaitingSpots::takeSpots(const WorldState& state, const Group& group, Gathering& gathering,
                              const Area& area, const StaticGround& ground) {
     const Characters& c = state.characters;
     const Polygon& polygon = area.def.polygon;
-    const double apart = kSpotsApart * 2.0 * largestMember(state, group) * (1.0 - 1e-9);
-    bool listed = false;
+    Crowd crowd;
+    bool listed = false, all = true;
     for (const std::int32_t i : group.members) {
         if (gathering.spotOf(c.id[i]) != nullptr) continue;
         const Vec2 p = c.position[i];
@@ -69,19 +132,22 @@ bool WaitingSpots::takeSpots(const WorldState& state, const Group& group, Gather
         const bool in = containsPoint(polygon, p) ||
                         (distance(near, p) < kComesIn && ground.collisionFree(p, near));
         if (!in) continue;
-        if (!listed) listFree(state, group, area);
+        if (!listed) listFree(state, area, crowd = crowdOf(state, area.id));
         listed = true;
         // Who comes first goes farthest in, so that nobody stands in the way of others.
         const auto better = [&](Vec2 a, Vec2 b) { return lengthSquared(a - p) > lengthSquared(b - p); };
         auto best = free_.end();
         for (auto at = free_.begin(); at != free_.end(); ++at)
             if ((best == free_.end() || better(*at, *best)) && ground.collisionFree(p, *at)) best = at;
-        if (best == free_.end()) return false;
+        if (best == free_.end()) {
+            all = false;
+            continue;
+        }
         const Vec2 taken = *best;
         gathering.stand(c.id[i], taken);
-        std::erase_if(free_, [&](Vec2 q) { return distance(q, taken) < apart; });
+        std::erase_if(free_, [&](Vec2 q) { return distance(q, taken) < leastApart(crowd.radius); });
     }
-    return true;
+    return all;
 }
 
 void WaitingSpots::run(const WorldState& state, const Group& group, Gathering& gathering, const Area& area,
