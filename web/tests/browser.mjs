@@ -16,6 +16,7 @@ import * as groupAppearance from './cases/group_appearance.mjs';
 import * as groupColour from './cases/group_colour.mjs';
 import * as limits from './cases/limits.mjs';
 import * as look from './cases/look.mjs';
+import * as measures from './cases/measures.mjs';
 import * as mouseAndKeys from './cases/mouse_and_keys.mjs';
 import * as objectives from './cases/objectives.mjs';
 import * as orders from './cases/orders.mjs';
@@ -197,6 +198,7 @@ const kCases = [
   ['areas: leave and wait', areas.leaveAndWait, ['landscape', 'portrait', 'phone'], kOpen],
   ['areas: a source', areas.sourceToExit, ['desktop'], kOpen],
   ['build: by touch', build.byTouch, ['landscape', 'portrait', 'phone'], kOpen],
+  ['measures: a door', measures.door, [...kTablets, 'phone'], { scenario: 'web/tests/scenarios/door.json' }],
   ['people', people.appear, ['desktop'], { search: '?quality=full' }],
   ['people in light quality', people.appearLight, ['desktop'], { search: '?quality=light' }],
   ['people on patches', people.motions, ['desktop'], { scenario: 'scenarios/course.json' }],
@@ -301,8 +303,7 @@ const kCases = [
 let server = await startStudio();
 const browser = await openChromium();
 let passed = 0;
-const failed = [];
-const again = [];
+const [failed, again] = [[], []];
 
 /** The page that shared cases go on with, and what it is. */
 let shared = { studio: null, key: '' };
