@@ -4,6 +4,7 @@
 //     --all       all cases in all of their sizes: a release
 import * as areas from './cases/areas.mjs';
 import * as build from './cases/build.mjs';
+import * as buildPeople from './cases/build_people.mjs';
 import * as buildCorners from './cases/build_corners.mjs';
 import * as camera from './cases/camera.mjs';
 import * as directors from './cases/directors.mjs';
@@ -194,9 +195,8 @@ const kCases = [
   ['build: bodies', build.bodies, [...kTablets, 'phone'], { scenario: 'scenarios/open.json', room: true }],
   ['build: drags', build.dragsInARow, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],
   ['build: drags by touch', build.dragsByTouch, ['portrait'], { scenario: 'scenarios/open.json', room: true }],
-  ['areas: drawn', areas.drawn, ['landscape', 'portrait', 'desktop'], kOpen],
-  ['areas: leave and wait', areas.leaveAndWait, ['landscape', 'portrait', 'phone'], kOpen],
-  ['areas: a source', areas.sourceToExit, ['desktop'], kOpen],
+  ...buildPeople.kPeopleCases,
+  ...areas.kAreaCases,
   ['build: by touch', build.byTouch, ['landscape', 'portrait', 'phone'], kOpen],
   ['measures: a door', measures.door, [...kTablets, 'phone'], { scenario: 'web/tests/scenarios/door.json' }],
   ['people', people.appear, ['desktop'], { search: '?quality=full' }],

@@ -55,4 +55,9 @@ struct Area {
     }
 };
 
+/// True where people leave by an exit at this time. A source has its own times.
+inline bool isOpen(const AreaDef& area, double time) {
+    return area.open && (area.kind != AreaKind::Exit || (time >= area.from && time < area.until));
+}
+
 }  // namespace muster
