@@ -124,7 +124,7 @@ struct SetAppearance {
     }
 };
 /// Gives a group other sorts of persons. Whoever joins it by number or by a source is drawn by them from now
-/// on. Those who are in it are drawn anew, as those who come at once: each number that neither the sorts
+/// on. Those who are in it are drawn again, as those who come at once: each number that neither the sorts
 /// before nor these draw stays as it is. Whoever has heard an order sets out when it was to.
 struct SetPeople {
     GroupId group;                  ///< Which.

@@ -176,8 +176,8 @@ std::vector<CommandBody> everyBody() {
             SetAppearance{{1}, BodyBuild::Narrow, MotionSet::Weary},
             PutArea{{2}, richArea(), {3}},
             RemoveArea{{2}},
-            PutArea{{}, richExit(), {}},
-            SetPeople{{2}, {adults(), PeopleDef{}}}};
+            SetPeople{{2}, {adults(), PeopleDef{}}},
+            PutArea{{}, richExit(), {}}};
 }
 
 /// The engine's default of the same kind.

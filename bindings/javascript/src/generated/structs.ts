@@ -1622,7 +1622,7 @@ export interface RemoveAreaInit {
   readonly id?: AreaId | undefined;
 }
 
-/** Gives a group other sorts of persons. Those who are in it are drawn anew. */
+/** Gives a group other sorts of persons. Those who are in it are drawn again. */
 export interface SetPeople {
   /** Which. */
   group: GroupId;
