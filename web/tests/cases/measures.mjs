@@ -91,7 +91,9 @@ async function tables(studio) {
   const flow = (kPeople - 1) / (times.at(-1) - times[0]);
   const shown = Number.parseFloat(await figure(studio, 'Line 1', 'Mean flow since'));
   expect(Math.abs(flow - shown) < 0.006, `the flow is that of the table: ${flow} and ${shown}`);
-  console.log(`measured: ${kPeople} people through a door of 1.4 m, ${flow.toFixed(2)} /s, first after ${times[0]} s`);
+  console.log(
+    `measured: ${kPeople} people through a door of 1.4 m, ${flow.toFixed(2)} /s, from ${times[0]} to ${times.at(-1)} s`,
+  );
   const out = await table(studio, () => panel(studio).getByRole('button', { name: 'Save the evacuation' }).click());
   const last = out.rows.at(-1);
   expect(last['inside [persons]'] === '0' && last['out by Yard [persons]'] === `${kPeople}`, JSON.stringify(last));
@@ -100,4 +102,17 @@ async function tables(studio) {
   expect(count('Line 1', 'crossings with the arrow').length === kPeople, 'all crossings');
   expect(count('Area 1', 'density').length > 50 && count('Area 1', 'density')[0].unit === '1/m2', 'densities');
   expect(count('Evacuation', 'out').length > 50, 'the curve of evacuation');
+}
+
+/** The same on a site, where the engine is in the page. */
+export async function doorOnSite(studio) {
+  const text = readFileSync(new URL('../scenarios/door.json', import.meta.url), 'utf8');
+  const status = await studio.page.evaluate(
+    async (body) => (await globalThis.__muster.ask('scenario?name=door', { method: 'POST', body })).status,
+    text,
+  );
+  expect(status === 200, `the place opens: ${status}`);
+  await studio.until('its people', (n) => globalThis.__muster.frame.x.length === n, kPeople);
+  await studio.fit();
+  await door(studio);
 }
