@@ -41,10 +41,10 @@ struct AreaDef {
     double rate = 0.0;
     /// For Exit: a line in which people queue, from who is next to the last; empty for a crowd.
     std::vector<Vec2> queue;
-    std::int32_t group = 0;           ///< For Source in a WorldDef: index of the group whom its people join.
-    double from = 0.0;                ///< For Source with a rate: when it begins [s].
-    double until = 1e9;               ///< For Source with a rate: when it ends [s].
-    std::int32_t most = 0;            ///< For Source with a rate: how many come in all; 0 for no end.
+    std::int32_t group = 0;  ///< For Source in a WorldDef: index of the group whom its people join.
+    double from = 0.0;       ///< For Exit: when it opens; for Source with a rate: when it begins [s].
+    double until = 1e9;      ///< For Exit: when it closes; for Source with a rate: when it ends [s].
+    std::int32_t most = 0;   ///< For Source with a rate: how many come in all; 0 for no end.
     std::vector<Arrivals> timetable;  ///< For Source: further people, by ascending times.
 
     /// Lets an archive read or write the definition.

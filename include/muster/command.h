@@ -250,7 +250,7 @@ using CommandKinds = std::variant<
     AddPatch, ChangePatch, RemovePatch, SetParameter, GiveOrder, EditQueue, SetConduct, AddCharacters,
     RemoveCharacters, TransferCharacters, SplitGroup, MergeGroups, SetBodies, SetRoles, SetDemands, SetDriver,
     WriteMotion, AddItem, ChangeItem, RemoveItem, AddCheckpoint, ChangeCheckpoint, RemoveCheckpoint,
-    PlaceGroup, NameGroup, ColourGroup, SetAppearance, PutArea, RemoveArea>;
+    PlaceGroup, NameGroup, ColourGroup, SetAppearance, PutArea, RemoveArea, SetPeople>;
 
 /// The body of a command: one of its kinds, for std::visit, std::get_if and the like. Copying, moving and
 /// destroying are compiled once in the library, since each of them takes one function for each kind.

@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "muster/id.h"
+#include "muster/people.h"
 #include "muster/world_def.h"
 
 namespace muster {
@@ -119,6 +121,19 @@ struct SetAppearance {
     template <class Archive>
     void visit(Archive& archive) {
         archive(group, build, motions);
+    }
+};
+/// Gives a group other sorts of persons. Whoever joins it by number or by a source is drawn by them from now
+/// on. Those who are in it are drawn again, as those who come at once: each number that neither the sorts
+/// before nor these draw stays as it is. Whoever has heard an order sets out when it was to.
+struct SetPeople {
+    GroupId group;                  ///< Which.
+    std::vector<PeopleDef> people;  ///< Its sorts; none: all are as GroupDef::bodies say.
+
+    /// Lets an archive read or write the command.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(group, people);
     }
 };
 

@@ -75,7 +75,7 @@ def filled(type_: type) -> object:
 
 
 def test_every_command_comes_back_from_bytes() -> None:
-    assert len(COMMANDS) == 45
+    assert len(COMMANDS) == 46
     for type_ in COMMANDS:
         command = muster.Command(step=7, client=2, sequence=9, body=filled(type_))
         assert muster.decode_command(muster.encode_command(command)) == command, type_.__name__

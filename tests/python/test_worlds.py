@@ -203,6 +203,9 @@ def test_areas_are_read_with_what_they_have_seen() -> None:
     assert not world.areas[0].definition.open
     assert world.areas[1].definition.kind == muster.AreaKind.WAITING
     assert not world.rejections
+    world.submit(muster.SetPeople(group=1, people=[muster.adults()]))
+    world.step()
+    assert world.groups[0].definition.people == [muster.adults()]
 
 
 def test_orders_without_places_are_made_by_name() -> None:

@@ -20,6 +20,7 @@ import { ask } from './link/answers';
 import { StudioClient } from './link/studio_client';
 import { fetchBodies } from './scene/crowd/bodies/gltf_body';
 import { openBuildLazily } from './ui/lazy_build';
+import { openMeasuresLazily } from './ui/lazy_measures';
 import { openPathsLazily } from './ui/lazy_path';
 import { openSequenceLazily } from './ui/lazy_sequence';
 import { openPlacesLazily } from './ui/lazy_places';
@@ -70,6 +71,7 @@ async function start(mode: string | undefined): Promise<object> {
   openPlacesLazily({ ...parts, files: app.files });
   openBuildLazily({ ...parts, history: app.desk.history });
   openPathsLazily(parts);
+  openMeasuresLazily(parts);
   openSequenceLazily({ ...parts, queues: app.desk.queues, frame: () => app.frame });
   const standby = kAbout['standby'];
   if (standby !== undefined)

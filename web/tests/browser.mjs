@@ -4,6 +4,7 @@
 //     --all       all cases in all of their sizes: a release
 import * as areas from './cases/areas.mjs';
 import * as build from './cases/build.mjs';
+import * as buildPeople from './cases/build_people.mjs';
 import * as buildCorners from './cases/build_corners.mjs';
 import * as camera from './cases/camera.mjs';
 import * as directors from './cases/directors.mjs';
@@ -16,6 +17,7 @@ import * as groupAppearance from './cases/group_appearance.mjs';
 import * as groupColour from './cases/group_colour.mjs';
 import * as limits from './cases/limits.mjs';
 import * as look from './cases/look.mjs';
+import * as measures from './cases/measures.mjs';
 import * as mouseAndKeys from './cases/mouse_and_keys.mjs';
 import * as objectives from './cases/objectives.mjs';
 import * as orders from './cases/orders.mjs';
@@ -193,10 +195,10 @@ const kCases = [
   ['build: bodies', build.bodies, [...kTablets, 'phone'], { scenario: 'scenarios/open.json', room: true }],
   ['build: drags', build.dragsInARow, ['desktop'], { touch: false, scenario: 'scenarios/open.json', room: true }],
   ['build: drags by touch', build.dragsByTouch, ['portrait'], { scenario: 'scenarios/open.json', room: true }],
-  ['areas: drawn', areas.drawn, ['landscape', 'portrait', 'desktop'], kOpen],
-  ['areas: leave and wait', areas.leaveAndWait, ['landscape', 'portrait', 'phone'], kOpen],
-  ['areas: a source', areas.sourceToExit, ['desktop'], kOpen],
+  ...buildPeople.kPeopleCases,
+  ...areas.kAreaCases,
   ['build: by touch', build.byTouch, ['landscape', 'portrait', 'phone'], kOpen],
+  ['measures: a door', measures.door, [...kTablets, 'phone'], { scenario: 'web/tests/scenarios/door.json' }],
   ['people', people.appear, ['desktop'], { search: '?quality=full' }],
   ['people in light quality', people.appearLight, ['desktop'], { search: '?quality=light' }],
   ['people on patches', people.motions, ['desktop'], { scenario: 'scenarios/course.json' }],
@@ -301,8 +303,7 @@ const kCases = [
 let server = await startStudio();
 const browser = await openChromium();
 let passed = 0;
-const failed = [];
-const again = [];
+const [failed, again] = [[], []];
 
 /** The page that shared cases go on with, and what it is. */
 let shared = { studio: null, key: '' };

@@ -4,6 +4,8 @@ import { existsSync, mkdtempSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import * as build from './cases/build.mjs';
+import * as buildPeople from './cases/build_people.mjs';
+import * as measures from './cases/measures.mjs';
 import * as site from './cases/site.mjs';
 import * as standby from './cases/standby.mjs';
 import * as takes from './cases/takes.mjs';
@@ -26,6 +28,8 @@ const kCases = [
   ['exports for JuPedSim', site.jupedsim, ['desktop'], { address: kOpen }],
   ['exports', takes.exports, ['desktop'], { address: kOpen }],
   ['build', build.numbers, ['wide'], { address: kOpen, touch: false, room: true }],
+  ['measures', measures.doorOnSite, ['desktop'], { address: kOpen }],
+  ['build: persons', buildPeople.persons, ['desktop'], { address: kOpen, room: true }],
   ['go on without the server', standby.goesOn, ['desktop', 'phone'], { fresh: true }],
   ['no engine, no button', standby.withoutEngine, ['desktop'], { fresh: true }],
   ['large crowds', site.largeCrowds, ['desktop'], { address: kOpen, touch: false }],

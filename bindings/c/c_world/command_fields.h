@@ -246,6 +246,11 @@ template <class M>
 void fields(M& m, C<M, MusterRemoveArea>& c, P<M, RemoveArea>& p) {
     m.id(c.id, p.id);
 }
+template <class M>
+void fields(M& m, C<M, MusterSetPeople>& c, P<M, SetPeople>& p) {
+    m.id(c.group, p.group);
+    m.items(c.people, c.peopleCount, p.people, "people");
+}
 
 /// The members of the C union, in the order of the engine's alternatives.
 inline constexpr std::tuple kCommandMembers{
@@ -271,7 +276,7 @@ inline constexpr std::tuple kCommandMembers{
     &MusterCommandBody::removeCheckpoint, &MusterCommandBody::placeGroup,
     &MusterCommandBody::nameGroup,        &MusterCommandBody::colourGroup,
     &MusterCommandBody::setAppearance,    &MusterCommandBody::putArea,
-    &MusterCommandBody::removeArea};
+    &MusterCommandBody::removeArea,       &MusterCommandBody::setPeople};
 static_assert(std::tuple_size_v<decltype(kCommandMembers)> == std::variant_size_v<CommandKinds> &&
               std::variant_size_v<CommandKinds> == MUSTER_COMMAND_COUNT);
 

@@ -57,7 +57,8 @@ enum MusterCommandKindValue {
     MUSTER_COMMAND_SET_APPEARANCE = 42,       ///< Its body is `setAppearance`.
     MUSTER_COMMAND_PUT_AREA = 43,             ///< Its body is `putArea`.
     MUSTER_COMMAND_REMOVE_AREA = 44,          ///< Its body is `removeArea`.
-    MUSTER_COMMAND_COUNT = 45                 ///< Number of kinds.
+    MUSTER_COMMAND_SET_PEOPLE = 45,           ///< Its body is `setPeople`.
+    MUSTER_COMMAND_COUNT = 46                 ///< Number of kinds.
 };
 
 /// What a command of each kind says. Only the member of the command's kind is read.
@@ -107,6 +108,7 @@ typedef union MusterCommandBody {
     MusterSetAppearance setAppearance;            ///< For MUSTER_COMMAND_SET_APPEARANCE.
     MusterPutArea putArea;                        ///< For MUSTER_COMMAND_PUT_AREA.
     MusterRemoveArea removeArea;                  ///< For MUSTER_COMMAND_REMOVE_AREA.
+    MusterSetPeople setPeople;                    ///< For MUSTER_COMMAND_SET_PEOPLE.
 } MusterCommandBody;
 
 /// A change of a world, with its step and sender. Commands apply in the order of (step, client, sequence).

@@ -317,6 +317,13 @@ typedef struct MusterRemoveArea {
     MusterAreaId id;  ///< Its id.
 } MusterRemoveArea;
 
+/// Gives a group other sorts of persons. Those who are in it are drawn again.
+typedef struct MusterSetPeople {
+    MusterGroupId group;            ///< Which.
+    const MusterPeopleDef* people;  ///< Its sorts; none: all are as the bodies of the group say.
+    int32_t peopleCount;            ///< Their number.
+} MusterSetPeople;
+
 #ifdef __cplusplus
 }
 #endif

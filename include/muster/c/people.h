@@ -85,8 +85,8 @@ typedef struct MusterAreaDef {
     const MusterVec2* queue;  ///< For Exit: a line in which people queue, from who is next to the last [m].
     int32_t queueCount;       ///< Number of its points: 0 for a crowd, else 2 or more.
     int32_t group;            ///< For Source in a MusterWorldDef: index of the group whom its people join.
-    double from;              ///< For Source with a rate: when it begins [s].
-    double until;             ///< For Source with a rate: when it ends [s].
+    double from;              ///< For Exit: when it opens; for Source with a rate: when it begins [s].
+    double until;             ///< For Exit: when it closes; for Source with a rate: when it ends [s].
     int32_t most;             ///< For Source with a rate: how many come in all; 0 for no end.
     const MusterArrivals* timetable;  ///< For Source: further people, by ascending times.
     int32_t timetableCount;           ///< Their number.

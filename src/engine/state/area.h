@@ -63,4 +63,9 @@ inline bool maySend(const Area& area) {
     return area.count.waiting > 0 || byRate || area.source.entry < def.timetable.size();
 }
 
+/// True where people leave by an exit at this time. A source has its own times.
+inline bool isOpen(const AreaDef& area, double time) {
+    return area.open && (area.kind != AreaKind::Exit || (time >= area.from && time < area.until));
+}
+
 }  // namespace muster

@@ -36,7 +36,7 @@ constexpr auto kNames = std::to_array<const char*>({"TouchDown",        "TouchMo
                                                     "RemoveCheckpoint", "PlaceGroup",
                                                     "NameGroup",        "ColourGroup",
                                                     "SetAppearance",    "PutArea",
-                                                    "RemoveArea"});
+                                                    "RemoveArea",       "SetPeople"});
 static_assert(kNames.size() == std::variant_size_v<CommandKinds>);
 
 /// Makes the alternative with that index; false where there is none.
@@ -169,6 +169,7 @@ struct Validator {
     Status operator()(const ColourGroup& c) const { return validateColour(c.colour); }
     Status operator()(const PutArea& c) const { return validateArea(c.area); }
     Status operator()(const RemoveArea&) const { return {}; }
+    Status operator()(const SetPeople& c) const { return validatePeople(c.people); }
     Status operator()(const SetAppearance& c) const { return validateAppearance(c.build, c.motions); }
 
 private:

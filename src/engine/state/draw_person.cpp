@@ -19,6 +19,10 @@ Body givenBody(const GroupDef& def, std::size_t index) {
     return def.bodies[std::min(index, def.bodies.size() - 1)];
 }
 
+bool isDrawn(const Distribution& drawn) {
+    return drawn.spread != Spread::Constant || drawn.a != 0.0;
+}
+
 double sumOfShares(const std::vector<PeopleDef>& people) {
     double sum = 0.0;
     for (const PeopleDef& sort : people) sum += sort.share;
@@ -56,7 +60,7 @@ double randomShare(std::uint64_t seed, std::uint32_t character, Drawn what) {
 
 Body drawPerson(const PeopleDef& sort, Body body, std::uint64_t seed, std::uint32_t character) {
     const auto draw = [&](const Distribution& drawn, Drawn what, double& number) {
-        if (drawn.spread == Spread::Constant && drawn.a == 0.0) return false;
+        if (!isDrawn(drawn)) return false;
         number = drawn.quantile(
             std::clamp(randomShare(seed, character, what), kLeastShare, 1.0 - kLeastShare));
         return true;
@@ -85,20 +89,43 @@ Body drawMember(const GroupDef& def, std::size_t index, std::uint64_t seed, std:
 std::vector<Body> drawMembers(const GroupDef& def, std::uint64_t seed, std::uint32_t first) {
     const auto count = static_cast<std::size_t>(def.count);
     std::vector<Body> bodies(count);
+    std::vector<std::uint32_t> ids(count);
+    std::iota(ids.begin(), ids.end(), first);
     for (std::size_t k = 0; k < count; ++k) bodies[k] = givenBody(def, k);
-    if (def.people.empty()) return bodies;
+    drawAll(def.people, seed, ids, bodies);
+    return bodies;
+}
+
+void drawAll(const std::vector<PeopleDef>& people, std::uint64_t seed, std::span<const std::uint32_t> ids,
+             std::span<Body> bodies) {
+    if (people.empty()) return;
     // The ranks in a random order: those of the first sort, those of the second, and so on.
-    std::vector<std::pair<double, std::size_t>> ranks(count);
-    for (std::size_t k = 0; k < count; ++k)
-        ranks[k] = {randomShare(seed, first + static_cast<std::uint32_t>(k), Drawn::Sort), k};
+    std::vector<std::pair<double, std::size_t>> ranks(ids.size());
+    for (std::size_t k = 0; k < ids.size(); ++k) ranks[k] = {randomShare(seed, ids[k], Drawn::Sort), k};
     std::sort(ranks.begin(), ranks.end());
-    const std::vector<std::size_t> quota = quotas(def.people, count);
+    const std::vector<std::size_t> quota = quotas(people, ids.size());
     auto at = ranks.begin();
     for (std::size_t sort = 0; sort < quota.size(); ++sort)
         for (std::size_t n = 0; n < quota[sort]; ++n, ++at)
-            bodies[at->second] = drawPerson(def.people[sort], bodies[at->second], seed,
-                                            first + static_cast<std::uint32_t>(at->second));
-    return bodies;
+            bodies[at->second] = drawPerson(people[sort], bodies[at->second], seed, ids[at->second]);
+}
+
+Body withoutSorts(const GroupDef& def, std::size_t index, Body body) {
+    const Body given = givenBody(def, index);
+    for (const PeopleDef& sort : def.people) {
+        const auto giveBack = [](const Distribution& drawn, double& number, double before) {
+            if (isDrawn(drawn)) number = before;
+        };
+        giveBack(sort.speed, body.maxSpeed, given.maxSpeed);
+        giveBack(sort.age, body.maxSpeed, given.maxSpeed);
+        giveBack(sort.radius, body.radius, given.radius);
+        giveBack(sort.headway, body.headway, given.headway);
+        giveBack(sort.premovement, body.premovement, given.premovement);
+        if (sort.unitClass != 0) body.unitClass = given.unitClass;
+        if (sort.upstairs != 0.0) body.upstairs = given.upstairs;
+        if (sort.downstairs != 0.0) body.downstairs = given.downstairs;
+    }
+    return body;
 }
 
 }  // namespace muster

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "muster/people.h"
@@ -29,5 +30,15 @@ Body drawMember(const GroupDef& def, std::size_t index, std::uint64_t seed, std:
 /// The first members of a group, who come at once; their ids begin with `first`. Of each sort there are as
 /// many as its share says, by largest remainders (of equal ones the former), at random ranks.
 std::vector<Body> drawMembers(const GroupDef& def, std::uint64_t seed, std::uint32_t first);
+
+/// Draws all of these at once by the sorts: of each there are as many as its share says, at random ranks.
+/// `bodies` are theirs, in the order of `ids`, and keep the numbers that their sort leaves. Without sorts
+/// nothing happens.
+void drawAll(const std::vector<PeopleDef>& people, std::uint64_t seed, std::span<const std::uint32_t> ids,
+             std::span<Body> bodies);
+
+/// The body of the member with this index, where each number that a sort of its group draws is that of
+/// GroupDef::bodies again.
+Body withoutSorts(const GroupDef& def, std::size_t index, Body body);
 
 }  // namespace muster

@@ -31,6 +31,9 @@ const FinishLook& finishLook(Finish finish) {
         {"paint 3", 0x7F93A8, 1.0f, 0.4f},
         {"paint 4", 0x5F8A7F, 1.0f, 0.4f},
         {"fur", 0xB4B0AC},
+        {"exit", 0xCFE3CE},
+        {"source", 0xD2DDEA},
+        {"waiting area", 0xEADFBE},
     }};
     return kLooks[static_cast<std::size_t>(finish)];
 }

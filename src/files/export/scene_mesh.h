@@ -1,4 +1,4 @@
-// Ground, obstacles and patches of a world as meshes, for all formats that hold meshes.
+// Ground, obstacles, patches and areas of a world as meshes, for all formats that hold meshes.
 #pragma once
 
 #include <array>
@@ -46,6 +46,9 @@ enum class Finish : std::uint8_t {
     Paint3,
     Paint4,
     Fur,
+    Exit,
+    Source,
+    Waiting,
     Count
 };
 
@@ -81,7 +84,7 @@ struct SceneThing {
     double turn(double time) const { return path.at(time).angle; }  ///< [rad]
 };
 
-/// The ground, then obstacles, then patches, in the world's present state.
+/// The ground, then obstacles, patches and areas, in the world's present state.
 std::vector<SceneThing> makeScene(const World& world);
 
 /// What one object of a scene is made of. Makers of objects call it; what becomes of the shapes is up to
@@ -120,7 +123,7 @@ struct ScenePlan {
     Vec2 pivot;        ///< Centre of rotation [m].
     TimedPath path;    ///< Its motion; empty for a static object.
 };
-/// Calls `visit` for the ground, then for obstacles, then for patches, in the world's present state. `visit`
+/// Calls `visit` for the ground, then for obstacles, patches and areas, in the world's present state. `visit`
 /// gets what the object is and a function that adds its shapes, at their places in the world.
 void visitScene(const World& world,
                 const std::function<void(const ScenePlan&, const std::function<void(SceneShapes&)>&)>& visit);

@@ -1,5 +1,6 @@
 // All objects of a world.
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <set>
 
@@ -15,6 +16,7 @@ constexpr double kFloor = 0.006;  // Height of the lowest patch floor above the 
 // Each further floor lies higher by this much [m], so that the upper one shows where floors overlap.
 constexpr double kFloorStep = 0.0007;
 constexpr double kHighestFloor = 0.0155;  // Height of the highest floor [m].
+constexpr double kAreaFloor = 0.0165;     // Height of exits, sources and waiting areas [m].
 constexpr double kApron = 40.0;           // Width of the ground beyond the world's edge [m].
 
 /// A unique name. An unnamed object is called by `kind`; later ones get a number.
@@ -63,6 +65,25 @@ Vec2 pivotOf(const Polygon& polygon) {
     return centroid(outline.ok() ? *outline : polygon);
 }
 
+using Visit = std::function<void(const ScenePlan&, const std::function<void(SceneShapes&)>&)>;
+
+void visitAreas(const World& world, std::set<std::string>& names, const Visit& visit) {
+    struct Look {
+        const char* name;
+        Finish finish;
+    };
+    constexpr std::array<Look, 3> kAreas{
+        {{"Exit", Finish::Exit}, {"Source", Finish::Source}, {"Waiting area", Finish::Waiting}}};
+    for (std::size_t a = 0; a < world.areaCount(); ++a) {
+        const AreaDef def = world.area(a).def;
+        const auto outline = cleanPolygon(def.polygon);
+        if (!outline.ok()) continue;
+        const Look& look = kAreas[static_cast<std::size_t>(def.kind)];
+        visit({nameOf(def.name, look.name, names), pivotOf(def.polygon), {}},
+              [&](SceneShapes& shapes) { shapes.floor(look.finish, *outline, kAreaFloor); });
+    }
+}
+
 }  // namespace
 
 void visitScene(
@@ -93,6 +114,7 @@ void visitScene(
         });
         floor = floor < kHighestFloor ? floor + kFloorStep : kFloor;
     }
+    visitAreas(world, names, visit);
 }
 
 std::vector<SceneThing> makeScene(const World& world) {

@@ -216,6 +216,10 @@ struct BodyFields {
             v.whole("group", c.group.value, kId, "For source: whom its people join.");
     }
     void operator()(RemoveArea& c) { id("id", c.id); }
+    void operator()(SetPeople& c) {
+        id("group", c.group);
+        describePeople(v, c.people);
+    }
     void ids(std::vector<std::uint32_t>& list) {
         v.numbers("ids", list, kId, kMaxCharacters, "Ids of characters.", Need::Required);
     }

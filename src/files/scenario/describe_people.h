@@ -66,9 +66,11 @@ void describeArea(Visitor& v, AreaDef& area, PutGroup putGroup) {
              "For exit: the line in which people queue, from who is next to the last.");
     putGroup();
     if (takesPart<Visitor>(area.from != usual.from))
-        v.number("from", area.from, kTime, "For source with a rate: when it begins.");
+        v.number("from", area.from, kTime,
+                 "For exit: when it opens. For source with a rate: when it begins.");
     if (takesPart<Visitor>(area.until != usual.until))
-        v.number("until", area.until, kTime, "For source with a rate: when it ends.");
+        v.number("until", area.until, kTime,
+                 "For exit: when it closes. For source with a rate: when it ends.");
     if (takesPart<Visitor>(area.most != usual.most))
         v.whole("most", area.most, {0.0, kMaxCharacters}, "For source with a rate: in all; 0 for no end.");
     v.list("timetable", area.timetable, kMaxCorners, "For source: further people, by ascending times.",

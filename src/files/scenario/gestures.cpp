@@ -60,7 +60,8 @@ constexpr const char* kKinds[] = {"down",
                                   "colourGroup",
                                   "appearance",
                                   "area",
-                                  "removeArea"};
+                                  "removeArea",
+                                  "people"};
 static_assert(std::size(kKinds) == std::variant_size_v<CommandKinds>);
 
 /// An event of the file: a command with its time.

@@ -176,6 +176,7 @@ std::vector<CommandBody> everyBody() {
             SetAppearance{{1}, BodyBuild::Narrow, MotionSet::Weary},
             PutArea{{2}, richArea(), {3}},
             RemoveArea{{2}},
+            SetPeople{{2}, {adults(), PeopleDef{}}},
             PutArea{{}, richExit(), {}}};
 }
 

@@ -116,7 +116,7 @@ TEST_SUITE("misuse of the C API") {
         CHECK(lastError() == "command: SetFormation: formation: kind: found 200, expected 0 to 9");
         command.kind = MUSTER_COMMAND_COUNT;
         CHECK(muster_command_validate(&command) == MUSTER_INVALID_ARGUMENT);
-        CHECK(lastError() == "command: kind: found 45, expected 0 to 44");
+        CHECK(lastError() == "command: kind: found 46, expected 0 to 45");
         CHECK(muster_world_create(&def, -1, &world) == MUSTER_INVALID_ARGUMENT);
         CHECK(lastError() == "threads: found -1, expected 0 to 256");
         BothWorlds both(makeDef());

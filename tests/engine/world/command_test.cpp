@@ -100,7 +100,8 @@ std::vector<Command> everyCommand() {
         ColourGroup{GroupId{1}, 0x1D5FD1},
         SetAppearance{GroupId{1}, BodyBuild::Narrow, MotionSet::March},
         PutArea{AreaId{2}, source, GroupId{1}},
-        RemoveArea{AreaId{2}}};
+        RemoveArea{AreaId{2}},
+        SetPeople{GroupId{1}, {adults()}}};
     std::vector<Command> commands;
     for (const CommandBody& body : bodies) {
         const auto n = static_cast<std::uint32_t>(commands.size());

@@ -142,6 +142,24 @@ TEST_CASE("who goes to an exit that closes goes to another one at once, and hear
     CHECK(world.area(0).count.passed == 2);
 }
 
+TEST_CASE("an exit opens and closes at its times") {
+    WorldDef def = hall({{30, 5}, {38.9, 5}});
+    def.areas = {exitAt(0, 4, 1, 6), exitAt(39, 4, 40, 6)};
+    def.areas[1].from = 3.0;
+    def.areas[1].until = 12.0;
+    World world = World::create(def).value();
+    run(world, 1.0);
+    CHECK(world.characters().goal[0] == 1);
+    run(world, 3.5);
+    CHECK(world.characters().goal[0] == 2);
+    run(world, 7.4);
+    CHECK(world.area(1).count.passed == 1);
+    run(world, 0.2);
+    CHECK(world.characters().goal[0] == 1);
+    CHECK(emptied(world, 60.0) > 20.0);
+    CHECK(world.area(0).count.passed == 1);
+}
+
 TEST_CASE("who leaves disturbs nobody else, and a group that gets places again forms up") {
     WorldDef def = hall(crowd({{20, 1}, {26, 9}}, 1.0));
     GroupDef other;

@@ -353,3 +353,36 @@ TEST_CASE("who joins is drawn, by sort and numbers; bodies that are given stay a
     CHECK(bodiesOf(first) == bodiesOf(restored));
     CHECK(first.hash() == restored.hash());
 }
+
+TEST_CASE(
+    "sorts that are given later draw the same persons as from the beginning, and what none draws stays") {
+    PeopleDef women = sortOf(1, 0.25), men = sortOf(2, 0.75);
+    women.speed = Distribution::normal(1.27, 0.2, 0.5, 2.2);
+    men.radius = Distribution::uniform(0.2, 0.25);
+    const std::vector<Body> drawn = bodiesOf(World::create(crowdOf(40, {women, men}, 3)).value());
+    World world = World::create(crowdOf(40, {adults()}, 3)).value();
+    const std::vector<Body> before = bodiesOf(world);
+    std::uint32_t sequence = 0;
+    const auto carryOut = [&](const CommandBody& body) {
+        REQUIRE(give(world, sequence, body).ok());
+        world.step();
+    };
+    carryOut(SetPeople{GroupId{1}, {women, men}});
+    CHECK(bodiesOf(world) == drawn);
+    CHECK(world.groupDef(0).people == std::vector<PeopleDef>{women, men});
+    World restored = World::restore(world.snapshot()).value();
+    CHECK(restored.hash() == world.hash());
+    carryOut(SetPeople{GroupId{1}, {adults()}});
+    CHECK(bodiesOf(world) == before);
+    // Numbers by hand stay where no sort draws them.
+    Body heavy = bodiesOf(world)[4];
+    heavy.mass = 3.0;
+    heavy.radius = 0.4;
+    carryOut(SetBodies{{5}, {heavy}});
+    carryOut(SetPeople{GroupId{1}, {}});
+    CHECK(bodiesOf(world)[4].mass == 3.0);
+    CHECK(bodiesOf(world)[4].radius == 0.4);
+    CHECK(bodiesOf(world)[4].maxSpeed == 0.0);
+    CHECK(give(world, sequence, SetPeople{GroupId{1}, {sortOf(1, -1.0)}}).code() ==
+          StatusCode::InvalidArgument);
+}

@@ -103,7 +103,7 @@ inline std::map<std::string, std::string> playerParts(const std::string& file) {
         for (std::size_t k = 4; k-- > 0;) value = value << 8 | static_cast<unsigned char>(file.at(at + k));
         return value;
     };
-    if (file.substr(0, 8) != "MUSTERPL" || word(8) != 1 || word(12) != file.size())
+    if (file.substr(0, 8) != "MUSTERPL" || word(8) != 2 || word(12) != file.size())
         throw std::runtime_error("no file of a player");
     std::map<std::string, std::string> parts;
     for (std::size_t at = 20; at < file.size(); at += 8 + word(at + 4))

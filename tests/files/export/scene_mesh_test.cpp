@@ -134,6 +134,23 @@ TEST_CASE("every motion has its own floor, and every object its own name") {
         for (std::size_t k = 0; k < i; ++k) CHECK(things[i].name != things[k].name);
 }
 
+TEST_CASE("exits, sources and waiting areas lie flat above all other floors, by their names") {
+    WorldDef def = furnishedWorld();
+    AreaDef area;
+    area.name = "Yard";
+    area.polygon = {{-10, -3}, {-8, -3}, {-8, 0}, {-10, 0}};
+    def.areas = {area, area, area};
+    def.areas[1].kind = AreaKind::Source;
+    def.areas[2].kind = AreaKind::Waiting;
+    def.areas[2].name.clear();
+    const auto world = World::create(def);
+    REQUIRE(world.ok());
+    const auto things = makeScene(*world);
+    CHECK(areaAt(find(things, "Yard").surfaces, Finish::Exit, 0.0165f) == doctest::Approx(6.0).epsilon(1e-5));
+    CHECK(find(things, "Yard 2").surfaces.front().finish == Finish::Source);
+    CHECK(find(things, "Waiting area").surfaces.front().finish == Finish::Waiting);
+}
+
 TEST_CASE("a camera sees all points, and is no farther away than necessary") {
     CameraFit fit;
     const std::vector<Vec3> points{{-20, 3, 0}, {15, -8, 1.8f}, {4, 22, 0}, {9, 9, 1.8f}, {30, 1, 0}};

@@ -170,6 +170,8 @@ TEST_CASE("every kind of command survives the file") {
         PutArea{{}, door, {}},
         PutArea{AreaId{3}, source, GroupId{2}},
         RemoveArea{AreaId{3}},
+        SetPeople{GroupId{2}, {adults()}},
+        SetPeople{GroupId{2}, {}},
         SetBodies{{5, 6}, {patient, heavy}},
         GiveOrder{GroupId{2}, QueueMode::Replace, 0, Order::leave()},
         GiveOrder{GroupId{2}, QueueMode::Append, 0, leave},

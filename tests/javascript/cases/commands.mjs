@@ -198,6 +198,7 @@ export const kBodies = {
   },
   PutArea: { id: 3, area, group: 2 },
   RemoveArea: { id: 3 },
+  SetPeople: { group: 2, people: [{ name: 'Slow', share: 2, unitClass: 3 }] },
 };
 
 /** True where all that was given is found. */

@@ -44,7 +44,7 @@ test('wrong commands are refused with the place of the fault', async () => {
   const muster = await engine.loadMuster();
   const world = muster.World.create(smallDef);
   const submit = (command) => () => world.submit(command);
-  refused('InvalidArgument', 'command.kind: found 45, expected a CommandKind, 0 to 44', submit({ kind: 45 }));
+  refused('InvalidArgument', 'command.kind: found 46, expected a CommandKind, 0 to 45', submit({ kind: 46 }));
   refused('InvalidArgument', 'command.kind: found nothing', submit({}));
   refused('InvalidArgument', 'command: found an array', submit([]));
   refused('InvalidArgument', 'command', submit(undefined));

@@ -359,6 +359,33 @@ TEST_CASE("an appearance is one step of undo, shown in the scene and kept by the
     CHECK(desk.client.history.undo == 1);
 }
 
+TEST_CASE("sorts of persons are one step of undo, draw who is there, and are kept by the place") {
+    Desk desk;
+    const auto radii = [&] {
+        std::vector<double> all;
+        for (const Body& body : desk.world().characters().body) all.push_back(body.radius);
+        return all;
+    };
+    const std::vector<double> before = radii();
+    desk.edit(
+        R"({"kind":"people","group":1,"people":[{"share":1,"radius":0.3},{"share":1,"radius":0.2,"class":2}]})",
+        "Persons");
+    CHECK(desk.saved().groups[0].people.size() == 2);
+    CHECK(desk.client.scenes.back().json.find(R"("people":[{)") != std::string::npos);
+    const std::vector<double> mixed = radii();
+    const auto broad = std::count(mixed.begin(), mixed.end(), 0.3);
+    CHECK(std::abs(2 * broad - std::ssize(mixed)) <= 1);
+    desk.restart();
+    CHECK(radii() == mixed);
+    desk.undo();
+    CHECK(desk.saved().groups[0].people.empty());
+    CHECK(radii() == before);
+    desk.undo(true);
+    CHECK(radii() == mixed);
+    desk.edit(R"({"kind":"people","group":1,"people":{"share":-1}})");
+    CHECK(desk.client.history.undo == 1);
+}
+
 TEST_CASE("the saved place plays to the hash of the studio") {
     Desk desk;
     desk.edit(kBox);

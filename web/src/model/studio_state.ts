@@ -172,6 +172,8 @@ export interface StudioState {
   readonly dialog: DialogName;
   /** Somebody builds the place. */
   readonly build: boolean;
+  /** What people do is measured, and shown. */
+  readonly measures: boolean;
   /** Somebody changes paths of the open take. */
   readonly paths: boolean;
   readonly places: PlacesView;
@@ -247,6 +249,7 @@ export const kInitialState: StudioState = {
   figures: false,
   dialog: 'none',
   build: false,
+  measures: false,
   paths: false,
   places: 'none',
   placeFiles: [],

@@ -21,7 +21,7 @@ import { coversFigure } from './crowd/figure_cover';
 import { accentColour, type Palette, paletteOf } from './drawing/palette';
 import { pickCharacter } from './crowd/picker';
 import { chooseQuality, rendererName } from './drawing/quality';
-import { chipTags, overlayTags, patchTags, type TagScene } from './marks/scene_tags';
+import { areasOf, chipTags, overlayTags, patchTags, type TagScene } from './marks/scene_tags';
 import { Stage } from './stage';
 import { PictureStats } from './picture_stats';
 import type { Attention, StudioScene } from './studio_scene';
@@ -377,7 +377,7 @@ export class StudioView implements StudioScene {
       colours: this.orders.colours,
       now,
       moving: this.moving_,
-      areas: this.timeline_.newest?.areas ?? [],
+      ...areasOf(this.timeline_.newest),
       overlay: this.overlay_.overlay,
       contours: this.overlay_.contours,
       chosenGroup: this.chosenGroup(),

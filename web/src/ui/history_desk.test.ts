@@ -32,6 +32,20 @@ it('tells what was taken back and done again, for a moment', () => {
   expect(sent.length).toBe(2);
 });
 
+it('takes back two edits that belong together at once, and does both again', () => {
+  server(3, 'Add source');
+  desk.undo();
+  server(2, 'Add source, first', 1, 'Add source');
+  expect(told()).toBeUndefined();
+  server(1, 'Move', 2, 'Add source, first');
+  expect(told()).toBe('Undone: Add source');
+  desk.undo(true);
+  server(2, 'Add source, first', 1, 'Add source');
+  server(3, 'Add source');
+  expect(told()).toBe('Done again: Add source');
+  expect(sent.map((one) => one.type === 'UndoEdit' && one.redo)).toEqual([false, false, true, true]);
+});
+
 it('says nothing of what others, or we ourselves, do meanwhile', () => {
   server(1, 'Move');
   expect(store.state.notice).toBeNull();

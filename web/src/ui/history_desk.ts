@@ -10,6 +10,14 @@ import { ThreeFingerTap } from '../tools/three_finger_tap';
 /** How long it is told what was taken back [ms]. */
 const kToldMs = 2500;
 
+const kFirst = ', first';
+
+/** The label of an edit that goes with the next one, of this label: both are taken back, and done again, together. An edit that
+ * needs the id of what another one makes cannot be one with it. */
+export function firstOf(label: string): string {
+  return label && label + kFirst;
+}
+
 export class HistoryDesk {
   /** What was asked for and not answered yet. */
   private asked_: { readonly redo: boolean; readonly before: HistoryFacts } | null = null;
@@ -50,7 +58,8 @@ export class HistoryDesk {
   }
 
   took({ undo, undoLabel, redo, redoLabel }: Omit<EditHistory, 'type' | 'edited'>): void {
-    this.store_.set({ history: { undo, undoLabel, redo, redoLabel } });
+    const plain = (label: string): string => label.replace(kFirst, '');
+    this.store_.set({ history: { undo, undoLabel: plain(undoLabel), redo, redoLabel: plain(redoLabel) } });
     const { asked_: asked } = this;
     if (!asked) return;
     if (asked.redo ? undo <= asked.before.undo : redo <= asked.before.redo) {
@@ -60,7 +69,9 @@ export class HistoryDesk {
       return this.tell('Nothing of it was left');
     }
     this.asked_ = null;
-    this.tell(asked.redo ? `Done again: ${undoLabel}` : `Undone: ${redoLabel}`);
+    const [gone, next] = asked.redo ? [undoLabel, redoLabel] : [redoLabel, undoLabel];
+    if (asked.redo ? gone === firstOf(next) : next === firstOf(gone)) return this.ask(asked.redo);
+    this.tell(`${asked.redo ? 'Done again' : 'Undone'}: ${plain(gone)}`);
   }
 
   private tell(text: string): void {

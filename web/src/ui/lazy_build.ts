@@ -2,19 +2,14 @@
 
 import { problem } from '../protocol/problem';
 import type { BuildDesk, BuildParts } from './build/build_desk';
+import { onShiftKey } from './shift_key';
 
 export function openBuildLazily(parts: BuildParts): void {
   const { store, client } = parts;
   let desk: BuildDesk | null = null;
   let scene = '';
   let loading = false;
-  window.addEventListener('keydown', (event) => {
-    if (event.key !== 'E' || !event.shiftKey || event.ctrlKey || event.metaKey || event.altKey) return;
-    if (event.target instanceof HTMLElement && event.target.closest('input, textarea, select, dialog')) return;
-    event.preventDefault();
-    event.stopImmediatePropagation();
-    store.set({ build: !store.state.build });
-  });
+  onShiftKey('E', () => store.set({ build: !store.state.build }));
   client.on('scene', ({ json }) => {
     scene = json;
     desk?.setScene(json);

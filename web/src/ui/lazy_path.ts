@@ -4,6 +4,7 @@ import type { TakeState } from '../protocol/messages';
 import { problem } from '../protocol/problem';
 import type { StudioStore } from '../model/studio_store';
 import type { Members, PathDesk, PathParts } from './path/path_desk';
+import { onShiftKey } from './shift_key';
 import { setPressed } from './widgets/dom';
 import { toolButton } from './widgets/tool_button';
 
@@ -31,14 +32,11 @@ export function openPathsLazily(parts: PathParts): void {
   client.on('frame', ({ frame: { ids, group } }) => {
     if (ids.length > 0) Object.assign(members, { ids, group });
   });
-  window.addEventListener('keydown', (event) => {
-    if (event.key !== 'P' || !event.shiftKey || event.ctrlKey || event.metaKey || event.altKey) return;
-    if (!take?.open || take.stored) return;
-    if (event.target instanceof HTMLElement && event.target.closest('input, textarea, select, dialog')) return;
-    event.preventDefault();
-    event.stopImmediatePropagation();
-    store.set({ paths: !store.state.paths });
-  });
+  onShiftKey(
+    'P',
+    () => store.set({ paths: !store.state.paths }),
+    () => Boolean(take?.open && !take.stored),
+  );
   client.on('takeState', (state) => {
     take = state;
     desk?.setTake(state);

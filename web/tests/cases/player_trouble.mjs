@@ -42,7 +42,7 @@ export async function files(page, host) {
     ['cut.muster-player?x=1', `“cut.muster-player” cannot be played: found 9000 bytes, expected ${good.length}.`],
     [
       'newer.muster-player',
-      '“newer.muster-player” cannot be played: found version 7, expected 1: a newer muster-player.js is needed.',
+      '“newer.muster-player” cannot be played: found version 7, expected 2: a newer muster-player.js is needed.',
     ],
     ['plain.html', '“plain.html” cannot be played: this is no file of a Muster player.'],
     ['http://127.0.0.1:9/x.muster-player', '“x.muster-player” cannot be loaded: the host does not answer.'],

@@ -388,8 +388,10 @@ export const CommandKind = {
   PutArea: 43,
   /** Its body is `removeArea`. */
   RemoveArea: 44,
+  /** Its body is `setPeople`. */
+  SetPeople: 45,
   /** Number of kinds. */
-  Count: 45,
+  Count: 46,
 } as const;
 export type CommandKind = (typeof CommandKind)[keyof typeof CommandKind];
 

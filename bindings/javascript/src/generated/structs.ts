@@ -585,9 +585,9 @@ export interface AreaDef {
   queue: Vec2[];
   /** For Source in a WorldDef: index of the group whom its people join. */
   group: number;
-  /** For Source with a rate: when it begins [s]. */
+  /** For Exit: when it opens; for Source with a rate: when it begins [s]. */
   from: number;
-  /** For Source with a rate: when it ends [s]. */
+  /** For Exit: when it closes; for Source with a rate: when it ends [s]. */
   until: number;
   /** For Source with a rate: how many come in all; 0 for no end. */
   most: number;
@@ -614,9 +614,9 @@ export interface AreaDefInit {
   readonly queue?: readonly Vec2[] | Float64Array | undefined;
   /** For Source in a WorldDef: index of the group whom its people join. */
   readonly group?: number | undefined;
-  /** For Source with a rate: when it begins [s]. */
+  /** For Exit: when it opens; for Source with a rate: when it begins [s]. */
   readonly from?: number | undefined;
-  /** For Source with a rate: when it ends [s]. */
+  /** For Exit: when it closes; for Source with a rate: when it ends [s]. */
   readonly until?: number | undefined;
   /** For Source with a rate: how many come in all; 0 for no end. */
   readonly most?: number | undefined;
@@ -1622,6 +1622,22 @@ export interface RemoveAreaInit {
   readonly id?: AreaId | undefined;
 }
 
+/** Gives a group other sorts of persons. Those who are in it are drawn again. */
+export interface SetPeople {
+  /** Which. */
+  group: GroupId;
+  /** Its sorts; none: all are as the bodies of the group say. */
+  people: PeopleDef[];
+}
+
+/** What may be given of SetPeople. */
+export interface SetPeopleInit {
+  /** Which. */
+  readonly group?: GroupId | undefined;
+  /** Its sorts; none: all are as the bodies of the group say. */
+  readonly people?: readonly PeopleDefInit[] | undefined;
+}
+
 /** The body of each kind. */
 export interface CommandBodies {
   /** TouchDown */
@@ -1714,6 +1730,8 @@ export interface CommandBodies {
   43: PutArea;
   /** RemoveArea */
   44: RemoveArea;
+  /** SetPeople */
+  45: SetPeople;
 }
 
 /**
@@ -1830,6 +1848,8 @@ export interface CommandBodiesInit {
   43: PutAreaInit;
   /** RemoveArea */
   44: RemoveAreaInit;
+  /** SetPeople */
+  45: SetPeopleInit;
 }
 
 /**

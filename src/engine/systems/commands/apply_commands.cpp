@@ -186,6 +186,7 @@ public:
     Status operator()(const SetAppearance& appearance) { return setAppearance(state_, appearance); }
     Status operator()(const PutArea& put) { return putArea(state_, put); }
     Status operator()(const RemoveArea& remove) { return removeArea(state_, remove); }
+    Status operator()(const SetPeople& set) { return setPeople(editableGroups(), set); }
 
 private:
     // Background work reads the plans.

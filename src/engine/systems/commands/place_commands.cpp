@@ -5,6 +5,7 @@
 
 #include "base/maths.h"
 #include "engine/state/bare_groups.h"
+#include "engine/state/draw_person.h"
 #include "engine/state/group_edits.h"
 #include "engine/state/validation.h"
 #include "engine/systems/commands/not_found.h"
@@ -132,6 +133,24 @@ Status setAppearance(WorldState& state, const SetAppearance& appearance) {
     if (group == nullptr) return noGroup(appearance.group);
     group->def.build = appearance.build;
     group->def.motions = appearance.motions;
+    return {};
+}
+
+Status setPeople(WorldState& state, const SetPeople& set) {
+    Group* group = state.findGroup(set.group);
+    if (group == nullptr) return noGroup(set.group);
+    Characters& c = state.characters;
+    std::vector<std::uint32_t> ids;
+    std::vector<Body> bodies;
+    for (std::size_t k = 0; k < group->members.size(); ++k) {
+        const auto i = static_cast<std::size_t>(group->members[k]);
+        ids.push_back(c.id[i]);
+        bodies.push_back(withoutSorts(group->def, k, c.body[i]));
+    }
+    group->def.people = set.people;
+    drawAll(group->def.people, state.seed, ids, bodies);
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+        c.body[static_cast<std::size_t>(group->members[k])] = bodies[k];
     return {};
 }
 

@@ -18,5 +18,6 @@ Status placeGroup(WorldState& state, const PlaceGroup& place);
 Status nameGroup(WorldState& state, const NameGroup& name);
 Status colourGroup(WorldState& state, const ColourGroup& colour);
 Status setAppearance(WorldState& state, const SetAppearance& appearance);
+Status setPeople(WorldState& state, const SetPeople& set);
 
 }  // namespace muster

@@ -40,13 +40,14 @@ void AreaStage::findLeaving(WorldState& state) {
     for (Area& area : state.areas) {
         if (area.def.kind != AreaKind::Exit) continue;
         const bool inOrder = area.def.rate > 0.0 || !area.def.queue.empty();
-        if (inOrder && area.def.open) passInOrder(state, area);
+        if (inOrder && isOpen(area.def, state.time())) passInOrder(state, area);
     }
     for (std::size_t i = 0; i < c.size(); ++i) {
         if (c.goal[i] == 0 || c.cost[i] > kLooks) continue;
         const Area* const area = state.findArea(AreaId{c.goal[i]});
-        const bool atOnce = area != nullptr && area->def.kind == AreaKind::Exit && area->def.open &&
-                            area->def.rate == 0.0 && area->def.queue.empty();
+        const bool atOnce = area != nullptr && area->def.kind == AreaKind::Exit &&
+                            isOpen(area->def, state.time()) && area->def.rate == 0.0 &&
+                            area->def.queue.empty();
         if (atOnce && isLeaving(state, static_cast<std::int32_t>(i)) &&
             containsPoint(area->def.polygon, c.position[i]))
             leaves_[i] = 1;

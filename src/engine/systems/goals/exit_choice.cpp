@@ -76,7 +76,7 @@ void ExitChooser::listExits(WorldState& state, GoalFields& fields, std::span<con
     fields_.clear();
     ids_.clear();
     for (Area& area : state.areas) {
-        if (area.def.kind != AreaKind::Exit || !area.def.open) continue;
+        if (area.def.kind != AreaKind::Exit || !isOpen(area.def, state.time())) continue;
         const bool named = std::any_of(leavers.begin(), leavers.end(), [&](const Leavers& some) {
             const std::vector<AreaId>& exits = some.order->exits;
             return exits.empty() || std::find(exits.begin(), exits.end(), area.id) != exits.end();

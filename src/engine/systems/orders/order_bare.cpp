@@ -35,7 +35,7 @@ Vec2 OrderStage::goalPoint(const WorldState& state, const Order& order, Vec2 fro
     for (const Area& area : state.areas) {
         const bool named = order.kind == OrderKind::Wait
                                ? area.id == order.area
-                               : area.def.kind == AreaKind::Exit && area.def.open &&
+                               : area.def.kind == AreaKind::Exit && isOpen(area.def, state.time()) &&
                                      (order.exits.empty() || std::find(order.exits.begin(), order.exits.end(),
                                                                        area.id) != order.exits.end());
         const Vec2 middle = meanOf(area.def.polygon);

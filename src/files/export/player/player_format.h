@@ -9,7 +9,7 @@
 namespace muster {
 
 inline constexpr std::string_view kPlayerMagic = "MUSTERPL";
-inline constexpr std::uint32_t kPlayerVersion = 1;
+inline constexpr std::uint32_t kPlayerVersion = 2;
 inline constexpr std::size_t kPlayerHeadBytes = 20;  ///< Magic, version, length, checksum.
 
 // Units of whole numbers in the file.

@@ -204,6 +204,8 @@ void Place::apply(const CommandBody& edit, const World& world) {
             def.motions = look->motions;
         });
     }
+    if (const auto* set = std::get_if<SetPeople>(&edit))
+        of(set->group, [&](GroupDef& def) { def.people = set->people; });
     if (const auto* set = std::get_if<SetCount>(&edit))
         of(set->group, [&](GroupDef& def) { resizeLists(def, set->count); });
     if (const auto* set = std::get_if<SetFormation>(&edit)) {

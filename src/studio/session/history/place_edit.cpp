@@ -138,6 +138,11 @@ struct Inverse {
             return SetAppearance{c.group, def.build, def.motions};
         });
     }
+    Answer operator()(const SetPeople& c) const {
+        return onGroup(c.group, [&](std::size_t, const GroupDef& def) {
+            return SetPeople{c.group, def.people};
+        });
+    }
     Answer operator()(const SetCount& c) const {
         return onGroup(c.group, [&](std::size_t, const GroupDef& def) {
             return SetCount{c.group, def.count};

@@ -21,7 +21,8 @@ bool editsPlace(const CommandBody& body) {
     return isOneOf<AddObstacle, ChangeObstacle, RemoveObstacle, AddPatch, ChangePatch, RemovePatch, AddItem,
                    ChangeItem, RemoveItem, AddCheckpoint, ChangeCheckpoint, RemoveCheckpoint, AddGroup,
                    RemoveGroup, PlaceGroup, NameGroup, ColourGroup, SetAppearance, SetCount, SetFormation,
-                   SetBodies, SetConduct, SetRoles, SetDemands, SetParameter, PutArea, RemoveArea>(body);
+                   SetBodies, SetConduct, SetRoles, SetDemands, SetParameter, PutArea, RemoveArea, SetPeople>(
+        body);
 }
 
 Status beyondLimit(const char* what, std::size_t found, std::size_t most) {

@@ -38,6 +38,7 @@ export function playerPalette(theme: Theme): PlayerPalette {
   const solid = [
     p.ground, p.wall, p.roof, p.stone, p.trunk, p.crown, p.crown, p.water, kTiles[theme], p.coping, p.netFloor, p.net,
     p.brick, p.plainFloor, kShades[theme], p.glass, kTyre, ...p.carBodies, kFur,
+    p.areas.exit.floor, p.areas.source.floor, p.areas.waiting.floor,
   ]; // prettier-ignore
   const finishes = solid.flatMap((hex, k) => [...linear(hex), isSeeThrough(k) ? kSeeThrough : 1]);
   return {

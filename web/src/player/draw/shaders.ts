@@ -4,7 +4,7 @@ import { kToSun } from '../../scene/drawing/daylight';
 import { kLinesGlsl } from '../../scene/drawing/lines_glsl';
 import { kHairs, kSkins } from '../../scene/crowd/look';
 
-export const kFinishes = 22;
+export const kFinishes = 25;
 
 const kLight = `
 const vec3 kToSun = vec3(${kToSun.map((one) => one.toFixed(6)).join(', ')});

@@ -78,8 +78,8 @@ describe('the file of a player', () => {
     const file = madeFile(kFrames);
     expect(await failure(new TextEncoder().encode('<!doctype html>'))).toBe('this is no file of a Muster player');
     expect(await failure(new Uint8Array(0))).toBe('this is no file of a Muster player');
-    expect(await failure(joined(madeParts(kFrames), 2))).toBe(
-      'found version 2, expected 1: a newer muster-player.js is needed',
+    expect(await failure(joined(madeParts(kFrames), 3))).toBe(
+      'found version 3, expected 2: a newer muster-player.js is needed',
     );
     expect(await failure(file.subarray(0, 12))).toBe('found its end too early');
     expect(await failure(file.subarray(0, file.length - 1))).toBe(

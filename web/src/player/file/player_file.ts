@@ -3,7 +3,9 @@
 import { DamagedFile } from './range_decoder';
 
 const kMagic = 'MUSTERPL';
-const kVersion = 1;
+const kVersion = 2;
+/** Of files before there were exits, sources and waiting areas. */
+const kOldest = 1;
 const kHeadBytes = 20;
 const kPartBytes = 8;
 /** What a page can hold. */
@@ -84,7 +86,7 @@ function checkFrame(bytes: Uint8Array): void {
   const version = view.getUint32(8, true);
   if (version > kVersion)
     throw new DamagedFile(`found version ${version}, expected ${kVersion}: a newer muster-player.js is needed`);
-  if (version !== kVersion) throw new DamagedFile(`found version ${version}, expected ${kVersion}`);
+  if (version < kOldest) throw new DamagedFile(`found version ${version}, expected ${kVersion}`);
   const length = view.getUint32(12, true);
   if (bytes.length !== length) throw new DamagedFile(`found ${bytes.length} bytes, expected ${length}`);
   if (crc32(bytes.subarray(kHeadBytes)) !== view.getUint32(16, true))

@@ -7,7 +7,7 @@ const kUnit = 0.002;
 const kMostCorners = 4_000_000;
 const kMostPoints = 100_000;
 const kMostParts = 256;
-const kFinishes = 22;
+const kFinishes = 25;
 
 /** Kinds of shapes; the numbers are the writer's. */
 const kShapes = ['end', 'floor', 'walls', 'quad', 'frustum', 'beam', 'blob', 'level'] as const;

@@ -17,6 +17,7 @@ function view(now: number, more: Partial<TagScene> = {}): TagScene {
     now,
     moving: [],
     areas: [],
+    time: 0,
     overlay: null,
     contours: [],
     chosenGroup: 1,
@@ -154,6 +155,8 @@ describe('tags of areas', () => {
       text: 'Door',
       detail: 'closed, 24 out',
     });
+    const timed = { ...area, from: 30, until: 90 };
+    expect([0, 30, 90].map((time) => areaWords(timed, none, time).detail)).toEqual(['opens at 0:30.0', '', 'closed']);
     const source = areaWords({ ...area, kind: 'source' }, { passed: 3, waiting: 2 });
     expect(source).toEqual({ text: 'Source', detail: '3 in, 2 have no room' });
   });

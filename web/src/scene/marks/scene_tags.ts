@@ -6,7 +6,8 @@ import type { Point2, SceneArea, SceneFacts, ScenePatch } from '../../protocol/s
 import type { CameraController } from '../camera/camera_controller';
 import type { MarkState } from './mark_state';
 import type { ContourLabel } from '../ground/field_raster';
-import type { AreaView, MovingView, OverlayView } from '../../model/frame_view';
+import { formatClock } from '../../model/formatters';
+import type { AreaView, FrameView, MovingView, OverlayView } from '../../model/frame_view';
 import { centroid } from '../drawing/geometry_builder';
 import { accentColour, inkOn, type Palette } from '../drawing/palette';
 import { heightOfLook, lookOfMotion } from '../patches/patch_geometry';
@@ -29,6 +30,8 @@ export interface TagScene {
   readonly now: number;
   readonly moving: readonly MovingView[];
   readonly areas: readonly AreaView[];
+  /** Of the world [s]. */
+  readonly time: number;
   readonly overlay: OverlayView | null;
   readonly contours: readonly ContourLabel[];
   readonly chosenGroup: number;
@@ -55,14 +58,27 @@ const kAreaWords = {
   waiting: { name: 'Waiting area', passed: '' },
 };
 
+/** What tags of areas need of a frame. */
+export function areasOf(frame: Pick<FrameView, 'areas' | 'time'> | null): Pick<TagScene, 'areas' | 'time'> {
+  return { areas: frame?.areas ?? [], time: frame?.time ?? 0 };
+}
+
+/** Whether an exit is closed, or opens later; empty for others. */
+function closedWords({ kind, open, from = 0, until = Infinity }: SceneArea, time: number): string[] {
+  if (!open || (kind === 'exit' && time >= until)) return ['closed'];
+  return kind === 'exit' && time < from ? [`opens at ${formatClock(from)}`] : [];
+}
+
 /** `Main door` and `24 out`. */
 export function areaWords(
-  { name, kind, open }: SceneArea,
+  area: SceneArea,
   { passed, waiting }: Omit<AreaView, 'id'>,
+  time = 0,
 ): { text: string; detail: string } {
+  const { name, kind } = area;
   const words = kAreaWords[kind];
   const parts = [
-    ...(open ? [] : ['closed']),
+    ...closedWords(area, time),
     ...(passed > 0 ? [`${passed} ${words.passed}`] : []),
     ...(waiting > 0 ? [`${waiting} have no room`] : []),
   ];
@@ -74,7 +90,9 @@ function areaTags(scene: SceneFacts, view: TagScene): Tag[] {
     const at = aboveOutline(area.polygon, 0, undefined, view.camera);
     if (!onScreen(at, view.camera)) return [];
     const seen = view.areas.find(({ id }) => id === area.id) ?? { passed: 0, waiting: 0 };
-    return [{ key: `area:${area.id}`, kind: 'patch', at, ...areaWords(area, seen), icon: kAreaIcons[area.kind] }];
+    return [
+      { key: `area:${area.id}`, kind: 'patch', at, ...areaWords(area, seen, view.time), icon: kAreaIcons[area.kind] },
+    ];
   });
 }
 

@@ -5,12 +5,25 @@ import type { AreaFields, Thing } from '../../model/place/things';
 import type { SceneFacts } from '../../protocol/scene';
 import { element } from '../widgets/dom';
 import type { BuildActions } from './build_actions';
+import { buildIcon } from './build_icons';
 import { numberField, selectField } from './fields';
 
 const kDegree = Math.PI / 180;
 const kRate = { min: 0, max: 1000, unit: '1/s' };
 /** Travel speeds relative to running. */
 const kSpeed = { min: 0.01, max: 100, unit: '×' };
+/** Of the world; what is never over ends then [s]. */
+const kForEver = 1e9;
+const kTime = { min: 0, max: 1e7, unit: 's' };
+const kPeople = { min: 0, max: 200_000, whole: true };
+/** From one arrival to the next that is added [s]. */
+const kApart = 60;
+
+interface Arrival {
+  readonly t: number;
+  readonly count: number;
+}
+
 const kOpen = { true: 'Open', false: 'Closed' };
 
 export function areaFields(one: Thing, area: AreaFields, scene: SceneFacts | null, desk: BuildActions): HTMLElement[] {
@@ -27,6 +40,8 @@ export function areaFields(one: Thing, area: AreaFields, scene: SceneFacts | nul
       ),
     );
   if (area.kind === 'source') fields.push(joinField(one, scene, desk));
+  if (area.kind !== 'waiting') fields.push(...timeFields(one, area.kind === 'exit', desk));
+  if (area.kind === 'source') fields.push(mostField(one, desk), timetable(one, desk));
   if (area.queue.length > 0) fields.push(noQueue(() => change('No queue', { queue: [] })));
   return fields;
 }
@@ -39,6 +54,77 @@ function joinField(one: Thing, scene: SceneFacts | null, desk: BuildActions): HT
     const group = choices.find((choice) => choice.word === word)?.id ?? one.group;
     desk.edit('Join', (it) => ({ ...it, group }));
   });
+}
+
+function given(one: Thing, key: string, otherwise: number): number {
+  const value = one.rest[key];
+  return typeof value === 'number' ? value : otherwise;
+}
+
+/** `fields` of the definition; what is as usual is left out. */
+function put(desk: BuildActions, label: string, fields: Readonly<Record<string, unknown>>): void {
+  desk.edit(label, (it) => {
+    const rest = Object.entries({ ...it.rest, ...fields }).filter(([, value]) => value !== undefined);
+    return { ...it, rest: Object.fromEntries(rest) };
+  });
+}
+
+/** When an exit opens and closes, or people begin and end to come by the rate of a source. */
+function timeFields(one: Thing, exit: boolean, desk: BuildActions): HTMLElement[] {
+  const until = given(one, 'until', kForEver);
+  const [from, end] = [given(one, 'from', 0), until >= kForEver ? 0 : until];
+  return [
+    numberField(exit ? 'Opens at' : 'From', from, kTime, (time) => {
+      if (end > 0 && time >= end) return desk.say('That is not before the end.');
+      put(desk, 'Times', { from: time || undefined });
+    }),
+    numberField(exit ? 'Closes at, 0: never' : 'Until, 0: no end', end, kTime, (time) => {
+      if (time > 0 && time <= from) return desk.say('That is not after the beginning.');
+      put(desk, 'Times', { until: time || undefined });
+    }),
+  ];
+}
+
+function mostField(one: Thing, desk: BuildActions): HTMLElement {
+  return numberField('In all, 0: no end', given(one, 'most', 0), kPeople, (most) =>
+    put(desk, 'Number', { most: most || undefined }),
+  );
+}
+
+function arrivalsOf({ rest }: Thing): readonly Arrival[] {
+  return (Array.isArray(rest['timetable']) ? rest['timetable'] : []) as readonly Arrival[];
+}
+
+/** People who come at times of their own, beside those of the rate. */
+function timetable(one: Thing, desk: BuildActions): HTMLElement {
+  const rows = arrivalsOf(one);
+  const change = (next: (now: readonly Arrival[]) => readonly Arrival[]): void =>
+    desk.edit('Timetable', (it) => {
+      const rest = Object.fromEntries(Object.entries(it.rest).filter(([key]) => key !== 'timetable'));
+      const sorted = [...next(arrivalsOf(it))].sort((a, b) => a.t - b.t);
+      return { ...it, rest: sorted.length > 0 ? { ...rest, timetable: sorted } : rest };
+    });
+  const lines = rows.map((row, k) => {
+    const edit = (fields: Partial<Arrival>): void =>
+      change((now) => now.map((other, n) => (n === k ? { ...other, ...fields } : other)));
+    const remove = element('button', { type: 'button', 'aria-label': `Remove arrival ${k + 1}` }, buildIcon('remove'));
+    remove.addEventListener('click', () => change((now) => now.filter((_, n) => n !== k)));
+    const [time, count] = [
+      numberField('At', row.t, kTime, (t) => edit({ t })),
+      numberField('People', row.count, { min: 1, max: kPeople.max, whole: true }, (value) => edit({ count: value })),
+    ];
+    time.querySelector('input')!.setAttribute('aria-label', `Arrival ${k + 1}, time`);
+    count.querySelector('input')!.setAttribute('aria-label', `Arrival ${k + 1}, people`);
+    return element('div', { class: 'build-arrival' }, time, count, remove);
+  });
+  const add = element('button', { type: 'button', class: 'soft' }, 'Add an arrival');
+  add.addEventListener('click', () => {
+    change((now) => {
+      const last = now[now.length - 1];
+      return [...now, { t: (last?.t ?? 0) + kApart, count: last?.count ?? 20 }];
+    });
+  });
+  return element('div', { class: 'build-timetable' }, element('h4', {}, 'Timetable'), ...lines, add);
 }
 
 function noQueue(act: () => void): HTMLElement {

@@ -23,6 +23,8 @@ export interface BuildActions {
   duplicate(): void;
   nudge(dx: number, dy: number): void;
   togglePlay(): void;
+  /** A sentence in the panel. */
+  say(text: string): void;
   turnChosen(angle: number): void;
   chooseAll(): void;
   finishPolygon(): void;

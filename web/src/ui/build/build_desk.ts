@@ -11,7 +11,7 @@ import { OverlayKind, PlaybackAction } from '../../protocol/messages';
 import { parseScene, type SceneFacts } from '../../protocol/scene';
 import type { StudioScene } from '../../scene/studio_scene';
 import { BuildPointer } from '../../tools/build_pointer';
-import type { HistoryDesk } from '../history_desk';
+import { firstOf, type HistoryDesk } from '../history_desk';
 import type { BuildActions } from './build_actions';
 import { BuildEdits, changeOf, type PlaceEdit } from './build_edits';
 import { BuildKeys } from './build_keys';
@@ -205,7 +205,7 @@ export class BuildDesk implements StrokeHost, BuildActions {
     const source = made.find(({ area, group }) => area?.kind === 'source' && group === 0);
     if (source) {
       this.source_ = source;
-      this.edits_.send({ label: 'Add group', events: [newArrivals(source)], changed: [] });
+      this.edits_.send({ label: firstOf('Add source'), events: [newArrivals(source)], changed: [] });
     } else this.edits_.send({ label, events: made.map(things.addEvent), changed: [] });
     // A refusal brings no new thing.
     window.clearTimeout(this.waits_);
@@ -280,8 +280,9 @@ export class BuildDesk implements StrokeHost, BuildActions {
     const removed = [...this.chosen_, ...emptiedGroups(this.chosen_, this.things_)];
     const sources = removed.filter(({ group }) => removed.some(({ kind, id }) => kind === 'group' && id === group));
     const others = removed.filter((gone) => !sources.includes(gone));
-    for (const gone of [sources, others])
-      this.edits_.send({ label, events: gone.map(things.removeEvent), changed: [] });
+    const first = sources.length > 0 && others.length > 0 ? firstOf(label) : label;
+    this.edits_.send({ label: first, events: sources.map(things.removeEvent), changed: [] });
+    this.edits_.send({ label, events: others.map(things.removeEvent), changed: [] });
     this.chosen_ = [];
     this.showChosen();
   }

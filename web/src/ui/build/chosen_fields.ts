@@ -8,6 +8,7 @@ import { areaFields, stairsFields } from './area_fields';
 import { numberField, selectField, textField } from './fields';
 import { groupColourField } from './group_colour_field';
 import { groupBodyFields } from './group_body_fields';
+import { PersonFields } from './person_fields';
 
 const kDegree = Math.PI / 180;
 const kFar = { min: -1e5, max: 1e5, unit: 'm' };
@@ -40,7 +41,11 @@ export class ChosenFields {
   private held_ = false;
   private latest_: readonly [readonly Thing[], SceneFacts | null] = [[], null];
 
-  constructor(private readonly desk_: BuildActions) {}
+  private readonly persons_: PersonFields;
+
+  constructor(private readonly desk_: BuildActions) {
+    this.persons_ = new PersonFields(desk_);
+  }
 
   private hold(held: boolean): void {
     this.held_ = held;
@@ -160,6 +165,7 @@ export class ChosenFields {
       ),
       groupColourField(one, desk),
       ...groupBodyFields(one, desk, (held) => this.hold(held)),
+      this.persons_.make(one),
     ];
   }
 

@@ -42,7 +42,18 @@ export class ViewBar {
     });
     store.watch(['build'], ({ build: on }) => setPressed(build, on));
     store.watch(['replaying'], ({ replaying }) => (build.hidden = replaying));
-    this.root.append(fit, follow, build);
+    const measures = toolButton({
+      icon: 'measure',
+      label: 'Measures',
+      iconOnly: true,
+      key: 'Shift+M',
+      pressed: false,
+      className: 'toggle',
+      tip: 'Measures flow, density and evacuation',
+      act: () => store.set({ measures: !store.state.measures }),
+    });
+    store.watch(['measures'], ({ measures: on }) => setPressed(measures, on));
+    this.root.append(fit, follow, build, measures);
     new ToolbarFocus(this.root, store);
   }
 }

@@ -70,6 +70,7 @@ const kShapes = {
     '<path d="M10 17.500s-5.500-5.200-5.500-9.500a5.500 5.500 0 0 1 11 0c0 4.300-5.500 9.500-5.500 9.500Z" stroke-linejoin="round"/><circle cx="10" cy="8" r="1.900"/>',
   build:
     '<path d="M3.500 16.500v-8L10 3.500l6.500 5v3 M3.500 16.500h6 M7.500 16.500v-5h3" stroke-linejoin="round"/><path d="M15 12.500v5.500 M12.250 15.250h5.500"/>',
+  measure: '<path d="M10 2.5v15 M3 10h13.500 M13 6.500l3.500 3.500-3.500 3.500" stroke-linejoin="round"/>',
   check: '<path d="m4 10.5 4 4 8-9"/>',
   empty:
     '<path d="M10 1.5 12.7 5H7.3Z M10 18.5 7.3 15h5.4Z M1.5 10 5 7.3v5.4Z M18.5 10 15 12.7V7.3Z M10 5v10 M5 10h10"/>',

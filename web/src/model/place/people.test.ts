@@ -1,0 +1,62 @@
+import { describe, expect, it } from 'vitest';
+import { kAdults, meanOf, peopleField, respread, sortsOf, spreadTrouble, spreadWords, type Spreading } from './people';
+
+const kNormal: Spreading = { spread: 'normal', a: 1.34, b: 0.26, least: 0.5, most: 2.2 };
+
+describe('Sorts of persons', () => {
+  it('are read from the word, from one sort and from several', () => {
+    expect(sortsOf('adults')).toEqual([kAdults]);
+    expect(sortsOf(undefined)).toEqual([]);
+    expect(sortsOf({ speed: 1 })).toEqual([
+      {
+        name: '',
+        share: 1,
+        class: 0,
+        upstairs: 0,
+        downstairs: 0,
+        speed: { spread: 'constant', a: 1, b: 0, least: 0, most: 1e9 },
+      },
+    ]);
+    expect(sortsOf([{ share: 2 }, { name: 'Old', age: { spread: 'uniform', a: 65, b: 80 } }])).toHaveLength(2);
+  });
+  it('come back as they were', () => {
+    const raw = [
+      {
+        share: 0.25,
+        name: 'Slow',
+        class: 2,
+        upstairs: 0.5,
+        speed: { spread: 'normal', a: 0.8, b: 0.1, least: 0.4, most: 1.2 },
+      },
+      { share: 1, premovement: { spread: 'gamma', a: 4, b: 10 }, radius: 0.25 },
+    ];
+    expect(peopleField(sortsOf(raw))).toEqual({ people: raw });
+    expect(peopleField([])).toEqual({});
+  });
+});
+
+describe('A spread', () => {
+  it('keeps its mean about where it was when its kind changes', () => {
+    for (const spread of ['constant', 'uniform', 'normal', 'logNormal', 'gamma', 'weibull'] as const) {
+      const made = respread('speed', kNormal, spread)!;
+      expect(Math.abs(meanOf(made) - 1.34)).toBeLessThan(0.05);
+      expect(spreadTrouble('speed', made)).toBe('');
+    }
+    expect(respread('age', undefined, 'normal')).toMatchObject({ a: 45, b: 15 });
+    expect(respread('age', kNormal, undefined)).toBeUndefined();
+  });
+  it('is told in a few words', () => {
+    expect(spreadWords('speed', kNormal)).toBe('1.34 ± 0.26 m/s');
+    expect(spreadWords('premovement', { ...kNormal, spread: 'uniform', a: 10, b: 100 })).toBe('10 to 100 s');
+    expect(spreadWords('radius', { ...kNormal, spread: 'constant', a: 0.25 })).toBe('0.25 m');
+  });
+  it('is refused by one sentence where it is bad', () => {
+    expect(spreadTrouble('speed', { ...kNormal, b: 0 })).toBe('The speed needs a second number above 0.');
+    expect(spreadTrouble('speed', { ...kNormal, least: 3 })).toBe('The least speed is not below the largest one.');
+    expect(spreadTrouble('radius', { ...kNormal, spread: 'uniform', a: 0.3, b: 0.2 })).toMatch('ends below');
+    expect(spreadTrouble('age', { ...kNormal, spread: 'constant', a: 120 })).toBe(
+      'The age is to lie within 5 and 90 years.',
+    );
+    expect(spreadTrouble('speed', kNormal)).toBe('');
+  });
+});

@@ -1,0 +1,235 @@
+// Sorts of persons of a group: as scenario files have them, and as somebody edits them.
+
+/** How a number is spread over persons; see docs/scenario-format.md. */
+export type Spread = 'constant' | 'uniform' | 'normal' | 'logNormal' | 'gamma' | 'weibull';
+
+export interface Spreading {
+  readonly spread: Spread;
+  readonly a: number;
+  readonly b: number;
+  readonly least: number;
+  readonly most: number;
+}
+
+/** Numbers that differ from person to person. */
+export type DrawnNumber = 'speed' | 'radius' | 'headway' | 'premovement' | 'age';
+
+export const kDrawnNumbers: readonly DrawnNumber[] = ['speed', 'radius', 'headway', 'premovement', 'age'];
+
+/** A sort; a number that it leaves is that of the group's bodies. */
+export interface PersonSort extends Readonly<Partial<Record<DrawnNumber, Spreading>>> {
+  readonly name: string;
+  readonly share: number;
+  readonly class: number;
+  /** Shares of the speed in the open; 0 for that of the stairs. */
+  readonly upstairs: number;
+  readonly downstairs: number;
+}
+
+const kMost = 1e9;
+const kAdultsWord = 'adults';
+const kBlank: PersonSort = { name: '', share: 1, class: 0, upstairs: 0, downstairs: 0 };
+
+/** Free speeds of Weidmann 1993. */
+export const kAdults: PersonSort = {
+  ...kBlank,
+  name: 'Adults',
+  speed: { spread: 'normal', a: 1.34, b: 0.26, least: 0.5, most: 2.2 },
+};
+
+/** What a number may be, and how it is spread where somebody begins with it. */
+export interface NumberFacts {
+  readonly label: string;
+  readonly unit: string;
+  readonly min: number;
+  readonly max: number;
+  readonly mean: number;
+  readonly deviation: number;
+}
+
+export const kNumbers: Readonly<Record<DrawnNumber, NumberFacts>> = {
+  speed: { label: 'Speed', unit: 'm/s', min: 0.01, max: 50, mean: 1.34, deviation: 0.26 },
+  radius: { label: 'Radius', unit: 'm', min: 0.05, max: 1.5, mean: 0.22, deviation: 0.02 },
+  headway: { label: 'Headway', unit: 's', min: 0.02, max: 5, mean: 0.6, deviation: 0.1 },
+  premovement: { label: 'Premovement', unit: 's', min: 0, max: 1e7, mean: 60, deviation: 20 },
+  age: { label: 'Age', unit: 'years', min: 5, max: 90, mean: 45, deviation: 15 },
+};
+
+/** The parameters of a spread that people type: their field, and what they are called. */
+export const kSpreads: Readonly<
+  Record<Spread, { readonly word: string; readonly fields: readonly (readonly [keyof Spreading, string])[] }>
+> = {
+  constant: { word: 'The same for all', fields: [['a', 'Value']] },
+  uniform: {
+    word: 'Uniform',
+    fields: [
+      ['a', 'From'],
+      ['b', 'To'],
+    ],
+  },
+  normal: {
+    word: 'Normal',
+    fields: [
+      ['a', 'Mean'],
+      ['b', 'Deviation'],
+      ['least', 'Least'],
+      ['most', 'Most'],
+    ],
+  },
+  logNormal: {
+    word: 'Log-normal',
+    fields: [
+      ['a', 'Log mean'],
+      ['b', 'Log dev.'],
+      ['least', 'Least'],
+      ['most', 'Most'],
+    ],
+  },
+  gamma: {
+    word: 'Gamma',
+    fields: [
+      ['a', 'Shape'],
+      ['b', 'Scale'],
+      ['least', 'Least'],
+      ['most', 'Most'],
+    ],
+  },
+  weibull: {
+    word: 'Weibull',
+    fields: [
+      ['a', 'Scale'],
+      ['b', 'Shape'],
+      ['least', 'Least'],
+      ['most', 'Most'],
+    ],
+  },
+};
+
+function isRecord(raw: unknown): raw is Readonly<Record<string, unknown>> {
+  return typeof raw === 'object' && raw !== null && !Array.isArray(raw);
+}
+
+function numberOf(raw: unknown, otherwise: number): number {
+  return typeof raw === 'number' ? raw : otherwise;
+}
+
+function spreadingOf(raw: unknown): Spreading | undefined {
+  if (typeof raw === 'number')
+    return raw === 0 ? undefined : { spread: 'constant', a: raw, b: 0, least: 0, most: kMost };
+  if (!isRecord(raw)) return undefined;
+  const spread = Object.keys(kSpreads).find((one) => one === raw['spread']) as Spread | undefined;
+  const [a, b] = [numberOf(raw['a'], 0), numberOf(raw['b'], 0)];
+  const [least, most] = [numberOf(raw['least'], 0), numberOf(raw['most'], kMost)];
+  return spread && { spread, a, b, least, most };
+}
+
+function sortOf(raw: unknown): PersonSort {
+  if (!isRecord(raw)) return kBlank;
+  const drawn = kDrawnNumbers.map((key) => [key, spreadingOf(raw[key])] as const).filter(([, one]) => one);
+  return {
+    name: typeof raw['name'] === 'string' ? raw['name'] : '',
+    share: numberOf(raw['share'], 1),
+    class: numberOf(raw['class'], 0),
+    upstairs: numberOf(raw['upstairs'], 0),
+    downstairs: numberOf(raw['downstairs'], 0),
+    ...Object.fromEntries(drawn),
+  };
+}
+
+/** Reads `people` of a group. */
+export function sortsOf(raw: unknown): PersonSort[] {
+  if (raw === kAdultsWord) return [kAdults];
+  if (Array.isArray(raw)) return raw.map(sortOf);
+  return isRecord(raw) ? [sortOf(raw)] : [];
+}
+
+function rawSpreading({ spread, a, b, least, most }: Spreading): unknown {
+  if (spread === 'constant') return a;
+  return { spread, a, b, ...(least > 0 ? { least } : {}), ...(most < kMost ? { most } : {}) };
+}
+
+function rawSort(sort: PersonSort): Record<string, unknown> {
+  const { name, share, upstairs, downstairs } = sort;
+  const words = Object.entries({ name, class: sort.class, upstairs, downstairs }).filter(([, one]) => Boolean(one));
+  const drawn = kDrawnNumbers.flatMap((key) => (sort[key] ? [[key, rawSpreading(sort[key])] as const] : []));
+  return { share, ...Object.fromEntries([...words, ...drawn]) };
+}
+
+/** `people` of a group with these sorts, for an event; nothing where it has none. */
+export function peopleField(sorts: readonly PersonSort[]): { readonly people?: readonly unknown[] } {
+  return sorts.length > 0 ? { people: sorts.map(rawSort) } : {};
+}
+
+/** The number with another kind of spread, about as it was; undefined for none. */
+export function respread(
+  key: DrawnNumber,
+  before: Spreading | undefined,
+  spread: Spread | undefined,
+): Spreading | undefined {
+  const { mean, deviation, min, max } = kNumbers[key];
+  if (!spread) return undefined;
+  const middle = before ? meanOf(before) : mean;
+  const width = Math.max(0.01 * middle, Math.min(deviation, middle / 3));
+  const bounds = { least: Math.max(min, middle - 3 * width), most: Math.min(max, middle + 3 * width) };
+  const round = (value: number): number => Math.round(1000 * value) / 1000;
+  const made: Record<Spread, readonly [number, number]> = {
+    constant: [middle, 0],
+    uniform: [Math.max(min, middle - 1.5 * width), Math.min(max, middle + 1.5 * width)],
+    normal: [middle, width],
+    logNormal: [Math.log(Math.max(min, middle, 1e-3)), width / Math.max(middle, 1e-3)],
+    gamma: [(middle / width) ** 2, width ** 2 / middle],
+    weibull: [1.1 * middle, 2],
+  };
+  const [a, b] = made[spread].map(round) as [number, number];
+  const bounded = spread !== 'constant' && spread !== 'uniform';
+  return { spread, a, b, least: bounded ? round(bounds.least) : 0, most: bounded ? round(bounds.most) : kMost };
+}
+
+/** The mean, but for what is cut off. */
+export function meanOf({ spread, a, b }: Spreading): number {
+  switch (spread) {
+    case 'uniform':
+      return (a + b) / 2;
+    case 'logNormal':
+      return Math.exp(a + (b * b) / 2);
+    case 'gamma':
+      return a * b;
+    case 'weibull':
+      return 0.9 * a;
+    case 'constant':
+    case 'normal':
+      return a;
+  }
+}
+
+function short(value: number): string {
+  return String(Math.round(100 * value) / 100);
+}
+
+/** In a few words: "1.34 ± 0.26 m/s". */
+export function spreadWords(key: DrawnNumber, one: Spreading): string {
+  const { unit } = kNumbers[key];
+  if (one.spread === 'uniform') return `${short(one.a)} to ${short(one.b)} ${unit}`;
+  if (one.spread === 'normal') return `${short(one.a)} ± ${short(one.b)} ${unit}`;
+  return `${one.spread === 'constant' ? '' : 'about '}${short(meanOf(one))} ${unit}`;
+}
+
+/** From where to where a spread reaches, as far as its numbers say so. */
+function reachOf({ spread, a, b, least, most }: Spreading, { min, max }: NumberFacts): readonly [number, number] {
+  if (spread === 'constant') return [a, a];
+  if (spread === 'uniform') return [a, b];
+  return [least > 0 ? least : min, most < kMost ? most : max];
+}
+
+/** What is wrong with a spread, for people; empty where it is good. The engine refuses the rest. */
+export function spreadTrouble(key: DrawnNumber, one: Spreading): string {
+  const { spread, a, b, least, most } = one;
+  const { label, min, max, unit } = kNumbers[key];
+  const name = label.toLowerCase();
+  const cut = spread !== 'constant' && spread !== 'uniform';
+  if (cut && b <= 0) return `The ${name} needs a second number above 0.`;
+  if (cut && least >= most) return `The least ${name} is not below the largest one.`;
+  if (spread === 'uniform' && b < a) return `The ${name} ends below where it begins.`;
+  const [lowest, highest] = reachOf(one, kNumbers[key]);
+  return lowest < min || highest > max ? `The ${name} is to lie within ${min} and ${max} ${unit}.` : '';
+}

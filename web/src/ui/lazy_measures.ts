@@ -1,0 +1,43 @@
+// Measuring is loaded when somebody begins with it.
+
+import type { StudioFrame } from '../model/studio_frame';
+import { problem } from '../protocol/problem';
+import type { MeasureDesk, MeasureParts } from './measures/measure_desk';
+import { onShiftKey } from './shift_key';
+
+export function openMeasuresLazily(parts: MeasureParts): void {
+  const { store, client } = parts;
+  let desk: MeasureDesk | null = null;
+  let scene = '';
+  let last: StudioFrame | null = null;
+  let ids: Uint32Array = new Uint32Array();
+  let loading = false;
+  client.on('scene', ({ json }) => {
+    scene = json;
+    desk?.setScene(json);
+  });
+  client.on('frame', ({ frame }) => {
+    if (frame.ids.length > 0 || frame.x.length === 0) ids = frame.ids;
+    last = frame;
+    desk?.observe(frame, ids);
+  });
+  onShiftKey('M', () => store.set({ measures: !store.state.measures }));
+  const load = async (): Promise<void> => {
+    const module = await import('./measures/measure_desk');
+    desk = new module.MeasureDesk(parts);
+    if (scene) desk.setScene(scene);
+    if (last) desk.observe(last, ids);
+    desk.setOpen(store.state.measures);
+  };
+  store.watch(['build'], ({ build }) => build && store.set({ measures: false }));
+  store.watch(['measures'], ({ measures }) => {
+    document.documentElement.toggleAttribute('data-measures', measures);
+    if (measures) store.set({ build: false });
+    if (desk) return desk.setOpen(measures);
+    if (!measures || loading) return;
+    loading = true;
+    load()
+      .catch(() => store.set({ measures: false, notice: problem('page', 'The server does not answer: try again.') }))
+      .finally(() => (loading = false));
+  });
+}
