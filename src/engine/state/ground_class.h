@@ -8,7 +8,7 @@
 
 namespace muster {
 
-/// The class of ground for a body: 0 for one of the usual radius [m], one more for each factor of the square
+/// The class of ground for a body: 0 for one of the usual radius [m], one more for each factor of the fourth
 /// root of 2 above it. All bodies of a class fit where its largest fits.
 std::int32_t groundClassFor(double usual, double radius);
 /// The largest radius of a class [m].

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "engine/state/ground_class.h"
 #include "files/scenario/warning_parts.h"
 #include "muster/scenario.h"
 
@@ -11,6 +12,8 @@ namespace {
 
 // A single-step patch whose length differs from its clip's by more than this share gives a warning.
 constexpr double kLengthShare = 0.15;
+constexpr double kFewPersons = 0.001;  // So few persons of a sort are smaller, or larger, than who count.
+constexpr double kLeastRadius = 0.05, kMostRadius = 1.5;  // Of drawn bodies [m].
 
 /// The ground of the definition at time 0.
 Result<Environment> groundOf(const WorldDef& def) {
@@ -43,13 +46,63 @@ std::string placeOf(const Environment& environment, const NarrowGap& gap) {
     return "between " + nameOf(environment, gap.a) + " and " + nameOf(environment, gap.b);
 }
 
+/// The bodies of a group: the widths of the narrowest ways on which the smallest and the largest are led [m].
+struct Widths {
+    double least = std::numeric_limits<double>::infinity();
+    double most = 0.0;
+
+    void add(double usual, double radius) {
+        // Fields are those of a class of bodies, which holds up to a largest radius.
+        const double body = radius > 0.0 ? radius : usual;
+        const double width = 2.0 * groundRadius(usual, groundClassFor(usual, body));
+        least = std::min(least, width);
+        most = std::max(most, width);
+    }
+};
+
+Widths widthsOf(const GroupDef& group, double usual) {
+    Widths widths;
+    const auto addBodies = [&] {
+        if (group.bodies.empty()) widths.add(usual, usual);
+        for (const Body& body : group.bodies) widths.add(usual, body.radius);
+    };
+    if (group.people.empty()) addBodies();
+    for (const PeopleDef& sort : group.people) {
+        if (sort.radius == Distribution{}) {
+            addBodies();
+            continue;
+        }
+        for (const double share : {kFewPersons, 1.0 - kFewPersons})
+            widths.add(usual, std::clamp(sort.radius.quantile(share), kLeastRadius, kMostRadius));
+    }
+    return widths;
+}
+
+/// Why somebody does not fit through a gap of this width; empty where all do.
+std::string tooNarrowFor(const WorldDef& def, double width) {
+    const double usual = def.parameters.character.radius;
+    double least = def.groups.empty() ? 2.0 * usual : std::numeric_limits<double>::infinity();
+    std::string larger;
+    for (const GroupDef& group : def.groups) {
+        const Widths widths = widthsOf(group, usual);
+        least = std::min(least, widths.least);
+        if (!larger.empty() || width >= widths.most) continue;
+        char needed[64];
+        std::snprintf(needed, sizeof(needed), ", who are led through %.2f m and more", widths.most);
+        larger = "too narrow for the largest bodies of group \"" + group.name + "\"" + needed;
+    }
+    return width < least ? "narrower than a character" : larger;
+}
+
 void warnOfGaps(const WarnedScene& scene, WarningList& warnings) {
-    const double diameter = 2.0 * scene.def.parameters.character.radius;
-    for (const NarrowGap& gap : scene.ground.narrowGaps(diameter, static_cast<std::int32_t>(warnings.most))) {
+    const double usual = scene.def.parameters.character.radius;
+    double widest = scene.def.groups.empty() ? 2.0 * usual : 0.0;
+    for (const GroupDef& group : scene.def.groups) widest = std::max(widest, widthsOf(group, usual).most);
+    for (const NarrowGap& gap : scene.ground.narrowGaps(widest, static_cast<std::int32_t>(warnings.most))) {
         char width[32];
         std::snprintf(width, sizeof(width), "%.2f", gap.width);
         warnings.add("the gap " + placeOf(scene.ground, gap) + " at " + pointText(gap.where) + " is " +
-                     width + " m wide, narrower than a character");
+                     width + " m wide, " + tooNarrowFor(scene.def, gap.width));
     }
 }
 

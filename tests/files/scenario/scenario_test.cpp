@@ -533,6 +533,41 @@ TEST_CASE("warnings report narrow gaps and bad starts") {
     CHECK(scenarioWarnings(def).empty());
 }
 
+TEST_CASE("warnings report gaps exactly where a group's bodies find no way") {
+    WorldDef def;
+    for (double x : {0.0, 1.6}) {
+        ObstacleDef disc;
+        disc.centre = {x, 0.0};
+        disc.radius = 0.5;
+        def.obstacles.push_back(disc);
+    }
+    GroupDef group;
+    group.count = 2;
+    group.starts = {{-4.0, 0.0}, {5.0, 5.0}};
+    def.groups = {group, group};
+    def.groups[1].name = "Carts";
+    CHECK(scenarioWarnings(def).empty());
+    // Of the class of bodies up to 0.297 m, who are led through 0.595 m; 0.35 m are of that up to 0.354 m.
+    Body body;
+    body.radius = 0.29;
+    def.groups[1].bodies = {body};
+    CHECK(scenarioWarnings(def).empty());
+    def.groups[1].bodies[0].radius = 0.35;
+    const auto warnings = scenarioWarnings(def);
+    REQUIRE(warnings.size() == 1);
+    CHECK(warnings[0].find("0.60 m wide, too narrow for the largest bodies of group \"Carts\"") !=
+          std::string::npos);
+    CHECK(warnings[0].find("led through 0.71 m and more") != std::string::npos);
+    def.groups.erase(def.groups.begin());
+    CHECK(scenarioWarnings(def)[0].find("narrower than a character") != std::string::npos);
+    // Smaller bodies fit where the usual ones do not.
+    def.obstacles[1].centre.x = 1.45;
+    def.groups[0].bodies[0].radius = 0.2;
+    CHECK(scenarioWarnings(def).empty());
+    def.groups[0].bodies.clear();
+    CHECK(scenarioWarnings(def).size() == 1);
+}
+
 TEST_CASE("every shipped scenario is valid and has no warnings") {
     int count = 0;
     std::vector<std::filesystem::directory_entry> files;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "engine/fields/cost/ground_node.h"
 
@@ -10,6 +11,8 @@ namespace {
 
 // Least length of the edge between two wall nodes [cells].
 constexpr double kLeastEdge = 0.1;
+// What open_ holds: all edges may be open, and the mark of a narrow cell.
+constexpr std::uint8_t kEdgesOpen = 0x0f, kNarrow = 0x10;
 
 float edgeCost(const GroundNode& from, const GroundNode& to, float x, float y, float unit) {
     if (!from.free || !to.free) return kUnreachableCost;
@@ -93,11 +96,41 @@ void GroundCostCrop::closeGaps(const Grid& grid, std::span<const ClosedGap> gaps
     }
 }
 
+void GroundCostCrop::openNarrow(const Grid& grid, std::span<const NarrowCell> narrow) {
+    open_.clear();
+    if (narrow.empty()) return;
+    open_.assign(grid.count(), kEdgesOpen);
+    for (const NarrowCell& cell : narrow) {
+        open_[cell.cell] = cell.open;
+        if (cell.keepsNode()) continue;
+        nodes_[cell.cell] = {.free = true, .x = cell.x, .y = cell.y};
+        open_[cell.cell] |= kNarrow;
+    }
+}
+
+// Closes the edges of a cell over which no walk leads from or to a narrow one. True where there is any such
+// cell here or beside.
+bool GroundCostCrop::closeEdges(const Grid& grid, Cell cell, CellCost& cost) const {
+    if (open_.empty()) return false;
+    const std::uint8_t here = open_[grid.index(cell)];
+    bool narrow = (here & kNarrow) != 0;
+    float* const edges[] = {&cost.east, &cost.north, &cost.west, &cost.south};
+    for (std::uint32_t k = 0; k < std::size(kNarrowSteps); ++k) {
+        const Cell other{cell.x + kNarrowSteps[k].x, cell.y + kNarrowSteps[k].y};
+        if (!grid.contains(other)) continue;
+        const std::uint8_t there = open_[grid.index(other)];
+        narrow = narrow || (there & kNarrow) != 0;
+        if ((here >> k & there >> (k + 2) % 4 & 1) == 0) *edges[k] = kUnreachableCost;
+    }
+    return narrow;
+}
+
 void GroundCostCrop::compute(const GroundRasters& ground, double radius, double openCost,
                              const CellRect& area, Cell shift, std::span<const ClosedGap> gaps,
-                             UnitCost& cost) {
+                             std::span<const NarrowCell> narrow, UnitCost& cost) {
     findNodes(ground, radius, area);
     closeGaps(ground.grid, gaps);
+    openNarrow(ground.grid, narrow);
     const GroundNodeFinder finder(ground, radius);
     const Grid& grid = ground.grid;
     const auto nodeAt = [&](std::int32_t x, std::int32_t y) {
@@ -114,7 +147,7 @@ void GroundCostCrop::compute(const GroundRasters& ground, double radius, double 
             out = {unit, unit, unit, unit};
             if (finder.farFromWalls({x, y})) continue;  // And from gaps.
             out = edgesOf(here, nodeAt(x + 1, y), nodeAt(x, y + 1), nodeAt(x - 1, y), nodeAt(x, y - 1), unit);
-            if (!isOpen(out, unit))
+            if (closeEdges(grid, {x, y}, out) || !isOpen(out, unit))
                 cost.nodes.push_back({to, here.x, here.y, here.normalX, here.normalY, unit});
         }
 }

@@ -8,6 +8,7 @@
 #include "base/cell_rect.h"
 #include "base/grid.h"
 #include "engine/fields/cost/ground_node.h"
+#include "engine/fields/cost/narrow_ways.h"
 #include "engine/fields/cost/unit_cost.h"
 #include "engine/ground/environment/environment.h"
 
@@ -39,15 +40,20 @@ class GroundCostCrop {
 public:
     /// Writes the cost of the cells in `area` to `cost`, whose cells are walls so far: that of cell c to cell
     /// c + `shift`; appends their wall nodes. The rasters must reach kGroundReach cells beyond the area, or
-    /// to the edge of the ground. The cells that the `gaps` cross become walls.
+    /// to the edge of the ground. The cells that the `gaps` cross become walls; those of the list `narrow`,
+    /// whose numbers are those of the rasters, are open where it says.
     void compute(const GroundRasters& ground, double radius, double openCost, const CellRect& area,
-                 Cell shift, std::span<const ClosedGap> gaps, UnitCost& cost);
+                 Cell shift, std::span<const ClosedGap> gaps, std::span<const NarrowCell> narrow,
+                 UnitCost& cost);
 
 private:
     void findNodes(const GroundRasters& ground, double radius, const CellRect& area);
     void closeGaps(const Grid& grid, std::span<const ClosedGap> gaps);
+    void openNarrow(const Grid& grid, std::span<const NarrowCell> narrow);
+    bool closeEdges(const Grid& grid, Cell cell, CellCost& cost) const;
 
-    std::vector<GroundNode> nodes_;  // Per cell of the rasters.
+    std::vector<GroundNode> nodes_;   // Per cell of the rasters.
+    std::vector<std::uint8_t> open_;  // The same: open edges by NarrowCell, and kNarrow; empty without them.
 };
 
 }  // namespace muster

@@ -85,6 +85,7 @@ void GroundLevel::unitCost(const CellRect& area, Scratch& scratch, UnitCost& cos
         }
     scratch.gaps.clear();
     if (!ground_->gaps().empty()) ground_->gaps().within(crop.box(), scratch.gaps);
+    findNarrow(around, crop, scratch.narrow);
     const float uniformSpeed = ground_->travelSpeed(0);
     const GroundRasters rasters{
         crop, scratch.clearance,
@@ -93,7 +94,19 @@ void GroundLevel::unitCost(const CellRect& area, Scratch& scratch, UnitCost& cos
     scratch.crop.compute(
         rasters, cost.radius, ground_->openCost(),
         {{within.low.x - low.x, within.low.y - low.y}, {within.high.x - low.x, within.high.y - low.y}},
-        {low.x - area.low.x, low.y - area.low.y}, scratch.gaps, cost);
+        {low.x - area.low.x, low.y - area.low.y}, scratch.gaps, scratch.narrow, cost);
+}
+
+// The narrow cells of the ground that lie in a crop of it, numbered as there. Wider cells have none.
+void GroundLevel::findNarrow(const CellRect& cells, const Grid& crop, std::vector<NarrowCell>& narrow) const {
+    narrow.clear();
+    if (ratio_ != 1) return;
+    for (NarrowCell found : ground_->narrowWays().between(grid_.index(cells.low), grid_.index(cells.high))) {
+        const Cell c = grid_.at(found.cell);
+        if (c.x < cells.low.x || c.x > cells.high.x) continue;
+        found.cell = crop.index({c.x - cells.low.x, c.y - cells.low.y});
+        narrow.push_back(found);
+    }
 }
 
 UnitCost GroundLevel::unitCost() const {

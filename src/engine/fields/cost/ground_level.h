@@ -36,6 +36,7 @@ public:
         std::vector<float> clearance;
         std::vector<float> speed;
         std::vector<ClosedGap> gaps;
+        std::vector<NarrowCell> narrow;
         GroundCostCrop crop;
     };
     /// Computes the unit cost of the cells in `area`, of which some may lie off the ground: these are walls.
@@ -52,6 +53,7 @@ public:
 
 private:
     float meanClearance(Cell cell) const;
+    void findNarrow(const CellRect& cells, const Grid& crop, std::vector<NarrowCell>& narrow) const;
     float meanSpeed(Cell cell) const;
 
     const StaticGround* ground_;

@@ -42,11 +42,13 @@ void StaticGround::update(const Environment& environment, double openCost, doubl
     if (!local) {
         distant_.reset(grid_);
         gaps_.reset(environment, 2.0 * (radius - kContactTolerance));
+        narrow_.reset(radius);
         resetCoarse();
     }
     for (const CellRect& area : areas_) {
         distant_.update(clearance_, area);
         gaps_.update(environment, area);
+        narrow_.update(environment, gaps_, area);
         updateCoarse(area);
     }
 }

@@ -8,6 +8,7 @@
 
 #include "engine/fields/cost/distant_clearance.h"
 #include "engine/fields/cost/gap_index.h"
+#include "engine/fields/cost/narrow_ways.h"
 #include "engine/fields/cost/unit_cost.h"
 #include "engine/ground/environment/environment.h"
 
@@ -100,6 +101,8 @@ public:
     }
     /// The gaps that are too narrow for the characters.
     const GapIndex& gaps() const { return gaps_; }
+    /// The cells of ways too narrow for the raster to show.
+    const NarrowWays& narrowWays() const { return narrow_; }
     /// True where the straight line from `a` to `b` is free, but for rounding, and no other path is cheaper.
     /// May be false on slow ground where that is so. Never true through a gap that is too narrow.
     bool lineOfSight(Vec2 a, Vec2 b) const { return lineOfSight(a, b, distance(a, b)); }
@@ -163,6 +166,7 @@ private:
     RasterView patchSpeed_{nullptr};    // The environment's.
     DistantClearance distant_;
     GapIndex gaps_;
+    NarrowWays narrow_;
     // Per ground cell, empty where the unit cost is the same everywhere:
     std::vector<float> unit_;           // Unit cost, in walls too.
     std::vector<float> toOtherGround_;  // Lower bound of the distance to ground of another unit cost [m].

@@ -41,6 +41,9 @@ struct WallNode {
     float normalY = 0.0f;   ///< Unit vector away from the wall; null where the point is the cell's centre.
     float unit = 0.0f;      ///< Unit cost, the same in all directions; 0 where directions differ.
 
+    /// True for a cell whose centre is blocked between two walls. Such a cell is entered and left over its
+    /// open edges only: no line of sight leads through it.
+    bool narrow() const { return normalX == 0.0f && normalY == 0.0f && (x != 0.0f || y != 0.0f); }
     /// Lets an archive read or write the node.
     template <class Archive>
     void visit(Archive& archive) {

@@ -122,13 +122,13 @@ inline void Front::relax(FrontCell from, const FrontNode* here, const CellCost* 
         return FrontCell{from.cell + static_cast<std::int32_t>(cellStep),
                          from.node + static_cast<std::int32_t>(step)};
     };
-    if (here->source > 0 && relaxFromSource(from, to(), old)) return;
     const CellCost* const cost = fromCost + cellStep;
+    float ca = towards<kSide>(*cost);
+    if (!(ca < kUnreachableCost)) return;
+    if (here->source > 0 && relaxFromSource(from, to(), old)) return;
 
     float a = value;
-    float ca = towards<kSide>(*cost);
     const float last = ca;
-    if (!(ca < kUnreachableCost)) return;
     const float behind = here[-step].accepted;
     const float before = towards<kSide>(*fromCost);
     if (behind <= value && std::fabs(before - ca) <= maxStepDifference_ * ca) {

@@ -116,7 +116,10 @@ Visibility Front::findVisibility(FrontCell to, float x, float y, std::int32_t so
     }
     const bool alongAxis = std::min(ax, ay) <= kAlongAxis * std::max(ax, ay);
     const bool far = originElevation >= 0.0f && originElevation < 1.0f && ax + ay > kFar;
-    const bool own = nodes_[straight].source == source || nodes_[oblique].source == source;
+    const std::int32_t up = dy > 0.0f ? -grid_.width : grid_.width;
+    const bool narrow = lineOfSight_.narrow(to.cell + (ax >= ay ? alongX : up)) ||
+                        lineOfSight_.narrow(to.cell + alongX + up);
+    const bool own = !narrow && (nodes_[straight].source == source || nodes_[oblique].source == source);
     if (own && elevation >= kVisibleElevation && seesSource(straight, source, far) &&
         (alongAxis || seesSource(oblique, source, far)))
         return Visibility::Clear;
@@ -141,6 +144,11 @@ bool Front::relaxFromSource(FrontCell from, FrontCell to, float old) {
     const PseudoSource& origin = sources_[source];
     if (!lineOfSight_.uniform(to.cell, origin.unit)) return false;
     const FrontNode& there = nodes_[to.node];
+    // A path to or from a narrow cell bends there, and where it goes on.
+    if (lineOfSight_.narrow(from.cell) || lineOfSight_.narrow(to.cell)) {
+        relaxFromWall(from, to, old);
+        return true;
+    }
     if (there.source == 0 && old < kUnreachableCost && there.accepted == kUnreachableCost)
         old += kDifferenceError * origin.unit;
     float x = 0.0f;
@@ -266,17 +274,26 @@ std::int32_t Front::pseudoSourceAt(FrontCell wallCell) {
     return index;
 }
 
-// Updates the diagonal neighbours of a cell at a wall, where at most one of the two cells between is a wall.
+// Updates the diagonal neighbours of a cell at a wall to which two edges lead, over one of the two cells
+// between.
 void Front::relaxDiagonals(FrontCell from) {
+    if (lineOfSight_.narrow(from.cell)) return;
     for (const std::int32_t right : {1, -1}) {
         for (const std::int32_t up : {1, -1}) {
             const FrontCell to{from.cell + up * grid_.width + right, from.node + up * stride_ + right};
             const float old = nodes_[to.node].tentative;
             if (!(old > nodes_[from.node].accepted) || nodes_[to.node].source == kFixedValue) continue;
-            const CellCost& cost = cells_[from.cell];
-            const bool openX = (right > 0 ? cost.east : cost.west) < kUnreachableCost;
-            const bool openY = (up > 0 ? cost.north : cost.south) < kUnreachableCost;
-            if (openX || openY) relaxFromSource(from, to, old);
+            if (lineOfSight_.narrow(to.cell)) continue;
+            const auto opensAlong = [&](std::int32_t cell) {
+                return (right > 0 ? cells_[cell].east : cells_[cell].west) < kUnreachableCost;
+            };
+            const auto opensAcross = [&](std::int32_t cell) {
+                return (up > 0 ? cells_[cell].north : cells_[cell].south) < kUnreachableCost;
+            };
+            const std::int32_t beside = from.cell + right, above = from.cell + up * grid_.width;
+            if ((opensAlong(from.cell) && opensAcross(beside)) ||
+                (opensAcross(from.cell) && opensAlong(above)))
+                relaxFromSource(from, to, old);
         }
     }
 }

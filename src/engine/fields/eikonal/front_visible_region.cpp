@@ -112,6 +112,7 @@ std::int32_t Front::fillRow(Cell axis, Cell side, RowSpan span, std::int32_t sou
 bool Front::fillCell(FrontCell cell, bool certain, std::int32_t source) {
     const PseudoSource& origin = sources_[source];
     const bool open = lineOfSight_.open(cell.cell, origin.unit);
+    if (!open && lineOfSight_.narrow(cell.cell)) return false;
     if (!open && !lineOfSight_.uniform(cell.cell, origin.unit)) return false;
     float x = 0.0f;
     float y = 0.0f;

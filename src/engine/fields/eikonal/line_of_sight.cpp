@@ -15,7 +15,11 @@ void LineOfSight::begin(const UnitCost& cost) {
     cost_ = &cost;
     if (wall_.size() != cost.cells.size()) wall_.assign(cost.cells.size(), 0);
     std::int32_t number = 0;
-    for (const WallNode& node : cost.nodes) wall_[node.cell] = ++number;
+    hasNarrow_ = false;
+    for (const WallNode& node : cost.nodes) {
+        wall_[node.cell] = ++number;
+        hasNarrow_ = hasNarrow_ || node.narrow();
+    }
 }
 
 void LineOfSight::end() {
@@ -38,6 +42,7 @@ inline Visibility LineOfSight::sample(float px, float py, float unit, bool& near
     const std::int32_t number = wall_[cell];
     if (number == 0) return cost_->wall(cell) ? Visibility::Wall : Visibility::OtherGround;
     const WallNode& wallNode = node(number);
+    if (wallNode.narrow()) return Visibility::Wall;
     if (wallNode.unit != unit) return Visibility::OtherGround;
     const float outX = px - static_cast<float>(column) - wallNode.x;
     const float outY = py - static_cast<float>(row) - wallNode.y;

@@ -34,6 +34,11 @@ public:
     void end();
     /// One plus the index of the wall node of a cell; 0 where it has none.
     std::int32_t wall(std::int32_t cell) const { return wall_[cell]; }
+    /// True for a narrow cell (WallNode::narrow()); false off the grid.
+    bool narrow(std::int32_t cell) const {
+        return hasNarrow_ && static_cast<std::size_t>(cell) < wall_.size() && wall_[cell] != 0 &&
+               node(wall_[cell]).narrow();
+    }
     /// The wall node of such a number.
     const WallNode& node(std::int32_t number) const { return cost_->nodes[number - 1]; }
     /// True where a cell can be left in all directions at the cost `unit`.
@@ -74,6 +79,7 @@ private:
     Visibility sample(float px, float py, float unit, bool& nearWall, std::int32_t& cell) const;
 
     const UnitCost* cost_ = nullptr;
+    bool hasNarrow_ = false;
     std::vector<std::int32_t> wall_;  // wall() per cell.
 };
 

@@ -74,8 +74,9 @@ double RouteGround::pushOut(Vec2& p, const Box& inner, double wanted, double sha
     return nearest;
 }
 
-// The point that has most room among those to which obstacles push a start, within `reach` along each axis.
-std::optional<Vec2> RouteGround::roomiest(Vec2 start, double reach) const {
+// The point that has most room among those to which obstacles push a start, within `reach` of the middle
+// along each axis.
+std::optional<Vec2> RouteGround::roomiest(Vec2 start, Vec2 middle, double reach) const {
     const Box inner = environment_->def().box.grown(-radius_);
     if (inner.min.x > inner.max.x || inner.min.y > inner.max.y) return {};
     std::optional<Vec2> best;
@@ -85,7 +86,7 @@ std::optional<Vec2> RouteGround::roomiest(Vec2 start, double reach) const {
         const Vec2 at = inner.clamp(p);
         // By halves after the first time, so that it ends in the middle of a narrow passage.
         const double clear = pushOut(p, inner, freeClearance_, push == 0 ? 1.0 : 0.5);
-        if (clear > most && std::fabs(at.x - start.x) <= reach && std::fabs(at.y - start.y) <= reach) {
+        if (clear > most && std::fabs(at.x - middle.x) <= reach && std::fabs(at.y - middle.y) <= reach) {
             most = clear;
             best = at;
         }
@@ -98,7 +99,15 @@ std::optional<Vec2> RouteGround::standPoint(Cell c) const {
     const std::int32_t index = grid_.index(c);
     if (isFree(index)) return grid_.centre(c);
     if (!mayHoldPoint(index)) return {};
-    return roomiest(grid_.centre(c), kCellReach * grid_.cell);
+    return roomiest(c, grid_.centre(c));
+}
+
+std::optional<Vec2> RouteGround::roomiest(Cell c, Vec2 start) const {
+    return roomiest(start, grid_.centre(c), kCellReach * grid_.cell);
+}
+
+std::optional<Vec2> RouteGround::roomiest(Vec2 start) const {
+    return roomiest(start, start, grid_.cell);
 }
 
 bool RouteGround::lineClear(Vec2 a, Vec2 b) const {
@@ -116,7 +125,7 @@ std::optional<Vec2> RouteGround::stepPoint(Cell a, Vec2 pointA, Cell b, Vec2 poi
     }
     if (lineClear(pointA, pointB)) return middle;
     if (free) return {};
-    const std::optional<Vec2> beside = roomiest(middle, grid_.cell);
+    const std::optional<Vec2> beside = roomiest(middle);
     if (beside && lineClear(pointA, *beside) && lineClear(*beside, pointB)) return beside;
     return {};
 }

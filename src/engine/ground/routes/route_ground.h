@@ -38,6 +38,10 @@ public:
     /// A point of the cell, or just beside it, at which a disc can stand: its centre, or where that has
     /// little room the point near by that has most.
     std::optional<Vec2> standPoint(Cell c) const;
+    /// The point of the cell, or just beside it, that has most room of those to which obstacles push `start`.
+    std::optional<Vec2> roomiest(Cell c, Vec2 start) const;
+    /// The same within a cell's edge of `start` along each axis.
+    std::optional<Vec2> roomiest(Vec2 start) const;
     /// True where a disc can walk straight from `a` to `b`.
     bool lineClear(Vec2 a, Vec2 b) const;
     /// The point over which a disc steps from the stand point of a cell to that of a neighbour: half way, or
@@ -59,7 +63,7 @@ private:
     bool isClearByRaster(std::int32_t a, std::int32_t b, bool diagonal) const {
         return clearance_[a] + clearance_[b] >= (diagonal ? diagonalSum_ : straightSum_);
     }
-    std::optional<Vec2> roomiest(Vec2 start, double reach) const;
+    std::optional<Vec2> roomiest(Vec2 start, Vec2 middle, double reach) const;
     double pushOut(Vec2& p, const Box& inner, double wanted, double share) const;
 
     const Environment* environment_ = nullptr;
