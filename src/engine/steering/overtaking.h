@@ -24,6 +24,7 @@ public:
 private:
     struct Walker {
         Vec2 position;     // [m]
+        Vec2 ahead;        // Unit vector along its own way.
         double speed;      // That it wants [m/s].
         double radius;     // [m]
         double headway;    // [s]
@@ -41,9 +42,9 @@ private:
         double past;   // Way until it is past who is ahead [m]; 0 for nobody.
     };
 
-    static Other other(const CrowdBodies& bodies, const Characters& now, std::int32_t self,
-                       std::int32_t other);
-    static void keepBehind(const Other& other, Vec2 heading, const Walker& walker, Prospect& found);
+    void list(const CrowdBodies& bodies, const Characters& now, std::span<const std::int32_t> near,
+              std::size_t self, const Walker& walker);
+    Prospect prospect(Vec2 heading, const Walker& walker, double least) const;
     void turn(const Walker& walker, const Environment& environment, const Prospect& straight,
               Vec2& wanted) const;
 
