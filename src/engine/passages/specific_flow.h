@@ -7,7 +7,7 @@ namespace muster {
 
 /// Characters that pass in a second, per metre of clear width, at full travel speed [1/(s m)]: files stand
 /// one and a half bodies apart, and in a file each keeps its headway, out of step, at top speed. For
-/// units 4.5, for people 1.5; measured at doors of 0.8 to 3 m: docs/people.md.
+/// units 4.5, for people 1.3, where doors of 0.8 to 3 m were measured at 1.5: docs/people.md.
 inline double specificFlow(const Parameters::Character& usual) {
     constexpr double kFiles = 1.5;          // Distance between files, in bodies.
     constexpr double kMargin = 5.0 / 54.0;  // Kept between bodies that stand [m]; so units have 4.5.

@@ -227,6 +227,12 @@ TEST_CASE("people walk on towards a heading round obstacles, and stand at the fa
     World straight = World::create(open).value();
     const std::vector<Vec2> before = copyOf(straight.characters().position);
     run(straight, 10.0);
-    for (std::size_t i = 0; i < before.size(); ++i)
-        CHECK(std::fabs(straight.characters().position[i].y - before[i].y) < 0.1);
+    // Who overtakes goes aside; all of them keep the heading.
+    double drift = 0.0;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        const double aside = straight.characters().position[i].y - before[i].y;
+        CHECK(std::fabs(aside) < 2.0);
+        drift += aside / static_cast<double>(before.size());
+    }
+    CHECK(std::fabs(drift) < 0.1);
 }

@@ -91,7 +91,13 @@ TEST_CASE("a crowd in a straight hall walks parallel to the walls over its whole
     for (int s = 0; s < 900; ++s) world.step();
     const CharactersView c = world.characters();
     REQUIRE(c.size() == ids.size());
-    for (std::size_t i = 0; i < c.size(); ++i) CHECK(std::fabs(c.position[i].y - before[i].y) < 0.3);
+    // Who overtakes goes aside by a lane or two; nobody goes to the middle or to a wall.
+    double drift = 0.0;
+    for (std::size_t i = 0; i < c.size(); ++i) {
+        CHECK(std::fabs(c.position[i].y - before[i].y) < 1.0);
+        drift += std::fabs(c.position[i].y - 5.0) - std::fabs(before[i].y - 5.0);
+    }
+    CHECK(std::fabs(drift) / static_cast<double>(c.size()) < 0.1);
     CHECK(emptied(world, 60.0) > 0.0);
     CHECK(world.area(0).count.passed == ids.size());
 }
@@ -168,7 +174,7 @@ TEST_CASE("who leaves disturbs nobody else, and a group that gets places again f
     def.groups.push_back(other);
     World world = World::create(def).value();
     const std::vector<Vec2> before = copyOf(world.group(1).placePositions);
-    run(world, 11.0);
+    run(world, 12.0);
     CHECK(world.area(0).count.passed > 10);
     CHECK(world.group(0).placePositions.empty());
     CHECK(std::cmp_equal(world.group(0).members.size(), world.group(0).count));

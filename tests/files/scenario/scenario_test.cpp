@@ -546,6 +546,7 @@ TEST_CASE("warnings report gaps exactly where a group's bodies find no way") {
     group.starts = {{-4.0, 0.0}, {5.0, 5.0}};
     def.groups = {group, group};
     def.groups[1].name = "Carts";
+    def.groups[1].starts = {{-4.0, 3.0}, {5.0, 8.0}};
     CHECK(scenarioWarnings(def).empty());
     // Of the class of bodies up to 0.297 m, who are led through 0.595 m; 0.35 m are of that up to 0.354 m.
     Body body;
