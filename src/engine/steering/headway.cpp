@@ -125,7 +125,8 @@ void Headway::meet(NeighbourPair pair, const Apart& two, const HeadwayInput& inp
 // Out of step the one behind keeps its headway in the lane of its heading, and off whom it touches.
 void Headway::keepBehind(const Apart& two, std::int32_t back, std::int32_t front, Vec2 heading,
                          std::span<const Vec2> velocity) {
-    if (two.gap() <= 0.0 || heading == Vec2{}) return follow(back, front, two.towards, two.gap(), true, velocity);
+    if (two.gap() <= 0.0 || heading == Vec2{})
+        return follow(back, front, two.towards, two.gap(), true, velocity);
     const double way = wayAhead(two.between, heading, two.touching);
     if (way < std::numeric_limits<double>::infinity())
         follow(back, front, two.towards, std::max(0.0, way) * dot(two.towards, heading), true, velocity);

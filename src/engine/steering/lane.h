@@ -8,9 +8,9 @@
 
 namespace muster {
 
-/// Shoulders of two who walk one behind the other: the lane is wider than the two bodies are long by this [m].
-/// A radius of 0.18 m, which is half of the depth of a person, so has a lane of 0.46 m, the breadth of its
-/// shoulders.
+/// Shoulders of two who walk one behind the other: the lane is wider than the two bodies are long by this
+/// [m]. A radius of 0.18 m, which is half of the depth of a person, so has a lane of 0.46 m, the breadth of
+/// its shoulders.
 inline constexpr double kShoulders = 0.1;
 
 /// How far a walker gets along a heading, a unit vector, until it comes up to somebody who stands off by

@@ -13,11 +13,11 @@ namespace {
 constexpr Rotation kTurns[] = {{0.93969262078590838405, 0.34202014332566873304},
                                {0.76604444311897803520, 0.64278760968653932632},
                                {0.5, 0.86602540378443864676}};
-constexpr double kGain = 0.02;            // Share of its speed by which it must get on better to turn.
-constexpr double kSlowed = 0.5;           // Who wants to walk at a smaller share of its top speed is arriving.
-constexpr double kBehind2 = 0.25;       // Who has a larger squared cosine backwards is behind.
-constexpr double kTight = 0.98;           // Share of its radius that must be clear of walls.
-constexpr std::size_t kNearEach = 32;     // Room that is kept for those near it.
+constexpr double kGain = 0.02;         // Share of its speed by which it must get on better to turn.
+constexpr double kSlowed = 0.5;        // Who wants to walk at a smaller share of its top speed is arriving.
+constexpr double kBehind2 = 0.25;      // Who has a larger squared cosine backwards is behind.
+constexpr double kTight = 0.98;        // Share of its radius that must be clear of walls.
+constexpr std::size_t kNearEach = 32;  // Room that is kept for those near it.
 
 }  // namespace
 
@@ -27,7 +27,8 @@ void Overtaking::list(const CrowdBodies& bodies, const Characters& now, std::spa
     others_.clear();
     for (const std::int32_t other : near) {
         const Vec2 between = bodies.between(walker.position, now.position[other]);
-        const double touching = bodies.touching(self, other), reach = touching + walker.headway * walker.speed;
+        const double touching = bodies.touching(self, other),
+                     reach = touching + walker.headway * walker.speed;
         const double apart2 = lengthSquared(between), along = dot(between, walker.ahead);
         if (apart2 < reach * reach && (along > 0.0 || along * along < kBehind2 * apart2))
             others_.push_back({between, now.velocity[other], touching});
@@ -72,8 +73,8 @@ void Overtaking::run(const CrowdBodies& bodies, const Characters& now, const Env
         const double speed = length(wanted[i]);
         if (speed <= kSlowed * topSpeed[i] || bodies.isFixed(i) || now.phase[i] == MotionPhase::Locked)
             continue;
-        const Walker walker{now.position[i],    wanted[i] / speed, speed, bodies.radius(i),
-                            bodies.headway(i), bodies.usual().foresight};
+        const Walker walker{now.position[i],  wanted[i] / speed, speed,
+                            bodies.radius(i), bodies.headway(i), bodies.usual().foresight};
         list(bodies, now, rows.of(static_cast<std::int32_t>(i)), i, walker);
         const Prospect straight = prospect(walker.ahead, walker, -std::numeric_limits<double>::infinity());
         turn(walker, environment, straight, wanted[i]);

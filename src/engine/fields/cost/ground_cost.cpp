@@ -109,7 +109,7 @@ void GroundCostCrop::openNarrow(const Grid& grid, std::span<const NarrowCell> na
 }
 
 // Closes the edges of a cell over which no walk leads from or to a narrow one. True where there is any such
-// cell here or beside.
+// cell here or next to.
 bool GroundCostCrop::closeEdges(const Grid& grid, Cell cell, CellCost& cost) const {
     if (open_.empty()) return false;
     const std::uint8_t here = open_[grid.index(cell)];

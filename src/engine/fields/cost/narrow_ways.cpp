@@ -32,8 +32,8 @@ constexpr int kHalvings = 2;
 // Normals of nodes on one side of a wall have a dot product above this.
 constexpr float kSameSide = 0.5f;
 constexpr std::uint8_t kAllOpen = 0x0f;
-// A point that would lie on the centre is put so far beside it [cells].
-constexpr float kBeside = 1e-4f;
+// A point that would lie on the centre is put so far off it [cells].
+constexpr float kOffset = 1e-4f;
 
 /// Finds the narrow cells of an area.
 class Finder {
@@ -54,7 +54,7 @@ public:
                 const auto here = static_cast<double>(clearance_[grid_.index({x, y})]);
                 if (here < radius_ - kToCorner * grid_.cell) continue;
                 if (here < radius_ && addNarrow({x, y}, found)) continue;
-                if (here <= grid_.cell) addBesideWall({x, y}, found);
+                if (here <= grid_.cell) addNextToWall({x, y}, found);
             }
     }
 
@@ -123,14 +123,14 @@ private:
     }
 
     // Closes the edges from a free cell to those beyond a thin wall.
-    void addBesideWall(Cell c, std::vector<NarrowCell>& found) const {
+    void addNextToWall(Cell c, std::vector<NarrowCell>& found) const {
         const float here = clearance_[grid_.index(c)];
         std::uint8_t open = kAllOpen;
         std::optional<GroundNode> own;
         for (std::size_t k = 0; k < std::size(kNarrowSteps); ++k) {
             const Cell other{c.x + kNarrowSteps[k].x, c.y + kNarrowSteps[k].y};
             if (!grid_.contains(other)) continue;
-            // With more room no wall lies between the centres.
+            // With more clearance no wall lies between the centres.
             if (static_cast<double>(here + clearance_[grid_.index(other)]) > grid_.cell) continue;
             if (!own) own = nodes_.find(c);
             if (!own->free) return;
@@ -151,7 +151,7 @@ private:
     }
 
     // Where one stands in a neighbour of a narrow cell, if it is one or is free.
-    std::optional<Vec2> pointBeside(Cell c) const {
+    std::optional<Vec2> pointNextTo(Cell c) const {
         if (const std::optional<Vec2> point = pointOf(c)) return point;
         const GroundNode node = nodes_.find(c);
         if (!node.free) return {};
@@ -166,7 +166,8 @@ private:
         return reaches(point) ? point : std::nullopt;
     }
 
-    // True where a body can walk from a point to a near one, straight or with bends where it has most room.
+    // True where a body can walk from a point to a near one, straight or with bends where the clearance is
+    // largest.
     bool walkLeads(Vec2 from, Vec2 to, int halvings) const {
         const Vec2 middle = 0.5 * (from + to);
         if (ground_.lineClear(from, to)) return gaps_.empty() || !gaps_.crossed(from, to, middle);
@@ -176,13 +177,13 @@ private:
     }
 
     NarrowCell narrowCell(Cell c, Vec2 point) const {
-        const Vec2 beside = (point - grid_.centre(c)) * (1.0 / grid_.cell);
-        NarrowCell cell{grid_.index(c), static_cast<float>(beside.x), static_cast<float>(beside.y), 0};
-        if (cell.x == 0.0f && cell.y == 0.0f) cell.x = kBeside;
+        const Vec2 offset = (point - grid_.centre(c)) * (1.0 / grid_.cell);
+        NarrowCell cell{grid_.index(c), static_cast<float>(offset.x), static_cast<float>(offset.y), 0};
+        if (cell.x == 0.0f && cell.y == 0.0f) cell.x = kOffset;
         for (std::size_t k = 0; k < std::size(kNarrowSteps); ++k) {
             const Cell other{c.x + kNarrowSteps[k].x, c.y + kNarrowSteps[k].y};
             if (!grid_.contains(other)) continue;
-            const std::optional<Vec2> to = pointBeside(other);
+            const std::optional<Vec2> to = pointNextTo(other);
             if (to && walkLeads(point, *to, kHalvings)) cell.open |= static_cast<std::uint8_t>(1u << k);
         }
         return cell;

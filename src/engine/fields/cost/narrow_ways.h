@@ -11,7 +11,7 @@
 
 namespace muster {
 
-/// A cell between two walls, entered at a point beside its centre; or a free cell beside a wall so thin that
+/// A cell between two walls, entered at a point off its centre; or a free cell next to a wall so thin that
 /// the next cell is free too.
 struct NarrowCell {
     std::int32_t cell = 0;  ///< Row-major index of the ground cell.

@@ -99,7 +99,7 @@ std::vector<RowDef> isoRows() {
         iso("9", "Exits that are shut", "Two exits, exit 1 lost after 1 s", "The person leaves by exit 2",
             "dynamic exit", {""}, 1, 1, judgeDynamicExit()),
         iso("10", "Jam before stairs", "Room, neck of 2 m, stairs with half of the speed, 100 people",
-            "Denser at the neck and at the foot of the stairs than between", "stair jam", {"100"}, 10, 1,
+            "Denser at the neck and at the foot of the stairs than between", "stair jam", {"100"}, 10, 5,
             judgeStairJam("100", false)),
         iso("11", "Largest flow", "Room 8 x 5 m, exit 1 m, 100 people", "At most 1.33 /s/m", "exit flow",
             {"free", "capped"}, 10, 1, judgeExitFlow()),

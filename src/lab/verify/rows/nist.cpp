@@ -64,7 +64,7 @@ std::vector<RowDef> nistRows() {
              "The person leaves by exit 2", "dynamic exit", {""}, 1, 1, judgeDynamicExit()),
         nist("5.1", "Congestion", "Room 8 x 5 m, corridor 12 x 2 m, stairs, 100 people",
              "Jams at the exit of the room and at the foot of the stairs, steady between", "stair jam",
-             {"100"}, 10, 1, judgeStairJam("100", false)),
+             {"100"}, 10, 5, judgeStairJam("100", false)),
         nist("5.2", "Largest flow", "Room 8 x 5 m, exit 1 m, 100 people",
              "The cap of a restricted flow is obeyed: 1.33 /s", "exit flow", {"free", "capped"}, 10, 1,
              judgeExitFlow()),
