@@ -71,7 +71,7 @@ TEST_SUITE("defaults of the C API") {
         CHECK(back.groups[0].people == def.groups[0].people);
         CHECK(back.clips == def.clips);
         CHECK(back.parameters.plan.period == 2);
-        CHECK(back.parameters.character.radius == 0.18);
+        CHECK(back.parameters.character.radius == 0.22);
         CHECK(same.parameterCount == 2);
     }
 
