@@ -42,7 +42,14 @@ export async function save(address: string, fileName: string): Promise<void> {
   setTimeout(() => URL.revokeObjectURL(url), kKeepMs);
 }
 
-/** A file of the engine stays this long, for the browser to read it. */
+/** Saves what the page has made. */
+export function saveBlob(blob: Blob, fileName: string): void {
+  const url = URL.createObjectURL(blob);
+  download(url, fileName);
+  setTimeout(() => URL.revokeObjectURL(url), kKeepMs);
+}
+
+/** A file stays this long, for the browser to save it. */
 const kKeepMs = 60000;
 
 async function urlOf(address: string): Promise<string> {

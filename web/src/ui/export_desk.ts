@@ -6,7 +6,7 @@ import type { OpenTake } from '../model/take_facts';
 import { formatBytes } from '../model/take_facts';
 import { ExportDialog, kExportKinds, type ExportChoice } from './panels/export_dialog';
 import { FilmMaker, canMakeFilms } from './film_maker';
-import { save } from '../link/answers';
+import { saveBlob } from '../link/answers';
 import type { ShelfLink } from './shelf_link';
 import { ServerExport } from './take_exports';
 import { afterNextPicture } from './scene_picture';
@@ -36,12 +36,6 @@ const kClean = { mesh: false, places: false, paths: false };
 
 function plainName(title: string): string {
   return title.replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-|-$/g, '') || 'take';
-}
-
-function saveBlob(blob: Blob, fileName: string): void {
-  const url = URL.createObjectURL(blob);
-  void save(url, fileName);
-  window.setTimeout(() => URL.revokeObjectURL(url), 60000);
 }
 
 export class ExportDesk {

@@ -25,13 +25,11 @@ import { PlaceLink } from './place_link';
 import { readSource } from './place_reader';
 import { PlaceShelf } from './place_shelf';
 import { takePicture } from './scene_picture';
-import { save } from '../link/answers';
+import { saveBlob } from '../link/answers';
 
 const kPicture = { width: 320, height: 180 };
 /** A picture that takes longer is done without [ms]. */
 const kPictureWait = 1500;
-/** An address of a file that was downloaded is given up after [ms]. */
-const kDownload = 20000;
 
 export interface PlaceParts {
   readonly client: StudioClient;
@@ -241,9 +239,7 @@ export class PlaceDesk implements PlaceActions {
   }
 
   private download(text: string, name: string): void {
-    const address = URL.createObjectURL(new Blob([text], { type: 'application/json' }));
-    void save(address, fileNameOf(name));
-    window.setTimeout(() => URL.revokeObjectURL(address), kDownload);
+    saveBlob(new Blob([text], { type: 'application/json' }), fileNameOf(name));
   }
 
   private picture(): Promise<Blob | null> {

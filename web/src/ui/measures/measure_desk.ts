@@ -1,6 +1,6 @@
 // Measuring the crowd: lines and areas are drawn on the ground, and what they measure is shown and saved.
 
-import { save } from '../../link/answers';
+import { saveBlob } from '../../link/answers';
 import type { StudioClient } from '../../link/studio_client';
 import { Measures } from '../../model/measures/measures';
 import { allCsv, csvName, evacuationCsv, exitNames, measureCsv } from '../../model/measures/measures_csv';
@@ -12,6 +12,7 @@ import type { StudioStore } from '../../model/studio_store';
 import { parseScene } from '../../protocol/scene';
 import type { StudioScene } from '../../scene/studio_scene';
 import { BuildPointer, type BuildStroke, type BuildStrokes } from '../../tools/build_pointer';
+import { onEscape } from '../escape_key';
 import { rectangle } from './measure_card';
 import { MeasureLayer } from './measure_layer';
 import { MeasurePanel, type MeasureActions, type MeasureTool } from './measure_panel';
@@ -30,8 +31,6 @@ const kRenewed = 250;
 const kSnap = 12;
 /** Nothing shorter is a line, or the side of an area [m]. */
 const kLeast = 0.05;
-/** A file stays this long, for the browser to save it [ms]. */
-const kKeep = 60000;
 
 export class MeasureDesk implements BuildStrokes, MeasureActions {
   readonly measures = new Measures();
@@ -54,7 +53,10 @@ export class MeasureDesk implements BuildStrokes, MeasureActions {
       (at) => view.screenToWorld(at),
       () => view.wake(),
     ).listen(this.layer_.root);
-    window.addEventListener('keydown', (event) => this.key(event), { capture: true });
+    onEscape(
+      () => this.open_,
+      () => (this.tool_ ? this.setTool(null) : this.leaveMeasures()),
+    );
     this.layer_.root.style.display = 'none';
   }
 
@@ -88,13 +90,6 @@ export class MeasureDesk implements BuildStrokes, MeasureActions {
     this.renewed_ = now;
     this.panel_.update(this.measures);
   };
-
-  private key(event: KeyboardEvent): void {
-    if (!this.open_ || event.key !== 'Escape' || document.querySelector('dialog[open]')) return;
-    event.stopImmediatePropagation();
-    if (this.tool_) this.setTool(null);
-    else this.leaveMeasures();
-  }
 
   /** Nothing but drawing keeps fingers from the scene. */
   private setTool(tool: MeasureTool | null): void {
@@ -208,8 +203,6 @@ export class MeasureDesk implements BuildStrokes, MeasureActions {
   }
 
   private saveText(text: string, name: string): void {
-    const address = URL.createObjectURL(new Blob([text], { type: 'text/csv' }));
-    void save(address, csvName(`${this.parts_.store.state.title} ${name}`));
-    window.setTimeout(() => URL.revokeObjectURL(address), kKeep);
+    saveBlob(new Blob([text], { type: 'text/csv' }), csvName(`${this.parts_.store.state.title} ${name}`));
   }
 }

@@ -10,6 +10,7 @@ import { PlaybackAction, type Notice, type TakePath, type TakeState } from '../.
 import { problem } from '../../protocol/problem';
 import type { StudioScene } from '../../scene/studio_scene';
 import { BuildPointer, type BuildStroke, type BuildStrokes } from '../../tools/build_pointer';
+import { onEscape } from '../escape_key';
 import { ShelfLink } from '../shelf_link';
 import { PathBar, type PathActions } from './path_bar';
 import { PathLayer } from './path_layer';
@@ -82,14 +83,9 @@ export class PathDesk implements BuildStrokes, PathActions {
     client.on('takeReady', ({ steps }) => this.readSoFar(steps));
     client.on('takeKept', () => this.waits_ && this.kept());
     client.on('notice', (notice) => this.refused(notice));
-    window.addEventListener(
-      'keydown',
-      (event) => {
-        if (!this.open_ || event.key !== 'Escape' || document.querySelector('dialog[open]')) return;
-        event.stopImmediatePropagation();
-        this.leavePaths();
-      },
-      { capture: true },
+    onEscape(
+      () => this.open_,
+      () => this.leavePaths(),
     );
     this.layer_.root.style.display = 'none';
   }
