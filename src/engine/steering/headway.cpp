@@ -25,6 +25,14 @@ double gapSpeed(double gap, double time, double dt) {
     return gap > 0.0 ? gap / time : gap / dt * kPenetration;
 }
 
+// True where no limit of two for so long [s] is near, whatever the direction of their closing velocity. Who
+// is far apart is as good as random, so there is no branch.
+bool isApartFor(double ahead, double gap, Vec2 closing) {
+    const double near = gap - kSlack * kSlackTime;
+    return (static_cast<int>(near > 0.0) &
+            static_cast<int>(near * near > ahead * ahead * lengthSquared(closing))) != 0;
+}
+
 bool differ(Vec2 a, Vec2 b) {
     return dot(a, b) <= 0.0;
 }
@@ -85,8 +93,7 @@ std::span<const NeighbourPair> Headway::findMeetings(const Characters& now, cons
     const CrowdBodies& bodies = *bodies_;
     const std::span<const NeighbourPair> pairs = neighbours.pairs();
     const double ahead = std::max(
-                     {bodies.usual().foresight, bodies.longestHeadway(), bodies.longestBraking()}),
-                 ahead2 = ahead * ahead;
+        {bodies.usual().foresight, bodies.longestHeadway(), bodies.longestBraking()});
     const double headway = inStep_ < 1.0 ? bodies.longestHeadway() : 0.0;
     const std::span<const Vec2> position = now.position;
     meetings_.resize(std::max({meetings_.size(), pairs.size(), kPairsPerCharacter * now.size()}));
@@ -95,10 +102,9 @@ std::span<const NeighbourPair> Headway::findMeetings(const Characters& now, cons
         const Vec2 a = velocity[pair.low], b = velocity[pair.high];
         const Vec2 between = bodies.between(position[pair.low], position[pair.high]);
         const double apart = length(between), gap = apart - touching;
-        const double near = gap - kSlack * kSlackTime, slow = gap - kSlack * headway;
+        const double slow = gap - kSlack * headway;
         const double onto = std::max(dot(a, between), -dot(b, between));
-        const bool apartForLong = static_cast<int>(near > 0.0) &
-                                  static_cast<int>(near * near > ahead2 * lengthSquared(a - b)) &
+        const bool apartForLong = static_cast<int>(isApartFor(ahead, gap, a - b)) &
                                   static_cast<int>(slow * apart >= headway * onto);
         *next = pair;
         next += apartForLong ? 0 : 1;
@@ -141,20 +147,18 @@ void Headway::goTogether(const Characters& now, NeighbourPair pair, const Apart&
     const double lead = dot(two.towards, input.wanted[a] / topA + input.wanted[b] / topB);
     const bool inFront = std::fabs(lead) > kInFront;
     const bool aFirst = inFront ? lead < 0.0 : now.cost[a] <= now.cost[b];
-    const Claim& first = input.claims[aFirst ? a : b];
+    const std::int32_t back = aFirst ? b : a, front = aFirst ? a : b;
+    const Apart ahead = aFirst ? two.reversed() : two;
+    const Claim& first = input.claims[front];
     const Vec2 closing = velocity[a] - velocity[b];
     const double headway = std::max(bodies_->headway(a), bodies_->headway(b));
     if (inStep_ < 1.0) {
-        const double near = two.gap() - kSlack * kSlackTime;
-        if (near <= 0.0 || near * near <= headway * headway * lengthSquared(closing))
+        if (!isApartFor(headway, two.gap(), closing))
             share(pair, aFirst ? 0.0 : 1.0, tangentOf(two, closing, headway, false, dt_), headway, velocity);
-        const Vec2 heading = normalized(input.turned[aFirst ? b : a]);
-        return aFirst ? keepBehind(two.reversed(), b, a, heading, velocity)
-                      : keepBehind(two, a, b, heading, velocity);
+        return keepBehind(ahead, back, front, normalized(input.turned[back]), velocity);
     }
     if (inFront ? !getsOn(first) : first.stuck > 0.0f)
-        return aFirst ? follow(b, a, -two.towards, two.gap(), false, velocity)
-                      : follow(a, b, two.towards, two.gap(), false, velocity);
+        return follow(back, front, ahead.towards, ahead.gap(), false, velocity);
     share(pair, bodies_->share(a, b), tangentOf(two, closing, headway, false, dt_), headway, velocity);
 }
 
