@@ -75,7 +75,8 @@ Status checkArrays(const Characters& c) {
         return wrong("a character that nobody moves");
     for (std::size_t i = 0; i < n; ++i)
         if (std::isnan(c.cost[i]) || !(c.motionTime[i] >= 0.0 && c.motionTime[i] <= 1e9) ||
-            c.phase[i] > MotionPhase::Locked || !isPlace(c.walk[i].anchor) || !isPlace(c.walk[i].camp))
+            c.phase[i] > MotionPhase::Locked || !isPlace(c.walk[i].anchor) || !isPlace(c.walk[i].camp) ||
+            c.claim[i].turn < -kOvertakingTurns || c.claim[i].turn > kOvertakingTurns)
             return wrong("a character with a number out of range");
     return {};
 }

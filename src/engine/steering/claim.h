@@ -7,6 +7,9 @@
 
 namespace muster {
 
+/// Most turns by 20 degrees with which a character overtakes.
+inline constexpr std::int8_t kOvertakingTurns = 3;
+
 /// The claim of one character.
 struct Claim {
     Vec2 spot;              ///< Where its place was when it came to rest there [m].
@@ -23,11 +26,14 @@ struct Claim {
     bool stays = false;    ///< It has not set out yet: its premovement time is not over.
     bool asks = false;     ///< It asked others for their way in the last step.
     bool queues = false;   ///< In the last step it kept behind somebody who goes the same way.
+    /// How it turns to overtake: by so many times 20 degrees, to the left where positive.
+    std::int8_t turn = 0;
 
     /// Lets an archive read or write the claim.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(spot, progress, stuck, lends, last, since, rests, settled, follows, stays, asks, queues);
+        archive(spot, progress, stuck, lends, last, since, rests, settled, follows, stays, asks, queues,
+                turn);
     }
 };
 

@@ -37,7 +37,8 @@ void CrowdBodies::resolve(const Parameters::Character& def, const Characters& no
                                     [](Driver driver) { return driver == Driver::Muster; });
     if (normal && driven && std::all_of(now.body.begin(), now.body.end(), isUsual)) return;
     const std::size_t count = now.size();
-    for (auto* array : {&radius_, &maxSpeed_, &acceleration_, &headway_, &inverseMass_}) array->resize(count);
+    for (auto* array : {&radius_, &maxSpeed_, &acceleration_, &headway_, &nearTime_, &inverseMass_})
+        array->resize(count);
     firmness_.resize(count);
     group_.assign(now.group.begin(), now.group.end());
     largest_ = fastest_ = longestHeadway_ = 0.0;
@@ -47,6 +48,7 @@ void CrowdBodies::resolve(const Parameters::Character& def, const Characters& no
         maxSpeed_[i] = maxSpeedOf(def, body);
         acceleration_[i] = accelerationOf(def, body);
         headway_[i] = headwayOf(def, body);
+        nearTime_[i] = nearTime(headway_[i], brakingTime(i));
         const bool outside = i < now.driver.size() && now.driver[i] == Driver::Outside;
         inverseMass_[i] = outside ? 0.0 : 1.0 / body.mass;
         firmness_[i] = group_[i] < firmness.size() ? firmness[group_[i]] : std::uint8_t{0};
@@ -69,8 +71,7 @@ void CrowdBodies::shorten(std::span<const Vec2> positions, NeighbourList& neighb
     if (alike()) return;
     const double most = neighbours.listedReach() - 2.0 * largest_;
     neighbours.dropPairs([&](NeighbourPair pair) {
-        const double braking = std::max(brakingTime(pair.low), brakingTime(pair.high));
-        const double reach = touching(pair.low, pair.high) + std::min(most, nearGap(braking));
+        const double reach = touching(pair.low, pair.high) + std::min(most, nearGap(pair.low, pair.high));
         return lengthSquared(between(positions[pair.low], positions[pair.high])) > reach * reach;
     });
 }

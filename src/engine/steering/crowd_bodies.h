@@ -75,12 +75,14 @@ public:
     }
     double longestBraking() const { return longestBraking_; }  ///< Of all [s].
     double longestHeadway() const { return longestHeadway_; }  ///< Of all [s].
-    /// The gap from which on two count as near, of whom the one that brakes more slowly takes so long [s]:
-    /// who cannot stop within the foresight of others is near while both have to brake [m].
-    double nearGap(double braking) const {
-        return fastest_ * (braking > def_.foresight ? 2.0 * braking : std::max(kNear, longestHeadway_));
+    /// The gap from which on two count as near [m]: what the faster one walks in its headway. Who cannot stop
+    /// within the foresight of others is near while both have to brake.
+    double nearGap(std::size_t a, std::size_t b) const {
+        return alike() ? farthestGap()
+                       : std::max(maxSpeed_[a], maxSpeed_[b]) * std::max(nearTime_[a], nearTime_[b]);
     }
-    double farthestGap() const { return nearGap(longestBraking_); }  ///< Of any two [m].
+    /// Of any two [m].
+    double farthestGap() const { return fastest_ * nearTime(longestHeadway_, longestBraking_); }
     /// True where steering and contacts do not move it.
     bool isFixed(std::size_t i) const { return !alike() && inverseMass_[i] == 0.0; }
     /// Distance at which two touch [m].
@@ -101,11 +103,15 @@ private:
     static constexpr double kNear = 0.5;  // Who can reach each other within this time are near [s].
 
     double ownShare(std::size_t a, std::size_t b) const;
+    double nearTime(double headway, double braking) const {
+        return braking > def_.foresight ? 2.0 * braking : std::max(kNear, headway);
+    }
 
     Parameters::Character def_;
     Ring ring_;
     double largest_ = 0.0, fastest_ = 0.0, longestBraking_ = 0.0, longestHeadway_ = 0.0;
     std::vector<double> radius_, maxSpeed_, acceleration_, headway_;
+    std::vector<double> nearTime_;        // At top speed, until it meets who counts as near [s].
     std::vector<double> inverseMass_;     // 0 for who is fixed.
     std::vector<std::uint8_t> firmness_;  // That of its group.
     std::vector<std::uint32_t> group_;

@@ -143,8 +143,7 @@ void Headway::keepBehind(const Apart& two, std::int32_t back, std::int32_t front
 void Headway::goTogether(const Characters& now, NeighbourPair pair, const Apart& two,
                          const HeadwayInput& input, std::span<const Vec2> velocity) {
     const std::int32_t a = pair.low, b = pair.high;
-    const double topA = std::max(input.topSpeed[a], 1e-9), topB = std::max(input.topSpeed[b], 1e-9);
-    const double lead = dot(two.towards, input.wanted[a] / topA + input.wanted[b] / topB);
+    const double lead = dot(two.towards, lead_[a] + lead_[b]);
     const bool inFront = std::fabs(lead) > kInFront;
     const bool aFirst = inFront ? lead < 0.0 : now.cost[a] <= now.cost[b];
     const std::int32_t back = aFirst ? b : a, front = aFirst ? a : b;
@@ -155,11 +154,21 @@ void Headway::goTogether(const Characters& now, NeighbourPair pair, const Apart&
     if (inStep_ < 1.0) {
         if (!isApartFor(headway, two.gap(), closing))
             share(pair, aFirst ? 0.0 : 1.0, tangentOf(two, closing, headway, false, dt_), headway, velocity);
-        return keepBehind(ahead, back, front, normalized(input.turned[back]), velocity);
+        return keepBehind(ahead, back, front, heading_[back], velocity);
     }
     if (inFront ? !getsOn(first) : first.stuck > 0.0f)
         return follow(back, front, ahead.towards, ahead.gap(), false, velocity);
     share(pair, bodies_->share(a, b), tangentOf(two, closing, headway, false, dt_), headway, velocity);
+}
+
+void Headway::findHeadings(const HeadwayInput& input) {
+    const std::size_t count = input.wanted.size();
+    lead_.resize(count);
+    heading_.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        lead_[i] = input.wanted[i] / std::max(input.topSpeed[i], 1e-9);
+        heading_[i] = inStep_ < 1.0 ? normalized(input.turned[i]) : Vec2{};
+    }
 }
 
 void Headway::addPair(const Characters& now, NeighbourPair pair, const HeadwayInput& input,
@@ -246,6 +255,7 @@ void Headway::run(const CrowdBodies& bodies, const Characters& now, const Enviro
     inStep_ = bodies.usual().inStep;
     limits_.clear();
     limits_.reserve(kLimitsPerCharacter * now.size());
+    findHeadings(input);
     for (const NeighbourPair pair : findMeetings(now, neighbours, velocity))
         addPair(now, pair, input, velocity);
     addWalls(now, environment, velocity);

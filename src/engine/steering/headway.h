@@ -78,6 +78,7 @@ private:
                     std::span<const Vec2> velocity);
     void goTogether(const Characters& now, NeighbourPair pair, const Apart& two, const HeadwayInput& input,
                     std::span<const Vec2> velocity);
+    void findHeadings(const HeadwayInput& input);
     void addPair(const Characters& now, NeighbourPair pair, const HeadwayInput& input,
                  std::span<const Vec2> velocity);
     void addWalls(const Characters& now, const Environment& environment, std::span<const Vec2> velocity);
@@ -89,6 +90,8 @@ private:
     const CrowdBodies* bodies_ = nullptr;  // Of the present run.
     double dt_ = 0.0;                      // The same [s].
     double inStep_ = 1.0;                  // Share of the speed ahead.
+    std::vector<Vec2> lead_;               // Of each, the velocity wanted as a share of its top speed.
+    std::vector<Vec2> heading_;            // Of each, the unit vector that it wants to walk along, turned.
     std::vector<NeighbourPair> meetings_;  // Who may come near a limit; room that only grows.
     std::vector<Limit> limits_;
     std::vector<std::uint8_t> nearObstacle_;

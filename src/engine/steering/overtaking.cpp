@@ -9,15 +9,21 @@
 namespace muster {
 namespace {
 
-// By 20, 40 and 60 degrees to either side.
-constexpr Rotation kTurns[] = {{0.93969262078590838405, 0.34202014332566873304},
-                               {0.76604444311897803520, 0.64278760968653932632},
-                               {0.5, 0.86602540378443864676}};
+// By 0, 20, 40 and 60 degrees.
+constexpr Rotation kTurn[kOvertakingTurns + 1] = {{1.0, 0.0},
+                                                  {0.93969262078590838405, 0.34202014332566873304},
+                                                  {0.76604444311897803520, 0.64278760968653932632},
+                                                  {0.5, 0.86602540378443864676}};
+constexpr double kLookTime = 0.1;      // From one look to the next [s].
 constexpr double kGain = 0.02;         // Share of its speed by which it must get on better to turn.
 constexpr double kSlowed = 0.5;        // Who wants to walk at a smaller share of its top speed is arriving.
 constexpr double kBehind2 = 0.25;      // Who has a larger squared cosine backwards is behind.
 constexpr double kTight = 0.98;        // Share of its radius that must be clear of walls.
 constexpr std::size_t kNearEach = 32;  // Room that is kept for those near it.
+
+Vec2 turned(Vec2 ahead, std::int8_t turn) {
+    return turn < 0 ? kTurn[-turn].applyInverse(ahead) : kTurn[turn].apply(ahead);
+}
 
 }  // namespace
 
@@ -50,34 +56,45 @@ Overtaking::Prospect Overtaking::prospect(Vec2 heading, const Walker& walker, do
     return found;
 }
 
-void Overtaking::turn(const Walker& walker, const Environment& environment, const Prospect& straight,
-                      Vec2& wanted) const {
+std::int8_t Overtaking::turnOf(const Walker& walker, const Environment& environment) const {
+    const Prospect straight = prospect(walker.ahead, walker, -std::numeric_limits<double>::infinity());
     double best = straight.speed + kGain * walker.speed;
-    for (const Rotation turn : kTurns) {
-        if (turn.c * walker.speed <= best) return;
-        for (const Vec2 heading : {turn.applyInverse(walker.ahead), turn.apply(walker.ahead)}) {
-            const double progress = turn.c * prospect(heading, walker, best / turn.c).speed;
+    std::int8_t found = 0;
+    for (std::int8_t turn = 1; turn <= kOvertakingTurns; ++turn) {
+        const double cosine = kTurn[turn].c;
+        if (cosine * walker.speed <= best) return found;
+        for (const std::int8_t side : {static_cast<std::int8_t>(-turn), turn}) {
+            const Vec2 heading = turned(walker.ahead, side);
+            const double progress = cosine * prospect(heading, walker, best / cosine).speed;
             if (progress <= best) continue;
             const Vec2 past = walker.position + heading * straight.past;
             if (!environment.clearStaticLine(walker.position, past, kTight * walker.radius)) continue;
             best = progress;
-            wanted = heading * walker.speed;
+            found = side;
         }
     }
+    return found;
 }
 
-void Overtaking::run(const CrowdBodies& bodies, const Characters& now, const Environment& environment,
-                     const NearRows& rows, std::span<const double> topSpeed, std::span<Vec2> wanted) {
+void Overtaking::run(const CrowdBodies& bodies, const Environment& environment, const NearRows& rows,
+                     std::span<const double> topSpeed, std::uint32_t step, double dt, Characters& now,
+                     std::span<Vec2> wanted) {
     others_.reserve(kNearEach);
+    const auto steps = std::max(1u, static_cast<std::uint32_t>(kLookTime / dt + 0.5));
     for (std::size_t i = 0; i < now.size(); ++i) {
+        std::int8_t& turn = now.claim[i].turn;
         const double speed = length(wanted[i]);
-        if (speed <= kSlowed * topSpeed[i] || bodies.isFixed(i) || now.phase[i] == MotionPhase::Locked)
+        if (speed <= kSlowed * topSpeed[i] || bodies.isFixed(i) || now.phase[i] == MotionPhase::Locked) {
+            turn = 0;
             continue;
-        const Walker walker{now.position[i],  wanted[i] / speed, speed,
-                            bodies.radius(i), bodies.headway(i), bodies.usual().foresight};
-        list(bodies, now, rows.of(static_cast<std::int32_t>(i)), i, walker);
-        const Prospect straight = prospect(walker.ahead, walker, -std::numeric_limits<double>::infinity());
-        turn(walker, environment, straight, wanted[i]);
+        }
+        if ((step + now.id[i]) % steps == 0) {
+            const Walker walker{now.position[i],  wanted[i] / speed, speed,
+                                bodies.radius(i), bodies.headway(i), bodies.usual().foresight};
+            list(bodies, now, rows.of(static_cast<std::int32_t>(i)), i, walker);
+            turn = turnOf(walker, environment);
+        }
+        if (turn != 0) wanted[i] = turned(wanted[i], turn);
     }
 }
 

@@ -18,8 +18,11 @@ class Overtaking {
 public:
     /// Turns `wanted` [m/s] by 20, 40 or 60 degrees where the walker makes more way so, by the law of headway
     /// and within the time of foresight, and no wall stands there; of two sides alike to the right.
-    void run(const CrowdBodies& bodies, const Characters& now, const Environment& environment,
-             const NearRows& rows, std::span<const double> topSpeed, std::span<Vec2> wanted);
+    /// Each looks again after 0.1 s, at a step of its own, and keeps its turn (Claim::turn) in between. `dt`
+    /// is the length of a step [s].
+    void run(const CrowdBodies& bodies, const Environment& environment, const NearRows& rows,
+             std::span<const double> topSpeed, std::uint32_t step, double dt, Characters& now,
+             std::span<Vec2> wanted);
 
 private:
     struct Walker {
@@ -45,8 +48,7 @@ private:
     void list(const CrowdBodies& bodies, const Characters& now, std::span<const std::int32_t> near,
               std::size_t self, const Walker& walker);
     Prospect prospect(Vec2 heading, const Walker& walker, double least) const;
-    void turn(const Walker& walker, const Environment& environment, const Prospect& straight,
-              Vec2& wanted) const;
+    std::int8_t turnOf(const Walker& walker, const Environment& environment) const;
 
     std::vector<Other> others_;  // Of one walker.
 };
