@@ -80,7 +80,7 @@ void Overtaking::run(const CrowdBodies& bodies, const Environment& environment, 
                      std::span<const double> topSpeed, std::uint32_t step, double dt, Characters& now,
                      std::span<Vec2> wanted) {
     others_.reserve(kNearEach);
-    const auto steps = std::max(1u, static_cast<std::uint32_t>(kLookTime / dt + 0.5));
+    const auto steps = std::max(1u, static_cast<std::uint32_t>(kLookTime / dt));
     for (std::size_t i = 0; i < now.size(); ++i) {
         std::int8_t& turn = now.claim[i].turn;
         const double speed = length(wanted[i]);

@@ -18,7 +18,7 @@ class Overtaking {
 public:
     /// Turns `wanted` [m/s] by 20, 40 or 60 degrees where the walker makes more way so, by the law of headway
     /// and within the time of foresight, and no wall stands there; of two sides alike to the right.
-    /// Each looks again after 0.1 s, at a step of its own, and keeps its turn (Claim::turn) in between. `dt`
+    /// Each looks again within 0.1 s, at a step of its own, and keeps its turn (Claim::turn) in between. `dt`
     /// is the length of a step [s].
     void run(const CrowdBodies& bodies, const Environment& environment, const NearRows& rows,
              std::span<const double> topSpeed, std::uint32_t step, double dt, Characters& now,

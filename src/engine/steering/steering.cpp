@@ -125,8 +125,7 @@ void Steering::run(const CrowdBodies& bodies, Characters& now, const SteeringInp
     }
     standStill(now.claim);
     turned_.assign(preferred_.begin(), preferred_.end());
-    if (outOfStep)
-        overtaking_.run(bodies, environment, rows_, topSpeed_, input.step, dt, now, turned_);
+    if (outOfStep) overtaking_.run(bodies, environment, rows_, topSpeed_, input.step, dt, now, turned_);
     if (!standing_.empty())
         goPast_.run(bodies, now, environment, neighbours_, standing_, input.place, turned_);
     const StepGains gains{std::min(1.0, def.velocityGain * dt), std::min(1.0, kHeadingRate * dt),
