@@ -55,29 +55,6 @@ struct AreaDef {
     friend bool operator==(const AreaDef&, const AreaDef&) = default;
 };
 
-/// Adds an area, or changes one.
-struct PutArea {
-    AreaId id;      ///< Which is changed; none to add one.
-    AreaDef area;   ///< Its definition; its `group` is not read.
-    GroupId group;  ///< For Source: whom its people join.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(id, area, group);
-    }
-};
-/// Removes an area. Who was to go there goes to the others of its order, or stands.
-struct RemoveArea {
-    AreaId id;  ///< Its id.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(id);
-    }
-};
-
 /// What an area has seen.
 struct AreaCount {
     std::uint32_t passed = 0;   ///< People who have left by an exit, or come by a source.

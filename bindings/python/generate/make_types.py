@@ -12,8 +12,8 @@ from pathlib import Path
 from read_headers import Enumeration, Field, HeaderError, Struct, read_header
 
 HEADERS = (
-    "appearance formation geometry obstacle patch unit order control map_import people area world_def order_commands unit_commands "
-    "place_commands command event characters walk_totals views take"
+    "appearance formation geometry obstacle patch unit order control map_import people area world_def command_kinds "
+    "command event characters walk_totals views take"
 ).split()
 # What has a Python class of its own, or none.
 LEFT_OUT = {
@@ -213,7 +213,7 @@ def main() -> None:
     figures = [root / f"src/engine/world/{name}.h" for name in ("departures", "metrics")]
     paths = [include / f"{name}.h" for name in HEADERS] + figures
     things = [thing for path in paths for thing in read_header(path) if thing.name not in LEFT_OUT]
-    commands = command_names(include / "command.h")
+    commands = command_names(include / "command_kinds.h")
     things = in_order(things, commands)
     folder.mkdir(parents=True, exist_ok=True)
     methods = {name: (Path(__file__).parent / f"{name.lower()}_methods.txt").read_text(encoding="utf-8") for name in WITH_METHODS}

@@ -1,4 +1,4 @@
-/* What the commands of each kind say. */
+/* Made by schema/generate.mjs from schema/commands.txt: change these, not this file. */
 #ifndef MUSTER_C_COMMAND_BODIES_H
 #define MUSTER_C_COMMAND_BODIES_H
 
@@ -7,15 +7,6 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/// Kind of a control by its number of points.
-typedef uint8_t MusterControlKind;
-/// Values of MusterControlKind.
-enum MusterControlKindValue {
-    MUSTER_CONTROL_POINT = 0,  ///< One point.
-    MUSTER_CONTROL_LINE = 1,   ///< Two.
-    MUSTER_CONTROL_AREA = 2    ///< Three and more.
-};
 
 /// A finger touches down. It edits the group whose mesh is nearest within `input.reach`, or `group` if given.
 typedef struct MusterTouchDown {
@@ -43,13 +34,14 @@ typedef struct MusterTouchCancel {
     uint32_t touch;  ///< Number of the finger.
 } MusterTouchCancel;
 
-/// Makes a control of all its points at once. Its points are then moved and lifted like touches.
+/// Makes a control of all its points at once, for mouse and programs. Its points are then moved and lifted
+/// like touches.
 typedef struct MusterAddControl {
     MusterGroupId group;          ///< Group whose mesh it controls.
     MusterControlKind kind;       ///< Kind of control, which must fit the number of touches.
-    const uint32_t* touches;      ///< Numbers of its fingers.
-    int32_t touchCount;           ///< Their number, 1 to 64.
-    const MusterVec2* positions;  ///< Positions in the world [m], one per touch.
+    const uint32_t* touches;      ///< Numbers of its fingers, 1 to 64.
+    int32_t touchCount;           ///< Their number.
+    const MusterVec2* positions;  ///< Positions in the world, one per touch [m].
     int32_t positionCount;        ///< Their number.
     double time;                  ///< World time stamp [s].
 } MusterAddControl;
@@ -78,10 +70,10 @@ typedef struct MusterSetFormation {
     MusterFormationDef formation;  ///< Its new definition.
 } MusterSetFormation;
 
-/// Changes the number of characters. New ones join behind the mesh; the highest ids leave first.
+/// Changes the number of characters. New ones join behind the mesh; those with the highest ids leave first.
 typedef struct MusterSetCount {
     MusterGroupId group;  ///< Group to change.
-    int32_t count;        ///< New number of characters, 1 to 200,000.
+    int32_t count;        ///< New number of characters.
 } MusterSetCount;
 
 /// Moves the mesh at once; its places travel there.
@@ -135,34 +127,34 @@ typedef struct MusterRemovePatch {
 
 /// Changes the value of a parameter.
 typedef struct MusterSetParameter {
-    const char* name;  ///< Name as muster_parameter_info() gives it: "plan.exponent".
+    const char* name;  ///< Name in parameterTable(): "plan.exponent"; null for none.
     double value;      ///< New value, in the range of the parameter.
 } MusterSetParameter;
 
-/// Puts an order into a group's queue. The event OrderGiven gives its id.
+/// Puts an order into a group's queue. The event OrderGiven tells its id.
 typedef struct MusterGiveOrder {
-    MusterGroupId group;   ///< Who.
-    MusterQueueMode mode;  ///< Where it stands in the queue.
+    MusterGroupId group;   ///< The group.
+    MusterQueueMode mode;  ///< Where the order stands in the queue.
     uint32_t index;        ///< For Insert: before which order, counted from 0.
-    MusterOrder order;     ///< What.
+    MusterOrder order;     ///< The order.
 } MusterGiveOrder;
 
 /// Changes a group's queue.
 typedef struct MusterEditQueue {
-    MusterGroupId group;   ///< Whose.
-    MusterQueueEdit edit;  ///< What is done to it.
+    MusterGroupId group;   ///< The group.
+    MusterQueueEdit edit;  ///< What is done to the queue.
     MusterOrderId order;   ///< For Cancel: the id of the order; 0 for all.
 } MusterEditQueue;
 
 /// Tells a group how to behave.
 typedef struct MusterSetConduct {
-    MusterGroupId group;    ///< Whom.
-    MusterConduct conduct;  ///< How.
+    MusterGroupId group;    ///< The group.
+    MusterConduct conduct;  ///< How it behaves.
 } MusterSetConduct;
 
-/// Characters join a group where they stand. Events Joined give their ids.
+/// Characters join a group where they stand; places are added to its formation. Events Joined tell their ids.
 typedef struct MusterAddCharacters {
-    MusterGroupId group;          ///< Which they join.
+    MusterGroupId group;          ///< Group that they join.
     const MusterVec2* positions;  ///< Where they stand [m]; they part where they would stand in each other.
     int32_t positionCount;        ///< Their number.
     const MusterBody* bodies;     ///< One for each, or one for all; none for that of the group.
@@ -171,24 +163,25 @@ typedef struct MusterAddCharacters {
 
 /// Characters leave the world; the ranks behind them close up. A group may become empty, and stays.
 typedef struct MusterRemoveCharacters {
-    const MusterCharacterId* ids;  ///< Who.
+    const MusterCharacterId* ids;  ///< Their ids.
     int32_t idCount;               ///< Their number.
 } MusterRemoveCharacters;
 
 /// Characters leave their groups for another one. Ids, positions and velocities stay.
 typedef struct MusterTransferCharacters {
-    const MusterCharacterId* ids;  ///< Who.
+    const MusterCharacterId* ids;  ///< Their ids.
     int32_t idCount;               ///< Their number.
-    MusterGroupId group;           ///< Which they join.
+    MusterGroupId group;           ///< Group that they join.
 } MusterTransferCharacters;
 
-/// Divides a group. The part that leaves is a new group, whose id the event GroupAdded gives.
+/// Divides a group. The part that leaves is a new group, whose id the event GroupAdded tells; nobody stops,
+/// and all parts go on with the orders of the whole.
 typedef struct MusterSplitGroup {
-    MusterGroupId group;           ///< Which.
-    MusterSplitBy by;              ///< How.
-    const MusterCharacterId* ids;  ///< For Ids: who leaves.
+    MusterGroupId group;           ///< The group.
+    MusterSplitBy by;              ///< How it is divided.
+    const MusterCharacterId* ids;  ///< For Ids: the characters that leave.
     int32_t idCount;               ///< Their number.
-    const MusterVec2* points;      ///< For Line: two points; for Lasso: the corners of the polygon [m].
+    const MusterVec2* points;      ///< For Line: two points [m]; for Lasso: the corners of the polygon.
     int32_t pointCount;            ///< Their number.
     const double* shares;          ///< For Shares: of all parts, above 0; their sum counts as the whole.
     int32_t shareCount;            ///< Their number.
@@ -205,7 +198,7 @@ typedef struct MusterMergeGroups {
 
 /// Gives characters other bodies.
 typedef struct MusterSetBodies {
-    const MusterCharacterId* ids;  ///< Whose.
+    const MusterCharacterId* ids;  ///< Their ids.
     int32_t idCount;               ///< Their number.
     const MusterBody* bodies;      ///< One for each, or one for all.
     int32_t bodyCount;             ///< Their number.
@@ -213,32 +206,32 @@ typedef struct MusterSetBodies {
 
 /// Says which class stands where in a formation.
 typedef struct MusterSetRoles {
-    MusterGroupId group;         ///< Whose.
-    const MusterRoleDef* roles;  ///< In the order in which they choose places; none for no roles.
+    MusterGroupId group;         ///< The group.
+    const MusterRoleDef* roles;  ///< In the order in which they choose places; none for none.
     int32_t roleCount;           ///< Their number.
 } MusterSetRoles;
 
-/// Says how many units of supply each place demands.
+/// Says how many units of supply each place demands (SPEC A1).
 typedef struct MusterSetDemands {
-    MusterGroupId group;    ///< Whose.
+    MusterGroupId group;    ///< The group.
     const double* demands;  ///< Of each place, 0 to 1000; none for 1 each.
     int32_t demandCount;    ///< Their number.
 } MusterSetDemands;
 
-/// Says who moves characters.
+/// Says what moves characters.
 typedef struct MusterSetDriver {
-    const MusterCharacterId* ids;  ///< Whom.
+    const MusterCharacterId* ids;  ///< Their ids.
     int32_t idCount;               ///< Their number.
-    MusterDriver driver;           ///< Who moves them.
+    MusterDriver driver;           ///< What moves them.
 } MusterSetDriver;
 
 /// Where characters that are moved from outside are after this step.
 typedef struct MusterWriteMotion {
-    const MusterCharacterId* ids;  ///< Who.
+    const MusterCharacterId* ids;  ///< Their ids.
     int32_t idCount;               ///< Their number.
-    const MusterVec2* positions;   ///< Where [m].
+    const MusterVec2* positions;   ///< Where they are [m].
     int32_t positionCount;         ///< Their number.
-    const MusterVec2* velocities;  ///< How fast [m/s]; none for what follows from the last positions.
+    const MusterVec2* velocities;  ///< Their velocities [m/s]; none for what follows from the last positions.
     int32_t velocityCount;         ///< Their number.
 } MusterWriteMotion;
 
@@ -258,17 +251,17 @@ typedef struct MusterRemoveItem {
     MusterItemId id;  ///< Its id.
 } MusterRemoveItem;
 
-/// Adds a formation checkpoint, which nobody has passed yet.
+/// Adds a formation checkpoint (SPEC M7), which nobody has passed yet.
 typedef struct MusterAddCheckpoint {
     MusterCheckpointDef checkpoint;  ///< Its definition; its `group` is not read.
-    MusterGroupId group;             ///< Whom it concerns; 0 for any group.
+    MusterGroupId group;             ///< Group that it concerns; 0 for any group.
 } MusterAddCheckpoint;
 
-/// Changes a formation checkpoint. Who has passed it stays.
+/// Changes a formation checkpoint. It stays passed by the groups that have passed it.
 typedef struct MusterChangeCheckpoint {
     MusterCheckpointId id;           ///< Its id.
     MusterCheckpointDef checkpoint;  ///< Its new definition; its `group` is not read.
-    MusterGroupId group;             ///< Whom it concerns; 0 for any group.
+    MusterGroupId group;             ///< Group that it concerns; 0 for any group.
 } MusterChangeCheckpoint;
 
 /// Removes a formation checkpoint.
@@ -276,53 +269,159 @@ typedef struct MusterRemoveCheckpoint {
     MusterCheckpointId id;  ///< Its id.
 } MusterRemoveCheckpoint;
 
-/// Puts a group elsewhere at once, with its characters. Its orders and controls end.
+/// Puts a group elsewhere at once: its mesh, its places, and its characters, who stand still there. Its
+/// orders and controls end. (SetPose moves the mesh alone, and characters walk.)
 typedef struct MusterPlaceGroup {
-    MusterGroupId group;  ///< Which.
+    MusterGroupId group;  ///< The group.
     MusterVec2 position;  ///< New centre of the formation [m].
     double angle;         ///< New heading, counter-clockwise from +x [rad].
 } MusterPlaceGroup;
 
 /// Gives a group another name.
 typedef struct MusterNameGroup {
-    MusterGroupId group;  ///< Which.
+    MusterGroupId group;  ///< The group.
     const char* name;     ///< At most 4,096 bytes; null for none.
 } MusterNameGroup;
 
 /// Gives a group another colour.
 typedef struct MusterColourGroup {
-    MusterGroupId group;  ///< Which.
+    MusterGroupId group;  ///< The group.
     bool hasColour;       ///< False: the palette's, by the group's id.
     uint32_t colour;      ///< 0xRRGGBB.
 } MusterColourGroup;
 
 /// Gives the people of a group another appearance.
 typedef struct MusterSetAppearance {
-    MusterGroupId group;      ///< Which.
-    bool hasBuild;            ///< False: bodies of both builds, by the character's id.
+    MusterGroupId group;      ///< The group.
+    bool hasBuild;            ///< False: both, by the character's id.
     MusterBodyBuild build;    ///< Build of its drawn bodies.
     bool hasMotions;          ///< False: the plain manner.
-    MusterMotionSet motions;  ///< How they walk and jog.
+    MusterMotionSet motions;  ///< How it walks and jogs.
 } MusterSetAppearance;
 
 /// Adds an area, or changes one.
 typedef struct MusterPutArea {
-    MusterAreaId id;      ///< Which is changed; 0 to add one.
+    MusterAreaId id;      ///< The area that is changed; 0 to add one.
     MusterAreaDef area;   ///< Its definition; its `group` is not read.
-    MusterGroupId group;  ///< For Source: whom its people join.
+    MusterGroupId group;  ///< For Source: the group that its people join.
 } MusterPutArea;
 
-/// Removes an area. Who was to go there goes to the others of its order, or stands.
+/// Removes an area. People on their way to it go to the other areas of their order, or stand.
 typedef struct MusterRemoveArea {
     MusterAreaId id;  ///< Its id.
 } MusterRemoveArea;
 
-/// Gives a group other sorts of persons. Those who are in it are drawn again.
+/// Gives a group other sorts of persons. Persons who join it by number or by a source are drawn by them from
+/// now on. Its present members are drawn again, as those who come at once: each number that neither the sorts
+/// before nor these draw stays as it is. A person who has heard an order sets out when it was to.
 typedef struct MusterSetPeople {
-    MusterGroupId group;            ///< Which.
-    const MusterPeopleDef* people;  ///< Its sorts; none: all are as the bodies of the group say.
+    MusterGroupId group;            ///< The group.
+    const MusterPeopleDef* people;  ///< Its sorts; none: all are as GroupDef::bodies say.
     int32_t peopleCount;            ///< Their number.
 } MusterSetPeople;
+
+/// Kinds of commands. Numbers stay; new kinds are appended.
+typedef int32_t MusterCommandKind;
+/// Values of MusterCommandKind.
+enum MusterCommandKindValue {
+    MUSTER_COMMAND_TOUCH_DOWN = 0,            ///< Its body is `touchDown`.
+    MUSTER_COMMAND_TOUCH_MOVE = 1,            ///< Its body is `touchMove`.
+    MUSTER_COMMAND_TOUCH_UP = 2,              ///< Its body is `touchUp`.
+    MUSTER_COMMAND_TOUCH_CANCEL = 3,          ///< Its body is `touchCancel`.
+    MUSTER_COMMAND_ADD_CONTROL = 4,           ///< Its body is `addControl`.
+    MUSTER_COMMAND_PIN_CONTROL = 5,           ///< Its body is `pinControl`.
+    MUSTER_COMMAND_REMOVE_CONTROL = 6,        ///< Its body is `removeControl`.
+    MUSTER_COMMAND_RELEASE_CLIENT = 7,        ///< Its body is `releaseClient`.
+    MUSTER_COMMAND_SET_FORMATION = 8,         ///< Its body is `setFormation`.
+    MUSTER_COMMAND_SET_COUNT = 9,             ///< Its body is `setCount`.
+    MUSTER_COMMAND_SET_POSE = 10,             ///< Its body is `setPose`.
+    MUSTER_COMMAND_ADD_GROUP = 11,            ///< Its body is `addGroup`.
+    MUSTER_COMMAND_REMOVE_GROUP = 12,         ///< Its body is `removeGroup`.
+    MUSTER_COMMAND_ADD_OBSTACLE = 13,         ///< Its body is `addObstacle`.
+    MUSTER_COMMAND_CHANGE_OBSTACLE = 14,      ///< Its body is `changeObstacle`.
+    MUSTER_COMMAND_REMOVE_OBSTACLE = 15,      ///< Its body is `removeObstacle`.
+    MUSTER_COMMAND_ADD_PATCH = 16,            ///< Its body is `addPatch`.
+    MUSTER_COMMAND_CHANGE_PATCH = 17,         ///< Its body is `changePatch`.
+    MUSTER_COMMAND_REMOVE_PATCH = 18,         ///< Its body is `removePatch`.
+    MUSTER_COMMAND_SET_PARAMETER = 19,        ///< Its body is `setParameter`.
+    MUSTER_COMMAND_GIVE_ORDER = 20,           ///< Its body is `giveOrder`.
+    MUSTER_COMMAND_EDIT_QUEUE = 21,           ///< Its body is `editQueue`.
+    MUSTER_COMMAND_SET_CONDUCT = 22,          ///< Its body is `setConduct`.
+    MUSTER_COMMAND_ADD_CHARACTERS = 23,       ///< Its body is `addCharacters`.
+    MUSTER_COMMAND_REMOVE_CHARACTERS = 24,    ///< Its body is `removeCharacters`.
+    MUSTER_COMMAND_TRANSFER_CHARACTERS = 25,  ///< Its body is `transferCharacters`.
+    MUSTER_COMMAND_SPLIT_GROUP = 26,          ///< Its body is `splitGroup`.
+    MUSTER_COMMAND_MERGE_GROUPS = 27,         ///< Its body is `mergeGroups`.
+    MUSTER_COMMAND_SET_BODIES = 28,           ///< Its body is `setBodies`.
+    MUSTER_COMMAND_SET_ROLES = 29,            ///< Its body is `setRoles`.
+    MUSTER_COMMAND_SET_DEMANDS = 30,          ///< Its body is `setDemands`.
+    MUSTER_COMMAND_SET_DRIVER = 31,           ///< Its body is `setDriver`.
+    MUSTER_COMMAND_WRITE_MOTION = 32,         ///< Its body is `writeMotion`.
+    MUSTER_COMMAND_ADD_ITEM = 33,             ///< Its body is `addItem`.
+    MUSTER_COMMAND_CHANGE_ITEM = 34,          ///< Its body is `changeItem`.
+    MUSTER_COMMAND_REMOVE_ITEM = 35,          ///< Its body is `removeItem`.
+    MUSTER_COMMAND_ADD_CHECKPOINT = 36,       ///< Its body is `addCheckpoint`.
+    MUSTER_COMMAND_CHANGE_CHECKPOINT = 37,    ///< Its body is `changeCheckpoint`.
+    MUSTER_COMMAND_REMOVE_CHECKPOINT = 38,    ///< Its body is `removeCheckpoint`.
+    MUSTER_COMMAND_PLACE_GROUP = 39,          ///< Its body is `placeGroup`.
+    MUSTER_COMMAND_NAME_GROUP = 40,           ///< Its body is `nameGroup`.
+    MUSTER_COMMAND_COLOUR_GROUP = 41,         ///< Its body is `colourGroup`.
+    MUSTER_COMMAND_SET_APPEARANCE = 42,       ///< Its body is `setAppearance`.
+    MUSTER_COMMAND_PUT_AREA = 43,             ///< Its body is `putArea`.
+    MUSTER_COMMAND_REMOVE_AREA = 44,          ///< Its body is `removeArea`.
+    MUSTER_COMMAND_SET_PEOPLE = 45,           ///< Its body is `setPeople`.
+    MUSTER_COMMAND_COUNT = 46                 ///< Number of kinds.
+};
+
+/// What a command of each kind says. Only the member of the command's kind is read.
+typedef union MusterCommandBody {
+    MusterTouchDown touchDown;                    ///< For MUSTER_COMMAND_TOUCH_DOWN.
+    MusterTouchMove touchMove;                    ///< For MUSTER_COMMAND_TOUCH_MOVE.
+    MusterTouchUp touchUp;                        ///< For MUSTER_COMMAND_TOUCH_UP.
+    MusterTouchCancel touchCancel;                ///< For MUSTER_COMMAND_TOUCH_CANCEL.
+    MusterAddControl addControl;                  ///< For MUSTER_COMMAND_ADD_CONTROL.
+    MusterPinControl pinControl;                  ///< For MUSTER_COMMAND_PIN_CONTROL.
+    MusterRemoveControl removeControl;            ///< For MUSTER_COMMAND_REMOVE_CONTROL.
+    MusterReleaseClient releaseClient;            ///< For MUSTER_COMMAND_RELEASE_CLIENT.
+    MusterSetFormation setFormation;              ///< For MUSTER_COMMAND_SET_FORMATION.
+    MusterSetCount setCount;                      ///< For MUSTER_COMMAND_SET_COUNT.
+    MusterSetPose setPose;                        ///< For MUSTER_COMMAND_SET_POSE.
+    MusterAddGroup addGroup;                      ///< For MUSTER_COMMAND_ADD_GROUP.
+    MusterRemoveGroup removeGroup;                ///< For MUSTER_COMMAND_REMOVE_GROUP.
+    MusterAddObstacle addObstacle;                ///< For MUSTER_COMMAND_ADD_OBSTACLE.
+    MusterChangeObstacle changeObstacle;          ///< For MUSTER_COMMAND_CHANGE_OBSTACLE.
+    MusterRemoveObstacle removeObstacle;          ///< For MUSTER_COMMAND_REMOVE_OBSTACLE.
+    MusterAddPatch addPatch;                      ///< For MUSTER_COMMAND_ADD_PATCH.
+    MusterChangePatch changePatch;                ///< For MUSTER_COMMAND_CHANGE_PATCH.
+    MusterRemovePatch removePatch;                ///< For MUSTER_COMMAND_REMOVE_PATCH.
+    MusterSetParameter setParameter;              ///< For MUSTER_COMMAND_SET_PARAMETER.
+    MusterGiveOrder giveOrder;                    ///< For MUSTER_COMMAND_GIVE_ORDER.
+    MusterEditQueue editQueue;                    ///< For MUSTER_COMMAND_EDIT_QUEUE.
+    MusterSetConduct setConduct;                  ///< For MUSTER_COMMAND_SET_CONDUCT.
+    MusterAddCharacters addCharacters;            ///< For MUSTER_COMMAND_ADD_CHARACTERS.
+    MusterRemoveCharacters removeCharacters;      ///< For MUSTER_COMMAND_REMOVE_CHARACTERS.
+    MusterTransferCharacters transferCharacters;  ///< For MUSTER_COMMAND_TRANSFER_CHARACTERS.
+    MusterSplitGroup splitGroup;                  ///< For MUSTER_COMMAND_SPLIT_GROUP.
+    MusterMergeGroups mergeGroups;                ///< For MUSTER_COMMAND_MERGE_GROUPS.
+    MusterSetBodies setBodies;                    ///< For MUSTER_COMMAND_SET_BODIES.
+    MusterSetRoles setRoles;                      ///< For MUSTER_COMMAND_SET_ROLES.
+    MusterSetDemands setDemands;                  ///< For MUSTER_COMMAND_SET_DEMANDS.
+    MusterSetDriver setDriver;                    ///< For MUSTER_COMMAND_SET_DRIVER.
+    MusterWriteMotion writeMotion;                ///< For MUSTER_COMMAND_WRITE_MOTION.
+    MusterAddItem addItem;                        ///< For MUSTER_COMMAND_ADD_ITEM.
+    MusterChangeItem changeItem;                  ///< For MUSTER_COMMAND_CHANGE_ITEM.
+    MusterRemoveItem removeItem;                  ///< For MUSTER_COMMAND_REMOVE_ITEM.
+    MusterAddCheckpoint addCheckpoint;            ///< For MUSTER_COMMAND_ADD_CHECKPOINT.
+    MusterChangeCheckpoint changeCheckpoint;      ///< For MUSTER_COMMAND_CHANGE_CHECKPOINT.
+    MusterRemoveCheckpoint removeCheckpoint;      ///< For MUSTER_COMMAND_REMOVE_CHECKPOINT.
+    MusterPlaceGroup placeGroup;                  ///< For MUSTER_COMMAND_PLACE_GROUP.
+    MusterNameGroup nameGroup;                    ///< For MUSTER_COMMAND_NAME_GROUP.
+    MusterColourGroup colourGroup;                ///< For MUSTER_COMMAND_COLOUR_GROUP.
+    MusterSetAppearance setAppearance;            ///< For MUSTER_COMMAND_SET_APPEARANCE.
+    MusterPutArea putArea;                        ///< For MUSTER_COMMAND_PUT_AREA.
+    MusterRemoveArea removeArea;                  ///< For MUSTER_COMMAND_REMOVE_AREA.
+    MusterSetPeople setPeople;                    ///< For MUSTER_COMMAND_SET_PEOPLE.
+} MusterCommandBody;
 
 #ifdef __cplusplus
 }

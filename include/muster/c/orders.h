@@ -18,6 +18,15 @@ typedef uint32_t MusterControlId;     ///< Names a control of a world; 0 for non
 typedef uint32_t MusterCharacterId;   ///< Names a character of a world; 0 for none.
 typedef uint32_t MusterOrderId;       ///< Names an order in a queue; 0 for none.
 
+/// Kind of a control by its number of points.
+typedef uint8_t MusterControlKind;
+/// Values of MusterControlKind.
+enum MusterControlKindValue {
+    MUSTER_CONTROL_POINT = 0,  ///< One point.
+    MUSTER_CONTROL_LINE = 1,   ///< Two.
+    MUSTER_CONTROL_AREA = 2    ///< Three and more.
+};
+
 /// The body of a character. A number of 0 stands for the parameter of that name.
 typedef struct MusterBody {
     double radius;        ///< Radius [m], 0 or 0.05 to 1.5.

@@ -1,246 +1,279 @@
-// The fields of commands in gesture files.
+// Made by schema/generate.mjs from schema/commands.txt: change these, not this file.
+// The fields of each kind of command in gesture files, except t, kind, client and step.
 #pragma once
 
-#include <string>
-#include <utility>
-#include <vector>
-
-#include "files/scenario/describe.h"
-#include "muster/command.h"
+#include "files/scenario/command_by_hand.h"
 
 namespace muster {
 
-inline constexpr std::array kControlWords{"point", "line", "area"};
+/// What files call each kind of command. Orders are called by what they ask for.
+inline constexpr std::array kCommandWords{
+    "down",
+    "move",
+    "up",
+    "cancel",
+    "control",
+    "pin",
+    "remove",
+    "release",
+    "formation",
+    "count",
+    "pose",
+    "group",
+    "removeGroup",
+    "obstacle",
+    "changeObstacle",
+    "removeObstacle",
+    "patch",
+    "changePatch",
+    "removePatch",
+    "parameter",
+    "order",
+    "queue",
+    "conduct",
+    "join",
+    "leave",
+    "transfer",
+    "split",
+    "merge",
+    "bodies",
+    "roles",
+    "demands",
+    "driver",
+    "motion",
+    "item",
+    "changeItem",
+    "removeItem",
+    "checkpoint",
+    "changeCheckpoint",
+    "removeCheckpoint",
+    "placeGroup",
+    "nameGroup",
+    "colourGroup",
+    "appearance",
+    "area",
+    "removeArea",
+    "people",
+};
+static_assert(kCommandWords.size() == std::variant_size_v<CommandKinds>);
 
-/// The fields of each kind of command in gesture files, except t, kind, client and step.
+/// Describes the fields of each kind of command to a visitor.
 template <class Visitor>
 struct BodyFields {
     Visitor& v;
     double& time;
 
-    void finger(std::uint32_t& touch) { v.whole("touch", touch, kId, "Finger.", Need::Required); }
-    void spot(Vec2& p) {
-        v.number("x", p.x, kCoordinate, "World coordinate.", Need::Required);
-        v.number("y", p.y, kCoordinate, "World coordinate.", Need::Required);
-    }
-    template <class Tag>
-    void id(const char* key, Id<Tag>& value) {
-        v.whole(key, value.value, kId, "Id.", Need::Required);
-    }
     void operator()(TouchDown& c) {
-        finger(c.touch);
+        v.whole("touch", c.touch, kId, "Number of the finger, unique per client while it is down.",
+                Need::Required);
         spot(c.position);
-        if (takesPart<Visitor>(static_cast<bool>(c.group)))
-            v.whole("group", c.group.value, kId, "Group; left out: the nearest mesh.");
         c.time = time;
+        if (takesPart<Visitor>(static_cast<bool>(c.group)))
+            v.whole("group", c.group.value, kId, "Group to edit; none to pick it by position.");
     }
     void operator()(TouchMove& c) {
-        finger(c.touch);
+        v.whole("touch", c.touch, kId, "Number of the finger.", Need::Required);
         spot(c.position);
         c.time = time;
     }
     void operator()(TouchUp& c) {
-        finger(c.touch);
+        v.whole("touch", c.touch, kId, "Number of the finger.", Need::Required);
         c.time = time;
     }
-    void operator()(TouchCancel& c) { finger(c.touch); }
-    void operator()(AddControl& c) {
-        id("group", c.group);
-        describeWord(v, "control", c.kind, kControlWords, "Kind of control.", Need::Required);
-        std::vector<std::pair<std::uint32_t, Vec2>> points;
-        for (std::size_t i = 0; i < c.positions.size(); ++i)
-            points.emplace_back(c.touches[i], c.positions[i]);
-        v.list(
-            "points", points, 64, "Its fingers.",
-            [](auto& item, std::pair<std::uint32_t, Vec2>& point) {
-                BodyFields<std::remove_reference_t<decltype(item)>> inner{item, point.second.x};
-                inner.finger(point.first);
-                inner.spot(point.second);
-            },
-            Need::Required);
-        c.touches.clear();
-        c.positions.clear();
-        for (const auto& [touch, position] : points) {
-            c.touches.push_back(touch);
-            c.positions.push_back(position);
-        }
-        c.time = time;
+    void operator()(TouchCancel& c) {
+        v.whole("touch", c.touch, kId, "Number of the finger.", Need::Required);
     }
+    void operator()(AddControl& c) { describeByHand(v, c, time); }
     void operator()(PinControl& c) {
-        id("group", c.group);
-        id("control", c.control);
-        v.flag("pinned", c.pinned, "False lets it go.");
+        v.whole("group", c.group.value, kId, "Group that the control belongs to.", Need::Required);
+        v.whole("control", c.control.value, kId, "Its id.", Need::Required);
+        v.flag("pinned", c.pinned, "False to release it.");
     }
     void operator()(RemoveControl& c) {
-        id("group", c.group);
-        id("control", c.control);
+        v.whole("group", c.group.value, kId, "Group that the control belongs to.", Need::Required);
+        v.whole("control", c.control.value, kId, "Its id.", Need::Required);
     }
     void operator()(ReleaseClient&) {}
     void operator()(SetFormation& c) {
-        id("group", c.group);
+        v.whole("group", c.group.value, kId, "Group to change.", Need::Required);
         v.objectOrKind(
             "formation", "", [&](auto& inner) { describeFormation(inner, c.formation); }, Need::Required);
     }
     void operator()(SetCount& c) {
-        id("group", c.group);
-        v.whole("count", c.count, {1.0, kMaxCharacters}, "Characters.", Need::Required);
+        v.whole("group", c.group.value, kId, "Group to change.", Need::Required);
+        v.whole("count", c.count, {1.0, kMaxCharacters}, "New number of characters.", Need::Required);
     }
     void operator()(SetPose& c) {
-        id("group", c.group);
+        v.whole("group", c.group.value, kId, "Group to move.", Need::Required);
         spot(c.position);
-        v.number("angle", c.angle, kAngle, "Where it faces.");
+        v.number("angle", c.angle, kAngle, "New heading, counter-clockwise from +x.");
     }
     void operator()(AddGroup& c) {
         v.object(
             "definition", "", [&](auto& inner) { describeGroup(inner, c.group); }, Need::Required);
     }
-    void operator()(RemoveGroup& c) { id("group", c.group); }
-    void operator()(AddObstacle& c) { obstacle(c.obstacle); }
+    void operator()(RemoveGroup& c) {
+        v.whole("group", c.group.value, kId, "Group to remove.", Need::Required);
+    }
+    void operator()(AddObstacle& c) {
+        v.object(
+            "definition", "", [&](auto& inner) { describeObstacle(inner, c.obstacle); }, Need::Required);
+    }
     void operator()(ChangeObstacle& c) {
-        id("id", c.id);
-        obstacle(c.obstacle);
+        v.whole("id", c.id.value, kId, "Its id.", Need::Required);
+        v.object(
+            "definition", "", [&](auto& inner) { describeObstacle(inner, c.obstacle); }, Need::Required);
     }
-    void operator()(RemoveObstacle& c) { id("id", c.id); }
-    void operator()(AddPatch& c) { patch(c.patch); }
+    void operator()(RemoveObstacle& c) { v.whole("id", c.id.value, kId, "Its id.", Need::Required); }
+    void operator()(AddPatch& c) {
+        v.object(
+            "definition", "", [&](auto& inner) { describePatch(inner, c.patch, {}); }, Need::Required);
+    }
     void operator()(ChangePatch& c) {
-        id("id", c.id);
-        patch(c.patch);
+        v.whole("id", c.id.value, kId, "Its id.", Need::Required);
+        v.object(
+            "definition", "", [&](auto& inner) { describePatch(inner, c.patch, {}); }, Need::Required);
     }
-    void operator()(RemovePatch& c) { id("id", c.id); }
+    void operator()(RemovePatch& c) { v.whole("id", c.id.value, kId, "Its id.", Need::Required); }
     void operator()(SetParameter& c) {
-        v.text("name", c.name, "Parameter.", Need::Required);
-        v.number("value", c.value, {-1e9, 1e9}, "Its new value.", Need::Required);
+        v.text("name", c.name, "Name in parameterTable(): \"plan.exponent\".", Need::Required);
+        v.number("value", c.value, {-1e9, 1e9}, "New value, in the range of the parameter.", Need::Required);
     }
     void operator()(GiveOrder& c) {
-        id("group", c.group);
-        describeWord(v, "mode", c.mode, kModeWords, "Where it stands in the queue.");
+        v.whole("group", c.group.value, kId, "The group.", Need::Required);
+        describeWord(v, "mode", c.mode, kModeWords, "Where the order stands in the queue.");
         if (takesPart<Visitor>(c.index != 0))
-            v.whole("index", c.index, kId, "For insert: before which order, counted from 0.");
+            v.whole("index", c.index, kId, "For Insert: before which order, counted from 0.");
         describeOrder(v, c.order);
     }
     void operator()(EditQueue& c) {
-        id("group", c.group);
+        v.whole("group", c.group.value, kId, "The group.", Need::Required);
         describeWord(v, "edit", c.edit, kEditWords, "What is done to the queue.", Need::Required);
         if (takesPart<Visitor>(c.order != 0))
-            v.whole("order", c.order, kId, "For cancel: its id; 0 for all.");
+            v.whole("order", c.order, kId, "For Cancel: the id of the order; 0 for all.");
     }
     void operator()(SetConduct& c) {
-        id("group", c.group);
+        v.whole("group", c.group.value, kId, "The group.", Need::Required);
         describeConduct(v, c.conduct);
     }
     void operator()(AddCharacters& c) {
-        id("group", c.group);
-        v.points("positions", c.positions, 1, kMaxCharacters, "Where they stand.", Need::Required);
+        v.whole("group", c.group.value, kId, "Group that they join.", Need::Required);
+        v.points("positions", c.positions, 1, kMaxCharacters,
+                 "Where they stand; they part where they would stand in each other.", Need::Required);
         describeBodies(v, "bodies", c.bodies, Need::Optional);
     }
-    void operator()(RemoveCharacters& c) { ids(c.ids); }
+    void operator()(RemoveCharacters& c) {
+        v.numbers("ids", c.ids, kId, kMaxCharacters, "Their ids.", Need::Required);
+    }
     void operator()(TransferCharacters& c) {
-        ids(c.ids);
-        id("group", c.group);
+        v.numbers("ids", c.ids, kId, kMaxCharacters, "Their ids.", Need::Required);
+        v.whole("group", c.group.value, kId, "Group that they join.", Need::Required);
     }
     void operator()(SplitGroup& c) {
-        id("group", c.group);
+        v.whole("group", c.group.value, kId, "The group.", Need::Required);
         describeWord(v, "by", c.by, kSplitWords, "How it is divided.", Need::Required);
-        v.numbers("ids", c.ids, kId, kMaxCharacters, "For ids: who leaves.");
-        v.points("points", c.points, 0, kMaxCorners, "For line: two points; for lasso: its corners.");
-        v.numbers("shares", c.shares, {0.0, 1e6}, kMaxGroups, "For shares: of all parts.");
-        v.flag("abreast", c.abreast, "For shares: parts lie side by side.");
+        v.numbers("ids", c.ids, kId, kMaxCharacters, "For Ids: the characters that leave.");
+        v.points("points", c.points, 0, kMaxCorners,
+                 "For Line: two points; for Lasso: the corners of the polygon.");
+        v.numbers("shares", c.shares, {0.0, 1e6}, kMaxGroups,
+                  "For Shares: of all parts, above 0; their sum counts as the whole.");
+        v.flag("abreast", c.abreast, "For Shares: parts lie side by side, not one behind the other.");
         describeWord(v, "shape", c.shape, kShapeWords, "Formation of the parts.");
     }
     void operator()(MergeGroups& c) {
-        std::vector<std::uint32_t> numbers;
-        for (const GroupId group : c.groups) numbers.push_back(group.value);
-        v.numbers("groups", numbers, kId, kMaxGroups, "Which; the first one stays.", Need::Required);
-        c.groups.clear();
-        for (const std::uint32_t number : numbers) c.groups.push_back({number});
+        ids("groups", c.groups, kMaxGroups, "Two or more.");
         describeWord(v, "shape", c.shape, kShapeWords,
-                     "All places stay, or the first one's formation for all.");
+                     "Smaller: the formation of the first for all; AsHeld: all places stay.");
     }
     void operator()(SetBodies& c) {
-        ids(c.ids);
+        v.numbers("ids", c.ids, kId, kMaxCharacters, "Their ids.", Need::Required);
         describeBodies(v, "bodies", c.bodies, Need::Required);
     }
     void operator()(SetRoles& c) {
-        id("group", c.group);
+        v.whole("group", c.group.value, kId, "The group.", Need::Required);
         describeRoles(v, c.roles, Need::Required);
     }
     void operator()(SetDemands& c) {
-        id("group", c.group);
-        v.numbers("demands", c.demands, kDemand, kMaxCharacters, "Of each place; none for 1 each.",
-                  Need::Required);
+        v.whole("group", c.group.value, kId, "The group.", Need::Required);
+        v.numbers("demands", c.demands, {0.0, 1000.0}, kMaxCharacters,
+                  "Of each place, 0 to 1000; empty for 1 each.", Need::Required);
     }
     void operator()(SetDriver& c) {
-        ids(c.ids);
-        describeWord(v, "driver", c.driver, kDriverWords, "Who moves them.", Need::Required);
+        v.numbers("ids", c.ids, kId, kMaxCharacters, "Their ids.", Need::Required);
+        describeWord(v, "driver", c.driver, kDriverWords, "What moves them.", Need::Required);
     }
     void operator()(WriteMotion& c) {
-        ids(c.ids);
+        v.numbers("ids", c.ids, kId, kMaxCharacters, "Their ids.", Need::Required);
         v.points("positions", c.positions, 1, kMaxCharacters, "Where they are.", Need::Required);
-        v.points("velocities", c.velocities, 0, kMaxCharacters, "How fast; left out: by the last positions.");
+        v.points("velocities", c.velocities, 0, kMaxCharacters,
+                 "Their velocities; empty for what follows from the last positions.");
     }
-    void operator()(AddItem& c) { item(c.item); }
+    void operator()(AddItem& c) {
+        v.object(
+            "definition", "", [&](auto& inner) { describeItem(inner, c.item); }, Need::Required);
+    }
     void operator()(ChangeItem& c) {
-        id("id", c.id);
-        item(c.item);
+        v.whole("id", c.id.value, kId, "Its id.", Need::Required);
+        v.object(
+            "definition", "", [&](auto& inner) { describeItem(inner, c.item); }, Need::Required);
     }
-    void operator()(RemoveItem& c) { id("id", c.id); }
-    void operator()(AddCheckpoint& c) { checkpoint(c.checkpoint, c.group); }
+    void operator()(RemoveItem& c) { v.whole("id", c.id.value, kId, "Its id.", Need::Required); }
+    void operator()(AddCheckpoint& c) {
+        v.object(
+            "definition", "", [&](auto& inner) { describeCheckpoint(inner, c.checkpoint, [] {}); },
+            Need::Required);
+        if (takesPart<Visitor>(static_cast<bool>(c.group)))
+            v.whole("group", c.group.value, kId, "Group that it concerns; none for any group.");
+    }
     void operator()(ChangeCheckpoint& c) {
-        id("id", c.id);
-        checkpoint(c.checkpoint, c.group);
+        v.whole("id", c.id.value, kId, "Its id.", Need::Required);
+        v.object(
+            "definition", "", [&](auto& inner) { describeCheckpoint(inner, c.checkpoint, [] {}); },
+            Need::Required);
+        if (takesPart<Visitor>(static_cast<bool>(c.group)))
+            v.whole("group", c.group.value, kId, "Group that it concerns; none for any group.");
     }
-    void operator()(RemoveCheckpoint& c) { id("id", c.id); }
+    void operator()(RemoveCheckpoint& c) { v.whole("id", c.id.value, kId, "Its id.", Need::Required); }
     void operator()(PlaceGroup& c) {
-        id("group", c.group);
+        v.whole("group", c.group.value, kId, "The group.", Need::Required);
         spot(c.position);
-        v.number("angle", c.angle, kAngle, "Where it faces.");
+        v.number("angle", c.angle, kAngle, "New heading, counter-clockwise from +x.");
     }
     void operator()(NameGroup& c) {
-        id("group", c.group);
-        v.text("name", c.name, "Shown on its chip.", Need::Required);
+        v.whole("group", c.group.value, kId, "The group.", Need::Required);
+        v.text("name", c.name, "At most 4,096 bytes.", Need::Required);
     }
     void operator()(ColourGroup& c) {
-        id("group", c.group);
-        v.colour("colour", c.colour, "Of its shirts and marks; left out: the palette's, by its id.");
+        v.whole("group", c.group.value, kId, "The group.", Need::Required);
+        v.colour("colour", c.colour, "0xRRGGBB; none for the palette's, by the group's id.");
     }
-    void operator()(SetAppearance& c) {
-        id("group", c.group);
-        describeAppearance(v, c);
-    }
+    void operator()(SetAppearance& c) { describeByHand(v, c, time); }
     void operator()(PutArea& c) {
         if (takesPart<Visitor>(static_cast<bool>(c.id)))
-            v.whole("id", c.id.value, kId, "Which is changed; left out: a new one.");
+            v.whole("id", c.id.value, kId, "The area that is changed; none to add one.");
         v.object(
             "definition", "", [&](auto& inner) { describeArea(inner, c.area, [] {}); }, Need::Required);
         if (takesPart<Visitor>(static_cast<bool>(c.group)))
-            v.whole("group", c.group.value, kId, "For source: whom its people join.");
+            v.whole("group", c.group.value, kId, "For Source: the group that its people join.");
     }
-    void operator()(RemoveArea& c) { id("id", c.id); }
+    void operator()(RemoveArea& c) { v.whole("id", c.id.value, kId, "Its id.", Need::Required); }
     void operator()(SetPeople& c) {
-        id("group", c.group);
+        v.whole("group", c.group.value, kId, "The group.", Need::Required);
         describePeople(v, c.people);
     }
-    void ids(std::vector<std::uint32_t>& list) {
-        v.numbers("ids", list, kId, kMaxCharacters, "Ids of characters.", Need::Required);
+
+private:
+    void spot(Vec2& p) {
+        v.number("x", p.x, kCoordinate, "World coordinate.", Need::Required);
+        v.number("y", p.y, kCoordinate, "World coordinate.", Need::Required);
     }
-    void obstacle(ObstacleDef& def) {
-        v.object(
-            "definition", "", [&](auto& inner) { describeObstacle(inner, def); }, Need::Required);
-    }
-    void patch(PatchDef& def) {
-        v.object(
-            "definition", "", [&](auto& inner) { describePatch(inner, def, {}); }, Need::Required);
-    }
-    void item(ItemDef& def) {
-        v.object(
-            "definition", "", [&](auto& inner) { describeItem(inner, def); }, Need::Required);
-    }
-    /// The group that it concerns has an id here.
-    void checkpoint(FormationCheckpointDef& def, GroupId& group) {
-        v.object(
-            "definition", "", [&](auto& inner) { describeCheckpoint(inner, def, [] {}); }, Need::Required);
-        if (takesPart<Visitor>(static_cast<bool>(group)))
-            v.whole("group", group.value, kId, "Group it concerns; left out: any.");
+    template <class Tag>
+    void ids(const char* key, std::vector<Id<Tag>>& list, std::size_t most, const char* about) {
+        std::vector<std::uint32_t> numbers;
+        for (const Id<Tag> id : list) numbers.push_back(id.value);
+        v.numbers(key, numbers, kId, most, about, Need::Required);
+        list.clear();
+        for (const std::uint32_t number : numbers) list.push_back({number});
     }
 };
 

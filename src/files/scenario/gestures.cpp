@@ -14,55 +14,7 @@ namespace {
 
 constexpr const char* kGesturesFormat = "muster-gestures";
 constexpr std::size_t kMaxEvents = 1000000;
-constexpr const char* kOrder = "";  // Orders are called by what they ask for.
 constexpr const char* kLeave = "leave";
-constexpr const char* kKinds[] = {"down",
-                                  "move",
-                                  "up",
-                                  "cancel",
-                                  "control",
-                                  "pin",
-                                  "remove",
-                                  "release",
-                                  "formation",
-                                  "count",
-                                  "pose",
-                                  "group",
-                                  "removeGroup",
-                                  "obstacle",
-                                  "changeObstacle",
-                                  "removeObstacle",
-                                  "patch",
-                                  "changePatch",
-                                  "removePatch",
-                                  "parameter",
-                                  kOrder,
-                                  "queue",
-                                  "conduct",
-                                  "join",
-                                  kLeave,
-                                  "transfer",
-                                  "split",
-                                  "merge",
-                                  "bodies",
-                                  "roles",
-                                  "demands",
-                                  "driver",
-                                  "motion",
-                                  "item",
-                                  "changeItem",
-                                  "removeItem",
-                                  "checkpoint",
-                                  "changeCheckpoint",
-                                  "removeCheckpoint",
-                                  "placeGroup",
-                                  "nameGroup",
-                                  "colourGroup",
-                                  "appearance",
-                                  "area",
-                                  "removeArea",
-                                  "people"};
-static_assert(std::size(kKinds) == std::variant_size_v<CommandKinds>);
 
 /// An event of the file: a command with its time.
 struct Event {
@@ -73,7 +25,8 @@ struct Event {
 /// What files call a command.
 std::string kindOf(const CommandBody& body) {
     const auto* give = std::get_if<GiveOrder>(&body);
-    return give != nullptr ? kOrderWords[static_cast<std::size_t>(give->order.kind)] : kKinds[body.index()];
+    return give != nullptr ? kOrderWords[static_cast<std::size_t>(give->order.kind)]
+                           : kCommandWords[body.index()];
 }
 
 /// Makes the variant's alternative of that index.
@@ -104,15 +57,15 @@ void makeBody(FieldReader& v, CommandBody& body, const std::string& kind) {
         body.emplace<GiveOrder>().order.kind = static_cast<OrderKind>(word - kOrderWords.begin());
         return;
     }
-    const auto* const found = std::find(std::begin(kKinds), std::end(kKinds), kind);
-    emplaceBody(body, static_cast<std::size_t>(found - std::begin(kKinds)));
+    const auto* const found = std::find(kCommandWords.begin(), kCommandWords.end(), kind);
+    emplaceBody(body, static_cast<std::size_t>(found - kCommandWords.begin()));
 }
 
 /// All words for kinds.
 std::vector<std::string> allKinds() {
     std::vector<std::string> kinds;
-    for (const std::string kind : kKinds)
-        if (kind != kOrder) kinds.push_back(kind);
+    for (std::size_t index = 0; index < kCommandWords.size(); ++index)
+        if (index != CommandBody(GiveOrder{}).index()) kinds.emplace_back(kCommandWords[index]);
     for (const std::string kind : kOrderWords)  // Fingers move, too, and characters leave.
         if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
     return kinds;
@@ -147,7 +100,7 @@ Json eventSchema() {
         FieldSchema schema(kinds.push({}));
         describeEvent(schema, event, 1.0, Need::Required);
     };
-    for (std::size_t index = 0; index < std::size(kKinds); ++index) {
+    for (std::size_t index = 0; index < kCommandWords.size(); ++index) {
         Event event;
         emplaceBody(event.command.body, index);
         auto* const give = std::get_if<GiveOrder>(&event.command.body);

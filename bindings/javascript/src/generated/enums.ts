@@ -89,6 +89,17 @@ export type CharacterId = number;
 /** Names an order in a queue; 0 for none. */
 export type OrderId = number;
 
+/** Kind of a control by its number of points. */
+export const ControlKind = {
+  /** One point. */
+  Point: 0,
+  /** Two. */
+  Line: 1,
+  /** Three and more. */
+  Area: 2,
+} as const;
+export type ControlKind = (typeof ControlKind)[keyof typeof ControlKind];
+
 /** Parts of a formation. */
 export const RoleArea = {
   /** The foremost places. */
@@ -284,17 +295,6 @@ export const CheckpointTrigger = {
   Mesh: 1,
 } as const;
 export type CheckpointTrigger = (typeof CheckpointTrigger)[keyof typeof CheckpointTrigger];
-
-/** Kind of a control by its number of points. */
-export const ControlKind = {
-  /** One point. */
-  Point: 0,
-  /** Two. */
-  Line: 1,
-  /** Three and more. */
-  Area: 2,
-} as const;
-export type ControlKind = (typeof ControlKind)[keyof typeof ControlKind];
 
 /** Kinds of commands. Numbers stay; new kinds are appended. */
 export const CommandKind = {

@@ -2,7 +2,7 @@
 
 import type { ReadOut } from '../binding/read_out.js';
 import type { Rows } from '../binding/rows.js';
-import type { Status, MotionIndex, FormationKind, ObstacleId, PatchId, GroupId, ItemId, CheckpointId, AreaId, ControlId, CharacterId, OrderId, RoleArea, Driver, SplitBy, PartShape, OrderKind, ExitChoice, Manner, Turn, QueueMode, QueueEdit, Stance, Spread, AreaKind, BodyBuild, MotionSet, CheckpointTrigger, ControlKind, EventKind, Limb } from './enums.js';
+import type { Status, MotionIndex, FormationKind, ObstacleId, PatchId, GroupId, ItemId, CheckpointId, AreaId, ControlId, CharacterId, OrderId, ControlKind, RoleArea, Driver, SplitBy, PartShape, OrderKind, ExitChoice, Manner, Turn, QueueMode, QueueEdit, Stance, Spread, AreaKind, BodyBuild, MotionSet, CheckpointTrigger, EventKind, Limb } from './enums.js';
 
 /** A point or vector in the ground plane: x right, y forward [m]. */
 export interface Vec2 {
@@ -938,15 +938,18 @@ export interface TouchCancelInit {
   readonly touch?: number | undefined;
 }
 
-/** Makes a control of all its points at once. Its points are then moved and lifted like touches. */
+/**
+ * Makes a control of all its points at once, for mouse and programs. Its points are then moved and lifted like
+ * touches.
+ */
 export interface AddControl {
   /** Group whose mesh it controls. */
   group: GroupId;
   /** Kind of control, which must fit the number of touches. */
   kind: ControlKind;
-  /** Numbers of its fingers. */
+  /** Numbers of its fingers, 1 to 64. */
   touches: number[];
-  /** Positions in the world [m], one per touch. */
+  /** Positions in the world, one per touch [m]. */
   positions: Vec2[];
   /** World time stamp [s]. */
   time: number;
@@ -958,9 +961,9 @@ export interface AddControlInit {
   readonly group?: GroupId | undefined;
   /** Kind of control, which must fit the number of touches. */
   readonly kind?: ControlKind | undefined;
-  /** Numbers of its fingers. */
+  /** Numbers of its fingers, 1 to 64. */
   readonly touches?: ArrayLike<number> | undefined;
-  /** Positions in the world [m], one per touch. */
+  /** Positions in the world, one per touch [m]. */
   readonly positions?: readonly Vec2[] | Float64Array | undefined;
   /** World time stamp [s]. */
   readonly time?: number | undefined;
@@ -1030,11 +1033,11 @@ export interface SetFormationInit {
   readonly formation?: FormationDefInit | undefined;
 }
 
-/** Changes the number of characters. New ones join behind the mesh; the highest ids leave first. */
+/** Changes the number of characters. New ones join behind the mesh; those with the highest ids leave first. */
 export interface SetCount {
   /** Group to change. */
   group: GroupId;
-  /** New number of characters, 1 to 200,000. */
+  /** New number of characters. */
   count: number;
 }
 
@@ -1042,7 +1045,7 @@ export interface SetCount {
 export interface SetCountInit {
   /** Group to change. */
   readonly group?: GroupId | undefined;
-  /** New number of characters, 1 to 200,000. */
+  /** New number of characters. */
   readonly count?: number | undefined;
 }
 
@@ -1172,7 +1175,7 @@ export interface RemovePatchInit {
 
 /** Changes the value of a parameter. */
 export interface SetParameter {
-  /** Name as parameterInfo() gives it: "plan.exponent". */
+  /** Name in parameterTable(): "plan.exponent"; null for none. */
   name: string;
   /** New value, in the range of the parameter. */
   value: number;
@@ -1180,41 +1183,41 @@ export interface SetParameter {
 
 /** What may be given of SetParameter. */
 export interface SetParameterInit {
-  /** Name as parameterInfo() gives it: "plan.exponent". */
+  /** Name in parameterTable(): "plan.exponent"; null for none. */
   readonly name?: string | null | undefined;
   /** New value, in the range of the parameter. */
   readonly value?: number | undefined;
 }
 
-/** Puts an order into a group's queue. The event OrderGiven gives its id. */
+/** Puts an order into a group's queue. The event OrderGiven tells its id. */
 export interface GiveOrder {
-  /** Who. */
+  /** The group. */
   group: GroupId;
-  /** Where it stands in the queue. */
+  /** Where the order stands in the queue. */
   mode: QueueMode;
   /** For Insert: before which order, counted from 0. */
   index: number;
-  /** What. */
+  /** The order. */
   order: Order;
 }
 
 /** What may be given of GiveOrder. */
 export interface GiveOrderInit {
-  /** Who. */
+  /** The group. */
   readonly group?: GroupId | undefined;
-  /** Where it stands in the queue. */
+  /** Where the order stands in the queue. */
   readonly mode?: QueueMode | undefined;
   /** For Insert: before which order, counted from 0. */
   readonly index?: number | undefined;
-  /** What. */
+  /** The order. */
   readonly order?: OrderInit | undefined;
 }
 
 /** Changes a group's queue. */
 export interface EditQueue {
-  /** Whose. */
+  /** The group. */
   group: GroupId;
-  /** What is done to it. */
+  /** What is done to the queue. */
   edit: QueueEdit;
   /** For Cancel: the id of the order; 0 for all. */
   order: OrderId;
@@ -1222,9 +1225,9 @@ export interface EditQueue {
 
 /** What may be given of EditQueue. */
 export interface EditQueueInit {
-  /** Whose. */
+  /** The group. */
   readonly group?: GroupId | undefined;
-  /** What is done to it. */
+  /** What is done to the queue. */
   readonly edit?: QueueEdit | undefined;
   /** For Cancel: the id of the order; 0 for all. */
   readonly order?: OrderId | undefined;
@@ -1232,23 +1235,23 @@ export interface EditQueueInit {
 
 /** Tells a group how to behave. */
 export interface SetConduct {
-  /** Whom. */
+  /** The group. */
   group: GroupId;
-  /** How. */
+  /** How it behaves. */
   conduct: Conduct;
 }
 
 /** What may be given of SetConduct. */
 export interface SetConductInit {
-  /** Whom. */
+  /** The group. */
   readonly group?: GroupId | undefined;
-  /** How. */
+  /** How it behaves. */
   readonly conduct?: ConductInit | undefined;
 }
 
-/** Characters join a group where they stand. Events Joined give their ids. */
+/** Characters join a group where they stand; places are added to its formation. Events Joined tell their ids. */
 export interface AddCharacters {
-  /** Which they join. */
+  /** Group that they join. */
   group: GroupId;
   /** Where they stand [m]; they part where they would stand in each other. */
   positions: Vec2[];
@@ -1258,7 +1261,7 @@ export interface AddCharacters {
 
 /** What may be given of AddCharacters. */
 export interface AddCharactersInit {
-  /** Which they join. */
+  /** Group that they join. */
   readonly group?: GroupId | undefined;
   /** Where they stand [m]; they part where they would stand in each other. */
   readonly positions?: readonly Vec2[] | Float64Array | undefined;
@@ -1268,41 +1271,44 @@ export interface AddCharactersInit {
 
 /** Characters leave the world; the ranks behind them close up. A group may become empty, and stays. */
 export interface RemoveCharacters {
-  /** Who. */
+  /** Their ids. */
   ids: number[];
 }
 
 /** What may be given of RemoveCharacters. */
 export interface RemoveCharactersInit {
-  /** Who. */
+  /** Their ids. */
   readonly ids?: ArrayLike<number> | undefined;
 }
 
 /** Characters leave their groups for another one. Ids, positions and velocities stay. */
 export interface TransferCharacters {
-  /** Who. */
+  /** Their ids. */
   ids: number[];
-  /** Which they join. */
+  /** Group that they join. */
   group: GroupId;
 }
 
 /** What may be given of TransferCharacters. */
 export interface TransferCharactersInit {
-  /** Who. */
+  /** Their ids. */
   readonly ids?: ArrayLike<number> | undefined;
-  /** Which they join. */
+  /** Group that they join. */
   readonly group?: GroupId | undefined;
 }
 
-/** Divides a group. The part that leaves is a new group, whose id the event GroupAdded gives. */
+/**
+ * Divides a group. The part that leaves is a new group, whose id the event GroupAdded tells; nobody stops, and all
+ * parts go on with the orders of the whole.
+ */
 export interface SplitGroup {
-  /** Which. */
+  /** The group. */
   group: GroupId;
-  /** How. */
+  /** How it is divided. */
   by: SplitBy;
-  /** For Ids: who leaves. */
+  /** For Ids: the characters that leave. */
   ids: number[];
-  /** For Line: two points; for Lasso: the corners of the polygon [m]. */
+  /** For Line: two points [m]; for Lasso: the corners of the polygon. */
   points: Vec2[];
   /** For Shares: of all parts, above 0; their sum counts as the whole. */
   shares: number[];
@@ -1314,13 +1320,13 @@ export interface SplitGroup {
 
 /** What may be given of SplitGroup. */
 export interface SplitGroupInit {
-  /** Which. */
+  /** The group. */
   readonly group?: GroupId | undefined;
-  /** How. */
+  /** How it is divided. */
   readonly by?: SplitBy | undefined;
-  /** For Ids: who leaves. */
+  /** For Ids: the characters that leave. */
   readonly ids?: ArrayLike<number> | undefined;
-  /** For Line: two points; for Lasso: the corners of the polygon [m]. */
+  /** For Line: two points [m]; for Lasso: the corners of the polygon. */
   readonly points?: readonly Vec2[] | Float64Array | undefined;
   /** For Shares: of all parts, above 0; their sum counts as the whole. */
   readonly shares?: ArrayLike<number> | undefined;
@@ -1348,7 +1354,7 @@ export interface MergeGroupsInit {
 
 /** Gives characters other bodies. */
 export interface SetBodies {
-  /** Whose. */
+  /** Their ids. */
   ids: number[];
   /** One for each, or one for all. */
   bodies: Body[];
@@ -1356,7 +1362,7 @@ export interface SetBodies {
 
 /** What may be given of SetBodies. */
 export interface SetBodiesInit {
-  /** Whose. */
+  /** Their ids. */
   readonly ids?: ArrayLike<number> | undefined;
   /** One for each, or one for all. */
   readonly bodies?: readonly BodyInit[] | undefined;
@@ -1364,23 +1370,23 @@ export interface SetBodiesInit {
 
 /** Says which class stands where in a formation. */
 export interface SetRoles {
-  /** Whose. */
+  /** The group. */
   group: GroupId;
-  /** In the order in which they choose places; none for no roles. */
+  /** In the order in which they choose places; none for none. */
   roles: RoleDef[];
 }
 
 /** What may be given of SetRoles. */
 export interface SetRolesInit {
-  /** Whose. */
+  /** The group. */
   readonly group?: GroupId | undefined;
-  /** In the order in which they choose places; none for no roles. */
+  /** In the order in which they choose places; none for none. */
   readonly roles?: readonly RoleDef[] | undefined;
 }
 
-/** Says how many units of supply each place demands. */
+/** Says how many units of supply each place demands (SPEC A1). */
 export interface SetDemands {
-  /** Whose. */
+  /** The group. */
   group: GroupId;
   /** Of each place, 0 to 1000; none for 1 each. */
   demands: number[];
@@ -1388,45 +1394,45 @@ export interface SetDemands {
 
 /** What may be given of SetDemands. */
 export interface SetDemandsInit {
-  /** Whose. */
+  /** The group. */
   readonly group?: GroupId | undefined;
   /** Of each place, 0 to 1000; none for 1 each. */
   readonly demands?: ArrayLike<number> | undefined;
 }
 
-/** Says who moves characters. */
+/** Says what moves characters. */
 export interface SetDriver {
-  /** Whom. */
+  /** Their ids. */
   ids: number[];
-  /** Who moves them. */
+  /** What moves them. */
   driver: Driver;
 }
 
 /** What may be given of SetDriver. */
 export interface SetDriverInit {
-  /** Whom. */
+  /** Their ids. */
   readonly ids?: ArrayLike<number> | undefined;
-  /** Who moves them. */
+  /** What moves them. */
   readonly driver?: Driver | undefined;
 }
 
 /** Where characters that are moved from outside are after this step. */
 export interface WriteMotion {
-  /** Who. */
+  /** Their ids. */
   ids: number[];
-  /** Where [m]. */
+  /** Where they are [m]. */
   positions: Vec2[];
-  /** How fast [m/s]; none for what follows from the last positions. */
+  /** Their velocities [m/s]; none for what follows from the last positions. */
   velocities: Vec2[];
 }
 
 /** What may be given of WriteMotion. */
 export interface WriteMotionInit {
-  /** Who. */
+  /** Their ids. */
   readonly ids?: ArrayLike<number> | undefined;
-  /** Where [m]. */
+  /** Where they are [m]. */
   readonly positions?: readonly Vec2[] | Float64Array | undefined;
-  /** How fast [m/s]; none for what follows from the last positions. */
+  /** Their velocities [m/s]; none for what follows from the last positions. */
   readonly velocities?: readonly Vec2[] | Float64Array | undefined;
 }
 
@@ -1470,11 +1476,11 @@ export interface RemoveItemInit {
   readonly id?: ItemId | undefined;
 }
 
-/** Adds a formation checkpoint, which nobody has passed yet. */
+/** Adds a formation checkpoint (SPEC M7), which nobody has passed yet. */
 export interface AddCheckpoint {
   /** Its definition; its `group` is not read. */
   checkpoint: CheckpointDef;
-  /** Whom it concerns; 0 for any group. */
+  /** Group that it concerns; 0 for any group. */
   group: GroupId;
 }
 
@@ -1482,17 +1488,17 @@ export interface AddCheckpoint {
 export interface AddCheckpointInit {
   /** Its definition; its `group` is not read. */
   readonly checkpoint?: CheckpointDefInit | undefined;
-  /** Whom it concerns; 0 for any group. */
+  /** Group that it concerns; 0 for any group. */
   readonly group?: GroupId | undefined;
 }
 
-/** Changes a formation checkpoint. Who has passed it stays. */
+/** Changes a formation checkpoint. It stays passed by the groups that have passed it. */
 export interface ChangeCheckpoint {
   /** Its id. */
   id: CheckpointId;
   /** Its new definition; its `group` is not read. */
   checkpoint: CheckpointDef;
-  /** Whom it concerns; 0 for any group. */
+  /** Group that it concerns; 0 for any group. */
   group: GroupId;
 }
 
@@ -1502,7 +1508,7 @@ export interface ChangeCheckpointInit {
   readonly id?: CheckpointId | undefined;
   /** Its new definition; its `group` is not read. */
   readonly checkpoint?: CheckpointDefInit | undefined;
-  /** Whom it concerns; 0 for any group. */
+  /** Group that it concerns; 0 for any group. */
   readonly group?: GroupId | undefined;
 }
 
@@ -1518,9 +1524,12 @@ export interface RemoveCheckpointInit {
   readonly id?: CheckpointId | undefined;
 }
 
-/** Puts a group elsewhere at once, with its characters. Its orders and controls end. */
+/**
+ * Puts a group elsewhere at once: its mesh, its places, and its characters, who stand still there. Its orders and
+ * controls end. (SetPose moves the mesh alone, and characters walk.)
+ */
 export interface PlaceGroup {
-  /** Which. */
+  /** The group. */
   group: GroupId;
   /** New centre of the formation [m]. */
   position: Vec2;
@@ -1530,7 +1539,7 @@ export interface PlaceGroup {
 
 /** What may be given of PlaceGroup. */
 export interface PlaceGroupInit {
-  /** Which. */
+  /** The group. */
   readonly group?: GroupId | undefined;
   /** New centre of the formation [m]. */
   readonly position?: Vec2 | undefined;
@@ -1540,7 +1549,7 @@ export interface PlaceGroupInit {
 
 /** Gives a group another name. */
 export interface NameGroup {
-  /** Which. */
+  /** The group. */
   group: GroupId;
   /** At most 4,096 bytes; null for none. */
   name: string;
@@ -1548,7 +1557,7 @@ export interface NameGroup {
 
 /** What may be given of NameGroup. */
 export interface NameGroupInit {
-  /** Which. */
+  /** The group. */
   readonly group?: GroupId | undefined;
   /** At most 4,096 bytes; null for none. */
   readonly name?: string | null | undefined;
@@ -1556,7 +1565,7 @@ export interface NameGroupInit {
 
 /** Gives a group another colour. */
 export interface ColourGroup {
-  /** Which. */
+  /** The group. */
   group: GroupId;
   /** 0xRRGGBB. Null: the palette's, by the group's id. */
   colour: number | null;
@@ -1564,7 +1573,7 @@ export interface ColourGroup {
 
 /** What may be given of ColourGroup. */
 export interface ColourGroupInit {
-  /** Which. */
+  /** The group. */
   readonly group?: GroupId | undefined;
   /** 0xRRGGBB. Null: the palette's, by the group's id. */
   readonly colour?: number | null | undefined;
@@ -1572,45 +1581,45 @@ export interface ColourGroupInit {
 
 /** Gives the people of a group another appearance. */
 export interface SetAppearance {
-  /** Which. */
+  /** The group. */
   group: GroupId;
-  /** Build of its drawn bodies. Null: bodies of both builds, by the character's id. */
+  /** Build of its drawn bodies. Null: both, by the character's id. */
   build: BodyBuild | null;
-  /** How they walk and jog. Null: the plain manner. */
+  /** How it walks and jogs. Null: the plain manner. */
   motions: MotionSet | null;
 }
 
 /** What may be given of SetAppearance. */
 export interface SetAppearanceInit {
-  /** Which. */
+  /** The group. */
   readonly group?: GroupId | undefined;
-  /** Build of its drawn bodies. Null: bodies of both builds, by the character's id. */
+  /** Build of its drawn bodies. Null: both, by the character's id. */
   readonly build?: BodyBuild | null | undefined;
-  /** How they walk and jog. Null: the plain manner. */
+  /** How it walks and jogs. Null: the plain manner. */
   readonly motions?: MotionSet | null | undefined;
 }
 
 /** Adds an area, or changes one. */
 export interface PutArea {
-  /** Which is changed; 0 to add one. */
+  /** The area that is changed; 0 to add one. */
   id: AreaId;
   /** Its definition; its `group` is not read. */
   area: AreaDef;
-  /** For Source: whom its people join. */
+  /** For Source: the group that its people join. */
   group: GroupId;
 }
 
 /** What may be given of PutArea. */
 export interface PutAreaInit {
-  /** Which is changed; 0 to add one. */
+  /** The area that is changed; 0 to add one. */
   readonly id?: AreaId | undefined;
   /** Its definition; its `group` is not read. */
   readonly area?: AreaDefInit | undefined;
-  /** For Source: whom its people join. */
+  /** For Source: the group that its people join. */
   readonly group?: GroupId | undefined;
 }
 
-/** Removes an area. Who was to go there goes to the others of its order, or stands. */
+/** Removes an area. People on their way to it go to the other areas of their order, or stand. */
 export interface RemoveArea {
   /** Its id. */
   id: AreaId;
@@ -1622,19 +1631,23 @@ export interface RemoveAreaInit {
   readonly id?: AreaId | undefined;
 }
 
-/** Gives a group other sorts of persons. Those who are in it are drawn again. */
+/**
+ * Gives a group other sorts of persons. Persons who join it by number or by a source are drawn by them from now
+ * on. Its present members are drawn again, as those who come at once: each number that neither the sorts before
+ * nor these draw stays as it is. A person who has heard an order sets out when it was to.
+ */
 export interface SetPeople {
-  /** Which. */
+  /** The group. */
   group: GroupId;
-  /** Its sorts; none: all are as the bodies of the group say. */
+  /** Its sorts; none: all are as GroupDef::bodies say. */
   people: PeopleDef[];
 }
 
 /** What may be given of SetPeople. */
 export interface SetPeopleInit {
-  /** Which. */
+  /** The group. */
   readonly group?: GroupId | undefined;
-  /** Its sorts; none: all are as the bodies of the group say. */
+  /** Its sorts; none: all are as GroupDef::bodies say. */
   readonly people?: readonly PeopleDefInit[] | undefined;
 }
 

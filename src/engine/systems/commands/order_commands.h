@@ -6,7 +6,7 @@
 
 #include "engine/state/world_state.h"
 #include "muster/event.h"
-#include "muster/order_commands.h"
+#include "muster/command_kinds.h"
 
 namespace muster {
 

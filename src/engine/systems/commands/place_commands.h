@@ -1,8 +1,8 @@
-// Applies the commands of muster/place_commands.h.
+// Applies the commands that edit the place.
 #pragma once
 
 #include "engine/state/world_state.h"
-#include "muster/place_commands.h"
+#include "muster/command_kinds.h"
 
 namespace muster {
 

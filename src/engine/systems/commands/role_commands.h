@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/state/world_state.h"
-#include "muster/unit_commands.h"
+#include "muster/command_kinds.h"
 
 namespace muster {
 

@@ -5,7 +5,7 @@
 
 #include "engine/state/world_state.h"
 #include "muster/event.h"
-#include "muster/unit_commands.h"
+#include "muster/command_kinds.h"
 
 namespace muster {
 

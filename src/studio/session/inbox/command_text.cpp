@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "muster/scenario.h"
+#include "studio/session/inbox/command_traits.h"
 
 namespace muster {
 namespace {
@@ -12,17 +13,11 @@ namespace {
 constexpr const char* kSource = "commands";
 
 bool directs(const CommandBody& body) {
-    return isOneOf<GiveOrder, EditQueue, SetConduct, AddCharacters, RemoveCharacters, TransferCharacters,
-                   SplitGroup, MergeGroups, SetBodies, SetRoles, SetDemands, SetFormation, SetPose, AddGroup>(
-        body);
+    return traitsOf(body).directs;
 }
 
 bool editsPlace(const CommandBody& body) {
-    return isOneOf<AddObstacle, ChangeObstacle, RemoveObstacle, AddPatch, ChangePatch, RemovePatch, AddItem,
-                   ChangeItem, RemoveItem, AddCheckpoint, ChangeCheckpoint, RemoveCheckpoint, AddGroup,
-                   RemoveGroup, PlaceGroup, NameGroup, ColourGroup, SetAppearance, SetCount, SetFormation,
-                   SetBodies, SetConduct, SetRoles, SetDemands, SetParameter, PutArea, RemoveArea, SetPeople>(
-        body);
+    return traitsOf(body).edits;
 }
 
 Status beyondLimit(const char* what, std::size_t found, std::size_t most) {

@@ -1,0 +1,308 @@
+// Made by schema/generate.mjs from schema/commands.txt: change these, not this file.
+// The fields of each kind of command, for both directions (bindings/c/c_world/marshal.h).
+#pragma once
+
+#include <tuple>
+#include <variant>
+
+#include "bindings/c/c_world/world_fields.h"
+#include "muster/c/command.h"
+#include "muster/command.h"
+
+namespace muster::c_api {
+
+template <class M>
+void fields(M& m, C<M, MusterTouchDown>& c, P<M, TouchDown>& p) {
+    m.plain(c.touch, p.touch);
+    m.plain(c.position, p.position);
+    m.plain(c.time, p.time);
+    m.id(c.group, p.group);
+}
+template <class M>
+void fields(M& m, C<M, MusterTouchMove>& c, P<M, TouchMove>& p) {
+    m.plain(c.touch, p.touch);
+    m.plain(c.position, p.position);
+    m.plain(c.time, p.time);
+}
+template <class M>
+void fields(M& m, C<M, MusterTouchUp>& c, P<M, TouchUp>& p) {
+    m.plain(c.touch, p.touch);
+    m.plain(c.time, p.time);
+}
+template <class M>
+void fields(M& m, C<M, MusterTouchCancel>& c, P<M, TouchCancel>& p) {
+    m.plain(c.touch, p.touch);
+}
+template <class M>
+void fields(M& m, C<M, MusterAddControl>& c, P<M, AddControl>& p) {
+    m.id(c.group, p.group);
+    m.choice(c.kind, p.kind, ControlKind::Area, "kind");
+    m.list(c.touches, c.touchCount, p.touches, "touches");
+    m.list(c.positions, c.positionCount, p.positions, "positions");
+    m.plain(c.time, p.time);
+}
+template <class M>
+void fields(M& m, C<M, MusterPinControl>& c, P<M, PinControl>& p) {
+    m.id(c.group, p.group);
+    m.id(c.control, p.control);
+    m.plain(c.pinned, p.pinned);
+}
+template <class M>
+void fields(M& m, C<M, MusterRemoveControl>& c, P<M, RemoveControl>& p) {
+    m.id(c.group, p.group);
+    m.id(c.control, p.control);
+}
+template <class M>
+void fields(M& m, C<M, MusterReleaseClient>& c, P<M, ReleaseClient>& p) {
+    m.plain(c.unused, p.unused);
+}
+template <class M>
+void fields(M& m, C<M, MusterSetFormation>& c, P<M, SetFormation>& p) {
+    m.id(c.group, p.group);
+    m.part(c.formation, p.formation, "formation");
+}
+template <class M>
+void fields(M& m, C<M, MusterSetCount>& c, P<M, SetCount>& p) {
+    m.id(c.group, p.group);
+    m.plain(c.count, p.count);
+}
+template <class M>
+void fields(M& m, C<M, MusterSetPose>& c, P<M, SetPose>& p) {
+    m.id(c.group, p.group);
+    m.plain(c.position, p.position);
+    m.plain(c.angle, p.angle);
+}
+template <class M>
+void fields(M& m, C<M, MusterAddGroup>& c, P<M, AddGroup>& p) {
+    m.part(c.group, p.group, "group");
+}
+template <class M>
+void fields(M& m, C<M, MusterRemoveGroup>& c, P<M, RemoveGroup>& p) {
+    m.id(c.group, p.group);
+}
+template <class M>
+void fields(M& m, C<M, MusterAddObstacle>& c, P<M, AddObstacle>& p) {
+    m.part(c.obstacle, p.obstacle, "obstacle");
+}
+template <class M>
+void fields(M& m, C<M, MusterChangeObstacle>& c, P<M, ChangeObstacle>& p) {
+    m.id(c.id, p.id);
+    m.part(c.obstacle, p.obstacle, "obstacle");
+}
+template <class M>
+void fields(M& m, C<M, MusterRemoveObstacle>& c, P<M, RemoveObstacle>& p) {
+    m.id(c.id, p.id);
+}
+template <class M>
+void fields(M& m, C<M, MusterAddPatch>& c, P<M, AddPatch>& p) {
+    m.part(c.patch, p.patch, "patch");
+}
+template <class M>
+void fields(M& m, C<M, MusterChangePatch>& c, P<M, ChangePatch>& p) {
+    m.id(c.id, p.id);
+    m.part(c.patch, p.patch, "patch");
+}
+template <class M>
+void fields(M& m, C<M, MusterRemovePatch>& c, P<M, RemovePatch>& p) {
+    m.id(c.id, p.id);
+}
+template <class M>
+void fields(M& m, C<M, MusterSetParameter>& c, P<M, SetParameter>& p) {
+    m.text(c.name, p.name);
+    m.plain(c.value, p.value);
+}
+template <class M>
+void fields(M& m, C<M, MusterGiveOrder>& c, P<M, GiveOrder>& p) {
+    m.id(c.group, p.group);
+    m.choice(c.mode, p.mode, QueueMode::Insert, "mode");
+    m.plain(c.index, p.index);
+    m.part(c.order, p.order, "order");
+}
+template <class M>
+void fields(M& m, C<M, MusterEditQueue>& c, P<M, EditQueue>& p) {
+    m.id(c.group, p.group);
+    m.choice(c.edit, p.edit, QueueEdit::Stop, "edit");
+    m.plain(c.order, p.order);
+}
+template <class M>
+void fields(M& m, C<M, MusterSetConduct>& c, P<M, SetConduct>& p) {
+    m.id(c.group, p.group);
+    m.part(c.conduct, p.conduct, "conduct");
+}
+template <class M>
+void fields(M& m, C<M, MusterAddCharacters>& c, P<M, AddCharacters>& p) {
+    m.id(c.group, p.group);
+    m.list(c.positions, c.positionCount, p.positions, "positions");
+    m.list(c.bodies, c.bodyCount, p.bodies, "bodies");
+}
+template <class M>
+void fields(M& m, C<M, MusterRemoveCharacters>& c, P<M, RemoveCharacters>& p) {
+    m.list(c.ids, c.idCount, p.ids, "ids");
+}
+template <class M>
+void fields(M& m, C<M, MusterTransferCharacters>& c, P<M, TransferCharacters>& p) {
+    m.list(c.ids, c.idCount, p.ids, "ids");
+    m.id(c.group, p.group);
+}
+template <class M>
+void fields(M& m, C<M, MusterSplitGroup>& c, P<M, SplitGroup>& p) {
+    m.id(c.group, p.group);
+    m.choice(c.by, p.by, SplitBy::Shares, "by");
+    m.list(c.ids, c.idCount, p.ids, "ids");
+    m.list(c.points, c.pointCount, p.points, "points");
+    m.list(c.shares, c.shareCount, p.shares, "shares");
+    m.plain(c.abreast, p.abreast);
+    m.choice(c.shape, p.shape, PartShape::Smaller, "shape");
+}
+template <class M>
+void fields(M& m, C<M, MusterMergeGroups>& c, P<M, MergeGroups>& p) {
+    m.list(c.groups, c.groupCount, p.groups, "groups");
+    m.choice(c.shape, p.shape, PartShape::Smaller, "shape");
+}
+template <class M>
+void fields(M& m, C<M, MusterSetBodies>& c, P<M, SetBodies>& p) {
+    m.list(c.ids, c.idCount, p.ids, "ids");
+    m.list(c.bodies, c.bodyCount, p.bodies, "bodies");
+}
+template <class M>
+void fields(M& m, C<M, MusterSetRoles>& c, P<M, SetRoles>& p) {
+    m.id(c.group, p.group);
+    m.items(c.roles, c.roleCount, p.roles, "roles");
+}
+template <class M>
+void fields(M& m, C<M, MusterSetDemands>& c, P<M, SetDemands>& p) {
+    m.id(c.group, p.group);
+    m.list(c.demands, c.demandCount, p.demands, "demands");
+}
+template <class M>
+void fields(M& m, C<M, MusterSetDriver>& c, P<M, SetDriver>& p) {
+    m.list(c.ids, c.idCount, p.ids, "ids");
+    m.choice(c.driver, p.driver, Driver::Outside, "driver");
+}
+template <class M>
+void fields(M& m, C<M, MusterWriteMotion>& c, P<M, WriteMotion>& p) {
+    m.list(c.ids, c.idCount, p.ids, "ids");
+    m.list(c.positions, c.positionCount, p.positions, "positions");
+    m.list(c.velocities, c.velocityCount, p.velocities, "velocities");
+}
+template <class M>
+void fields(M& m, C<M, MusterAddItem>& c, P<M, AddItem>& p) {
+    m.plain(c.item, p.item);
+}
+template <class M>
+void fields(M& m, C<M, MusterChangeItem>& c, P<M, ChangeItem>& p) {
+    m.id(c.id, p.id);
+    m.plain(c.item, p.item);
+}
+template <class M>
+void fields(M& m, C<M, MusterRemoveItem>& c, P<M, RemoveItem>& p) {
+    m.id(c.id, p.id);
+}
+template <class M>
+void fields(M& m, C<M, MusterAddCheckpoint>& c, P<M, AddCheckpoint>& p) {
+    m.part(c.checkpoint, p.checkpoint, "checkpoint");
+    m.id(c.group, p.group);
+}
+template <class M>
+void fields(M& m, C<M, MusterChangeCheckpoint>& c, P<M, ChangeCheckpoint>& p) {
+    m.id(c.id, p.id);
+    m.part(c.checkpoint, p.checkpoint, "checkpoint");
+    m.id(c.group, p.group);
+}
+template <class M>
+void fields(M& m, C<M, MusterRemoveCheckpoint>& c, P<M, RemoveCheckpoint>& p) {
+    m.id(c.id, p.id);
+}
+template <class M>
+void fields(M& m, C<M, MusterPlaceGroup>& c, P<M, PlaceGroup>& p) {
+    m.id(c.group, p.group);
+    m.plain(c.position, p.position);
+    m.plain(c.angle, p.angle);
+}
+template <class M>
+void fields(M& m, C<M, MusterNameGroup>& c, P<M, NameGroup>& p) {
+    m.id(c.group, p.group);
+    m.text(c.name, p.name);
+}
+template <class M>
+void fields(M& m, C<M, MusterColourGroup>& c, P<M, ColourGroup>& p) {
+    m.id(c.group, p.group);
+    m.optional(c.hasColour, c.colour, p.colour);
+}
+template <class M>
+void fields(M& m, C<M, MusterSetAppearance>& c, P<M, SetAppearance>& p) {
+    m.id(c.group, p.group);
+    m.optionalChoice(c.hasBuild, c.build, p.build, kLastBodyBuild, "build");
+    m.optionalChoice(c.hasMotions, c.motions, p.motions, kLastMotionSet, "motions");
+}
+template <class M>
+void fields(M& m, C<M, MusterPutArea>& c, P<M, PutArea>& p) {
+    m.id(c.id, p.id);
+    m.part(c.area, p.area, "area");
+    m.id(c.group, p.group);
+}
+template <class M>
+void fields(M& m, C<M, MusterRemoveArea>& c, P<M, RemoveArea>& p) {
+    m.id(c.id, p.id);
+}
+template <class M>
+void fields(M& m, C<M, MusterSetPeople>& c, P<M, SetPeople>& p) {
+    m.id(c.group, p.group);
+    m.items(c.people, c.peopleCount, p.people, "people");
+}
+
+/// The members of the C union, in the order of the engine's alternatives.
+// clang-format off
+inline constexpr std::tuple kCommandMembers{
+    &MusterCommandBody::touchDown,
+    &MusterCommandBody::touchMove,
+    &MusterCommandBody::touchUp,
+    &MusterCommandBody::touchCancel,
+    &MusterCommandBody::addControl,
+    &MusterCommandBody::pinControl,
+    &MusterCommandBody::removeControl,
+    &MusterCommandBody::releaseClient,
+    &MusterCommandBody::setFormation,
+    &MusterCommandBody::setCount,
+    &MusterCommandBody::setPose,
+    &MusterCommandBody::addGroup,
+    &MusterCommandBody::removeGroup,
+    &MusterCommandBody::addObstacle,
+    &MusterCommandBody::changeObstacle,
+    &MusterCommandBody::removeObstacle,
+    &MusterCommandBody::addPatch,
+    &MusterCommandBody::changePatch,
+    &MusterCommandBody::removePatch,
+    &MusterCommandBody::setParameter,
+    &MusterCommandBody::giveOrder,
+    &MusterCommandBody::editQueue,
+    &MusterCommandBody::setConduct,
+    &MusterCommandBody::addCharacters,
+    &MusterCommandBody::removeCharacters,
+    &MusterCommandBody::transferCharacters,
+    &MusterCommandBody::splitGroup,
+    &MusterCommandBody::mergeGroups,
+    &MusterCommandBody::setBodies,
+    &MusterCommandBody::setRoles,
+    &MusterCommandBody::setDemands,
+    &MusterCommandBody::setDriver,
+    &MusterCommandBody::writeMotion,
+    &MusterCommandBody::addItem,
+    &MusterCommandBody::changeItem,
+    &MusterCommandBody::removeItem,
+    &MusterCommandBody::addCheckpoint,
+    &MusterCommandBody::changeCheckpoint,
+    &MusterCommandBody::removeCheckpoint,
+    &MusterCommandBody::placeGroup,
+    &MusterCommandBody::nameGroup,
+    &MusterCommandBody::colourGroup,
+    &MusterCommandBody::setAppearance,
+    &MusterCommandBody::putArea,
+    &MusterCommandBody::removeArea,
+    &MusterCommandBody::setPeople,
+};
+// clang-format on
+static_assert(std::tuple_size_v<decltype(kCommandMembers)> == std::variant_size_v<CommandKinds> &&
+              std::variant_size_v<CommandKinds> == MUSTER_COMMAND_COUNT);
+
+}  // namespace muster::c_api

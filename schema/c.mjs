@@ -1,0 +1,138 @@
+// The structs of commands in C, and their marshalling.
+import { commands } from './read.mjs';
+import { aligned, docComment, lowerFirst, singular, upperWords, withUnit, listed } from './text.mjs';
+import { kBanner } from './cpp.mjs';
+import { cItem, definition, enumeration, isId } from './types.mjs';
+
+/** The comment of a C header: ids and lists are none where they are 0. */
+function about(field) {
+  const sentence = withUnit(field);
+  if (isId(field.type)) return sentence.replace(/\bnone\b/, '0');
+  return field.isList ? sentence.replace(/\bempty\b/, 'none') : sentence;
+}
+
+/** The members that stand for a field: [type, name, comment]. */
+function membersOf(field) {
+  const item = cItem(field.type);
+  const { name } = field;
+  if (field.isList)
+    return [
+      [`const ${item}* ${name}`, about(field)],
+      [`int32_t ${singular(name)}Count`, 'Their number.'],
+    ];
+  if (field.isOptional && !isId(field.type)) {
+    const [is, none = ''] = field.sentence.replace(/\.$/, '').split('; none for ');
+    return [
+      [`bool has${name[0].toUpperCase()}${name.slice(1)}`, `False: ${none}.`],
+      [`${item} ${name}`, `${is}.`],
+    ];
+  }
+  if (field.flags.has('internal')) return [[`${item} ${name}`, 'Not used; 0.']];
+  return [[`${item} ${name}`, field.type === 'text' ? about(field).replace(/\.$/, '; null for none.') : about(field)]];
+}
+
+function struct(command) {
+  const rows = command.fields.flatMap(membersOf).map(([code, text]) => ({ code: `${code};`, about: text }));
+  return [
+    ...docComment(command.sentence),
+    `typedef struct Muster${command.name} {`,
+    ...aligned(rows),
+    `} Muster${command.name};`,
+  ].join('\n');
+}
+
+const guard = (name, includes, text) => `${kBanner.replace('// ', '/* ').replace('.\n', '. */\n')}#ifndef MUSTER_C_${name}_H
+#define MUSTER_C_${name}_H
+
+${includes}
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+${text}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
+`;
+
+function bodies() {
+  const kinds = [
+    ...commands.map(({ name, number }) => ({ code: `MUSTER_COMMAND_${upperWords(name)} = ${number},`, about: `Its body is \`${lowerFirst(name)}\`.` })),
+    { code: `MUSTER_COMMAND_COUNT = ${commands.length}`, about: 'Number of kinds.' },
+  ];
+  const members = commands.map(({ name }) => ({ code: `Muster${name} ${lowerFirst(name)};`, about: `For MUSTER_COMMAND_${upperWords(name)}.` }));
+  return guard('COMMAND_BODIES', '#include "muster/c/world_def.h"', `${commands.map(struct).join('\n\n')}
+
+/// Kinds of commands. Numbers stay; new kinds are appended.
+typedef int32_t MusterCommandKind;
+/// Values of MusterCommandKind.
+enum MusterCommandKindValue {
+${aligned(kinds).join('\n')}
+};
+
+/// What a command of each kind says. Only the member of the command's kind is read.
+typedef union MusterCommandBody {
+${aligned(members).join('\n')}
+} MusterCommandBody;`);
+}
+
+/** The line that reads or writes one field. */
+function marshal(field) {
+  const { name, type } = field;
+  const both = `c.${name}, p.${name}`;
+  const named = definition(type);
+  if (field.isList) {
+    const isFlat = named === undefined || named.isPlainInC;
+    return `m.${isFlat ? 'list' : 'items'}(c.${name}, c.${singular(name)}Count, p.${name}, "${name}");`;
+  }
+  const has = `c.has${name[0].toUpperCase()}${name.slice(1)}`;
+  if (isId(type)) return `m.id(${both});`;
+  if (type === 'text') return `m.text(${both});`;
+  if (enumeration(type)) {
+    if (field.isOptional) return `m.optionalChoice(${has}, ${both}, ${enumeration(type).last}, "${name}");`;
+    return `m.choice(${both}, ${enumeration(type).last}, "${name}");`;
+  }
+  if (field.isOptional) return `m.optional(${has}, ${both});`;
+  return named === undefined || named.isPlainInC ? `m.plain(${both});` : `m.part(${both}, "${name}");`;
+}
+
+function marshalling() {
+  const pair = (command) => `template <class M>
+void fields(M& m, C<M, Muster${command.name}>& c, P<M, ${command.name}>& p) {
+${command.fields.map((field) => `    ${marshal(field)}`).join('\n')}
+}`;
+  const members = commands.map(({ name }) => `&MusterCommandBody::${lowerFirst(name)}`);
+  return `${kBanner}// The fields of each kind of command, for both directions (bindings/c/c_world/marshal.h).
+#pragma once
+
+#include <tuple>
+#include <variant>
+
+#include "bindings/c/c_world/world_fields.h"
+#include "muster/c/command.h"
+#include "muster/command.h"
+
+namespace muster::c_api {
+
+${commands.map(pair).join('\n')}
+
+/// The members of the C union, in the order of the engine's alternatives.
+// clang-format off
+inline constexpr std::tuple kCommandMembers{
+${listed(members, '};')}
+// clang-format on
+static_assert(std::tuple_size_v<decltype(kCommandMembers)> == std::variant_size_v<CommandKinds> &&
+              std::variant_size_v<CommandKinds> == MUSTER_COMMAND_COUNT);
+
+}  // namespace muster::c_api
+`;
+}
+
+export const cFiles = () => ({
+  'include/muster/c/command_bodies.h': bodies(),
+  'bindings/c/c_world/command_kind_fields.h': marshalling(),
+});

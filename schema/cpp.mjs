@@ -1,0 +1,193 @@
+// The structs of commands in C++, what checks their fields, and what people are shown of them.
+import { commands } from './read.mjs';
+import { aligned, call, docComment, kWidth, withUnit, listed } from './text.mjs';
+import { cppItem, definition, enumeration, isId, plain } from './types.mjs';
+
+export const kBanner = '// Made by schema/generate.mjs from schema/commands.txt: change these, not this file.\n';
+
+function cppType(field) {
+  const item = cppItem(field.type);
+  if (field.isList) return `std::vector<${item}>`;
+  return field.isOptional && !isId(field.type) ? `std::optional<${item}>` : item;
+}
+
+/** " = 0.0", " = SplitBy::Ids"; empty where the type has a default of its own. */
+function initialOf(field) {
+  if (field.isList || field.isOptional) return '';
+  if (enumeration(field.type)) return ` = ${field.type}::${field.initial}`;
+  const initial = plain(field.type)?.initial ?? '';
+  if (initial === '') return '';
+  return ` = ${field.type === 'f64' || field.initial === '' ? initial : field.initial}`;
+}
+
+function struct(command) {
+  const rows = command.fields.map((field) => ({
+    code: `${cppType(field)} ${field.name}${initialOf(field)};`,
+    about: withUnit(field),
+  }));
+  return [
+    ...docComment(command.sentence),
+    `struct ${command.name} {`,
+    ...aligned(rows),
+    '',
+    '    /// Lets an archive read or write the command.',
+    '    template <class Archive>',
+    '    void visit(Archive& archive) {',
+    ...call('archive(', command.fields.map(({ name }) => name), ');', '        '),
+    '    }',
+    '};',
+  ].join('\n');
+}
+
+function header() {
+  return `${kBanner}// The kinds of commands: what a world can be told.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "muster/area.h"
+#include "muster/control.h"
+#include "muster/id.h"
+#include "muster/order.h"
+#include "muster/people.h"
+#include "muster/unit.h"
+#include "muster/world_def.h"
+
+namespace muster {
+
+${commands.map(struct).join('\n')}
+
+/// Every kind of change. The order of alternatives is part of the file format: append only.
+using CommandKinds = std::variant<
+${call('', commands.map(({ name }) => name), '>;', '    ').join('\n')}
+
+}  // namespace muster
+`;
+}
+
+const kLimits = { 200000: 'kMaxCharacters', 10000: 'kMaxCorners' };
+const limit = (text) => kLimits[text] ?? text;
+
+/** The check of one field, as an expression of type Status; null where every value of its type will do. */
+function checkOf(field) {
+  const value = `c.${field.name}`;
+  const { type, range } = field;
+  if (field.flags.has('unchecked') || isId(type) || type === 'text' || type === 'Colour' || type === 'bool') return null;
+  const named = definition(type);
+  if (named?.checkAll) return `${named.checkAll}(${value})`;
+  if (named?.check) return `${named.check}(${value}${named.checkMore ?? ''})`;
+  if (field.isList) {
+    if (type === 'CharacterId') return `eachOnce(${value})`;
+    return type === 'Vec2' && field.count ? `places("${field.name}", ${value}, ${limit(field.count.low)}, ${limit(field.count.high)})` : null;
+  }
+  if (enumeration(type)) return field.isOptional ? null : `isKnown(${value}, ${enumeration(type).last}, "${enumeration(type).called}")`;
+  if (type === 'Vec2') return `place("${field.name}", ${value})`;
+  if (range === null) return null;
+  const bounds = `${type === 'i32' ? 'countIn' : 'numberIn'}("${field.name}", ${value}, ${limit(range.low)}, ${limit(range.high)}`;
+  if (type === 'i32') return `${bounds})`;
+  return `${bounds}, "[${range.low}, ${range.high}]${field.unit === '' ? '' : ` ${field.unit}`}")`;
+}
+
+function validator(command) {
+  const checks = command.fields.map(checkOf).filter((check) => check !== null);
+  if (command.flags.has('relations')) checks.push('relations(c)');
+  if (checks.length === 0) return `    Status operator()(const ${command.name}&) const { return {}; }`;
+  const head = `    Status operator()(const ${command.name}& c) const {`;
+  const line = `${head} return ${checks[0]}; }`;
+  if (checks.length === 1 && line.length <= kWidth) return line;
+  if (checks.length === 1) return [head, `        return ${checks[0]};`, '    }'].join('\n');
+  const [first, ...others] = checks.map((check) => wrapCall(check));
+  return [head, `        Status status = ${first};`, ...others.map((check) => `        if (status.ok()) status = ${check};`), '        return status;', '    }'].join('\n');
+}
+
+/** A call that is too long for its line goes on below. */
+function wrapCall(text) {
+  if (text.length + '        if (status.ok()) status = ;'.length <= kWidth) return text;
+  const at = text.lastIndexOf(', ', kWidth - 32);
+  return `${text.slice(0, at + 1)}\n${' '.repeat(30 + text.indexOf('(') + 1)}${text.slice(at + 2)}`;
+}
+
+function checks() {
+  return `${kBanner}// Names of commands, and what each of their fields has to be.
+#include "engine/state/command_checks.h"
+
+#include <array>
+
+#include "engine/state/validation.h"
+
+namespace muster {
+namespace {
+
+// clang-format off
+constexpr auto kNames = std::to_array<const char*>({
+${listed(commands.map(({ name }) => `"${name}"`), '});')}
+// clang-format on
+static_assert(kNames.size() == std::variant_size_v<CommandKinds>);
+
+/// One check per kind of command.
+struct Validator {
+${commands.map(validator).join('\n')}
+};
+
+}  // namespace
+
+const char* commandName(const Command& command) {
+    return kNames[command.body.index()];
+}
+
+Status validateCommand(const Command& command) {
+    return std::visit(Validator(), command.body).within(commandName(command));
+}
+
+}  // namespace muster
+`;
+}
+
+/** What people are told of commands, and which of them do what. */
+function traits() {
+  const flag = (command, name) => String(command.flags.has(name));
+  const rows = commands.map((command) => ({
+    code: `{"${command.label}", ${['undoable', 'directs', 'edits', 'slides'].map((name) => flag(command, name)).join(', ')}},`,
+    about: command.name,
+  }));
+  const column = Math.max(...rows.map(({ code }) => code.length)) + 2;
+  return `${kBanner}// What the studio has to know of each kind of command.
+#pragma once
+
+#include <array>
+
+#include "muster/command.h"
+
+namespace muster {
+
+/// What is true of all commands of one kind.
+struct CommandTraits {
+    const char* label;  ///< What undo and redo call it; empty where that depends on more.
+    bool undoable;      ///< It can be taken back.
+    bool directs;       ///< It directs a group: a director may send it.
+    bool edits;         ///< It edits the place.
+    bool slides;        ///< A slider sends many of them, which count as one.
+};
+
+inline constexpr std::array<CommandTraits, std::variant_size_v<CommandKinds>> kCommandTraits{{
+${rows.map(({ code, about }) => `    ${code.padEnd(column)}// ${about}`).join('\n')}
+}};
+
+/// The traits of a command.
+inline const CommandTraits& traitsOf(const CommandBody& body) {
+    return kCommandTraits[body.index()];
+}
+
+}  // namespace muster
+`;
+}
+
+export const cppFiles = () => ({
+  'include/muster/command_kinds.h': header(),
+  'src/engine/state/command_checks.cpp': checks(),
+  'src/studio/session/inbox/command_traits.h': traits(),
+});

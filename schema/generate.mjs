@@ -1,0 +1,29 @@
+// Writes all that follows from commands.txt.
+//
+//     node schema/generate.mjs           writes the files
+//     node schema/generate.mjs --check   writes nothing; exit code 1 where a committed file differs
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { cFiles } from './c.mjs';
+import { cppFiles } from './cpp.mjs';
+import { root } from './read.mjs';
+import { scenarioFiles } from './scenario.mjs';
+
+const checks = process.argv.includes('--check');
+let stale = 0;
+for (const [path, text] of Object.entries({ ...cppFiles(), ...cFiles(), ...scenarioFiles() })) {
+  const file = join(root, path);
+  let old = null;
+  try {
+    old = readFileSync(file, 'utf8');
+  } catch {}
+  if (old === text) continue;
+  if (checks) {
+    console.error(`${path} is not what schema/commands.txt says: run node schema/generate.mjs`);
+    stale = 1;
+  } else {
+    writeFileSync(file, text);
+    console.log(`wrote ${path}`);
+  }
+}
+process.exit(stale);

@@ -1,0 +1,101 @@
+// Reads the declarations in commands.txt (README.md tells their form).
+import { readFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { isType } from './types.mjs';
+
+export const folder = dirname(fileURLToPath(import.meta.url));
+export const root = join(folder, '..');
+
+const kCommandFlags = ['relations', 'by-hand', 'undoable', 'directs', 'edits', 'slides'];
+const kFieldFlags = ['required', 'omit', 'unchecked', 'internal'];
+
+/** Words, quoted texts without their quotes, and bracketed units of a line. */
+function tokensOf(line) {
+  const tokens = [];
+  for (const [, quoted, unit, word] of line.matchAll(/"((?:[^"\\]|\\.)*)"|(?<=\s)\[([^\]]+)\]|(\S+)/g)) {
+    if (quoted !== undefined) tokens.push({ text: quoted.replace(/\\"/g, '"') });
+    else if (unit !== undefined) tokens.push({ unit });
+    else tokens.push({ word });
+  }
+  return tokens;
+}
+
+function fail(line, sentence) {
+  throw new Error(`schema/commands.txt:${line}: ${sentence}`);
+}
+
+/** The value of a word that must be there. */
+function word(tokens, line, what) {
+  const token = tokens.shift();
+  return token?.word ?? fail(line, `found ${token ? 'a text' : 'nothing'}, expected ${what}`);
+}
+
+function readRange(text) {
+  const [, low, high] = text.match(/^(-?[\d.e]+)\.\.(-?[\d.e]+)$/) ?? [];
+  return low === undefined ? null : { low, high };
+}
+
+/** "command TouchDown 0 file down label "..." flags". */
+function readCommand(tokens, line, number) {
+  const command = { name: word(tokens, line, 'a name'), number, fields: [], sentence: '', file: '', label: '', flags: new Set() };
+  const found = word(tokens, line, 'a number');
+  if (found !== String(number)) fail(line, `found number ${found} for ${command.name}, expected ${number}`);
+  while (tokens.length > 0) {
+    const next = word(tokens, line, 'a property');
+    if (next === 'file') command.file = word(tokens, line, 'its word in files');
+    else if (next === 'label') command.label = tokens.shift()?.text ?? fail(line, 'found no text for the label');
+    else if (kCommandFlags.includes(next)) command.flags.add(next);
+    else fail(line, `found ${next}, expected file, label or one of ${kCommandFlags.join(', ')}`);
+  }
+  if (command.file === '') fail(line, `${command.name} has no word for files, expected "file WORD"`);
+  return command;
+}
+
+/** "points Vec2[0..10000] [m] "For Line: ..."". */
+function readField(tokens, line) {
+  const name = word(tokens, line, 'the name of a field');
+  const spelled = word(tokens, line, 'a type');
+  const [, base, list, optional] = spelled.match(/^(\w+)(\[(?:[^\]]*)\])?(\?)?$/) ?? fail(line, `found type ${spelled}`);
+  if (!isType(base)) fail(line, `the type ${base} of ${name} is not known, expected one of schema/types.mjs`);
+  const field = {
+    name, type: base, isList: list !== undefined, isOptional: optional !== undefined,
+    count: list === undefined ? null : readRange(list.slice(1, -1)),
+    unit: '', range: null, initial: '', sentence: '', flags: new Set(),
+  };
+  while (tokens.length > 0) {
+    const { word: next, unit, text } = tokens.shift();
+    if (text !== undefined) field.sentence = text;
+    else if (unit !== undefined) field.unit = unit;
+    else if (next === '=') field.initial = word(tokens, line, 'a default');
+    else if (kFieldFlags.includes(next)) field.flags.add(next);
+    else field.range = readRange(next) ?? fail(line, `found ${next}, expected a range, a default or one of ${kFieldFlags.join(', ')}`);
+  }
+  if (!field.sentence.endsWith('.')) fail(line, `${name} needs a sentence that ends with a full stop`);
+  return field;
+}
+
+function readAll(text) {
+  const commands = [];
+  text.split('\n').forEach((raw, at) => {
+    const line = at + 1;
+    if (raw.trim() === '' || raw.startsWith('#')) return;
+    const tokens = tokensOf(raw);
+    const command = commands[commands.length - 1];
+    if (tokens[0].word === 'command' && !raw.startsWith(' ')) {
+      tokens.shift();
+      commands.push(readCommand(tokens, line, commands.length));
+    } else if (command === undefined) {
+      fail(line, 'found a field before any command');
+    } else if (tokens[0].text !== undefined) {
+      command.sentence = tokens[0].text;
+    } else {
+      command.fields.push(readField(tokens, line));
+    }
+  });
+  for (const command of commands)
+    if (command.sentence === '' || command.fields.length === 0) throw new Error(`schema/commands.txt: ${command.name} needs a sentence and a field`);
+  return commands;
+}
+
+export const commands = readAll(readFileSync(join(folder, 'commands.txt'), 'utf8'));

@@ -1,0 +1,121 @@
+// The fields of commands in files of gestures and in messages of pages.
+import { commands } from './read.mjs';
+import { call, kWidth, listed } from './text.mjs';
+import { kBanner } from './cpp.mjs';
+import { definition, enumeration, isId } from './types.mjs';
+
+const quoted = (text) => `"${text.replace(/"/g, '\\"')}"`;
+const kLimits = { 200000: 'kMaxCharacters', 10000: 'kMaxCorners' };
+const limit = (text) => kLimits[text] ?? text;
+
+/** A call, broken where it is too long for its line. */
+function line(head, words, close = ');') {
+  return call(head, words, close, '        ').flatMap((text) => (text.length <= kWidth ? [text] : breakText(text)));
+}
+
+/** A text that is too long goes on in a second literal. */
+function breakText(text) {
+  const at = text.lastIndexOf(' ', kWidth - 2);
+  const indent = ' '.repeat(text.search(/\S/));
+  return [`${text.slice(0, at + 1)}"`, `${indent}"${text.slice(at + 1)}`];
+}
+
+/** A bound as a number with a point. */
+const real = (text) => (text in kLimits ? kLimits[text] : /[.e]/.test(text) ? text : `${text}.0`);
+
+function rangeOf(field) {
+  const { type, range } = field;
+  if (type === 'CharacterId' || type === 'u32' || isId(type) || type === 'OrderId') return 'kId';
+  if (field.unit === 'rad') return 'kAngle';
+  if (range === null) throw new Error(`schema/commands.txt: ${field.name} needs a range, as files tell it`);
+  return `{${real(range.low)}, ${real(range.high)}}`;
+}
+
+/** The lines that describe one field. */
+function describe(field) {
+  const { name, type } = field;
+  const value = `c.${name}`;
+  const about = quoted(field.sentence);
+  const named = definition(type);
+  const isNeeded = field.flags.has('required') || (field.initial === '' && !field.isOptional && !field.flags.has('omit'));
+  const need = isNeeded ? ['Need::Required'] : [];
+  if (field.flags.has('internal')) return [];
+  if (name === 'time' && type === 'f64') return ['        c.time = time;'];
+  if (named?.inline) return [`        ${named.inline.replace('#', value).replace('&', field.flags.has('required') ? 'Need::Required' : 'Need::Optional')};`];
+  if (named) {
+    const visit = named.visit ?? 'object';
+    const inner = `            "${named.key ?? 'definition'}", "", [&](auto& inner) { ${named.describe.replace('#', value)}; },`;
+    const ends = inner.length + ' Need::Required);'.length <= kWidth ? [`${inner} Need::Required);`] : [inner, '            Need::Required);'];
+    return [`        v.${visit}(`, ...ends];
+  }
+  if (field.isList) {
+    if (type === 'Vec2') return line('v.points(', [`"${name}"`, value, field.count?.low ?? '0', limit(field.count?.high ?? '200000'), about, ...(field.flags.has('required') ? need : [])]);
+    const most = type === 'GroupId' || name === 'shares' ? 'kMaxGroups' : 'kMaxCharacters';
+    const wanted = field.flags.has('required') || (type === 'CharacterId' && !field.flags.has('unchecked')) || type === 'GroupId' ? ['Need::Required'] : [];
+    if (isId(type)) return line('ids(', [`"${name}"`, value, most, about]);
+    return line('v.numbers(', [`"${name}"`, value, rangeOf(field), most, about, ...wanted]);
+  }
+  if (type === 'Vec2') return [`        spot(${value});`];
+  if (isId(type)) {
+    const whole = line('v.whole(', [`"${name}"`, `${value}.value`, 'kId', about, ...(field.isOptional ? [] : ['Need::Required'])]);
+    return field.isOptional ? [`        if (takesPart<Visitor>(static_cast<bool>(${value})))`, ...whole.map((text) => `    ${text}`)] : whole;
+  }
+  if (enumeration(type)) return line('describeWord(', ['v', `"${enumeration(type).key ?? name}"`, value, enumeration(type).words, about, ...need]);
+  if (type === 'text') return line('v.text(', [`"${name}"`, value, about, 'Need::Required']);
+  if (type === 'Colour') return line('v.colour(', [`"${name}"`, value, about]);
+  if (type === 'bool') return line('v.flag(', [`"${name}"`, value, about]);
+  const visit = type === 'f64' ? 'number' : 'whole';
+  const lines = line(`v.${visit}(`, [`"${name}"`, value, rangeOf(field), about, ...need]);
+  return field.flags.has('omit') ? [`        if (takesPart<Visitor>(${value} != 0))`, ...lines.map((text) => `    ${text}`)] : lines;
+}
+
+function body(command) {
+  if (command.flags.has('by-hand')) return `    void operator()(${command.name}& c) { describeByHand(v, c, time); }`;
+  const lines = command.fields.flatMap(describe);
+  if (lines.length === 0) return `    void operator()(${command.name}&) {}`;
+  const short = `    void operator()(${command.name}& c) { ${lines[0].trim()} }`;
+  if (lines.length === 1 && short.length <= kWidth) return short;
+  return [`    void operator()(${command.name}& c) {`, ...lines, '    }'].join('\n');
+}
+
+function header() {
+  return `${kBanner}// The fields of each kind of command in gesture files, except t, kind, client and step.
+#pragma once
+
+#include "files/scenario/command_by_hand.h"
+
+namespace muster {
+
+/// What files call each kind of command. Orders are called by what they ask for.
+inline constexpr std::array kCommandWords{
+${listed(commands.map(({ file }) => `"${file}"`), '};')}
+static_assert(kCommandWords.size() == std::variant_size_v<CommandKinds>);
+
+/// Describes the fields of each kind of command to a visitor.
+template <class Visitor>
+struct BodyFields {
+    Visitor& v;
+    double& time;
+
+${commands.map(body).join('\n')}
+
+private:
+    void spot(Vec2& p) {
+        v.number("x", p.x, kCoordinate, "World coordinate.", Need::Required);
+        v.number("y", p.y, kCoordinate, "World coordinate.", Need::Required);
+    }
+    template <class Tag>
+    void ids(const char* key, std::vector<Id<Tag>>& list, std::size_t most, const char* about) {
+        std::vector<std::uint32_t> numbers;
+        for (const Id<Tag> id : list) numbers.push_back(id.value);
+        v.numbers(key, numbers, kId, most, about, Need::Required);
+        list.clear();
+        for (const std::uint32_t number : numbers) list.push_back({number});
+    }
+};
+
+}  // namespace muster
+`;
+}
+
+export const scenarioFiles = () => ({ 'src/files/scenario/command_fields.h': header() });

@@ -1,0 +1,63 @@
+// The types that fields of commands may have, and how each is written in C++, C, files and TypeScript.
+
+/** Numbers, flags and texts. */
+const kPlain = {
+  u8: { cpp: 'std::uint8_t', c: 'uint8_t', initial: '0', ts: 'number' },
+  u32: { cpp: 'std::uint32_t', c: 'uint32_t', initial: '0', ts: 'number' },
+  i32: { cpp: 'std::int32_t', c: 'int32_t', initial: '0', ts: 'number' },
+  f64: { cpp: 'double', c: 'double', initial: '0.0', ts: 'number' },
+  bool: { cpp: 'bool', c: 'bool', initial: 'false', ts: 'boolean' },
+  Vec2: { cpp: 'Vec2', c: 'MusterVec2', initial: '', ts: 'readonly [number, number]' },
+  CharacterId: { cpp: 'std::uint32_t', c: 'MusterCharacterId', initial: '0', ts: 'number' },
+  OrderId: { cpp: 'std::uint32_t', c: 'MusterOrderId', initial: '0', ts: 'number' },
+  Colour: { cpp: 'std::uint32_t', c: 'uint32_t', initial: '0', ts: 'string' },
+};
+
+/** Enumerations: the last value, what messages call one, and the array of their words in files. */
+const kEnums = {
+  ControlKind: { last: 'ControlKind::Area', called: 'control kind', words: 'kControlWords', key: 'control' },
+  QueueMode: { last: 'QueueMode::Insert', called: 'queue mode', words: 'kModeWords' },
+  QueueEdit: { last: 'QueueEdit::Stop', called: 'queue edit', words: 'kEditWords' },
+  SplitBy: { last: 'SplitBy::Shares', called: 'way of splitting', words: 'kSplitWords' },
+  PartShape: { last: 'PartShape::Smaller', called: 'shape of parts', words: 'kShapeWords' },
+  Driver: { last: 'Driver::Outside', called: 'driver', words: 'kDriverWords' },
+  BodyBuild: { last: 'kLastBodyBuild', called: 'build', words: '' },
+  MotionSet: { last: 'kLastMotionSet', called: 'set of motions', words: '' },
+};
+
+/**
+ * Definitions: the check of one, or of a list (`checkAll`), and the function that describes it in files. It stands in an object of
+ * its own ("definition", or `key`) or among the fields of the command (`inline`).
+ */
+const kDefinitions = {
+  FormationDef: { check: 'validateFormation', describe: 'describeFormation(inner, #)', key: 'formation', visit: 'objectOrKind' },
+  GroupDef: { check: 'validateGroup', describe: 'describeGroup(inner, #)' },
+  ObstacleDef: { check: 'validateObstacle', describe: 'describeObstacle(inner, #)' },
+  PatchDef: { check: 'validatePatch', checkMore: ', kAnyMotion', describe: 'describePatch(inner, #, {})' },
+  ItemDef: { check: 'validateItem', describe: 'describeItem(inner, #)', isPlainInC: true },
+  CheckpointDef: { cpp: 'FormationCheckpointDef', check: 'validateCheckpoint', checkMore: ', kMaxGroups', describe: 'describeCheckpoint(inner, #, [] {})' },
+  AreaDef: { check: 'validateArea', describe: 'describeArea(inner, #, [] {})' },
+  Order: { check: 'validateOrder', inline: 'describeOrder(v, #)' },
+  Conduct: { check: 'validateConduct', inline: 'describeConduct(v, #)' },
+  RoleDef: { checkAll: 'validateRoles', inline: 'describeRoles(v, #, Need::Required)' },
+  PeopleDef: { checkAll: 'validatePeople', inline: 'describePeople(v, #)' },
+  Body: { inline: 'describeBodies(v, "bodies", #, &)', isPlainInC: true },
+};
+
+export const isId = (type) => /^(Group|Obstacle|Patch|Item|Checkpoint|Area|Control)Id$/.test(type);
+export const plain = (type) => kPlain[type];
+export const enumeration = (type) => kEnums[type];
+export const definition = (type) => kDefinitions[type];
+export const isType = (type) => type === 'text' || isId(type) || type in kPlain || type in kEnums || type in kDefinitions;
+
+/** How C++ spells the type of a single value. */
+export function cppItem(type) {
+  if (type === 'text') return 'std::string';
+  return kPlain[type]?.cpp ?? kDefinitions[type]?.cpp ?? type;
+}
+
+/** The same in C. */
+export function cItem(type) {
+  if (type === 'text') return 'const char*';
+  return kPlain[type]?.c ?? `Muster${type}`;
+}

@@ -1,0 +1,179 @@
+// Made by schema/generate.mjs from schema/commands.txt: change these, not this file.
+// Names of commands, and what each of their fields has to be.
+#include "engine/state/command_checks.h"
+
+#include <array>
+
+#include "engine/state/validation.h"
+
+namespace muster {
+namespace {
+
+// clang-format off
+constexpr auto kNames = std::to_array<const char*>({
+    "TouchDown",
+    "TouchMove",
+    "TouchUp",
+    "TouchCancel",
+    "AddControl",
+    "PinControl",
+    "RemoveControl",
+    "ReleaseClient",
+    "SetFormation",
+    "SetCount",
+    "SetPose",
+    "AddGroup",
+    "RemoveGroup",
+    "AddObstacle",
+    "ChangeObstacle",
+    "RemoveObstacle",
+    "AddPatch",
+    "ChangePatch",
+    "RemovePatch",
+    "SetParameter",
+    "GiveOrder",
+    "EditQueue",
+    "SetConduct",
+    "AddCharacters",
+    "RemoveCharacters",
+    "TransferCharacters",
+    "SplitGroup",
+    "MergeGroups",
+    "SetBodies",
+    "SetRoles",
+    "SetDemands",
+    "SetDriver",
+    "WriteMotion",
+    "AddItem",
+    "ChangeItem",
+    "RemoveItem",
+    "AddCheckpoint",
+    "ChangeCheckpoint",
+    "RemoveCheckpoint",
+    "PlaceGroup",
+    "NameGroup",
+    "ColourGroup",
+    "SetAppearance",
+    "PutArea",
+    "RemoveArea",
+    "SetPeople",
+});
+// clang-format on
+static_assert(kNames.size() == std::variant_size_v<CommandKinds>);
+
+/// One check per kind of command.
+struct Validator {
+    Status operator()(const TouchDown& c) const {
+        Status status = place("position", c.position);
+        if (status.ok()) status = numberIn("time", c.time, 0, 1e9, "[0, 1e9] s");
+        return status;
+    }
+    Status operator()(const TouchMove& c) const {
+        Status status = place("position", c.position);
+        if (status.ok()) status = numberIn("time", c.time, 0, 1e9, "[0, 1e9] s");
+        return status;
+    }
+    Status operator()(const TouchUp& c) const { return numberIn("time", c.time, 0, 1e9, "[0, 1e9] s"); }
+    Status operator()(const TouchCancel&) const { return {}; }
+    Status operator()(const AddControl& c) const {
+        Status status = isKnown(c.kind, ControlKind::Area, "control kind");
+        if (status.ok()) status = numberIn("time", c.time, 0, 1e9, "[0, 1e9] s");
+        if (status.ok()) status = relations(c);
+        return status;
+    }
+    Status operator()(const PinControl&) const { return {}; }
+    Status operator()(const RemoveControl&) const { return {}; }
+    Status operator()(const ReleaseClient&) const { return {}; }
+    Status operator()(const SetFormation& c) const { return validateFormation(c.formation); }
+    Status operator()(const SetCount& c) const { return countIn("count", c.count, 1, kMaxCharacters); }
+    Status operator()(const SetPose& c) const {
+        Status status = place("position", c.position);
+        if (status.ok()) status = numberIn("angle", c.angle, -1e6, 1e6, "[-1e6, 1e6] rad");
+        return status;
+    }
+    Status operator()(const AddGroup& c) const { return validateGroup(c.group); }
+    Status operator()(const RemoveGroup&) const { return {}; }
+    Status operator()(const AddObstacle& c) const { return validateObstacle(c.obstacle); }
+    Status operator()(const ChangeObstacle& c) const { return validateObstacle(c.obstacle); }
+    Status operator()(const RemoveObstacle&) const { return {}; }
+    Status operator()(const AddPatch& c) const { return validatePatch(c.patch, kAnyMotion); }
+    Status operator()(const ChangePatch& c) const { return validatePatch(c.patch, kAnyMotion); }
+    Status operator()(const RemovePatch&) const { return {}; }
+    Status operator()(const SetParameter& c) const { return relations(c); }
+    Status operator()(const GiveOrder& c) const {
+        Status status = isKnown(c.mode, QueueMode::Insert, "queue mode");
+        if (status.ok()) status = validateOrder(c.order);
+        return status;
+    }
+    Status operator()(const EditQueue& c) const { return isKnown(c.edit, QueueEdit::Stop, "queue edit"); }
+    Status operator()(const SetConduct& c) const { return validateConduct(c.conduct); }
+    Status operator()(const AddCharacters& c) const {
+        Status status = places("positions", c.positions, 1, kMaxCharacters);
+        if (status.ok()) status = relations(c);
+        return status;
+    }
+    Status operator()(const RemoveCharacters& c) const { return eachOnce(c.ids); }
+    Status operator()(const TransferCharacters& c) const { return eachOnce(c.ids); }
+    Status operator()(const SplitGroup& c) const {
+        Status status = isKnown(c.by, SplitBy::Shares, "way of splitting");
+        if (status.ok()) status = places("points", c.points, 0, kMaxCorners);
+        if (status.ok()) status = isKnown(c.shape, PartShape::Smaller, "shape of parts");
+        if (status.ok()) status = relations(c);
+        return status;
+    }
+    Status operator()(const MergeGroups& c) const {
+        Status status = isKnown(c.shape, PartShape::Smaller, "shape of parts");
+        if (status.ok()) status = relations(c);
+        return status;
+    }
+    Status operator()(const SetBodies& c) const {
+        Status status = eachOnce(c.ids);
+        if (status.ok()) status = relations(c);
+        return status;
+    }
+    Status operator()(const SetRoles& c) const { return validateRoles(c.roles); }
+    Status operator()(const SetDemands& c) const { return relations(c); }
+    Status operator()(const SetDriver& c) const {
+        Status status = eachOnce(c.ids);
+        if (status.ok()) status = isKnown(c.driver, Driver::Outside, "driver");
+        return status;
+    }
+    Status operator()(const WriteMotion& c) const {
+        Status status = eachOnce(c.ids);
+        if (status.ok()) status = places("positions", c.positions, 1, kMaxCharacters);
+        if (status.ok()) status = places("velocities", c.velocities, 0, kMaxCharacters);
+        if (status.ok()) status = relations(c);
+        return status;
+    }
+    Status operator()(const AddItem& c) const { return validateItem(c.item); }
+    Status operator()(const ChangeItem& c) const { return validateItem(c.item); }
+    Status operator()(const RemoveItem&) const { return {}; }
+    Status operator()(const AddCheckpoint& c) const { return validateCheckpoint(c.checkpoint, kMaxGroups); }
+    Status operator()(const ChangeCheckpoint& c) const {
+        return validateCheckpoint(c.checkpoint, kMaxGroups);
+    }
+    Status operator()(const RemoveCheckpoint&) const { return {}; }
+    Status operator()(const PlaceGroup& c) const {
+        Status status = place("position", c.position);
+        if (status.ok()) status = numberIn("angle", c.angle, -1e6, 1e6, "[-1e6, 1e6] rad");
+        return status;
+    }
+    Status operator()(const NameGroup& c) const { return relations(c); }
+    Status operator()(const ColourGroup& c) const { return relations(c); }
+    Status operator()(const SetAppearance& c) const { return relations(c); }
+    Status operator()(const PutArea& c) const { return validateArea(c.area); }
+    Status operator()(const RemoveArea&) const { return {}; }
+    Status operator()(const SetPeople& c) const { return validatePeople(c.people); }
+};
+
+}  // namespace
+
+const char* commandName(const Command& command) {
+    return kNames[command.body.index()];
+}
+
+Status validateCommand(const Command& command) {
+    return std::visit(Validator(), command.body).within(commandName(command));
+}
+
+}  // namespace muster

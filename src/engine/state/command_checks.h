@@ -1,0 +1,45 @@
+// Checks of the fields of commands, and of what two fields of one have to be together. Each fails with
+// InvalidArgument or LimitExceeded, naming the field.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "muster/command.h"
+
+namespace muster {
+
+/// Whether the world knows a motion shows when the command is applied.
+inline constexpr std::int32_t kAnyMotion = 1000;
+
+/// A position in the world.
+Status place(const char* field, Vec2 p);
+/// So many positions, `least` to `most`.
+Status places(const char* field, const std::vector<Vec2>& points, std::size_t least, std::size_t most);
+/// Ids of characters: at least one, none of them twice.
+Status eachOnce(const std::vector<std::uint32_t>& ids);
+/// A number from `low` to `high`, both as they are written.
+Status numberIn(const char* field, double value, double low, double high, const char* range);
+/// The same for a whole number.
+Status countIn(const char* field, std::int32_t value, std::int32_t low, std::int32_t high);
+/// A value of an enumeration.
+template <class Enum>
+Status isKnown(Enum value, Enum last, const char* called) {
+    return value <= last ? Status{} : invalidArgument(std::string(called) + " is not known");
+}
+
+// What the fields of a command have to be together.
+Status relations(const AddControl& c);
+Status relations(const SetParameter& c);
+Status relations(const AddCharacters& c);
+Status relations(const SplitGroup& c);
+Status relations(const MergeGroups& c);
+Status relations(const SetBodies& c);
+Status relations(const SetDemands& c);
+Status relations(const WriteMotion& c);
+Status relations(const NameGroup& c);
+Status relations(const ColourGroup& c);
+Status relations(const SetAppearance& c);
+
+}  // namespace muster
