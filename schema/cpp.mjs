@@ -117,6 +117,7 @@ function checks() {
 
 #include <array>
 
+#include "engine/state/command_relations.h"
 #include "engine/state/validation.h"
 
 namespace muster {
@@ -186,8 +187,40 @@ inline const CommandTraits& traitsOf(const CommandBody& body) {
 `;
 }
 
+/** What is written by hand for each command: how it is applied, and what its fields have to be together. */
+function functions() {
+  return `${kBanner}// How each kind of command is applied: the one function that is written for it.
+#pragma once
+
+#include "engine/systems/commands/command_context.h"
+
+namespace muster {
+
+${commands.map(({ name }) => `Status apply(CommandContext& context, const ${name}& c);`).join('\n')}
+
+}  // namespace muster
+`;
+}
+
+function relations() {
+  const some = commands.filter(({ flags }) => flags.has('relations'));
+  return `${kBanner}// What the fields of a command have to be together: InvalidArgument where they are not.
+#pragma once
+
+#include "muster/command.h"
+
+namespace muster {
+
+${some.map(({ name }) => `Status relations(const ${name}& c);`).join('\n')}
+
+}  // namespace muster
+`;
+}
+
 export const cppFiles = () => ({
   'include/muster/command_kinds.h': header(),
   'src/engine/state/command_checks.cpp': checks(),
+  'src/engine/state/command_relations.h': relations(),
+  'src/engine/systems/commands/command_functions.h': functions(),
   'src/studio/session/inbox/command_traits.h': traits(),
 });

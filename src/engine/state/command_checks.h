@@ -1,5 +1,4 @@
-// Checks of the fields of commands, and of what two fields of one have to be together. Each fails with
-// InvalidArgument or LimitExceeded, naming the field.
+// Checks of single fields of commands. Each fails with InvalidArgument or LimitExceeded, naming the field.
 #pragma once
 
 #include <cstdint>
@@ -28,18 +27,5 @@ template <class Enum>
 Status isKnown(Enum value, Enum last, const char* called) {
     return value <= last ? Status{} : invalidArgument(std::string(called) + " is not known");
 }
-
-// What the fields of a command have to be together.
-Status relations(const AddControl& c);
-Status relations(const SetParameter& c);
-Status relations(const AddCharacters& c);
-Status relations(const SplitGroup& c);
-Status relations(const MergeGroups& c);
-Status relations(const SetBodies& c);
-Status relations(const SetDemands& c);
-Status relations(const WriteMotion& c);
-Status relations(const NameGroup& c);
-Status relations(const ColourGroup& c);
-Status relations(const SetAppearance& c);
 
 }  // namespace muster

@@ -1,3 +1,5 @@
+#include "engine/state/command_relations.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -107,8 +109,7 @@ Status relations(const SetDemands& c) {
 }
 
 Status relations(const WriteMotion& c) {
-    if (c.positions.size() == c.ids.size() &&
-        (c.velocities.empty() || c.velocities.size() == c.ids.size()))
+    if (c.positions.size() == c.ids.size() && (c.velocities.empty() || c.velocities.size() == c.ids.size()))
         return {};
     return differInNumber("ids, positions and velocities");
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "engine/state/validation.h"
+#include "engine/systems/commands/command_functions.h"
 #include "engine/systems/commands/not_found.h"
 
 namespace muster {
@@ -17,7 +18,8 @@ void addArea(WorldState& state, const AreaDef& def, GroupId group) {
     area.source.random = Random(state.seed + kStream * area.id.value);
 }
 
-Status putArea(WorldState& state, const PutArea& put) {
+Status apply(CommandContext& context, const PutArea& put) {
+    WorldState& state = context.state;
     const bool source = put.area.kind == AreaKind::Source;
     if (source && state.findGroup(put.group) == nullptr) return noGroup(put.group);
     Area* area = state.findArea(put.id);
@@ -34,7 +36,8 @@ Status putArea(WorldState& state, const PutArea& put) {
     return {};
 }
 
-Status removeArea(WorldState& state, const RemoveArea& remove) {
+Status apply(CommandContext& context, const RemoveArea& remove) {
+    WorldState& state = context.state;
     const std::size_t removed = std::erase_if(state.areas,
                                               [&](const Area& area) { return area.id == remove.id; });
     return removed > 0 ? Status{} : notFound("area", remove.id.value);

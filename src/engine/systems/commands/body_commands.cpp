@@ -4,6 +4,7 @@
 #include <string>
 
 #include "engine/steering/crowd_bodies.h"
+#include "engine/systems/commands/command_functions.h"
 #include "engine/systems/commands/not_found.h"
 
 namespace muster {
@@ -19,7 +20,8 @@ Status allExist(const Characters& characters, const std::vector<std::uint32_t>& 
 
 }  // namespace
 
-Status setBodies(WorldState& state, const SetBodies& command) {
+Status apply(CommandContext& context, const SetBodies& command) {
+    WorldState& state = context.groups();
     Characters& c = state.characters;
     if (Status s = allExist(c, command.ids); !s.ok()) return s;
     for (std::size_t k = 0; k < command.ids.size(); ++k)
@@ -27,14 +29,16 @@ Status setBodies(WorldState& state, const SetBodies& command) {
     return {};
 }
 
-Status setDriver(WorldState& state, const SetDriver& command) {
+Status apply(CommandContext& context, const SetDriver& command) {
+    WorldState& state = context.state;
     Characters& c = state.characters;
     if (Status s = allExist(c, command.ids); !s.ok()) return s;
     for (const std::uint32_t id : command.ids) c.driver[c.indexOf(id)] = command.driver;
     return {};
 }
 
-Status writeMotion(WorldState& state, const WriteMotion& command) {
+Status apply(CommandContext& context, const WriteMotion& command) {
+    WorldState& state = context.state;
     Characters& c = state.characters;
     if (Status s = allExist(c, command.ids); !s.ok()) return s;
     for (const std::uint32_t id : command.ids)

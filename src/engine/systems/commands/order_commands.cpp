@@ -1,4 +1,4 @@
-#include "engine/systems/commands/order_commands.h"
+#include "engine/systems/commands/order_queues.h"
 
 #include <algorithm>
 #include <string>
@@ -10,6 +10,7 @@
 #include "engine/state/validation.h"
 #include "engine/steering/crowd_bodies.h"
 #include "engine/steering/walk_progress.h"
+#include "engine/systems/commands/command_functions.h"
 #include "engine/systems/commands/not_found.h"
 
 namespace muster {
@@ -153,7 +154,8 @@ void dropOrders(Group& group) {
     queue.held = queue.patrols = false;
 }
 
-Status giveOrder(WorldState& state, const GiveOrder& command, std::vector<Event>& events) {
+Status apply(CommandContext& context, const GiveOrder& command) {
+    WorldState& state = context.state;
     Group* const group = state.findGroup(command.group);
     if (group == nullptr) return noGroup(command.group);
     const Order& order = command.order;
@@ -175,11 +177,12 @@ Status giveOrder(WorldState& state, const GiveOrder& command, std::vector<Event>
                                   : orders.size();
     if (index == 0) group->orders.end();
     orders.insert(orders.begin() + static_cast<std::ptrdiff_t>(index), queued);
-    events.push_back({EventKind::OrderGiven, group->id.value, queued.id, order.target});
+    context.events.push_back({EventKind::OrderGiven, group->id.value, queued.id, order.target});
     return {};
 }
 
-Status editQueue(WorldState& state, const EditQueue& command, std::vector<Event>&) {
+Status apply(CommandContext& context, const EditQueue& command) {
+    WorldState& state = context.state;
     Group* const group = state.findGroup(command.group);
     if (group == nullptr) return noGroup(command.group);
     switch (command.edit) {
@@ -204,7 +207,8 @@ Status editQueue(WorldState& state, const EditQueue& command, std::vector<Event>
     return {};
 }
 
-Status setConduct(WorldState& state, const SetConduct& command) {
+Status apply(CommandContext& context, const SetConduct& command) {
+    WorldState& state = context.state;
     Group* const group = state.findGroup(command.group);
     if (group == nullptr) return noGroup(command.group);
     group->def.conduct = command.conduct;

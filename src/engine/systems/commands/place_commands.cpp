@@ -1,5 +1,3 @@
-#include "engine/systems/commands/place_commands.h"
-
 #include <algorithm>
 #include <string>
 
@@ -8,8 +6,9 @@
 #include "engine/state/draw_person.h"
 #include "engine/state/group_edits.h"
 #include "engine/state/validation.h"
+#include "engine/systems/commands/command_functions.h"
 #include "engine/systems/commands/not_found.h"
-#include "engine/systems/commands/order_commands.h"
+#include "engine/systems/commands/order_queues.h"
 
 namespace muster {
 namespace {
@@ -42,7 +41,8 @@ void changeColumns(WorldState& state, std::size_t before, std::size_t now, std::
 
 }  // namespace
 
-Status addItem(WorldState& state, const AddItem& add) {
+Status apply(CommandContext& context, const AddItem& add) {
+    WorldState& state = context.state;
     if (state.items.size() >= kMaxObstacles) return tooMany("items");
     state.items.push_back(add.item);
     state.itemIds.push_back(ItemId{state.nextItem++});
@@ -50,14 +50,16 @@ Status addItem(WorldState& state, const AddItem& add) {
     return {};
 }
 
-Status changeItem(WorldState& state, const ChangeItem& change) {
+Status apply(CommandContext& context, const ChangeItem& change) {
+    WorldState& state = context.state;
     const std::ptrdiff_t at = indexOf(state.itemIds, change.id);
     if (at < 0) return notFound("item", change.id.value);
     state.items[at] = change.item;
     return {};
 }
 
-Status removeItem(WorldState& state, const RemoveItem& remove) {
+Status apply(CommandContext& context, const RemoveItem& remove) {
+    WorldState& state = context.state;
     const std::ptrdiff_t at = indexOf(state.itemIds, remove.id);
     if (at < 0) return notFound("item", remove.id.value);
     state.items.erase(state.items.begin() + at);
@@ -66,7 +68,8 @@ Status removeItem(WorldState& state, const RemoveItem& remove) {
     return {};
 }
 
-Status addCheckpoint(WorldState& state, const AddCheckpoint& add) {
+Status apply(CommandContext& context, const AddCheckpoint& add) {
+    WorldState& state = context.state;
     const std::size_t before = state.checkpoints.size();
     if (before >= kMaxObstacles) return tooMany("checkpoints");
     if (const Status there = groupIsThere(state, add.group); !there.ok()) return there;
@@ -78,7 +81,8 @@ Status addCheckpoint(WorldState& state, const AddCheckpoint& add) {
     return {};
 }
 
-Status changeCheckpoint(WorldState& state, const ChangeCheckpoint& change) {
+Status apply(CommandContext& context, const ChangeCheckpoint& change) {
+    WorldState& state = context.state;
     const std::ptrdiff_t at = indexOf(state.checkpointIds, change.id);
     if (at < 0) return notFound("checkpoint", change.id.value);
     if (const Status there = groupIsThere(state, change.group); !there.ok()) return there;
@@ -88,7 +92,8 @@ Status changeCheckpoint(WorldState& state, const ChangeCheckpoint& change) {
     return {};
 }
 
-Status removeCheckpoint(WorldState& state, const RemoveCheckpoint& remove) {
+Status apply(CommandContext& context, const RemoveCheckpoint& remove) {
+    WorldState& state = context.state;
     const std::ptrdiff_t at = indexOf(state.checkpointIds, remove.id);
     if (at < 0) return notFound("checkpoint", remove.id.value);
     const std::size_t before = state.checkpoints.size();
@@ -101,7 +106,8 @@ Status removeCheckpoint(WorldState& state, const RemoveCheckpoint& remove) {
     return {};
 }
 
-Status placeGroup(WorldState& state, const PlaceGroup& place) {
+Status apply(CommandContext& context, const PlaceGroup& place) {
+    WorldState& state = context.groups();
     Group* group = state.findGroup(place.group);
     if (group == nullptr) return noGroup(place.group);
     if (state.continuum.isBare(group->id)) formUp(state, *group);
@@ -114,21 +120,24 @@ Status placeGroup(WorldState& state, const PlaceGroup& place) {
     return {};
 }
 
-Status nameGroup(WorldState& state, const NameGroup& name) {
+Status apply(CommandContext& context, const NameGroup& name) {
+    WorldState& state = context.state;
     Group* group = state.findGroup(name.group);
     if (group == nullptr) return noGroup(name.group);
     group->def.name = name.name;
     return {};
 }
 
-Status colourGroup(WorldState& state, const ColourGroup& colour) {
+Status apply(CommandContext& context, const ColourGroup& colour) {
+    WorldState& state = context.state;
     Group* group = state.findGroup(colour.group);
     if (group == nullptr) return noGroup(colour.group);
     group->def.colour = colour.colour;
     return {};
 }
 
-Status setAppearance(WorldState& state, const SetAppearance& appearance) {
+Status apply(CommandContext& context, const SetAppearance& appearance) {
+    WorldState& state = context.state;
     Group* group = state.findGroup(appearance.group);
     if (group == nullptr) return noGroup(appearance.group);
     group->def.build = appearance.build;
@@ -136,7 +145,8 @@ Status setAppearance(WorldState& state, const SetAppearance& appearance) {
     return {};
 }
 
-Status setPeople(WorldState& state, const SetPeople& set) {
+Status apply(CommandContext& context, const SetPeople& set) {
+    WorldState& state = context.groups();
     Group* group = state.findGroup(set.group);
     if (group == nullptr) return noGroup(set.group);
     Characters& c = state.characters;

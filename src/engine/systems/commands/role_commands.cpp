@@ -1,29 +1,23 @@
-#include "engine/systems/commands/role_commands.h"
-
 #include <string>
 
 #include "engine/state/validation.h"
+#include "engine/systems/commands/command_functions.h"
+#include "engine/systems/commands/not_found.h"
 
 namespace muster {
-namespace {
-
-Status noSuchGroup(GroupId id) {
-    return {StatusCode::NotFound, "there is no group " + std::to_string(id.value)};
-}
-
-}  // namespace
-
-Status setRoles(WorldState& state, const SetRoles& command) {
+Status apply(CommandContext& context, const SetRoles& command) {
+    WorldState& state = context.groups();
     Group* const group = state.findGroup(command.group);
-    if (group == nullptr) return noSuchGroup(command.group);
+    if (group == nullptr) return noGroup(command.group);
     if (Status s = validateRoles(command.roles); !s.ok()) return s;
     group->def.roles = command.roles;
     return {};
 }
 
-Status setDemands(WorldState& state, const SetDemands& command) {
+Status apply(CommandContext& context, const SetDemands& command) {
+    WorldState& state = context.groups();
     Group* const group = state.findGroup(command.group);
-    if (group == nullptr) return noSuchGroup(command.group);
+    if (group == nullptr) return noGroup(command.group);
     if (Status s = validateDemands(command.demands); !s.ok()) return s;
     const std::size_t places = group->places.positions().size();
     if (!command.demands.empty() && command.demands.size() != places)

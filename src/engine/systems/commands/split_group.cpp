@@ -10,9 +10,9 @@
 #include "engine/state/group_edits.h"
 #include "engine/state/reform.h"
 #include "engine/state/validation.h"
+#include "engine/systems/commands/command_functions.h"
 #include "engine/systems/commands/not_found.h"
-#include "engine/systems/commands/order_commands.h"
-#include "engine/systems/commands/unit_commands.h"
+#include "engine/systems/commands/order_queues.h"
 
 namespace muster {
 namespace {
@@ -179,7 +179,8 @@ void addParts(WorldState& state, std::uint32_t whole, const Parts& parts) {
 
 }  // namespace
 
-Status splitGroup(WorldState& state, const SplitGroup& command, std::vector<Event>& events) {
+Status apply(CommandContext& context, const SplitGroup& command) {
+    WorldState& state = context.groups();
     Group* const group = state.findGroup(command.group);
     if (group == nullptr) return noGroup(command.group);
     const Result<Parts> parts = partsOf(state, *group, command);
@@ -212,8 +213,8 @@ Status splitGroup(WorldState& state, const SplitGroup& command, std::vector<Even
     divideControls(formed);
     shareOrders(state, formed, middle);
     for (std::size_t p = 1; p < formed.size(); ++p)
-        events.push_back({EventKind::GroupAdded, formed[p]->id.value, formed[0]->id.value,
-                          formed[p]->mesh.pose().position});
+        context.events.push_back({EventKind::GroupAdded, formed[p]->id.value, formed[0]->id.value,
+                                  formed[p]->mesh.pose().position});
     return {};
 }
 

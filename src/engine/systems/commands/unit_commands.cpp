@@ -1,5 +1,3 @@
-#include "engine/systems/commands/unit_commands.h"
-
 #include <algorithm>
 #include <string>
 
@@ -8,6 +6,8 @@
 #include "engine/state/reform.h"
 #include "engine/state/standing_room.h"
 #include "engine/state/validation.h"
+#include "engine/systems/commands/command_functions.h"
+#include "engine/systems/commands/join_one.h"
 #include "engine/systems/commands/not_found.h"
 
 namespace muster {
@@ -113,7 +113,8 @@ std::int32_t joinOne(WorldState& state, Group& group, Vec2 position, const Body&
     return i;
 }
 
-Status addCharacters(WorldState& state, const AddCharacters& command, std::vector<Event>& events) {
+Status apply(CommandContext& context, const AddCharacters& command) {
+    WorldState& state = context.groups();
     Group* const group = state.findGroup(command.group);
     if (group == nullptr) return noGroup(command.group);
     const auto total = static_cast<std::int64_t>(state.characters.size() + command.positions.size());
@@ -132,11 +133,13 @@ Status addCharacters(WorldState& state, const AddCharacters& command, std::vecto
     }
     const Characters& characters = state.characters;
     for (std::size_t i = before; i < characters.size(); ++i)
-        events.push_back({EventKind::Joined, characters.id[i], group->id.value, characters.position[i]});
+        context.events.push_back(
+            {EventKind::Joined, characters.id[i], group->id.value, characters.position[i]});
     return {};
 }
 
-Status removeCharacters(WorldState& state, const RemoveCharacters& command, std::vector<Event>& events) {
+Status apply(CommandContext& context, const RemoveCharacters& command) {
+    WorldState& state = context.groups();
     const auto leaving = charactersOf(state, command.ids);
     if (!leaving.ok()) return leaving.status();
     Result<Shrinking> shrinking = shrink(state, *leaving);
@@ -144,8 +147,9 @@ Status removeCharacters(WorldState& state, const RemoveCharacters& command, std:
     std::vector<std::uint8_t> leaves(state.characters.size(), 0);
     for (const std::int32_t i : *leaving) {
         leaves[i] = 1;
-        events.push_back({EventKind::Left, state.characters.id[i],
-                          state.groups[state.characters.group[i]].id.value, state.characters.position[i]});
+        context.events.push_back({EventKind::Left, state.characters.id[i],
+                                  state.groups[state.characters.group[i]].id.value,
+                                  state.characters.position[i]});
     }
     removeCharacters(state.characters, leaves);
     state.refreshMembers();
@@ -153,7 +157,8 @@ Status removeCharacters(WorldState& state, const RemoveCharacters& command, std:
     return {};
 }
 
-Status transferCharacters(WorldState& state, const TransferCharacters& command, std::vector<Event>& events) {
+Status apply(CommandContext& context, const TransferCharacters& command) {
+    WorldState& state = context.groups();
     Group* const group = state.findGroup(command.group);
     if (group == nullptr) return noGroup(command.group);
     auto leaving = charactersOf(state, command.ids);
@@ -178,12 +183,13 @@ Status transferCharacters(WorldState& state, const TransferCharacters& command, 
     }
     apply(state, *shrinking);
     for (const std::int32_t i : *leaving)
-        events.push_back(
+        context.events.push_back(
             {EventKind::Transferred, state.characters.id[i], group->id.value, state.characters.position[i]});
     return {};
 }
 
-Status mergeGroups(WorldState& state, const MergeGroups& command, std::vector<Event>& events) {
+Status apply(CommandContext& context, const MergeGroups& command) {
+    WorldState& state = context.groups();
     for (const GroupId id : command.groups)
         if (state.findGroup(id) == nullptr) return noGroup(id);
     Group& first = *state.findGroup(command.groups.front());
@@ -215,7 +221,7 @@ Status mergeGroups(WorldState& state, const MergeGroups& command, std::vector<Ev
     for (const GroupId id : command.groups) {
         if (id == into) continue;
         const Group& group = *state.findGroup(id);
-        events.push_back({EventKind::GroupRemoved, id.value, into.value, group.mesh.pose().position});
+        context.events.push_back({EventKind::GroupRemoved, id.value, into.value, group.mesh.pose().position});
         removeGroup(state, indexOf(state, group));
     }
     return {};

@@ -11,7 +11,7 @@
 #include "engine/state/group_edits.h"
 #include "engine/state/validation.h"
 #include "engine/steering/crowd_bodies.h"
-#include "engine/systems/commands/unit_commands.h"
+#include "engine/systems/commands/join_one.h"
 
 namespace muster {
 namespace {

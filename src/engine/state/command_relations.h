@@ -1,0 +1,21 @@
+// Made by schema/generate.mjs from schema/commands.txt: change these, not this file.
+// What the fields of a command have to be together: InvalidArgument where they are not.
+#pragma once
+
+#include "muster/command.h"
+
+namespace muster {
+
+Status relations(const AddControl& c);
+Status relations(const SetParameter& c);
+Status relations(const AddCharacters& c);
+Status relations(const SplitGroup& c);
+Status relations(const MergeGroups& c);
+Status relations(const SetBodies& c);
+Status relations(const SetDemands& c);
+Status relations(const WriteMotion& c);
+Status relations(const NameGroup& c);
+Status relations(const ColourGroup& c);
+Status relations(const SetAppearance& c);
+
+}  // namespace muster

@@ -1,0 +1,56 @@
+// Made by schema/generate.mjs from schema/commands.txt: change these, not this file.
+// How each kind of command is applied: the one function that is written for it.
+#pragma once
+
+#include "engine/systems/commands/command_context.h"
+
+namespace muster {
+
+Status apply(CommandContext& context, const TouchDown& c);
+Status apply(CommandContext& context, const TouchMove& c);
+Status apply(CommandContext& context, const TouchUp& c);
+Status apply(CommandContext& context, const TouchCancel& c);
+Status apply(CommandContext& context, const AddControl& c);
+Status apply(CommandContext& context, const PinControl& c);
+Status apply(CommandContext& context, const RemoveControl& c);
+Status apply(CommandContext& context, const ReleaseClient& c);
+Status apply(CommandContext& context, const SetFormation& c);
+Status apply(CommandContext& context, const SetCount& c);
+Status apply(CommandContext& context, const SetPose& c);
+Status apply(CommandContext& context, const AddGroup& c);
+Status apply(CommandContext& context, const RemoveGroup& c);
+Status apply(CommandContext& context, const AddObstacle& c);
+Status apply(CommandContext& context, const ChangeObstacle& c);
+Status apply(CommandContext& context, const RemoveObstacle& c);
+Status apply(CommandContext& context, const AddPatch& c);
+Status apply(CommandContext& context, const ChangePatch& c);
+Status apply(CommandContext& context, const RemovePatch& c);
+Status apply(CommandContext& context, const SetParameter& c);
+Status apply(CommandContext& context, const GiveOrder& c);
+Status apply(CommandContext& context, const EditQueue& c);
+Status apply(CommandContext& context, const SetConduct& c);
+Status apply(CommandContext& context, const AddCharacters& c);
+Status apply(CommandContext& context, const RemoveCharacters& c);
+Status apply(CommandContext& context, const TransferCharacters& c);
+Status apply(CommandContext& context, const SplitGroup& c);
+Status apply(CommandContext& context, const MergeGroups& c);
+Status apply(CommandContext& context, const SetBodies& c);
+Status apply(CommandContext& context, const SetRoles& c);
+Status apply(CommandContext& context, const SetDemands& c);
+Status apply(CommandContext& context, const SetDriver& c);
+Status apply(CommandContext& context, const WriteMotion& c);
+Status apply(CommandContext& context, const AddItem& c);
+Status apply(CommandContext& context, const ChangeItem& c);
+Status apply(CommandContext& context, const RemoveItem& c);
+Status apply(CommandContext& context, const AddCheckpoint& c);
+Status apply(CommandContext& context, const ChangeCheckpoint& c);
+Status apply(CommandContext& context, const RemoveCheckpoint& c);
+Status apply(CommandContext& context, const PlaceGroup& c);
+Status apply(CommandContext& context, const NameGroup& c);
+Status apply(CommandContext& context, const ColourGroup& c);
+Status apply(CommandContext& context, const SetAppearance& c);
+Status apply(CommandContext& context, const PutArea& c);
+Status apply(CommandContext& context, const RemoveArea& c);
+Status apply(CommandContext& context, const SetPeople& c);
+
+}  // namespace muster

@@ -1,0 +1,107 @@
+// Commands of fingers and of the controls that they make.
+#include <algorithm>
+#include <string>
+
+#include "engine/systems/commands/command_functions.h"
+#include "engine/systems/commands/not_found.h"
+
+namespace muster {
+namespace {
+
+Status refused(bool accepted, const std::string& why) {
+    return accepted ? Status{} : invalidArgument(why);
+}
+
+// A trajectory never lies in the world's future. (The stamp of a touch that comes down may, where the world
+// is paused: it tells which touches came down together.)
+double stamp(const WorldState& state, double time) {
+    return std::clamp(time, 0.0, state.time());
+}
+
+// The group whose final mesh lies nearest within reach; ties go to the lower id.
+Group* nearestGroup(WorldState& state, Vec2 p) {
+    Group* best = nullptr;
+    double nearest = state.parameters.input.reach;
+    for (Group& group : state.groups) {
+        if (group.members.empty()) continue;
+        const auto& triangles = group.mesh.formation().mesh.triangles;
+        const MeshPoint point = locate(triangles, group.mesh.finalMesh(), p);
+        const double d = distance(point.position(triangles, group.mesh.finalMesh()), p);
+        if (d < nearest || (best == nullptr && d <= nearest)) {
+            nearest = d;
+            best = &group;
+        }
+    }
+    return best;
+}
+
+// Changes the controls that hold a touch.
+template <class Change>
+Status eachSet(WorldState& state, std::uint32_t touch, Change change) {
+    for (Group& group : state.groups)
+        if (change(group.controls)) return {};
+    return notFound("touch that is down", touch);
+}
+
+}  // namespace
+
+Status apply(CommandContext& context, const TouchDown& touch) {
+    Group* group = touch.group ? context.state.findGroup(touch.group)
+                               : nearestGroup(context.state, touch.position);
+    if (touch.group && group == nullptr) return notFound("group", touch.group.value);
+    if (group == nullptr)
+        return invalidArgument("touch " + std::to_string(touch.touch) + " begins on no formation");
+    group->order.fresh = true;
+    return refused(
+        group->controls.touchDown(context.state.parameters.input, context.command.client, touch.touch,
+                                  touch.position, touch.time, group->mesh.formation().mesh,
+                                  group->mesh.finalMesh(), group->mesh.userMesh()),
+        "touch " + std::to_string(touch.touch) + " is down already, or its vertex is held");
+}
+
+Status apply(CommandContext& context, const TouchMove& touch) {
+    return eachSet(context.state, touch.touch, [&](ControlSet& set) {
+        return set.touchMove(context.state.parameters.input, context.command.client, touch.touch,
+                             touch.position, stamp(context.state, touch.time));
+    });
+}
+
+Status apply(CommandContext& context, const TouchUp& touch) {
+    return eachSet(context.state, touch.touch,
+                   [&](ControlSet& set) { return set.touchUp(context.command.client, touch.touch); });
+}
+
+Status apply(CommandContext& context, const TouchCancel& touch) {
+    return eachSet(context.state, touch.touch,
+                   [&](ControlSet& set) { return set.touchCancel(context.command.client, touch.touch); });
+}
+
+Status apply(CommandContext& context, const AddControl& add) {
+    Group* group = context.state.findGroup(add.group);
+    if (group == nullptr) return notFound("group", add.group.value);
+    group->order.fresh = true;
+    return refused(group->controls.addControl(context.command.client, add.kind, add.touches, add.positions,
+                                              stamp(context.state, add.time), group->mesh.formation().mesh,
+                                              group->mesh.finalMesh(), group->mesh.userMesh()),
+                   "the control's points do not suit its kind, or share a vertex that is held");
+}
+
+Status apply(CommandContext& context, const PinControl& pin) {
+    Group* group = context.state.findGroup(pin.group);
+    if (group == nullptr) return notFound("group", pin.group.value);
+    return group->controls.setPinned(pin.control, pin.pinned) ? Status{}
+                                                              : notFound("control", pin.control.value);
+}
+
+Status apply(CommandContext& context, const RemoveControl& remove) {
+    Group* group = context.state.findGroup(remove.group);
+    if (group == nullptr) return notFound("group", remove.group.value);
+    return group->controls.remove(remove.control) ? Status{} : notFound("control", remove.control.value);
+}
+
+Status apply(CommandContext& context, const ReleaseClient&) {
+    for (Group& group : context.state.groups) group.controls.releaseClient(context.command.client);
+    return {};
+}
+
+}  // namespace muster
