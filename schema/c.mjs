@@ -2,7 +2,7 @@
 import { commands } from './read.mjs';
 import { aligned, docComment, lowerFirst, singular, upperWords, withUnit, listed } from './text.mjs';
 import { kBanner } from './cpp.mjs';
-import { cItem, definition, enumeration, isId } from './types.mjs';
+import { cItem, definition, enumerated, isId } from './types.mjs';
 
 /** The comment of a C header: ids and lists are none where they are 0. */
 function about(field) {
@@ -92,9 +92,9 @@ function marshal(field) {
   const has = `c.has${name[0].toUpperCase()}${name.slice(1)}`;
   if (isId(type)) return `m.id(${both});`;
   if (type === 'text') return `m.text(${both});`;
-  if (enumeration(type)) {
-    if (field.isOptional) return `m.optionalChoice(${has}, ${both}, ${enumeration(type).last}, "${name}");`;
-    return `m.choice(${both}, ${enumeration(type).last}, "${name}");`;
+  if (enumerated(type)) {
+    if (field.isOptional) return `m.optionalChoice(${has}, ${both}, kLastOf<${type}>, "${name}");`;
+    return `m.choice(${both}, kLastOf<${type}>, "${name}");`;
   }
   if (field.isOptional) return `m.optional(${has}, ${both});`;
   return named === undefined || named.isPlainInC ? `m.plain(${both});` : `m.part(${both}, "${name}");`;

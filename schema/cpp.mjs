@@ -1,7 +1,7 @@
 // The structs of commands in C++, what checks their fields, and what people are shown of them.
 import { commands } from './read.mjs';
 import { aligned, call, docComment, kWidth, withUnit, listed } from './text.mjs';
-import { cppItem, definition, enumeration, isId, plain } from './types.mjs';
+import { cppItem, definition, enumerated, isId, plain } from './types.mjs';
 
 export const kBanner = '// Made by schema/generate.mjs from schema/commands.txt: change these, not this file.\n';
 
@@ -14,7 +14,7 @@ function cppType(field) {
 /** " = 0.0", " = SplitBy::Ids"; empty where the type has a default of its own. */
 function initialOf(field) {
   if (field.isList || field.isOptional) return '';
-  if (enumeration(field.type)) return ` = ${field.type}::${field.initial}`;
+  if (enumerated(field.type)) return ` = ${field.type}::${field.initial}`;
   const initial = plain(field.type)?.initial ?? '';
   if (initial === '') return '';
   return ` = ${field.type === 'f64' || field.initial === '' ? initial : field.initial}`;
@@ -84,7 +84,7 @@ function checkOf(field) {
     if (type === 'CharacterId') return `eachOnce(${value})`;
     return type === 'Vec2' && field.count ? `places("${field.name}", ${value}, ${limit(field.count.low)}, ${limit(field.count.high)})` : null;
   }
-  if (enumeration(type)) return field.isOptional ? null : `isKnown(${value}, ${enumeration(type).last}, "${enumeration(type).called}")`;
+  if (enumerated(type)) return field.isOptional ? null : `isKnown(${value}, kLastOf<${type}>, "${enumerated(type).called}")`;
   if (type === 'Vec2') return `place("${field.name}", ${value})`;
   if (range === null) return null;
   const bounds = `${type === 'i32' ? 'countIn' : 'numberIn'}("${field.name}", ${value}, ${limit(range.low)}, ${limit(range.high)}`;

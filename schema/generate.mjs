@@ -1,4 +1,4 @@
-// Writes all that follows from commands.txt.
+// Writes all that follows from enumerations.txt and commands.txt.
 //
 //     node schema/generate.mjs           writes the files
 //     node schema/generate.mjs --check   writes nothing; exit code 1 where a committed file differs
@@ -6,12 +6,13 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { cFiles } from './c.mjs';
 import { cppFiles } from './cpp.mjs';
+import { enumerationFiles } from './enumerations.mjs';
 import { root } from './read.mjs';
 import { scenarioFiles } from './scenario.mjs';
 
 const checks = process.argv.includes('--check');
 let stale = 0;
-for (const [path, text] of Object.entries({ ...cppFiles(), ...cFiles(), ...scenarioFiles() })) {
+for (const [path, text] of Object.entries({ ...enumerationFiles(), ...cppFiles(), ...cFiles(), ...scenarioFiles() })) {
   const file = join(root, path);
   let old = null;
   try {
@@ -19,7 +20,7 @@ for (const [path, text] of Object.entries({ ...cppFiles(), ...cFiles(), ...scena
   } catch {}
   if (old === text) continue;
   if (checks) {
-    console.error(`${path} is not what schema/commands.txt says: run node schema/generate.mjs`);
+    console.error(`${path} is not what the declarations in schema/ say: run node schema/generate.mjs`);
     stale = 1;
   } else {
     writeFileSync(file, text);

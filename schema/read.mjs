@@ -1,8 +1,10 @@
-// Reads the declarations in commands.txt (README.md tells their form).
+// Reads the declarations in enumerations.txt and commands.txt (README.md tells their form).
 import { readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { isType } from './types.mjs';
+
+let file = '';  // That is read now.
 
 export const folder = dirname(fileURLToPath(import.meta.url));
 export const root = join(folder, '..');
@@ -22,7 +24,7 @@ function tokensOf(line) {
 }
 
 function fail(line, sentence) {
-  throw new Error(`schema/commands.txt:${line}: ${sentence}`);
+  throw new Error(`schema/${file}:${line}: ${sentence}`);
 }
 
 /** The value of a word that must be there. */
@@ -75,27 +77,48 @@ function readField(tokens, line) {
   return field;
 }
 
-function readAll(text) {
-  const commands = [];
-  text.split('\n').forEach((raw, at) => {
+/** "enum SplitBy c SPLIT_BY "How..."": a value stands on each line below. */
+function readEnumeration(tokens, line) {
+  const found = { name: word(tokens, line, 'a name'), prefix: '', isCounted: false, sentence: '', values: [] };
+  while (tokens.length > 0) {
+    const { word: next, text } = tokens.shift();
+    if (text !== undefined) found.sentence = text;
+    else if (next === 'c') found.prefix = word(tokens, line, 'the beginning of its names in C');
+    else if (next === 'counted') found.isCounted = true;
+    else fail(line, `found ${next}, expected c, counted or a sentence`);
+  }
+  if (found.prefix === '' || found.sentence === '') fail(line, `${found.name} needs a name in C and a sentence`);
+  return found;
+}
+
+/** Calls `open` for each declaration, which gives what its lines are added to, and `add` for these. */
+function readFile(name, keyword, open, add) {
+  const found = [];
+  file = name;
+  readFileSync(join(folder, name), 'utf8').split('\n').forEach((raw, at) => {
     const line = at + 1;
     if (raw.trim() === '' || raw.startsWith('#')) return;
     const tokens = tokensOf(raw);
-    const command = commands[commands.length - 1];
-    if (tokens[0].word === 'command' && !raw.startsWith(' ')) {
-      tokens.shift();
-      commands.push(readCommand(tokens, line, commands.length));
-    } else if (command === undefined) {
-      fail(line, 'found a field before any command');
-    } else if (tokens[0].text !== undefined) {
-      command.sentence = tokens[0].text;
+    if (!raw.startsWith(' ')) {
+      if (tokens.shift().word !== keyword) fail(line, `found ${raw.split(' ')[0]}, expected ${keyword}`);
+      found.push(open(tokens, line, found.length));
+    } else if (found.length === 0) {
+      fail(line, `found a line before any ${keyword}`);
     } else {
-      command.fields.push(readField(tokens, line));
+      add(found[found.length - 1], tokens, line);
     }
   });
-  for (const command of commands)
-    if (command.sentence === '' || command.fields.length === 0) throw new Error(`schema/commands.txt: ${command.name} needs a sentence and a field`);
-  return commands;
+  return found;
 }
 
-export const commands = readAll(readFileSync(join(folder, 'commands.txt'), 'utf8'));
+export const enumerations = readFile('enumerations.txt', 'enum', readEnumeration, (owner, tokens, line) => {
+  const name = word(tokens, line, 'a value');
+  owner.values.push({ name, sentence: tokens.shift()?.text ?? fail(line, `found no sentence for ${name}`) });
+});
+
+export const commands = readFile('commands.txt', 'command', readCommand, (owner, tokens, line) => {
+  if (tokens[0].text !== undefined) owner.sentence = tokens[0].text;
+  else owner.fields.push(readField(tokens, line));
+});
+for (const { name, sentence, fields } of commands)
+  if (sentence === '' || fields.length === 0) throw new Error(`schema/commands.txt: ${name} needs a sentence and a field`);

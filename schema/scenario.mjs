@@ -2,7 +2,7 @@
 import { commands } from './read.mjs';
 import { call, kWidth, listed } from './text.mjs';
 import { kBanner } from './cpp.mjs';
-import { definition, enumeration, isId } from './types.mjs';
+import { definition, enumerated, isId } from './types.mjs';
 
 const quoted = (text) => `"${text.replace(/"/g, '\\"')}"`;
 const kLimits = { 200000: 'kMaxCharacters', 10000: 'kMaxCorners' };
@@ -60,7 +60,7 @@ function describe(field) {
     const whole = line('v.whole(', [`"${name}"`, `${value}.value`, 'kId', about, ...(field.isOptional ? [] : ['Need::Required'])]);
     return field.isOptional ? [`        if (takesPart<Visitor>(static_cast<bool>(${value})))`, ...whole.map((text) => `    ${text}`)] : whole;
   }
-  if (enumeration(type)) return line('describeWord(', ['v', `"${enumeration(type).key ?? name}"`, value, enumeration(type).words, about, ...need]);
+  if (enumerated(type)) return line('describeWord(', ['v', `"${enumerated(type).key ?? name}"`, value, `k${type}Words`, about, ...need]);
   if (type === 'text') return line('v.text(', [`"${name}"`, value, about, 'Need::Required']);
   if (type === 'Colour') return line('v.colour(', [`"${name}"`, value, about]);
   if (type === 'bool') return line('v.flag(', [`"${name}"`, value, about]);

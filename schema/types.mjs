@@ -13,16 +13,16 @@ const kPlain = {
   Colour: { cpp: 'std::uint32_t', c: 'uint32_t', initial: '0', ts: 'string' },
 };
 
-/** Enumerations: the last value, what messages call one, and the array of their words in files. */
+/** What messages call a value of an enumeration, and its key in files where that is not the name of the field. */
 const kEnums = {
-  ControlKind: { last: 'ControlKind::Area', called: 'control kind', words: 'kControlWords', key: 'control' },
-  QueueMode: { last: 'QueueMode::Insert', called: 'queue mode', words: 'kModeWords' },
-  QueueEdit: { last: 'QueueEdit::Stop', called: 'queue edit', words: 'kEditWords' },
-  SplitBy: { last: 'SplitBy::Shares', called: 'way of splitting', words: 'kSplitWords' },
-  PartShape: { last: 'PartShape::Smaller', called: 'shape of parts', words: 'kShapeWords' },
-  Driver: { last: 'Driver::Outside', called: 'driver', words: 'kDriverWords' },
-  BodyBuild: { last: 'kLastBodyBuild', called: 'build', words: '' },
-  MotionSet: { last: 'kLastMotionSet', called: 'set of motions', words: '' },
+  ControlKind: { called: 'control kind', key: 'control' },
+  QueueMode: { called: 'queue mode' },
+  QueueEdit: { called: 'queue edit' },
+  SplitBy: { called: 'way of splitting' },
+  PartShape: { called: 'shape of parts' },
+  Driver: { called: 'driver' },
+  BodyBuild: { called: 'build' },
+  MotionSet: { called: 'set of motions' },
 };
 
 /**
@@ -46,7 +46,7 @@ const kDefinitions = {
 
 export const isId = (type) => /^(Group|Obstacle|Patch|Item|Checkpoint|Area|Control)Id$/.test(type);
 export const plain = (type) => kPlain[type];
-export const enumeration = (type) => kEnums[type];
+export const enumerated = (type) => kEnums[type];
 export const definition = (type) => kDefinitions[type];
 export const isType = (type) => type === 'text' || isId(type) || type in kPlain || type in kEnums || type in kDefinitions;
 

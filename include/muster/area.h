@@ -5,17 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "muster/enumerations.h"
 #include "muster/geometry.h"
 #include "muster/id.h"
 
 namespace muster {
-
-/// What an area does.
-enum class AreaKind : std::uint8_t {
-    Exit,     ///< People who are to leave by it go there, and leave the world in it.
-    Source,   ///< People come into the world in it, where there is room.
-    Waiting,  ///< People who are to wait in it spread in it and stand.
-};
 
 /// How many people a source has let in by a time.
 struct Arrivals {

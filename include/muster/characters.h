@@ -4,19 +4,12 @@
 #include <cstdint>
 #include <span>
 
+#include "muster/enumerations.h"
 #include "muster/patch.h"
 #include "muster/unit.h"
 #include "muster/vec2.h"
 
 namespace muster {
-
-/// The phase of the motion that a character performs (SPEC C1, C3, C4).
-enum class MotionPhase : std::uint8_t {
-    Steady,    ///< It performs the motion of the ground it is on.
-    Entering,  ///< It plays the transition into the motion.
-    Leaving,   ///< It plays the transition out of the motion.
-    Locked,    ///< It is within a single-step motion, which runs once per patch.
-};
 
 /// All characters of a world: one entry per character in each span, in ascending order of ids. The spans are
 /// valid until the world steps or ends.

@@ -4,13 +4,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "muster/enumerations.h"
 #include "muster/geometry.h"
 #include "muster/id.h"
 
 namespace muster {
-
-/// Kind of a control by its number of points: one, two, or three and more.
-enum class ControlKind : std::uint8_t { Point, Line, Area };
 
 /// A point of a drawn trajectory.
 struct Checkpoint {

@@ -5,24 +5,11 @@
 #include <string_view>
 #include <vector>
 
+#include "muster/enumerations.h"
 #include "muster/geometry.h"
 #include "muster/status.h"
 
 namespace muster {
-
-/// The library of shapes.
-enum class FormationKind : std::uint8_t {
-    Square,    ///< A filled square.
-    Line,      ///< Two ranks abreast.
-    Column,    ///< Two files along the heading.
-    Wedge,     ///< A filled triangle with its tip in front.
-    Ring,      ///< Concentric circles round an open middle.
-    Circle,    ///< A filled disc.
-    Crescent,  ///< Concentric arcs, open to the front.
-    Pacman,    ///< A disc with a mouth to the front.
-    Outline,   ///< Any polygon with holes, scaled to hold the count at the spacing.
-    Points,    ///< Explicit places; the mesh is made round them.
-};
 
 /// The name of a kind as files and messages spell it: "square", "line"...
 std::string_view formationName(FormationKind kind);

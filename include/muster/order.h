@@ -7,48 +7,13 @@
 #include <utility>
 #include <vector>
 
+#include "muster/enumerations.h"
 #include "muster/formation.h"
 #include "muster/id.h"
 #include "muster/obstacle.h"
 #include "muster/vec2.h"
 
 namespace muster {
-
-/// What an order asks for.
-enum class OrderKind : std::uint8_t {
-    Move,    ///< Go to `target`, by `route` if one is given.
-    Face,    ///< Turn to `facing` where it stands.
-    Follow,  ///< Keep at `offset` from a group or a character, until the next order.
-    Guard,   ///< Stand round a rectangle, which may move, until the next order.
-    Leave,   ///< Leave the world by exits. Nobody has a place meanwhile.
-    Wait,    ///< Go to a waiting area and stand there. Nobody has a place meanwhile.
-    Walk,    ///< Walk on towards `facing` without end. Nobody has a place meanwhile.
-};
-
-/// By which exit each leaves.
-enum class ExitChoice : std::uint8_t {
-    Quickest,  ///< Where it will have left soonest, with the wait before it.
-    Nearest,   ///< The one with the quickest way.
-};
-
-/// How a group goes to its target.
-enum class Manner : std::uint8_t {
-    March,  ///< In formation: the shape goes along the way and waits for the last.
-    Free,   ///< Each by the shortest way; the shape at the end.
-    /// All to `target` itself, by one cost field that the crowd raises (Treuille et al. 2006): no shape, no
-    /// places. Those who have come near stand where there is room.
-    Continuum,
-};
-
-/// How a marching formation takes its turns.
-enum class Turn : std::uint8_t {
-    Wheel,    ///< It faces along its way, and turns at a bounded rate.
-    Reverse,  ///< As Wheel, but where the way leads back its rear becomes its front, and nobody changes
-              ///< files.
-    Keep,     ///< It faces one way until it has arrived, and then turns to `facing`.
-    Flow,  ///< Everybody heads for the place that is nearest for all, and the formation flows where the way
-           ///< narrows. In the open nothing arrives sooner.
-};
 
 /// One order of a group.
 struct Order {
@@ -168,30 +133,6 @@ struct QueuedOrder {
     void visit(Archive& archive) {
         archive(id, order);
     }
-};
-
-/// Where a new order stands in a queue.
-enum class QueueMode : std::uint8_t {
-    Replace,  ///< It takes the place of all others.
-    Append,   ///< It comes last.
-    Insert,   ///< It comes before the order of a given index.
-};
-
-/// Changes of a queue.
-enum class QueueEdit : std::uint8_t {
-    Cancel,     ///< Drops one order, or all.
-    Hold,       ///< The group waits where it is; the queue stays.
-    Resume,     ///< It goes on.
-    Patrol,     ///< Orders that are done come last again.
-    EndPatrol,  ///< They do not.
-    Stop,       ///< Drops all orders, ends all controls, and the group stands where it is.
-};
-
-/// Who makes room where groups meet.
-enum class Stance : std::uint8_t {
-    Normal,  ///< Each as much as the other.
-    Hold,    ///< It holds its ground: others go round it.
-    Yield,   ///< It makes room for others.
 };
 
 /// How a group behaves, whatever its orders.

@@ -5,19 +5,10 @@
 #include <cstdint>
 #include <string>
 
+#include "muster/enumerations.h"
 #include "muster/status.h"
 
 namespace muster {
-
-/// How a number is spread over persons.
-enum class Spread : std::uint8_t {
-    Constant,   ///< All have `a`.
-    Uniform,    ///< Evenly from `a` to `b`.
-    Normal,     ///< Mean `a`, standard deviation `b`.
-    LogNormal,  ///< Its logarithm has the mean `a` and the standard deviation `b`.
-    Gamma,      ///< Shape `a`, at most 10,000, scale `b`.
-    Weibull,    ///< Scale `a`, shape `b`.
-};
 
 /// The distribution of a number over persons. What lies outside `least` to `most` is cut off: it is not
 /// drawn, and what lies inside is drawn in its proportions. A constant is as it is.

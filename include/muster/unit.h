@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "muster/enumerations.h"
 #include "muster/vec2.h"
 
 namespace muster {
@@ -31,17 +32,6 @@ struct Body {
     friend bool operator==(const Body&, const Body&) = default;
 };
 
-/// Parts of a formation.
-enum class RoleArea : std::uint8_t {
-    Front,       ///< The foremost places.
-    Rear,        ///< The hindmost.
-    Rim,         ///< Those nearest to the outline.
-    Centre,      ///< Those nearest to the middle.
-    LeftFlank,   ///< Those farthest to the left.
-    RightFlank,  ///< Those farthest to the right.
-    Flanks,      ///< Those farthest from the middle line.
-};
-
 /// Characters of a class take their places in a part of the formation: as many as there are such characters.
 /// Roles choose in their order; who is of no role takes what is left. (Ranks by class: several roles in
 /// front.)
@@ -55,26 +45,6 @@ struct RoleDef {
         archive(area, unitClass);
     }
     friend bool operator==(const RoleDef&, const RoleDef&) = default;
-};
-
-/// Who moves a character.
-enum class Driver : std::uint8_t {
-    Muster,   ///< Steering and contacts.
-    Outside,  ///< Somebody else, by WriteMotion. Others keep clear of it.
-};
-
-/// How a group is divided.
-enum class SplitBy : std::uint8_t {
-    Ids,     ///< Those with the given ids leave.
-    Line,    ///< Those to the left of a line leave, as their places lie.
-    Lasso,   ///< Those whose places lie in a polygon leave.
-    Shares,  ///< Parts of given shares, front to back, or left to right.
-};
-
-/// The formation of parts.
-enum class PartShape : std::uint8_t {
-    AsHeld,   ///< The places that they held.
-    Smaller,  ///< The shape of the whole, for fewer.
 };
 
 }  // namespace muster

@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "muster/appearance.h"
+#include "muster/enumerations.h"
 #include "muster/area.h"
+#include "muster/enumerations.h"
 #include "muster/formation.h"
 #include "muster/map_import.h"
 #include "muster/obstacle.h"
@@ -53,12 +54,6 @@ struct GroupDef {
         archive.optionalSince(6, motions);
         archive.since(7, people);
     }
-};
-
-/// What passes a checkpoint.
-enum class CheckpointTrigger : std::uint8_t {
-    Crowd,  ///< A share of the characters has been in it, or, up to a half, their middle is.
-    Mesh,   ///< The centre of the group's mesh is in it.
 };
 
 /// A disc that changes the formation of a group which passes it (SPEC M7).

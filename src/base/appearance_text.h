@@ -1,13 +1,12 @@
 // Looks as text: colours as "#rrggbb", and the words of appearances in files and messages.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "muster/appearance.h"
+#include "base/enumeration_words.h"
 
 namespace muster {
 
@@ -32,8 +31,5 @@ inline std::optional<std::uint32_t> parseColour(std::string_view text) {
     }
     return colour;
 }
-
-inline constexpr std::array kBuildWords{"broad", "narrow"};
-inline constexpr std::array<const char*, kMotionSetCount> kMotionSetWords{"march", "weary"};
 
 }  // namespace muster

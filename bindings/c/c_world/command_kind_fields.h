@@ -36,7 +36,7 @@ void fields(M& m, C<M, MusterTouchCancel>& c, P<M, TouchCancel>& p) {
 template <class M>
 void fields(M& m, C<M, MusterAddControl>& c, P<M, AddControl>& p) {
     m.id(c.group, p.group);
-    m.choice(c.kind, p.kind, ControlKind::Area, "kind");
+    m.choice(c.kind, p.kind, kLastOf<ControlKind>, "kind");
     m.list(c.touches, c.touchCount, p.touches, "touches");
     m.list(c.positions, c.positionCount, p.positions, "positions");
     m.plain(c.time, p.time);
@@ -114,14 +114,14 @@ void fields(M& m, C<M, MusterSetParameter>& c, P<M, SetParameter>& p) {
 template <class M>
 void fields(M& m, C<M, MusterGiveOrder>& c, P<M, GiveOrder>& p) {
     m.id(c.group, p.group);
-    m.choice(c.mode, p.mode, QueueMode::Insert, "mode");
+    m.choice(c.mode, p.mode, kLastOf<QueueMode>, "mode");
     m.plain(c.index, p.index);
     m.part(c.order, p.order, "order");
 }
 template <class M>
 void fields(M& m, C<M, MusterEditQueue>& c, P<M, EditQueue>& p) {
     m.id(c.group, p.group);
-    m.choice(c.edit, p.edit, QueueEdit::Stop, "edit");
+    m.choice(c.edit, p.edit, kLastOf<QueueEdit>, "edit");
     m.plain(c.order, p.order);
 }
 template <class M>
@@ -147,17 +147,17 @@ void fields(M& m, C<M, MusterTransferCharacters>& c, P<M, TransferCharacters>& p
 template <class M>
 void fields(M& m, C<M, MusterSplitGroup>& c, P<M, SplitGroup>& p) {
     m.id(c.group, p.group);
-    m.choice(c.by, p.by, SplitBy::Shares, "by");
+    m.choice(c.by, p.by, kLastOf<SplitBy>, "by");
     m.list(c.ids, c.idCount, p.ids, "ids");
     m.list(c.points, c.pointCount, p.points, "points");
     m.list(c.shares, c.shareCount, p.shares, "shares");
     m.plain(c.abreast, p.abreast);
-    m.choice(c.shape, p.shape, PartShape::Smaller, "shape");
+    m.choice(c.shape, p.shape, kLastOf<PartShape>, "shape");
 }
 template <class M>
 void fields(M& m, C<M, MusterMergeGroups>& c, P<M, MergeGroups>& p) {
     m.list(c.groups, c.groupCount, p.groups, "groups");
-    m.choice(c.shape, p.shape, PartShape::Smaller, "shape");
+    m.choice(c.shape, p.shape, kLastOf<PartShape>, "shape");
 }
 template <class M>
 void fields(M& m, C<M, MusterSetBodies>& c, P<M, SetBodies>& p) {
@@ -177,7 +177,7 @@ void fields(M& m, C<M, MusterSetDemands>& c, P<M, SetDemands>& p) {
 template <class M>
 void fields(M& m, C<M, MusterSetDriver>& c, P<M, SetDriver>& p) {
     m.list(c.ids, c.idCount, p.ids, "ids");
-    m.choice(c.driver, p.driver, Driver::Outside, "driver");
+    m.choice(c.driver, p.driver, kLastOf<Driver>, "driver");
 }
 template <class M>
 void fields(M& m, C<M, MusterWriteMotion>& c, P<M, WriteMotion>& p) {
@@ -232,8 +232,8 @@ void fields(M& m, C<M, MusterColourGroup>& c, P<M, ColourGroup>& p) {
 template <class M>
 void fields(M& m, C<M, MusterSetAppearance>& c, P<M, SetAppearance>& p) {
     m.id(c.group, p.group);
-    m.optionalChoice(c.hasBuild, c.build, p.build, kLastBodyBuild, "build");
-    m.optionalChoice(c.hasMotions, c.motions, p.motions, kLastMotionSet, "motions");
+    m.optionalChoice(c.hasBuild, c.build, p.build, kLastOf<BodyBuild>, "build");
+    m.optionalChoice(c.hasMotions, c.motions, p.motions, kLastOf<MotionSet>, "motions");
 }
 template <class M>
 void fields(M& m, C<M, MusterPutArea>& c, P<M, PutArea>& p) {

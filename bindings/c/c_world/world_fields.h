@@ -171,8 +171,8 @@ void fields(M& m, C<M, MusterGroupDef>& c, P<M, GroupDef>& p) {
     m.items(c.orders, c.orderCount, p.orders, "orders");
     m.plain(c.patrols, p.patrols);
     m.optional(c.hasColour, c.colour, p.colour);
-    m.optionalChoice(c.hasBuild, c.build, p.build, kLastBodyBuild, "build");
-    m.optionalChoice(c.hasMotions, c.motions, p.motions, kLastMotionSet, "motions");
+    m.optionalChoice(c.hasBuild, c.build, p.build, kLastOf<BodyBuild>, "build");
+    m.optionalChoice(c.hasMotions, c.motions, p.motions, kLastOf<MotionSet>, "motions");
     m.items(c.people, c.peopleCount, p.people, "people");
 }
 template <class M>

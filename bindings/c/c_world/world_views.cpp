@@ -145,3 +145,7 @@ MusterStatus muster_world_stage_times(MusterWorldId world, const MusterStageTime
         return {};
     });
 }
+
+const char* muster_event_name(MusterEventKind kind) {
+    return kind < MUSTER_EVENT_COUNT ? eventKindName(static_cast<EventKind>(kind)) : nullptr;
+}

@@ -12,7 +12,7 @@ from pathlib import Path
 from read_headers import Enumeration, Field, HeaderError, Struct, read_header
 
 HEADERS = (
-    "appearance formation geometry obstacle patch unit order control map_import people area world_def command_kinds "
+    "enumerations formation geometry obstacle patch unit order control map_import people area world_def command_kinds "
     "command event characters walk_totals views take"
 ).split()
 # What has a Python class of its own, or none.

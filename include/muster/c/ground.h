@@ -3,6 +3,7 @@
 #define MUSTER_C_GROUND_H
 
 #include "muster/c/base.h"
+#include "muster/c/enumerations.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -77,22 +78,6 @@ MUSTER_API MusterStatus muster_timed_path_at(const MusterTimedPath* path, double
 
 /// Index of a motion clip in the world's table of clips; 0 is running in the open.
 typedef int32_t MusterMotionIndex;
-
-/// The library of shapes.
-typedef uint8_t MusterFormationKind;
-/// Values of MusterFormationKind.
-enum MusterFormationKindValue {
-    MUSTER_FORMATION_SQUARE = 0,    ///< A filled square.
-    MUSTER_FORMATION_LINE = 1,      ///< Two ranks abreast.
-    MUSTER_FORMATION_COLUMN = 2,    ///< Two files along the heading.
-    MUSTER_FORMATION_WEDGE = 3,     ///< A filled triangle with its tip in front.
-    MUSTER_FORMATION_RING = 4,      ///< Concentric circles round an open middle.
-    MUSTER_FORMATION_CIRCLE = 5,    ///< A filled disc.
-    MUSTER_FORMATION_CRESCENT = 6,  ///< Concentric arcs, open to the front.
-    MUSTER_FORMATION_PACMAN = 7,    ///< A disc with a mouth to the front.
-    MUSTER_FORMATION_OUTLINE = 8,   ///< Any polygon with holes, scaled to hold the count at the spacing.
-    MUSTER_FORMATION_POINTS = 9     ///< Explicit places; the mesh is made round them.
-};
 
 /// The name of a kind as files spell it: "square", "line"... Null for other numbers.
 MUSTER_API const char* muster_formation_name(MusterFormationKind kind);

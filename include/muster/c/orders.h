@@ -18,15 +18,6 @@ typedef uint32_t MusterControlId;     ///< Names a control of a world; 0 for non
 typedef uint32_t MusterCharacterId;   ///< Names a character of a world; 0 for none.
 typedef uint32_t MusterOrderId;       ///< Names an order in a queue; 0 for none.
 
-/// Kind of a control by its number of points.
-typedef uint8_t MusterControlKind;
-/// Values of MusterControlKind.
-enum MusterControlKindValue {
-    MUSTER_CONTROL_POINT = 0,  ///< One point.
-    MUSTER_CONTROL_LINE = 1,   ///< Two.
-    MUSTER_CONTROL_AREA = 2    ///< Three and more.
-};
-
 /// The body of a character. A number of 0 stands for the parameter of that name.
 typedef struct MusterBody {
     double radius;        ///< Radius [m], 0 or 0.05 to 1.5.
@@ -44,90 +35,11 @@ typedef struct MusterBody {
 /// A body by the parameters, of mass and supply 1.
 MUSTER_API MusterBody muster_default_body(void);
 
-/// Parts of a formation.
-typedef uint8_t MusterRoleArea;
-/// Values of MusterRoleArea.
-enum MusterRoleAreaValue {
-    MUSTER_ROLE_FRONT = 0,        ///< The foremost places.
-    MUSTER_ROLE_REAR = 1,         ///< The hindmost.
-    MUSTER_ROLE_RIM = 2,          ///< Those nearest to the outline.
-    MUSTER_ROLE_CENTRE = 3,       ///< Those nearest to the middle.
-    MUSTER_ROLE_LEFT_FLANK = 4,   ///< Those farthest to the left.
-    MUSTER_ROLE_RIGHT_FLANK = 5,  ///< Those farthest to the right.
-    MUSTER_ROLE_FLANKS = 6        ///< Those farthest from the middle line.
-};
-
 /// Characters of a class take their places in a part of the formation.
 typedef struct MusterRoleDef {
     MusterRoleArea area;  ///< Where.
     uint8_t unitClass;    ///< Who, 1 or more.
 } MusterRoleDef;
-
-/// Who moves a character.
-typedef uint8_t MusterDriver;
-/// Values of MusterDriver.
-enum MusterDriverValue {
-    MUSTER_DRIVER_MUSTER = 0,  ///< Steering and contacts.
-    MUSTER_DRIVER_OUTSIDE = 1  ///< The host, by the command WriteMotion. Others keep clear of it.
-};
-
-/// How a group is divided.
-typedef uint8_t MusterSplitBy;
-/// Values of MusterSplitBy.
-enum MusterSplitByValue {
-    MUSTER_SPLIT_BY_IDS = 0,    ///< Those with the given ids leave.
-    MUSTER_SPLIT_BY_LINE = 1,   ///< Those to the left of a line leave, as their places lie.
-    MUSTER_SPLIT_BY_LASSO = 2,  ///< Those whose places lie in a polygon leave.
-    MUSTER_SPLIT_BY_SHARES = 3  ///< Parts of given shares, front to back, or left to right.
-};
-
-/// The formation of parts.
-typedef uint8_t MusterPartShape;
-/// Values of MusterPartShape.
-enum MusterPartShapeValue {
-    MUSTER_PART_AS_HELD = 0,  ///< The places that they had.
-    MUSTER_PART_SMALLER = 1   ///< The shape of the whole, for fewer.
-};
-
-/// What an order asks for.
-typedef uint8_t MusterOrderKind;
-/// Values of MusterOrderKind.
-enum MusterOrderKindValue {
-    MUSTER_ORDER_MOVE = 0,    ///< Go to `target`, by `route` if one is given.
-    MUSTER_ORDER_FACE = 1,    ///< Turn to `facing` where it stands.
-    MUSTER_ORDER_FOLLOW = 2,  ///< Keep at `offset` from a group or a character, until the next order.
-    MUSTER_ORDER_GUARD = 3,   ///< Stand round a rectangle, which may move, until the next order.
-    MUSTER_ORDER_LEAVE = 4,   ///< Leave the world by exits. Nobody has a place meanwhile.
-    MUSTER_ORDER_WAIT = 5,    ///< Go to a waiting area and stand there. Nobody has a place meanwhile.
-    MUSTER_ORDER_WALK = 6     ///< Walk on towards `facing` without end. Nobody has a place meanwhile.
-};
-
-/// By which exit each leaves.
-typedef uint8_t MusterExitChoice;
-/// Values of MusterExitChoice.
-enum MusterExitChoiceValue {
-    MUSTER_EXIT_QUICKEST = 0,  ///< Where it will have left soonest, with the wait before it.
-    MUSTER_EXIT_NEAREST = 1    ///< The one with the quickest way.
-};
-
-/// How a group goes to its target.
-typedef uint8_t MusterManner;
-/// Values of MusterManner.
-enum MusterMannerValue {
-    MUSTER_MANNER_MARCH = 0,     ///< In formation: the shape goes along the way and waits for the last.
-    MUSTER_MANNER_FREE = 1,      ///< Each by the shortest way; the shape at the end.
-    MUSTER_MANNER_CONTINUUM = 2  ///< All to `target` itself, by one cost field: no shape, no places.
-};
-
-/// How a marching formation takes its turns.
-typedef uint8_t MusterTurn;
-/// Values of MusterTurn.
-enum MusterTurnValue {
-    MUSTER_TURN_WHEEL = 0,    ///< It faces along its way, and turns at a bounded rate.
-    MUSTER_TURN_REVERSE = 1,  ///< As Wheel, but where the way leads back its rear becomes its front.
-    MUSTER_TURN_KEEP = 2,     ///< It faces one way until it has arrived, and then turns to `facing`.
-    MUSTER_TURN_FLOW = 3      ///< Everybody heads for the place that is nearest for all; what arrives first.
-};
 
 /// One order of a group.
 typedef struct MusterOrder {
@@ -166,36 +78,6 @@ typedef struct MusterOrder {
 MUSTER_API MusterOrder muster_default_order(void);
 /// Takes up a front from `left` to `right` [m]: its middle, width and facing.
 MUSTER_API MusterOrder muster_order_to_line(MusterVec2 left, MusterVec2 right);
-
-/// Where a new order stands in a queue.
-typedef uint8_t MusterQueueMode;
-/// Values of MusterQueueMode.
-enum MusterQueueModeValue {
-    MUSTER_QUEUE_REPLACE = 0,  ///< It takes the place of all others.
-    MUSTER_QUEUE_APPEND = 1,   ///< It comes last.
-    MUSTER_QUEUE_INSERT = 2    ///< It comes before the order of a given index.
-};
-
-/// Changes of a queue.
-typedef uint8_t MusterQueueEdit;
-/// Values of MusterQueueEdit.
-enum MusterQueueEditValue {
-    MUSTER_EDIT_CANCEL = 0,      ///< Drops one order, or all.
-    MUSTER_EDIT_HOLD = 1,        ///< The group waits where it is; the queue stays.
-    MUSTER_EDIT_RESUME = 2,      ///< It goes on.
-    MUSTER_EDIT_PATROL = 3,      ///< Orders that are done come last again.
-    MUSTER_EDIT_END_PATROL = 4,  ///< They do not.
-    MUSTER_EDIT_STOP = 5         ///< Drops all orders, ends all controls, and the group stands where it is.
-};
-
-/// Who makes room where groups meet.
-typedef uint8_t MusterStance;
-/// Values of MusterStance.
-enum MusterStanceValue {
-    MUSTER_STANCE_NORMAL = 0,  ///< Each as much as the other.
-    MUSTER_STANCE_HOLD = 1,    ///< It holds its ground: others go round it.
-    MUSTER_STANCE_YIELD = 2    ///< It makes room for others.
-};
 
 /// How a group behaves, whatever its orders.
 typedef struct MusterConduct {

@@ -8,18 +8,6 @@
 extern "C" {
 #endif
 
-/// How a number is spread over persons.
-typedef uint8_t MusterSpread;
-/// Values of MusterSpread.
-enum MusterSpreadValue {
-    MUSTER_SPREAD_CONSTANT = 0,    ///< All have `a`.
-    MUSTER_SPREAD_UNIFORM = 1,     ///< Evenly from `a` to `b`.
-    MUSTER_SPREAD_NORMAL = 2,      ///< Mean `a`, standard deviation `b`.
-    MUSTER_SPREAD_LOG_NORMAL = 3,  ///< Its logarithm has the mean `a` and the standard deviation `b`.
-    MUSTER_SPREAD_GAMMA = 4,       ///< Shape `a`, scale `b`.
-    MUSTER_SPREAD_WEIBULL = 5      ///< Scale `a`, shape `b`.
-};
-
 /// The distribution of a number over persons. What lies outside `least` to `most` is not drawn.
 typedef struct MusterDistribution {
     MusterSpread spread;  ///< Its kind.
@@ -57,15 +45,6 @@ MUSTER_API MusterPeopleDef muster_default_people_def(void);
 MUSTER_API MusterPeopleDef muster_adults(void);
 /// The mean free speed of persons by age [m/s], 5 to 90 years.
 MUSTER_API double muster_walking_speed_at_age(double years);
-
-/// What an area does.
-typedef uint8_t MusterAreaKind;
-/// Values of MusterAreaKind.
-enum MusterAreaKindValue {
-    MUSTER_AREA_EXIT = 0,    ///< People who are to leave by it go there, and leave the world in it.
-    MUSTER_AREA_SOURCE = 1,  ///< People come into the world in it, where there is room.
-    MUSTER_AREA_WAITING = 2  ///< People who are to wait in it spread in it and stand.
-};
 
 /// How many people a source has let in by a time.
 typedef struct MusterArrivals {

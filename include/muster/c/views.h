@@ -8,16 +8,6 @@
 extern "C" {
 #endif
 
-/// The phase of the motion that a character performs.
-typedef uint8_t MusterMotionPhase;
-/// Values of MusterMotionPhase.
-enum MusterMotionPhaseValue {
-    MUSTER_PHASE_STEADY = 0,    ///< It performs the motion of the ground it is on.
-    MUSTER_PHASE_ENTERING = 1,  ///< It plays the transition into the motion.
-    MUSTER_PHASE_LEAVING = 2,   ///< It plays the transition out of the motion.
-    MUSTER_PHASE_LOCKED = 3     ///< It is within a single-step motion, which runs once per patch.
-};
-
 /// All characters of a world: `count` entries in each array, in ascending order of ids. No copies are made.
 typedef struct MusterCharacters {
     uint32_t structVersion;            ///< Set by muster_default_characters().
@@ -163,43 +153,6 @@ typedef struct MusterArea {
     uint32_t passed;      ///< People who have left by an exit, or come by a source.
     uint32_t waiting;     ///< People of a source for whom there is no room yet.
 } MusterArea;
-
-/// Kinds of events. Those from Arrived on are about orders and groups.
-typedef uint8_t MusterEventKind;
-/// Values of MusterEventKind.
-enum MusterEventKindValue {
-    MUSTER_EVENT_ENTER_PATCH = 0,       ///< `value` is the id of the patch.
-    MUSTER_EVENT_LEAVE_PATCH = 1,       ///< `value` is the id of the patch.
-    MUSTER_EVENT_TRANSITION_START = 2,  ///< A transition into or out of a motion begins; `value` is the
-                                        ///< motion.
-    MUSTER_EVENT_TRANSITION_END = 3,    ///< A transition has ended; `value` is the motion.
-    MUSTER_EVENT_SINGLE_STEP = 4,       ///< A jump or climb begins; `value` is the motion.
-    MUSTER_EVENT_COLLECT = 5,           ///< An item was collected; `value` is the index of the item.
-    MUSTER_EVENT_FORMATION_CHANGE = 6,  ///< A group has another formation; `subject` is the group.
-    MUSTER_EVENT_SWAP = 7,      ///< A character's place changed without a command; `value` is the new one.
-    MUSTER_EVENT_ARRIVED = 8,   ///< All with a place have been within 0.5 m of it for 1 s; `value` is their
-                                ///< number.
-    MUSTER_EVENT_STUCK = 9,     ///< Not at its place and moved less than 0.25 m in 5 s; `value` is the place.
-    MUSTER_EVENT_BLOCKED = 10,  ///< The ground cut off the way of `value` characters of a group.
-    MUSTER_EVENT_FREE = 11,     ///< All of a group have their way again; `value` is how many had none.
-    MUSTER_EVENT_NO_PATH = 12,  ///< No place of the group's order can be reached; `value` is their number.
-    MUSTER_EVENT_PARTIAL = 13,  ///< `value` places of the group's order cannot be reached.
-    MUSTER_EVENT_ORDER_GIVEN = 14,    ///< A group was given the order of id `value`.
-    MUSTER_EVENT_ORDER_BEGUN = 15,    ///< It begins the order of id `value`.
-    MUSTER_EVENT_ORDER_DONE = 16,     ///< It has carried out the order of id `value`.
-    MUSTER_EVENT_ORDER_SKIPPED = 17,  ///< It passes over the order of id `value`.
-    MUSTER_EVENT_PASSED = 18,         ///< A group has passed the checkpoint of index `value`.
-    MUSTER_EVENT_GROUP_ADDED = 19,    ///< A group is new; `value` is the group that it was split off, or 0.
-    MUSTER_EVENT_GROUP_REMOVED = 20,  ///< A group has ended; `value` is the group that it was merged into, or
-                                      ///< 0.
-    MUSTER_EVENT_JOINED = 21,         ///< A character is new; `value` is its group.
-    MUSTER_EVENT_LEFT = 22,           ///< A character has left the world; `value` is its group.
-    MUSTER_EVENT_TRANSFERRED = 23,    ///< A character has changed groups; `value` is its new group.
-    MUSTER_EVENT_EXITED = 24,         ///< A character has left the world by an exit; `value` is that area.
-    MUSTER_EVENT_ENTERED = 25,        ///< A character has come into the world by a source; `value` is that
-                                      ///< area.
-    MUSTER_EVENT_COUNT = 26           ///< Number of kinds.
-};
 
 /// The name of a kind: "enterPatch", "arrived"... Null for other numbers.
 MUSTER_API const char* muster_event_name(MusterEventKind kind);

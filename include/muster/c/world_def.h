@@ -8,22 +8,6 @@
 extern "C" {
 #endif
 
-/// The build of drawn bodies.
-typedef uint8_t MusterBodyBuild;
-/// Values of MusterBodyBuild.
-enum MusterBodyBuildValue {
-    MUSTER_BODY_BUILD_BROAD = 0,  ///< Wide shoulders, short hair.
-    MUSTER_BODY_BUILD_NARROW = 1  ///< Narrow shoulders, wider hips, tied hair.
-};
-
-/// A manner of walking and jogging, with clips of its own.
-typedef uint8_t MusterMotionSet;
-/// Values of MusterMotionSet.
-enum MusterMotionSetValue {
-    MUSTER_MOTION_SET_MARCH = 0,  ///< Upright, with high knees and stiff arms.
-    MUSTER_MOTION_SET_WEARY = 1   ///< Stooped, with hanging arms and feet that are hardly lifted.
-};
-
 /// A group of characters with one mesh.
 typedef struct MusterGroupDef {
     uint32_t structVersion;  ///< Set by muster_default_group_def().
@@ -58,15 +42,6 @@ typedef struct MusterGroupDef {
 
 /// 36 characters in a square at the origin.
 MUSTER_API MusterGroupDef muster_default_group_def(void);
-
-/// What passes a checkpoint.
-typedef uint8_t MusterCheckpointTrigger;
-/// Values of MusterCheckpointTrigger.
-enum MusterCheckpointTriggerValue {
-    MUSTER_CHECKPOINT_CROWD = 0,  ///< A share of the characters has been in it, or, up to a half, their
-                                  ///< middle is.
-    MUSTER_CHECKPOINT_MESH = 1    ///< The centre of the group's mesh is in it.
-};
 
 /// A disc that changes the formation of a group which passes it.
 typedef struct MusterCheckpointDef {

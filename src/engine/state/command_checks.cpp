@@ -77,7 +77,7 @@ struct Validator {
     Status operator()(const TouchUp& c) const { return numberIn("time", c.time, 0, 1e9, "[0, 1e9] s"); }
     Status operator()(const TouchCancel&) const { return {}; }
     Status operator()(const AddControl& c) const {
-        Status status = isKnown(c.kind, ControlKind::Area, "control kind");
+        Status status = isKnown(c.kind, kLastOf<ControlKind>, "control kind");
         if (status.ok()) status = numberIn("time", c.time, 0, 1e9, "[0, 1e9] s");
         if (status.ok()) status = relations(c);
         return status;
@@ -102,11 +102,11 @@ struct Validator {
     Status operator()(const RemovePatch&) const { return {}; }
     Status operator()(const SetParameter& c) const { return relations(c); }
     Status operator()(const GiveOrder& c) const {
-        Status status = isKnown(c.mode, QueueMode::Insert, "queue mode");
+        Status status = isKnown(c.mode, kLastOf<QueueMode>, "queue mode");
         if (status.ok()) status = validateOrder(c.order);
         return status;
     }
-    Status operator()(const EditQueue& c) const { return isKnown(c.edit, QueueEdit::Stop, "queue edit"); }
+    Status operator()(const EditQueue& c) const { return isKnown(c.edit, kLastOf<QueueEdit>, "queue edit"); }
     Status operator()(const SetConduct& c) const { return validateConduct(c.conduct); }
     Status operator()(const AddCharacters& c) const {
         Status status = places("positions", c.positions, 1, kMaxCharacters);
@@ -116,14 +116,14 @@ struct Validator {
     Status operator()(const RemoveCharacters& c) const { return eachOnce(c.ids); }
     Status operator()(const TransferCharacters& c) const { return eachOnce(c.ids); }
     Status operator()(const SplitGroup& c) const {
-        Status status = isKnown(c.by, SplitBy::Shares, "way of splitting");
+        Status status = isKnown(c.by, kLastOf<SplitBy>, "way of splitting");
         if (status.ok()) status = places("points", c.points, 0, kMaxCorners);
-        if (status.ok()) status = isKnown(c.shape, PartShape::Smaller, "shape of parts");
+        if (status.ok()) status = isKnown(c.shape, kLastOf<PartShape>, "shape of parts");
         if (status.ok()) status = relations(c);
         return status;
     }
     Status operator()(const MergeGroups& c) const {
-        Status status = isKnown(c.shape, PartShape::Smaller, "shape of parts");
+        Status status = isKnown(c.shape, kLastOf<PartShape>, "shape of parts");
         if (status.ok()) status = relations(c);
         return status;
     }
@@ -136,7 +136,7 @@ struct Validator {
     Status operator()(const SetDemands& c) const { return relations(c); }
     Status operator()(const SetDriver& c) const {
         Status status = eachOnce(c.ids);
-        if (status.ok()) status = isKnown(c.driver, Driver::Outside, "driver");
+        if (status.ok()) status = isKnown(c.driver, kLastOf<Driver>, "driver");
         return status;
     }
     Status operator()(const WriteMotion& c) const {

@@ -138,8 +138,8 @@ Status validateColour(const std::optional<std::uint32_t>& colour) {
 }
 
 Status validateAppearance(const std::optional<BodyBuild>& build, const std::optional<MotionSet>& motions) {
-    if (build && *build > kLastBodyBuild) return invalidArgument("build is not known");
-    return motions && *motions > kLastMotionSet ? invalidArgument("motions are not known") : Status();
+    if (build && *build > kLastOf<BodyBuild>) return invalidArgument("build is not known");
+    return motions && *motions > kLastOf<MotionSet> ? invalidArgument("motions are not known") : Status();
 }
 
 Status validateItem(const ItemDef& item) {

@@ -11,13 +11,11 @@
 
 namespace muster {
 
-inline constexpr std::array kControlWords{"point", "line", "area"};
-
 /// The fingers of a control are written as points, each with its number.
 template <class Visitor>
 void describeByHand(Visitor& v, AddControl& c, double& time) {
     v.whole("group", c.group.value, kId, "Group whose mesh it controls.", Need::Required);
-    describeWord(v, "control", c.kind, kControlWords, "Kind of control.", Need::Required);
+    describeWord(v, "control", c.kind, kControlKindWords, "Kind of control.", Need::Required);
     std::vector<std::pair<std::uint32_t, Vec2>> points;
     for (std::size_t i = 0; i < c.positions.size(); ++i) points.emplace_back(c.touches[i], c.positions[i]);
     v.list(

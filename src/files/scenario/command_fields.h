@@ -141,14 +141,14 @@ struct BodyFields {
     }
     void operator()(GiveOrder& c) {
         v.whole("group", c.group.value, kId, "The group.", Need::Required);
-        describeWord(v, "mode", c.mode, kModeWords, "Where the order stands in the queue.");
+        describeWord(v, "mode", c.mode, kQueueModeWords, "Where the order stands in the queue.");
         if (takesPart<Visitor>(c.index != 0))
             v.whole("index", c.index, kId, "For Insert: before which order, counted from 0.");
         describeOrder(v, c.order);
     }
     void operator()(EditQueue& c) {
         v.whole("group", c.group.value, kId, "The group.", Need::Required);
-        describeWord(v, "edit", c.edit, kEditWords, "What is done to the queue.", Need::Required);
+        describeWord(v, "edit", c.edit, kQueueEditWords, "What is done to the queue.", Need::Required);
         if (takesPart<Visitor>(c.order != 0))
             v.whole("order", c.order, kId, "For Cancel: the id of the order; 0 for all.");
     }
@@ -171,18 +171,18 @@ struct BodyFields {
     }
     void operator()(SplitGroup& c) {
         v.whole("group", c.group.value, kId, "The group.", Need::Required);
-        describeWord(v, "by", c.by, kSplitWords, "How it is divided.", Need::Required);
+        describeWord(v, "by", c.by, kSplitByWords, "How it is divided.", Need::Required);
         v.numbers("ids", c.ids, kId, kMaxCharacters, "For Ids: the characters that leave.");
         v.points("points", c.points, 0, kMaxCorners,
                  "For Line: two points; for Lasso: the corners of the polygon.");
         v.numbers("shares", c.shares, {0.0, 1e6}, kMaxGroups,
                   "For Shares: of all parts, above 0; their sum counts as the whole.");
         v.flag("abreast", c.abreast, "For Shares: parts lie side by side, not one behind the other.");
-        describeWord(v, "shape", c.shape, kShapeWords, "Formation of the parts.");
+        describeWord(v, "shape", c.shape, kPartShapeWords, "Formation of the parts.");
     }
     void operator()(MergeGroups& c) {
         ids("groups", c.groups, kMaxGroups, "Two or more.");
-        describeWord(v, "shape", c.shape, kShapeWords,
+        describeWord(v, "shape", c.shape, kPartShapeWords,
                      "Smaller: the formation of the first for all; AsHeld: all places stay.");
     }
     void operator()(SetBodies& c) {

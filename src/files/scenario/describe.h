@@ -71,7 +71,7 @@ void describeGroup(Visitor& v, GroupDef& group) {
     v.object("conduct", "How it behaves.", [&](auto& inner) { describeConduct(inner, group.conduct); });
     v.list("orders", group.orders, kMaxOrders, "What it is to do at first, one after the other.",
            [](auto& item, Order& order) {
-               describeWord(item, "kind", order.kind, kOrderWords, "What it asks for.", Need::Required);
+               describeWord(item, "kind", order.kind, kOrderKindWords, "What it asks for.", Need::Required);
                describeOrder(item, order);
            });
     v.flag("patrols", group.patrols, "Orders that are done come last again.");
@@ -87,7 +87,7 @@ void describeCheckpoint(Visitor& v, FormationCheckpointDef& checkpoint, PutGroup
         [&](auto& inner) { describeFormation(inner, checkpoint.formation); }, Need::Required);
     putGroup();
     v.flag("once", checkpoint.once, "Works once per group; else each time the group comes anew.");
-    describeWord(v, "trigger", checkpoint.trigger, kTriggerWords,
+    describeWord(v, "trigger", checkpoint.trigger, kCheckpointTriggerWords,
                  "What passes it: a share of the crowd, or the centre of the mesh.");
     v.number("share", checkpoint.share, {1e-6, 1.0}, "For crowd: share of the group that has been in it.");
 }

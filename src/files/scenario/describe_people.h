@@ -10,8 +10,6 @@
 
 namespace muster {
 
-inline constexpr std::array kSpreadWords{"constant", "uniform", "normal", "logNormal", "gamma", "weibull"};
-inline constexpr std::array kAreaKindWords{"exit", "source", "waiting"};
 inline constexpr const char* kAdultsWord = "adults";  ///< Stands for adults().
 
 /// The fields of a distribution; the enclosing key may also hold the number that everybody has.

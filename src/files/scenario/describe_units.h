@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/appearance_text.h"
+#include "base/enumeration_words.h"
 #include "files/scenario/describe_shapes.h"
 #include "muster/world_def.h"
 
@@ -16,20 +17,6 @@ namespace muster {
 inline constexpr NumberRange kId{0.0, 4294967295.0};
 inline constexpr NumberRange kCoordinate{-1e6, 1e6, "m"};
 inline constexpr NumberRange kDemand{0.0, 1000.0};
-
-// The words of enumerations, in the order of their values.
-inline constexpr std::array kOrderWords{"move", "face", "follow", "guard", "leave", "wait", "walk"};
-inline constexpr std::array kExitChoiceWords{"quickest", "nearest"};
-inline constexpr std::array kMannerWords{"march", "free", "continuum"};
-inline constexpr std::array kTurnWords{"wheel", "reverse", "keep", "flow"};
-inline constexpr std::array kModeWords{"replace", "append", "insert"};
-inline constexpr std::array kEditWords{"cancel", "hold", "resume", "patrol", "endPatrol", "stop"};
-inline constexpr std::array kStanceWords{"normal", "hold", "yield"};
-inline constexpr std::array kAreaWords{"front", "rear", "rim", "centre", "leftFlank", "rightFlank", "flanks"};
-inline constexpr std::array kDriverWords{"muster", "outside"};
-inline constexpr std::array kSplitWords{"ids", "line", "lasso", "shares"};
-inline constexpr std::array kShapeWords{"asHeld", "smaller"};
-inline constexpr std::array kTriggerWords{"crowd", "mesh"};
 
 /// A value of an enumeration, as one of its words.
 template <class Visitor, class Value, std::size_t N>
@@ -60,7 +47,7 @@ void describeWord(Visitor& v, const char* key, std::optional<Value>& value,
 /// The appearance of a group's people, of anything that has `build` and `motions`.
 template <class Visitor, class Appearance>
 void describeAppearance(Visitor& v, Appearance& of) {
-    describeWord(v, "build", of.build, kBuildWords,
+    describeWord(v, "build", of.build, kBodyBuildWords,
                  "Build of the drawn bodies; left out: both, by their ids.");
     describeWord(v, "motions", of.motions, kMotionSetWords, "How they walk and jog; left out: plainly.");
 }
@@ -258,7 +245,7 @@ void describeRoles(Visitor& v, std::vector<RoleDef>& roles, Need need) {
     v.list(
         "roles", roles, 255, "Which class stands where, in the order in which they choose.",
         [](auto& item, RoleDef& role) {
-            describeWord(item, "area", role.area, kAreaWords, "Part of the formation.", Need::Required);
+            describeWord(item, "area", role.area, kRoleAreaWords, "Part of the formation.", Need::Required);
             item.whole("class", role.unitClass, {1.0, 255.0}, "Of those who stand there.", Need::Required);
         },
         need);

@@ -25,7 +25,7 @@ struct Event {
 /// What files call a command.
 std::string kindOf(const CommandBody& body) {
     const auto* give = std::get_if<GiveOrder>(&body);
-    return give != nullptr ? kOrderWords[static_cast<std::size_t>(give->order.kind)]
+    return give != nullptr ? kOrderKindWords[static_cast<std::size_t>(give->order.kind)]
                            : kCommandWords[body.index()];
 }
 
@@ -48,13 +48,13 @@ std::uint32_t stepAt(double time, double stepTime) {
 /// Makes the command that a kind stands for. Fingers move, and groups are ordered to; characters leave, and
 /// groups are ordered to.
 void makeBody(FieldReader& v, CommandBody& body, const std::string& kind) {
-    const auto word = std::find(kOrderWords.begin(), kOrderWords.end(), kind);
-    const bool moves = kind == kOrderWords.front();
+    const auto word = std::find(kOrderKindWords.begin(), kOrderKindWords.end(), kind);
+    const bool moves = kind == kOrderKindWords.front();
     if (moves && !v.has("touch") && !v.has("group"))
         return v.fail({}, "neither \"touch\" nor \"group\"", "a finger or a group to move");
     const bool named = kind == kLeave && v.has("ids");
-    if (word != kOrderWords.end() && !(moves && v.has("touch")) && !named) {
-        body.emplace<GiveOrder>().order.kind = static_cast<OrderKind>(word - kOrderWords.begin());
+    if (word != kOrderKindWords.end() && !(moves && v.has("touch")) && !named) {
+        body.emplace<GiveOrder>().order.kind = static_cast<OrderKind>(word - kOrderKindWords.begin());
         return;
     }
     const auto* const found = std::find(kCommandWords.begin(), kCommandWords.end(), kind);
@@ -66,7 +66,7 @@ std::vector<std::string> allKinds() {
     std::vector<std::string> kinds;
     for (std::size_t index = 0; index < kCommandWords.size(); ++index)
         if (index != CommandBody(GiveOrder{}).index()) kinds.emplace_back(kCommandWords[index]);
-    for (const std::string kind : kOrderWords)  // Fingers move, too, and characters leave.
+    for (const std::string kind : kOrderKindWords)  // Fingers move, too, and characters leave.
         if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
     return kinds;
 }
@@ -104,7 +104,7 @@ Json eventSchema() {
         Event event;
         emplaceBody(event.command.body, index);
         auto* const give = std::get_if<GiveOrder>(&event.command.body);
-        for (std::size_t order = 0; order < (give != nullptr ? kOrderWords.size() : 1); ++order) {
+        for (std::size_t order = 0; order < (give != nullptr ? kOrderKindWords.size() : 1); ++order) {
             if (give != nullptr) give->order.kind = static_cast<OrderKind>(order);
             add(event);
         }

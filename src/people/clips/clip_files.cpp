@@ -95,7 +95,7 @@ public:
     std::optional<MotionSet> motionSet(const char* key) {
         if (find(key) == nullptr) return std::nullopt;
         const std::string word = text(key);
-        for (std::size_t k = 0; k < kMotionSetCount; ++k)
+        for (std::size_t k = 0; k < kCountOf<MotionSet>; ++k)
             if (word == kMotionSetWords[k]) return static_cast<MotionSet>(k);
         fail(key, "\"march\" or \"weary\"");
         return std::nullopt;

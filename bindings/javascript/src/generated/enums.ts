@@ -34,9 +34,6 @@ export const LogLevel = {
 } as const;
 export type LogLevel = (typeof LogLevel)[keyof typeof LogLevel];
 
-/** Index of a motion clip in the world's table of clips; 0 is running in the open. */
-export type MotionIndex = number;
-
 /** The library of shapes. */
 export const FormationKind = {
   /** A filled square. */
@@ -62,43 +59,84 @@ export const FormationKind = {
 } as const;
 export type FormationKind = (typeof FormationKind)[keyof typeof FormationKind];
 
-/** Names an obstacle of a world; 0 for none. It is not used again. */
-export type ObstacleId = number;
+/** The build of drawn bodies. */
+export const BodyBuild = {
+  /** Wide shoulders, short hair. */
+  Broad: 0,
+  /** Narrow shoulders, wider hips, tied hair. */
+  Narrow: 1,
+} as const;
+export type BodyBuild = (typeof BodyBuild)[keyof typeof BodyBuild];
 
-/** Names a patch of a world; 0 for none. */
-export type PatchId = number;
+/** A manner of walking and jogging, with clips of its own. Standing and what patches ask for is the same in all. */
+export const MotionSet = {
+  /** Upright, with high knees and stiff arms. */
+  March: 0,
+  /** Stooped, with hanging arms and feet that are hardly lifted. */
+  Weary: 1,
+} as const;
+export type MotionSet = (typeof MotionSet)[keyof typeof MotionSet];
 
-/** Names a group of a world; 0 for none. */
-export type GroupId = number;
+/** The phase of the motion that a character performs (SPEC C1, C3, C4). */
+export const MotionPhase = {
+  /** It performs the motion of the ground it is on. */
+  Steady: 0,
+  /** It plays the transition into the motion. */
+  Entering: 1,
+  /** It plays the transition out of the motion. */
+  Leaving: 2,
+  /** It is within a single-step motion, which runs once per patch. */
+  Locked: 3,
+} as const;
+export type MotionPhase = (typeof MotionPhase)[keyof typeof MotionPhase];
 
-/** Names an item of a world; 0 for none. */
-export type ItemId = number;
-
-/** Names a formation checkpoint of a world; 0 for none. */
-export type CheckpointId = number;
-
-/** Names an exit, a source or a waiting area; 0 for none. */
-export type AreaId = number;
-
-/** Names a control of a world; 0 for none. */
-export type ControlId = number;
-
-/** Names a character of a world; 0 for none. */
-export type CharacterId = number;
-
-/** Names an order in a queue; 0 for none. */
-export type OrderId = number;
-
-/** Kind of a control by its number of points. */
+/** Kind of a control by its number of points: one, two, or three and more. */
 export const ControlKind = {
   /** One point. */
   Point: 0,
-  /** Two. */
+  /** Two points. */
   Line: 1,
-  /** Three and more. */
+  /** Three points and more. */
   Area: 2,
 } as const;
 export type ControlKind = (typeof ControlKind)[keyof typeof ControlKind];
+
+/** What an area does. */
+export const AreaKind = {
+  /** People who are to leave by it go there, and leave the world in it. */
+  Exit: 0,
+  /** People come into the world in it, where there is room. */
+  Source: 1,
+  /** People who are to wait in it spread in it and stand. */
+  Waiting: 2,
+} as const;
+export type AreaKind = (typeof AreaKind)[keyof typeof AreaKind];
+
+/** What passes a checkpoint. */
+export const CheckpointTrigger = {
+  /** A share of the characters has been in it, or, up to a half, their middle is. */
+  Crowd: 0,
+  /** The centre of the group's mesh is in it. */
+  Mesh: 1,
+} as const;
+export type CheckpointTrigger = (typeof CheckpointTrigger)[keyof typeof CheckpointTrigger];
+
+/** How a number is spread over persons. */
+export const Spread = {
+  /** All have `a`. */
+  Constant: 0,
+  /** Evenly from `a` to `b`. */
+  Uniform: 1,
+  /** Mean `a`, standard deviation `b`. */
+  Normal: 2,
+  /** Its logarithm has the mean `a` and the standard deviation `b`. */
+  LogNormal: 3,
+  /** Shape `a`, at most 10,000, scale `b`. */
+  Gamma: 4,
+  /** Scale `a`, shape `b`. */
+  Weibull: 5,
+} as const;
+export type Spread = (typeof Spread)[keyof typeof Spread];
 
 /** Parts of a formation. */
 export const RoleArea = {
@@ -123,7 +161,7 @@ export type RoleArea = (typeof RoleArea)[keyof typeof RoleArea];
 export const Driver = {
   /** Steering and contacts. */
   Muster: 0,
-  /** The host, by the command WriteMotion. Others keep clear of it. */
+  /** Somebody else, by WriteMotion. Others keep clear of it. */
   Outside: 1,
 } as const;
 export type Driver = (typeof Driver)[keyof typeof Driver];
@@ -143,7 +181,7 @@ export type SplitBy = (typeof SplitBy)[keyof typeof SplitBy];
 
 /** The formation of parts. */
 export const PartShape = {
-  /** The places that they had. */
+  /** The places that they held. */
   AsHeld: 0,
   /** The shape of the whole, for fewer. */
   Smaller: 1,
@@ -184,7 +222,10 @@ export const Manner = {
   March: 0,
   /** Each by the shortest way; the shape at the end. */
   Free: 1,
-  /** All to `target` itself, by one cost field: no shape, no places. */
+  /**
+   * All to `target` itself, by one cost field that the crowd raises (Treuille et al. 2006): no shape, no places.
+   * Those who have come near stand where there is room.
+   */
   Continuum: 2,
 } as const;
 export type Manner = (typeof Manner)[keyof typeof Manner];
@@ -193,11 +234,14 @@ export type Manner = (typeof Manner)[keyof typeof Manner];
 export const Turn = {
   /** It faces along its way, and turns at a bounded rate. */
   Wheel: 0,
-  /** As Wheel, but where the way leads back its rear becomes its front. */
+  /** As Wheel, but where the way leads back its rear becomes its front, and nobody changes files. */
   Reverse: 1,
   /** It faces one way until it has arrived, and then turns to `facing`. */
   Keep: 2,
-  /** Everybody heads for the place that is nearest for all; what arrives first. */
+  /**
+   * Everybody heads for the place that is nearest for all, and the formation flows where the way narrows. In the
+   * open nothing arrives sooner.
+   */
   Flow: 3,
 } as const;
 export type Turn = (typeof Turn)[keyof typeof Turn];
@@ -241,60 +285,110 @@ export const Stance = {
 } as const;
 export type Stance = (typeof Stance)[keyof typeof Stance];
 
-/** How a number is spread over persons. */
-export const Spread = {
-  /** All have `a`. */
-  Constant: 0,
-  /** Evenly from `a` to `b`. */
-  Uniform: 1,
-  /** Mean `a`, standard deviation `b`. */
-  Normal: 2,
-  /** Its logarithm has the mean `a` and the standard deviation `b`. */
-  LogNormal: 3,
-  /** Shape `a`, scale `b`. */
-  Gamma: 4,
-  /** Scale `a`, shape `b`. */
-  Weibull: 5,
+/**
+ * Kinds of events. Those from Arrived on tell how orders get on and how groups change; each from Arrived to
+ * Partial comes once per order and version of the ground. An order is a pose, a formation, a count or a drawn way;
+ * the ground changes with every command that changes obstacles or patches.
+ */
+export const EventKind = {
+  /** `value` is the id of the patch. */
+  EnterPatch: 0,
+  /** `value` is the id of the patch. */
+  LeavePatch: 1,
+  /** A transition into or out of a motion begins; `value` is the motion id. */
+  TransitionStart: 2,
+  /** A transition has ended; `value` is the motion id. */
+  TransitionEnd: 3,
+  /** A jump or climb begins; `value` is the motion id. */
+  SingleStep: 4,
+  /** An item was collected; `value` is the index of the item. */
+  Collect: 5,
+  /** A group has another formation; `subject` is the id of the group. */
+  FormationChange: 6,
+  /** A character's place changed without a command; `value` is the new place. */
+  Swap: 7,
+  /**
+   * All of a group's characters that have a place are within 0.5 m of it for 1 s, and the places stand where the
+   * order wants them; `value` is their number.
+   */
+  Arrived: 8,
+  /**
+   * A character is not at its place and has moved less than 0.25 m over the last 5 s, and not in a queue that
+   * moves on; `value` is the place. Raised again only once it has moved.
+   */
+  Stuck: 9,
+  /**
+   * The ground cut off the way of `value` characters of a group, or for 2 s a moving obstacle did, as a gate that
+   * closes. One that only passes gives no event.
+   */
+  Blocked: 10,
+  /** All of a group have their way again; `value` is how many had none. */
+  Free: 11,
+  /**
+   * No place of the group's order can be reached, or not by its largest members, who stay behind; `value` is the
+   * number of those concerned.
+   */
+  NoPath: 12,
+  /** `value` places of the group's order cannot be reached; the others can. */
+  Partial: 13,
+  /** A group was given the order of id `value`. */
+  OrderGiven: 14,
+  /** It begins the order of id `value`. */
+  OrderBegun: 15,
+  /** It has carried out the order of id `value`. */
+  OrderDone: 16,
+  /** It passes over the order of id `value`, whose target cannot be reached. */
+  OrderSkipped: 17,
+  /** A group has passed the checkpoint of index `value`. */
+  Passed: 18,
+  /** A group is new; `value` is the id of the group that it was split off, 0 for none. */
+  GroupAdded: 19,
+  /** A group has ended; `value` is the id of the group that it was merged into, 0 for none. */
+  GroupRemoved: 20,
+  /** A character is new; `value` is the id of its group. */
+  Joined: 21,
+  /** A character has left the world; `value` is the id of its group. */
+  Left: 22,
+  /** A character has changed groups; `value` is the id of its new group. */
+  Transferred: 23,
+  /** A character has left the world by an exit; `value` is the id of that area. */
+  Exited: 24,
+  /** A character has come into the world by a source; `value` is the id of that area. */
+  Entered: 25,
+  /** Their number. */
+  Count: 26,
 } as const;
-export type Spread = (typeof Spread)[keyof typeof Spread];
+export type EventKind = (typeof EventKind)[keyof typeof EventKind];
 
-/** What an area does. */
-export const AreaKind = {
-  /** People who are to leave by it go there, and leave the world in it. */
-  Exit: 0,
-  /** People come into the world in it, where there is room. */
-  Source: 1,
-  /** People who are to wait in it spread in it and stand. */
-  Waiting: 2,
-} as const;
-export type AreaKind = (typeof AreaKind)[keyof typeof AreaKind];
+/** Index of a motion clip in the world's table of clips; 0 is running in the open. */
+export type MotionIndex = number;
 
-/** The build of drawn bodies. */
-export const BodyBuild = {
-  /** Wide shoulders, short hair. */
-  Broad: 0,
-  /** Narrow shoulders, wider hips, tied hair. */
-  Narrow: 1,
-} as const;
-export type BodyBuild = (typeof BodyBuild)[keyof typeof BodyBuild];
+/** Names an obstacle of a world; 0 for none. It is not used again. */
+export type ObstacleId = number;
 
-/** A manner of walking and jogging, with clips of its own. */
-export const MotionSet = {
-  /** Upright, with high knees and stiff arms. */
-  March: 0,
-  /** Stooped, with hanging arms and feet that are hardly lifted. */
-  Weary: 1,
-} as const;
-export type MotionSet = (typeof MotionSet)[keyof typeof MotionSet];
+/** Names a patch of a world; 0 for none. */
+export type PatchId = number;
 
-/** What passes a checkpoint. */
-export const CheckpointTrigger = {
-  /** A share of the characters has been in it, or, up to a half, their middle is. */
-  Crowd: 0,
-  /** The centre of the group's mesh is in it. */
-  Mesh: 1,
-} as const;
-export type CheckpointTrigger = (typeof CheckpointTrigger)[keyof typeof CheckpointTrigger];
+/** Names a group of a world; 0 for none. */
+export type GroupId = number;
+
+/** Names an item of a world; 0 for none. */
+export type ItemId = number;
+
+/** Names a formation checkpoint of a world; 0 for none. */
+export type CheckpointId = number;
+
+/** Names an exit, a source or a waiting area; 0 for none. */
+export type AreaId = number;
+
+/** Names a control of a world; 0 for none. */
+export type ControlId = number;
+
+/** Names a character of a world; 0 for none. */
+export type CharacterId = number;
+
+/** Names an order in a queue; 0 for none. */
+export type OrderId = number;
 
 /** Kinds of commands. Numbers stay; new kinds are appended. */
 export const CommandKind = {
@@ -394,78 +488,6 @@ export const CommandKind = {
   Count: 46,
 } as const;
 export type CommandKind = (typeof CommandKind)[keyof typeof CommandKind];
-
-/** The phase of the motion that a character performs. */
-export const MotionPhase = {
-  /** It performs the motion of the ground it is on. */
-  Steady: 0,
-  /** It plays the transition into the motion. */
-  Entering: 1,
-  /** It plays the transition out of the motion. */
-  Leaving: 2,
-  /** It is within a single-step motion, which runs once per patch. */
-  Locked: 3,
-} as const;
-export type MotionPhase = (typeof MotionPhase)[keyof typeof MotionPhase];
-
-/** Kinds of events. Those from Arrived on are about orders and groups. */
-export const EventKind = {
-  /** `value` is the id of the patch. */
-  EnterPatch: 0,
-  /** `value` is the id of the patch. */
-  LeavePatch: 1,
-  /** A transition into or out of a motion begins; `value` is the motion. */
-  TransitionStart: 2,
-  /** A transition has ended; `value` is the motion. */
-  TransitionEnd: 3,
-  /** A jump or climb begins; `value` is the motion. */
-  SingleStep: 4,
-  /** An item was collected; `value` is the index of the item. */
-  Collect: 5,
-  /** A group has another formation; `subject` is the group. */
-  FormationChange: 6,
-  /** A character's place changed without a command; `value` is the new one. */
-  Swap: 7,
-  /** All with a place have been within 0.5 m of it for 1 s; `value` is their number. */
-  Arrived: 8,
-  /** Not at its place and moved less than 0.25 m in 5 s; `value` is the place. */
-  Stuck: 9,
-  /** The ground cut off the way of `value` characters of a group. */
-  Blocked: 10,
-  /** All of a group have their way again; `value` is how many had none. */
-  Free: 11,
-  /** No place of the group's order can be reached; `value` is their number. */
-  NoPath: 12,
-  /** `value` places of the group's order cannot be reached. */
-  Partial: 13,
-  /** A group was given the order of id `value`. */
-  OrderGiven: 14,
-  /** It begins the order of id `value`. */
-  OrderBegun: 15,
-  /** It has carried out the order of id `value`. */
-  OrderDone: 16,
-  /** It passes over the order of id `value`. */
-  OrderSkipped: 17,
-  /** A group has passed the checkpoint of index `value`. */
-  Passed: 18,
-  /** A group is new; `value` is the group that it was split off, or 0. */
-  GroupAdded: 19,
-  /** A group has ended; `value` is the group that it was merged into, or 0. */
-  GroupRemoved: 20,
-  /** A character is new; `value` is its group. */
-  Joined: 21,
-  /** A character has left the world; `value` is its group. */
-  Left: 22,
-  /** A character has changed groups; `value` is its new group. */
-  Transferred: 23,
-  /** A character has left the world by an exit; `value` is that area. */
-  Exited: 24,
-  /** A character has come into the world by a source; `value` is that area. */
-  Entered: 25,
-  /** Number of kinds. */
-  Count: 26,
-} as const;
-export type EventKind = (typeof EventKind)[keyof typeof EventKind];
 
 /** The joints, parents before children. The values are indices into every array of joints. */
 export const JointRole = {

@@ -2,7 +2,7 @@
 
 import type { ReadOut } from '../binding/read_out.js';
 import type { Rows } from '../binding/rows.js';
-import type { Status, MotionIndex, FormationKind, ObstacleId, PatchId, GroupId, ItemId, CheckpointId, AreaId, ControlId, CharacterId, OrderId, ControlKind, RoleArea, Driver, SplitBy, PartShape, OrderKind, ExitChoice, Manner, Turn, QueueMode, QueueEdit, Stance, Spread, AreaKind, BodyBuild, MotionSet, CheckpointTrigger, EventKind, Limb } from './enums.js';
+import type { Status, FormationKind, BodyBuild, MotionSet, ControlKind, AreaKind, CheckpointTrigger, Spread, RoleArea, Driver, SplitBy, PartShape, OrderKind, ExitChoice, Manner, Turn, QueueMode, QueueEdit, Stance, EventKind, MotionIndex, ObstacleId, PatchId, GroupId, ItemId, CheckpointId, AreaId, ControlId, CharacterId, OrderId, Limb } from './enums.js';
 
 /** A point or vector in the ground plane: x right, y forward [m]. */
 export interface Vec2 {

@@ -3,7 +3,7 @@
 import { Caller, Handle } from '../binding/handle.js';
 import type { ProgressFunction, ReplayFunction } from '../binding/callbacks.js';
 import type { Rows } from '../binding/rows.js';
-import type { Status, MotionIndex, FormationKind, ObstacleId, PatchId, GroupId, CharacterId, CommandKind, EventKind, JointRole, Limb, ReplayFrom } from './enums.js';
+import type { Status, FormationKind, EventKind, MotionIndex, ObstacleId, PatchId, GroupId, CharacterId, CommandKind, JointRole, Limb, ReplayFrom } from './enums.js';
 import type { Vec2, TimedPathInit, PathState, FormationDef, ObstacleDef, PatchDef, ClipFacts, MapDef, MapDefInit, Body, Order, OrderInit, Conduct, QueuedOrder, Forecast, Distribution, DistributionInit, PeopleDef, AreaDef, GroupDef, CheckpointDef, ItemDef, ParameterInfo, WorldDef, WorldDefInit, Command, CommandInit, Characters, Group, Control, Obstacle, Patch, Area, Event, Rejection, Contacts, StageTime, Transform, Joint, BodyPose, LimbContact, Travel, Clip, ClipInit, ClipMeasures, BvhContents, MotionState, TakeContents, ReplayReport, ExportFormat, ExportDef, ExportDefInit } from './structs.js';
 
 /** A map that was read, and the ground that it makes. */

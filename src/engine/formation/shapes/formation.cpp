@@ -4,17 +4,16 @@
 #include <cmath>
 #include <utility>
 
+#include "base/enumeration_words.h"
 #include "engine/formation/shapes/formation_shape.h"
 
 namespace muster {
 namespace {
 
-constexpr std::string_view kNames[] = {"square", "line",     "column", "wedge",   "ring",
-                                       "circle", "crescent", "pacman", "outline", "points"};
 constexpr std::int32_t kMostPlaces = 200000;
 
 Status check(const FormationDef& def, std::int32_t count) {
-    if (static_cast<std::size_t>(def.kind) >= std::size(kNames))
+    if (static_cast<std::size_t>(def.kind) >= kFormationKindWords.size())
         return invalidArgument("the formation's kind is unknown");
     if (count < 1 || count > kMostPlaces)
         return invalidArgument("found count " + std::to_string(count) + ", expected 1 to " +
@@ -109,14 +108,14 @@ void centreAndSort(FormationShape& shape, double spacing) {
 
 std::string_view formationName(FormationKind kind) {
     const auto index = static_cast<std::size_t>(kind);
-    return index < std::size(kNames) ? kNames[index] : "unknown";
+    return index < kFormationKindWords.size() ? kFormationKindWords[index] : "unknown";
 }
 
 Result<FormationKind> formationKind(std::string_view name) {
     std::string all;
-    for (std::size_t k = 0; k < std::size(kNames); ++k) {
-        if (kNames[k] == name) return static_cast<FormationKind>(k);
-        all += (k == 0 ? "" : ", ") + std::string(kNames[k]);
+    for (std::size_t k = 0; k < kFormationKindWords.size(); ++k) {
+        if (name == kFormationKindWords[k]) return static_cast<FormationKind>(k);
+        all += (k == 0 ? "" : ", ") + std::string(kFormationKindWords[k]);
     }
     return Status(StatusCode::NotFound,
                   "found formation '" + std::string(name) + "', expected one of " + all);

@@ -134,7 +134,7 @@ Json groups(const World& world, const Place& place) {
                   {"formation", formationName(view.formation)},
                   {"colour", (view.id.value + kColours - 1) % kColours}};
         if (view.colour) item["chosenColour"] = colourText(*view.colour);
-        if (view.build) item["build"] = kBuildWords[static_cast<std::size_t>(*view.build)];
+        if (view.build) item["build"] = kBodyBuildWords[static_cast<std::size_t>(*view.build)];
         if (view.motions) item["motions"] = kMotionSetWords[static_cast<std::size_t>(*view.motions)];
         if (const PlaceGroupDef* start = place.group(view.id)) {
             Json begins{

@@ -1,0 +1,108 @@
+// Enumerations in C++ and C, and the words of their values in files and messages.
+import { enumerations } from './read.mjs';
+import { aligned, docComment, kWidth, lowerFirst, upperWords, wrap } from './text.mjs';
+
+const kFrom = 'Made by schema/generate.mjs from schema/enumerations.txt: change these, not this file.';
+
+/** Values with their comments behind them, or before them where they take more than one line. */
+function valuesOf(rows) {
+  const isLong = ({ code, about }) => code.length + about.length + 11 > kWidth;
+  const column = Math.max(0, ...rows.filter((row) => !isLong(row)).map(({ code }) => code.length));
+  const lines = [];
+  let short = [];
+  const flush = () => {
+    if (short.length > 0) lines.push(...aligned(short));
+    short = [];
+  };
+  for (const row of rows) {
+    if (!isLong({ ...row, code: row.code.padEnd(column) })) {
+      short.push(row);
+      continue;
+    }
+    flush();
+    lines.push(...docComment(row.about, '    '), `    ${row.code}`);
+  }
+  flush();
+  return lines;
+}
+
+function inCpp({ name, sentence, values, isCounted }) {
+  const rows = values.map((value) => ({ code: `${value.name},`, about: value.sentence }));
+  if (isCounted) rows.push({ code: 'Count,', about: 'Their number.' });
+  return [...docComment(sentence), `enum class ${name} : std::uint8_t {`, ...valuesOf(rows), '};'].join('\n');
+}
+
+function inC({ name, prefix, sentence, values, isCounted }) {
+  const all = isCounted ? [...values, { name: 'Count', sentence: 'Their number.' }] : values;
+  const rows = all.map((value, number) => ({
+    code: `MUSTER_${prefix}_${upperWords(value.name)} = ${number}${number + 1 < all.length ? ',' : ''}`,
+    about: value.sentence.replace(/(\w)::(\w)/g, '$1.$2'),
+  }));
+  return [
+    ...docComment(sentence),
+    `typedef uint8_t Muster${name};`,
+    `/// Values of Muster${name}.`,
+    `enum Muster${name}Value {`,
+    ...aligned(rows),
+    '};',
+  ].join('\n');
+}
+
+function words({ name, values }) {
+  const list = wrap(values.map((value) => `"${lowerFirst(value.name)}"`).join(', '), kWidth - 4).map((line) => `    ${line}`);
+  const line = `inline constexpr std::array k${name}Words{${list.map((text) => text.trim()).join(' ')}};`;
+  if (line.length <= kWidth) return line;
+  return `// clang-format off\ninline constexpr std::array k${name}Words{\n${list.join('\n')}};\n// clang-format on`;
+}
+
+const cppHeader = () => `// ${kFrom}
+// The enumerations of definitions, orders, commands and events.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace muster {
+
+${enumerations.map(inCpp).join('\n\n')}
+
+/// The last value of an enumeration.
+template <class Enum>
+inline constexpr Enum kLastOf{};
+${enumerations.map(({ name, values }) => `template <>\ninline constexpr ${name} kLastOf<${name}> = ${name}::${values.at(-1).name};`).join('\n')}
+/// How many values an enumeration has.
+template <class Enum>
+inline constexpr std::size_t kCountOf = static_cast<std::size_t>(kLastOf<Enum>) + 1;
+
+}  // namespace muster
+`;
+
+const cHeader = () => `/* ${kFrom} */
+#ifndef MUSTER_C_ENUMERATIONS_H
+#define MUSTER_C_ENUMERATIONS_H
+
+#include <stdint.h>
+
+${enumerations.map(inC).join('\n\n')}
+
+#endif
+`;
+
+const wordHeader = () => `// ${kFrom}
+// The words of enumerations in files and messages, in the order of their values.
+#pragma once
+
+#include <array>
+
+namespace muster {
+
+${enumerations.map(words).join('\n')}
+
+}  // namespace muster
+`;
+
+export const enumerationFiles = () => ({
+  'include/muster/enumerations.h': cppHeader(),
+  'include/muster/c/enumerations.h': cHeader(),
+  'src/base/enumeration_words.h': wordHeader(),
+});
