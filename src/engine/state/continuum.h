@@ -27,15 +27,16 @@ struct StandingSpot {
     }
 };
 
-/// A way through a door that is not on the shortest way of somebody who leaves.
+/// The way through a door of somebody who leaves.
 struct DoorWay {
     std::uint32_t character = 0;  ///< Its id.
-    std::int32_t way = 0;         ///< Of the doors that were known then.
+    std::int32_t way = -1;        ///< -1 for the shortest.
+    std::int32_t turns = 0;       ///< How often it has changed its mind.
 
     /// Lets an archive read or write it.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(character, way);
+        archive(character, way, turns);
     }
 };
 
@@ -50,7 +51,7 @@ struct Gathering {
     std::vector<std::uint32_t> arrived;  ///< Ids of those who have come near and stand, ascending.
     std::vector<StandingSpot> spots;     ///< For Wait: of those who have one, by ascending ids.
     std::uint32_t doors = 0;             ///< For Leave: key of the doors of `ways`; 0 for none.
-    std::vector<DoorWay> ways;           ///< For Leave: of those who do not take the shortest.
+    std::vector<DoorWay> ways;  ///< For Leave: of those who do not take the shortest, or have turned.
 
     /// True where the group has no formation meanwhile.
     bool isBare() const { return kind != OrderKind::Move; }

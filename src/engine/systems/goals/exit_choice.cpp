@@ -210,9 +210,13 @@ ExitChooser::Choice ExitChooser::best(const WorldState& state, const Leavers& le
                       best.choice = choice;
                   });
     }
+    // Each change of mind makes the next one dearer.
+    const double pays = kChangePays + kChangeShare * std::max(0.0, best.ofOwn);
     const bool stays = best.ofOwn < kInfiniteCost &&
-                       best.ofOwn - best.least < kChangePays + kChangeShare * std::max(0.0, best.ofOwn);
-    return stays ? best.own : best.choice;
+                       best.ofOwn - best.least < pays * (1.0 + (turns_.empty() ? 0.0 : turns_[i]));
+    if (stays) return best.own;
+    best.choice.hasTurned = best.ofOwn < kInfiniteCost;
+    return best.choice;
 }
 
 void ExitChooser::choose(WorldState& state, std::span<const Leavers> leavers,
@@ -231,7 +235,9 @@ void ExitChooser::choose(WorldState& state, std::span<const Leavers> leavers,
         // Another way is to be found.
         if (goal != c.goal[i] || chosen_[k].way != wayOf(i) || hasPassed(i)) c.direction[i] = {};
         c.goal[i] = goal;
-        if (!way_.empty()) way_[i] = chosen_[k].way;
+        if (way_.empty()) continue;
+        if (chosen_[k].hasTurned) ++turns_[i];
+        way_[i] = chosen_[k].way;
     }
 }
 
@@ -241,7 +247,9 @@ void ExitChooser::chooseFirst(WorldState& state, std::span<const Leavers> leaver
     Characters& c = state.characters;
     for (const Chooser& chooser : first_) {
         c.goal[chooser.character] = 0;
-        if (!way_.empty()) way_[chooser.character] = -1;
+        if (way_.empty()) continue;
+        way_[chooser.character] = -1;
+        turns_[chooser.character] = 0;
     }
     for (std::size_t round = 0; round < std::min(kRounds, first_.size()); ++round) {
         choose(state, leavers, groundClasses, first_, round, kRounds, pool);

@@ -81,6 +81,7 @@ private:
         std::int32_t exit = -1;  // -1 for none.
         std::int32_t way = -1;   // -1 for the shortest.
         ExitTimes::First first;
+        bool hasTurned = false;  // It had chosen something else that is still possible.
     };
     /// The one by which it leaves soonest, and its own one.
     struct Best {
@@ -105,6 +106,7 @@ private:
     std::vector<Chooser> turn_;                 // Whose turn it is to think again.
     std::vector<Choice> chosen_;                // By first_ or turn_.
     std::vector<std::int32_t> way_;             // By character, as wayOf(); empty where there are no doors.
+    std::vector<std::int32_t> turns_;           // By character: how often it has changed its mind.
     std::vector<std::uint8_t> passed_;          // By character: 1 for who has come through such a door.
     std::vector<const GoalField*> ownFields_;   // By exit, of the first class.
     std::vector<const Doors::ToExit*> toExit_;  // By exit; empty where there are no doors.

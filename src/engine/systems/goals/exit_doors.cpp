@@ -25,9 +25,11 @@ void ExitChooser::readWays(const WorldState& state, std::span<const Leavers> lea
                            std::span<const std::int32_t> groundClasses) {
     const Characters& c = state.characters;
     way_.clear();
+    turns_.clear();
     passed_.clear();
     if (toExit_.empty()) return;
     way_.assign(c.size(), -1);
+    turns_.assign(c.size(), 0);
     passed_.assign(c.size(), 0);
     for (const Leavers& some : leavers) {
         if (some.gathering->doors != doors_.key()) continue;
@@ -35,6 +37,7 @@ void ExitChooser::readWays(const WorldState& state, std::span<const Leavers> lea
         for (const DoorWay& own : some.gathering->ways) {
             const std::int32_t i = c.indexOf(own.character);
             if (i < 0 || !std::cmp_equal(c.group[i], group) || groundClasses[i] != 0) continue;
+            turns_[i] = own.turns;
             if (own.way >= 0 && std::cmp_less(own.way, doors_.ways())) way_[i] = own.way;
         }
     }
@@ -60,9 +63,9 @@ void ExitChooser::keepWays(const WorldState& state, GoalFields& fields, std::spa
         some.gathering->doors = way_.empty() ? 0 : doors_.key();
         if (way_.empty()) continue;
         for (const std::int32_t i : some.group->members) {
-            if (way_[i] < 0) continue;
-            some.gathering->ways.push_back({state.characters.id[i], way_[i]});
-            doors_.prepareField(way_[i], fields);
+            if (way_[i] < 0 && turns_[i] == 0) continue;
+            some.gathering->ways.push_back({state.characters.id[i], way_[i], turns_[i]});
+            if (way_[i] >= 0) doors_.prepareField(way_[i], fields);
         }
     }
 }

@@ -55,8 +55,7 @@ void ExitTimes::serve(const Parameters::Character& usual, std::span<const GoalFi
     waits_.serveWays([&](std::int32_t way) { return flow_[way]; },
                      [&](std::int32_t way, std::size_t exit, double now) {
                          const First to = next(way, exit, now, speed_, [&](std::int32_t other, double at) {
-                             return std::max(at, waits_.leftAt(other)) +
-                                    (doors_->isShut(other) ? kShut : 0.0);
+                             return waits_.passes(other, now, at) + (doors_->isShut(other) ? kShut : 0.0);
                          });
                          return ExitWaits::Hop{nodeOf(exit, to.way), to.walk};
                      });

@@ -19,12 +19,23 @@ void ExitWaits::beginServing() {
     left_.assign(nodes(), 0.0);
     queue_.assign(ways_ * exits_, 0.0);
     waiting_.assign(ways_, 0.0);
+    perWay_.assign(ways_, 0.0);
 }
 
 void ExitWaits::addBin() {
     all_.addBin(nodes(), ways_ * exits_);
     before_.resize(all_.bins * nodes(), 0.0f);
     perPerson_.resize(all_.bins * nodes(), 0.0f);
+}
+
+double ExitWaits::passes(std::int32_t way, double now, double at) const {
+    const std::size_t node = nodeOf(way), end = std::min(binOf(at), all_.bins);
+    const double each = perWay_[static_cast<std::size_t>(way)];
+    double left = left_[node];
+    for (std::size_t k = binOf(now) + 1; k < end; ++k)
+        if (const float people = all_.count[k * nodes() + node]; people > 0.0f)
+            left = timeAfter(left, static_cast<double>(k) * kBin, people, each);
+    return std::max(left, at);
 }
 
 bool ExitWaits::isQueued(std::size_t exit, double flow) const {

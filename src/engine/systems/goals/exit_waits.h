@@ -52,8 +52,9 @@ public:
     }
     /// When somebody whose way to a node takes `walk` [s] will have passed it [s].
     double leaves(std::size_t node, double walk) const;
-    /// When the last of those who have come to a way until now has passed it [s]; for serveWays().
-    double leftAt(std::int32_t way) const { return left_[nodeOf(way)]; }
+    /// When somebody will have passed a way who comes to it at a time, as far as is known while those of
+    /// `now` are served [s]; for serveWays().
+    double passes(std::int32_t way, double now, double at) const;
 
 private:
     static constexpr double kNear = 3.0;        // Whose way takes less than this is before the exit [s].
@@ -105,11 +106,13 @@ private:
     std::vector<double> left_;      // When all have passed [s], by node.
     std::vector<double> queue_;     // By way and exit, in the bin at hand.
     std::vector<double> waiting_;   // By way.
+    std::vector<double> perWay_;    // Time for each [s].
 };
 
 template <class Flow, class NextHop>
 void ExitWaits::serveWays(const Flow& flow, const NextHop& hop) {
     beginServing();
+    for (std::size_t way = 0; way < ways_; ++way) perWay_[way] = 1.0 / flow(static_cast<std::int32_t>(way));
     for (std::size_t k = 0; k < kBins && ways_ > 0; ++k) {
         const double now = static_cast<double>(k) * kBin;
         bool isOver = k >= all_.bins;
@@ -120,11 +123,10 @@ void ExitWaits::serveWays(const Flow& flow, const NextHop& hop) {
             before_[at] = static_cast<float>(left_[node]);
             if (!(people + waiting_[way] > kNobody)) continue;
             isOver = false;
-            const double rate = flow(static_cast<std::int32_t>(way));
-            perPerson_[at] = static_cast<float>(1.0 / rate);
-            if (people > 0.0) left_[node] = timeAfter(left_[node], now, people, 1.0 / rate);
-            const double sum = people + waiting_[way];
-            const double share = sum > rate * kBin ? rate * kBin / sum : 1.0;
+            perPerson_[at] = static_cast<float>(perWay_[way]);
+            if (people > 0.0) left_[node] = timeAfter(left_[node], now, people, perWay_[way]);
+            const double most = kBin / perWay_[way], sum = people + waiting_[way];
+            const double share = sum > most ? most / sum : 1.0;
             waiting_[way] = 0.0;
             for (std::size_t e = 0; e < exits_; ++e) {
                 double& queue = queue_[way * exits_ + e];
