@@ -210,7 +210,7 @@ ExitChooser::Choice ExitChooser::best(const WorldState& state, const Leavers& le
                       best.choice = choice;
                   });
     }
-    // Each change of mind makes the next one dearer.
+    // Each change of mind makes the next one costlier.
     const double pays = kChangePays + kChangeShare * std::max(0.0, best.ofOwn);
     const bool stays = best.ofOwn < kInfiniteCost &&
                        best.ofOwn - best.least < pays * (1.0 + (turns_.empty() ? 0.0 : turns_[i]));
