@@ -34,6 +34,11 @@ public:
     Walk atSpot(const WalkSpot& spot) const;
     /// The same for a point.
     Walk at(Vec2 p) const { return atSpot(spot(p)); }
+    /// The same for the centre of a cell, which is unreached where it is in a wall.
+    Walk ofCell(std::int32_t cell) const {
+        const auto cost = static_cast<double>(cost_[cell]);
+        return {cost, side_[cell]};
+    }
     /// The first cells, at most so many, of the cheapest walk from `p` to the source, as points [m]; empty
     /// where there is none.
     void trace(Vec2 p, std::size_t most, std::vector<Vec2>& path) const;
@@ -59,6 +64,9 @@ public:
     void open(const UnitCost& ground);
     /// Shuts the edges that cross the passage.
     void close(const Passage& passage);
+    /// The open edges of a cell as bits: 1 east, 2 north, 4 west, 8 south.
+    std::uint8_t ofCell(std::int32_t cell) const { return open_[cell]; }
+    const Grid& grid() const { return grid_; }  ///< The cells.
 
 private:
     friend class WalkSolver;

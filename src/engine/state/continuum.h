@@ -27,6 +27,19 @@ struct StandingSpot {
     }
 };
 
+/// The way through a door of somebody who leaves.
+struct DoorWay {
+    std::uint32_t character = 0;  ///< Its id.
+    std::int32_t way = -1;        ///< -1 for the shortest.
+    std::int32_t turns = 0;       ///< How often it has changed its mind.
+
+    /// Lets an archive read or write it.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(character, way, turns);
+    }
+};
+
 /// A group whose members have no places: they go to a point or to areas, or stand where they came to.
 struct Gathering {
     GroupId group;                       ///< Whose members they are.
@@ -37,6 +50,8 @@ struct Gathering {
     std::uint32_t since = 0;             ///< For Wait: step in which enough had come; 0 while they have not.
     std::vector<std::uint32_t> arrived;  ///< Ids of those who have come near and stand, ascending.
     std::vector<StandingSpot> spots;     ///< For Wait: of those who have one, by ascending ids.
+    std::uint32_t doors = 0;             ///< For Leave: key of the doors of `ways`; 0 for none.
+    std::vector<DoorWay> ways;  ///< For Leave: of those who do not take the shortest, or have turned.
 
     /// True where the group has no formation meanwhile.
     bool isBare() const { return kind != OrderKind::Move; }
@@ -57,6 +72,7 @@ struct Gathering {
     template <class Archive>
     void visit(Archive& archive) {
         archive(group, kind, target, area, active, since, arrived, spots);
+        if (kind == OrderKind::Leave) archive(doors, ways);
     }
 
 private:

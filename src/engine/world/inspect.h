@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 #include "muster/id.h"
@@ -47,6 +48,9 @@ const PlaceTracker& places(const World& world, std::size_t group);
 double distanceLeft(const World& world, std::size_t character);
 /// True for a character who is to leave the world by an exit.
 bool leaves(const World& world, std::size_t character);
+/// The number of the way through a door by which a character leaves who does not take the shortest; -1 for
+/// others.
+std::int32_t doorWay(const World& world, std::size_t character);
 /// True for an open source that may still send people to a group that is there.
 bool maySend(const World& world, std::size_t area);
 /// The plan of a group.

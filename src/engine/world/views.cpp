@@ -232,6 +232,15 @@ bool leaves(const World& world, std::size_t character) {
     const Gathering* const gathering = state.continuum.find(group);
     return gathering != nullptr && gathering->kind == OrderKind::Leave;
 }
+std::int32_t doorWay(const World& world, std::size_t character) {
+    const WorldState& state = WorldAccess::of(world).state;
+    const GroupId group = state.groups[state.characters.group[character]].id;
+    const Gathering* const gathering = state.continuum.find(group);
+    if (gathering == nullptr) return -1;
+    for (const DoorWay& own : gathering->ways)
+        if (own.character == state.characters.id[character]) return own.way;
+    return -1;
+}
 bool maySend(const World& world, std::size_t area) {
     const WorldState& state = WorldAccess::of(world).state;
     const Area& source = state.areas[area];

@@ -29,6 +29,9 @@ WorldDef rooms(std::uint64_t seed) {
     def.seed = seed;
     def.box = {{0, 0}, {30, 16}};
     def.obstacles = {block(14, 0, 14.5, 6), block(14, 8, 14.5, 16), tree({6, 8}, 0.5)};
+    // In half of the worlds there is a second door.
+    if (seed % 2 == 1) def.obstacles[1] = block(14, 8, 14.5, 12);
+    if (seed % 2 == 1) def.obstacles.push_back(block(14, 13, 14.5, 16));
     for (int g = 0; g < 3; ++g) {
         GroupDef group;
         group.count = g == 2 ? 0 : 12 + static_cast<std::int32_t>(random.below(12));

@@ -7,7 +7,6 @@
 #include "base/hash.h"
 #include "base/infinite_cost.h"
 #include "base/maths.h"
-#include "engine/passages/specific_flow.h"
 #include "engine/steering/crowd_bodies.h"
 #include "engine/systems/events/standstill.h"
 #include "engine/systems/passages/goals.h"
@@ -15,13 +14,12 @@
 namespace muster {
 namespace {
 
-constexpr double kThinksEvery = 1.0;  // Everybody thinks again once in so long [s].
-constexpr double kChangePays = 1.0;   // A change gains at least so much [s]...
-constexpr double kChangeShare = 0.1;  // ... and this share of the time that is left.
-constexpr double kMemory = 10.0;      // For so long what an exit let through counts [s].
-constexpr double kPrior = 1.0;        // The law counts like so long a measurement [s].
-constexpr std::size_t kRounds = 8;    // Those who choose at once do it in so many parts, one after the other.
-constexpr double kLeastFlow = 1e-3;   // Of an exit [1/s].
+constexpr double kThinksEvery = 1.0;   // Everybody thinks again once in so long [s].
+constexpr std::uint32_t kLooksIn = 4;  // Those whose turn it is in so many steps think in the last of these.
+constexpr double kChangePays = 1.0;    // A change gains at least so much [s]...
+constexpr double kChangeShare = 0.1;   // ... and this share of the time that is left.
+constexpr double kMemory = 10.0;       // For so long what an exit let through counts [s].
+constexpr std::size_t kRounds = 8;  // Those who choose at once do it in so many parts, one after the other.
 
 // How much somebody errs about an exit, in deviations: a normal number by the world's seed.
 double errorOf(std::uint64_t seed, std::uint32_t character, std::uint32_t area) {
@@ -59,13 +57,18 @@ const GoalField* ExitChooser::fieldOf(const Characters& characters, std::size_t 
     return exit >= 0 ? &fieldTo(exit, classIndex(groundClasses[i])) : nullptr;
 }
 
-// Who has not set out yet comes so much later.
-double ExitChooser::walkTime(const WorldState& state, std::size_t i, double cost) const {
+// Cost that somebody walks in a second [m].
+double ExitChooser::speedOf(const WorldState& state, std::size_t i) const {
     const Parameters& parameters = state.parameters;
     const double open = parameters.cost.alpha + parameters.cost.beta;
+    return open * maxSpeedOf(parameters.character, state.characters.body[i]);
+}
+
+// Who has not set out yet comes so much later.
+double ExitChooser::walkTime(const WorldState& state, std::size_t i, double cost) const {
     const Characters& c = state.characters;
     const std::uint32_t stays = c.setsOutAt[i] > state.stepCount ? c.setsOutAt[i] - state.stepCount : 0;
-    return cost / (open * maxSpeedOf(parameters.character, c.body[i])) + stays * parameters.stepTime;
+    return cost / speedOf(state, i) + stays * state.parameters.stepTime;
 }
 
 void ExitChooser::listExits(WorldState& state, GoalFields& fields, std::span<const Leavers> leavers,
@@ -102,133 +105,183 @@ void ExitChooser::listOptions(std::span<const Leavers> leavers) {
     }
 }
 
-// Counts who goes where, and what the exits let through of late.
-void ExitChooser::count(const WorldState& state, std::span<const Leavers> leavers) {
+// Counts who goes where.
+void ExitChooser::count(const WorldState& state, std::span<const Leavers> leavers,
+                        std::span<const std::int32_t> groundClasses) {
     const Characters& c = state.characters;
     herding_ = std::any_of(leavers.begin(), leavers.end(),
                            [](const Leavers& some) { return some.order->herding > 0.0; });
-    waits_.clear(exits_.size());
+    times_.begin(doors_, exits_, toExit_, metresPerSecond(state.parameters));
     if (herding_) herds_.clear(state.environment.def().box, exits_.size());
     for (std::size_t i = 0; i < c.size(); ++i) {
         if (c.goal[i] == 0 || !(c.cost[i] < kInfiniteCost)) continue;
         const std::int32_t exit = indexOf(c.goal[i]);
         if (exit < 0) continue;
-        waits_.add(static_cast<std::size_t>(exit), walkTime(state, i, c.cost[i]));
-        if (herding_) herds_.add(c.position[i], static_cast<std::size_t>(exit));
+        const auto e = static_cast<std::size_t>(exit);
+        const double way = walkTime(state, i, c.cost[i]);
+        times_.add(e, groundClasses[i] != 0
+                          ? ExitTimes::First{-1, way}
+                          : times_.first(e, c.position[i], wayOf(i), way, speedOf(state, i)));
+        if (herding_) herds_.add(c.position[i], e);
     }
 }
 
-void ExitChooser::serve(WorldState& state) {
-    const Parameters::Character& usual = state.parameters.character;
-    const double flow = specificFlow(usual);
-    const double speed = metresPerSecond(state.parameters);
-    for (std::size_t e = 0; e < exits_.size(); ++e) {
-        Area& area = *exits_[e];
-        const GoalField& field = fieldTo(static_cast<std::int32_t>(e), 0);
-        const auto byWidth = [&](double walk) {
-            return flow * (field.width(walk * speed) + 2.0 * usual.radius);
-        };
-        const double measured = (kPrior * byWidth(0.0) + area.exit.served) / (kPrior + area.exit.queued);
-        const double whole = area.def.rate > 0.0 ? std::min(area.def.rate, measured) : measured;
-        area.exit.isQueued = waits_.isQueued(e, whole);
-        waits_.serve(e, [&](double walk) { return std::max(kLeastFlow, std::min(whole, byWidth(walk))); });
-    }
+void ExitChooser::serve(const WorldState& state) {
+    ownFields_.clear();
+    for (std::size_t e = 0; e < exits_.size(); ++e)
+        ownFields_.push_back(&fieldTo(static_cast<std::int32_t>(e), 0));
+    times_.serve(state.parameters.character, ownFields_);
 }
 
 // Who has no exit, whose exit is closed or out of reach chooses at once, others in turn.
 void ExitChooser::listChoosers(const WorldState& state, std::span<const Leavers> leavers) {
     const Characters& c = state.characters;
     const std::uint32_t turns = stepsIn(state, kThinksEvery);
+    const bool isTurn = state.stepCount % kLooksIn == 0;
     first_.clear();
     turn_.clear();
     for (std::size_t g = 0; g < leavers.size(); ++g) {
         allowed_.assign(exits_.size(), 0);
         for (const Option& option : options_[g]) allowed_[option.exit] = 1;
+        const bool hasChoice = isTurn && (options_[g].size() > 1 || !toExit_.empty());
         for (const std::int32_t i : leavers[g].group->members) {
             const std::int32_t exit = c.goal[i] == 0 ? -1 : indexOf(c.goal[i]);
             const Chooser chooser{i, static_cast<std::int32_t>(g)};
             if (exit < 0 || allowed_[exit] == 0 || !(c.cost[i] < kInfiniteCost))
                 first_.push_back(chooser);
-            else if (options_[g].size() > 1 && (state.stepCount + c.id[i]) % turns == 0)
+            else if (hasChoice && (hasPassed(i) || (state.stepCount + c.id[i]) % turns < kLooksIn))
                 turn_.push_back(chooser);
         }
     }
 }
 
-// The exit by which somebody will have left soonest; its own one unless another one is clearly better.
-std::int32_t ExitChooser::best(const WorldState& state, const Leavers& leavers, const Chooser& chooser,
-                               std::span<const std::int32_t> groundClasses, double& walk) const {
+// Offers an exit by the shortest way, which takes `way` [s], and by all other doors of the room.
+template <class Offer>
+void ExitChooser::offerWays(const WorldState& state, std::size_t i, std::int32_t exit, bool byTime,
+                            double way, bool hasDoors, const Offer& offer) const {
+    const auto e = static_cast<std::size_t>(exit);
+    const double speed = speedOf(state, i);
+    const Vec2 p = state.characters.position[i];
+    const ExitTimes::First direct = hasDoors ? times_.first(e, p, -1, way, speed) : ExitTimes::First{-1, way};
+    if (way < kInfiniteCost)
+        offer(Choice{exit, -1, direct}, byTime ? times_.leaves(e, direct, speed) : way, direct.way);
+    // Who is in the room of the exit needs no door.
+    if (!hasDoors || !byTime || direct.way < 0) return;
+    for (const std::int32_t other : doors_.waysFrom(p)) {
+        const double onward = toExit_[e]->onward[other];
+        if (other == direct.way || !(onward < kInfiniteCost)) continue;
+        const double walk = doors_.walk(other, p);
+        if (!(walk < kInfiniteCost)) continue;
+        const ExitTimes::First first{other, walkTime(state, i, walk)};
+        offer(Choice{exit, other, first}, times_.leaves(e, first, speed), other);
+    }
+}
+
+// The exit and the door by which somebody will have left soonest; its own ones unless others are clearly
+// better.
+ExitChooser::Choice ExitChooser::best(const WorldState& state, const Leavers& leavers, const Chooser& chooser,
+                                      std::span<const std::int32_t> groundClasses) const {
     const Characters& c = state.characters;
     const auto i = static_cast<std::size_t>(chooser.character);
     const Order& order = *leavers.order;
-    const std::int32_t own = c.goal[i] == 0 ? -1 : indexOf(c.goal[i]);
+    const std::int32_t own = c.goal[i] == 0 ? -1 : indexOf(c.goal[i]), ownWay = wayOf(i);
     const std::int32_t groundClass = classIndex(groundClasses[i]);
+    const bool hasDoors = !toExit_.empty() && groundClasses[i] == 0;
+    const bool byTime = order.choice != ExitChoice::Nearest;
     std::optional<Herds::Sight> sight;
     if (order.herding > 0.0 && !options_[chooser.leavers].empty())
         sight.emplace(herds_, fieldTo(0, groundClass).ground(), c.position[i], own);
-    std::int32_t found = -1;
-    double least = kInfiniteCost, ofOwn = kInfiniteCost, ownWalk = 0.0;
+    Best best;
     for (const Option& option : options_[chooser.leavers]) {
-        const double way = walkTime(state, i, fieldTo(option.exit, groundClass).cost(c.position[i]));
-        if (!(way < kInfiniteCost)) continue;
-        double time = order.choice == ExitChoice::Nearest
-                          ? way
-                          : waits_.leaves(static_cast<std::size_t>(option.exit), way);
-        time -= option.attraction;
-        if (sight) time -= order.herding * sight->share(static_cast<std::size_t>(option.exit));
+        double less = option.attraction;
+        if (sight) less += order.herding * sight->share(static_cast<std::size_t>(option.exit));
         if (order.misjudgement > 0.0)
-            time += order.misjudgement * errorOf(state.seed, c.id[i], ids_[option.exit]);
-        if (option.exit == own) {
-            ofOwn = time;
-            ownWalk = way;
-        }
-        if (time >= least) continue;
-        least = time;
-        found = option.exit;
-        walk = way;
+            less -= order.misjudgement * errorOf(state.seed, c.id[i], ids_[option.exit]);
+        const double way = walkTime(state, i, fieldTo(option.exit, groundClass).cost(c.position[i]));
+        offerWays(state, i, option.exit, byTime, way, hasDoors,
+                  [&](const Choice& choice, double leaves, std::int32_t door) {
+                      const double time = leaves - less;
+                      if (choice.exit == own && (ownWay < 0 ? choice.way < 0 : door == ownWay)) {
+                          best.ofOwn = time;
+                          best.own = choice;
+                      }
+                      if (!(time < best.least)) return;
+                      best.least = time;
+                      best.choice = choice;
+                  });
     }
-    const bool stays = ofOwn < kInfiniteCost &&
-                       ofOwn - least < kChangePays + kChangeShare * std::max(0.0, ofOwn);
-    if (!stays) return found;
-    walk = ownWalk;
-    return own;
+    // Each change of mind makes the next one costlier.
+    const double pays = kChangePays + kChangeShare * std::max(0.0, best.ofOwn);
+    const bool stays = best.ofOwn < kInfiniteCost &&
+                       best.ofOwn - best.least < pays * (1.0 + (turns_.empty() ? 0.0 : turns_[i]));
+    if (stays) return best.own;
+    best.choice.hasTurned = best.ofOwn < kInfiniteCost;
+    return best.choice;
+}
+
+void ExitChooser::choose(WorldState& state, std::span<const Leavers> leavers,
+                         std::span<const std::int32_t> groundClasses, const std::vector<Chooser>& list,
+                         std::size_t from, std::size_t stride, ThreadPool& pool) {
+    Characters& c = state.characters;
+    const std::size_t count = list.size() > from ? (list.size() - from + stride - 1) / stride : 0;
+    chosen_.resize(count);
+    forChunks(&pool, count, kPerTask, [&](std::size_t k) {
+        const Chooser& chooser = list[from + k * stride];
+        chosen_[k] = best(state, leavers[chooser.leavers], chooser, groundClasses);
+    });
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::int32_t i = list[from + k * stride].character;
+        const std::uint32_t goal = chosen_[k].exit < 0 ? 0 : ids_[chosen_[k].exit];
+        // Another way is to be found.
+        if (goal != c.goal[i] || chosen_[k].way != wayOf(i) || hasPassed(i)) c.direction[i] = {};
+        c.goal[i] = goal;
+        if (way_.empty()) continue;
+        if (chosen_[k].hasTurned) ++turns_[i];
+        way_[i] = chosen_[k].way;
+    }
+}
+
+// Those who have no exit choose in parts, each of which knows what the parts before have chosen.
+void ExitChooser::chooseFirst(WorldState& state, std::span<const Leavers> leavers,
+                              std::span<const std::int32_t> groundClasses, ThreadPool& pool) {
+    Characters& c = state.characters;
+    for (const Chooser& chooser : first_) {
+        c.goal[chooser.character] = 0;
+        if (way_.empty()) continue;
+        way_[chooser.character] = -1;
+        turns_[chooser.character] = 0;
+    }
+    for (std::size_t round = 0; round < std::min(kRounds, first_.size()); ++round) {
+        choose(state, leavers, groundClasses, first_, round, kRounds, pool);
+        for (std::size_t k = 0; k < chosen_.size(); ++k) {
+            if (chosen_[k].exit < 0) continue;
+            times_.add(static_cast<std::size_t>(chosen_[k].exit), chosen_[k].first);
+            const std::int32_t i = first_[round + k * kRounds].character;
+            if (herding_) herds_.add(c.position[i], static_cast<std::size_t>(chosen_[k].exit));
+        }
+        serve(state);
+    }
 }
 
 void ExitChooser::run(WorldState& state, GoalFields& fields, std::span<const Leavers> leavers,
                       std::span<const std::int32_t> groundClasses, ThreadPool& pool) {
-    Characters& c = state.characters;
     listExits(state, fields, leavers, groundClasses);
     listOptions(leavers);
-    count(state, leavers);
-    serve(state);
-    listChoosers(state, leavers);
-    const auto choose = [&](const std::vector<Chooser>& list, std::size_t from, std::size_t stride) {
-        const std::size_t count = list.size() > from ? (list.size() - from + stride - 1) / stride : 0;
-        chosen_.resize(count);
-        walk_.resize(count);
-        forChunks(&pool, count, kPerTask, [&](std::size_t k) {
-            const Chooser& chooser = list[from + k * stride];
-            chosen_[k] = best(state, leavers[chooser.leavers], chooser, groundClasses, walk_[k]);
-        });
-        for (std::size_t k = 0; k < count; ++k) {
-            const std::int32_t i = list[from + k * stride].character;
-            const std::uint32_t goal = chosen_[k] < 0 ? 0 : ids_[chosen_[k]];
-            if (goal != c.goal[i]) c.direction[i] = {};  // Another way is to be found.
-            c.goal[i] = goal;
-        }
-    };
-    choose(turn_, 0, 1);
-    for (const Chooser& chooser : first_) c.goal[chooser.character] = 0;
-    for (std::size_t round = 0; round < std::min(kRounds, first_.size()); ++round) {
-        choose(first_, round, kRounds);
-        for (std::size_t k = 0; k < chosen_.size(); ++k) {
-            if (chosen_[k] < 0) continue;
-            waits_.add(static_cast<std::size_t>(chosen_[k]), walk_[k]);
-            const std::int32_t i = first_[round + k * kRounds].character;
-            if (herding_) herds_.add(c.position[i], static_cast<std::size_t>(chosen_[k]));
-        }
+    findDoors(state, fields, leavers);
+    readWays(state, leavers, groundClasses);
+    const bool looks = state.stepCount % kLooksIn == 0;
+    if (!looks) listChoosers(state, leavers);
+    if (looks || !first_.empty()) {
+        count(state, leavers, groundClasses);
         serve(state);
+        if (looks) {
+            passDoors(state);
+            listChoosers(state, leavers);
+        }
+        choose(state, leavers, groundClasses, turn_, 0, 1, pool);
+        chooseFirst(state, leavers, groundClasses, pool);
     }
+    keepWays(state, fields, leavers);
     const double step = state.parameters.stepTime;
     for (Area* exit : exits_) {
         ExitFlow& flow = exit->exit;

@@ -1,5 +1,5 @@
-// By which exit each leaves: where it will have left soonest, by its way and the wait before the exit
-// (docs/method/goals.md).
+// By which exit, and through which door, each leaves: where it will have left soonest, by its way and the
+// waits at doors and before the exit (docs/method/goals.md).
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "engine/systems/goals/exit_waits.h"
+#include "engine/systems/goals/doors.h"
+#include "engine/systems/goals/exit_times.h"
 #include "engine/systems/goals/goal_fields.h"
 #include "engine/systems/goals/herds.h"
 
@@ -17,11 +18,14 @@ namespace muster {
 struct Leavers {
     Group* group = nullptr;        ///< Theirs.
     const Order* order = nullptr;  ///< That they carry out.
+    Gathering* gathering = nullptr;
 };
 
 /// Chooses exits for all who leave.
 class ExitChooser {
 public:
+    /// Forgets what follows from the ground; call when the state has become another.
+    void reset() { doors_.reset(); }
     /// Chooses for those who have no exit, and for those whose turn it is, of all these groups.
     /// `groundClasses` are those of all characters.
     void run(WorldState& state, GoalFields& fields, std::span<const Leavers> leavers,
@@ -32,6 +36,10 @@ public:
     const Area* areaOf(const Characters& characters, std::size_t i) const;
     const GoalField* fieldOf(const Characters& characters, std::size_t i,
                              std::span<const std::int32_t> groundClasses) const;
+    /// The way of a character who does not take the shortest; -1 for others.
+    std::int32_t wayOf(std::size_t i) const { return way_.empty() ? -1 : way_[i]; }
+    /// The way of such a character from a point, which keeps by so much farther from walls than it must [m].
+    GoalWay wayThrough(const Characters& characters, std::size_t i, double wallGap) const;
 
 private:
     /// An exit as a group sees it.
@@ -47,17 +55,45 @@ private:
     void listExits(WorldState& state, GoalFields& fields, std::span<const Leavers> leavers,
                    std::span<const std::int32_t> groundClasses);
     void listOptions(std::span<const Leavers> leavers);
-    void count(const WorldState& state, std::span<const Leavers> leavers);
-    void serve(WorldState& state);
+    void findDoors(WorldState& state, GoalFields& fields, std::span<const Leavers> leavers);
+    void readWays(const WorldState& state, std::span<const Leavers> leavers,
+                  std::span<const std::int32_t> groundClasses);
+    void keepWays(const WorldState& state, GoalFields& fields, std::span<const Leavers> leavers);
+    void count(const WorldState& state, std::span<const Leavers> leavers,
+               std::span<const std::int32_t> groundClasses);
+    void serve(const WorldState& state);
+    bool hasPassed(std::int32_t i) const { return !passed_.empty() && passed_[i] != 0; }
+    void passDoors(const WorldState& state);
     void listChoosers(const WorldState& state, std::span<const Leavers> leavers);
+    void choose(WorldState& state, std::span<const Leavers> leavers,
+                std::span<const std::int32_t> groundClasses, const std::vector<Chooser>& list,
+                std::size_t from, std::size_t stride, ThreadPool& pool);
+    void chooseFirst(WorldState& state, std::span<const Leavers> leavers,
+                     std::span<const std::int32_t> groundClasses, ThreadPool& pool);
     std::int32_t indexOf(std::uint32_t area) const;
     std::int32_t classIndex(std::int32_t groundClass) const;
     const GoalField& fieldTo(std::int32_t exit, std::int32_t classIndex) const {
         return *fields_[static_cast<std::size_t>(exit) * classes_.size() +
                         static_cast<std::size_t>(classIndex)];
     }
-    std::int32_t best(const WorldState& state, const Leavers& leavers, const Chooser& chooser,
-                      std::span<const std::int32_t> groundClasses, double& walk) const;
+    /// What somebody has chosen.
+    struct Choice {
+        std::int32_t exit = -1;  // -1 for none.
+        std::int32_t way = -1;   // -1 for the shortest.
+        ExitTimes::First first;
+        bool hasTurned = false;  // It had chosen something else that is still possible.
+    };
+    /// The one by which it leaves soonest, and its own one.
+    struct Best {
+        Choice choice, own;
+        double least = kInfiniteCost, ofOwn = kInfiniteCost;
+    };
+    Choice best(const WorldState& state, const Leavers& leavers, const Chooser& chooser,
+                std::span<const std::int32_t> groundClasses) const;
+    template <class Offer>
+    void offerWays(const WorldState& state, std::size_t i, std::int32_t exit, bool byTime, double way,
+                   bool hasDoors, const Offer& offer) const;
+    double speedOf(const WorldState& state, std::size_t i) const;
     double walkTime(const WorldState& state, std::size_t i, double cost) const;
 
     std::vector<Area*> exits_;                  // Open ones that somebody may leave by, in ascending order.
@@ -68,9 +104,14 @@ private:
     std::vector<std::uint8_t> allowed_;         // By exit: whether the group at hand may leave by it.
     std::vector<Chooser> first_;                // Who have no exit.
     std::vector<Chooser> turn_;                 // Whose turn it is to think again.
-    std::vector<std::int32_t> chosen_;          // By first_ or turn_: an exit, -1 for none.
-    std::vector<double> walk_;                  // And the time of the way to it [s].
-    ExitWaits waits_;
+    std::vector<Choice> chosen_;                // By first_ or turn_.
+    std::vector<std::int32_t> way_;             // By character, as wayOf(); empty where there are no doors.
+    std::vector<std::int32_t> turns_;           // By character: how often it has changed its mind.
+    std::vector<std::uint8_t> passed_;          // By character: 1 for who has come through such a door.
+    std::vector<const GoalField*> ownFields_;   // By exit, of the first class.
+    std::vector<const Doors::ToExit*> toExit_;  // By exit; empty where there are no doors.
+    Doors doors_;
+    ExitTimes times_;
     Herds herds_;
     bool herding_ = false;  // Somebody follows others.
 };

@@ -4,17 +4,45 @@
 
 namespace muster {
 
-void ExitWaits::clear(std::size_t exits) {
-    count_.assign(exits * kBins, 0.0f);
-    before_.assign(exits * kBins, 0.0f);
-    perPerson_.assign(exits * kBins, 0.0f);
+void ExitWaits::clear(std::size_t exits, std::size_t ways) {
+    exits_ = exits;
+    ways_ = ways;
+    people_.bins = 0;
+    people_.count.clear();
+    people_.byExit.clear();
+}
+
+void ExitWaits::beginServing() {
+    all_ = people_;
+    before_.assign(all_.bins * nodes(), 0.0f);
+    perPerson_.assign(all_.bins * nodes(), 0.0f);
+    left_.assign(nodes(), 0.0);
+    queue_.assign(ways_ * exits_, 0.0);
+    waiting_.assign(ways_, 0.0);
+    perWay_.assign(ways_, 0.0);
+}
+
+void ExitWaits::addBin() {
+    all_.addBin(nodes(), ways_ * exits_);
+    before_.resize(all_.bins * nodes(), 0.0f);
+    perPerson_.resize(all_.bins * nodes(), 0.0f);
+}
+
+double ExitWaits::passes(std::int32_t way, double now, double at) const {
+    const std::size_t node = nodeOf(way), end = std::min(binOf(at), all_.bins);
+    const double each = perWay_[static_cast<std::size_t>(way)];
+    double left = left_[node];
+    for (std::size_t k = binOf(now) + 1; k < end; ++k)
+        if (const float people = all_.count[k * nodes() + node]; people > 0.0f)
+            left = timeAfter(left, static_cast<double>(k) * kBin, people, each);
+    return std::max(left, at);
 }
 
 bool ExitWaits::isQueued(std::size_t exit, double flow) const {
     double come = 0.0;
     bool isCrowded = false, isThere = false;
     for (std::size_t k = 0; k < binOf(kSoon); ++k) {
-        come += static_cast<double>(count_[exit * kBins + k]);
+        if (k < all_.bins) come += static_cast<double>(all_.count[k * nodes() + exit]);
         const double until = static_cast<double>(k + 1) * kBin;
         if (until == kNear) isThere = come > kThere * flow * kNear;
         if (until >= kNear) isCrowded = isCrowded || come > flow * until;
@@ -22,11 +50,12 @@ bool ExitWaits::isQueued(std::size_t exit, double flow) const {
     return isThere && isCrowded;
 }
 
-double ExitWaits::leaves(std::size_t exit, double walk) const {
-    const std::size_t k = binOf(walk), at = exit * kBins + k;
+double ExitWaits::leaves(std::size_t node, double walk) const {
+    const std::size_t k = binOf(walk), at = k * nodes() + node;
+    if (k >= all_.bins) return std::max(walk, left_[node]);
     const double begins = static_cast<double>(k) * kBin;
     const double share = std::min(1.0, (walk - begins) / kBin);  // Of those in its bin who are nearer.
-    const double nearer = static_cast<double>(count_[at]) * share;
+    const double nearer = static_cast<double>(all_.count[at]) * share;
     return std::max(walk, timeAfter(before_[at], begins, nearer, perPerson_[at]));
 }
 

@@ -1,38 +1,60 @@
-// How long people will wait before exits: those who have chosen each exit, by the time of their way, served
-// one after the other (Lindley 1952; docs/method/goals.md).
+// How long people will wait at doors and before exits: those who go to each, by the time of their way, served
+// one after the other (Lindley 1952), and then on the way to the next (docs/method/goals.md).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace muster {
 
-/// Queues before exits, of which all people are counted once in a step.
+/// Queues at exits and at ways through doors, of which all people are counted once in a step. Nodes are all
+/// exits, then all ways.
 class ExitWaits {
 public:
-    /// Nobody is counted, for so many exits.
-    void clear(std::size_t exits);
-    /// Somebody goes to an exit, `walk` [s] away.
-    void add(std::size_t exit, double walk) { count_[exit * kBins + binOf(walk)] += 1.0f; }
+    /// Where somebody goes from a way.
+    struct Hop {
+        std::size_t node = 0;
+        double walk = 0.0;  ///< To there [s].
+    };
+    /// Nobody is counted, for so many exits and ways.
+    void clear(std::size_t exits, std::size_t ways);
+    /// The node of a way.
+    std::size_t nodeOf(std::int32_t way) const { return exits_ + static_cast<std::size_t>(way); }
+    /// Somebody who leaves by an exit goes to a node first, `walk` [s] away.
+    void add(std::size_t node, std::size_t exit, double walk) {
+        const std::size_t bin = binOf(walk);
+        while (bin >= people_.bins) people_.addBin(nodes(), ways_ * exits_);
+        people_.count[bin * nodes() + node] += 1.0f;
+        if (node >= exits_) people_.byExit[splitAt(bin, node, exit)] += 1.0f;
+    }
     /// True where people queue before an exit that lets so many a second through: some are there, and more
-    /// come within a while than it lets through by then.
+    /// come within a while than it lets through by then. Call after serveWays().
     bool isQueued(std::size_t exit, double flow) const;
-    /// Finds when each will have left. `capacity(walk)` tells how many a second get through on the way of so
-    /// many [s].
+    /// Finds when each will have left the ways, and lets them come to the next nodes. `flow(way)` tells how
+    /// many a second get through, `hop(way, exit, time)` where those go who leave by an exit.
+    template <class Flow, class NextHop>
+    void serveWays(const Flow& flow, const NextHop& hop);
+    /// Finds when each will have left by an exit, after serveWays(). `capacity(walk)` tells how many a second
+    /// get through on the way of so many [s].
     template <class Capacity>
     void serve(std::size_t exit, const Capacity& capacity) {
         double left = 0.0;
-        for (std::size_t k = 0; k < kBins; ++k) {
-            const std::size_t at = exit * kBins + k;
+        for (std::size_t k = 0; k < all_.bins; ++k) {
+            const std::size_t at = k * nodes() + exit;
             before_[at] = static_cast<float>(left);
-            perPerson_[at] = static_cast<float>(1.0 / capacity(static_cast<double>(k) * kBin));
-            left = count_[at] > 0.0f
-                       ? timeAfter(left, static_cast<double>(k) * kBin, count_[at], perPerson_[at])
-                       : left;
+            if (!(all_.count[at] > 0.0f)) continue;
+            const double walk = static_cast<double>(k) * kBin;
+            perPerson_[at] = static_cast<float>(1.0 / capacity(walk));
+            left = timeAfter(left, walk, all_.count[at], perPerson_[at]);
         }
+        left_[exit] = left;
     }
-    /// When somebody whose way to an exit takes `walk` [s] will have left by it [s].
-    double leaves(std::size_t exit, double walk) const;
+    /// When somebody whose way to a node takes `walk` [s] will have passed it [s].
+    double leaves(std::size_t node, double walk) const;
+    /// When somebody will have passed a way who comes to it at a time, as far as is known while those of
+    /// `now` are served [s]; for serveWays().
+    double passes(std::int32_t way, double now, double at) const;
 
 private:
     static constexpr double kNear = 3.0;        // Whose way takes less than this is before the exit [s].
@@ -40,7 +62,25 @@ private:
     static constexpr double kSoon = 15.0;       // Who comes within this comes soon [s].
     static constexpr double kBin = 0.5;         // [s]
     static constexpr std::size_t kBins = 1024;  // Ways that take longer count as that long.
+    static constexpr double kNobody = 1e-3;     // Fewer people than this are none.
 
+    /// People by the time of their way.
+    struct Coming {
+        std::size_t bins = 0;       // In use.
+        std::vector<float> count;   // By bin and node.
+        std::vector<float> byExit;  // By bin, way and exit.
+
+        void addBin(std::size_t nodes, std::size_t split) {
+            ++bins;
+            count.resize(bins * nodes, 0.0f);
+            byExit.resize(bins * split, 0.0f);
+        }
+    };
+
+    std::size_t nodes() const { return exits_ + ways_; }
+    std::size_t splitAt(std::size_t bin, std::size_t node, std::size_t exit) const {
+        return (bin * ways_ + node - exits_) * exits_ + exit;
+    }
     static std::size_t binOf(double walk) {
         const double bin = walk / kBin;
         return bin < static_cast<double>(kBins - 1) ? static_cast<std::size_t>(bin > 0.0 ? bin : 0.0)
@@ -49,10 +89,58 @@ private:
     static double timeAfter(double left, double walk, double people, double perPerson) {
         return (left > walk ? left : walk) + people * perPerson;
     }
+    void beginServing();
+    void addBin();
+    void come(std::size_t node, std::size_t exit, std::size_t bin, double people) {
+        if (bin >= kBins) bin = kBins - 1;
+        while (bin >= all_.bins) addBin();
+        all_.count[bin * nodes() + node] += static_cast<float>(people);
+        if (node >= exits_) all_.byExit[splitAt(bin, node, exit)] += static_cast<float>(people);
+    }
 
-    std::vector<float> count_;      // People by exit and bin.
-    std::vector<float> before_;     // When those of the bins before have left [s].
-    std::vector<float> perPerson_;  // Time for each [s].
+    std::size_t exits_ = 0, ways_ = 0;
+    Coming people_;                 // As they were added.
+    Coming all_;                    // With those who come from other doors.
+    std::vector<float> before_;     // When those of the bins before have passed [s], by bin and node.
+    std::vector<float> perPerson_;  // Time for each [s], the same.
+    std::vector<double> left_;      // When all have passed [s], by node.
+    std::vector<double> queue_;     // By way and exit, in the bin at hand.
+    std::vector<double> waiting_;   // By way.
+    std::vector<double> perWay_;    // Time for each [s].
 };
+
+template <class Flow, class NextHop>
+void ExitWaits::serveWays(const Flow& flow, const NextHop& hop) {
+    beginServing();
+    for (std::size_t way = 0; way < ways_; ++way) perWay_[way] = 1.0 / flow(static_cast<std::int32_t>(way));
+    for (std::size_t k = 0; k < kBins && ways_ > 0; ++k) {
+        const double now = static_cast<double>(k) * kBin;
+        bool isOver = k >= all_.bins;
+        if (isOver) addBin();
+        for (std::size_t way = 0; way < ways_; ++way) {
+            const std::size_t node = exits_ + way, at = k * nodes() + node;
+            const auto people = static_cast<double>(all_.count[at]);
+            before_[at] = static_cast<float>(left_[node]);
+            if (!(people + waiting_[way] > kNobody)) continue;
+            isOver = false;
+            perPerson_[at] = static_cast<float>(perWay_[way]);
+            if (people > 0.0) left_[node] = timeAfter(left_[node], now, people, perWay_[way]);
+            const double most = kBin / perWay_[way], sum = people + waiting_[way];
+            const double share = sum > most ? most / sum : 1.0;
+            waiting_[way] = 0.0;
+            for (std::size_t e = 0; e < exits_; ++e) {
+                double& queue = queue_[way * exits_ + e];
+                queue += static_cast<double>(all_.byExit[splitAt(k, node, e)]);
+                if (!(queue > 0.0)) continue;
+                const Hop next = hop(static_cast<std::int32_t>(way), e, now);
+                const std::size_t walk = binOf(next.walk);
+                come(next.node, e, k + (walk > 0 ? walk : 1), queue * share);
+                queue = share < 1.0 ? queue * (1.0 - share) : 0.0;
+                waiting_[way] += queue;
+            }
+        }
+        if (isOver) return;
+    }
+}
 
 }  // namespace muster

@@ -45,6 +45,8 @@ public:
     const StaticGround& ground(std::int32_t groundClass) {
         return costs_->ofClass(groundClass).staticGround();
     }
+    /// The unit cost of a class's ground. It holds until the next begin().
+    const UnitCost& unitCost(std::int32_t groundClass);
 
 private:
     enum class Kind : std::uint8_t { Area, Queue, Heading };
@@ -64,7 +66,6 @@ private:
     template <class Solve>
     const GoalField& find(const Key& key, const std::vector<Vec2>& shape, const Solve& solve);
     const GoalField& solved(const Key& key) const;
-    const UnitCost& unitCost(std::int32_t groundClass);
 
     const WorldState* state_ = nullptr;
     PlanCosts* costs_ = nullptr;

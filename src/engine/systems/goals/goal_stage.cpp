@@ -55,7 +55,7 @@ bool GoalStage::listGroups(WorldState& state) {
         else if (order == nullptr)
             idle_.push_back(group);
         else if (order->kind == OrderKind::Leave)
-            leavers_.push_back({group, order});
+            leavers_.push_back({group, order, state.continuum.find(gathering.group)});
         else
             walking_.push_back(group);
     }
@@ -121,7 +121,9 @@ void GoalStage::leave(WorldState& state, std::span<Vec2> heads, ThreadPool& pool
             const ExitLines::Duty duty = lines_.dutyOf(i);
             if (duty == ExitLines::Duty::Free) {
                 if (keepsWay(state, i)) return follow(state, i, {c.cost[i], c.direction[i]}, heads);
-                return follow(state, i, field->at(c.position[i], wallGapOf(c.id[i])), heads);
+                const double gap = wallGapOf(c.id[i]);
+                if (choice_.wayOf(i) >= 0) return follow(state, i, choice_.wayThrough(c, i, gap), heads);
+                return follow(state, i, field->at(c.position[i], gap), heads);
             }
             const double left = field->cost(c.position[i]);
             const Vec2 spot = lines_.spotOf(i);

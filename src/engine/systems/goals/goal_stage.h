@@ -19,7 +19,10 @@ namespace muster {
 class GoalStage {
 public:
     /// Forgets all fields; call when the state has become another.
-    void reset() { fields_.reset(); }
+    void reset() {
+        fields_.reset();
+        choice_.reset();
+    }
     /// One step; writes where each heads for to `heads` [m], one entry per character, of these groups only.
     void run(WorldState& state, PlanCosts& costs, std::span<Vec2> heads, ThreadPool& pool);
     /// Tells which groups have members without a way, or all again.
