@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "muster/enumerations.h"
 #include "muster/area.h"
 #include "muster/enumerations.h"
 #include "muster/formation.h"

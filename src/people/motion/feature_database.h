@@ -87,9 +87,9 @@ private:
     void fillBlocks();
     void searchBlocks(const Features& query, const Range& range, Match& best) const;
 
-    std::vector<Range> ranges_;                     ///< Rows of each clip.
+    std::vector<Range> ranges_;                         ///< Rows of each clip.
     std::array<bool, kCountOf<MotionSet>> hasGaits_{};  ///< By motion set.
-    std::vector<Features> rows_;                    ///< Normalised, weighted features by row.
+    std::vector<Features> rows_;                        ///< Normalised, weighted features by row.
     std::vector<Block> blocks_;
     std::vector<std::uint16_t> clipOfRow_;
     std::vector<float> timeOfRow_;
