@@ -1,22 +1,35 @@
 // Orders and changes of units as events of gesture files: what a Commands message carries.
 
+import {
+  kStanceWords,
+  kTurnWords,
+  type CommandEvent,
+  type EditQueueEvent,
+  type GiveOrderEvent,
+  type MergeGroupsEvent,
+  type PartShapeWord,
+  type QueueEditWord,
+  type SetConductEvent,
+  type SplitGroupEvent,
+  type StanceWord,
+  type TurnWord,
+} from '../protocol/commands';
 import type { GroundPoint } from './plane';
 
+export type { CommandEvent, PartShapeWord, QueueEditWord, StanceWord, TurnWord } from '../protocol/commands';
+/** Manners that the page offers. */
 export type MannerWord = 'march' | 'free';
-export type TurnWord = 'wheel' | 'reverse' | 'keep' | 'flow';
-export type StanceWord = 'normal' | 'hold' | 'yield';
+/** Where orders go that have no spot of their own. */
 export type QueueModeWord = 'replace' | 'append';
 /** Where a new order stands in a queue; an index counts from 0. */
 export type QueueSpot =
   { readonly mode: 'replace' } | { readonly mode: 'append' } | { readonly mode: 'insert'; readonly index: number };
-export type QueueEditWord = 'cancel' | 'hold' | 'resume' | 'patrol' | 'endPatrol' | 'stop';
-export type PartShapeWord = 'asHeld' | 'smaller';
 type Pair = readonly [number, number];
 
 /** In the order of their values on the wire. */
 export const kManners: readonly MannerWord[] = ['march', 'free'];
-export const kTurns: readonly TurnWord[] = ['wheel', 'reverse', 'keep', 'flow'];
-export const kStances: readonly StanceWord[] = ['normal', 'hold', 'yield'];
+export const kTurns = kTurnWords;
+export const kStances = kStanceWords;
 
 /** How orders are given until they are given otherwise. */
 export interface OrderStyle {
@@ -44,10 +57,8 @@ export interface MoveTarget {
   readonly formation: { readonly kind: string; readonly spacing: number } | null;
 }
 
-/** One event of a gesture file. */
-export type CommandEvent = Readonly<Record<string, unknown>> & { readonly kind: string };
-/** One that is about a group. */
-export type GroupEvent = CommandEvent & { readonly group: number };
+/** An order of a group. */
+export type GroupEvent = GiveOrderEvent;
 
 function rounded(value: number): number {
   return Math.round(value * 1000) / 1000;
@@ -103,24 +114,24 @@ export function waitEvent(group: number, area: number, spot: QueueSpot): GroupEv
   return { kind: 'wait', group, ...spot, area };
 }
 
-export function queueEvent(group: number, edit: QueueEditWord, order = 0): CommandEvent {
+export function queueEvent(group: number, edit: QueueEditWord, order = 0): EditQueueEvent {
   return { kind: 'queue', group, edit, ...(order > 0 ? { order } : {}) };
 }
 
-export function conductEvent(group: number, conduct: ConductFacts): CommandEvent {
+export function conductEvent(group: number, conduct: ConductFacts): SetConductEvent {
   return { kind: 'conduct', group, ...conduct };
 }
 
 /** Those to the left of a line, looking from its first point to its second, leave. */
-export function splitByLineEvent(group: number, from: GroundPoint, to: GroundPoint): CommandEvent {
+export function splitByLineEvent(group: number, from: GroundPoint, to: GroundPoint): SplitGroupEvent {
   return { kind: 'split', group, by: 'line', points: [pair(from), pair(to)], shape: 'asHeld' };
 }
 
-export function splitByIdsEvent(group: number, ids: readonly number[]): CommandEvent {
+export function splitByIdsEvent(group: number, ids: readonly number[]): SplitGroupEvent {
   return { kind: 'split', group, by: 'ids', ids, shape: 'asHeld' };
 }
 
-export function mergeEvent(groups: readonly number[], shape: PartShapeWord): CommandEvent {
+export function mergeEvent(groups: readonly number[], shape: PartShapeWord): MergeGroupsEvent {
   return { kind: 'merge', groups, shape };
 }
 

@@ -105,7 +105,7 @@ export class FrameReader {
         held,
         patrols,
         conduct: {
-          stance: kStances[stance]!,
+          stance: kStances[stance],
           cohesion: twoDigits(cohesion),
           squeeze: twoDigits(squeeze),
           avoids,

@@ -13,8 +13,8 @@ function applied(now: QueueState, wanted: QueueState): number[] {
   const ids = now.orders.map(({ id }) => id);
   let copies = 0;
   for (const event of events) {
-    if (event.kind === 'queue' && event['edit'] === 'cancel') ids.splice(ids.indexOf(event['order'] as number), 1);
-    if (event['mode'] === 'insert') ids.splice(event['index'] as number, 0, -copied[copies++]!);
+    if (event.kind === 'queue' && event.edit === 'cancel') ids.splice(ids.indexOf(event.order!), 1);
+    if (event.kind !== 'queue' && event.mode === 'insert') ids.splice(event.index!, 0, -copied[copies++]!);
   }
   expect(copies).toBe(copied.length);
   return ids;

@@ -1,7 +1,14 @@
 // Queues as they were and as they shall be: the commands that lead from one to the other.
 
+import {
+  kOrderKindWords,
+  type EditQueueEvent,
+  type Fields,
+  type GiveOrderEvent,
+  type OrderKindWord,
+} from '../protocol/commands';
 import type { OrderFrame } from '../protocol/messages';
-import { kManners, kTurns, queueEvent, type CommandEvent } from './commands';
+import { kManners, kTurns, queueEvent } from './commands';
 
 export interface QueueState {
   readonly group: number;
@@ -10,13 +17,15 @@ export interface QueueState {
   readonly patrols: boolean;
 }
 
-const kKindWords = ['move', 'face', 'follow', 'guard', 'leave', 'wait', 'walk'] as const;
+/** An order without its group and place in a queue. */
+export type OrderContent = Fields & { readonly kind: OrderKindWord };
+
 /** What an event says beside its order. */
 const kFrameOfEvent = ['t', 'client', 'group', 'mode', 'index'];
 
 /** What commands lead to: events, and whose copies they put into the queue, in the order in which they are given. */
 export interface QueueChange {
-  readonly events: readonly CommandEvent[];
+  readonly events: readonly (GiveOrderEvent | EditQueueEvent)[];
   /** Ids of orders that come back, or stand elsewhere, under new ids. */
   readonly copied: readonly number[];
 }
@@ -26,14 +35,14 @@ function pairs(numbers: ArrayLike<number>): [number, number][] {
 }
 
 /** An order as an event of a gesture file, without its group and place. */
-export function orderContent(order: OrderFrame): CommandEvent {
+export function orderContent(order: OrderFrame): OrderContent {
   if (order.event) {
-    const file = JSON.parse(order.event) as { events: CommandEvent[] };
+    const file = JSON.parse(order.event) as { events: Fields[] };
     const rest: Record<string, unknown> = { ...file.events[0] };
     for (const name of kFrameOfEvent) delete rest[name];
-    return { ...rest, kind: kKindWords[order.kind] };
+    return { ...rest, kind: kOrderKindWords[order.kind] };
   }
-  const kind = kKindWords[order.kind];
+  const kind = kOrderKindWords[order.kind];
   const moves = order.kind === 0;
   return {
     kind,
@@ -49,7 +58,7 @@ export function orderContent(order: OrderFrame): CommandEvent {
 }
 
 /** Gives an order again, before that of an index. */
-export function insertEvent(group: number, order: OrderFrame, index: number): CommandEvent {
+export function insertEvent(group: number, order: OrderFrame, index: number): GiveOrderEvent {
   return { ...orderContent(order), group, mode: 'insert', index };
 }
 
@@ -77,7 +86,7 @@ export function queueChange(now: QueueState, wanted: QueueState): QueueChange {
     now.orders.map(({ id }) => id),
     wanted.orders.map(({ id }) => id),
   );
-  const events: CommandEvent[] = [];
+  const events: (GiveOrderEvent | EditQueueEvent)[] = [];
   const copied: number[] = [];
   for (const { id } of now.orders) if (!kept.has(id)) events.push(queueEvent(group, 'cancel', id));
   wanted.orders.forEach((order, index) => {

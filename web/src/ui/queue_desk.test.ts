@@ -84,7 +84,7 @@ describe('QueueDesk', () => {
   });
 
   it('says when a drawn order would arrive, after those that come before', () => {
-    const move = { kind: 'move', group: 4, x: 5, y: 5 };
+    const move = { kind: 'move' as const, group: 4, x: 5, y: 5 };
     const answer = (order: number, seconds: number, arrives = true): void => {
       const last = sent.at(-1) as Extract<ClientMessage, { type: 'AskForecasts' }>;
       const answers = last.asks.map((ask) => ({
