@@ -8,12 +8,13 @@ import { cFiles } from './c.mjs';
 import { cppFiles } from './cpp.mjs';
 import { enumerationFiles } from './enumerations.mjs';
 import { root } from './read.mjs';
+import { sampleFiles } from './samples.mjs';
 import { scenarioFiles } from './scenario.mjs';
 import { typescriptFiles } from './typescript.mjs';
 
 const checks = process.argv.includes('--check');
 let stale = 0;
-for (const [path, text] of Object.entries({ ...enumerationFiles(), ...cppFiles(), ...cFiles(), ...scenarioFiles(), ...typescriptFiles() })) {
+for (const [path, text] of Object.entries({ ...enumerationFiles(), ...cppFiles(), ...cFiles(), ...scenarioFiles(), ...sampleFiles(), ...typescriptFiles() })) {
   const file = join(root, path);
   let old = null;
   try {

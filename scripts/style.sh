@@ -105,6 +105,7 @@ page_rule() {
 rule "files that clang-format would change" formatted
 rule "paths of a machine" portable
 rule "links of documents to nowhere" links
+rule "files that generators would write otherwise" fresh
 rule "words that the glossary replaces" node scripts/style/words.mjs
 if [ "$what" != --format ]; then
     cmake --preset style >/dev/null || fail "cmake could not configure the preset style"

@@ -542,6 +542,16 @@ struct SetPeople {
         archive(group, people);
     }
 };
+/// Reverses the orders of a group's queue: the last one begins, and what is under way comes last.
+struct ReverseQueue {
+    GroupId group;  ///< The group.
+
+    /// Lets an archive read or write the command.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(group);
+    }
+};
 
 /// Every kind of change. The order of alternatives is part of the file format: append only.
 using CommandKinds = std::variant<
@@ -550,6 +560,6 @@ using CommandKinds = std::variant<
     AddPatch, ChangePatch, RemovePatch, SetParameter, GiveOrder, EditQueue, SetConduct, AddCharacters,
     RemoveCharacters, TransferCharacters, SplitGroup, MergeGroups, SetBodies, SetRoles, SetDemands, SetDriver,
     WriteMotion, AddItem, ChangeItem, RemoveItem, AddCheckpoint, ChangeCheckpoint, RemoveCheckpoint,
-    PlaceGroup, NameGroup, ColourGroup, SetAppearance, PutArea, RemoveArea, SetPeople>;
+    PlaceGroup, NameGroup, ColourGroup, SetAppearance, PutArea, RemoveArea, SetPeople, ReverseQueue>;
 
 }  // namespace muster

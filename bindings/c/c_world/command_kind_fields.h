@@ -250,6 +250,10 @@ void fields(M& m, C<M, MusterSetPeople>& c, P<M, SetPeople>& p) {
     m.id(c.group, p.group);
     m.items(c.people, c.peopleCount, p.people, "people");
 }
+template <class M>
+void fields(M& m, C<M, MusterReverseQueue>& c, P<M, ReverseQueue>& p) {
+    m.id(c.group, p.group);
+}
 
 /// The members of the C union, in the order of the engine's alternatives.
 // clang-format off
@@ -300,6 +304,7 @@ inline constexpr std::tuple kCommandMembers{
     &MusterCommandBody::putArea,
     &MusterCommandBody::removeArea,
     &MusterCommandBody::setPeople,
+    &MusterCommandBody::reverseQueue,
 };
 // clang-format on
 static_assert(std::tuple_size_v<decltype(kCommandMembers)> == std::variant_size_v<CommandKinds> &&

@@ -320,6 +320,11 @@ typedef struct MusterSetPeople {
     int32_t peopleCount;            ///< Their number.
 } MusterSetPeople;
 
+/// Reverses the orders of a group's queue: the last one begins, and what is under way comes last.
+typedef struct MusterReverseQueue {
+    MusterGroupId group;  ///< The group.
+} MusterReverseQueue;
+
 /// Kinds of commands. Numbers stay; new kinds are appended.
 typedef int32_t MusterCommandKind;
 /// Values of MusterCommandKind.
@@ -370,7 +375,8 @@ enum MusterCommandKindValue {
     MUSTER_COMMAND_PUT_AREA = 43,             ///< Its body is `putArea`.
     MUSTER_COMMAND_REMOVE_AREA = 44,          ///< Its body is `removeArea`.
     MUSTER_COMMAND_SET_PEOPLE = 45,           ///< Its body is `setPeople`.
-    MUSTER_COMMAND_COUNT = 46                 ///< Number of kinds.
+    MUSTER_COMMAND_REVERSE_QUEUE = 46,        ///< Its body is `reverseQueue`.
+    MUSTER_COMMAND_COUNT = 47                 ///< Number of kinds.
 };
 
 /// What a command of each kind says. Only the member of the command's kind is read.
@@ -421,6 +427,7 @@ typedef union MusterCommandBody {
     MusterPutArea putArea;                        ///< For MUSTER_COMMAND_PUT_AREA.
     MusterRemoveArea removeArea;                  ///< For MUSTER_COMMAND_REMOVE_AREA.
     MusterSetPeople setPeople;                    ///< For MUSTER_COMMAND_SET_PEOPLE.
+    MusterReverseQueue reverseQueue;              ///< For MUSTER_COMMAND_REVERSE_QUEUE.
 } MusterCommandBody;
 
 #ifdef __cplusplus

@@ -58,6 +58,7 @@ constexpr auto kNames = std::to_array<const char*>({
     "PutArea",
     "RemoveArea",
     "SetPeople",
+    "ReverseQueue",
 });
 // clang-format on
 static_assert(kNames.size() == std::variant_size_v<CommandKinds>);
@@ -165,6 +166,7 @@ struct Validator {
     Status operator()(const PutArea& c) const { return validateArea(c.area); }
     Status operator()(const RemoveArea&) const { return {}; }
     Status operator()(const SetPeople& c) const { return validatePeople(c.people); }
+    Status operator()(const ReverseQueue&) const { return {}; }
 };
 
 }  // namespace

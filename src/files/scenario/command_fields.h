@@ -54,6 +54,7 @@ inline constexpr std::array kCommandWords{
     "area",
     "removeArea",
     "people",
+    "reverseQueue",
 };
 static_assert(kCommandWords.size() == std::variant_size_v<CommandKinds>);
 
@@ -261,6 +262,7 @@ struct BodyFields {
         v.whole("group", c.group.value, kId, "The group.", Need::Required);
         describePeople(v, c.people);
     }
+    void operator()(ReverseQueue& c) { v.whole("group", c.group.value, kId, "The group.", Need::Required); }
 
 private:
     void spot(Vec2& p) {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "bindings/c/both_worlds.h"
+#include "random_commands.h"
 
 using namespace muster;
 
@@ -128,7 +129,7 @@ FormationCheckpointDef richCheckpoint() {
             0.75};
 }
 
-/// One command of every kind, no field at its default where it has a choice.
+/// Commands of which no field is at its default where it has a choice.
 std::vector<CommandBody> everyBody() {
     const Body body{0.3, 1.5, 4.0, 2.0, 3.0, 7};
     return {TouchDown{3, {1, 2}, 0.5, {7}},
@@ -189,7 +190,10 @@ Command defaultOfKind(const CommandBody& body) {
 
 TEST_SUITE("commands in C") {
     TEST_CASE("every kind of command comes through C with the same bytes") {
-        const std::vector<CommandBody> bodies = everyBody();
+        std::vector<CommandBody> bodies = everyBody();
+        CommandDraw draw(3);
+        for (std::size_t kind = 0; kind < MUSTER_COMMAND_COUNT; ++kind)
+            for (int k = 0; k < 4; ++k) bodies.push_back(randomCommand(kind, draw));
         std::set<int> kinds;
         for (const CommandBody& body : bodies) {
             const Command command{12, 3, 45, body};
@@ -219,7 +223,8 @@ TEST_SUITE("commands in C") {
             CHECK(command.kind == kind);
             MusterBuffer bytes{};
             REQUIRE(muster_command_encode(&command, &bytes) == MUSTER_OK);
-            const Command expected = defaultOfKind(everyBody()[static_cast<std::size_t>(kind)]);
+            CommandDraw draw(4);
+            const Command expected = defaultOfKind(randomCommand(static_cast<std::size_t>(kind), draw));
             CHECK(std::vector<std::uint8_t>(bytes.data, bytes.data + bytes.size) == encodeCommand(expected));
             CHECK(std::string(commandName(expected)) == muster_command_name(kind));
             muster_free_buffer(&bytes);

@@ -368,3 +368,24 @@ TEST_CASE("guards stand round a rectangle that moves") {
     run(world, 30, log);
     CHECK(world.groupDef(0).formation.kind == FormationKind::Square);
 }
+
+TEST_CASE("a reversed queue is carried out from its last order to its first") {
+    WorldDef def = yard();
+    def.groups[0].orders = {Order::move({6, 0}), Order::move({6, 8}), Order::move({-6, 8})};
+    World world = World::create(def).value();
+    Log log;
+    run(world, 1, log);
+    std::vector<std::uint32_t> ids;
+    for (const QueuedOrder& queued : world.group(0).orders) ids.push_back(queued.id);
+    std::uint32_t n = 0;
+    REQUIRE(give(world, n, ReverseQueue{world.group(0).id}).ok());
+    world.step();
+    REQUIRE(world.group(0).orders.size() == 3);
+    for (std::size_t k = 0; k < 3; ++k) CHECK(world.group(0).orders[k].id == ids[2 - k]);
+    run(world, 60, log);
+    CHECK(distance(middleOf(world), {6, 0}) < 0.5);
+    CHECK(world.group(0).orders.empty());
+    REQUIRE(give(world, n, ReverseQueue{GroupId{77}}).ok());
+    world.step();
+    CHECK(world.rejections().size() == 1);
+}

@@ -12,6 +12,7 @@
 #include "base/archive.h"
 #include "engine/state/command_archive.h"
 #include "files/scenario/schema_validator.h"
+#include "random_commands.h"
 
 using namespace muster;
 
@@ -120,7 +121,7 @@ TEST_CASE("every kind of command survives the file") {
     patient.premovement = 61.5;
     patient.upstairs = 0.3;
     patient.downstairs = 0.4;
-    const std::vector<CommandBody> bodies = {
+    std::vector<CommandBody> bodies = {
         TouchDown{7, {1.5, -2.25}, 0.1, GroupId{2}},
         TouchMove{7, {1, 2}, 0.1 + 0.2},
         TouchUp{7, 0.5},
@@ -183,9 +184,9 @@ TEST_CASE("every kind of command survives the file") {
         GiveOrder{GroupId{2}, QueueMode::Replace, 0, Order::go({5, 6})},
         SplitGroup{GroupId{1}, SplitBy::Ids, {3, 4}, {}, {}, false, PartShape::AsHeld},
         SplitGroup{GroupId{1}, SplitBy::Shares, {}, {}, {0.25, 0.75}, true, PartShape::AsHeld}};
-    std::set<std::size_t> kinds;
-    for (const CommandBody& body : bodies) kinds.insert(body.index());
-    REQUIRE(kinds.size() == std::variant_size_v<CommandKinds>);
+    CommandDraw draw(2);
+    for (std::size_t kind = 0; kind < std::variant_size_v<CommandKinds>; ++kind)
+        for (int k = 0; k < 4; ++k) bodies.push_back(randomCommand(kind, draw));
     std::vector<Command> commands;
     std::uint32_t next[3] = {0, 0, 0};
     for (std::uint32_t i = 0; i < bodies.size(); ++i)

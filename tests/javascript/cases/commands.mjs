@@ -199,6 +199,7 @@ export const kBodies = {
   PutArea: { id: 3, area, group: 2 },
   RemoveArea: { id: 3 },
   SetPeople: { group: 2, people: [{ name: 'Slow', share: 2, unitClass: 3 }] },
+  ReverseQueue: { group: 2 },
 };
 
 /** True where all that was given is found. */

@@ -480,6 +480,13 @@ export interface SetPeopleEvent extends Fields {
   readonly group: number;
 }
 
+/** Reverses the orders of a group's queue: the last one begins, and what is under way comes last. */
+export interface ReverseQueueEvent {
+  readonly kind: 'reverseQueue';
+  /** The group. */
+  readonly group: number;
+}
+
 /** Any command, as the page writes it. */
 export type CommandEvent =
   | TouchDownEvent
@@ -527,4 +534,5 @@ export type CommandEvent =
   | SetAppearanceEvent
   | PutAreaEvent
   | RemoveAreaEvent
-  | SetPeopleEvent;
+  | SetPeopleEvent
+  | ReverseQueueEvent;

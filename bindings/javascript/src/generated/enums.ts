@@ -484,8 +484,10 @@ export const CommandKind = {
   RemoveArea: 44,
   /** Its body is `setPeople`. */
   SetPeople: 45,
+  /** Its body is `reverseQueue`. */
+  ReverseQueue: 46,
   /** Number of kinds. */
-  Count: 46,
+  Count: 47,
 } as const;
 export type CommandKind = (typeof CommandKind)[keyof typeof CommandKind];
 

@@ -79,6 +79,7 @@ export const kLayouts: Readonly<Record<string, string>> = {
   PutArea: 'definition 96 - - - | id 0 u32 | area 8 AreaDef | group 88 u32',
   RemoveArea: 'definition 4 - - - | id 0 u32',
   SetPeople: 'definition 12 - - - | group 0 u32 | people 4 PeopleDef list 8',
+  ReverseQueue: 'definition 4 - - - | group 0 u32',
   Command: 'definition 224 - - muster_default_command | kind 4 i32 | step 8 u32 | client 12 u32 | sequence 16 u32 | body 24 body body 4',
   Characters: 'readOut 72 - - muster_default_characters | count 4 i32 | id 8 u32 list 4 | group 12 u32 list 4 | position 16 Vec2 list 4 | velocity 20 Vec2 list 4 | heading 24 Vec2 list 4 | place 28 i32 list 4 | direction 32 Vec2 list 4 | cost 36 f64 list 4 | motion 40 i32 list 4 | phase 44 u8 list 4 | motionTime 48 f64 list 4 | patch 52 u32 list 4 | body 56 Body list 4 | driver 60 u8 list 4 | wantedVelocity 64 Vec2 list 4 | goal 68 u32 list 4',
   WalkTotals: 'copy 24 - - - | sum 0 f64 | squares 8 f64 | longest 16 f64',
@@ -163,4 +164,5 @@ export const kBodies: readonly string[] = [
   'PutArea',
   'RemoveArea',
   'SetPeople',
+  'ReverseQueue',
 ];

@@ -1651,6 +1651,18 @@ export interface SetPeopleInit {
   readonly people?: readonly PeopleDefInit[] | undefined;
 }
 
+/** Reverses the orders of a group's queue: the last one begins, and what is under way comes last. */
+export interface ReverseQueue {
+  /** The group. */
+  group: GroupId;
+}
+
+/** What may be given of ReverseQueue. */
+export interface ReverseQueueInit {
+  /** The group. */
+  readonly group?: GroupId | undefined;
+}
+
 /** The body of each kind. */
 export interface CommandBodies {
   /** TouchDown */
@@ -1745,6 +1757,8 @@ export interface CommandBodies {
   44: RemoveArea;
   /** SetPeople */
   45: SetPeople;
+  /** ReverseQueue */
+  46: ReverseQueue;
 }
 
 /**
@@ -1863,6 +1877,8 @@ export interface CommandBodiesInit {
   44: RemoveAreaInit;
   /** SetPeople */
   45: SetPeopleInit;
+  /** ReverseQueue */
+  46: ReverseQueueInit;
 }
 
 /**

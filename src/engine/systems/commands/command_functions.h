@@ -52,5 +52,6 @@ Status apply(CommandContext& context, const SetAppearance& c);
 Status apply(CommandContext& context, const PutArea& c);
 Status apply(CommandContext& context, const RemoveArea& c);
 Status apply(CommandContext& context, const SetPeople& c);
+Status apply(CommandContext& context, const ReverseQueue& c);
 
 }  // namespace muster

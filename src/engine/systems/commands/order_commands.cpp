@@ -207,6 +207,16 @@ Status apply(CommandContext& context, const EditQueue& command) {
     return {};
 }
 
+Status apply(CommandContext& context, const ReverseQueue& command) {
+    Group* const group = context.state.findGroup(command.group);
+    if (group == nullptr) return noGroup(command.group);
+    std::vector<QueuedOrder>& orders = group->orders.orders;
+    if (orders.size() < 2) return {};
+    group->orders.end();
+    std::reverse(orders.begin(), orders.end());
+    return {};
+}
+
 Status apply(CommandContext& context, const SetConduct& command) {
     WorldState& state = context.state;
     Group* const group = state.findGroup(command.group);

@@ -64,6 +64,7 @@ inline constexpr std::array<CommandTraits, std::variant_size_v<CommandKinds>> kC
     {"", true, false, true, false},                 // PutArea
     {"", true, false, true, false},                 // RemoveArea
     {"", true, false, true, false},                 // SetPeople
+    {"Reverse orders", true, true, false, false},   // ReverseQueue
 }};
 
 /// The traits of a command.

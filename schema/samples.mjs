@@ -1,0 +1,54 @@
+// Random commands of every kind, for tests of all that carries commands.
+import { commands } from './read.mjs';
+import { kBanner } from './cpp.mjs';
+import { enumerated, isId, plain } from './types.mjs';
+
+/** An expression that draws one value of a type. */
+function item({ type, range, name }) {
+  if (isId(type)) return `${type}{draw.number()}`;
+  if (enumerated(type)) return `draw.value<${type}>()`;
+  if (type === 'Vec2') return 'draw.place()';
+  if (type === 'text') return 'draw.text()';
+  if (type === 'bool') return 'draw.flag()';
+  if (type === 'Colour') return 'draw.number() & 0xffffffu';
+  if (type === 'f64') return `draw.real(${range?.low ?? '0'}, ${range?.high ?? '1'})`;
+  if (type === 'i32') return `draw.whole(${range.low}, ${range.high})`;
+  if (plain(type)) return name === 'unused' ? 'std::uint8_t{0}' : 'draw.number()';
+  return `draw.${type[0].toLowerCase()}${type.slice(1)}()`;
+}
+
+function statement(field) {
+  const { name, type, isList, isOptional } = field;
+  if (isList && type === 'CharacterId') return `            c.${name} = draw.ids();`;
+  if (isList) return `            draw.list(c.${name}, [&] { return ${item(field)}; });`;
+  if (isOptional) return `            if (draw.flag()) c.${name} = ${item(field)};`;
+  return `            c.${name} = ${item(field)};`;
+}
+
+const kind = (command) => `        case ${command.number}: {
+            ${command.name} c;
+${command.fields.map(statement).join('\n')}
+            draw.relate(c);
+            return c;
+        }`;
+
+export const sampleFiles = () => ({
+  'tests/random_commands.h': `${kBanner}// Random commands of every kind.
+#pragma once
+
+#include "command_draw.h"
+
+namespace muster {
+
+/// A valid command of that kind, an index into CommandKinds.
+inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
+    switch (kind) {
+${commands.map(kind).join('\n')}
+        default:
+            return TouchDown{};
+    }
+}
+
+}  // namespace muster
+`,
+});

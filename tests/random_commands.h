@@ -1,0 +1,354 @@
+// Made by schema/generate.mjs from schema/commands.txt: change these, not this file.
+// Random commands of every kind.
+#pragma once
+
+#include "command_draw.h"
+
+namespace muster {
+
+/// A valid command of that kind, an index into CommandKinds.
+inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
+    switch (kind) {
+        case 0: {
+            TouchDown c;
+            c.touch = draw.number();
+            c.position = draw.place();
+            c.time = draw.real(0, 1e9);
+            if (draw.flag()) c.group = GroupId{draw.number()};
+            draw.relate(c);
+            return c;
+        }
+        case 1: {
+            TouchMove c;
+            c.touch = draw.number();
+            c.position = draw.place();
+            c.time = draw.real(0, 1e9);
+            draw.relate(c);
+            return c;
+        }
+        case 2: {
+            TouchUp c;
+            c.touch = draw.number();
+            c.time = draw.real(0, 1e9);
+            draw.relate(c);
+            return c;
+        }
+        case 3: {
+            TouchCancel c;
+            c.touch = draw.number();
+            draw.relate(c);
+            return c;
+        }
+        case 4: {
+            AddControl c;
+            c.group = GroupId{draw.number()};
+            c.kind = draw.value<ControlKind>();
+            draw.list(c.touches, [&] { return draw.number(); });
+            draw.list(c.positions, [&] { return draw.place(); });
+            c.time = draw.real(0, 1e9);
+            draw.relate(c);
+            return c;
+        }
+        case 5: {
+            PinControl c;
+            c.group = GroupId{draw.number()};
+            c.control = ControlId{draw.number()};
+            c.pinned = draw.flag();
+            draw.relate(c);
+            return c;
+        }
+        case 6: {
+            RemoveControl c;
+            c.group = GroupId{draw.number()};
+            c.control = ControlId{draw.number()};
+            draw.relate(c);
+            return c;
+        }
+        case 7: {
+            ReleaseClient c;
+            c.unused = std::uint8_t{0};
+            draw.relate(c);
+            return c;
+        }
+        case 8: {
+            SetFormation c;
+            c.group = GroupId{draw.number()};
+            c.formation = draw.formationDef();
+            draw.relate(c);
+            return c;
+        }
+        case 9: {
+            SetCount c;
+            c.group = GroupId{draw.number()};
+            c.count = draw.whole(1, 200000);
+            draw.relate(c);
+            return c;
+        }
+        case 10: {
+            SetPose c;
+            c.group = GroupId{draw.number()};
+            c.position = draw.place();
+            c.angle = draw.real(-1e6, 1e6);
+            draw.relate(c);
+            return c;
+        }
+        case 11: {
+            AddGroup c;
+            c.group = draw.groupDef();
+            draw.relate(c);
+            return c;
+        }
+        case 12: {
+            RemoveGroup c;
+            c.group = GroupId{draw.number()};
+            draw.relate(c);
+            return c;
+        }
+        case 13: {
+            AddObstacle c;
+            c.obstacle = draw.obstacleDef();
+            draw.relate(c);
+            return c;
+        }
+        case 14: {
+            ChangeObstacle c;
+            c.id = ObstacleId{draw.number()};
+            c.obstacle = draw.obstacleDef();
+            draw.relate(c);
+            return c;
+        }
+        case 15: {
+            RemoveObstacle c;
+            c.id = ObstacleId{draw.number()};
+            draw.relate(c);
+            return c;
+        }
+        case 16: {
+            AddPatch c;
+            c.patch = draw.patchDef();
+            draw.relate(c);
+            return c;
+        }
+        case 17: {
+            ChangePatch c;
+            c.id = PatchId{draw.number()};
+            c.patch = draw.patchDef();
+            draw.relate(c);
+            return c;
+        }
+        case 18: {
+            RemovePatch c;
+            c.id = PatchId{draw.number()};
+            draw.relate(c);
+            return c;
+        }
+        case 19: {
+            SetParameter c;
+            c.name = draw.text();
+            c.value = draw.real(-1e9, 1e9);
+            draw.relate(c);
+            return c;
+        }
+        case 20: {
+            GiveOrder c;
+            c.group = GroupId{draw.number()};
+            c.mode = draw.value<QueueMode>();
+            c.index = draw.number();
+            c.order = draw.order();
+            draw.relate(c);
+            return c;
+        }
+        case 21: {
+            EditQueue c;
+            c.group = GroupId{draw.number()};
+            c.edit = draw.value<QueueEdit>();
+            c.order = draw.number();
+            draw.relate(c);
+            return c;
+        }
+        case 22: {
+            SetConduct c;
+            c.group = GroupId{draw.number()};
+            c.conduct = draw.conduct();
+            draw.relate(c);
+            return c;
+        }
+        case 23: {
+            AddCharacters c;
+            c.group = GroupId{draw.number()};
+            draw.list(c.positions, [&] { return draw.place(); });
+            draw.list(c.bodies, [&] { return draw.body(); });
+            draw.relate(c);
+            return c;
+        }
+        case 24: {
+            RemoveCharacters c;
+            c.ids = draw.ids();
+            draw.relate(c);
+            return c;
+        }
+        case 25: {
+            TransferCharacters c;
+            c.ids = draw.ids();
+            c.group = GroupId{draw.number()};
+            draw.relate(c);
+            return c;
+        }
+        case 26: {
+            SplitGroup c;
+            c.group = GroupId{draw.number()};
+            c.by = draw.value<SplitBy>();
+            c.ids = draw.ids();
+            draw.list(c.points, [&] { return draw.place(); });
+            draw.list(c.shares, [&] { return draw.real(0, 1e6); });
+            c.abreast = draw.flag();
+            c.shape = draw.value<PartShape>();
+            draw.relate(c);
+            return c;
+        }
+        case 27: {
+            MergeGroups c;
+            draw.list(c.groups, [&] { return GroupId{draw.number()}; });
+            c.shape = draw.value<PartShape>();
+            draw.relate(c);
+            return c;
+        }
+        case 28: {
+            SetBodies c;
+            c.ids = draw.ids();
+            draw.list(c.bodies, [&] { return draw.body(); });
+            draw.relate(c);
+            return c;
+        }
+        case 29: {
+            SetRoles c;
+            c.group = GroupId{draw.number()};
+            draw.list(c.roles, [&] { return draw.roleDef(); });
+            draw.relate(c);
+            return c;
+        }
+        case 30: {
+            SetDemands c;
+            c.group = GroupId{draw.number()};
+            draw.list(c.demands, [&] { return draw.real(0, 1000); });
+            draw.relate(c);
+            return c;
+        }
+        case 31: {
+            SetDriver c;
+            c.ids = draw.ids();
+            c.driver = draw.value<Driver>();
+            draw.relate(c);
+            return c;
+        }
+        case 32: {
+            WriteMotion c;
+            c.ids = draw.ids();
+            draw.list(c.positions, [&] { return draw.place(); });
+            draw.list(c.velocities, [&] { return draw.place(); });
+            draw.relate(c);
+            return c;
+        }
+        case 33: {
+            AddItem c;
+            c.item = draw.itemDef();
+            draw.relate(c);
+            return c;
+        }
+        case 34: {
+            ChangeItem c;
+            c.id = ItemId{draw.number()};
+            c.item = draw.itemDef();
+            draw.relate(c);
+            return c;
+        }
+        case 35: {
+            RemoveItem c;
+            c.id = ItemId{draw.number()};
+            draw.relate(c);
+            return c;
+        }
+        case 36: {
+            AddCheckpoint c;
+            c.checkpoint = draw.checkpointDef();
+            if (draw.flag()) c.group = GroupId{draw.number()};
+            draw.relate(c);
+            return c;
+        }
+        case 37: {
+            ChangeCheckpoint c;
+            c.id = CheckpointId{draw.number()};
+            c.checkpoint = draw.checkpointDef();
+            if (draw.flag()) c.group = GroupId{draw.number()};
+            draw.relate(c);
+            return c;
+        }
+        case 38: {
+            RemoveCheckpoint c;
+            c.id = CheckpointId{draw.number()};
+            draw.relate(c);
+            return c;
+        }
+        case 39: {
+            PlaceGroup c;
+            c.group = GroupId{draw.number()};
+            c.position = draw.place();
+            c.angle = draw.real(-1e6, 1e6);
+            draw.relate(c);
+            return c;
+        }
+        case 40: {
+            NameGroup c;
+            c.group = GroupId{draw.number()};
+            c.name = draw.text();
+            draw.relate(c);
+            return c;
+        }
+        case 41: {
+            ColourGroup c;
+            c.group = GroupId{draw.number()};
+            if (draw.flag()) c.colour = draw.number() & 0xffffffu;
+            draw.relate(c);
+            return c;
+        }
+        case 42: {
+            SetAppearance c;
+            c.group = GroupId{draw.number()};
+            if (draw.flag()) c.build = draw.value<BodyBuild>();
+            if (draw.flag()) c.motions = draw.value<MotionSet>();
+            draw.relate(c);
+            return c;
+        }
+        case 43: {
+            PutArea c;
+            if (draw.flag()) c.id = AreaId{draw.number()};
+            c.area = draw.areaDef();
+            if (draw.flag()) c.group = GroupId{draw.number()};
+            draw.relate(c);
+            return c;
+        }
+        case 44: {
+            RemoveArea c;
+            c.id = AreaId{draw.number()};
+            draw.relate(c);
+            return c;
+        }
+        case 45: {
+            SetPeople c;
+            c.group = GroupId{draw.number()};
+            draw.list(c.people, [&] { return draw.peopleDef(); });
+            draw.relate(c);
+            return c;
+        }
+        case 46: {
+            ReverseQueue c;
+            c.group = GroupId{draw.number()};
+            draw.relate(c);
+            return c;
+        }
+        default:
+            return TouchDown{};
+    }
+}
+
+}  // namespace muster
