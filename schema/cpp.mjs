@@ -40,7 +40,7 @@ function struct(command) {
 }
 
 function header() {
-  return `${kBanner}// The kinds of commands: what a world can be told.
+  return `${kBanner}// The kinds of commands: every change of a world.
 #pragma once
 
 #include <cstdint>

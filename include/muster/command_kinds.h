@@ -1,5 +1,5 @@
 // Made by schema/generate.mjs from schema/commands.txt: change these, not this file.
-// The kinds of commands: what a world can be told.
+// The kinds of commands: every change of a world.
 #pragma once
 
 #include <cstdint>
