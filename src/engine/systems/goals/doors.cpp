@@ -10,9 +10,9 @@ namespace {
 
 constexpr std::int32_t kFineCells = 1 << 15;  // Ground of more cells is looked at on cells twice as wide...
 constexpr std::int32_t kMostCells = 1 << 20;  // ... and of more than this not at all.
-constexpr double kAlike = 0.9;    // A way this much shorter than one without a turn back does turn back...
-constexpr double kAlikeBy = 1.0;  // ... and by this [m].
-constexpr double kMargin = 0.05;  // Between a body and the end of a door [m].
+constexpr double kAlike = 0.9;     // A way this much shorter than one without a turn back does turn back...
+constexpr double kAlikeBy = 1.0;   // ... and by this [m].
+constexpr double kDoorEnd = 0.05;  // Between a body and the end of a door [m].
 constexpr double kBehind[] = {0.8, 0.4, 0.2, 0.0};  // People head for a line so far behind a door [m].
 
 std::uint32_t keyOf(const std::vector<Passage>& doors) {
@@ -190,7 +190,7 @@ void Doors::prepareField(std::int32_t way, GoalFields& fields) {
         }
     std::erase_if(unitCost.nodes, [&](const WallNode& node) { return closed[node.cell] != 0; });
     const Passage& d = door(way);
-    const double margin = std::min(ground.radius() + kMargin, 0.5 * d.width());
+    const double margin = std::min(ground.radius() + kDoorEnd, 0.5 * d.width());
     const Vec2 along = normalized(d.b - d.a), half = along * (0.5 * d.width() - margin);
     const double narrows = fromLeft(way) ? d.right : d.left;
     for (const double beyond : kBehind) {
