@@ -7,7 +7,9 @@ import dataclasses
 import inspect
 import math
 import pickle
+import re
 import typing
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -17,6 +19,7 @@ import muster
 from muster import _core, _types
 
 COMMANDS = typing.get_args(_types.CommandBody)
+DECLARATIONS = Path(__file__).parents[2] / "schema/commands.txt"
 
 
 def test_every_type_has_the_defaults_of_the_engine() -> None:
@@ -75,7 +78,8 @@ def filled(type_: type) -> object:
 
 
 def test_every_command_comes_back_from_bytes() -> None:
-    assert len(COMMANDS) == 46
+    declared = re.findall(r"^command (\w+)", DECLARATIONS.read_text(encoding="utf-8"), re.MULTILINE)
+    assert [type_.__name__ for type_ in COMMANDS] == declared
     for type_ in COMMANDS:
         command = muster.Command(step=7, client=2, sequence=9, body=filled(type_))
         assert muster.decode_command(muster.encode_command(command)) == command, type_.__name__
