@@ -107,7 +107,7 @@ void DoorSearch::meet(const Environment& environment, std::int32_t cell, std::in
     way_.assign(part_.rbegin(), part_.rend());
     climb(other, plan, part_);
     way_.insert(way_.end(), part_.begin(), part_.end());
-    std::optional<Passage> gap = narrowestPassage(environment, way_);
+    std::optional<Passage> gap = narrowestPassage(environment, way_, true);
     if (!gap || lower < kWider * 0.5 * gap->width()) return join();
     for (const Passage& door : plan.doors)
         if (isBefore(door, gap->middle())) return;
