@@ -108,7 +108,8 @@ void DoorSearch::meet(const Environment& environment, std::int32_t cell, std::in
     climb(other, plan, part_);
     way_.insert(way_.end(), part_.begin(), part_.end());
     std::optional<Passage> gap = narrowestPassage(environment, way_, true);
-    if (!gap || lower < kWider * 0.5 * gap->width()) return join();
+    // Exits count as wide, but make no door of a wide opening.
+    if (!gap || std::min(lower, Environment::kClearanceLimit) < kWider * 0.5 * gap->width()) return join();
     for (const Passage& door : plan.doors)
         if (isBefore(door, gap->middle())) return;
     if (gap->width() < 4.0 * radius_) gap->pace = kFilePace;
