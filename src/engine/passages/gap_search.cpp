@@ -155,7 +155,8 @@ std::optional<Passage> gapBeside(const Environment& environment, std::span<const
 
 }  // namespace
 
-std::optional<Passage> narrowestPassage(const Environment& environment, std::span<const Vec2> way, bool thin) {
+std::optional<Passage> narrowestPassage(const Environment& environment, std::span<const Vec2> way,
+                                        bool thin) {
     std::optional<Passage> best;
     for (std::size_t k = 0; k < way.size(); ++k) {
         // Only the way near by counts: another part of it may cross the same gap.
