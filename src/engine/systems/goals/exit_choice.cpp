@@ -233,9 +233,10 @@ ExitChooser::Choice ExitChooser::best(const WorldState& state, const Leavers& le
                       best.error = error;
                   });
     }
-    // A change gains more than the times may err, and each makes the next one costlier.
-    const double pays = std::max({kChangePays, best.error, best.ownError}) +
-                        kChangeShare * std::max(0.0, best.ofOwn);
+    // A change gains more than the times may err, and each makes the next one costlier. Of the time that is
+    // left counts what comes after it has set out.
+    const double left = std::max(0.0, best.ofOwn - walkTime(state, i, 0.0));
+    const double pays = std::max({kChangePays, best.error, best.ownError}) + kChangeShare * left;
     const bool stays = best.ofOwn < kInfiniteCost &&
                        best.ofOwn - best.least < pays * (1.0 + (turns_.empty() ? 0.0 : turns_[i]));
     if (stays) return best.own;
