@@ -164,7 +164,7 @@ TEST_CASE("customers of two slow tills hardly change their minds") {
             const CharactersView c = world.characters();
             for (std::size_t i = 0; i < c.size(); ++i) {
                 const std::uint32_t id = c.id[i];
-                // Who has not set out may choose anew.
+                // Who has not set out may choose again.
                 const bool isOnFoot = distance(start.try_emplace(id, c.position[i]).first->second,
                                                c.position[i]) > 0.2;
                 if (isOnFoot && goal[id] != c.goal[i]) ++turns[id];
