@@ -107,8 +107,9 @@ void DoorSearch::meet(const Environment& environment, std::int32_t cell, std::in
     way_.assign(part_.rbegin(), part_.rend());
     climb(other, plan, part_);
     way_.insert(way_.end(), part_.begin(), part_.end());
-    std::optional<Passage> gap = narrowestPassage(environment, way_);
-    if (!gap || lower < kWider * 0.5 * gap->width()) return join();
+    std::optional<Passage> gap = narrowestPassage(environment, way_, true);
+    // Exits count as wide, but make no door of a wide opening.
+    if (!gap || std::min(lower, Environment::kClearanceLimit) < kWider * 0.5 * gap->width()) return join();
     for (const Passage& door : plan.doors)
         if (isBefore(door, gap->middle())) return;
     if (gap->width() < 4.0 * radius_) gap->pace = kFilePace;
@@ -198,13 +199,22 @@ void DoorSearch::findExitRooms(DoorPlan& plan) const {
     }
 }
 
+// True where nobody waits between a door and an exit of the room behind it, or where there is no other exit:
+// what the exit lets through tells then what the door does.
+bool DoorSearch::isOfExit(const Passage& door, std::int32_t room, const DoorPlan& plan) const {
+    for (std::size_t e = 0; e < exitCells_.size(); ++e) {
+        if (!std::binary_search(plan.exitRooms[e].begin(), plan.exitRooms[e].end(), room)) continue;
+        if (exitCells_.size() == 1) return true;
+        for (const std::int32_t cell : exitCells_[e])
+            if (awayFrom(door, grid_.centre(grid_.at(cell))) < kSameDoor) return true;
+    }
+    return false;
+}
+
 // Leaves out doors at which nobody has a choice; true where there were any. They part nothing, or lead only
 // to an exit; with `deadEnds` also those of rooms that have no other one.
 bool DoorSearch::drop(DoorPlan& plan, bool deadEnds) {
     std::vector<std::int32_t> doorsOf(plan.rooms, 0);
-    std::vector<std::uint8_t> isDropped(plan.rooms, deadEnds ? 1 : 0);
-    for (const std::vector<std::int32_t>& rooms : plan.exitRooms)
-        for (const std::int32_t room : rooms) isDropped[room] = 1;
     for (const auto& [right, left] : plan.beside)
         for (const std::int32_t room : {right, left})
             if (room >= 0) ++doorsOf[room];
@@ -212,7 +222,9 @@ bool DoorSearch::drop(DoorPlan& plan, bool deadEnds) {
     std::size_t kept = 0;
     for (std::size_t d = 0; d < before; ++d) {
         const auto [right, left] = plan.beside[d];
-        const auto needless = [&](std::int32_t room) { return doorsOf[room] == 1 && isDropped[room] != 0; };
+        const auto needless = [&](std::int32_t room) {
+            return doorsOf[room] == 1 && (deadEnds || isOfExit(plan.doors[d], room, plan));
+        };
         if (right < 0 || left < 0 || right == left || needless(right) || needless(left)) continue;
         plan.doors[kept++] = plan.doors[d];
     }

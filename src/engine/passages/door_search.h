@@ -30,8 +30,8 @@ struct DoorPlan {
 class DoorSearch {
 public:
     /// Finds the doors of a ground whose cells have this unit cost. An exit is a room that nobody has to wait
-    /// in, however narrow it is. Doors in front of a room with an exit that has no other one belong to the
-    /// exit, and are left out.
+    /// in, however narrow it is. The only door of a room belongs to an exit just behind it, or to the
+    /// only exit, and is left out.
     void find(const Environment& environment, const StaticGround& ground, const UnitCost& unitCost,
               std::span<const Polygon> exits, DoorPlan& plan);
 
@@ -45,6 +45,7 @@ private:
     void labelRooms(DoorPlan& plan);
     std::array<std::int32_t, 2> roomsBeside(const Passage& door, const DoorPlan& plan) const;
     void findExitRooms(DoorPlan& plan) const;
+    bool isOfExit(const Passage& door, std::int32_t room, const DoorPlan& plan) const;
     bool drop(DoorPlan& plan, bool deadEnds);
 
     double radius_ = 0.0;  // Of a usual body [m].

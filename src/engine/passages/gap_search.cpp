@@ -98,7 +98,34 @@ double depth(const Environment& environment, const Passage& passage, Vec2 direct
     return reached;
 }
 
-std::optional<Passage> gapAt(const Environment& environment, std::span<const Vec2> way, Vec2 p) {
+// The gap to the nearest surface on the other side of the way, which a ray passes by where walls are thin.
+std::optional<Passage> gapAcross(const Environment& environment, std::span<const Vec2> way, Vec2 p,
+                                 const Surface& one) {
+    Surface other;
+    const auto look = [&](const Surface& found) {
+        if (!(found.distance < other.distance) || !(dot(found.point - p, p - one.point) > 0.0)) return;
+        if (crosses(way, one.point, found.point)) other = found;
+    };
+    environment.forPiecesNear(p, Environment::kClearanceLimit, [&](const ObstaclePiece& piece) {
+        if (piece.moving || &piece == one.piece) return;
+        const SurfacePoint found = closestSurfacePoint(piece, p);
+        look({&piece, 0, found.point, found.distance});
+    });
+    for (int side = 0; side < 4; ++side) {
+        if (one.piece == nullptr && side == one.side) continue;
+        const Vec2 q = onSide(environment.def().box, side, p);
+        look({nullptr, side, q, distance(p, q)});
+    }
+    if (!(other.distance < Environment::kClearanceLimit)) return {};
+    Passage passage{one.point, other.point, 1.0};
+    tighten(environment, one, other, passage);
+    const bool valid = passage.width() > 1e-6 && environment.distanceToObstacle(passage.middle()) > 0.0 &&
+                       crosses(way, passage.a, passage.b);
+    if (!valid) return {};
+    return passage;
+}
+
+std::optional<Passage> gapAt(const Environment& environment, std::span<const Vec2> way, Vec2 p, bool thin) {
     // The cells of a way may reach beyond the edge of the world.
     if (!environment.def().box.contains(p)) return {};
     const Surface one = nearestSurface(environment, p);
@@ -111,30 +138,34 @@ std::optional<Passage> gapAt(const Environment& environment, std::span<const Vec
     const bool valid = tight.width() > 1e-6 && environment.distanceToObstacle(tight.middle()) > 0.0 &&
                        crosses(way, tight.a, tight.b);
     if (valid) passage = tight;
+    const std::optional<Passage> across = thin ? gapAcross(environment, way, p, one) : std::nullopt;
+    if (across && across->width() < kNearlyEqual * passage.width()) passage = *across;
     passage.speed = std::min(environment.ground(p).travelSpeed,
                              environment.ground(passage.middle()).travelSpeed);
     return passage;
 }
 
 // A way on wide cells may cut the corner of an obstacle: the gap beside it, where `p` lies in one.
-std::optional<Passage> gapBeside(const Environment& environment, std::span<const Vec2> way, Vec2 p) {
+std::optional<Passage> gapBeside(const Environment& environment, std::span<const Vec2> way, Vec2 p,
+                                 bool thin) {
     if (!(environment.distanceToObstacle(p) < -kNearest)) return {};
     const Vec2 out = nearestSurface(environment, p).point - p;
-    return gapAt(environment, way, p + out + normalized(out) * kWall);
+    return gapAt(environment, way, p + out + normalized(out) * kWall, thin);
 }
 
 }  // namespace
 
-std::optional<Passage> narrowestPassage(const Environment& environment, std::span<const Vec2> way) {
+std::optional<Passage> narrowestPassage(const Environment& environment, std::span<const Vec2> way,
+                                        bool thin) {
     std::optional<Passage> best;
     for (std::size_t k = 0; k < way.size(); ++k) {
         // Only the way near by counts: another part of it may cross the same gap.
         const std::size_t from = k > 8 ? k - 8 : 0, to = std::min(way.size(), k + 9);
-        const std::optional<Passage> gap = gapAt(environment, way.subspan(from, to - from), way[k]);
+        const std::optional<Passage> gap = gapAt(environment, way.subspan(from, to - from), way[k], thin);
         if (gap && (!best || gap->throughput() < kNearlyEqual * best->throughput())) best = gap;
         const std::optional<Passage> cut = k + 1 < way.size()
                                                ? gapBeside(environment, way.subspan(from, to - from),
-                                                           lerp(way[k], way[k + 1], 0.5))
+                                                           lerp(way[k], way[k + 1], 0.5), thin)
                                                : std::nullopt;
         if (cut && (!best || cut->throughput() < kNearlyEqual * best->throughput())) best = cut;
     }

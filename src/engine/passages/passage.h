@@ -37,7 +37,9 @@ struct Passage {
 /// The passage of least capacity on a way, given by points at most a cell apart; among nearly equal ones the
 /// first. None where nothing stands within 3 m of the way and no edge of the world does. Only what stands
 /// still counts. Its ends are the nearest points of the two surfaces, exactly, where these face each other
-/// across the way.
-std::optional<Passage> narrowestPassage(const Environment& environment, std::span<const Vec2> way);
+/// across the way. With `thin` also gaps count in walls thinner than the steps of the way, which no ray from
+/// its points meets on both sides.
+std::optional<Passage> narrowestPassage(const Environment& environment, std::span<const Vec2> way,
+                                        bool thin = false);
 
 }  // namespace muster

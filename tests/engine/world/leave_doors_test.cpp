@@ -112,6 +112,76 @@ TEST_CASE("people who leave by one exit share two doors by time, and hardly chan
                             << left.turns << ", of one " << left.mostTurns);
 }
 
+TEST_CASE("doors count in walls so thin that no centre of a cell lies in them") {
+    for (const double thin : {0.2, 0.06}) {
+        WorldDef def = twoHalls(gridOf({{2, 1}, {11, 7}}, 15, 10));
+        const double x0 = kWallAt - 0.5 * thin, x1 = kWallAt + 0.5 * thin;
+        def.obstacles = {block(x0, 0, x1, 3), block(x0, 4, x1, 11), block(x0, 12, x1, 16)};
+        World world = World::create(def).value();
+        const Left left = runHalls(world, 200.0);
+        CHECK(left.after > 0.0);
+        CHECK(left.near > 60);
+        CHECK(left.far > 50);
+        CHECK(left.mostTurns <= 3);
+    }
+}
+
+TEST_CASE("two exits a walk behind their doors share a crowd that is before one of them") {
+    for (const bool parted : {false, true}) {
+        WorldDef def = twoHalls(gridOf({{2, 1}, {11, 7}}, 15, 10));
+        if (parted) def.obstacles.push_back(block(kWallAt + 0.2, 7.4, 30, 7.6));
+        const double x = parted ? 18.2 : 28.5;
+        def.areas = {leaveArea(x, 0.2, x + 1.0, 7.2), leaveArea(x, 7.8, x + 1.0, 15.8)};
+        World world = World::create(def).value();
+        const Left left = runHalls(world, 200.0);
+        CHECK(left.after > 0.0);
+        CHECK(left.near > 55);
+        CHECK(left.far > 55);
+    }
+}
+
+TEST_CASE("customers of two slow tills hardly change their minds") {
+    for (const bool hasLine : {true, false}) {
+        WorldDef def;
+        def.parameters = *parameterPreset("people");
+        def.box = {{0, 0}, {20, 17}};
+        def.groups = {leaversAt(gridOf({{2, 7}, {18, 16}}, 8, 5))};
+        PeopleDef people;
+        people.premovement = Distribution::uniform(0.0, 60.0);
+        def.groups[0].people = {people};
+        for (const double x : {6.0, 14.0}) {
+            AreaDef till = leaveArea(x - 0.5, 0.5, x + 0.5, 1.5);
+            till.rate = 0.2;
+            if (hasLine) till.queue = {{x, 2}, {x, 6}};
+            def.areas.push_back(till);
+        }
+        World world = World::create(def).value();
+        std::map<std::uint32_t, std::uint32_t> goal;
+        std::map<std::uint32_t, Vec2> start;
+        std::map<std::uint32_t, std::int32_t> turns;
+        while (world.time() < 130.0) {
+            world.step();
+            const CharactersView c = world.characters();
+            for (std::size_t i = 0; i < c.size(); ++i) {
+                const std::uint32_t id = c.id[i];
+                // Who has not set out may choose again.
+                const bool isOnFoot = distance(start.try_emplace(id, c.position[i]).first->second,
+                                               c.position[i]) > 0.2;
+                if (isOnFoot && goal[id] != c.goal[i]) ++turns[id];
+                goal[id] = c.goal[i];
+            }
+        }
+        CHECK(world.characters().size() == 0);
+        std::int32_t all = 0;
+        for (const auto& [id, count] : turns) {
+            CHECK(count <= 3);
+            all += count;
+        }
+        CHECK(all <= 20);
+        MESSAGE("changes of till on foot " << all);
+    }
+}
+
 TEST_CASE("who does not have to wait takes the near door") {
     World world = World::create(twoHalls({{5, 4}, {4, 6}, {8, 2}})).value();
     const Left left = runHalls(world, 60.0);

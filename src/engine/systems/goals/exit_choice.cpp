@@ -105,6 +105,18 @@ void ExitChooser::listOptions(std::span<const Leavers> leavers) {
     }
 }
 
+// Who stands in a line, or where an exit lets people out by a rate, is served by its place.
+void ExitChooser::findPlaces(const WorldState& state) {
+    const Characters& c = state.characters;
+    place_.clear();
+    for (std::size_t e = 0; e < exits_.size(); ++e) {
+        if (place_.empty() && !exits_[e]->exit.line.empty()) place_.assign(c.size(), -1);
+        std::int32_t place = 0;
+        for (const std::uint32_t id : exits_[e]->exit.line)
+            if (const std::int32_t i = c.indexOf(id); i >= 0 && c.goal[i] == ids_[e]) place_[i] = place++;
+    }
+}
+
 // Counts who goes where.
 void ExitChooser::count(const WorldState& state, std::span<const Leavers> leavers,
                         std::span<const std::int32_t> groundClasses) {
@@ -119,8 +131,9 @@ void ExitChooser::count(const WorldState& state, std::span<const Leavers> leaver
         if (exit < 0) continue;
         const auto e = static_cast<std::size_t>(exit);
         const double way = walkTime(state, i, c.cost[i]);
-        times_.add(e, groundClasses[i] != 0
-                          ? ExitTimes::First{-1, way}
+        const std::int32_t place = placeOf(i);
+        times_.add(e, groundClasses[i] != 0 || place >= 0
+                          ? ExitTimes::First{-1, way, place}
                           : times_.first(e, c.position[i], wayOf(i), way, speedOf(state, i)));
         if (herding_) herds_.add(c.position[i], e);
     }
@@ -162,9 +175,16 @@ void ExitChooser::offerWays(const WorldState& state, std::size_t i, std::int32_t
     const auto e = static_cast<std::size_t>(exit);
     const double speed = speedOf(state, i);
     const Vec2 p = state.characters.position[i];
-    const ExitTimes::First direct = hasDoors ? times_.first(e, p, -1, way, speed) : ExitTimes::First{-1, way};
-    if (way < kInfiniteCost)
-        offer(Choice{exit, -1, direct}, byTime ? times_.leaves(e, direct, speed) : way, direct.way);
+    const std::uint32_t goal = state.characters.goal[i];
+    const bool isOwn = goal != 0 && goal == ids_[e] && !hasPassed(static_cast<std::int32_t>(i));
+    const std::int32_t place = isOwn ? placeOf(i) : -1, ownWay = wayOf(i);
+    const ExitTimes::First direct = hasDoors && place < 0 ? times_.first(e, p, -1, way, speed)
+                                                          : ExitTimes::First{-1, way, place};
+    const auto leaves = [&](const ExitTimes::First& first) {
+        const bool isCounted = isOwn && first.way == (ownWay < 0 ? direct.way : ownWay);
+        return times_.leaves(e, first, speed, isCounted);
+    };
+    if (way < kInfiniteCost) offer(Choice{exit, -1, direct}, byTime ? leaves(direct) : way, direct.way);
     // Who is in the room of the exit needs no door.
     if (!hasDoors || !byTime || direct.way < 0) return;
     for (const std::int32_t other : doors_.waysFrom(p)) {
@@ -173,7 +193,7 @@ void ExitChooser::offerWays(const WorldState& state, std::size_t i, std::int32_t
         const double walk = doors_.walk(other, p);
         if (!(walk < kInfiniteCost)) continue;
         const ExitTimes::First first{other, walkTime(state, i, walk)};
-        offer(Choice{exit, other, first}, times_.leaves(e, first, speed), other);
+        offer(Choice{exit, other, first}, leaves(first), other);
     }
 }
 
@@ -201,17 +221,22 @@ ExitChooser::Choice ExitChooser::best(const WorldState& state, const Leavers& le
         offerWays(state, i, option.exit, byTime, way, hasDoors,
                   [&](const Choice& choice, double leaves, std::int32_t door) {
                       const double time = leaves - less;
+                      const double error = byTime ? times_.error(choice.exit, choice.first) : 0.0;
                       if (choice.exit == own && (ownWay < 0 ? choice.way < 0 : door == ownWay)) {
                           best.ofOwn = time;
                           best.own = choice;
+                          best.ownError = error;
                       }
                       if (!(time < best.least)) return;
                       best.least = time;
                       best.choice = choice;
+                      best.error = error;
                   });
     }
-    // Each change of mind makes the next one costlier.
-    const double pays = kChangePays + kChangeShare * std::max(0.0, best.ofOwn);
+    // A change gains more than the times may err, and each makes the next one costlier. Of the time that is
+    // left counts what comes after it has set out.
+    const double left = std::max(0.0, best.ofOwn - walkTime(state, i, 0.0));
+    const double pays = std::max({kChangePays, best.error, best.ownError}) + kChangeShare * left;
     const bool stays = best.ofOwn < kInfiniteCost &&
                        best.ofOwn - best.least < pays * (1.0 + (turns_.empty() ? 0.0 : turns_[i]));
     if (stays) return best.own;
@@ -235,9 +260,9 @@ void ExitChooser::choose(WorldState& state, std::span<const Leavers> leavers,
         // Another way is to be found.
         if (goal != c.goal[i] || chosen_[k].way != wayOf(i) || hasPassed(i)) c.direction[i] = {};
         c.goal[i] = goal;
-        if (way_.empty()) continue;
-        if (chosen_[k].hasTurned) ++turns_[i];
-        way_[i] = chosen_[k].way;
+        // Who has not set out has not gone anywhere yet.
+        if (!turns_.empty() && chosen_[k].hasTurned && c.hasSetOut(i, state.stepCount)) ++turns_[i];
+        if (!way_.empty()) way_[i] = chosen_[k].way;
     }
 }
 
@@ -247,9 +272,8 @@ void ExitChooser::chooseFirst(WorldState& state, std::span<const Leavers> leaver
     Characters& c = state.characters;
     for (const Chooser& chooser : first_) {
         c.goal[chooser.character] = 0;
-        if (way_.empty()) continue;
-        way_[chooser.character] = -1;
-        turns_[chooser.character] = 0;
+        if (!way_.empty()) way_[chooser.character] = -1;
+        if (!turns_.empty()) turns_[chooser.character] = 0;
     }
     for (std::size_t round = 0; round < std::min(kRounds, first_.size()); ++round) {
         choose(state, leavers, groundClasses, first_, round, kRounds, pool);
@@ -272,6 +296,7 @@ void ExitChooser::run(WorldState& state, GoalFields& fields, std::span<const Lea
     const bool looks = state.stepCount % kLooksIn == 0;
     if (!looks) listChoosers(state, leavers);
     if (looks || !first_.empty()) {
+        findPlaces(state);
         count(state, leavers, groundClasses);
         serve(state);
         if (looks) {

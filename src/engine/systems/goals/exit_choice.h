@@ -58,10 +58,13 @@ private:
     void findDoors(WorldState& state, GoalFields& fields, std::span<const Leavers> leavers);
     void readWays(const WorldState& state, std::span<const Leavers> leavers,
                   std::span<const std::int32_t> groundClasses);
+    std::uint32_t doorsKey() const { return toExit_.empty() ? 0 : doors_.key(); }
+    void findPlaces(const WorldState& state);
     void keepWays(const WorldState& state, GoalFields& fields, std::span<const Leavers> leavers);
     void count(const WorldState& state, std::span<const Leavers> leavers,
                std::span<const std::int32_t> groundClasses);
     void serve(const WorldState& state);
+    std::int32_t placeOf(std::size_t i) const { return place_.empty() ? -1 : place_[i]; }
     bool hasPassed(std::int32_t i) const { return !passed_.empty() && passed_[i] != 0; }
     void passDoors(const WorldState& state);
     void listChoosers(const WorldState& state, std::span<const Leavers> leavers);
@@ -87,6 +90,7 @@ private:
     struct Best {
         Choice choice, own;
         double least = kInfiniteCost, ofOwn = kInfiniteCost;
+        double error = 0.0, ownError = 0.0;  // Of these times.
     };
     Choice best(const WorldState& state, const Leavers& leavers, const Chooser& chooser,
                 std::span<const std::int32_t> groundClasses) const;
@@ -106,7 +110,10 @@ private:
     std::vector<Chooser> turn_;                 // Whose turn it is to think again.
     std::vector<Choice> chosen_;                // By first_ or turn_.
     std::vector<std::int32_t> way_;             // By character, as wayOf(); empty where there are no doors.
-    std::vector<std::int32_t> turns_;           // By character: how often it has changed its mind.
+    std::vector<std::int32_t>
+        turns_;  // By character: how often it has changed its mind; empty without choice.
+    std::vector<std::int32_t>
+        place_;  // By character: behind how many in the line before its exit; -1 for none.
     std::vector<std::uint8_t> passed_;          // By character: 1 for who has come through such a door.
     std::vector<const GoalField*> ownFields_;   // By exit, of the first class.
     std::vector<const Doors::ToExit*> toExit_;  // By exit; empty where there are no doors.

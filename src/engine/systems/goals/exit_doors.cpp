@@ -27,18 +27,20 @@ void ExitChooser::readWays(const WorldState& state, std::span<const Leavers> lea
     way_.clear();
     turns_.clear();
     passed_.clear();
-    if (toExit_.empty()) return;
-    way_.assign(c.size(), -1);
+    if (toExit_.empty() && exits_.size() < 2) return;
     turns_.assign(c.size(), 0);
-    passed_.assign(c.size(), 0);
+    if (!toExit_.empty()) {
+        way_.assign(c.size(), -1);
+        passed_.assign(c.size(), 0);
+    }
     for (const Leavers& some : leavers) {
-        if (some.gathering->doors != doors_.key()) continue;
+        if (some.gathering->doors != doorsKey()) continue;
         const std::int32_t group = c.group[some.group->members.empty() ? 0 : some.group->members.front()];
         for (const DoorWay& own : some.gathering->ways) {
             const std::int32_t i = c.indexOf(own.character);
             if (i < 0 || !std::cmp_equal(c.group[i], group) || groundClasses[i] != 0) continue;
             turns_[i] = own.turns;
-            if (own.way >= 0 && std::cmp_less(own.way, doors_.ways())) way_[i] = own.way;
+            if (!way_.empty() && own.way >= 0 && std::cmp_less(own.way, doors_.ways())) way_[i] = own.way;
         }
     }
 }
@@ -60,12 +62,13 @@ void ExitChooser::passDoors(const WorldState& state) {
 void ExitChooser::keepWays(const WorldState& state, GoalFields& fields, std::span<const Leavers> leavers) {
     for (const Leavers& some : leavers) {
         some.gathering->ways.clear();
-        some.gathering->doors = way_.empty() ? 0 : doors_.key();
-        if (way_.empty()) continue;
+        some.gathering->doors = doorsKey();
+        if (turns_.empty()) continue;
         for (const std::int32_t i : some.group->members) {
-            if (way_[i] < 0 && turns_[i] == 0) continue;
-            some.gathering->ways.push_back({state.characters.id[i], way_[i], turns_[i]});
-            if (way_[i] >= 0) doors_.prepareField(way_[i], fields);
+            const std::int32_t way = wayOf(i);
+            if (way < 0 && turns_[i] == 0) continue;
+            some.gathering->ways.push_back({state.characters.id[i], way, turns_[i]});
+            if (way >= 0) doors_.prepareField(way, fields);
         }
     }
 }

@@ -43,7 +43,10 @@ void ExitTimes::serveExit(std::size_t e, const Parameters::Character& usual, con
     const double measured = (kPrior * byWidth(0.0) + area.exit.served) / (kPrior + area.exit.queued);
     const double whole = area.def.rate > 0.0 ? std::min(area.def.rate, measured) : measured;
     area.exit.isQueued = waits_.isQueued(e, whole);
-    waits_.serve(e, [&](double walk) { return std::max(kLeastFlow, std::min(whole, byWidth(walk))); });
+    // A service under way counts with what is left of it.
+    const double begins = area.def.rate > 0.0 ? (1.0 - area.exit.credit) / area.def.rate : 0.0;
+    waits_.serve(e, begins,
+                 [&](double walk) { return std::max(kLeastFlow, std::min(whole, byWidth(walk))); });
 }
 
 void ExitTimes::serve(const Parameters::Character& usual, std::span<const GoalField* const> fields) {
@@ -62,18 +65,19 @@ void ExitTimes::serve(const Parameters::Character& usual, std::span<const GoalFi
     for (std::size_t e = 0; e < exits_.size(); ++e) serveExit(e, usual, *fields[e]);
 }
 
-double ExitTimes::passes(std::int32_t way, double at) const {
-    return waits_.leaves(waits_.nodeOf(way), at) + (doors_->isShut(way) ? kShut : 0.0);
+double ExitTimes::passes(std::int32_t way, double at, bool isCounted) const {
+    return waits_.leaves(waits_.nodeOf(way), at, isCounted) + (doors_->isShut(way) ? kShut : 0.0);
 }
 
-double ExitTimes::leaves(std::size_t exit, const First& first, double metresPerSecond) const {
+double ExitTimes::leaves(std::size_t exit, const First& first, double metresPerSecond, bool isCounted) const {
+    if (first.place >= 0) return waits_.leavesLine(exit, first.place, first.walk);
     First at = first;
-    double time = at.way < 0 ? waits_.leaves(exit, at.walk) : passes(at.way, at.walk);
+    double time = at.way < 0 ? waits_.leaves(exit, at.walk, isCounted) : passes(at.way, at.walk, isCounted);
     for (std::int32_t hop = 0; at.way >= 0; ++hop) {
         if (hop == kMostHops) return time + toExit_[exit]->onward[at.way] / metresPerSecond;
         at = next(at.way, exit, time, metresPerSecond,
                   [&](std::int32_t other, double now) { return passes(other, now); });
-        time = at.way < 0 ? waits_.leaves(exit, time + at.walk) : passes(at.way, time + at.walk);
+        time = at.way < 0 ? waits_.leaves(exit, time + at.walk, false) : passes(at.way, time + at.walk);
     }
     return time;
 }

@@ -2,6 +2,7 @@
 // (docs/method/goals.md).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -17,8 +18,9 @@ class ExitTimes {
 public:
     /// Where somebody comes to first.
     struct First {
-        std::int32_t way = -1;  ///< -1 for the exit itself.
-        double walk = 0.0;      ///< To there [s].
+        std::int32_t way = -1;    ///< -1 for the exit itself.
+        double walk = 0.0;        ///< To there [s].
+        std::int32_t place = -1;  ///< Behind so many others in the line before the exit; -1 for not in it.
     };
     /// Nobody goes to any of these exits. `toExit` are theirs, empty where there are no doors.
     void begin(const Doors& doors, std::span<Area* const> exits, std::vector<const Doors::ToExit*>& toExit,
@@ -27,11 +29,18 @@ public:
     /// the shortest.
     First first(std::size_t exit, Vec2 p, std::int32_t way, double seconds, double metresPerSecond) const;
     /// Counts somebody.
-    void add(std::size_t exit, const First& first) { waits_.add(nodeOf(exit, first.way), exit, first.walk); }
+    void add(std::size_t exit, const First& first) {
+        if (first.place >= 0) return waits_.addToLine(exit);
+        waits_.add(nodeOf(exit, first.way), exit, first.walk);
+    }
     /// Serves all who have been counted. `fields` lead to the exits.
     void serve(const Parameters::Character& usual, std::span<const GoalField* const> fields);
-    /// When somebody will have left by an exit [s].
-    double leaves(std::size_t exit, const First& first, double metresPerSecond) const;
+    /// When somebody will have left by an exit [s], who has been counted there or not.
+    double leaves(std::size_t exit, const First& first, double metresPerSecond, bool isCounted) const;
+    /// By how much that may err [s]: what one person takes where it comes to first and at the exit.
+    double error(std::size_t exit, const First& first) const {
+        return std::max(waits_.perPerson(exit), waits_.perPerson(nodeOf(exit, first.way)));
+    }
     /// The way on from another one by which somebody leaves soonest who is there now; -1 for none.
     std::int32_t onwardFrom(std::int32_t way, std::size_t exit, double metresPerSecond) const;
 
@@ -59,7 +68,7 @@ private:
         return best;
     }
     // When somebody has passed a door who comes to it at a time.
-    double passes(std::int32_t way, double at) const;
+    double passes(std::int32_t way, double at, bool isCounted = false) const;
     void serveExit(std::size_t exit, const Parameters::Character& usual, const GoalField& field);
 
     const Doors* doors_ = nullptr;

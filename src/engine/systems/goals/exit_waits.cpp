@@ -10,6 +10,7 @@ void ExitWaits::clear(std::size_t exits, std::size_t ways) {
     people_.bins = 0;
     people_.count.clear();
     people_.byExit.clear();
+    inLine_.assign(exits, 0.0);
 }
 
 void ExitWaits::beginServing() {
@@ -19,7 +20,8 @@ void ExitWaits::beginServing() {
     left_.assign(nodes(), 0.0);
     queue_.assign(ways_ * exits_, 0.0);
     waiting_.assign(ways_, 0.0);
-    perWay_.assign(ways_, 0.0);
+    perNode_.assign(nodes(), 0.0);
+    begins_.assign(exits_, 0.0);
 }
 
 void ExitWaits::addBin() {
@@ -30,7 +32,7 @@ void ExitWaits::addBin() {
 
 double ExitWaits::passes(std::int32_t way, double now, double at) const {
     const std::size_t node = nodeOf(way), end = std::min(binOf(at), all_.bins);
-    const double each = perWay_[static_cast<std::size_t>(way)];
+    const double each = perNode_[node];
     double left = left_[node];
     for (std::size_t k = binOf(now) + 1; k < end; ++k)
         if (const float people = all_.count[k * nodes() + node]; people > 0.0f)
@@ -39,7 +41,7 @@ double ExitWaits::passes(std::int32_t way, double now, double at) const {
 }
 
 bool ExitWaits::isQueued(std::size_t exit, double flow) const {
-    double come = 0.0;
+    double come = inLine_[exit];
     bool isCrowded = false, isThere = false;
     for (std::size_t k = 0; k < binOf(kSoon); ++k) {
         if (k < all_.bins) come += static_cast<double>(all_.count[k * nodes() + exit]);
@@ -50,12 +52,17 @@ bool ExitWaits::isQueued(std::size_t exit, double flow) const {
     return isThere && isCrowded;
 }
 
-double ExitWaits::leaves(std::size_t node, double walk) const {
+double ExitWaits::leavesLine(std::size_t exit, std::int32_t place, double walk) const {
+    return std::max(walk, begins_[exit] + static_cast<double>(place) * perNode_[exit]);
+}
+
+double ExitWaits::leaves(std::size_t node, double walk, bool isCounted) const {
     const std::size_t k = binOf(walk), at = k * nodes() + node;
     if (k >= all_.bins) return std::max(walk, left_[node]);
     const double begins = static_cast<double>(k) * kBin;
     const double share = std::min(1.0, (walk - begins) / kBin);  // Of those in its bin who are nearer.
-    const double nearer = static_cast<double>(all_.count[at]) * share;
+    const double others = static_cast<double>(all_.count[at]) - (isCounted ? 1.0 : 0.0);
+    const double nearer = std::max(0.0, others) * share;
     return std::max(walk, timeAfter(before_[at], begins, nearer, perPerson_[at]));
 }
 

@@ -28,6 +28,8 @@ public:
         people_.count[bin * nodes() + node] += 1.0f;
         if (node >= exits_) people_.byExit[splitAt(bin, node, exit)] += 1.0f;
     }
+    /// Somebody stands in the line before an exit, or where it is let out: whoever comes is served later.
+    void addToLine(std::size_t exit) { inLine_[exit] += 1.0; }
     /// True where people queue before an exit that lets so many a second through: some are there, and more
     /// come within a while than it lets through by then. Call after serveWays().
     bool isQueued(std::size_t exit, double flow) const;
@@ -35,11 +37,14 @@ public:
     /// many a second get through, `hop(way, exit, time)` where those go who leave by an exit.
     template <class Flow, class NextHop>
     void serveWays(const Flow& flow, const NextHop& hop);
-    /// Finds when each will have left by an exit, after serveWays(). `capacity(walk)` tells how many a second
-    /// get through on the way of so many [s].
+    /// Finds when each will have left by an exit, after serveWays(). The first one is let out after `begins`
+    /// [s], what is left of a service under way. `capacity(walk)` tells how many a second get through on the
+    /// way of so many [s].
     template <class Capacity>
-    void serve(std::size_t exit, const Capacity& capacity) {
-        double left = 0.0;
+    void serve(std::size_t exit, double begins, const Capacity& capacity) {
+        begins_[exit] = begins;
+        perNode_[exit] = 1.0 / capacity(0.0);
+        double left = begins + inLine_[exit] * perNode_[exit];
         for (std::size_t k = 0; k < all_.bins; ++k) {
             const std::size_t at = k * nodes() + exit;
             before_[at] = static_cast<float>(left);
@@ -50,8 +55,13 @@ public:
         }
         left_[exit] = left;
     }
-    /// When somebody whose way to a node takes `walk` [s] will have passed it [s].
-    double leaves(std::size_t node, double walk) const;
+    /// When somebody whose way to a node takes `walk` [s] will have passed it [s]; who has been counted there
+    /// does not wait for itself.
+    double leaves(std::size_t node, double walk, bool isCounted) const;
+    /// The same for who stands in the line before an exit, behind so many others.
+    double leavesLine(std::size_t exit, std::int32_t place, double walk) const;
+    /// Time for each at a node [s].
+    double perPerson(std::size_t node) const { return perNode_[node]; }
     /// When somebody will have passed a way who comes to it at a time, as far as is known while those of
     /// `now` are served [s]; for serveWays().
     double passes(std::int32_t way, double now, double at) const;
@@ -104,15 +114,18 @@ private:
     std::vector<float> before_;     // When those of the bins before have passed [s], by bin and node.
     std::vector<float> perPerson_;  // Time for each [s], the same.
     std::vector<double> left_;      // When all have passed [s], by node.
+    std::vector<double> begins_;    // When the first in the line is let out [s], by exit.
+    std::vector<double> inLine_;    // People in the line, by exit.
     std::vector<double> queue_;     // By way and exit, in the bin at hand.
     std::vector<double> waiting_;   // By way.
-    std::vector<double> perWay_;    // Time for each [s].
+    std::vector<double> perNode_;   // Time for each [s], by node.
 };
 
 template <class Flow, class NextHop>
 void ExitWaits::serveWays(const Flow& flow, const NextHop& hop) {
     beginServing();
-    for (std::size_t way = 0; way < ways_; ++way) perWay_[way] = 1.0 / flow(static_cast<std::int32_t>(way));
+    for (std::size_t way = 0; way < ways_; ++way)
+        perNode_[exits_ + way] = 1.0 / flow(static_cast<std::int32_t>(way));
     for (std::size_t k = 0; k < kBins && ways_ > 0; ++k) {
         const double now = static_cast<double>(k) * kBin;
         bool isOver = k >= all_.bins;
@@ -123,9 +136,9 @@ void ExitWaits::serveWays(const Flow& flow, const NextHop& hop) {
             before_[at] = static_cast<float>(left_[node]);
             if (!(people + waiting_[way] > kNobody)) continue;
             isOver = false;
-            perPerson_[at] = static_cast<float>(perWay_[way]);
-            if (people > 0.0) left_[node] = timeAfter(left_[node], now, people, perWay_[way]);
-            const double most = kBin / perWay_[way], sum = people + waiting_[way];
+            perPerson_[at] = static_cast<float>(perNode_[node]);
+            if (people > 0.0) left_[node] = timeAfter(left_[node], now, people, perNode_[node]);
+            const double most = kBin / perNode_[node], sum = people + waiting_[way];
             const double share = sum > most ? most / sum : 1.0;
             waiting_[way] = 0.0;
             for (std::size_t e = 0; e < exits_; ++e) {
