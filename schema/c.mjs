@@ -133,6 +133,6 @@ static_assert(std::tuple_size_v<decltype(kCommandMembers)> == std::variant_size_
 }
 
 export const cFiles = () => ({
-  'include/muster/c/command_bodies.h': bodies(),
-  'bindings/c/c_world/command_kind_fields.h': marshalling(),
+  'include/muster/c/generated/command_bodies.h': bodies(),
+  'bindings/c/c_world/generated/command_kind_fields.h': marshalling(),
 });

@@ -117,7 +117,7 @@ function checks() {
 
 #include <array>
 
-#include "engine/state/command_relations.h"
+#include "engine/state/generated/command_relations.h"
 #include "engine/state/validation.h"
 
 namespace muster {
@@ -218,9 +218,9 @@ ${some.map(({ name }) => `Status relations(const ${name}& c);`).join('\n')}
 }
 
 export const cppFiles = () => ({
-  'include/muster/command_kinds.h': header(),
-  'src/engine/state/command_checks.cpp': checks(),
-  'src/engine/state/command_relations.h': relations(),
-  'src/engine/systems/commands/command_functions.h': functions(),
-  'src/studio/session/inbox/command_traits.h': traits(),
+  'include/muster/generated/command_kinds.h': header(),
+  'src/engine/state/generated/command_checks.cpp': checks(),
+  'src/engine/state/generated/command_relations.h': relations(),
+  'src/engine/systems/commands/generated/command_functions.h': functions(),
+  'src/studio/session/inbox/generated/command_traits.h': traits(),
 });

@@ -102,7 +102,7 @@ ${enumerations.map(words).join('\n')}
 `;
 
 export const enumerationFiles = () => ({
-  'include/muster/enumerations.h': cppHeader(),
-  'include/muster/c/enumerations.h': cHeader(),
-  'src/base/enumeration_words.h': wordHeader(),
+  'include/muster/generated/enumerations.h': cppHeader(),
+  'include/muster/c/generated/enumerations.h': cHeader(),
+  'src/base/generated/enumeration_words.h': wordHeader(),
 });

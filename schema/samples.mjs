@@ -33,7 +33,7 @@ ${command.fields.map(statement).join('\n')}
         }`;
 
 export const sampleFiles = () => ({
-  'tests/random_commands.h': `${kBanner}// Random commands of every kind.
+  'tests/generated/random_commands.h': `${kBanner}// Random commands of every kind.
 #pragma once
 
 #include "command_draw.h"

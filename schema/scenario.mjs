@@ -118,4 +118,4 @@ private:
 `;
 }
 
-export const scenarioFiles = () => ({ 'src/files/scenario/command_fields.h': header() });
+export const scenarioFiles = () => ({ 'src/files/scenario/generated/command_fields.h': header() });

@@ -56,7 +56,7 @@ export type ${name}Word = (typeof k${name}Words)[number];`;
 const isUsed = ({ name }) => enumerated(name) !== undefined || [kOrderKinds, 'Manner', 'Turn', 'Stance'].includes(name);
 
 export const typescriptFiles = () => ({
-  'web/src/protocol/commands.ts': `${kBanner}// Commands as events of gesture files: what a Commands message carries.
+  'web/src/protocol/generated/commands.ts': `${kBanner}// Commands as events of gesture files: what a Commands message carries.
 
 /** What has a form of its own: definitions, orders, conducts (docs/scenario-format.md). */
 export type Fields = Readonly<Record<string, unknown>>;

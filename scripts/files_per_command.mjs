@@ -11,7 +11,7 @@ const kCounted = /^(src|include|bindings|apps|web\/src|protocol|schema|scripts\/
 const kMade = /^(\/\/|\/\*|#|""") ?(Made|Generated|Written) by|\/generated\//;
 
 const names = (() => {
-  const header = ['include/muster/command_kinds.h', 'include/muster/command.h'].map((path) => join(folder, path)).find(existsSync);
+  const header = ['include/muster/generated/command_kinds.h', 'include/muster/command.h'].map((path) => join(folder, path)).find(existsSync);
   const [, list] = readFileSync(header, 'utf8').match(/using CommandKinds = std::variant<([^>]+)>/);
   return list.split(',').map((name) => name.trim());
 })();

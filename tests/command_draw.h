@@ -9,7 +9,7 @@
 
 #include "base/random.h"
 #include "muster/command.h"
-#include "muster/enumerations.h"
+#include "muster/generated/enumerations.h"
 
 namespace muster {
 

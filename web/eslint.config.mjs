@@ -8,7 +8,7 @@ import tseslint from 'typescript-eslint';
 const source = fileURLToPath(new URL('src', import.meta.url));
 
 /** What protocol/generate.mjs and schema/generate.mjs write. */
-const kGenerated = ['enums', 'frame_parts', 'parts', 'client_messages', 'server_messages', 'messages', 'commands'].map(
+const kGenerated = ['enums', 'frame_parts', 'parts', 'client_messages', 'server_messages', 'messages', 'generated/commands'].map(
   (name) => `src/protocol/${name}.ts`,
 );
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "muster/enumerations.h"
+#include "muster/generated/enumerations.h"
 #include "muster/geometry.h"
 #include "muster/id.h"
 

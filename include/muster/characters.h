@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "muster/enumerations.h"
+#include "muster/generated/enumerations.h"
 #include "muster/patch.h"
 #include "muster/unit.h"
 #include "muster/vec2.h"

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "muster/enumerations.h"
+#include "muster/generated/enumerations.h"
 #include "muster/quat.h"
 #include "muster/status.h"
 #include "muster/vec3.h"

@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "muster/command_kinds.h"
+#include "muster/generated/command_kinds.h"
 #include "muster/status.h"
 
 namespace muster {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "muster/enumerations.h"
+#include "muster/generated/enumerations.h"
 #include "muster/geometry.h"
 #include "muster/id.h"
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "muster/enumerations.h"
+#include "muster/generated/enumerations.h"
 #include "muster/vec2.h"
 
 namespace muster {

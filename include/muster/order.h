@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "muster/enumerations.h"
 #include "muster/formation.h"
+#include "muster/generated/enumerations.h"
 #include "muster/id.h"
 #include "muster/obstacle.h"
 #include "muster/vec2.h"

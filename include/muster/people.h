@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "muster/enumerations.h"
+#include "muster/generated/enumerations.h"
 #include "muster/status.h"
 
 namespace muster {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "muster/enumerations.h"
+#include "muster/generated/enumerations.h"
 #include "muster/vec2.h"
 
 namespace muster {

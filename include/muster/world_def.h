@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "muster/area.h"
-#include "muster/enumerations.h"
 #include "muster/formation.h"
+#include "muster/generated/enumerations.h"
 #include "muster/map_import.h"
 #include "muster/obstacle.h"
 #include "muster/order.h"

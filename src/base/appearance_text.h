@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/enumeration_words.h"
+#include "base/generated/enumeration_words.h"
 
 namespace muster {
 

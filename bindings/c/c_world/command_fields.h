@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "bindings/c/c_world/command_kind_fields.h"
+#include "bindings/c/c_world/generated/command_kind_fields.h"
 
 namespace muster::c_api {
 

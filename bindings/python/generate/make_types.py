@@ -12,7 +12,7 @@ from pathlib import Path
 from read_headers import Enumeration, Field, HeaderError, Struct, read_header
 
 HEADERS = (
-    "enumerations formation geometry obstacle patch unit order control map_import people area world_def command_kinds "
+    "generated/enumerations formation geometry obstacle patch unit order control map_import people area world_def generated/command_kinds "
     "command event characters walk_totals views take"
 ).split()
 # What has a Python class of its own, or none.
@@ -213,7 +213,7 @@ def main() -> None:
     figures = [root / f"src/engine/world/{name}.h" for name in ("departures", "metrics")]
     paths = [include / f"{name}.h" for name in HEADERS] + figures
     things = [thing for path in paths for thing in read_header(path) if thing.name not in LEFT_OUT]
-    commands = command_names(include / "command_kinds.h")
+    commands = command_names(include / "generated/command_kinds.h")
     things = in_order(things, commands)
     folder.mkdir(parents=True, exist_ok=True)
     methods = {name: (Path(__file__).parent / f"{name.lower()}_methods.txt").read_text(encoding="utf-8") for name in WITH_METHODS}

@@ -2,7 +2,7 @@
 #ifndef MUSTER_C_COMMAND_H
 #define MUSTER_C_COMMAND_H
 
-#include "muster/c/command_bodies.h"
+#include "muster/c/generated/command_bodies.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -3,7 +3,7 @@
 #define MUSTER_C_GROUND_H
 
 #include "muster/c/base.h"
-#include "muster/c/enumerations.h"
+#include "muster/c/generated/enumerations.h"
 
 #ifdef __cplusplus
 extern "C" {

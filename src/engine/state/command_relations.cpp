@@ -1,4 +1,4 @@
-#include "engine/state/command_relations.h"
+#include "engine/state/generated/command_relations.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/appearance_text.h"
-#include "base/enumeration_words.h"
+#include "base/generated/enumeration_words.h"
 #include "files/scenario/describe_shapes.h"
 #include "muster/world_def.h"
 

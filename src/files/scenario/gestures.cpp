@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/text_file.h"
-#include "files/scenario/command_fields.h"
+#include "files/scenario/generated/command_fields.h"
 
 namespace muster {
 namespace {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "bindings/c/both_worlds.h"
-#include "random_commands.h"
+#include "generated/random_commands.h"
 
 using namespace muster;
 

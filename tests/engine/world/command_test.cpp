@@ -8,7 +8,7 @@
 
 #include "base/random.h"
 #include "engine/state/command_archive.h"
-#include "random_commands.h"
+#include "generated/random_commands.h"
 
 using namespace muster;
 

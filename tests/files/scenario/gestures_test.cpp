@@ -12,7 +12,7 @@
 #include "base/archive.h"
 #include "engine/state/command_archive.h"
 #include "files/scenario/schema_validator.h"
-#include "random_commands.h"
+#include "generated/random_commands.h"
 
 using namespace muster;
 

@@ -13,10 +13,10 @@ import {
   type SplitGroupEvent,
   type StanceWord,
   type TurnWord,
-} from '../protocol/commands';
+} from '../protocol/generated/commands';
 import type { GroundPoint } from './plane';
 
-export type { CommandEvent, PartShapeWord, QueueEditWord, StanceWord, TurnWord } from '../protocol/commands';
+export type { CommandEvent, PartShapeWord, QueueEditWord, StanceWord, TurnWord } from '../protocol/generated/commands';
 /** Manners that the page offers. */
 export type MannerWord = 'march' | 'free';
 /** Where orders go that have no spot of their own. */

@@ -6,7 +6,7 @@ import {
   type Fields,
   type GiveOrderEvent,
   type OrderKindWord,
-} from '../protocol/commands';
+} from '../protocol/generated/commands';
 import type { OrderFrame } from '../protocol/messages';
 import { kManners, kTurns, queueEvent } from './commands';
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/enumeration_words.h"
+#include "base/generated/enumeration_words.h"
 #include "engine/formation/shapes/formation_shape.h"
 
 namespace muster {

@@ -2,8 +2,8 @@
 
 #include "engine/state/ground_class.h"
 #include "engine/systems/commands/body_commands.h"
-#include "engine/systems/commands/command_functions.h"
 #include "engine/systems/commands/ended_paths.h"
+#include "engine/systems/commands/generated/command_functions.h"
 
 namespace muster {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/state/validation.h"
-#include "engine/systems/commands/command_functions.h"
+#include "engine/systems/commands/generated/command_functions.h"
 #include "engine/systems/commands/not_found.h"
 
 namespace muster {

@@ -1,7 +1,7 @@
 // Commands that edit the ground, and parameters.
 #include "engine/state/group_edits.h"
 #include "engine/state/validation.h"
-#include "engine/systems/commands/command_functions.h"
+#include "engine/systems/commands/generated/command_functions.h"
 #include "muster/parameter_table.h"
 
 namespace muster {

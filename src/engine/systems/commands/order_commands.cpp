@@ -10,7 +10,7 @@
 #include "engine/state/validation.h"
 #include "engine/steering/crowd_bodies.h"
 #include "engine/steering/walk_progress.h"
-#include "engine/systems/commands/command_functions.h"
+#include "engine/systems/commands/generated/command_functions.h"
 #include "engine/systems/commands/not_found.h"
 
 namespace muster {

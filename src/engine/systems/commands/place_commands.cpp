@@ -6,7 +6,7 @@
 #include "engine/state/draw_person.h"
 #include "engine/state/group_edits.h"
 #include "engine/state/validation.h"
-#include "engine/systems/commands/command_functions.h"
+#include "engine/systems/commands/generated/command_functions.h"
 #include "engine/systems/commands/not_found.h"
 #include "engine/systems/commands/order_queues.h"
 

@@ -10,7 +10,7 @@
 #include "engine/state/group_edits.h"
 #include "engine/state/reform.h"
 #include "engine/state/validation.h"
-#include "engine/systems/commands/command_functions.h"
+#include "engine/systems/commands/generated/command_functions.h"
 #include "engine/systems/commands/not_found.h"
 #include "engine/systems/commands/order_queues.h"
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <string>
 
-#include "engine/systems/commands/command_functions.h"
+#include "engine/systems/commands/generated/command_functions.h"
 #include "engine/systems/commands/not_found.h"
 
 namespace muster {

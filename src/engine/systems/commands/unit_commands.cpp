@@ -6,7 +6,7 @@
 #include "engine/state/reform.h"
 #include "engine/state/standing_room.h"
 #include "engine/state/validation.h"
-#include "engine/systems/commands/command_functions.h"
+#include "engine/systems/commands/generated/command_functions.h"
 #include "engine/systems/commands/join_one.h"
 #include "engine/systems/commands/not_found.h"
 

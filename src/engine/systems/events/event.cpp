@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "base/enumeration_words.h"
+#include "base/generated/enumeration_words.h"
 
 namespace muster {
 

@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "muster/scenario.h"
-#include "studio/session/inbox/command_traits.h"
+#include "studio/session/inbox/generated/command_traits.h"
 
 namespace muster {
 namespace {

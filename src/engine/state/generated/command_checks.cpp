@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "engine/state/command_relations.h"
+#include "engine/state/generated/command_relations.h"
 #include "engine/state/validation.h"
 
 namespace muster {
