@@ -63,9 +63,8 @@ double CostField::cornerValue(Cell low, int k, unsigned side) const {
     const auto extrapolate = [&](std::int32_t dx, std::int32_t dy) {
         const double near = valueOf(low, dx != 0 ? k ^ 1 : k ^ 2, side);
         const double far = value({c.x + 2 * dx, c.y + 2 * dy});
-        return near < kUnreachableCost && far < kUnreachableCost
-                   ? std::max(0.0, 2.0 * near - far)
-                                      : static_cast<double>(kUnreachableCost);
+        const bool known = near < kUnreachableCost && far < kUnreachableCost;
+        return known ? std::max(0.0, 2.0 * near - far) : static_cast<double>(kUnreachableCost);
     };
     const double x = extrapolate(inX, 0);
     const double y = extrapolate(0, inY);

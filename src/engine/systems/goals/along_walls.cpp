@@ -16,8 +16,8 @@ struct WallsRound {
     const Environment& environment;
     Vec2 p;
     double radius;
-    Box sides;   // Of the world, for centres.
-    double room; // That a step leaves at least [m].
+    Box sides;    // Of the world, for centres.
+    double room;  // That a step leaves at least [m].
 
     WallsRound(const Environment& ground, Vec2 at, double body)
         : environment(ground), p(at), radius(body), sides(ground.def().sides().grown(kTolerance - body)) {
@@ -28,6 +28,13 @@ struct WallsRound {
         const Vec2 q = p + way * kStep;
         const bool inside = sides.contains(q) || !sides.contains(p);
         return inside && !(environment.distanceToObstacle(q, radius) < room);
+    }
+
+    /// The slope of the cost [1/m] along a wall up to `reach` [m], or up to what stops the body before.
+    double slope(Vec2 way, double reach, FunctionRef<double(Vec2)> cost) const {
+        while (reach > kStep && !environment.clearLine(p, p + way * reach, room)) reach *= 0.5;
+        const double here = cost(p);
+        return (cost(p + way * reach) - (here < kInfiniteCost ? here : 0.0)) / reach;
     }
 
     /// Calls `visit` with the unit vector to each wall that is touched, in no certain order.
@@ -59,17 +66,17 @@ Vec2 alongWalls(const Environment& environment, Vec2 p, double radius, Vec2 dire
     if (direction == Vec2{} || isFarFromWalls(environment, p, radius)) return direction;
     const WallsRound walls(environment, p, radius);
     if (walls.isFree(direction)) return direction;
-    // So far along a wall costs are compared [m].
+    // Cells tell nothing of shorter ways along a wall [m].
     const double reach = std::max(environment.grid().cell, radius);
     Vec2 best = direction;
     double least = kInfiniteCost;
     walls.forTouched([&](Vec2 towards) {
         for (const Vec2 way : {perpendicular(towards), -perpendicular(towards)}) {
             if (!walls.isFree(way)) continue;
-            const double there = cost(p + way * reach);
+            const double slope = walls.slope(way, reach, cost);
             const bool first = way.x != best.x ? way.x < best.x : way.y < best.y;
-            if (there > least || (there == least && !first)) continue;
-            least = there;
+            if (slope > least || (slope == least && !first)) continue;
+            least = slope;
             best = way;
         }
     });
