@@ -1,4 +1,5 @@
-// People who stand flush against a wall beside an opening: nobody stays there, wherever walls lie in the cells.
+// People who stand flush against a wall beside an opening: nobody stays there, wherever walls lie in the
+// cells.
 #include <doctest.h>
 
 #include <cmath>
@@ -13,12 +14,12 @@ namespace {
 
 /// A wall across a hall, with an opening.
 struct Opening {
-    double low, width;        // Where it is along the wall [m].
-    double face = 6.0;        // Where the wall begins [m].
-    double thick = 1.0;       // [m]
-    double cell = 0.25;       // [m]
-    double radius = 0.18;     // Of all bodies [m].
-    double sine = 0.0;        // Of the angle by which all is turned about the middle of the hall.
+    double low, width;     // Where it is along the wall [m].
+    double face = 6.0;     // Where the wall begins [m].
+    double thick = 1.0;    // [m]
+    double cell = 0.25;    // [m]
+    double radius = 0.18;  // Of all bodies [m].
+    double sine = 0.0;     // Of the angle by which all is turned about the middle of the hall.
 };
 
 WorldDef hallBehind(const Opening& o, const std::vector<Vec2>& starts) {

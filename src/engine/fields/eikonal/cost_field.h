@@ -95,7 +95,7 @@ private:
     static constexpr unsigned kAllCorners = 15;
     /// Where one stands in a cell beside a wall.
     struct CutNode {
-        std::int32_t cell = 0;      // Of the grid.
+        std::int32_t cell = 0;     // Of the grid.
         float x = 0.0f, y = 0.0f;  // From its centre [cells].
     };
 

@@ -49,8 +49,8 @@ Vec2 CostField::nodeOf(Cell c) const {
     return centre + Vec2{node->x, node->y} * grid_.cell;
 }
 
-// The corners of the square of centres above and right of `low` that lie on the same side of all walls as `p`,
-// a bit for each. Bodies keep so far from walls that the nearest cell is on their side.
+// The corners of the square of centres above and right of `low` that lie on the same side of all walls as
+// `p`, a bit for each. Bodies keep so far from walls that the nearest cell is on their side.
 unsigned CostField::sameSide(Cell low, Vec2 p) const {
     if (cuts_.empty()) return kAllCorners;
     bool cut[4] = {};

@@ -55,8 +55,7 @@ FieldWay CostField::way(Vec2 p) const {
     const BilinearPoint at = bilinearPoint(grid_, p);
     const unsigned side = sameSide(at.low, p);
     for (int k = 0; k < 4; ++k)
-        if (!(valueOf(at.low, k, side) < kUnreachableCost))
-            return {exact, direction(p)};
+        if (!(valueOf(at.low, k, side) < kUnreachableCost)) return {exact, direction(p)};
     return {exact, normalized(towards), sources_[over].parent == 0};
 }
 
