@@ -6,7 +6,6 @@
 #include "engine/state/ground_class.h"
 #include "engine/steering/crowd_bodies.h"
 #include "engine/systems/events/standstill.h"
-#include "engine/systems/goals/along_walls.h"
 
 namespace muster {
 namespace {
@@ -115,11 +114,7 @@ void ContinuumStage::guide(WorldState& state, const Group& group, Gathering& gat
     const CostField* const field = goes ? &fieldOf(state, group.groundClass, gathering.target) : nullptr;
     for (const std::int32_t i : group.members) {
         const bool stands = field == nullptr || gathering.hasArrived(c.id[i]) || !fitsGround(state, group, i);
-        const double own = c.body[i].radius, radius = own == 0.0 ? state.parameters.character.radius : own;
-        c.direction[i] = stands ? Vec2{}
-                                : alongWalls(state.environment, c.position[i], radius,
-                                             field->direction(c.position[i]),
-                                             [&](Vec2 p) { return field->cost(p); });
+        c.direction[i] = stands ? Vec2{} : field->direction(c.position[i]);
         c.cost[i] = stands ? std::numeric_limits<double>::infinity() : field->cost(c.position[i]);
     }
 }
