@@ -37,11 +37,12 @@ double CostField::cost(Vec2 p) const {
     const double exact = exactCost(p, ignored);
     if (exact < kUnreachableCost) return exact;
     const BilinearPoint at = bilinearPoint(grid_, p);
+    const unsigned side = sameSide(at.low, p);
     double sum = 0.0;
     double weights = 0.0;
     for (int k = 0; k < 4; ++k) {
         const double weight = ((k & 1) != 0 ? at.fx : 1.0 - at.fx) * ((k & 2) != 0 ? at.fy : 1.0 - at.fy);
-        const double corner = cornerValue(at.low, k);
+        const double corner = cornerValue(at.low, k, side);
         if (!(corner < kUnreachableCost)) continue;
         // A corner of weight zero counts where it is the only one.
         const double share = std::max(weight, 1e-12);
@@ -53,17 +54,17 @@ double CostField::cost(Vec2 p) const {
 
 // Value of corner k of the square of centres above and right of `low`. A corner that is not reached, in a
 // wall, gets the extrapolation of its row and column, so that costs rise evenly up to a wall.
-double CostField::cornerValue(Cell low, int k) const {
+double CostField::cornerValue(Cell low, int k, unsigned side) const {
     const Cell c{low.x + (k & 1), low.y + (k >> 1)};
-    const float own = value(c);
+    const float own = valueOf(low, k, side);
     if (own < kUnreachableCost) return own;
     const std::int32_t inX = (k & 1) != 0 ? -1 : 1;
     const std::int32_t inY = (k & 2) != 0 ? -1 : 1;
     const auto extrapolate = [&](std::int32_t dx, std::int32_t dy) {
-        const double near = value({c.x + dx, c.y + dy});
+        const double near = valueOf(low, dx != 0 ? k ^ 1 : k ^ 2, side);
         const double far = value({c.x + 2 * dx, c.y + 2 * dy});
-        return far < kUnreachableCost ? std::max(0.0, 2.0 * near - far)
-                                      : static_cast<double>(kUnreachableCost);
+        const bool known = near < kUnreachableCost && far < kUnreachableCost;
+        return known ? std::max(0.0, 2.0 * near - far) : static_cast<double>(kUnreachableCost);
     };
     const double x = extrapolate(inX, 0);
     const double y = extrapolate(0, inY);

@@ -78,12 +78,26 @@ private:
     SourceSet pseudoSourcesAround(Vec2 p) const;
     std::int32_t visibleSource(std::int32_t first, std::int32_t last, Vec2 at) const;
     std::int32_t pseudoSourceOf(Cell cell) const;
-    double cornerValue(Cell low, int k) const;
+    double cornerValue(Cell low, int k, unsigned side) const;
     Vec2 descent(Vec2 p) const;
     Vec2 towardsReached(Vec2 p) const;
     float cheapestAcross(Cell low, Cell axis, std::int32_t along) const;
     bool risesBeyond(Cell low, double sign, Cell axis) const;
     double cheaperSide(Cell low, Cell axis) const;
+    void findCuts(const UnitCost& cost);
+    Vec2 nodeOf(Cell c) const;
+    unsigned sameSide(Cell low, Vec2 p) const;
+    // Value of corner k of a square of centres; infinite where it is none of those in `side`.
+    float valueOf(Cell low, int k, unsigned side) const {
+        return (side >> k & 1u) != 0 ? value({low.x + (k & 1), low.y + (k >> 1)}) : kUnreachableCost;
+    }
+
+    static constexpr unsigned kAllCorners = 15;
+    /// Where one stands in a cell beside a wall.
+    struct CutNode {
+        std::int32_t cell = 0;     // Of the grid.
+        float x = 0.0f, y = 0.0f;  // From its centre [cells].
+    };
 
     Grid grid_;
     Vec2 source_;
@@ -97,6 +111,10 @@ private:
     std::vector<float> values_;            // Per stored cell.
     std::vector<std::uint16_t> sourceOf_;  // Per stored cell: index of its pseudo-source, 0 for none.
     std::vector<PseudoSource> sources_;    // Index 0 is none.
+    // Per stored cell: whether a wall parts it from the next one. Empty where none does, and in fields that
+    // have one source.
+    std::vector<std::uint8_t> cuts_;
+    std::vector<CutNode> cutNodes_;  // Ascending; empty with cuts_.
 };
 
 /// Traces the path from `from` to the field's source in steps of `step` [m], > 0, and writes its points, both

@@ -38,8 +38,8 @@ Vec2 CostField::direction(Vec2 p) const {
     if (lengthSquared(p - source_) <= uniformRadius_ * uniformRadius_) return normalized(source_ - p);
     const BilinearPoint at = bilinearPoint(grid_, p);
     bool allReached = true;
-    for (int k = 0; k < 4; ++k)
-        allReached = allReached && value({at.low.x + (k & 1), at.low.y + (k >> 1)}) < kUnreachableCost;
+    const unsigned side = sameSide(at.low, p);
+    for (int k = 0; k < 4; ++k) allReached = allReached && valueOf(at.low, k, side) < kUnreachableCost;
     Vec2 towards;
     if (allReached && exactCost(p, towards) < kUnreachableCost && lengthSquared(towards) > kNearSource)
         return normalized(towards);
@@ -53,9 +53,9 @@ FieldWay CostField::way(Vec2 p) const {
     const double exact = isFinite(p) && !values_.empty() ? exactCost(p, towards, over) : kUnreachableCost;
     if (!(exact < kUnreachableCost) || lengthSquared(towards) <= kNearSource) return {cost(p), direction(p)};
     const BilinearPoint at = bilinearPoint(grid_, p);
+    const unsigned side = sameSide(at.low, p);
     for (int k = 0; k < 4; ++k)
-        if (!(value({at.low.x + (k & 1), at.low.y + (k >> 1)}) < kUnreachableCost))
-            return {exact, direction(p)};
+        if (!(valueOf(at.low, k, side) < kUnreachableCost)) return {exact, direction(p)};
     return {exact, normalized(towards), sources_[over].parent == 0};
 }
 
@@ -63,11 +63,12 @@ FieldWay CostField::way(Vec2 p) const {
 // undefined.
 Vec2 CostField::descent(Vec2 p) const {
     const BilinearPoint at = bilinearPoint(grid_, p);
+    const unsigned side = sameSide(at.low, p);
     double v[4];
     bool reached[4];
     for (int k = 0; k < 4; ++k) {
-        v[k] = cornerValue(at.low, k);
-        reached[k] = value({at.low.x + (k & 1), at.low.y + (k >> 1)}) < kUnreachableCost;
+        v[k] = cornerValue(at.low, k, side);
+        reached[k] = valueOf(at.low, k, side) < kUnreachableCost;
     }
     Vec2 down{-edgeSlope(v, 0, 1, 2, 3, at.fy), -edgeSlope(v, 0, 2, 1, 3, at.fx)};
     // Components towards a side where no cell is reached are removed.

@@ -29,10 +29,11 @@ std::int32_t CostField::pseudoSourceOf(Cell cell) const {
 // The pseudo-sources of the reached cells among the four around a point; empty where one of them has none.
 CostField::SourceSet CostField::pseudoSourcesAround(Vec2 p) const {
     const BilinearPoint at = bilinearPoint(grid_, p);
+    const unsigned side = sameSide(at.low, p);
     SourceSet sources;
     for (int k = 0; k < 4; ++k) {
         const Cell c{at.low.x + (k & 1), at.low.y + (k >> 1)};
-        if (!(value(c) < kUnreachableCost)) continue;
+        if (!(valueOf(at.low, k, side) < kUnreachableCost)) continue;
         const std::int32_t index = pseudoSourceOf(c);
         if (index == 0) return {};
         if (sources.find(index) < 0) sources.index[sources.count++] = index;

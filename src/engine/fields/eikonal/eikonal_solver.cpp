@@ -132,6 +132,7 @@ void EikonalSolver::solve(const UnitCost& cost, std::span<const FieldSeed> seeds
     }
     work.march(grid.cell, false);
     work.finish(cost, field);
+    field.findCuts(cost);
 }
 
 // Copies what was reached to the field.
@@ -145,6 +146,8 @@ void EikonalSolver::Impl::finish(const UnitCost& cost, CostField& field) {
 
 void EikonalSolver::Impl::copyValues(Cell low, Cell high, CostField& field) const {
     field.low_ = low;
+    field.cuts_.clear();
+    field.cutNodes_.clear();
     field.width_ = std::max(0, high.x - low.x + 1);
     field.height_ = std::max(0, high.y - low.y + 1);
     field.values_.resize(static_cast<std::size_t>(field.width_) * field.height_);

@@ -40,6 +40,8 @@ public:
     std::int32_t wayOf(std::size_t i) const { return way_.empty() ? -1 : way_[i]; }
     /// The way of such a character from a point, which keeps by so much farther from walls than it must [m].
     GoalWay wayThrough(const Characters& characters, std::size_t i, double wallGap) const;
+    /// The field that this way follows.
+    const GoalField& fieldThrough(const Characters& characters, std::size_t i) const;
 
 private:
     /// An exit as a group sees it.

@@ -75,13 +75,17 @@ void ExitChooser::keepWays(const WorldState& state, GoalFields& fields, std::spa
 
 GoalWay ExitChooser::wayThrough(const Characters& characters, std::size_t i, double wallGap) const {
     const auto exit = static_cast<std::size_t>(indexOf(characters.goal[i]));
-    const Vec2 p = characters.position[i];
-    GoalWay way = doors_.field(way_[i]).at(p, wallGap);
-    // Who stands in the frame of another door goes the shortest way.
-    if (!(way.cost < kInfiniteCost))
-        return fieldTo(static_cast<std::int32_t>(exit), classIndex(0)).at(p, wallGap);
-    way.cost += toExit_[exit]->onward[way_[i]];
+    const GoalField& field = fieldThrough(characters, i);
+    GoalWay way = field.at(characters.position[i], wallGap);
+    if (&field == &doors_.field(way_[i])) way.cost += toExit_[exit]->onward[way_[i]];
     return way;
+}
+
+// Who stands in the frame of another door goes the shortest way.
+const GoalField& ExitChooser::fieldThrough(const Characters& characters, std::size_t i) const {
+    const GoalField& through = doors_.field(way_[i]);
+    if (through.cost(characters.position[i]) < kInfiniteCost) return through;
+    return fieldTo(indexOf(characters.goal[i]), classIndex(0));
 }
 
 }  // namespace muster

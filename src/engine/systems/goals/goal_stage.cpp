@@ -7,6 +7,7 @@
 #include "engine/geometry/polygon.h"
 #include "engine/state/ground_class.h"
 #include "engine/steering/crowd_bodies.h"
+#include "engine/systems/goals/along_walls.h"
 
 namespace muster {
 namespace {
@@ -37,6 +38,11 @@ bool keepsWay(const WorldState& state, std::size_t i) {
     const bool changed = state.lastCommandStep == state.stepCount || state.groundEdits != state.editsBefore;
     const bool far = c.cost[i] > kFarAway && c.cost[i] < kInfiniteCost && !(c.direction[i] == Vec2{});
     return !changed && far && (state.stepCount + c.id[i]) % kLooksEvery != 0;
+}
+
+double bodyRadius(const WorldState& state, std::size_t i) {
+    const double own = state.characters.body[i].radius;
+    return own == 0.0 ? state.parameters.character.radius : own;
 }
 
 }  // namespace
@@ -94,10 +100,22 @@ void GoalStage::follow(WorldState& state, std::size_t i, const GoalWay& way, std
     heads[i] = c.position[i] + way.direction * kFieldAhead;
 }
 
+// The same along the walls that it touches.
+void GoalStage::followField(WorldState& state, std::size_t i, GoalWay way, const GoalField& field,
+                            std::span<Vec2> heads) const {
+    way.direction = alongWalls(state.environment, state.characters.position[i], bodyRadius(state, i),
+                               way.direction, [&](Vec2 p) { return field.cost(p); });
+    follow(state, i, way, heads);
+}
+
 // Lets a character stand at a point that it sees.
 void GoalStage::goTo(WorldState& state, std::size_t i, Vec2 spot, double cost, std::span<Vec2> heads) {
     Characters& c = state.characters;
+    const double radius = bodyRadius(state, i);
+    const auto away = [&](Vec2 p) { return distance(p, spot); };
     c.direction[i] = normalized(spot - c.position[i], {});
+    if (away(c.position[i]) > radius)
+        c.direction[i] = alongWalls(state.environment, c.position[i], radius, c.direction[i], away);
     c.cost[i] = cost;
     heads[i] = spot;
     standing_[i] = 1;
@@ -122,15 +140,17 @@ void GoalStage::leave(WorldState& state, std::span<Vec2> heads, ThreadPool& pool
             if (duty == ExitLines::Duty::Free) {
                 if (keepsWay(state, i)) return follow(state, i, {c.cost[i], c.direction[i]}, heads);
                 const double gap = wallGapOf(c.id[i]);
-                if (choice_.wayOf(i) >= 0) return follow(state, i, choice_.wayThrough(c, i, gap), heads);
-                return follow(state, i, field->at(c.position[i], gap), heads);
+                if (choice_.wayOf(i) >= 0)
+                    return followField(state, i, choice_.wayThrough(c, i, gap), choice_.fieldThrough(c, i),
+                                       heads);
+                return followField(state, i, field->at(c.position[i], gap), *field, heads);
             }
             const double left = field->cost(c.position[i]);
             const Vec2 spot = lines_.spotOf(i);
             const StaticGround& ground = field->ground();
             if (ground.collisionFree(c.position[i], spot)) return goTo(state, i, spot, left, heads);
             const GoalField& queue = fields_.solvedQueue(*choice_.areaOf(c, i), classes_[i]);
-            follow(state, i, {left, queue.at(c.position[i]).direction}, heads);
+            followField(state, i, {left, queue.at(c.position[i]).direction}, queue, heads);
         });
     }
 }
@@ -152,7 +172,7 @@ void GoalStage::wait(WorldState& state, Group& group, Gathering& gathering, std:
         if (spot != nullptr && field.ground().collisionFree(c.position[i], spot->spot))
             return goTo(state, i, spot->spot, distance(c.position[i], spot->spot), heads);
         const bool stands = spot == nullptr && gathering.hasArrived(c.id[i]);
-        follow(state, i, stands ? GoalWay{way.cost, {}} : way, heads);
+        followField(state, i, stands ? GoalWay{way.cost, {}} : way, field, heads);
     });
 }
 
@@ -163,7 +183,8 @@ void GoalStage::walk(WorldState& state, const Group& group, double heading, std:
     forChunks(&pool, group.members.size(), kPerTask, [&](std::size_t k) {
         const auto i = static_cast<std::size_t>(group.members[k]);
         c.goal[i] = 0;
-        follow(state, i, fields_.solvedHeading(heading, classes_[i]).at(c.position[i]), heads);
+        const GoalField& field = fields_.solvedHeading(heading, classes_[i]);
+        followField(state, i, field.at(c.position[i]), field, heads);
     });
 }
 

@@ -39,6 +39,8 @@ private:
     void wait(WorldState& state, Group& group, Gathering& gathering, std::span<Vec2> heads, ThreadPool& pool);
     void walk(WorldState& state, const Group& group, double heading, std::span<Vec2> heads, ThreadPool& pool);
     void follow(WorldState& state, std::size_t i, const GoalWay& way, std::span<Vec2> heads) const;
+    void followField(WorldState& state, std::size_t i, GoalWay way, const GoalField& field,
+                     std::span<Vec2> heads) const;
     void goTo(WorldState& state, std::size_t i, Vec2 spot, double cost, std::span<Vec2> heads);
 
     GoalFields fields_;
