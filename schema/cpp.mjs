@@ -152,7 +152,7 @@ Status validateCommand(const Command& command) {
 function traits() {
   const flag = (command, name) => String(command.flags.has(name));
   const rows = commands.map((command) => ({
-    code: `{"${command.label}", ${['undoable', 'directs', 'edits', 'slides'].map((name) => flag(command, name)).join(', ')}},`,
+    code: `{"${command.label}", ${['undoable', 'directs', 'edits', 'slides', 'queues'].map((name) => flag(command, name)).join(', ')}},`,
     about: command.name,
   }));
   const column = Math.max(...rows.map(({ code }) => code.length)) + 2;
@@ -172,6 +172,7 @@ struct CommandTraits {
     bool directs;       ///< It directs a group: a director may send it.
     bool edits;         ///< It edits the place.
     bool slides;        ///< A slider sends many of them, which count as one.
+    bool queues;        ///< It changes the queue of its group in a way that only the world knows.
 };
 
 inline constexpr std::array<CommandTraits, std::variant_size_v<CommandKinds>> kCommandTraits{{

@@ -9,7 +9,7 @@ let file = '';  // That is read now.
 export const folder = dirname(fileURLToPath(import.meta.url));
 export const root = join(folder, '..');
 
-const kCommandFlags = ['relations', 'by-hand', 'undoable', 'directs', 'edits', 'slides'];
+const kCommandFlags = ['relations', 'by-hand', 'undoable', 'directs', 'edits', 'slides', 'queues'];
 const kFieldFlags = ['required', 'omit', 'unchecked', 'internal'];
 
 /** Words, quoted texts without their quotes, and bracketed units of a line. */

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "muster/id.h"
+#include "muster/vec2.h"
 
 namespace muster {
 
@@ -34,6 +35,8 @@ const DensityField& density(const World& world);
 const UnitCost* unitCost(const World& world);
 /// Index of the group of that id; none where there is none.
 std::optional<std::size_t> indexOfGroup(const World& world, GroupId id);
+/// Index of the group that a finger picks which comes down there [m]; none where it picks none.
+std::optional<std::size_t> pickedGroup(const World& world, Vec2 p);
 /// Name, count and formation of a group.
 const GroupDef& groupDef(const World& world, std::size_t group);
 /// The formation that a group has, or takes up again after the order that it carries out.

@@ -1,6 +1,7 @@
 // The read-only views of a world, and what Muster's own code sees of its inside.
 #include "muster/views.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -8,6 +9,7 @@
 #include "engine/ground/routes/route_search.h"
 #include "engine/state/bare_groups.h"
 #include "engine/state/validation.h"
+#include "engine/systems/commands/picked_group.h"
 #include "engine/world/inspect.h"
 #include "engine/world/studio_access.h"
 #include "engine/world/world_engine.h"
@@ -201,9 +203,11 @@ const UnitCost* unitCost(const World& world) {
     return engine.state.stepCount == 0 ? nullptr : &engine.cost.unitCost();
 }
 std::optional<std::size_t> indexOfGroup(const World& world, GroupId id) {
-    for (std::size_t g = 0; g < world.groupCount(); ++g)
-        if (world.group(g).id == id) return g;
-    return std::nullopt;
+    const std::vector<Group>& groups = WorldAccess::of(world).state.groups;
+    const auto at = std::lower_bound(groups.begin(), groups.end(), id,
+                                     [](const Group& group, GroupId of) { return group.id < of; });
+    if (at == groups.end() || at->id != id) return std::nullopt;
+    return static_cast<std::size_t>(at - groups.begin());
 }
 double distanceLeft(const World& world, std::size_t character) {
     constexpr double kNone = std::numeric_limits<double>::infinity();
@@ -247,6 +251,12 @@ bool maySend(const World& world, std::size_t area) {
     const bool isFor = std::any_of(state.groups.begin(), state.groups.end(),
                                    [&](const Group& group) { return group.id == source.group; });
     return source.def.kind == AreaKind::Source && source.def.open && isFor && maySend(source);
+}
+std::optional<std::size_t> pickedGroup(const World& world, Vec2 p) {
+    const WorldState& state = WorldAccess::of(world).state;
+    const Group* const group = muster::pickedGroup(state, p);
+    return group == nullptr ? std::nullopt
+                            : std::optional(static_cast<std::size_t>(group - state.groups.data()));
 }
 const GroupDef& groupDef(const World& world, std::size_t group) {
     return WorldAccess::of(world).state.groups[group].def;

@@ -184,6 +184,44 @@ TEST_CASE("what was added and moved in one gesture comes back where it was moved
     CHECK(desk.client.noticed("rejected").empty());
 }
 
+TEST_CASE("people who were taken out by a number come back as they were, also after a new beginning") {
+    Desk desk;
+    const auto ids = desk.world().characters().id;
+    const std::vector<std::uint32_t> before(ids.begin(), ids.end());
+    desk.edit(R"({"kind":"bodies","ids":[16],"bodies":[{"mass":3}]})", "Body");
+    desk.edit(R"({"kind":"count","group":1,"count":12})", "People");
+    CHECK(desk.saved().groups[0].count == 12);
+    desk.undo();
+    CHECK(desk.world().characters().size() == 16);
+    CHECK(desk.world().characters().body[15].mass == 3.0);
+    CHECK(desk.saved().groups[0].count == 16);
+    desk.undo();  // The body of the last, who has another id now.
+    CHECK(desk.world().characters().body[15].mass == 1.0);
+    desk.undo(true);
+    desk.undo(true);
+    CHECK(desk.world().characters().size() == 12);
+    desk.restart();
+    CHECK(desk.world().characters().size() == 12);
+    desk.undo();
+    CHECK(desk.world().characters().size() == 16);
+    CHECK(desk.saved().groups[0].count == 16);
+    CHECK(desk.client.noticed("rejected").empty());
+}
+
+TEST_CASE("how a group starts is taken back, whatever was directed meanwhile") {
+    Desk desk;
+    desk.client.send(protocol::Commands{R"([{"kind":"formation","group":1,"formation":"ring"}])"});
+    desk.settle();
+    desk.edit(R"({"kind":"formation","group":1,"formation":"ring"})", "Shape");
+    CHECK(desk.saved().groups[0].formation.kind == FormationKind::Ring);
+    CHECK(desk.client.history.undoLabel == "Shape");
+    desk.undo();
+    CHECK(desk.saved().groups[0].formation.kind == FormationKind::Square);
+    CHECK(desk.world().group(0).formation == FormationKind::Ring);
+    desk.undo();
+    CHECK(desk.world().group(0).formation == FormationKind::Square);
+}
+
 TEST_CASE("areas come, change, go and come back, and orders follow them into the next beginning") {
     Desk desk;
     const auto area = [](const std::string& kind, const std::string& more = "") {

@@ -5,73 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "muster/take.h"
-#include "studio/session/fake_client.h"
+#include "studio/session/undo_desk.h"
 
 using namespace muster;
 using namespace muster::testing;
 
 namespace {
-
-WorldDef twoGroups() {
-    WorldDef def = smallFloor();
-    def.box = {{-30, -30}, {30, 30}};
-    def.groups[0].name = "Blue";
-    GroupDef other = def.groups[0];
-    other.name = "Orange";
-    other.colour = 0x440E93u;
-    other.count = 9;
-    other.formation.kind = FormationKind::Wedge;
-    other.position = {10, 8};
-    other.conduct.cohesion = 0.25;
-    def.groups.push_back(other);
-    return def;
-}
-
-/// A session with one greeted director and two groups.
-struct UndoDesk {
-    Session session{sessionDef()};
-    FakeClient client{session};
-
-    UndoDesk() {
-        REQUIRE(session.load("two", twoGroups()).ok());
-        settle();
-    }
-    void settle(double seconds = 0.2) { run(session, seconds, {&client}); }
-    void act(const std::string& events) {
-        client.send(protocol::Commands{"[" + events + "]"});
-        settle();
-    }
-    void move(double x, double y, const std::string& more = "") {
-        act(R"({"kind":"move","group":1,"x":)" + std::to_string(x) + R"(,"y":)" + std::to_string(y) + more +
-            "}");
-    }
-    void undo(bool redo = false) {
-        client.send(protocol::UndoEdit{redo});
-        settle();
-    }
-    const World& world() const { return *session.world(); }
-    GroupView group(std::size_t g = 0) const { return world().group(g); }
-    /// Where the orders of the first group lead, in their order.
-    std::vector<double> targets() const {
-        std::vector<double> xs;
-        for (const QueuedOrder& order : group().orders) xs.push_back(order.order.target.x);
-        return xs;
-    }
-    /// What the world or the session refused.
-    std::string trouble() const {
-        return client.noticed("rejected") + client.noticed("Edit") + client.noticed("UndoEdit");
-    }
-    const protocol::EditHistory& history() const { return client.history; }
-    void replays() const {
-        const auto bytes = session.take();
-        REQUIRE(bytes.ok());
-        const auto take = parseTake(*bytes, "take");
-        REQUIRE_MESSAGE(take.ok(), take.status().message());
-        const auto played = replayTake(*take);
-        CHECK_MESSAGE(played.ok(), played.status().message());
-    }
-};
 
 using Xs = std::vector<double>;
 
@@ -365,9 +304,10 @@ TEST_CASE("each director takes back their own acts") {
     desk.settle();
     desk.undo();
     CHECK(desk.targets() == Xs{-15});
+    // The other one's undo does not bring back what was taken back meanwhile.
     other.send(protocol::UndoEdit{false});
     desk.settle();
-    CHECK(desk.targets() == Xs{15});
+    CHECK(desk.targets().empty());
 }
 
 TEST_CASE("a paused world tells what is taken back at once and makes no step for it") {
@@ -540,5 +480,114 @@ TEST_CASE("random acts of two directors with undo between them replay to the sam
     }
     CHECK(desk.group(0).count > 0);
     CHECK(desk.world().characters().id.size() == 25);
+    desk.replays();
+}
+
+TEST_CASE("what two directors did to the same things is taken back in any order") {
+    for (const bool first : {true, false}) {
+        UndoDesk desk;
+        FakeClient other(desk.session, true, "other");
+        const auto ask = [&](FakeClient& who, const std::string& event) {
+            who.send(protocol::Commands{"[" + event + "]"});
+            desk.settle();
+        };
+        const double reach = desk.world().parameters().input.reach;
+        desk.client.send(protocol::SetParameter{"input.reach", 2.0});
+        desk.settle();
+        other.send(protocol::SetParameter{"input.reach", 3.0});
+        desk.settle();
+        ask(desk.client, R"({"kind":"formation","group":1,"formation":"ring"})");
+        ask(other, R"({"kind":"formation","group":1,"formation":"wedge"})");
+        ask(desk.client, R"({"kind":"move","group":1,"x":20,"y":0})");
+        ask(other, R"({"kind":"move","group":1,"x":15,"y":9,"mode":"append"})");
+        ask(desk.client, R"({"kind":"bodies","ids":[3],"bodies":[{"mass":2}]})");
+        ask(other, R"({"kind":"transfer","ids":[3],"group":2})");
+        for (FakeClient* who : {first ? &desk.client : &other, first ? &other : &desk.client}) {
+            for (int k = 0; k < 6; ++k) who->send(protocol::UndoEdit{false});
+            desk.settle(0.5);
+        }
+        CHECK(desk.world().parameters().input.reach == reach);
+        CHECK(desk.group().formation == FormationKind::Square);
+        CHECK(desk.group().orders.empty());
+        CHECK(desk.group().count == 16);
+        CHECK(desk.world().characters().body[2] == Body{});
+        CHECK(desk.client.noticed("rejected").empty());
+        CHECK(desk.client.history.undo == 0);
+    }
+}
+
+TEST_CASE("what another director has set since stays") {
+    UndoDesk desk;
+    FakeClient other(desk.session, true, "other");
+    desk.act(R"({"kind":"formation","group":1,"formation":"ring"})");
+    other.send(protocol::Commands{R"([{"kind":"formation","group":1,"formation":"wedge"}])"});
+    desk.settle();
+    desk.undo();
+    CHECK(desk.group().formation == FormationKind::Wedge);
+    other.send(protocol::UndoEdit{false});
+    desk.settle();
+    CHECK(desk.group().formation == FormationKind::Square);
+}
+
+TEST_CASE("a command that changes nothing is no step") {
+    UndoDesk desk;
+    desk.act(R"({"kind":"formation","group":1,"formation":"ring"})");
+    desk.act(R"({"kind":"formation","group":1,"formation":"ring"})");
+    desk.act(R"({"kind":"queue","group":1,"edit":"stop"})");
+    CHECK(desk.history().undo == 1);
+    desk.undo();
+    CHECK(desk.group().formation == FormationKind::Square);
+}
+
+TEST_CASE("a group that comes back is named by sources and checkpoints as before") {
+    UndoDesk desk;
+    const auto edit = [&](const std::string& event) {
+        desk.client.send(protocol::Edit{"Edit", 0, "[" + event + "]"});
+        desk.settle();
+    };
+    edit(
+        R"({"kind":"area","definition":{"kind":"source","polygon":[[20,20],[24,20],[24,24]],"rate":0},"group":2})");
+    edit(
+        R"({"kind":"checkpoint","definition":{"position":[25,-25],"radius":2,"formation":"ring"},"group":2})");
+    desk.act(R"({"kind":"merge","groups":[1,2]})");
+    desk.undo();
+    REQUIRE(desk.world().groupCount() == 2);
+    const GroupId merged = desk.group(1).id;
+    CHECK(merged != GroupId{2});
+    CHECK(desk.world().area(0).group == merged);
+    CHECK(desk.world().checkpointGroups()[0] == merged);
+    edit(R"({"kind":"removeGroup","group":)" + std::to_string(merged.value) + "}");
+    desk.undo();
+    const GroupId again = desk.group(1).id;
+    CHECK(again != merged);
+    CHECK(desk.world().area(0).group == again);
+    CHECK(desk.group(1).name == "Orange");
+    CHECK(desk.group(1).formation == FormationKind::Wedge);
+    CHECK(desk.trouble().empty());
+    desk.replays();
+}
+
+TEST_CASE("a group that was merged is to stand where it stood before") {
+    UndoDesk desk;
+    desk.act(R"({"kind":"merge","groups":[1,2]})");
+    desk.settle(2.0);
+    desk.undo();
+    REQUIRE(desk.world().groupCount() == 2);
+    CHECK(distance(desk.group(1).pose.position, Vec2{10, 8}) < 1e-6);
+}
+
+TEST_CASE("a queue that was reversed is taken back, and done again") {
+    UndoDesk desk;
+    desk.move(20, 0);
+    desk.move(10, 5, kAppend);
+    desk.move(5, 5, kAppend);
+    desk.act(R"({"kind":"reverseQueue","group":1})");
+    CHECK(desk.targets() == Xs{5, 10, 20});
+    CHECK(desk.history().undoLabel == "Reverse orders");
+    desk.undo();
+    CHECK(desk.targets() == Xs{20, 10, 5});
+    desk.undo(true);
+    CHECK(desk.targets() == Xs{5, 10, 20});
+    CHECK(desk.trouble().empty());
     desk.replays();
 }

@@ -32,6 +32,16 @@ it('tells what was taken back and done again, for a moment', () => {
   expect(sent.length).toBe(2);
 });
 
+it('says that the crowd walks back from where it was dragged', () => {
+  server(1, 'Drag');
+  desk.undo();
+  server(0, '', 1, 'Drag');
+  expect(told()).toBe('Undone: Drag. The crowd walks back');
+  desk.undo(true);
+  server(1, 'Drag');
+  expect(told()).toBe('Done again: Drag');
+});
+
 it('takes back two edits that belong together at once, and does both again', () => {
   server(3, 'Add source');
   desk.undo();

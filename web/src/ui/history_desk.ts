@@ -12,6 +12,9 @@ const kToldMs = 2500;
 
 const kFirst = ', first';
 
+/** The label of what fingers have dragged. */
+const kDrag = 'Drag';
+
 /** The label of an edit that goes with the next one, of this label: both are taken back, and done again, together. An edit that
  * needs the id of what another one makes cannot be one with it. */
 export function firstOf(label: string): string {
@@ -71,7 +74,8 @@ export class HistoryDesk {
     this.asked_ = null;
     const [gone, next] = asked.redo ? [undoLabel, redoLabel] : [redoLabel, undoLabel];
     if (asked.redo ? gone === firstOf(next) : next === firstOf(gone)) return this.ask(asked.redo);
-    this.tell(`${asked.redo ? 'Done again' : 'Undone'}: ${plain(gone)}`);
+    const walks = gone === kDrag && !asked.redo ? '. The crowd walks back' : '';
+    this.tell(`${asked.redo ? 'Done again' : 'Undone'}: ${plain(gone)}${walks}`);
   }
 
   private tell(text: string): void {

@@ -13,7 +13,7 @@
 namespace muster {
 namespace {
 
-// A group that has no formation now takes it up later.
+// A group that has no formation now, or nobody in it, takes it up later.
 Status defineFormation(Group& group, const FormationDef& def) {
     const Result<Formation> formation = makeFormation(def, std::max(1, group.def.count));
     if (!formation.ok()) return formation.status().within("group '" + group.def.name + "'");
@@ -27,7 +27,8 @@ Status defineFormation(Group& group, const FormationDef& def) {
 Status apply(CommandContext& context, const SetFormation& set) {
     Group* group = context.state.findGroup(set.group);
     if (group == nullptr) return notFound("group", set.group.value);
-    if (context.state.continuum.isBare(group->id)) return defineFormation(*group, set.formation);
+    if (context.state.continuum.isBare(group->id) || group->members.empty())
+        return defineFormation(*group, set.formation);
     const Status changed = changeFormation(context.state, *group, set.formation, group->def.count);
     if (!changed.ok()) return changed;
     group->orders.own.reset();

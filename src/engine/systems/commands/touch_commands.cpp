@@ -4,6 +4,7 @@
 
 #include "engine/systems/commands/generated/command_functions.h"
 #include "engine/systems/commands/not_found.h"
+#include "engine/systems/commands/picked_group.h"
 
 namespace muster {
 namespace {
@@ -18,23 +19,6 @@ double stamp(const WorldState& state, double time) {
     return std::clamp(time, 0.0, state.time());
 }
 
-// The group whose final mesh lies nearest within reach; ties go to the lower id.
-Group* nearestGroup(WorldState& state, Vec2 p) {
-    Group* best = nullptr;
-    double nearest = state.parameters.input.reach;
-    for (Group& group : state.groups) {
-        if (group.members.empty()) continue;
-        const auto& triangles = group.mesh.formation().mesh.triangles;
-        const MeshPoint point = locate(triangles, group.mesh.finalMesh(), p);
-        const double d = distance(point.position(triangles, group.mesh.finalMesh()), p);
-        if (d < nearest || (best == nullptr && d <= nearest)) {
-            nearest = d;
-            best = &group;
-        }
-    }
-    return best;
-}
-
 // Changes the controls that hold a touch.
 template <class Change>
 Status eachSet(WorldState& state, std::uint32_t touch, Change change) {
@@ -47,7 +31,7 @@ Status eachSet(WorldState& state, std::uint32_t touch, Change change) {
 
 Status apply(CommandContext& context, const TouchDown& touch) {
     Group* group = touch.group ? context.state.findGroup(touch.group)
-                               : nearestGroup(context.state, touch.position);
+                               : pickedGroup(context.state, touch.position);
     if (touch.group && group == nullptr) return notFound("group", touch.group.value);
     if (group == nullptr)
         return invalidArgument("touch " + std::to_string(touch.touch) + " begins on no formation");

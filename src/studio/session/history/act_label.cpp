@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/world/inspect.h"
-#include "studio/session/inbox/command_text.h"
+#include "studio/session/inbox/generated/command_traits.h"
 
 namespace muster {
 namespace {
@@ -57,7 +57,7 @@ const char* conductLabel(const SetConduct& set, const World& world) {
     return "Conduct";
 }
 
-/// One label for each kind of command.
+/// The labels of commands that depend on what they say; others have that of their kind.
 struct Label {
     const World& world;
 
@@ -65,30 +65,17 @@ struct Label {
     const char* operator()(const EditQueue& edit) const { return editLabel(edit.edit); }
     const char* operator()(const SetConduct& set) const { return conductLabel(set, world); }
     const char* operator()(const PinControl& pin) const { return pin.pinned ? "Pin" : "Release pin"; }
-    const char* operator()(const SetFormation&) const { return "Change shape"; }
-    const char* operator()(const SetCount&) const { return "People"; }
-    const char* operator()(const SetPose&) const { return "Place group"; }
-    const char* operator()(const AddGroup&) const { return "Add group"; }
-    const char* operator()(const SetParameter&) const { return "Setting"; }
-    const char* operator()(const AddCharacters&) const { return "Add people"; }
-    const char* operator()(const RemoveCharacters&) const { return "Remove people"; }
-    const char* operator()(const TransferCharacters&) const { return "Transfer people"; }
-    const char* operator()(const SplitGroup&) const { return "Split"; }
-    const char* operator()(const MergeGroups&) const { return "Merge"; }
-    const char* operator()(const SetBodies&) const { return "Bodies"; }
-    const char* operator()(const SetRoles&) const { return "Roles"; }
-    const char* operator()(const SetDemands&) const { return "Demands"; }
     template <class Other>
-    const char* operator()(const Other&) const {
-        return nullptr;
+    const char* operator()(const Other& other) const {
+        const char* const label = traitsOf(other).label;
+        return *label != '\0' ? label : nullptr;
     }
 };
 
 }  // namespace
 
 bool canTakeBack(const CommandBody& body) {
-    return !isOneOf<TouchDown, TouchMove, TouchUp, TouchCancel, AddControl, RemoveControl, ReleaseClient>(
-        body);
+    return traitsOf(body).undoable;
 }
 
 std::string actLabel(std::span<const CommandBody> bodies, const World& world) {
@@ -104,7 +91,7 @@ std::string actLabel(std::span<const CommandBody> bodies, const World& world) {
 }
 
 bool isContinuous(const CommandBody& body) {
-    return isOneOf<SetConduct, SetParameter, SetCount, SetDemands>(body);
+    return traitsOf(body).slides;
 }
 
 }  // namespace muster

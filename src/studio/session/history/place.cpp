@@ -96,6 +96,16 @@ void putAreas(PlaceDefinition& place, const Place& groups, const World& world) {
     }
 }
 
+/// Puts the ids of those who stand for the characters of a group.
+void putCharacters(PlaceDefinition& place, const PlaceGroupDef& group, const World& world) {
+    const auto count = static_cast<std::size_t>(group.def.count);
+    const auto g = inspect::indexOfGroup(world, group.id);
+    const auto members = g ? world.group(*g).members : std::span<const std::int32_t>();
+    for (std::size_t k = 0; k < count; ++k)
+        place.characters.push_back(
+            members.size() == count ? world.characters().id[static_cast<std::size_t>(members[k])] : 0);
+}
+
 /// Orders name areas by the ids that these get in a world that begins with them: 1, 2, 3... in the order of
 /// `ids`. What names only areas that are gone is left out.
 void renumberAreas(std::vector<Order>& orders, const std::vector<std::uint32_t>& ids) {
@@ -149,13 +159,21 @@ const PlaceGroupDef* Place::group(GroupId id) const {
 
 // Groups that are added get the highest id, and the edits of a step are applied in its order.
 void Place::addNewest(const GroupDef& def, const World& world) {
-    GroupId newest = groups_.empty() ? GroupId{} : groups_.back().id;
+    GroupId newest;
+    for (const PlaceGroupDef& group : groups_) newest = std::max(newest, group.id);
     for (std::size_t g = 0; g < world.groupCount(); ++g) {
         const GroupId id = world.group(g).id;
         if (id <= newest || !(inspect::groupDef(world, g).name == def.name)) continue;
-        groups_.push_back({id, def});
-        return;
+        return add(id, def);
     }
+}
+
+void Place::add(GroupId id, const GroupDef& def) {
+    groups_.push_back({id, def});
+}
+
+void Place::follow(GroupId before, GroupId now) {
+    if (PlaceGroupDef* group = find(before)) group->id = now;
 }
 
 void Place::setBodies(const SetBodies& set, const World& world) {
@@ -235,6 +253,7 @@ PlaceDefinition Place::definition(const WorldDef& began, const World& world) con
         place.def.groups.push_back(group.def);
         renumberAreas(place.def.groups.back().orders, place.areas);
         place.groups.push_back(group.id.value);
+        putCharacters(place, group, world);
     }
     for (const SetParameter& set : parameters_) (void)setParameter(place.def.parameters, set.name, set.value);
     return place;

@@ -24,6 +24,7 @@ struct PlaceDefinition {
     std::vector<std::uint32_t> checkpoints;
     std::vector<std::uint32_t> groups;
     std::vector<std::uint32_t> areas;
+    std::vector<std::uint32_t> characters;  ///< 0 for those of a group that has other numbers of people.
 };
 
 /// Obstacles, patches, items, checkpoints and areas are those of the world. How groups start, and parameters,
@@ -36,10 +37,14 @@ public:
     void beginAgain(const PlaceDefinition& before);
     /// The world has carried out this edit.
     void apply(const CommandBody& edit, const World& world);
+    /// A group that was removed has come back with a new id.
+    void add(GroupId id, const GroupDef& def);
+    /// A group has come back to the world with another id.
+    void follow(GroupId before, GroupId now);
 
     /// True where something was edited.
     bool edited() const { return edited_; }
-    /// Its groups, in the order of their ids.
+    /// Its groups, in the order in which they came.
     const std::vector<PlaceGroupDef>& groups() const { return groups_; }
     /// The group of that id; null where the place has none.
     const PlaceGroupDef* group(GroupId id) const;

@@ -1,5 +1,5 @@
-// What directors do, kept with what takes it back: edits of the place, which are carried out step by step,
-// and acts that direct groups.
+// What directors do, kept with the definition before and after it: edits of the place, which are carried out
+// step by step, and acts that direct groups.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,26 @@
 
 #include "muster/command.h"
 #include "muster/world.h"
+#include "studio/session/history/commands_between.h"
+#include "studio/session/history/drags.h"
 #include "studio/session/history/place.h"
-#include "studio/session/history/place_edit.h"
+#include "studio/session/history/step_births.h"
+#include "studio/session/history/step_record.h"
 #include "studio/session/inbox/protocol.h"
 
 namespace muster {
+
+/// What one step of a director's history does.
+struct HistoryStep {
+    std::string label;            ///< For people: "Move wall".
+    std::uint32_t gesture = 0;    ///< Edits with the same number are one step; 0: alone.
+    bool directs = false;         ///< It directs groups, and leaves the place as it is.
+    std::uint32_t step = 0;       ///< Of the world, when it was last done.
+    std::uint32_t arrival = 0;    ///< Rises with everything that is done, by whomever.
+    std::vector<PartKey> slides;  ///< What it sets, where a slider may set it again and again.
+    Difference difference;
+    std::size_t bytes = 0;  ///< About how large it is in a history.
+};
 
 /// The place, the edits that wait for the next step, and each director's history.
 class PlaceEditor {
@@ -23,13 +38,15 @@ public:
     /// A step of a history whose commands were given to the world.
     struct Given {
         std::uint32_t client = 0;
-        PlaceStep step;
-        std::vector<std::uint32_t> sequences;  ///< Of the commands, one for each change.
+        HistoryStep step;
+        LeadingBatch batch;
+        std::vector<Concern> concerns;         ///< Of each command, where it is done for the first time.
+        std::vector<std::uint32_t> sequences;  ///< Of the commands; of the message that ends a drag.
         /// Follow: it belongs to the step before, which needed to know ids first.
         enum class Way : std::uint8_t { Do, Undo, Redo, Follow } way = Way::Do;
-        std::uint32_t arrival = 0;   ///< Rises with everything that directors ask for.
-        CrowdCommands crowdChanges;  ///< Those of its changes of the crowd; they come after the changes.
-        std::vector<std::uint32_t> changeSequences;  ///< Of these commands.
+        std::uint32_t arrival = 0;  ///< Rises with everything that directors ask for.
+        std::uint32_t drag = 0;     ///< Number of the drag to which it belongs; 0 for none.
+        bool endsDrag = false;      ///< It is the whole of a drag.
     };
 
     /// Another world began: all histories end.
@@ -52,18 +69,18 @@ public:
     /// True where what would be taken back, or done again, directs groups.
     bool nextDirects(std::uint32_t client, bool redo) const;
     /// These commands of a director were given to the world for the next step, beginning with that number.
-    /// Those that can be taken back become one step of the history.
+    /// Together they become one step of the history; touches become one with all of their drag.
     void acted(std::uint32_t client, const std::vector<CommandBody>& bodies, std::uint32_t firstSequence,
                const World& world);
     /// True where the step that is made may change a history.
-    bool acts() const { return !acts_.empty(); }
+    bool acts() const { return births_.begun(); }
     /// True where what the director takes back, or does again, waits for the next step.
     bool undoWaits(std::uint32_t client) const;
     /// True where an edit waits.
     bool waits() const { return !waiting_.empty(); }
     std::size_t waiting() const { return waiting_.size(); }
     /// The edits that can be carried out together now, those that name a thing again wait on. The caller
-    /// gives their `redo` commands to the world and adds the numbers; or drops the edit.
+    /// gives the commands to the world and adds the numbers; or drops the edit.
     std::vector<Given> due(const World& world);
     /// The world has made its step: what it accepted goes into the place and the histories.
     void carriedOut(std::vector<Given> given, const World& world);
@@ -76,66 +93,61 @@ private:
     struct Waiting {
         std::uint32_t client = 0;
         Given::Way way = Given::Way::Do;
-        PlaceStep step;          // For Do: its changes have no `undo` yet.
-        bool fetched = false;    // It is out of the history.
-        bool behindAct = false;  // Acts of the director in the step that is made come first.
+        HistoryStep step;
+        std::vector<CommandBody> bodies;  // For Do.
+        std::vector<FreshGroup> fresh;    // For Follow.
+        bool fetched = false;             // It is out of the history.
+        bool behindAct = false;           // Acts of the director in the step that is made come first.
         std::uint32_t arrival = 0;
-        CrowdCommands commands;  // For Follow.
     };
     /// The steps of a history, once all that waits is carried out.
     struct Foreseen {
-        std::vector<const PlaceStep*> done, undone;
+        std::vector<const HistoryStep*> done, undone;
     };
     struct History {
-        std::deque<PlaceStep> done, undone;
+        std::deque<HistoryStep> done, undone;
     };
 
     Status wait(Waiting wanted);
     Foreseen foresee(std::uint32_t client) const;
-    void complete(PlaceStep& step, const World& world) const;
     bool fetch(Waiting& waiting);
     bool ready(Waiting& waiting, Given& given, const World& world);
-    bool keepsWaiting(const Waiting& waiting, const std::vector<Thing>& touched) const;
-    void keep(Given& given);
-    void renameEverywhere(Thing from, std::uint32_t to);
-    std::vector<std::uint32_t> goneThings(ThingKind kind, const std::vector<std::uint32_t>& ids);
-    template <class Change>
-    void eachStep(Change change) {
-        for (auto& [client, history] : histories_) {
-            for (PlaceStep& step : history.done) change(step);
-            for (PlaceStep& step : history.undone) change(step);
-        }
-        for (Waiting& waiting : waiting_) change(waiting.step);
-    }
+    void takeOutOfOthers(std::uint32_t client, HistoryStep& step);
+    std::vector<Thing> thingsOf(const Waiting& waiting);
+    std::vector<Thing> thingsOf(const std::vector<CommandBody>& bodies, const std::vector<Concern>& concerns);
+    void addAct(std::uint32_t client, std::vector<CommandBody> bodies, std::vector<std::uint32_t> sequences,
+                std::uint32_t drag, const World& world);
+    void endDrag(std::uint32_t client, std::uint32_t drag, std::uint32_t sequence, const World& world);
 
-    // Acts (place_editor_acts.cpp).
-    void addCrowdChange(Given& act, const CommandBody& body, std::uint32_t sequence, const World& world);
-    void addQueueChange(Given& act, GroupId group, const CommandBody& body, std::uint32_t sequence,
-                        const World& world);
-    PlaceChange actChange(const Given& act, const CommandBody& body, const World& world) const;
-    void nameOrders(std::vector<Given>& given, const World& world);
-    void finishCrowdChanges(Given& one, std::vector<Event>& added, const World& world);
-    void follow(const Given& one, const DivisionChange& crowdChange, const World& world);
-    bool isRefused(const Given& one, std::uint32_t sequence, const World& world) const;
-    bool joinsAct(const PlaceStep& last, const PlaceStep& next) const;
+    // What a step has brought (place_editor_steps.cpp).
+    void finish(Given& one, const World& world);
+    void finishAct(Given& one, const World& world);
+    void finishLead(Given& one, const World& world);
+    std::vector<std::size_t> accepted(const Given& one, const World& world) const;
+    std::vector<FreshGroup> bindBirths(const Given& one, const std::vector<std::size_t>& accepted,
+                                       const World& world);
+    void applyToPlace(const Given& one, const std::vector<std::size_t>& accepted, const World& world);
+    void keep(Given& given);
 
     Place place_;
+    Names names_;
     std::map<std::uint32_t, History> histories_;  // By client number.
     std::deque<Waiting> waiting_;
-    std::vector<std::uint32_t> highest_;     // Ids before the step, by ThingKind.
-    std::vector<Given> acts_;                // Of the step that is about to be made.
-    std::map<GroupId, QueueState> planned_;  // Queues as these acts leave them.
+    std::vector<Given> acts_;  // Of the step that is about to be made.
+    StepRecord record_;        // What these change.
+    StepBirths births_;
+    Drags drags_;
     std::uint32_t lastArrival_ = 0;
-    std::uint32_t lastGone_ = kGoneThings;
-    std::uint32_t lastUnnamed_ = kUnnamedOrders;
     std::uint32_t revision_ = 1;
 };
 
-/// True where the command can be taken back. Fingers cannot: what they move is moved.
+/// True where the command can be taken back by itself. Fingers cannot: what they drag can, as a whole.
 bool canTakeBack(const CommandBody& body);
 /// What the commands of one message do: "Move", "Change shape".
 std::string actLabel(std::span<const CommandBody> bodies, const World& world);
 /// True for what a slider sends, again and again.
 bool isContinuous(const CommandBody& body);
+/// True where both are of one gesture, or of one slider, and are taken back together.
+bool joins(const HistoryStep& last, const HistoryStep& next);
 
 }  // namespace muster

@@ -96,17 +96,13 @@ void Session::Impl::submitEdits() {
         });
         if (found == clients.end()) return true;
         SessionClient& client = found->second;
-        std::vector<CommandBody> bodies;
-        for (const PlaceChange& change : given.step.changes) bodies.push_back(change.redo);
-        const std::size_t changes = bodies.size();
-        bodies.insert(bodies.end(), given.crowdChanges.bodies.begin(), given.crowdChanges.bodies.end());
+        std::vector<CommandBody> bodies = given.batch.bodies;
         const std::uint32_t before = client.sequence;
         if (const Status status = submit(client, bodies, false); !status.ok()) {
             notice(client, protocol::NoticeLevel::Error, "Edit", status.message());
             return true;
         }
-        for (std::uint32_t s = before + 1; s <= client.sequence; ++s)
-            (s - before <= changes ? given.sequences : given.changeSequences).push_back(s);
+        for (std::uint32_t s = before + 1; s <= client.sequence; ++s) given.sequences.push_back(s);
         return false;
     });
 }
@@ -114,10 +110,11 @@ void Session::Impl::submitEdits() {
 // Commands that direct groups are given at once, and remembered so that they can be taken back.
 Status Session::Impl::act(SessionClient& client, std::vector<CommandBody> bodies) {
     const std::uint32_t before = client.sequence;
-    const bool takesBack = std::any_of(bodies.begin(), bodies.end(), canTakeBack);
-    const std::vector<CommandBody> kept = takesBack ? bodies : std::vector<CommandBody>();
+    for (CommandBody& body : bodies)  // It tells fingers which group they hold.
+        if (Status mine = directors.admit(client.number, body); !mine.ok()) return mine;
+    const std::vector<CommandBody> kept = bodies;
     Status status = submit(client, bodies);
-    if (status.ok() && takesBack) editor.acted(client.number, kept, before + 1, *world);
+    if (status.ok()) editor.acted(client.number, kept, before + 1, *world);
     return status;
 }
 

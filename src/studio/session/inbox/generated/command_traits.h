@@ -15,56 +15,57 @@ struct CommandTraits {
     bool directs;       ///< It directs a group: a director may send it.
     bool edits;         ///< It edits the place.
     bool slides;        ///< A slider sends many of them, which count as one.
+    bool queues;        ///< It changes the queue of its group in a way that only the world knows.
 };
 
 inline constexpr std::array<CommandTraits, std::variant_size_v<CommandKinds>> kCommandTraits{{
-    {"", false, false, false, false},               // TouchDown
-    {"", false, false, false, false},               // TouchMove
-    {"", false, false, false, false},               // TouchUp
-    {"", false, false, false, false},               // TouchCancel
-    {"", false, false, false, false},               // AddControl
-    {"Pin", true, false, false, false},             // PinControl
-    {"", false, false, false, false},               // RemoveControl
-    {"", false, false, false, false},               // ReleaseClient
-    {"Change shape", true, true, true, false},      // SetFormation
-    {"People", true, false, true, true},            // SetCount
-    {"Place group", true, true, false, false},      // SetPose
-    {"Add group", true, true, true, false},         // AddGroup
-    {"Remove group", true, false, true, false},     // RemoveGroup
-    {"", true, false, true, false},                 // AddObstacle
-    {"", true, false, true, false},                 // ChangeObstacle
-    {"", true, false, true, false},                 // RemoveObstacle
-    {"", true, false, true, false},                 // AddPatch
-    {"", true, false, true, false},                 // ChangePatch
-    {"", true, false, true, false},                 // RemovePatch
-    {"Setting", true, false, true, true},           // SetParameter
-    {"", true, true, false, false},                 // GiveOrder
-    {"", true, true, false, false},                 // EditQueue
-    {"", true, true, true, true},                   // SetConduct
-    {"Add people", true, true, false, false},       // AddCharacters
-    {"Remove people", true, true, false, false},    // RemoveCharacters
-    {"Transfer people", true, true, false, false},  // TransferCharacters
-    {"Split", true, true, false, false},            // SplitGroup
-    {"Merge", true, true, false, false},            // MergeGroups
-    {"Bodies", true, true, true, false},            // SetBodies
-    {"Roles", true, true, true, false},             // SetRoles
-    {"Demands", true, true, true, true},            // SetDemands
-    {"", true, false, false, false},                // SetDriver
-    {"", true, false, false, false},                // WriteMotion
-    {"", true, false, true, false},                 // AddItem
-    {"", true, false, true, false},                 // ChangeItem
-    {"", true, false, true, false},                 // RemoveItem
-    {"", true, false, true, false},                 // AddCheckpoint
-    {"", true, false, true, false},                 // ChangeCheckpoint
-    {"", true, false, true, false},                 // RemoveCheckpoint
-    {"", true, false, true, false},                 // PlaceGroup
-    {"", true, false, true, false},                 // NameGroup
-    {"", true, false, true, false},                 // ColourGroup
-    {"", true, false, true, false},                 // SetAppearance
-    {"", true, false, true, false},                 // PutArea
-    {"", true, false, true, false},                 // RemoveArea
-    {"", true, false, true, false},                 // SetPeople
-    {"Reverse orders", true, true, false, false},   // ReverseQueue
+    {"", false, false, false, false, false},               // TouchDown
+    {"", false, false, false, false, false},               // TouchMove
+    {"", false, false, false, false, false},               // TouchUp
+    {"", false, false, false, false, false},               // TouchCancel
+    {"", false, false, false, false, false},               // AddControl
+    {"Pin", true, false, false, false, false},             // PinControl
+    {"", false, false, false, false, false},               // RemoveControl
+    {"", false, false, false, false, false},               // ReleaseClient
+    {"Change shape", true, true, true, false, false},      // SetFormation
+    {"People", true, false, true, true, false},            // SetCount
+    {"Place group", true, true, false, false, false},      // SetPose
+    {"Add group", true, true, true, false, false},         // AddGroup
+    {"Remove group", true, false, true, false, false},     // RemoveGroup
+    {"", true, false, true, false, false},                 // AddObstacle
+    {"", true, false, true, false, false},                 // ChangeObstacle
+    {"", true, false, true, false, false},                 // RemoveObstacle
+    {"", true, false, true, false, false},                 // AddPatch
+    {"", true, false, true, false, false},                 // ChangePatch
+    {"", true, false, true, false, false},                 // RemovePatch
+    {"Setting", true, false, true, true, false},           // SetParameter
+    {"", true, true, false, false, false},                 // GiveOrder
+    {"", true, true, false, false, false},                 // EditQueue
+    {"", true, true, true, true, false},                   // SetConduct
+    {"Add people", true, true, false, false, false},       // AddCharacters
+    {"Remove people", true, true, false, false, false},    // RemoveCharacters
+    {"Transfer people", true, true, false, false, false},  // TransferCharacters
+    {"Split", true, true, false, false, false},            // SplitGroup
+    {"Merge", true, true, false, false, false},            // MergeGroups
+    {"Bodies", true, true, true, false, false},            // SetBodies
+    {"Roles", true, true, true, false, false},             // SetRoles
+    {"Demands", true, true, true, true, false},            // SetDemands
+    {"", true, false, false, false, false},                // SetDriver
+    {"", true, false, false, false, false},                // WriteMotion
+    {"", true, false, true, false, false},                 // AddItem
+    {"", true, false, true, false, false},                 // ChangeItem
+    {"", true, false, true, false, false},                 // RemoveItem
+    {"", true, false, true, false, false},                 // AddCheckpoint
+    {"", true, false, true, false, false},                 // ChangeCheckpoint
+    {"", true, false, true, false, false},                 // RemoveCheckpoint
+    {"", true, false, true, false, false},                 // PlaceGroup
+    {"", true, false, true, false, false},                 // NameGroup
+    {"", true, false, true, false, false},                 // ColourGroup
+    {"", true, false, true, false, false},                 // SetAppearance
+    {"", true, false, true, false, false},                 // PutArea
+    {"", true, false, true, false, false},                 // RemoveArea
+    {"", true, false, true, false, false},                 // SetPeople
+    {"Reverse orders", true, true, false, false, true},    // ReverseQueue
 }};
 
 /// The traits of a command.

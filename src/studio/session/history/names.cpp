@@ -1,0 +1,123 @@
+#include "studio/session/history/names.h"
+
+namespace muster {
+namespace {
+
+constexpr std::uint32_t kNowhere = 0xFFFFFFFFu;  // Nothing has this id.
+
+template <class Visit>
+void visitOrder(Order& order, const Visit& visit) {
+    visit(ThingKind::Group, order.group.value);
+    visit(ThingKind::Character, order.character);
+    visit(ThingKind::Area, order.area.value);
+    for (AreaId& exit : order.exits) visit(ThingKind::Area, exit.value);
+}
+
+/// Calls `visit(kind, id)` for all ids that a command has.
+template <class Visit>
+struct IdVisitor {
+    const Visit& visit;
+
+    void operator()(ChangeObstacle& c) const { visit(ThingKind::Obstacle, c.id.value); }
+    void operator()(RemoveObstacle& c) const { visit(ThingKind::Obstacle, c.id.value); }
+    void operator()(ChangePatch& c) const { visit(ThingKind::Patch, c.id.value); }
+    void operator()(RemovePatch& c) const { visit(ThingKind::Patch, c.id.value); }
+    void operator()(ChangeItem& c) const { visit(ThingKind::Item, c.id.value); }
+    void operator()(RemoveItem& c) const { visit(ThingKind::Item, c.id.value); }
+    void operator()(AddCheckpoint& c) const { visit(ThingKind::Group, c.group.value); }
+    void operator()(ChangeCheckpoint& c) const {
+        visit(ThingKind::Checkpoint, c.id.value);
+        visit(ThingKind::Group, c.group.value);
+    }
+    void operator()(RemoveCheckpoint& c) const { visit(ThingKind::Checkpoint, c.id.value); }
+    void operator()(PutArea& c) const {
+        visit(ThingKind::Area, c.id.value);
+        visit(ThingKind::Group, c.group.value);
+    }
+    void operator()(RemoveArea& c) const { visit(ThingKind::Area, c.id.value); }
+    void operator()(AddGroup& c) const {
+        for (Order& order : c.group.orders) visitOrder(order, visit);
+    }
+    void operator()(GiveOrder& c) const {
+        visit(ThingKind::Group, c.group.value);
+        visitOrder(c.order, visit);
+    }
+    void operator()(EditQueue& c) const {
+        visit(ThingKind::Group, c.group.value);
+        visit(ThingKind::Order, c.order);
+    }
+    void operator()(MergeGroups& c) const {
+        for (GroupId& group : c.groups) visit(ThingKind::Group, group.value);
+    }
+    template <class Body>
+    void operator()(Body& c) const {
+        if constexpr (requires { c.group.value; }) visit(ThingKind::Group, c.group.value);
+        if constexpr (requires { c.ids; })
+            for (std::uint32_t& id : c.ids) visit(ThingKind::Character, id);
+    }
+};
+
+/// Names of characters and orders are their ids, until they come back. Histories hold so many of them, and
+/// none outlasts a new beginning, that only others are listed.
+bool isListed(ThingKind kind) {
+    return kind != ThingKind::Character && kind != ThingKind::Order && kind != ThingKind::Parameter;
+}
+
+}  // namespace
+
+std::uint32_t Names::nameOf(ThingKind kind, std::uint32_t id) {
+    if (id == 0) return 0;
+    Table& of = table(kind);
+    if (const auto found = of.names.find(id); found != of.names.end()) return found->second;
+    const std::uint32_t name = of.ids.contains(id) ? ++last_ : id;
+    if (name != id || isListed(kind)) bind(kind, name, id);
+    return name;
+}
+
+std::uint32_t Names::idOf(ThingKind kind, std::uint32_t name) const {
+    const auto found = table(kind).ids.find(name);
+    return found == table(kind).ids.end() ? name : found->second;
+}
+
+void Names::bind(ThingKind kind, std::uint32_t name, std::uint32_t id) {
+    Table& of = table(kind);
+    if (const auto before = of.ids.find(name); before != of.ids.end()) of.names.erase(before->second);
+    of.ids[name] = id;
+    of.names[id] = name;
+}
+
+void Names::renumber(ThingKind kind, const std::vector<std::uint32_t>& ids) {
+    Table next;
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+        if (ids[k] == 0) continue;
+        const std::uint32_t name = nameOf(kind, ids[k]);
+        next.ids[name] = static_cast<std::uint32_t>(k + 1);
+        next.names[static_cast<std::uint32_t>(k + 1)] = name;
+    }
+    for (const auto& [name, id] : table(kind).ids) next.ids.try_emplace(name, kNowhere);
+    table(kind) = std::move(next);
+}
+
+void Names::clear() {
+    tables_ = {};
+}
+
+void Names::toNames(CommandBody& body) {
+    const auto visit = [&](ThingKind kind, std::uint32_t& id) { id = nameOf(kind, id); };
+    std::visit(IdVisitor<decltype(visit)>{visit}, body);
+}
+
+void Names::toIds(CommandBody& body) const {
+    const auto visit = [&](ThingKind kind, std::uint32_t& id) { id = idOf(kind, id); };
+    std::visit(IdVisitor<decltype(visit)>{visit}, body);
+}
+
+void Names::toNames(Order& order) {
+    visitOrder(order, [&](ThingKind kind, std::uint32_t& id) { id = nameOf(kind, id); });
+}
+
+void Names::toIds(Order& order) const {
+    visitOrder(order, [&](ThingKind kind, std::uint32_t& id) { id = idOf(kind, id); });
+}
+
+}  // namespace muster

@@ -1,0 +1,176 @@
+// What the world says, in the words of the commands that set it.
+#include <algorithm>
+
+#include "base/maths.h"
+#include "engine/ground/environment/environment.h"
+#include "engine/world/inspect.h"
+#include "muster/parameter_table.h"
+#include "studio/session/history/definition.h"
+
+namespace muster {
+namespace {
+
+using Said = std::optional<CommandBody>;
+
+template <class AnyId>
+std::optional<std::size_t> indexOfId(std::span<const AnyId> ids, AnyId id) {
+    const auto at = std::lower_bound(ids.begin(), ids.end(), id);
+    if (at == ids.end() || *at != id) return std::nullopt;
+    return static_cast<std::size_t>(at - ids.begin());
+}
+
+/// A group that begins as it is now.
+GroupDef wholeGroup(const World& world, std::size_t g) {
+    const GroupView view = world.group(g);
+    GroupDef def = inspect::groupDef(world, g);
+    def.formation = inspect::ownFormation(world, g);
+    def.position = view.pose.position;
+    def.angle = arcTangent2(view.pose.rotation.s, view.pose.rotation.c);
+    def.jitter = 0.0;
+    def.starts.clear();
+    def.bodies.clear();
+    for (const std::int32_t member : view.members) {
+        def.starts.push_back(world.characters().position[static_cast<std::size_t>(member)]);
+        def.bodies.push_back(world.characters().body[static_cast<std::size_t>(member)]);
+    }
+    def.count = static_cast<std::int32_t>(def.starts.size());
+    def.orders.clear();
+    for (const QueuedOrder& order : view.orders) def.orders.push_back(order.order);
+    def.patrols = view.patrols;
+    return def;
+}
+
+/// What a definition of a group says.
+struct OfGroup {
+    const GroupDef& def;
+
+    Said operator()(const NameGroup& c) const { return NameGroup{c.group, def.name}; }
+    Said operator()(const ColourGroup& c) const { return ColourGroup{c.group, def.colour}; }
+    Said operator()(const SetAppearance& c) const { return SetAppearance{c.group, def.build, def.motions}; }
+    Said operator()(const SetPeople& c) const { return SetPeople{c.group, def.people}; }
+    Said operator()(const SetFormation& c) const { return SetFormation{c.group, def.formation}; }
+    Said operator()(const SetConduct& c) const { return SetConduct{c.group, def.conduct}; }
+    Said operator()(const SetRoles& c) const { return SetRoles{c.group, def.roles}; }
+    Said operator()(const SetDemands& c) const { return SetDemands{c.group, def.demands}; }
+    Said operator()(const SetCount& c) const { return SetCount{c.group, def.count}; }
+    Said operator()(const PlaceGroup& c) const { return PlaceGroup{c.group, def.position, def.angle}; }
+    template <class Other>
+    Said operator()(const Other&) const {
+        return {};
+    }
+};
+
+/// One function for each kind of command that sets a property or removes a thing.
+struct Present {
+    const World& world;
+    const Place& place;
+    const Environment& ground = inspect::environment(world);
+
+    Said operator()(const ChangeObstacle& c) const { return obstacle(c.id); }
+    Said operator()(const RemoveObstacle& c) const { return obstacle(c.id); }
+    Said operator()(const ChangePatch& c) const { return patch(c.id); }
+    Said operator()(const RemovePatch& c) const { return patch(c.id); }
+    Said operator()(const ChangeItem& c) const { return item(c.id); }
+    Said operator()(const RemoveItem& c) const { return item(c.id); }
+    Said operator()(const ChangeCheckpoint& c) const { return checkpoint(c.id); }
+    Said operator()(const RemoveCheckpoint& c) const { return checkpoint(c.id); }
+    Said operator()(const PutArea& c) const { return area(c.id); }
+    Said operator()(const RemoveArea& c) const { return area(c.id); }
+    Said operator()(const RemoveGroup& c) const {
+        return onGroup(c.group,
+                       [&](std::size_t g, const GroupDef&) { return AddGroup{wholeGroup(world, g)}; });
+    }
+    Said operator()(const PlaceGroup& c) const {
+        const auto pose = (*this)(SetPose{c.group, {}, 0.0});
+        if (!pose) return {};
+        const auto& [group, position, angle] = std::get<SetPose>(*pose);
+        return PlaceGroup{group, position, angle};
+    }
+    Said operator()(const SetFormation& c) const {
+        return onGroup(c.group, [&](std::size_t g, const GroupDef&) {
+            return SetFormation{c.group, inspect::ownFormation(world, g)};
+        });
+    }
+    Said operator()(const SetPose& c) const {
+        return onGroup(c.group, [&](std::size_t g, const GroupDef&) {
+            const Pose pose = world.group(g).pose;
+            return SetPose{c.group, pose.position, arcTangent2(pose.rotation.s, pose.rotation.c)};
+        });
+    }
+    Said operator()(const PinControl& c) const {
+        const auto g = inspect::indexOfGroup(world, c.group);
+        if (!g) return {};
+        for (const Control& control : world.group(*g).controls)
+            if (control.id == c.control) return PinControl{c.group, c.control, control.pinned};
+        return {};
+    }
+    Said operator()(const SetParameter& c) const {
+        for (const ParameterInfo& info : parameterTable())
+            if (c.name == info.name) return SetParameter{c.name, info.get(world.parameters())};
+        return {};
+    }
+    template <class Other>
+    Said operator()(const Other& c) const {
+        if constexpr (requires { c.group.value; })
+            return onGroup(c.group, [&](std::size_t, const GroupDef& def) { return OfGroup{def}(c); });
+        return {};
+    }
+
+private:
+    Said obstacle(ObstacleId id) const {
+        const ObstacleDef* def = ground.obstacle(id);
+        return def == nullptr ? Said() : ChangeObstacle{id, *def};
+    }
+    Said patch(PatchId id) const {
+        const PatchDef* def = ground.patch(id);
+        return def == nullptr ? Said() : ChangePatch{id, *def};
+    }
+    Said item(ItemId id) const {
+        const auto at = indexOfId(world.itemIds(), id);
+        return at ? ChangeItem{id, world.items()[*at]} : Said();
+    }
+    Said checkpoint(CheckpointId id) const {
+        const auto at = indexOfId(world.checkpointIds(), id);
+        return at ? ChangeCheckpoint{id, world.checkpoints()[*at], world.checkpointGroups()[*at]} : Said();
+    }
+    Said area(AreaId id) const {
+        for (std::size_t a = 0; a < world.areaCount() && id; ++a)
+            if (const AreaView view = world.area(a); view.id == id) return PutArea{id, view.def, view.group};
+        return {};
+    }
+    template <class Make>
+    Said onGroup(GroupId id, Make make) const {
+        const auto g = inspect::indexOfGroup(world, id);
+        return g ? Said(make(*g, inspect::groupDef(world, *g))) : Said();
+    }
+};
+
+/// The group of which the command says something; none for other commands.
+struct GroupSaid {
+    template <class Body>
+    GroupId operator()(const Body& c) const {
+        if constexpr (requires { c.group.value; }) return c.group;
+        return {};
+    }
+};
+
+}  // namespace
+
+Said presentPart(const CommandBody& asked, const World& world, const Place& place) {
+    return std::visit(Present{world, place}, asked);
+}
+
+Said startPart(const CommandBody& asked, const Place& place) {
+    const PlaceGroupDef* const group = place.group(std::visit(GroupSaid{}, asked));
+    return group == nullptr ? Said() : std::visit(OfGroup{group->def}, asked);
+}
+
+MemberState presentMember(std::uint32_t id, const World& world, Names& names) {
+    const CharactersView all = world.characters();
+    const auto at = indexOfId(all.id, id);
+    if (!at) return {};
+    const GroupId group = world.group(all.group[*at]).id;
+    return {names.nameOf(ThingKind::Group, group.value), all.position[*at], all.body[*at]};
+}
+
+}  // namespace muster

@@ -1,0 +1,246 @@
+#include "studio/session/history/step_record.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/world/inspect.h"
+#include "studio/session/inbox/command_text.h"
+
+namespace muster {
+namespace {
+
+/// The same property of how the group starts.
+PartKey startKey(const CommandBody& body, Names& names) {
+    PartKey key = keyOf(body, names);
+    key.thing.kind = ThingKind::Start;
+    return key;
+}
+
+}  // namespace
+
+/// The difference that the commands of one act make.
+class StepRecord::Change {
+public:
+    Change(StepRecord& record, const Scene& scene, StepBirths& births)
+        : record_(record), scene_(scene), births_(births) {}
+
+    void add(const CommandBody& body, const Concern& concern) {
+        const std::vector<std::uint32_t> ids = births_.of(body, scene_.world);
+        if (setsPart(body)) say(body, ids);
+        if (concern.place) start(body);
+        if (const GroupId group = queueChangedBy(body)) order(group, body, ids);
+        if (const auto* remove = std::get_if<RemoveGroup>(&body)) {
+            remember(remove->group, concern.characters);
+            difference_.crews.back().start = concern.start;
+            return lookAtQueue(remove->group);
+        }
+        if (std::holds_alternative<AddGroup>(body)) return crew(ids);
+        for (const Concern::Part& part : concern.parts) look(part.asked, part.stays);
+        for (const GroupId group : concern.queues) lookAtQueue(group);
+        for (const std::uint32_t id : concern.characters) lookAtMember(id);
+        for (const GroupId group : concern.joined)
+            for (const std::uint32_t id : births_.newMembers(group, scene_.world)) lookAtMember(id);
+        if (std::holds_alternative<AddCharacters>(body))
+            for (const std::uint32_t id : ids) lookAtMember(id);
+        if (std::holds_alternative<SplitGroup>(body))
+            for (const std::uint32_t id : ids) lookAtPart(GroupId{id});
+    }
+
+    Difference take() {
+        std::stable_sort(members_.begin(), members_.end(), [](const MemberChange& a, const MemberChange& b) {
+            return a.character < b.character;
+        });
+        Difference whole;
+        join(whole, std::move(difference_));
+        // One that was looked at for two commands is what it was before the first of them.
+        for (MemberChange& member : members_) {
+            if (!whole.members.empty() && whole.members.back().character == member.character)
+                whole.members.back().after = member.after;
+            else
+                whole.members.push_back(member);
+        }
+        dropEqual(whole);
+        for (PartChange& part : whole.parts)
+            for (auto* said : {&part.before, &part.after})
+                if (auto* add = *said ? std::get_if<AddGroup>(&**said) : nullptr;
+                    add && !hasCrew(whole, part))
+                    empty(add->group);
+        return whole;
+    }
+
+private:
+    static bool hasCrew(const Difference& whole, const PartChange& part) {
+        return std::any_of(whole.crews.begin(), whole.crews.end(),
+                           [&](const Crew& crew) { return crew.group == part.key.thing.name; });
+    }
+    /// Its people come from other groups.
+    static void empty(GroupDef& def) {
+        def.count = 0;
+        def.starts.clear();
+        def.bodies.clear();
+        def.demands.clear();
+        def.orders.clear();
+        def.patrols = false;
+    }
+
+    std::uint32_t groupName(GroupId group) const {
+        return scene_.names.nameOf(ThingKind::Group, group.value);
+    }
+
+    void put(const PartKey& key, std::optional<CommandBody> after, bool stays) {
+        std::optional<CommandBody>& now = record_.parts_[key];
+        Difference one;
+        one.parts.push_back({key, now, after, stays});
+        join(difference_, std::move(one));
+        now = std::move(after);
+    }
+
+    /// The command says what the property is.
+    void say(const CommandBody& body, const std::vector<std::uint32_t>& ids) {
+        PartKey key = keyOf(body, scene_.names);
+        if (key.thing.name == 0) {
+            if (ids.empty()) return;
+            key.thing.name = scene_.names.nameOf(key.thing.kind, ids.front());
+        }
+        std::optional<CommandBody> said = saidBy(body, ids.empty() ? 0 : ids.front());
+        if (said) scene_.names.toNames(*said);
+        put(key, std::move(said), false);
+    }
+
+    /// The place says how the group starts.
+    void start(const CommandBody& body) {
+        std::optional<CommandBody> now = startPart(body, scene_.place);
+        if (!now) return;
+        scene_.names.toNames(*now);
+        put(startKey(body, scene_.names), std::move(now), false);
+    }
+
+    /// The world says it.
+    void look(const CommandBody& asked, bool stays) {
+        const PartKey key = keyOf(asked, scene_.names);
+        std::optional<CommandBody> now = presentPart(asked, scene_.world, scene_.place);
+        if (now) scene_.names.toNames(*now);
+        put(key, std::move(now), stays);
+    }
+
+    void putQueue(std::uint32_t group, QueueState after, bool stays) {
+        QueueState& now = record_.queues_[group];
+        Difference one;
+        one.queues.push_back({group, now, after, stays});
+        join(difference_, std::move(one));
+        now = std::move(after);
+    }
+
+    // The queue is what the command makes of it, whatever is done of it in the same step.
+    void order(GroupId group, CommandBody body, const std::vector<std::uint32_t>& ids) {
+        scene_.names.toNames(body);
+        QueueState after = record_.queues_[groupName(group)];
+        apply(after, body, ids.empty() ? 0 : scene_.names.nameOf(ThingKind::Order, ids.front()));
+        putQueue(groupName(group), std::move(after), false);
+    }
+
+    void lookAtQueue(GroupId group) {
+        QueueState after;
+        if (const auto g = inspect::indexOfGroup(scene_.world, group))
+            after = queueOf(scene_.world.group(*g));
+        toNames(after, scene_.names);
+        putQueue(groupName(group), std::move(after), true);
+    }
+
+    void lookAtMember(std::uint32_t id) {
+        const std::uint32_t name = scene_.names.nameOf(ThingKind::Character, id);
+        MemberState& now = record_.members_[name];
+        const MemberState after = presentMember(id, scene_.world, scene_.names);
+        if (after.group == 0 && births_.cameOrLeft(id)) return;
+        members_.push_back({name, now, after});
+        now = after;
+    }
+
+    /// A group that has come by a split.
+    void lookAtPart(GroupId part) {
+        look(RemoveGroup{part}, false);
+        for (const CommandBody& asked : propertiesOf(part)) look(asked, false);
+        lookAtQueue(part);
+    }
+
+    void crew(const std::vector<std::uint32_t>& ids) {
+        if (ids.empty()) return;
+        remember(GroupId{ids.front()}, births_.newMembers(GroupId{ids.front()}, scene_.world));
+        lookAtQueue(GroupId{ids.front()});
+    }
+
+    void remember(GroupId group, const std::vector<std::uint32_t>& ids) {
+        Crew crew{groupName(group), {}, {}};
+        for (const std::uint32_t id : ids)
+            crew.characters.push_back(scene_.names.nameOf(ThingKind::Character, id));
+        difference_.crews.push_back(std::move(crew));
+    }
+
+    StepRecord& record_;
+    const Scene& scene_;
+    StepBirths& births_;
+    Difference difference_;
+    std::vector<MemberChange> members_;
+};
+
+void StepRecord::readPart(const CommandBody& asked, const Scene& scene) {
+    const PartKey key = keyOf(asked, scene.names);
+    if (key.thing.name == 0 || parts_.contains(key)) return;
+    std::optional<CommandBody> now = presentPart(asked, scene.world, scene.place);
+    if (now) scene.names.toNames(*now);
+    parts_.emplace(key, std::move(now));
+}
+
+void StepRecord::readStart(const CommandBody& asked, const Scene& scene) {
+    std::optional<CommandBody> now = startPart(asked, scene.place);
+    if (!now) return;
+    scene.names.toNames(*now);
+    parts_.try_emplace(startKey(asked, scene.names), std::move(now));
+}
+
+void StepRecord::readQueue(GroupId group, const Scene& scene) {
+    const auto g = inspect::indexOfGroup(scene.world, group);
+    if (!g) return;
+    const auto [at, isNew] = queues_.try_emplace(scene.names.nameOf(ThingKind::Group, group.value));
+    if (!isNew) return;
+    at->second = queueOf(scene.world.group(*g));
+    toNames(at->second, scene.names);
+}
+
+Concern StepRecord::read(const CommandBody& body, const Scene& scene, bool place) {
+    Concern concern = concernOf(body, scene.world, place);
+    if (setsPart(body)) readPart(body, scene);
+    if (place) readStart(body, scene);
+    for (const Concern::Part& part : concern.parts) readPart(part.asked, scene);
+    if (const GroupId group = queueChangedBy(body)) readQueue(group, scene);
+    for (const GroupId group : concern.queues) readQueue(group, scene);
+    if (const auto* remove = std::get_if<RemoveGroup>(&body)) {
+        if (const PlaceGroupDef* start = scene.place.group(remove->group)) concern.start = start->def;
+        return concern;
+    }
+    for (const std::uint32_t id : concern.characters) {
+        const auto [at, isNew] = members_.try_emplace(scene.names.nameOf(ThingKind::Character, id));
+        if (isNew) at->second = presentMember(id, scene.world, scene.names);
+    }
+    return concern;
+}
+
+Difference StepRecord::changed(const std::vector<CommandBody>& bodies, const std::vector<Concern>& concerns,
+                               const Scene& scene, StepBirths& births) {
+    Change change(*this, scene, births);
+    for (std::size_t k = 0; k < bodies.size(); ++k) change.add(bodies[k], concerns[k]);
+    return change.take();
+}
+
+void StepRecord::assume(const Difference& difference) {
+    for (const PartChange& part : difference.parts)
+        if (!part.passed) parts_[part.key] = part.after;
+}
+
+void StepRecord::clear() {
+    parts_.clear();
+    queues_.clear();
+    members_.clear();
+}
+
+}  // namespace muster
