@@ -157,6 +157,26 @@ void apply(QueueState& queue, const CommandBody& body, std::uint32_t id) {
         queue.patrols = edit->edit == QueueEdit::Patrol;
 }
 
+namespace {
+
+/// Where the difference changes the order of those that stay, they stand among each other as in `to`.
+void arrange(QueueState& wanted, const QueueState& from, const QueueState& to) {
+    std::vector<std::uint32_t> before, after;
+    for (const QueuedOrder& order : from.orders)
+        if (orderOf(to, order.id) != nullptr) before.push_back(order.id);
+    for (const QueuedOrder& order : to.orders)
+        if (orderOf(from, order.id) != nullptr) after.push_back(order.id);
+    if (before == after) return;
+    std::vector<QueuedOrder> moved;
+    for (const std::uint32_t id : after)
+        if (const QueuedOrder* const order = orderOf(wanted, id)) moved.push_back(*order);
+    auto next = moved.begin();
+    for (QueuedOrder& order : wanted.orders)
+        if (std::find(after.begin(), after.end(), order.id) != after.end()) order = *next++;
+}
+
+}  // namespace
+
 QueueState merged(const QueueState& now, const QueueState& from, const QueueState& to) {
     const bool known = std::any_of(now.orders.begin(), now.orders.end(),
                                    [&](const QueuedOrder& one) { return orderOf(from, one.id) != nullptr; });
@@ -167,6 +187,7 @@ QueueState merged(const QueueState& now, const QueueState& from, const QueueStat
         if (is == nullptr && orderOf(from, order.id) != nullptr) continue;
         wanted.orders.push_back(is == nullptr ? order : *is);
     }
+    arrange(wanted, from, to);
     // From the last one on, so that each finds those that stand behind it.
     for (std::size_t k = to.orders.size(); k-- > 0;) {
         const QueuedOrder& order = to.orders[k];
