@@ -70,6 +70,37 @@ void warnOfQueue(const WarnedScene& scene, std::size_t k, double radius, Warning
     }
 }
 
+// A source that has room, but nobody to send.
+void warnOfIdleSource(const WarnedScene& scene, std::size_t k, double radius, WarningList& warnings) {
+    const AreaDef& area = scene.def.areas[k];
+    if (area.kind == AreaKind::Source && area.rate == 0.0 && area.timetable.empty() &&
+        hasRoom(scene, area, radius))
+        warnings.add(areaText(scene.def, k) + " has neither a rate nor a timetable: nobody comes");
+}
+
+// Exits that are all shut, although people are to leave.
+void warnOfShutExits(const WorldDef& def, WarningList& warnings) {
+    bool shut = false;
+    for (const AreaDef& area : def.areas) {
+        if (area.kind == AreaKind::Exit && area.open) return;
+        shut = shut || area.kind == AreaKind::Exit;
+    }
+    if (shut) warnings.add("every exit is shut: nobody leaves until a command opens one");
+}
+
+// Orders behind one that waits without end.
+void warnOfEndlessWaits(const WorldDef& def, WarningList& warnings) {
+    for (std::size_t g = 0; g < def.groups.size(); ++g) {
+        const std::vector<Order>& orders = def.groups[g].orders;
+        for (std::size_t k = 0; k + 1 < orders.size(); ++k) {
+            if (orders[k].kind != OrderKind::Wait || orders[k].seconds > 0.0) continue;
+            warnings.add("order " + std::to_string(k + 1) + " of " + groupText(def, g) +
+                         " waits without end: the orders behind it never begin");
+            break;
+        }
+    }
+}
+
 }  // namespace
 
 double WarnedScene::clearance(Vec2 p) const {
@@ -112,7 +143,10 @@ void warnOfAreas(const WarnedScene& scene, WarningList& warnings) {
     for (std::size_t k = 0; k < scene.def.areas.size() && !warnings.full(); ++k) {
         warnOfRoom(scene, k, radius, warnings);
         warnOfQueue(scene, k, radius, warnings);
+        warnOfIdleSource(scene, k, radius, warnings);
     }
+    warnOfShutExits(scene.def, warnings);
+    warnOfEndlessWaits(scene.def, warnings);
 }
 
 }  // namespace muster

@@ -57,8 +57,8 @@ bool hasRoom(const WarnedScene& scene, const AreaDef& area, double radius);
 
 /// Starts in obstacles, off the ground, and on top of others.
 void warnOfStarts(const WarnedScene& scene, WarningList& warnings);
-/// Exits and waiting areas that nobody can come into, sources that can send nobody, lines of people through
-/// obstacles.
+/// Exits and waiting areas that nobody can come into, sources that send nobody, lines of people through
+/// obstacles, exits that are all shut, orders behind a wait without end.
 void warnOfAreas(const WarnedScene& scene, WarningList& warnings);
 /// People who have no way to an exit of theirs or to their waiting area, because of their size or at all.
 void warnOfWays(const WarnedScene& scene, WarningList& warnings);

@@ -231,7 +231,7 @@ TEST_CASE("warnings name orders that lead nowhere") {
     def.areas = {area, area};
     def.areas[1].kind = AreaKind::Waiting;
     CHECK(scenarioWarnings(def).empty());
-    def.groups[0].orders = {Order::leave({AreaId{2}}), Order::wait(AreaId{1}), Order::wait(AreaId{2})};
+    def.groups[0].orders = {Order::leave({AreaId{2}}), Order::wait(AreaId{1}, 5.0), Order::wait(AreaId{2})};
     const auto warnings = scenarioWarnings(def);
     REQUIRE(warnings.size() == 2);
     CHECK(warnings[0] == "group \"Guests\" is to leave by area 2, which is no exit");

@@ -159,3 +159,20 @@ TEST_CASE("the joined sides of a ring are no walls") {
     def.obstacles.push_back(wallOf(19.8, 0, 19.9, 3));
     CHECK(scenarioWarnings(def).empty());
 }
+
+TEST_CASE("a source without people, exits that are all shut, and orders that never begin are named") {
+    WorldDef def = rooms();
+    def.areas.push_back(areaOf(AreaKind::Source, 1, 1, 3, 3));
+    CHECK(warningOf(def) == "source 2 has neither a rate nor a timetable: nobody comes");
+    def.areas[1].rate = 0.5;
+    CHECK(scenarioWarnings(def).empty());
+    def.areas[0].open = false;
+    CHECK(warningOf(def) == "every exit is shut: nobody leaves until a command opens one");
+    def.areas[0].open = true;
+    def.areas.push_back(areaOf(AreaKind::Waiting, 12, 3, 16, 7));
+    def.groups[0].orders = {Order::wait(AreaId{3}), Order::leave()};
+    CHECK(warningOf(def) ==
+          "order 1 of group 1 \"Guests\" waits without end: the orders behind it never begin");
+    def.groups[0].orders[0] = Order::wait(AreaId{3}, 5.0);
+    CHECK(scenarioWarnings(def).empty());
+}
