@@ -44,7 +44,12 @@ test('wrong commands are refused with the place of the fault', async () => {
   const muster = await engine.loadMuster();
   const world = muster.World.create(smallDef);
   const submit = (command) => () => world.submit(command);
-  refused('InvalidArgument', 'command.kind: found 46, expected a CommandKind, 0 to 45', submit({ kind: 46 }));
+  const { Count } = engine.CommandKind;
+  refused(
+    'InvalidArgument',
+    `command.kind: found ${Count}, expected a CommandKind, 0 to ${Count - 1}`,
+    submit({ kind: Count }),
+  );
   refused('InvalidArgument', 'command.kind: found nothing', submit({}));
   refused('InvalidArgument', 'command: found an array', submit([]));
   refused('InvalidArgument', 'command', submit(undefined));
