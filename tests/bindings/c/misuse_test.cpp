@@ -116,9 +116,9 @@ TEST_SUITE("misuse of the C API") {
         CHECK(lastError() == "command: SetFormation: formation: kind: found 200, expected 0 to 9");
         command.kind = MUSTER_COMMAND_COUNT;
         CHECK(muster_command_validate(&command) == MUSTER_INVALID_ARGUMENT);
-        const std::string count = std::to_string(MUSTER_COMMAND_COUNT),
-                          last = std::to_string(MUSTER_COMMAND_COUNT - 1);
-        CHECK(lastError() == "command: kind: found " + count + ", expected 0 to " + last);
+        const int kinds = MUSTER_COMMAND_COUNT;
+        CHECK(lastError() == "command: kind: found " + std::to_string(kinds) + ", expected 0 to " +
+                                 std::to_string(kinds - 1));
         CHECK(muster_world_create(&def, -1, &world) == MUSTER_INVALID_ARGUMENT);
         CHECK(lastError() == "threads: found -1, expected 0 to 256");
         BothWorlds both(makeDef());
