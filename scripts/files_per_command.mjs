@@ -8,7 +8,7 @@ import { join } from 'node:path';
 const words = process.argv.slice(2).filter((word) => word !== '--each');
 const folder = words[0] ?? '.';
 const kCounted = /^(src|include|bindings|apps|web\/src|protocol|schema|scripts\/capi)\/.*\.(h|cpp|c|ts|mjs|py|pyi|txt|json)$/;
-const kMade = /^(\/\/|\/\*|#|""") ?(Made|Generated|Written) by|\/generated\//;
+const kMade = /^(\/\/|\/\*|#|""") ?(Made|Generated|Written) by/;
 
 const names = (() => {
   const header = ['include/muster/generated/command_kinds.h', 'include/muster/command.h'].map((path) => join(folder, path)).find(existsSync);

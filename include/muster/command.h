@@ -16,16 +16,21 @@
 
 namespace muster {
 
+class CommandBody;
+
+/// One of the structs that a command may hold, such as TouchDown.
+template <class Kind>
+concept CommandKind = !std::derived_from<std::remove_cvref_t<Kind>, CommandBody> &&
+                      std::constructible_from<CommandKinds, Kind>;
+
 /// The body of a command: one of its kinds, for std::visit, std::get_if and the like. Copying, moving and
 /// destroying are compiled once in the library, since each of them takes one function for each kind.
 class CommandBody : public CommandKinds {
 public:
     CommandBody() : CommandKinds(std::in_place_index<0>) {}  ///< A TouchDown.
     /// Holds this kind.
-    template <class Kind>
-    requires(!std::derived_from<std::remove_cvref_t<Kind>, CommandBody> &&
-             std::constructible_from<CommandKinds, Kind>) CommandBody(Kind&& kind)
-        : CommandKinds(std::forward<Kind>(kind)) {}
+    template <CommandKind Kind>
+    CommandBody(Kind&& kind) : CommandKinds(std::forward<Kind>(kind)) {}
     /// Holds the kind of that index.
     template <std::size_t Index>
     explicit CommandBody(std::in_place_index_t<Index> kind) : CommandKinds(kind) {}
