@@ -20,6 +20,7 @@ function membersOf(field) {
       [`const ${item}* ${name}`, about(field)],
       [`int32_t ${singular(name)}Count`, 'Their number.'],
     ];
+  if (field.isOptional && definition(field.type)) return [[`const ${item}* ${name}`, about(field).replace(/\bnone\b/, 'null')]];
   if (field.isOptional && !isId(field.type)) {
     const [is, none = ''] = field.sentence.replace(/\.$/, '').split('; none for ');
     return [
@@ -61,13 +62,13 @@ ${text}
 
 function bodies() {
   const kinds = [
-    ...commands.map(({ name, number }) => ({ code: `MUSTER_COMMAND_${upperWords(name)} = ${number},`, about: `Its body is \`${lowerFirst(name)}\`.` })),
+    ...commands.map(({ name, index }) => ({ code: `MUSTER_COMMAND_${upperWords(name)} = ${index},`, about: `Its body is \`${lowerFirst(name)}\`.` })),
     { code: `MUSTER_COMMAND_COUNT = ${commands.length}`, about: 'Number of kinds.' },
   ];
   const members = commands.map(({ name }) => ({ code: `Muster${name} ${lowerFirst(name)};`, about: `For MUSTER_COMMAND_${upperWords(name)}.` }));
   return guard('COMMAND_BODIES', '#include "muster/c/world_def.h"', `${commands.map(struct).join('\n\n')}
 
-/// Kinds of commands. Numbers stay; new kinds are appended.
+/// Kinds of commands.
 typedef int32_t MusterCommandKind;
 /// Values of MusterCommandKind.
 enum MusterCommandKindValue {
@@ -96,6 +97,7 @@ function marshal(field) {
     if (field.isOptional) return `m.optionalChoice(${has}, ${both}, kLastOf<${type}>, "${name}");`;
     return `m.choice(${both}, kLastOf<${type}>, "${name}");`;
   }
+  if (field.isOptional && named) return `m.optionalPart(${both}, "${name}");`;
   if (field.isOptional) return `m.optional(${has}, ${both});`;
   return named === undefined || named.isPlainInC ? `m.plain(${both});` : `m.part(${both}, "${name}");`;
 }

@@ -1,5 +1,5 @@
 // The structs of commands in C++, what checks their fields, and what people are shown of them.
-import { commands } from './read.mjs';
+import { commands, formerCommands } from './read.mjs';
 import { aligned, call, docComment, kWidth, withUnit, listed } from './text.mjs';
 import { cppItem, definition, enumerated, isId, plain } from './types.mjs';
 
@@ -61,9 +61,72 @@ namespace muster {
 
 ${commands.map(struct).join('\n')}
 
-/// Every kind of change. The order of alternatives is part of the file format: append only.
+/// Every kind of change.
 using CommandKinds = std::variant<
 ${call('', commands.map(({ name }) => name), '>;', '    ').join('\n')}
+
+}  // namespace muster
+`;
+}
+
+/** The numbers of kinds in takes, in the order of a variant. */
+const numbers = (name, kinds) => `inline constexpr std::array<std::uint8_t, ${kinds.length}> ${name}{
+${call('', kinds.map(({ number }) => String(number)), '};', '    ').join('\n')}`;
+
+const kFormerBanner = kBanner.replace('commands.txt', 'former.txt');
+
+function formerHeader() {
+  return `${kFormerBanner}// Commands by the names that they had: each stands for the command that says the same, into which CommandBody makes it.
+#pragma once
+
+#include "muster/generated/command_kinds.h"
+
+namespace muster {
+
+class CommandBody;
+
+${formerCommands.map(struct).join('\n')}
+
+${formerCommands.map(({ name }) => `CommandBody converted(const ${name}& c);`.padEnd(52) + `///< The command that says the same.`).join('\n')}
+
+}  // namespace muster
+`;
+}
+
+function formerKinds() {
+  return `${kFormerBanner}// Any command by a name that it had, and what takes call it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <variant>
+
+#include "muster/generated/former_commands.h"
+
+namespace muster {
+
+/// Any of them.
+using FormerKinds = std::variant<
+${call('', formerCommands.map(({ name }) => name), '>;', '    ').join('\n')}
+
+/// What takes call each of them, in their order.
+${numbers('kFormerNumbers', formerCommands)}
+
+}  // namespace muster
+`;
+}
+
+function numbersHeader() {
+  return `${kBanner}// What takes call each kind of command.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace muster {
+
+/// The numbers of kinds, in the order of CommandKinds.
+${numbers('kCommandNumbers', commands)}
 
 }  // namespace muster
 `;
@@ -78,6 +141,7 @@ function checkOf(field) {
   const { type, range } = field;
   if (field.flags.has('unchecked') || isId(type) || type === 'text' || type === 'Colour' || type === 'bool') return null;
   const named = definition(type);
+  if (named?.check && field.isOptional) return `givenIn(${value}, [](const auto& def) { return ${named.check}(def${named.checkMore ?? ''}); })`;
   if (named?.checkAll) return `${named.checkAll}(${value})`;
   if (named?.check) return `${named.check}(${value}${named.checkMore ?? ''})`;
   if (field.isList) {
@@ -107,7 +171,7 @@ function validator(command) {
 /** A call that is too long for its line goes on below. */
 function wrapCall(text) {
   if (text.length + '        if (status.ok()) status = ;'.length <= kWidth) return text;
-  const at = text.lastIndexOf(', ', kWidth - 32);
+  const at = text.includes('[](') ? text.indexOf(', ') : text.lastIndexOf(', ', kWidth - 32);
   return `${text.slice(0, at + 1)}\n${' '.repeat(30 + text.indexOf('(') + 1)}${text.slice(at + 2)}`;
 }
 
@@ -222,6 +286,9 @@ export const cppFiles = () => ({
   'include/muster/generated/command_kinds.h': header(),
   'src/engine/state/generated/command_checks.cpp': checks(),
   'src/engine/state/generated/command_relations.h': relations(),
+  'src/engine/state/generated/command_numbers.h': numbersHeader(),
+  'src/engine/state/generated/former_kinds.h': formerKinds(),
+  'include/muster/generated/former_commands.h': formerHeader(),
   'src/engine/systems/commands/generated/command_functions.h': functions(),
   'src/studio/session/inbox/generated/command_traits.h': traits(),
 });

@@ -1,4 +1,4 @@
-// Reads the declarations in enumerations.txt and commands.txt (README.md tells their form).
+// Reads the declarations in enumerations.txt, commands.txt and former.txt (README.md tells their form).
 import { readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -39,10 +39,10 @@ function readRange(text) {
 }
 
 /** "command TouchDown 0 file down label "..." flags". */
-function readCommand(tokens, line, number) {
-  const command = { name: word(tokens, line, 'a name'), number, fields: [], sentence: '', file: '', label: '', flags: new Set() };
-  const found = word(tokens, line, 'a number');
-  if (found !== String(number)) fail(line, `found number ${found} for ${command.name}, expected ${number}`);
+function readCommand(tokens, line, index) {
+  const command = { name: word(tokens, line, 'a name'), index, number: 0, fields: [], sentence: '', file: '', label: '', flags: new Set() };
+  command.number = Number(word(tokens, line, 'a number'));
+  if (!(command.number >= 0 && command.number < 256)) fail(line, `found no number for ${command.name}, expected 0 to 255`);
   while (tokens.length > 0) {
     const next = word(tokens, line, 'a property');
     if (next === 'file') command.file = word(tokens, line, 'its word in files');
@@ -116,9 +116,18 @@ export const enumerations = readFile('enumerations.txt', 'enum', readEnumeration
   owner.values.push({ name, sentence: tokens.shift()?.text ?? fail(line, `found no sentence for ${name}`) });
 });
 
-export const commands = readFile('commands.txt', 'command', readCommand, (owner, tokens, line) => {
-  if (tokens[0].text !== undefined) owner.sentence = tokens[0].text;
-  else owner.fields.push(readField(tokens, line));
-});
-for (const { name, sentence, fields } of commands)
-  if (sentence === '' || fields.length === 0) throw new Error(`schema/commands.txt: ${name} needs a sentence and a field`);
+const readCommands = (name) =>
+  readFile(name, 'command', readCommand, (owner, tokens, line) => {
+    if (tokens[0].text !== undefined) owner.sentence = tokens[0].text;
+    else owner.fields.push(readField(tokens, line));
+  });
+
+export const commands = readCommands('commands.txt');
+export const formerCommands = readCommands('former.txt');
+
+const numbered = new Map();
+for (const { name, number, sentence, fields } of [...commands, ...formerCommands]) {
+  if (sentence === '' || fields.length === 0) throw new Error(`schema: ${name} needs a sentence and a field`);
+  if (numbered.has(number)) throw new Error(`schema: ${name} has the number ${number} of ${numbered.get(number)}, expected one of its own`);
+  numbered.set(number, name);
+}

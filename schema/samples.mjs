@@ -25,7 +25,7 @@ function statement(field) {
   return `            c.${name} = ${item(field)};`;
 }
 
-const kind = (command) => `        case ${command.number}: {
+const kind = (command) => `        case ${command.index}: {
             ${command.name} c;
 ${command.fields.map(statement).join('\n')}
             draw.relate(c);

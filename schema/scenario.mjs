@@ -1,5 +1,5 @@
 // The fields of commands in files of gestures and in messages of pages.
-import { commands } from './read.mjs';
+import { commands, formerCommands } from './read.mjs';
 import { call, kWidth, listed } from './text.mjs';
 import { kBanner } from './cpp.mjs';
 import { definition, enumerated, isId } from './types.mjs';
@@ -42,6 +42,7 @@ function describe(field) {
   if (field.flags.has('internal')) return [];
   if (name === 'time' && type === 'f64') return ['        c.time = time;'];
   if (named?.inline) return [`        ${named.inline.replace('#', value).replace('&', field.flags.has('required') ? 'Need::Required' : 'Need::Optional')};`];
+  if (named && field.isOptional) return line('maybe(', [`"${name}"`, value, about, `[](auto& inner, auto& def) { ${named.describe.replace('#', 'def')}; }`]);
   if (named) {
     const visit = named.visit ?? 'object';
     const inner = `            "${named.key ?? 'definition'}", "", [&](auto& inner) { ${named.describe.replace('#', value)}; },`;
@@ -82,6 +83,7 @@ function header() {
   return `${kBanner}// The fields of each kind of command in gesture files, except t, kind, client and step.
 #pragma once
 
+#include "engine/state/generated/former_kinds.h"
 #include "files/scenario/command_by_hand.h"
 
 namespace muster {
@@ -91,18 +93,33 @@ inline constexpr std::array kCommandWords{
 ${listed(commands.map(({ file }) => `"${file}"`), '};')}
 static_assert(kCommandWords.size() == std::variant_size_v<CommandKinds>);
 
+/// What older files call commands that worlds no longer have.
+inline constexpr std::array kFormerWords{
+${listed(formerCommands.map(({ file }) => `"${file}"`), '};')}
+static_assert(kFormerWords.size() == std::variant_size_v<FormerKinds>);
+
 /// Describes the fields of each kind of command to a visitor.
 template <class Visitor>
 struct BodyFields {
     Visitor& v;
     double& time;
 
-${commands.map(body).join('\n')}
+${[...commands, ...formerCommands].map(body).join('\n')}
 
 private:
     void spot(Vec2& p) {
         v.number("x", p.x, kCoordinate, "World coordinate.", Need::Required);
         v.number("y", p.y, kCoordinate, "World coordinate.", Need::Required);
+    }
+    /// A definition that may be left out.
+    template <class Def, class Describe>
+    void maybe(const char* key, std::optional<Def>& def, const char* about, const Describe& describe) {
+        if constexpr (Visitor::kReading || Visitor::kSchema) {
+            Def found;
+            if (v.object(key, about, [&](auto& inner) { describe(inner, found); })) def = std::move(found);
+        } else if (def) {
+            v.object(key, about, [&](auto& inner) { describe(inner, *def); });
+        }
     }
     template <class Tag>
     void ids(const char* key, std::vector<Id<Tag>>& list, std::size_t most, const char* about) {

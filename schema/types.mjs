@@ -21,6 +21,7 @@ const kEnums = {
   SplitBy: { called: 'way of splitting' },
   PartShape: { called: 'shape of parts' },
   Driver: { called: 'driver' },
+  ThingKind: { called: 'thing' },
   BodyBuild: { called: 'build' },
   MotionSet: { called: 'set of motions' },
 };

@@ -30,6 +30,7 @@ function member(field) {
   if (type === 'Vec2' && !field.isList) return [about, '  readonly x: number;', '  readonly y: number;'];
   const named = definition(type);
   const key = named && !named.inline ? (named.key ?? 'definition') : (enumerated(type)?.key ?? name);
+  if (named && field.isOptional) return [about, `  readonly ${name}?: Fields;`];
   return [about, `  readonly ${key}${isOptional(field) ? '?' : ''}: ${typeOf(field)};`];
 }
 

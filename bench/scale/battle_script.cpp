@@ -228,13 +228,13 @@ Status BattleScript::before(World& world) {
         const double width = random_.uniform(3.0, 10.0), height = random_.uniform(3.0, 10.0);
         lastBuilding_ = step;
         const Vec2 at = somewhere(0.75);
-        const AddObstacle building{block(at, width, height, random_.uniform(0.0, kPi))};
+        const PutThing building = putThing(block(at, width, height, random_.uniform(0.0, kPi)));
         if (Status status = submit(world, building); !status.ok()) return status;
     }
     if (step % kBuildingSteps == 150 && buildings_.size() > kBuildings) {
         const ObstacleId oldest = buildings_.front();
         buildings_.erase(buildings_.begin());
-        return submit(world, RemoveObstacle{oldest});
+        return submit(world, removeThing(oldest));
     }
     return {};
 }

@@ -116,10 +116,10 @@ Status timeEdits(World& world, std::uint32_t& sequence, LargeGroundRow& row) {
         row.afterEdit = std::max(row.afterEdit, percentile(timedSteps(world, kAfterEdit), 1.0));
         return Status{};
     };
-    if (Status status = timeEdit(AddObstacle{beside(20.0)}); !status.ok()) return status;
+    if (Status status = timeEdit(putThing(beside(20.0))); !status.ok()) return status;
     const ObstacleId added = world.obstacleIds().back();
-    if (Status status = timeEdit(ChangeObstacle{added, beside(-20.0)}); !status.ok()) return status;
-    return timeEdit(RemoveObstacle{added});
+    if (Status status = timeEdit(putThing(beside(-20.0), added)); !status.ok()) return status;
+    return timeEdit(removeThing(added));
 }
 
 Status timeRestore(const World& world, LargeGroundRow& row) {

@@ -4,6 +4,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -12,16 +13,39 @@
 #include <vector>
 
 #include "muster/generated/command_kinds.h"
+#include "muster/generated/former_commands.h"
 #include "muster/status.h"
 
 namespace muster {
-
-class CommandBody;
 
 /// One of the structs that a command may hold, such as TouchDown.
 template <class Kind>
 concept CommandKind = !std::derived_from<std::remove_cvref_t<Kind>, CommandBody> &&
                       std::constructible_from<CommandKinds, Kind>;
+
+/// A command by a name that it had: AddObstacle stands for a PutThing.
+template <class Kind>
+concept FormerCommand = requires(const Kind& kind) {
+    { converted(kind) } -> std::same_as<CommandBody>;
+};
+
+/// A command that puts a new thing, or gives the one of that id another definition.
+PutThing putThing(const ObstacleDef& def, ObstacleId id = {});
+PutThing putThing(const PatchDef& def, PatchId id = {});  ///< The same of a patch.
+PutThing putThing(const ItemDef& def, ItemId id = {});    ///< The same of an item.
+/// The same of a checkpoint. `group`: the group that it concerns; none for any.
+PutThing putThing(const FormationCheckpointDef& def, CheckpointId id = {}, GroupId group = {});
+/// The same of an area. `group`: the group that the people of a source join.
+PutThing putThing(const AreaDef& def, AreaId id = {}, GroupId group = {});
+
+RemoveThing removeThing(ObstacleId id);    ///< A command that removes an obstacle.
+RemoveThing removeThing(PatchId id);       ///< The same of a patch.
+RemoveThing removeThing(ItemId id);        ///< The same of an item.
+RemoveThing removeThing(CheckpointId id);  ///< The same of a checkpoint.
+RemoveThing removeThing(AreaId id);        ///< The same of an area.
+
+/// What a command puts: the first of its definitions that is given; none where none is.
+std::optional<ThingKind> thingOf(const PutThing& put);
 
 /// The body of a command: one of its kinds, for std::visit, std::get_if and the like. Copying, moving and
 /// destroying are compiled once in the library, since each of them takes one function for each kind.
@@ -31,6 +55,9 @@ public:
     /// Holds this kind.
     template <CommandKind Kind>
     CommandBody(Kind&& kind) : CommandKinds(std::forward<Kind>(kind)) {}
+    /// Holds what a command by a former name stands for.
+    template <FormerCommand Kind>
+    CommandBody(const Kind& kind) : CommandBody(converted(kind)) {}
     /// Holds the kind of that index.
     template <std::size_t Index>
     explicit CommandBody(std::in_place_index_t<Index> kind) : CommandKinds(kind) {}

@@ -160,13 +160,13 @@ void Script::shape(const GroupView& group, Commands& commands) {
 void Script::barricade(const World& world, Commands& commands) {
     const auto ids = world.obstacleIds();
     if (ids.size() >= kMostBarricades) {
-        commands.push_back(muster::RemoveObstacle{ids.back()});
+        commands.push_back(muster::removeThing(ids.back()));
         return;
     }
     muster::ObstacleDef def;
     def.centre = spot();
     def.radius = random_.between(0.4, 1.0);
-    commands.push_back(muster::AddObstacle{def});
+    commands.push_back(muster::putThing(def));
 }
 
 /// A finger takes hold of the mesh and draws an arc for up to a second and a half.

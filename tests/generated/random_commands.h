@@ -105,51 +105,32 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             return c;
         }
         case 13: {
-            AddObstacle c;
-            c.obstacle = draw.obstacleDef();
+            PutThing c;
+            c.id = draw.number();
+            if (draw.flag()) c.obstacle = draw.obstacleDef();
+            if (draw.flag()) c.patch = draw.patchDef();
+            if (draw.flag()) c.item = draw.itemDef();
+            if (draw.flag()) c.checkpoint = draw.checkpointDef();
+            if (draw.flag()) c.area = draw.areaDef();
+            if (draw.flag()) c.group = GroupId{draw.number()};
             draw.relate(c);
             return c;
         }
         case 14: {
-            ChangeObstacle c;
-            c.id = ObstacleId{draw.number()};
-            c.obstacle = draw.obstacleDef();
+            RemoveThing c;
+            c.thing = draw.value<ThingKind>();
+            c.id = draw.number();
             draw.relate(c);
             return c;
         }
         case 15: {
-            RemoveObstacle c;
-            c.id = ObstacleId{draw.number()};
-            draw.relate(c);
-            return c;
-        }
-        case 16: {
-            AddPatch c;
-            c.patch = draw.patchDef();
-            draw.relate(c);
-            return c;
-        }
-        case 17: {
-            ChangePatch c;
-            c.id = PatchId{draw.number()};
-            c.patch = draw.patchDef();
-            draw.relate(c);
-            return c;
-        }
-        case 18: {
-            RemovePatch c;
-            c.id = PatchId{draw.number()};
-            draw.relate(c);
-            return c;
-        }
-        case 19: {
             SetParameter c;
             c.name = draw.text();
             c.value = draw.real(-1e9, 1e9);
             draw.relate(c);
             return c;
         }
-        case 20: {
+        case 16: {
             GiveOrder c;
             c.group = GroupId{draw.number()};
             c.mode = draw.value<QueueMode>();
@@ -158,7 +139,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             draw.relate(c);
             return c;
         }
-        case 21: {
+        case 17: {
             EditQueue c;
             c.group = GroupId{draw.number()};
             c.edit = draw.value<QueueEdit>();
@@ -166,14 +147,14 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             draw.relate(c);
             return c;
         }
-        case 22: {
+        case 18: {
             SetConduct c;
             c.group = GroupId{draw.number()};
             c.conduct = draw.conduct();
             draw.relate(c);
             return c;
         }
-        case 23: {
+        case 19: {
             AddCharacters c;
             c.group = GroupId{draw.number()};
             draw.list(c.positions, [&] { return draw.place(); });
@@ -181,20 +162,20 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             draw.relate(c);
             return c;
         }
-        case 24: {
+        case 20: {
             RemoveCharacters c;
             c.ids = draw.ids();
             draw.relate(c);
             return c;
         }
-        case 25: {
+        case 21: {
             TransferCharacters c;
             c.ids = draw.ids();
             c.group = GroupId{draw.number()};
             draw.relate(c);
             return c;
         }
-        case 26: {
+        case 22: {
             SplitGroup c;
             c.group = GroupId{draw.number()};
             c.by = draw.value<SplitBy>();
@@ -206,42 +187,42 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             draw.relate(c);
             return c;
         }
-        case 27: {
+        case 23: {
             MergeGroups c;
             draw.list(c.groups, [&] { return GroupId{draw.number()}; });
             c.shape = draw.value<PartShape>();
             draw.relate(c);
             return c;
         }
-        case 28: {
+        case 24: {
             SetBodies c;
             c.ids = draw.ids();
             draw.list(c.bodies, [&] { return draw.body(); });
             draw.relate(c);
             return c;
         }
-        case 29: {
+        case 25: {
             SetRoles c;
             c.group = GroupId{draw.number()};
             draw.list(c.roles, [&] { return draw.roleDef(); });
             draw.relate(c);
             return c;
         }
-        case 30: {
+        case 26: {
             SetDemands c;
             c.group = GroupId{draw.number()};
             draw.list(c.demands, [&] { return draw.real(0, 1000); });
             draw.relate(c);
             return c;
         }
-        case 31: {
+        case 27: {
             SetDriver c;
             c.ids = draw.ids();
             c.driver = draw.value<Driver>();
             draw.relate(c);
             return c;
         }
-        case 32: {
+        case 28: {
             WriteMotion c;
             c.ids = draw.ids();
             draw.list(c.positions, [&] { return draw.place(); });
@@ -249,47 +230,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             draw.relate(c);
             return c;
         }
-        case 33: {
-            AddItem c;
-            c.item = draw.itemDef();
-            draw.relate(c);
-            return c;
-        }
-        case 34: {
-            ChangeItem c;
-            c.id = ItemId{draw.number()};
-            c.item = draw.itemDef();
-            draw.relate(c);
-            return c;
-        }
-        case 35: {
-            RemoveItem c;
-            c.id = ItemId{draw.number()};
-            draw.relate(c);
-            return c;
-        }
-        case 36: {
-            AddCheckpoint c;
-            c.checkpoint = draw.checkpointDef();
-            if (draw.flag()) c.group = GroupId{draw.number()};
-            draw.relate(c);
-            return c;
-        }
-        case 37: {
-            ChangeCheckpoint c;
-            c.id = CheckpointId{draw.number()};
-            c.checkpoint = draw.checkpointDef();
-            if (draw.flag()) c.group = GroupId{draw.number()};
-            draw.relate(c);
-            return c;
-        }
-        case 38: {
-            RemoveCheckpoint c;
-            c.id = CheckpointId{draw.number()};
-            draw.relate(c);
-            return c;
-        }
-        case 39: {
+        case 29: {
             PlaceGroup c;
             c.group = GroupId{draw.number()};
             c.position = draw.place();
@@ -297,21 +238,21 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             draw.relate(c);
             return c;
         }
-        case 40: {
+        case 30: {
             NameGroup c;
             c.group = GroupId{draw.number()};
             c.name = draw.text();
             draw.relate(c);
             return c;
         }
-        case 41: {
+        case 31: {
             ColourGroup c;
             c.group = GroupId{draw.number()};
             if (draw.flag()) c.colour = draw.number() & 0xffffffu;
             draw.relate(c);
             return c;
         }
-        case 42: {
+        case 32: {
             SetAppearance c;
             c.group = GroupId{draw.number()};
             if (draw.flag()) c.build = draw.value<BodyBuild>();
@@ -319,28 +260,14 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             draw.relate(c);
             return c;
         }
-        case 43: {
-            PutArea c;
-            if (draw.flag()) c.id = AreaId{draw.number()};
-            c.area = draw.areaDef();
-            if (draw.flag()) c.group = GroupId{draw.number()};
-            draw.relate(c);
-            return c;
-        }
-        case 44: {
-            RemoveArea c;
-            c.id = AreaId{draw.number()};
-            draw.relate(c);
-            return c;
-        }
-        case 45: {
+        case 33: {
             SetPeople c;
             c.group = GroupId{draw.number()};
             draw.list(c.people, [&] { return draw.peopleDef(); });
             draw.relate(c);
             return c;
         }
-        case 46: {
+        case 34: {
             ReverseQueue c;
             c.group = GroupId{draw.number()};
             draw.relate(c);

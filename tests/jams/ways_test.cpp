@@ -154,7 +154,7 @@ TEST_CASE("ground that changes is looked at again") {
     stepTo(world, 4.5);
     CHECK(onWays(world) > 0);
     // The gap is walled up: all take the door.
-    REQUIRE(world.submit({world.stepCount(), 2, 0, AddObstacle{wallPart(WallPlan{}, 5.5, 9.5)}}).ok());
+    REQUIRE(world.submit({world.stepCount(), 2, 0, putThing(wallPart(WallPlan{}, 5.5, 9.5))}).ok());
     world.step();
     stepTo(world, 45.0);
     CHECK(onWays(world) == 0);

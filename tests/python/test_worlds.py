@@ -68,8 +68,8 @@ def test_lists_are_sorted_by_id() -> None:
     definition.items = [muster.ItemDef((1.0, 30.0)), muster.ItemDef((0.0, 30.0))]
     world = muster.World(definition)
     world.submit(muster.SplitGroup(1, muster.SplitBy.SHARES, shares=[1.0, 1.0]))
-    world.submit(muster.RemoveObstacle(2))
-    world.submit(muster.AddObstacle(muster.ObstacleDef(centre=(-20.0, 20.0), radius=1.0)))
+    world.submit(muster.RemoveThing(muster.ThingKind.OBSTACLE, 2))
+    world.submit(muster.PutThing(obstacle=muster.ObstacleDef(centre=(-20.0, 20.0), radius=1.0)))
     world.submit(muster.RemoveGroup(2))
     world.step(2)
     assert [group.id for group in world.groups] == [1, 3, 4]
@@ -111,7 +111,7 @@ def test_commands_wait_for_their_step_and_are_numbered() -> None:
 
 def test_what_cannot_be_applied_is_found_in_the_rejections() -> None:
     world = muster.World(walkers(5))
-    command = world.submit(muster.RemoveObstacle(7))
+    command = world.submit(muster.RemoveThing("obstacle", 7))
     world.step()
     [rejection] = world.rejections
     assert rejection.command == command
@@ -195,9 +195,9 @@ def test_areas_are_read_with_what_they_have_seen() -> None:
     assert world.ring
     assert [(area.id, area.group, area.passed) for area in world.areas] == [(1, 0, 0), (2, 1, 0)]
     assert world.areas[1].definition == definition.areas[1]
-    world.submit(muster.PutArea(id=1, area=muster.AreaDef(name="Door", polygon=square, open=False)))
-    world.submit(muster.PutArea(area=muster.AreaDef(kind=muster.AreaKind.WAITING, polygon=square)))
-    world.submit(muster.RemoveArea(2))
+    world.submit(muster.PutThing(id=1, area=muster.AreaDef(name="Door", polygon=square, open=False)))
+    world.submit(muster.PutThing(area=muster.AreaDef(kind=muster.AreaKind.WAITING, polygon=square)))
+    world.submit(muster.RemoveThing("area", 2))
     world.step()
     assert [area.id for area in world.areas] == [1, 3]
     assert not world.areas[0].definition.open

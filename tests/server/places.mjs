@@ -37,7 +37,7 @@ export async function placesTests({ test, check, start, program, place }) {
     const socket = await RawSocket.open(studio.port);
     socket.write(hello());
     await socket.message(fromServer.Frame);
-    socket.write(edit('Add item', [{ kind: 'item', definition: { position: [1, 1], radius: 0.4 } }]));
+    socket.write(edit('Add item', [{ kind: 'putThing', item: { position: [1, 1], radius: 0.4 } }]));
     const history = await socket.message(fromServer.EditHistory);
     check(history.readUInt32LE(1) === 1, 'one step can be taken back');
     const there = await eventually(async () => {

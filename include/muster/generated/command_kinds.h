@@ -166,66 +166,38 @@ struct RemoveGroup {
         archive(group);
     }
 };
-/// Adds an obstacle.
-struct AddObstacle {
-    ObstacleDef obstacle;  ///< Its definition.
+/// Puts a thing into the place, or gives one another definition. Exactly one of the five definitions says
+/// what it is. An item that is collected stays so, and a checkpoint stays passed by the groups that have
+/// passed it.
+struct PutThing {
+    std::uint32_t id = 0;                              ///< Thing that gets another definition; 0 to add one.
+    std::optional<ObstacleDef> obstacle;               ///< An obstacle; none for other things.
+    std::optional<PatchDef> patch;                     ///< A patch; none for other things.
+    std::optional<ItemDef> item;                       ///< An item to collect; none for other things.
+    std::optional<FormationCheckpointDef> checkpoint;  ///< A formation checkpoint (SPEC M7), whose `group` is
+                                                       ///< not read; none for other things.
+    std::optional<AreaDef> area;                       ///< An area, whose `group` is not read; none for other
+                                                       ///< things.
+    GroupId group;                                     ///< For a checkpoint: the group that it concerns, none
+                                                       ///< for any. For a source: the group that its people
+                                                       ///< join.
 
     /// Lets an archive read or write the command.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(obstacle);
+        archive(id, obstacle, patch, item, checkpoint, area, group);
     }
 };
-/// Changes shape, position, path or field of an obstacle.
-struct ChangeObstacle {
-    ObstacleId id;         ///< Its id.
-    ObstacleDef obstacle;  ///< Its new definition.
+/// Removes a thing. People on their way to an area that is removed go to the other areas of their order, or
+/// stand.
+struct RemoveThing {
+    ThingKind thing = ThingKind::Obstacle;  ///< What it is.
+    std::uint32_t id = 0;                   ///< Its id.
 
     /// Lets an archive read or write the command.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(id, obstacle);
-    }
-};
-/// Removes an obstacle.
-struct RemoveObstacle {
-    ObstacleId id;  ///< Its id.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(id);
-    }
-};
-/// Adds a patch.
-struct AddPatch {
-    PatchDef patch;  ///< Its definition.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(patch);
-    }
-};
-/// Changes shape, position, path or motion of a patch.
-struct ChangePatch {
-    PatchId id;      ///< Its id.
-    PatchDef patch;  ///< Its new definition.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(id, patch);
-    }
-};
-/// Removes a patch.
-struct RemovePatch {
-    PatchId id;  ///< Its id.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(id);
+        archive(thing, id);
     }
 };
 /// Changes the value of a parameter.
@@ -396,70 +368,6 @@ struct WriteMotion {
         archive(ids, positions, velocities);
     }
 };
-/// Adds an item to collect.
-struct AddItem {
-    ItemDef item;  ///< Its definition.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(item);
-    }
-};
-/// Moves an item or changes its radius. Whether it is collected stays.
-struct ChangeItem {
-    ItemId id;     ///< Its id.
-    ItemDef item;  ///< Its new definition.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(id, item);
-    }
-};
-/// Removes an item.
-struct RemoveItem {
-    ItemId id;  ///< Its id.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(id);
-    }
-};
-/// Adds a formation checkpoint (SPEC M7), which nobody has passed yet.
-struct AddCheckpoint {
-    FormationCheckpointDef checkpoint;  ///< Its definition; its `group` is not read.
-    GroupId group;                      ///< Group that it concerns; none for any group.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(checkpoint, group);
-    }
-};
-/// Changes a formation checkpoint. It stays passed by the groups that have passed it.
-struct ChangeCheckpoint {
-    CheckpointId id;                    ///< Its id.
-    FormationCheckpointDef checkpoint;  ///< Its new definition; its `group` is not read.
-    GroupId group;                      ///< Group that it concerns; none for any group.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(id, checkpoint, group);
-    }
-};
-/// Removes a formation checkpoint.
-struct RemoveCheckpoint {
-    CheckpointId id;  ///< Its id.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(id);
-    }
-};
 /// Puts a group elsewhere at once: its mesh, its places, and its characters, who stand still there. Its
 /// orders and controls end. (SetPose moves the mesh alone, and characters walk.)
 struct PlaceGroup {
@@ -507,28 +415,6 @@ struct SetAppearance {
         archive(group, build, motions);
     }
 };
-/// Adds an area, or changes one.
-struct PutArea {
-    AreaId id;      ///< The area that is changed; none to add one.
-    AreaDef area;   ///< Its definition; its `group` is not read.
-    GroupId group;  ///< For Source: the group that its people join.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(id, area, group);
-    }
-};
-/// Removes an area. People on their way to it go to the other areas of their order, or stand.
-struct RemoveArea {
-    AreaId id;  ///< Its id.
-
-    /// Lets an archive read or write the command.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(id);
-    }
-};
 /// Gives a group other sorts of persons. Persons who join it by number or by a source are drawn by them from
 /// now on. Its present members are drawn again, as those who come at once: each number that neither the sorts
 /// before nor these draw stays as it is. A person who has heard an order sets out when it was to.
@@ -553,13 +439,12 @@ struct ReverseQueue {
     }
 };
 
-/// Every kind of change. The order of alternatives is part of the file format: append only.
+/// Every kind of change.
 using CommandKinds = std::variant<
     TouchDown, TouchMove, TouchUp, TouchCancel, AddControl, PinControl, RemoveControl, ReleaseClient,
-    SetFormation, SetCount, SetPose, AddGroup, RemoveGroup, AddObstacle, ChangeObstacle, RemoveObstacle,
-    AddPatch, ChangePatch, RemovePatch, SetParameter, GiveOrder, EditQueue, SetConduct, AddCharacters,
-    RemoveCharacters, TransferCharacters, SplitGroup, MergeGroups, SetBodies, SetRoles, SetDemands, SetDriver,
-    WriteMotion, AddItem, ChangeItem, RemoveItem, AddCheckpoint, ChangeCheckpoint, RemoveCheckpoint,
-    PlaceGroup, NameGroup, ColourGroup, SetAppearance, PutArea, RemoveArea, SetPeople, ReverseQueue>;
+    SetFormation, SetCount, SetPose, AddGroup, RemoveGroup, PutThing, RemoveThing, SetParameter, GiveOrder,
+    EditQueue, SetConduct, AddCharacters, RemoveCharacters, TransferCharacters, SplitGroup, MergeGroups,
+    SetBodies, SetRoles, SetDemands, SetDriver, WriteMotion, PlaceGroup, NameGroup, ColourGroup,
+    SetAppearance, SetPeople, ReverseQueue>;
 
 }  // namespace muster

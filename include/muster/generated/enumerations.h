@@ -56,6 +56,15 @@ enum class AreaKind : std::uint8_t {
     Waiting,  ///< People who are to wait in it spread in it and stand.
 };
 
+/// What stands or lies in the place.
+enum class ThingKind : std::uint8_t {
+    Obstacle,    ///< Something in the way.
+    Patch,       ///< Ground on which another motion is performed.
+    Item,        ///< Something to collect.
+    Checkpoint,  ///< Where a formation is asked for.
+    Area,        ///< An exit, a source or a waiting area.
+};
+
 /// What passes a checkpoint.
 enum class CheckpointTrigger : std::uint8_t {
     Crowd,  ///< A share of the characters has been in it, or, up to a half, their middle is.
@@ -221,6 +230,8 @@ template <>
 inline constexpr ControlKind kLastOf<ControlKind> = ControlKind::Area;
 template <>
 inline constexpr AreaKind kLastOf<AreaKind> = AreaKind::Waiting;
+template <>
+inline constexpr ThingKind kLastOf<ThingKind> = ThingKind::Area;
 template <>
 inline constexpr CheckpointTrigger kLastOf<CheckpointTrigger> = CheckpointTrigger::Mesh;
 template <>

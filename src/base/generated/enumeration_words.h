@@ -15,6 +15,7 @@ inline constexpr std::array kMotionSetWords{"march", "weary"};
 inline constexpr std::array kMotionPhaseWords{"steady", "entering", "leaving", "locked"};
 inline constexpr std::array kControlKindWords{"point", "line", "area"};
 inline constexpr std::array kAreaKindWords{"exit", "source", "waiting"};
+inline constexpr std::array kThingKindWords{"obstacle", "patch", "item", "checkpoint", "area"};
 inline constexpr std::array kCheckpointTriggerWords{"crowd", "mesh"};
 inline constexpr std::array kSpreadWords{"constant", "uniform", "normal", "logNormal", "gamma", "weibull"};
 // clang-format off

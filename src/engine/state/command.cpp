@@ -1,39 +1,56 @@
 #include "muster/command.h"
 
+#include <algorithm>
+#include <array>
+
+#include "base/emplace_index.h"
 #include "engine/state/command_archive.h"
+#include "engine/state/generated/command_numbers.h"
+#include "engine/state/generated/former_kinds.h"
 
 namespace muster {
 namespace {
 
-/// Makes the alternative with that index; false where there is none.
-template <std::size_t Index = 0>
-bool emplaceBody(CommandBody& body, std::size_t index) {
-    if constexpr (Index < std::variant_size_v<CommandKinds>) {
-        if (index != Index) return emplaceBody<Index + 1>(body, index);
-        body.emplace<Index>();
+/// Index of the kind that takes call by that number; none where it is not among them.
+template <std::size_t N>
+std::optional<std::size_t> indexOfNumber(const std::array<std::uint8_t, N>& numbers, std::uint8_t number) {
+    const auto at = std::find(numbers.begin(), numbers.end(), number);
+    if (at == numbers.end()) return std::nullopt;
+    return static_cast<std::size_t>(at - numbers.begin());
+}
+
+/// Reads the body of that number; false where no command has it.
+bool readBody(Reader& reader, std::uint8_t number, CommandBody& body) {
+    const auto read = [&](auto& kind) { reader(kind); };
+    if (const auto index = indexOfNumber(kCommandNumbers, number)) {
+        emplaceIndex<CommandKinds>(body, *index);
+        std::visit(read, body);
         return true;
-    } else {
-        return false;
     }
+    const auto index = indexOfNumber(kFormerNumbers, number);
+    if (!index) return false;
+    FormerKinds kind;
+    emplaceIndex(kind, *index);
+    std::visit(read, kind);
+    body = std::visit([](const auto& old) { return converted(old); }, kind);
+    return true;
 }
 
 }  // namespace
 
 void encodeCommand(Writer& writer, const Command& command) {
-    const auto kind = static_cast<std::uint8_t>(command.body.index());
-    writer(command.step, command.client, command.sequence, kind);
+    std::uint8_t number = kCommandNumbers[command.body.index()];
+    writer(command.step, command.client, command.sequence, number);
     std::visit([&](const auto& body) { writer(body); }, command.body);
 }
 
 Result<Command> decodeCommand(Reader& reader) {
     Command command;
-    std::uint8_t kind = 0;
-    reader(command.step, command.client, command.sequence, kind);
+    std::uint8_t number = 0;
+    reader(command.step, command.client, command.sequence, number);
     if (!reader.ok()) return Status(StatusCode::ParseError, "command is cut short");
-    if (!emplaceBody(command.body, kind)) {
-        return Status(StatusCode::ParseError, "command kind " + std::to_string(kind) + " is not known");
-    }
-    std::visit([&](auto& body) { reader(body); }, command.body);
+    if (!readBody(reader, number, command.body))
+        return Status(StatusCode::ParseError, "command kind " + std::to_string(number) + " is not known");
     if (!reader.ok()) {
         return Status(StatusCode::ParseError, std::string(commandName(command)) + " command is cut short");
     }

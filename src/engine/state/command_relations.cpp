@@ -66,6 +66,13 @@ Status relations(const AddControl& c) {
     return {};
 }
 
+Status relations(const PutThing& c) {
+    const int given = int{c.obstacle.has_value()} + int{c.patch.has_value()} + int{c.item.has_value()} +
+                      int{c.checkpoint.has_value()} + int{c.area.has_value()};
+    if (given == 1) return {};
+    return invalidArgument("found " + std::to_string(given) + " definitions, expected one");
+}
+
 Status relations(const SetParameter& c) {
     if (c.name == "time.step") return invalidArgument("time.step cannot change while a world runs");
     Parameters scratch;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 
+#include "base/emplace_index.h"
 #include "base/text_file.h"
 #include "files/scenario/generated/command_fields.h"
 
@@ -29,16 +31,12 @@ std::string kindOf(const CommandBody& body) {
                            : kCommandWords[body.index()];
 }
 
-/// Makes the variant's alternative of that index.
-template <std::size_t Index = 0>
-void emplaceBody(CommandBody& body, std::size_t index) {
-    if constexpr (Index < std::variant_size_v<CommandKinds>) {
-        if (index == Index) {
-            body.emplace<Index>();
-        } else {
-            emplaceBody<Index + 1>(body, index);
-        }
-    }
+/// Index of a word in a list of them; none where it is not there.
+template <class Words>
+std::optional<std::size_t> indexOfWord(const Words& words, const std::string& word) {
+    const auto at = std::find(words.begin(), words.end(), word);
+    if (at == words.end()) return std::nullopt;
+    return static_cast<std::size_t>(at - words.begin());
 }
 
 std::uint32_t stepAt(double time, double stepTime) {
@@ -48,17 +46,24 @@ std::uint32_t stepAt(double time, double stepTime) {
 /// Makes the command that a kind stands for. Fingers move, and groups are ordered to; characters leave, and
 /// groups are ordered to.
 void makeBody(FieldReader& v, CommandBody& body, const std::string& kind) {
-    const auto word = std::find(kOrderKindWords.begin(), kOrderKindWords.end(), kind);
+    const auto order = indexOfWord(kOrderKindWords, kind);
     const bool moves = kind == kOrderKindWords.front();
     if (moves && !v.has("touch") && !v.has("group"))
         return v.fail({}, "neither \"touch\" nor \"group\"", "a finger or a group to move");
     const bool named = kind == kLeave && v.has("ids");
-    if (word != kOrderKindWords.end() && !(moves && v.has("touch")) && !named) {
-        body.emplace<GiveOrder>().order.kind = static_cast<OrderKind>(word - kOrderKindWords.begin());
-        return;
-    }
-    const auto* const found = std::find(kCommandWords.begin(), kCommandWords.end(), kind);
-    emplaceBody(body, static_cast<std::size_t>(found - kCommandWords.begin()));
+    if (order && !(moves && v.has("touch")) && !named)
+        body.emplace<GiveOrder>().order.kind = static_cast<OrderKind>(*order);
+    else
+        emplaceIndex<CommandKinds>(body, *indexOfWord(kCommandWords, kind));
+}
+
+/// Reads the fields of a command by a name that it had, as the command that says the same.
+CommandBody readFormer(FieldReader& v, std::size_t index, double& time) {
+    FormerKinds kind;
+    emplaceIndex(kind, index);
+    BodyFields<FieldReader> fields{v, time};
+    std::visit(fields, kind);
+    return std::visit([](const auto& old) { return converted(old); }, kind);
 }
 
 /// All words for kinds.
@@ -66,6 +71,7 @@ std::vector<std::string> allKinds() {
     std::vector<std::string> kinds;
     for (std::size_t index = 0; index < kCommandWords.size(); ++index)
         if (index != CommandBody(GiveOrder{}).index()) kinds.emplace_back(kCommandWords[index]);
+    for (const char* const kind : kFormerWords) kinds.emplace_back(kind);
     for (const std::string kind : kOrderKindWords)  // Fingers move, too, and characters leave.
         if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
     return kinds;
@@ -83,11 +89,17 @@ void describeEvent(Visitor& v, Event& event, double stepTime, Need timed) {
     if (takesPart<Visitor>(command.client != 1)) v.whole("client", command.client, kId, "Who.");
     if constexpr (Visitor::kReading) {
         if (v.failed()) return;
-        makeBody(v, command.body, kind);
         command.step = stepAt(event.time, stepTime);
     }
     if (takesPart<Visitor>(command.step != stepAt(event.time, stepTime)))
         v.whole("step", command.step, kId, "Step at which it applies; left out: by its time.");
+    if constexpr (Visitor::kReading) {
+        if (const auto index = indexOfWord(kFormerWords, kind)) {
+            command.body = readFormer(v, *index, event.time);
+            return;
+        }
+        makeBody(v, command.body, kind);
+    }
     BodyFields<Visitor> fields{v, event.time};
     std::visit(fields, command.body);
 }
@@ -102,7 +114,7 @@ Json eventSchema() {
     };
     for (std::size_t index = 0; index < kCommandWords.size(); ++index) {
         Event event;
-        emplaceBody(event.command.body, index);
+        emplaceIndex<CommandKinds>(event.command.body, index);
         auto* const give = std::get_if<GiveOrder>(&event.command.body);
         for (std::size_t order = 0; order < (give != nullptr ? kOrderKindWords.size() : 1); ++order) {
             if (give != nullptr) give->order.kind = static_cast<OrderKind>(order);

@@ -87,11 +87,11 @@ inline std::vector<std::pair<std::uint32_t, muster::CommandBody>> sampleScript(c
             {80, AddCharacters{second, {{-9, 9}, {-9, 10}}, {}}},
             {90, RemoveCharacters{{2, 3}}},
             {100, SetFormation{second, {FormationKind::Circle, 1.0, 1.2, {}, {}, 0}}},
-            {120, AddItem{{{2, 2}, 0.4}}},
+            {120, putThing(ItemDef{{2, 2}, 0.4})},
             {130, ColourGroup{second, 0x336699u}},
             {131, SetAppearance{second, std::nullopt, MotionSet::March}},
             {140, NameGroup{second, "Renamed"}},
-            {145, PutArea{{1}, closed, {}}},
+            {145, putThing(closed, AreaId{1})},
             {146, GiveOrder{second, QueueMode::Append, 0, Order::leave({{1}})}},
             {150, RemoveGroup{{99}}}};
 }

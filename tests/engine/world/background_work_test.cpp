@@ -35,7 +35,7 @@ void disturb(World& world, std::uint32_t& sequence, int step) {
     const std::vector<CommandBody> bodies = {
         SetCount{world.group(0).id, 150 + step},
         SetFormation{world.group(0).id, {}},
-        AddObstacle{tree({-4.0 + 0.1 * step, 4}, 0.5)},
+        putThing(tree({-4.0 + 0.1 * step, 4}, 0.5)),
         SetParameter{"plan.solver", static_cast<double>(PlanSolver::Exact)},
         SetParameter{"plan.solver", static_cast<double>(PlanSolver::Fast)},
         SetPose{world.group(0).id, {4, 0.1 * step}, 0.3},

@@ -27,7 +27,7 @@ void setOnCrowd(std::int32_t count, double spacing, double halfWidth, double hal
     for (int s = 0; s < 30; ++s) world.step();
     std::uint32_t sequence = 0;
     REQUIRE(
-        give(world, sequence, AddObstacle{block(0.3 - halfWidth, -halfHeight, 0.3 + halfWidth, halfHeight)})
+        give(world, sequence, putThing(block(0.3 - halfWidth, -halfHeight, 0.3 + halfWidth, halfHeight)))
             .ok());
     const double radius = def.parameters.character.radius, top = def.parameters.character.maxSpeed;
     const double depth = std::min(halfWidth, halfHeight) + radius;
@@ -89,8 +89,8 @@ TEST_CASE(
                 out.polygon.push_back(pose.apply(corner));
             return out;
         };
-        REQUIRE(give(world, sequence, AddObstacle{building(middle, 0.3)}).ok());
-        REQUIRE(give(world, sequence, AddObstacle{building(middle + Vec2{9.6, 0}, -0.5)}).ok());
+        REQUIRE(give(world, sequence, putThing(building(middle, 0.3))).ok());
+        REQUIRE(give(world, sequence, putThing(building(middle + Vec2{9.6, 0}, -0.5))).ok());
         run(world, 8.0);
         CHECK(world.contacts().overlapPairs == 0);
         run(world, 22.0);

@@ -145,12 +145,12 @@ TEST_CASE("values out of range are refused") {
     CHECK(refused(AddControl{GroupId{1}, ControlKind::Point, {}, {}, 0}));
     ObstacleDef crossed;
     crossed.polygon = {{0, 0}, {1, 1}, {1, 0}, {0, 1}};
-    CHECK(refused(AddObstacle{crossed}));
-    CHECK(refused(AddObstacle{ObstacleDef{}}));
+    CHECK(refused(putThing(crossed)));
+    CHECK(refused(putThing(ObstacleDef{})));
     PatchDef patch;
     patch.polygon = {{0, 0}, {1, 0}, {1, 1}};
     patch.motion = -1;
-    CHECK(refused(AddPatch{patch}));
+    CHECK(refused(putThing(patch)));
     FormationDef formation;
     formation.spacing = 0.0;
     CHECK(refused(SetFormation{GroupId{1}, formation}));

@@ -131,14 +131,14 @@ TEST_CASE("who are cut off by the ground are told of, and when they have their w
     std::uint32_t sequence = 0;
     REQUIRE(give(world, sequence, poseAt(world, {6, 0})).ok());
     CHECK(watch(world, 60).empty());  // On their way.
-    REQUIRE(give(world, sequence, AddObstacle{block(-0.4, -2, 0.4, 2)}).ok());
+    REQUIRE(give(world, sequence, putThing(block(-0.4, -2, 0.4, 2))).ok());
     auto told = watch(world, 60);
     REQUIRE(kindsOf(told) == std::vector{EventKind::Blocked});
     CHECK(told[0].event.value == 16);
     const ObstacleId gate = world.obstacleIds().back();
-    REQUIRE(give(world, sequence, AddObstacle{tree({-9, 9}, 0.5)}).ok());  // Another version, the same ways.
+    REQUIRE(give(world, sequence, putThing(tree({-9, 9}, 0.5))).ok());  // Another version, the same ways.
     CHECK(watch(world, 60).empty());
-    REQUIRE(give(world, sequence, RemoveObstacle{gate}).ok());
+    REQUIRE(give(world, sequence, removeThing(gate)).ok());
     told = watch(world, 900);
     CHECK(kindsOf(told) == std::vector{EventKind::Free, EventKind::Arrived});
     CHECK(told[0].event.value == 16);
@@ -150,7 +150,7 @@ TEST_CASE("some of a group who are cut off from the others are counted") {
     for (int i = 0; i < 8; ++i) def.groups[0].starts.push_back(i < 3 ? Vec2{-8, i - 1.0} : Vec2{5, i - 5.0});
     World world = World::create(def).value();
     std::uint32_t sequence = 0;
-    REQUIRE(give(world, sequence, AddObstacle{block(-0.5, -12, 0.5, 12)}).ok());
+    REQUIRE(give(world, sequence, putThing(block(-0.5, -12, 0.5, 12))).ok());
     const auto told = watch(world, 60);
     REQUIRE(kindsOf(told) == std::vector{EventKind::Blocked});
     CHECK(told[0].event.value == 3);
@@ -171,7 +171,7 @@ TEST_CASE("who stands before a gap too narrow is stuck, who queues at a door is 
             ObstacleDef post = tree(
                 middle + Rotation{cosine(k * 0.25 * kPi), sine(k * 0.25 * kPi)}.apply({0.85, 0}), 0.5);
             post.path.waypoints = {{0, {0, 0}, 0}, {20, {0, 0}, 0}, {20.5, {0, 30}, 0}};
-            REQUIRE(give(world, sequence, AddObstacle{post}).ok());
+            REQUIRE(give(world, sequence, putThing(post)).ok());
         }
         const auto told = watch(world, 19 * 60);
         CHECK(countOf(told, EventKind::Stuck) == 1);
@@ -243,7 +243,7 @@ TEST_CASE("a gate that closes the only way is told of, and when it opens; one th
         REQUIRE(give(world, sequence, poseAt(world, {6, 0})).ok());
         auto told = watch(world, 480);
         REQUIRE(kindsOf(told) == std::vector{EventKind::Blocked});
-        REQUIRE(give(world, sequence, RemoveObstacle{world.obstacleIds().back()}).ok());
+        REQUIRE(give(world, sequence, removeThing(world.obstacleIds().back())).ok());
         told = watch(world, 1200);
         CHECK(countOf(told, EventKind::Free) == 1);
         CHECK(countOf(told, EventKind::Blocked) == 0);
@@ -259,8 +259,8 @@ TEST_CASE("a snapshot in between changes nothing of what is told") {
             std::vector<Told> told;
             std::uint32_t sequence = 0;
             REQUIRE(give(world, sequence, poseAt(world, {6, 0})).ok());
-            REQUIRE(world.submit({60, 2, 0, AddObstacle{block(-0.4, -2, 0.4, 2)}}).ok());
-            REQUIRE(world.submit({200, 2, 1, RemoveObstacle{ObstacleId{3}}}).ok());
+            REQUIRE(world.submit({60, 2, 0, putThing(block(-0.4, -2, 0.4, 2))}).ok());
+            REQUIRE(world.submit({200, 2, 1, removeThing(ObstacleId{3})}).ok());
             for (int s = 0; s < 700; ++s) {
                 if (restored && world.stepCount() == cut) world = World::restore(world.snapshot()).value();
                 const auto more = watch(world, 1);

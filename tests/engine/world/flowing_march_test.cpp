@@ -173,7 +173,7 @@ TEST_CASE("a march that meets a wall on its way, put there later, is planned aga
     world.step();
     REQUIRE(give(world, sequence, GiveOrder{GroupId{1}, QueueMode::Replace, 0, Order::move({30, 0})}).ok());
     for (int s = 0; s < 8 * 60; ++s) world.step();
-    REQUIRE(give(world, sequence, AddObstacle{block(0, -12, 2, 12)}).ok());
+    REQUIRE(give(world, sequence, putThing(block(0, -12, 2, 12))).ok());
     bool done = false;
     while (!done && world.time() < 60.0) {
         world.step();

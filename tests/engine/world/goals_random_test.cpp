@@ -121,11 +121,11 @@ private:
             }
             case 18:
                 area.open = random_.below(2) == 0;
-                return PutArea{AreaId{1 + random_.below(3)}, area, group.id};
+                return putThing(area, AreaId{1 + random_.below(3)}, group.id);
             case 19:
                 return PlaceGroup{group.id, p, 0.5};
             case 20:
-                return AddObstacle{tree(p, 0.4)};
+                return putThing(tree(p, 0.4));
             default: {
                 Order order = Order::go(p);
                 order.manner = Manner::Continuum;

@@ -223,7 +223,7 @@ TEST_CASE("when a door shuts, those before it go by the other one, and come back
     World world = World::create(twoHalls(gridOf({{2, 1}, {11, 7}}, 15, 10))).value();
     run(world, 15.0);
     std::uint32_t n = 0;
-    REQUIRE(give(world, n, AddObstacle{block(kWallAt, 11, kWallAt + 0.2, 12)}).ok());
+    REQUIRE(give(world, n, putThing(block(kWallAt, 11, kWallAt + 0.2, 12))).ok());
     world.step();
     for (std::size_t i = 0; i < world.characters().size(); ++i) CHECK(inspect::doorWay(world, i) == -1);
     CHECK(runHalls(world, 200.0).after > 0.0);

@@ -96,7 +96,7 @@ TEST_CASE("routes are a cache: a world restored on its way goes on to the same b
         if (s % 150 == 77) copy = World::restore(copy.snapshot()).value();
         if (s == 300)
             for (World* each : {&world, &copy})
-                REQUIRE(each->submit({each->stepCount(), 1, 9, AddObstacle{block(10, -5, 14, 30)}}).ok());
+                REQUIRE(each->submit({each->stepCount(), 1, 9, putThing(block(10, -5, 14, 30))}).ok());
         world.step();
         copy.step();
         REQUIRE(world.hash() == copy.hash());

@@ -50,7 +50,7 @@ TEST_CASE("what is built far from a march changes nothing about it, bit by bit")
     Crossing plain(fieldWithHouse()), edited(fieldWithHouse());
     run(plain.world, 6.0);
     run(edited.world, 6.0);
-    REQUIRE(give(edited.world, edited.sequence, AddObstacle{block(17, 42, 23, 48)}).ok());
+    REQUIRE(give(edited.world, edited.sequence, putThing(block(17, 42, 23, 48))).ok());
     std::vector<std::uint8_t> middle;
     for (int s = 0; s < 60 * 20; ++s) {
         plain.world.step();
@@ -66,7 +66,7 @@ TEST_CASE("what is built far from a march changes nothing about it, bit by bit")
 TEST_CASE("a march goes round what is built on its way") {
     Crossing crossing(fieldWithHouse());
     run(crossing.world, 6.0);
-    REQUIRE(give(crossing.world, crossing.sequence, AddObstacle{block(22, -2, 28, 4)}).ok());
+    REQUIRE(give(crossing.world, crossing.sequence, putThing(block(22, -2, 28, 4))).ok());
     run(crossing.world, 50.0);
     CHECK(worstToPlace(crossing.world) < 0.5);
     CHECK(distance(middleOf(crossing.world), {50, 0}) < 0.5);
@@ -78,7 +78,7 @@ TEST_CASE("a march takes the way that is opened") {
     def.obstacles = {block(20, 5, 22, 50), block(20, -60, 22, -5), block(19, -6, 23, 6)};
     Crossing crossing(def);
     run(crossing.world, 8.0);
-    REQUIRE(give(crossing.world, crossing.sequence, RemoveObstacle{crossing.world.obstacleIds()[2]}).ok());
+    REQUIRE(give(crossing.world, crossing.sequence, removeThing(crossing.world.obstacleIds()[2])).ok());
     double highest = -60.0;
     for (int s = 0; s < 60 * 60; ++s) {
         crossing.world.step();

@@ -90,7 +90,7 @@ TEST_CASE(
             Log log;
             run(world, opens, log);
             std::uint32_t n = 0;
-            REQUIRE(give(world, n, RemoveObstacle{world.obstacleIds().back()}).ok());
+            REQUIRE(give(world, n, removeThing(world.obstacleIds().back())).ok());
             run(world, 40, log);
             const bool goesOn = opens < 10.0;
             CHECK(log.count(EventKind::OrderDone) == (goesOn ? 1 : 0));

@@ -127,7 +127,7 @@ TEST_CASE("a target that is built over on the way is told at once, and ends as s
     std::uint32_t sequence = 0;
     order(world, sequence, Order::move({20, 0}));
     for (int s = 0; s < 240; ++s) world.step();
-    REQUIRE(give(world, sequence, AddObstacle{block(14, -6, 26, 6)}).ok());
+    REQUIRE(give(world, sequence, putThing(block(14, -6, 26, 6))).ok());
     world.step();
     int noPath = 0, skipped = 0, arrived = 0, done = 0;
     const auto count = [&] {

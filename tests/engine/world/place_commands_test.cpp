@@ -50,38 +50,38 @@ bool took(const World& world, EventKind kind) {
 
 TEST_CASE("an item that is added under somebody is collected, and stays so when it moves") {
     Floor floor;
-    CHECK(floor.carryOut(AddItem{{{-6, 0}, 1.0}}).empty());
+    CHECK(floor.carryOut(putThing(ItemDef{{-6, 0}, 1.0})).empty());
     REQUIRE(floor.world.itemIds().size() == 1);
     const ItemId id = floor.world.itemIds()[0];
     CHECK(floor.world.collected()[0] == 1);
-    CHECK(floor.carryOut(ChangeItem{id, {{9, 9}, 0.5}}).empty());
+    CHECK(floor.carryOut(putThing(ItemDef{{9, 9}, 0.5}, id)).empty());
     CHECK(floor.world.collected()[0] == 1);
-    CHECK(floor.carryOut(AddItem{{{9, -9}, 0.5}}).empty());
-    CHECK(floor.carryOut(RemoveItem{id}).empty());
+    CHECK(floor.carryOut(putThing(ItemDef{{9, -9}, 0.5})).empty());
+    CHECK(floor.carryOut(removeThing(id)).empty());
     REQUIRE(floor.world.items().size() == 1);
     CHECK(floor.world.itemIds()[0].value == 2);
     CHECK(floor.world.collected()[0] == 0);
-    CHECK(floor.carryOut(RemoveItem{id}) == "no item has the id 1");
-    CHECK(floor.carryOut(ChangeItem{id, {}}) == "no item has the id 1");
+    CHECK(floor.carryOut(removeThing(id)) == "no item has the id 1");
+    CHECK(floor.carryOut(putThing(ItemDef{}, id)) == "no item has the id 1");
 }
 
 TEST_CASE("a checkpoint that is added changes the group that stands in it, once") {
     Floor floor;
-    CHECK(floor.carryOut(AddCheckpoint{ringAt({-6, 0}), GroupId{1}}).empty());
+    CHECK(floor.carryOut(putThing(ringAt({-6, 0}), {}, GroupId{1})).empty());
     CHECK(took(floor.world, EventKind::FormationChange));
     CHECK(floor.world.group(0).formation == FormationKind::Ring);
     FormationCheckpointDef wedge = ringAt({-6, 0});
     wedge.formation.kind = FormationKind::Wedge;
     // Who has passed it stays.
-    CHECK(floor.carryOut(ChangeCheckpoint{CheckpointId{1}, wedge, GroupId{1}}).empty());
+    CHECK(floor.carryOut(putThing(wedge, CheckpointId{1}, GroupId{1})).empty());
     floor.run(2);
     CHECK(floor.world.group(0).formation == FormationKind::Ring);
-    CHECK(floor.carryOut(AddCheckpoint{wedge, GroupId{}}).empty());
+    CHECK(floor.carryOut(putThing(wedge)).empty());
     CHECK(floor.world.group(0).formation == FormationKind::Wedge);
-    CHECK(floor.carryOut(AddCheckpoint{wedge, GroupId{7}}) == "no group has the id 7");
-    CHECK(floor.carryOut(ChangeCheckpoint{CheckpointId{9}, wedge, GroupId{}}) ==
+    CHECK(floor.carryOut(putThing(wedge, {}, GroupId{7})) == "no group has the id 7");
+    CHECK(floor.carryOut(putThing(wedge, CheckpointId{9})) ==
           "no checkpoint has the id 9");
-    CHECK(floor.carryOut(RemoveCheckpoint{CheckpointId{9}}) == "no checkpoint has the id 9");
+    CHECK(floor.carryOut(removeThing(CheckpointId{9})) == "no checkpoint has the id 9");
 }
 
 TEST_CASE("what groups have passed stays with its checkpoint when another one goes") {
@@ -94,7 +94,7 @@ TEST_CASE("what groups have passed stays with its checkpoint when another one go
     floor.run(2);
     REQUIRE(floor.world.group(0).formation == FormationKind::Ring);
     REQUIRE(floor.world.group(1).formation == FormationKind::Ring);
-    CHECK(floor.carryOut(RemoveCheckpoint{CheckpointId{1}}).empty());
+    CHECK(floor.carryOut(removeThing(CheckpointId{1})).empty());
     CHECK(floor.carryOut(SetFormation{GroupId{1}, FormationDef{}}).empty());
     floor.run(3);
     CHECK(floor.world.group(0).formation != FormationKind::Ring);
@@ -209,10 +209,10 @@ TEST_CASE("colours are saved with the world, and a part that is split off has no
 
 TEST_CASE("a world with edited items and checkpoints is saved and goes on to the same hash") {
     Floor floor(busyFloor(3));
-    CHECK(floor.carryOut(AddItem{{{3, 3}, 0.5}}).empty());
-    CHECK(floor.carryOut(AddItem{{{-3, 3}, 0.5}}).empty());
-    CHECK(floor.carryOut(RemoveItem{ItemId{1}}).empty());
-    CHECK(floor.carryOut(AddCheckpoint{ringAt({3, 3}), GroupId{2}}).empty());
+    CHECK(floor.carryOut(putThing(ItemDef{{3, 3}, 0.5})).empty());
+    CHECK(floor.carryOut(putThing(ItemDef{{-3, 3}, 0.5})).empty());
+    CHECK(floor.carryOut(removeThing(ItemId{1})).empty());
+    CHECK(floor.carryOut(putThing(ringAt({3, 3}), {}, GroupId{2})).empty());
     CHECK(floor.carryOut(PlaceGroup{GroupId{1}, {-8, -8}, 2.0}).empty());
     auto restored = World::restore(floor.world.snapshot());
     REQUIRE(restored.ok());
@@ -223,7 +223,7 @@ TEST_CASE("a world with edited items and checkpoints is saved and goes on to the
     }
     CHECK(restored->hash() == floor.world.hash());
     std::uint32_t sequence = 100;
-    REQUIRE(give(*restored, sequence, AddItem{{{0, 9}, 0.5}}).ok());
+    REQUIRE(give(*restored, sequence, putThing(ItemDef{{0, 9}, 0.5})).ok());
     restored->step();
     CHECK(restored->itemIds().back().value == 3);
 }

@@ -54,10 +54,10 @@ struct Commander {
             conduct.avoids = random.below(4) > 0;
             (void)give(world, sequence, SetConduct{group, conduct});
         } else if (dice == 30 && !world.obstacleIds().empty()) {
-            (void)give(world, sequence, RemoveObstacle{world.obstacleIds().back()});
+            (void)give(world, sequence, removeThing(world.obstacleIds().back()));
         } else if (dice == 40) {
             (void)give(world, sequence,
-                       AddObstacle{tree({random.uniform(-9, 9), random.uniform(-9, 9)}, 0.3)});
+                       putThing(tree({random.uniform(-9, 9), random.uniform(-9, 9)}, 0.3)));
         } else if (dice == 50) {
             (void)give(world, sequence, SetPose{group, {random.uniform(-9, 9), random.uniform(-9, 9)}, 1.0});
         }

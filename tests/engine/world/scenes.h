@@ -126,9 +126,9 @@ public:
         }
         if (dice == 70)
             (void)give(world, sequence_,
-                       AddObstacle{tree({random_.uniform(-9, 9), random_.uniform(-9, 9)}, 0.4)});
+                       putThing(tree({random_.uniform(-9, 9), random_.uniform(-9, 9)}, 0.4)));
         if (dice == 80 && !world.obstacleIds().empty())
-            (void)give(world, sequence_, RemoveObstacle{world.obstacleIds().back()});
+            (void)give(world, sequence_, removeThing(world.obstacleIds().back()));
         if (dice == 90)
             (void)give(world, sequence_,
                        SetCount{world.group(0).id, static_cast<std::int32_t>(10 + random_.below(30))});

@@ -48,7 +48,7 @@ TEST_CASE("last places that do not fit are nobody's, and their holders' again wh
         const auto first = copyOf(world.characters().place);
         CHECK(std::count(first.begin(), first.end(), -1) == 0);
         std::uint32_t sequence = 0;
-        REQUIRE(give(world, sequence, AddObstacle{block(-4, -2, 3.2, 2)}).ok());  // A strip is left.
+        REQUIRE(give(world, sequence, putThing(block(-4, -2, 3.2, 2))).ok());  // A strip is left.
         for (int s = 0; s < 40; ++s) world.step();
         const auto fit = world.group(0).placeUsable;
         const auto fitting = std::count(fit.begin(), fit.end(), 1);
@@ -56,7 +56,7 @@ TEST_CASE("last places that do not fit are nobody's, and their holders' again wh
         const auto crowded = copyOf(world.characters().place);
         CHECK(std::count(crowded.begin(), crowded.end(), -1) == 12 - fitting);
         world = World::restore(world.snapshot()).value();
-        REQUIRE(give(world, sequence, RemoveObstacle{world.obstacleIds()[0]}).ok());
+        REQUIRE(give(world, sequence, removeThing(world.obstacleIds()[0])).ok());
         for (int s = 0; s < 60; ++s) world.step();
         CHECK(copyOf(world.characters().place) == first);
     }

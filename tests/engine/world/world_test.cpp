@@ -208,7 +208,7 @@ TEST_CASE("bad commands are refused with a sentence and change nothing") {
     std::uint32_t sequence = 0;
     CHECK_FALSE(world.submit({0, 1, 0, TouchDown{1, {NAN, 0}, 0.0, {}}}).ok());
     CHECK(give(world, sequence, SetFormation{GroupId{99}, {}}).ok());
-    CHECK(give(world, sequence, RemoveObstacle{ObstacleId{5}}).ok());
+    CHECK(give(world, sequence, removeThing(ObstacleId{5})).ok());
     CHECK(give(world, sequence, TouchUp{4, 0.0}).ok());
     CHECK(give(world, sequence, TouchDown{1, {11, 11}, 0.0, {}}).ok());
     world.step();

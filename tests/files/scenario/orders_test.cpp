@@ -132,19 +132,30 @@ TEST_CASE("a leave of a group is an order, one of ids takes characters out") {
     CHECK(failsWith(R"({"kind":"leave","group":1,"exits":[1],"attractions":[1,2]})", "2 attractions"));
 }
 
-TEST_CASE("an area is put by one event, and changed where that names it") {
+TEST_CASE("a thing is put by one definition") {
+    const auto put = std::get<PutThing>(bodyOf(R"({"kind":"putThing","id":4,"item":{"position":[1,2]}})"));
+    CHECK(put.id == 4);
+    CHECK(put.item->position == Vec2{1, 2});
+    CHECK(failsWith(R"({"kind":"putThing","id":4})", "found 0 definitions, expected one"));
+    CHECK(failsWith(R"({"kind":"putThing","item":{"position":[1,2]},"obstacle":{"radius":1}})",
+                    "found 2 definitions, expected one"));
+}
+
+TEST_CASE("an event of a former kind is read as the one that says the same") {
     const CommandBody added = bodyOf(R"({"kind":"area","group":2,"definition":{"kind":"source",
         "polygon":[[0,0],[1,0],[1,1]],"rate":0.5,"timetable":[{"t":3,"count":4}]}})");
-    const auto& put = std::get<PutArea>(added);
-    CHECK(!put.id);
+    const auto& put = std::get<PutThing>(added);
+    CHECK(put.id == 0);
     CHECK(put.group == GroupId{2});
-    CHECK(put.area.kind == AreaKind::Source);
-    CHECK(put.area.timetable == std::vector{Arrivals{3.0, 4}});
+    CHECK(put.area->kind == AreaKind::Source);
+    CHECK(put.area->timetable == std::vector{Arrivals{3.0, 4}});
     const CommandBody changed = bodyOf(
         R"({"kind":"area","id":3,"definition":{"kind":"exit","polygon":[[0,0],[1,0],[1,1]],"open":false}})");
-    CHECK(std::get<PutArea>(changed).id == AreaId{3});
-    CHECK_FALSE(std::get<PutArea>(changed).area.open);
-    CHECK(std::get<RemoveArea>(bodyOf(R"({"kind":"removeArea","id":3})")).id == AreaId{3});
+    CHECK(std::get<PutThing>(changed).id == 3);
+    CHECK_FALSE(std::get<PutThing>(changed).area->open);
+    const auto remove = std::get<RemoveThing>(bodyOf(R"({"kind":"removeArea","id":3})"));
+    CHECK(remove.thing == ThingKind::Area);
+    CHECK(remove.id == 3);
     CHECK(failsWith(R"({"kind":"area","definition":{"kind":"door","polygon":[[0,0],[1,0],[1,1]]}})",
                     "$[0].definition.kind:"));
     CHECK(failsWith(R"({"kind":"area","definition":{"kind":"exit","polygon":[[0,0],[1,0],[1,1]],"group":1}})",

@@ -167,7 +167,7 @@ TEST_CASE("bodies, orders and patches of version 6 have nothing of what version 
         CHECK(body.unitClass == 2);
         CHECK(body.headway == (now ? 0.5 : 0.0));
         CHECK(body.downstairs == (now ? 0.7 : 0.0));
-        const PatchDef& stairs = std::get<AddPatch>(take->commands[1].body).patch;
+        const PatchDef& stairs = *std::get<PutThing>(take->commands[1].body).patch;
         CHECK(stairs.speed == 0.5);
         CHECK(stairs.ascent == (now ? std::optional(1.5) : std::nullopt));
         CHECK(stairs.speedDown == (now ? 0.25 : -1.0));

@@ -145,12 +145,8 @@ export const kBodies = {
   SetPose: { group: 2, position: at(6, 7), angle: -0.5 },
   AddGroup: { group },
   RemoveGroup: { group: 3 },
-  AddObstacle: { obstacle },
-  ChangeObstacle: { id: 4, obstacle },
-  RemoveObstacle: { id: 5 },
-  AddPatch: { patch },
-  ChangePatch: { id: 6, patch },
-  RemovePatch: { id: 7 },
+  PutThing: { id: 4, obstacle },
+  RemoveThing: { thing: engine.ThingKind.Patch, id: 5 },
   SetParameter: { name: 'plan.exponent', value: 2 },
   GiveOrder: { group: 1, mode: engine.QueueMode.Insert, index: 2, order },
   EditQueue: { group: 1, edit: engine.QueueEdit.Cancel, order: 12 },
@@ -182,12 +178,6 @@ export const kBodies = {
     positions: [at(1, 2), at(3, 4)],
     velocities: [at(0.5, 0), at(0, 0.5)],
   },
-  AddItem: { item: { position: at(2, 3), radius: 0.75 } },
-  ChangeItem: { id: 9, item: { position: at(2, 3), radius: 0.75 } },
-  RemoveItem: { id: 9 },
-  AddCheckpoint: { checkpoint, group: 3 },
-  ChangeCheckpoint: { id: 2, checkpoint, group: 3 },
-  RemoveCheckpoint: { id: 2 },
   PlaceGroup: { group: 1, position: at(8, 9), angle: 0.125 },
   NameGroup: { group: 1, name: 'Vorhut' },
   ColourGroup: { group: 1, colour: 0xffee00 },
@@ -196,8 +186,6 @@ export const kBodies = {
     build: engine.BodyBuild.Narrow,
     motions: engine.MotionSet.Weary,
   },
-  PutArea: { id: 3, area, group: 2 },
-  RemoveArea: { id: 3 },
   SetPeople: { group: 2, people: [{ name: 'Slow', share: 2, unitClass: 3 }] },
   ReverseQueue: { group: 2 },
 };
@@ -233,6 +221,18 @@ test('commands of every kind become bytes and come back, all that they say', asy
     assert.equal(muster.commandName(kind), name);
     refused('ParseError', 'command', () => muster.commandDecode(bytes.subarray(0, bytes.length - 1)));
   }
+});
+
+test('a thing of every kind arrives as it was put', async () => {
+  const muster = await engine.loadMuster();
+  const item = { position: at(2, 3), radius: 0.75 };
+  for (const put of [{ obstacle }, { id: 6, patch }, { item }, { id: 2, checkpoint, group: 3 }, { area, group: 2 }]) {
+    const command = { kind: CommandKind.PutThing, step: 7, client: 3, sequence: 1, body: put };
+    const [back] = muster.commandDecode(muster.commandEncode(command));
+    holds(back.body, put, Object.keys(put).join());
+  }
+  const none = { kind: CommandKind.PutThing, step: 7, client: 3, sequence: 1, body: { id: 6 } };
+  refused('InvalidArgument', 'PutThing', () => muster.commandValidate(none));
 });
 
 test('numbers arrive where the engine looks for them: its own text of the commands says the same', async () => {

@@ -87,9 +87,9 @@ test('what stands in a world is read as it was given, and changed by commands', 
   const { stages, total } = world.stageTimes();
   assert.ok(total >= 0 && stages.length > 5 && stages.every(({ name }) => name.length > 0));
   world.submit({
-    kind: engine.CommandKind.RemoveObstacle,
+    kind: engine.CommandKind.RemoveThing,
     step: 61,
-    body: { id },
+    body: { thing: engine.ThingKind.Obstacle, id },
   });
   world.step();
   refused('NotFound', 'obstacle', () => world.obstacle(id));

@@ -71,14 +71,14 @@ Defined definitionOf(const World& world, bool poses) {
         text += std::string(info.name) + std::to_string(info.get(world.parameters())) + "\n";
     std::vector<std::string> parts;
     for (const ObstacleId id : world.obstacleIds())
-        parts.push_back(textOf(AddObstacle{world.obstacle(id).def}));
-    for (const PatchId id : world.patchIds()) parts.push_back(textOf(AddPatch{world.patch(id).def}));
-    for (const ItemDef& item : world.items()) parts.push_back(textOf(AddItem{item}));
+        parts.push_back(textOf(putThing(world.obstacle(id).def)));
+    for (const PatchId id : world.patchIds()) parts.push_back(textOf(putThing(world.patch(id).def)));
+    for (const ItemDef& item : world.items()) parts.push_back(textOf(putThing(item)));
     for (std::size_t k = 0; k < world.checkpoints().size(); ++k)
-        parts.push_back(textOf(AddCheckpoint{world.checkpoints()[k], {}}) +
+        parts.push_back(textOf(putThing(world.checkpoints()[k])) +
                         groupName(world, world.checkpointGroups()[k]));
     for (std::size_t a = 0; a < world.areaCount(); ++a)
-        parts.push_back(textOf(PutArea{{}, world.area(a).def, {}}) + groupName(world, world.area(a).group));
+        parts.push_back(textOf(putThing(world.area(a).def)) + groupName(world, world.area(a).group));
     putSorted(text, std::move(parts));
     std::vector<std::pair<std::string, std::size_t>> groups;
     for (std::size_t g = 0; g < world.groupCount(); ++g) groups.emplace_back(groupText(world, g), g);
@@ -195,35 +195,35 @@ struct TwoDirectors : UndoDesk {
                 wall.name = "Post";
                 wall.centre = {place() + 35.0, place() + 35.0};
                 wall.radius = 0.5;
-                if (world().obstacleIds().empty() || draw(2) == 0) return AddObstacle{wall};
-                return ChangeObstacle{among(world().obstacleIds()), wall};
+                if (world().obstacleIds().empty() || draw(2) == 0) return putThing(wall);
+                return putThing(wall, among(world().obstacleIds()));
             }
             case 1:
-                if (!world().obstacleIds().empty()) return RemoveObstacle{among(world().obstacleIds())};
+                if (!world().obstacleIds().empty()) return removeThing(among(world().obstacleIds()));
                 return ColourGroup{id, draw(1000)};
             case 2:
-                if (world().itemIds().empty() || draw(2) == 0) return AddItem{{{40.0, place()}, 0.3}};
-                return ChangeItem{among(world().itemIds()), {{40.0, place()}, 0.4}};
+                if (world().itemIds().empty() || draw(2) == 0) return putThing(ItemDef{{40.0, place()}, 0.3});
+                return putThing(ItemDef{{40.0, place()}, 0.4}, among(world().itemIds()));
             case 3:
-                if (!world().itemIds().empty()) return RemoveItem{among(world().itemIds())};
+                if (!world().itemIds().empty()) return removeThing(among(world().itemIds()));
                 return SetAppearance{id, BodyBuild::Narrow, {}};
             case 4: {
                 FormationCheckpointDef checkpoint;
                 checkpoint.position = {55.0, place()};
-                if (world().checkpointIds().empty() || draw(2) == 0) return AddCheckpoint{checkpoint, {}};
-                return ChangeCheckpoint{among(world().checkpointIds()), checkpoint, {}};
+                if (world().checkpointIds().empty() || draw(2) == 0) return putThing(checkpoint);
+                return putThing(checkpoint, among(world().checkpointIds()));
             }
             case 5:
-                if (!world().checkpointIds().empty()) return RemoveCheckpoint{among(world().checkpointIds())};
+                if (!world().checkpointIds().empty()) return removeThing(among(world().checkpointIds()));
                 return NameGroup{id, "Name " + std::to_string(draw(100))};
             case 6: {
                 AreaDef area;
                 area.polygon = {{50, 50}, {55, 50}, {55, 50.0 + 1 + draw(5)}};
-                if (world().areaCount() == 0 || draw(2) == 0) return PutArea{{}, area, {}};
-                return PutArea{world().area(draw(world().areaCount())).id, area, {}};
+                if (world().areaCount() == 0 || draw(2) == 0) return putThing(area);
+                return putThing(area, world().area(draw(world().areaCount())).id);
             }
             case 7:
-                if (world().areaCount() > 0) return RemoveArea{world().area(draw(world().areaCount())).id};
+                if (world().areaCount() > 0) return removeThing(world().area(draw(world().areaCount())).id);
                 return SetCount{id, 4 + static_cast<std::int32_t>(draw(20))};
             case 8:
                 return SetCount{id, 4 + static_cast<std::int32_t>(draw(20))};
@@ -242,11 +242,11 @@ struct TwoDirectors : UndoDesk {
             case 12: {
                 PatchDef patch;
                 patch.polygon = {{-50, -50}, {-45, -50}, {-45, -49.0 + draw(4)}};
-                if (world().patchIds().empty() || draw(2) == 0) return AddPatch{patch};
-                return ChangePatch{among(world().patchIds()), patch};
+                if (world().patchIds().empty() || draw(2) == 0) return putThing(patch);
+                return putThing(patch, among(world().patchIds()));
             }
             case 13:
-                if (!world().patchIds().empty()) return RemovePatch{among(world().patchIds())};
+                if (!world().patchIds().empty()) return removeThing(among(world().patchIds()));
                 return SetFormation{id, anyFormation()};
             default:
                 return SetParameter{"plan.exponent", 1.0 + 0.1 * draw(9)};

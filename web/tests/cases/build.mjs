@@ -158,8 +158,8 @@ export async function numbers(studio) {
       [3, -5.7, 3.3, -2.3],
       [6.7, -5.5, 7, -2.3],
     ].map(([x0, y0, x1, y1]) => ({
-      kind: 'obstacle',
-      definition: {
+      kind: 'putThing',
+      obstacle: {
         polygon: [
           [x0, y0],
           [x1, y0],

@@ -347,8 +347,8 @@ export async function badFiles(studio, server) {
 /** What is edited is kept, and offered where the server has begun anew. */
 export async function autosave(studio, server) {
   const wall = {
-    kind: 'obstacle',
-    definition: {
+    kind: 'putThing',
+    obstacle: {
       name: 'Wall',
       polygon: [
         [3, 3],

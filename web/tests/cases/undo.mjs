@@ -151,7 +151,7 @@ async function oneHistory(studio) {
   await page.keyboard.press('Shift+E');
   await page.getByRole('button', { name: 'Undo change shape' }).waitFor();
   const events = JSON.stringify([
-    { kind: 'obstacle', definition: { name: 'Post', centre: [0, 12], radius: 1, height: 2 } },
+    { kind: 'putThing', obstacle: { name: 'Post', centre: [0, 12], radius: 1, height: 2 } },
   ]);
   await studio.send({ type: 'Edit', label: 'Add disc', gesture: 0, events });
   await page.getByRole('button', { name: 'Undo add disc' }).click();

@@ -81,30 +81,19 @@ void fields(M& m, C<M, MusterRemoveGroup>& c, P<M, RemoveGroup>& p) {
     m.id(c.group, p.group);
 }
 template <class M>
-void fields(M& m, C<M, MusterAddObstacle>& c, P<M, AddObstacle>& p) {
-    m.part(c.obstacle, p.obstacle, "obstacle");
+void fields(M& m, C<M, MusterPutThing>& c, P<M, PutThing>& p) {
+    m.plain(c.id, p.id);
+    m.optionalPart(c.obstacle, p.obstacle, "obstacle");
+    m.optionalPart(c.patch, p.patch, "patch");
+    m.optionalPart(c.item, p.item, "item");
+    m.optionalPart(c.checkpoint, p.checkpoint, "checkpoint");
+    m.optionalPart(c.area, p.area, "area");
+    m.id(c.group, p.group);
 }
 template <class M>
-void fields(M& m, C<M, MusterChangeObstacle>& c, P<M, ChangeObstacle>& p) {
-    m.id(c.id, p.id);
-    m.part(c.obstacle, p.obstacle, "obstacle");
-}
-template <class M>
-void fields(M& m, C<M, MusterRemoveObstacle>& c, P<M, RemoveObstacle>& p) {
-    m.id(c.id, p.id);
-}
-template <class M>
-void fields(M& m, C<M, MusterAddPatch>& c, P<M, AddPatch>& p) {
-    m.part(c.patch, p.patch, "patch");
-}
-template <class M>
-void fields(M& m, C<M, MusterChangePatch>& c, P<M, ChangePatch>& p) {
-    m.id(c.id, p.id);
-    m.part(c.patch, p.patch, "patch");
-}
-template <class M>
-void fields(M& m, C<M, MusterRemovePatch>& c, P<M, RemovePatch>& p) {
-    m.id(c.id, p.id);
+void fields(M& m, C<M, MusterRemoveThing>& c, P<M, RemoveThing>& p) {
+    m.choice(c.thing, p.thing, kLastOf<ThingKind>, "thing");
+    m.plain(c.id, p.id);
 }
 template <class M>
 void fields(M& m, C<M, MusterSetParameter>& c, P<M, SetParameter>& p) {
@@ -186,34 +175,6 @@ void fields(M& m, C<M, MusterWriteMotion>& c, P<M, WriteMotion>& p) {
     m.list(c.velocities, c.velocityCount, p.velocities, "velocities");
 }
 template <class M>
-void fields(M& m, C<M, MusterAddItem>& c, P<M, AddItem>& p) {
-    m.plain(c.item, p.item);
-}
-template <class M>
-void fields(M& m, C<M, MusterChangeItem>& c, P<M, ChangeItem>& p) {
-    m.id(c.id, p.id);
-    m.plain(c.item, p.item);
-}
-template <class M>
-void fields(M& m, C<M, MusterRemoveItem>& c, P<M, RemoveItem>& p) {
-    m.id(c.id, p.id);
-}
-template <class M>
-void fields(M& m, C<M, MusterAddCheckpoint>& c, P<M, AddCheckpoint>& p) {
-    m.part(c.checkpoint, p.checkpoint, "checkpoint");
-    m.id(c.group, p.group);
-}
-template <class M>
-void fields(M& m, C<M, MusterChangeCheckpoint>& c, P<M, ChangeCheckpoint>& p) {
-    m.id(c.id, p.id);
-    m.part(c.checkpoint, p.checkpoint, "checkpoint");
-    m.id(c.group, p.group);
-}
-template <class M>
-void fields(M& m, C<M, MusterRemoveCheckpoint>& c, P<M, RemoveCheckpoint>& p) {
-    m.id(c.id, p.id);
-}
-template <class M>
 void fields(M& m, C<M, MusterPlaceGroup>& c, P<M, PlaceGroup>& p) {
     m.id(c.group, p.group);
     m.plain(c.position, p.position);
@@ -234,16 +195,6 @@ void fields(M& m, C<M, MusterSetAppearance>& c, P<M, SetAppearance>& p) {
     m.id(c.group, p.group);
     m.optionalChoice(c.hasBuild, c.build, p.build, kLastOf<BodyBuild>, "build");
     m.optionalChoice(c.hasMotions, c.motions, p.motions, kLastOf<MotionSet>, "motions");
-}
-template <class M>
-void fields(M& m, C<M, MusterPutArea>& c, P<M, PutArea>& p) {
-    m.id(c.id, p.id);
-    m.part(c.area, p.area, "area");
-    m.id(c.group, p.group);
-}
-template <class M>
-void fields(M& m, C<M, MusterRemoveArea>& c, P<M, RemoveArea>& p) {
-    m.id(c.id, p.id);
 }
 template <class M>
 void fields(M& m, C<M, MusterSetPeople>& c, P<M, SetPeople>& p) {
@@ -271,12 +222,8 @@ inline constexpr std::tuple kCommandMembers{
     &MusterCommandBody::setPose,
     &MusterCommandBody::addGroup,
     &MusterCommandBody::removeGroup,
-    &MusterCommandBody::addObstacle,
-    &MusterCommandBody::changeObstacle,
-    &MusterCommandBody::removeObstacle,
-    &MusterCommandBody::addPatch,
-    &MusterCommandBody::changePatch,
-    &MusterCommandBody::removePatch,
+    &MusterCommandBody::putThing,
+    &MusterCommandBody::removeThing,
     &MusterCommandBody::setParameter,
     &MusterCommandBody::giveOrder,
     &MusterCommandBody::editQueue,
@@ -291,18 +238,10 @@ inline constexpr std::tuple kCommandMembers{
     &MusterCommandBody::setDemands,
     &MusterCommandBody::setDriver,
     &MusterCommandBody::writeMotion,
-    &MusterCommandBody::addItem,
-    &MusterCommandBody::changeItem,
-    &MusterCommandBody::removeItem,
-    &MusterCommandBody::addCheckpoint,
-    &MusterCommandBody::changeCheckpoint,
-    &MusterCommandBody::removeCheckpoint,
     &MusterCommandBody::placeGroup,
     &MusterCommandBody::nameGroup,
     &MusterCommandBody::colourGroup,
     &MusterCommandBody::setAppearance,
-    &MusterCommandBody::putArea,
-    &MusterCommandBody::removeArea,
     &MusterCommandBody::setPeople,
     &MusterCommandBody::reverseQueue,
 };

@@ -93,37 +93,27 @@ typedef struct MusterRemoveGroup {
     MusterGroupId group;  ///< Group to remove.
 } MusterRemoveGroup;
 
-/// Adds an obstacle.
-typedef struct MusterAddObstacle {
-    MusterObstacleDef obstacle;  ///< Its definition.
-} MusterAddObstacle;
+/// Puts a thing into the place, or gives one another definition. Exactly one of the five definitions says
+/// what it is. An item that is collected stays so, and a checkpoint stays passed by the groups that have
+/// passed it.
+typedef struct MusterPutThing {
+    uint32_t id;                            ///< Thing that gets another definition; 0 to add one.
+    const MusterObstacleDef* obstacle;      ///< An obstacle; null for other things.
+    const MusterPatchDef* patch;            ///< A patch; null for other things.
+    const MusterItemDef* item;              ///< An item to collect; null for other things.
+    const MusterCheckpointDef* checkpoint;  ///< A formation checkpoint (SPEC M7), whose `group` is not read;
+                                            ///< null for other things.
+    const MusterAreaDef* area;              ///< An area, whose `group` is not read; null for other things.
+    MusterGroupId group;                    ///< For a checkpoint: the group that it concerns, 0 for any. For
+                                            ///< a source: the group that its people join.
+} MusterPutThing;
 
-/// Changes shape, position, path or field of an obstacle.
-typedef struct MusterChangeObstacle {
-    MusterObstacleId id;         ///< Its id.
-    MusterObstacleDef obstacle;  ///< Its new definition.
-} MusterChangeObstacle;
-
-/// Removes an obstacle.
-typedef struct MusterRemoveObstacle {
-    MusterObstacleId id;  ///< Its id.
-} MusterRemoveObstacle;
-
-/// Adds a patch.
-typedef struct MusterAddPatch {
-    MusterPatchDef patch;  ///< Its definition.
-} MusterAddPatch;
-
-/// Changes shape, position, path or motion of a patch.
-typedef struct MusterChangePatch {
-    MusterPatchId id;      ///< Its id.
-    MusterPatchDef patch;  ///< Its new definition.
-} MusterChangePatch;
-
-/// Removes a patch.
-typedef struct MusterRemovePatch {
-    MusterPatchId id;  ///< Its id.
-} MusterRemovePatch;
+/// Removes a thing. People on their way to an area that is removed go to the other areas of their order, or
+/// stand.
+typedef struct MusterRemoveThing {
+    MusterThingKind thing;  ///< What it is.
+    uint32_t id;            ///< Its id.
+} MusterRemoveThing;
 
 /// Changes the value of a parameter.
 typedef struct MusterSetParameter {
@@ -235,40 +225,6 @@ typedef struct MusterWriteMotion {
     int32_t velocityCount;         ///< Their number.
 } MusterWriteMotion;
 
-/// Adds an item to collect.
-typedef struct MusterAddItem {
-    MusterItemDef item;  ///< Its definition.
-} MusterAddItem;
-
-/// Moves an item or changes its radius. Whether it is collected stays.
-typedef struct MusterChangeItem {
-    MusterItemId id;     ///< Its id.
-    MusterItemDef item;  ///< Its new definition.
-} MusterChangeItem;
-
-/// Removes an item.
-typedef struct MusterRemoveItem {
-    MusterItemId id;  ///< Its id.
-} MusterRemoveItem;
-
-/// Adds a formation checkpoint (SPEC M7), which nobody has passed yet.
-typedef struct MusterAddCheckpoint {
-    MusterCheckpointDef checkpoint;  ///< Its definition; its `group` is not read.
-    MusterGroupId group;             ///< Group that it concerns; 0 for any group.
-} MusterAddCheckpoint;
-
-/// Changes a formation checkpoint. It stays passed by the groups that have passed it.
-typedef struct MusterChangeCheckpoint {
-    MusterCheckpointId id;           ///< Its id.
-    MusterCheckpointDef checkpoint;  ///< Its new definition; its `group` is not read.
-    MusterGroupId group;             ///< Group that it concerns; 0 for any group.
-} MusterChangeCheckpoint;
-
-/// Removes a formation checkpoint.
-typedef struct MusterRemoveCheckpoint {
-    MusterCheckpointId id;  ///< Its id.
-} MusterRemoveCheckpoint;
-
 /// Puts a group elsewhere at once: its mesh, its places, and its characters, who stand still there. Its
 /// orders and controls end. (SetPose moves the mesh alone, and characters walk.)
 typedef struct MusterPlaceGroup {
@@ -299,18 +255,6 @@ typedef struct MusterSetAppearance {
     MusterMotionSet motions;  ///< How it walks and jogs.
 } MusterSetAppearance;
 
-/// Adds an area, or changes one.
-typedef struct MusterPutArea {
-    MusterAreaId id;      ///< The area that is changed; 0 to add one.
-    MusterAreaDef area;   ///< Its definition; its `group` is not read.
-    MusterGroupId group;  ///< For Source: the group that its people join.
-} MusterPutArea;
-
-/// Removes an area. People on their way to it go to the other areas of their order, or stand.
-typedef struct MusterRemoveArea {
-    MusterAreaId id;  ///< Its id.
-} MusterRemoveArea;
-
 /// Gives a group other sorts of persons. Persons who join it by number or by a source are drawn by them from
 /// now on. Its present members are drawn again, as those who come at once: each number that neither the sorts
 /// before nor these draw stays as it is. A person who has heard an order sets out when it was to.
@@ -325,7 +269,7 @@ typedef struct MusterReverseQueue {
     MusterGroupId group;  ///< The group.
 } MusterReverseQueue;
 
-/// Kinds of commands. Numbers stay; new kinds are appended.
+/// Kinds of commands.
 typedef int32_t MusterCommandKind;
 /// Values of MusterCommandKind.
 enum MusterCommandKindValue {
@@ -342,41 +286,29 @@ enum MusterCommandKindValue {
     MUSTER_COMMAND_SET_POSE = 10,             ///< Its body is `setPose`.
     MUSTER_COMMAND_ADD_GROUP = 11,            ///< Its body is `addGroup`.
     MUSTER_COMMAND_REMOVE_GROUP = 12,         ///< Its body is `removeGroup`.
-    MUSTER_COMMAND_ADD_OBSTACLE = 13,         ///< Its body is `addObstacle`.
-    MUSTER_COMMAND_CHANGE_OBSTACLE = 14,      ///< Its body is `changeObstacle`.
-    MUSTER_COMMAND_REMOVE_OBSTACLE = 15,      ///< Its body is `removeObstacle`.
-    MUSTER_COMMAND_ADD_PATCH = 16,            ///< Its body is `addPatch`.
-    MUSTER_COMMAND_CHANGE_PATCH = 17,         ///< Its body is `changePatch`.
-    MUSTER_COMMAND_REMOVE_PATCH = 18,         ///< Its body is `removePatch`.
-    MUSTER_COMMAND_SET_PARAMETER = 19,        ///< Its body is `setParameter`.
-    MUSTER_COMMAND_GIVE_ORDER = 20,           ///< Its body is `giveOrder`.
-    MUSTER_COMMAND_EDIT_QUEUE = 21,           ///< Its body is `editQueue`.
-    MUSTER_COMMAND_SET_CONDUCT = 22,          ///< Its body is `setConduct`.
-    MUSTER_COMMAND_ADD_CHARACTERS = 23,       ///< Its body is `addCharacters`.
-    MUSTER_COMMAND_REMOVE_CHARACTERS = 24,    ///< Its body is `removeCharacters`.
-    MUSTER_COMMAND_TRANSFER_CHARACTERS = 25,  ///< Its body is `transferCharacters`.
-    MUSTER_COMMAND_SPLIT_GROUP = 26,          ///< Its body is `splitGroup`.
-    MUSTER_COMMAND_MERGE_GROUPS = 27,         ///< Its body is `mergeGroups`.
-    MUSTER_COMMAND_SET_BODIES = 28,           ///< Its body is `setBodies`.
-    MUSTER_COMMAND_SET_ROLES = 29,            ///< Its body is `setRoles`.
-    MUSTER_COMMAND_SET_DEMANDS = 30,          ///< Its body is `setDemands`.
-    MUSTER_COMMAND_SET_DRIVER = 31,           ///< Its body is `setDriver`.
-    MUSTER_COMMAND_WRITE_MOTION = 32,         ///< Its body is `writeMotion`.
-    MUSTER_COMMAND_ADD_ITEM = 33,             ///< Its body is `addItem`.
-    MUSTER_COMMAND_CHANGE_ITEM = 34,          ///< Its body is `changeItem`.
-    MUSTER_COMMAND_REMOVE_ITEM = 35,          ///< Its body is `removeItem`.
-    MUSTER_COMMAND_ADD_CHECKPOINT = 36,       ///< Its body is `addCheckpoint`.
-    MUSTER_COMMAND_CHANGE_CHECKPOINT = 37,    ///< Its body is `changeCheckpoint`.
-    MUSTER_COMMAND_REMOVE_CHECKPOINT = 38,    ///< Its body is `removeCheckpoint`.
-    MUSTER_COMMAND_PLACE_GROUP = 39,          ///< Its body is `placeGroup`.
-    MUSTER_COMMAND_NAME_GROUP = 40,           ///< Its body is `nameGroup`.
-    MUSTER_COMMAND_COLOUR_GROUP = 41,         ///< Its body is `colourGroup`.
-    MUSTER_COMMAND_SET_APPEARANCE = 42,       ///< Its body is `setAppearance`.
-    MUSTER_COMMAND_PUT_AREA = 43,             ///< Its body is `putArea`.
-    MUSTER_COMMAND_REMOVE_AREA = 44,          ///< Its body is `removeArea`.
-    MUSTER_COMMAND_SET_PEOPLE = 45,           ///< Its body is `setPeople`.
-    MUSTER_COMMAND_REVERSE_QUEUE = 46,        ///< Its body is `reverseQueue`.
-    MUSTER_COMMAND_COUNT = 47                 ///< Number of kinds.
+    MUSTER_COMMAND_PUT_THING = 13,            ///< Its body is `putThing`.
+    MUSTER_COMMAND_REMOVE_THING = 14,         ///< Its body is `removeThing`.
+    MUSTER_COMMAND_SET_PARAMETER = 15,        ///< Its body is `setParameter`.
+    MUSTER_COMMAND_GIVE_ORDER = 16,           ///< Its body is `giveOrder`.
+    MUSTER_COMMAND_EDIT_QUEUE = 17,           ///< Its body is `editQueue`.
+    MUSTER_COMMAND_SET_CONDUCT = 18,          ///< Its body is `setConduct`.
+    MUSTER_COMMAND_ADD_CHARACTERS = 19,       ///< Its body is `addCharacters`.
+    MUSTER_COMMAND_REMOVE_CHARACTERS = 20,    ///< Its body is `removeCharacters`.
+    MUSTER_COMMAND_TRANSFER_CHARACTERS = 21,  ///< Its body is `transferCharacters`.
+    MUSTER_COMMAND_SPLIT_GROUP = 22,          ///< Its body is `splitGroup`.
+    MUSTER_COMMAND_MERGE_GROUPS = 23,         ///< Its body is `mergeGroups`.
+    MUSTER_COMMAND_SET_BODIES = 24,           ///< Its body is `setBodies`.
+    MUSTER_COMMAND_SET_ROLES = 25,            ///< Its body is `setRoles`.
+    MUSTER_COMMAND_SET_DEMANDS = 26,          ///< Its body is `setDemands`.
+    MUSTER_COMMAND_SET_DRIVER = 27,           ///< Its body is `setDriver`.
+    MUSTER_COMMAND_WRITE_MOTION = 28,         ///< Its body is `writeMotion`.
+    MUSTER_COMMAND_PLACE_GROUP = 29,          ///< Its body is `placeGroup`.
+    MUSTER_COMMAND_NAME_GROUP = 30,           ///< Its body is `nameGroup`.
+    MUSTER_COMMAND_COLOUR_GROUP = 31,         ///< Its body is `colourGroup`.
+    MUSTER_COMMAND_SET_APPEARANCE = 32,       ///< Its body is `setAppearance`.
+    MUSTER_COMMAND_SET_PEOPLE = 33,           ///< Its body is `setPeople`.
+    MUSTER_COMMAND_REVERSE_QUEUE = 34,        ///< Its body is `reverseQueue`.
+    MUSTER_COMMAND_COUNT = 35                 ///< Number of kinds.
 };
 
 /// What a command of each kind says. Only the member of the command's kind is read.
@@ -394,12 +326,8 @@ typedef union MusterCommandBody {
     MusterSetPose setPose;                        ///< For MUSTER_COMMAND_SET_POSE.
     MusterAddGroup addGroup;                      ///< For MUSTER_COMMAND_ADD_GROUP.
     MusterRemoveGroup removeGroup;                ///< For MUSTER_COMMAND_REMOVE_GROUP.
-    MusterAddObstacle addObstacle;                ///< For MUSTER_COMMAND_ADD_OBSTACLE.
-    MusterChangeObstacle changeObstacle;          ///< For MUSTER_COMMAND_CHANGE_OBSTACLE.
-    MusterRemoveObstacle removeObstacle;          ///< For MUSTER_COMMAND_REMOVE_OBSTACLE.
-    MusterAddPatch addPatch;                      ///< For MUSTER_COMMAND_ADD_PATCH.
-    MusterChangePatch changePatch;                ///< For MUSTER_COMMAND_CHANGE_PATCH.
-    MusterRemovePatch removePatch;                ///< For MUSTER_COMMAND_REMOVE_PATCH.
+    MusterPutThing putThing;                      ///< For MUSTER_COMMAND_PUT_THING.
+    MusterRemoveThing removeThing;                ///< For MUSTER_COMMAND_REMOVE_THING.
     MusterSetParameter setParameter;              ///< For MUSTER_COMMAND_SET_PARAMETER.
     MusterGiveOrder giveOrder;                    ///< For MUSTER_COMMAND_GIVE_ORDER.
     MusterEditQueue editQueue;                    ///< For MUSTER_COMMAND_EDIT_QUEUE.
@@ -414,18 +342,10 @@ typedef union MusterCommandBody {
     MusterSetDemands setDemands;                  ///< For MUSTER_COMMAND_SET_DEMANDS.
     MusterSetDriver setDriver;                    ///< For MUSTER_COMMAND_SET_DRIVER.
     MusterWriteMotion writeMotion;                ///< For MUSTER_COMMAND_WRITE_MOTION.
-    MusterAddItem addItem;                        ///< For MUSTER_COMMAND_ADD_ITEM.
-    MusterChangeItem changeItem;                  ///< For MUSTER_COMMAND_CHANGE_ITEM.
-    MusterRemoveItem removeItem;                  ///< For MUSTER_COMMAND_REMOVE_ITEM.
-    MusterAddCheckpoint addCheckpoint;            ///< For MUSTER_COMMAND_ADD_CHECKPOINT.
-    MusterChangeCheckpoint changeCheckpoint;      ///< For MUSTER_COMMAND_CHANGE_CHECKPOINT.
-    MusterRemoveCheckpoint removeCheckpoint;      ///< For MUSTER_COMMAND_REMOVE_CHECKPOINT.
     MusterPlaceGroup placeGroup;                  ///< For MUSTER_COMMAND_PLACE_GROUP.
     MusterNameGroup nameGroup;                    ///< For MUSTER_COMMAND_NAME_GROUP.
     MusterColourGroup colourGroup;                ///< For MUSTER_COMMAND_COLOUR_GROUP.
     MusterSetAppearance setAppearance;            ///< For MUSTER_COMMAND_SET_APPEARANCE.
-    MusterPutArea putArea;                        ///< For MUSTER_COMMAND_PUT_AREA.
-    MusterRemoveArea removeArea;                  ///< For MUSTER_COMMAND_REMOVE_AREA.
     MusterSetPeople setPeople;                    ///< For MUSTER_COMMAND_SET_PEOPLE.
     MusterReverseQueue reverseQueue;              ///< For MUSTER_COMMAND_REVERSE_QUEUE.
 } MusterCommandBody;

@@ -65,6 +65,17 @@ enum MusterAreaKindValue {
     MUSTER_AREA_WAITING = 2  ///< People who are to wait in it spread in it and stand.
 };
 
+/// What stands or lies in the place.
+typedef uint8_t MusterThingKind;
+/// Values of MusterThingKind.
+enum MusterThingKindValue {
+    MUSTER_THING_OBSTACLE = 0,    ///< Something in the way.
+    MUSTER_THING_PATCH = 1,       ///< Ground on which another motion is performed.
+    MUSTER_THING_ITEM = 2,        ///< Something to collect.
+    MUSTER_THING_CHECKPOINT = 3,  ///< Where a formation is asked for.
+    MUSTER_THING_AREA = 4         ///< An exit, a source or a waiting area.
+};
+
 /// What passes a checkpoint.
 typedef uint8_t MusterCheckpointTrigger;
 /// Values of MusterCheckpointTrigger.

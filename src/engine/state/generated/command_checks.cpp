@@ -25,12 +25,8 @@ constexpr auto kNames = std::to_array<const char*>({
     "SetPose",
     "AddGroup",
     "RemoveGroup",
-    "AddObstacle",
-    "ChangeObstacle",
-    "RemoveObstacle",
-    "AddPatch",
-    "ChangePatch",
-    "RemovePatch",
+    "PutThing",
+    "RemoveThing",
     "SetParameter",
     "GiveOrder",
     "EditQueue",
@@ -45,18 +41,10 @@ constexpr auto kNames = std::to_array<const char*>({
     "SetDemands",
     "SetDriver",
     "WriteMotion",
-    "AddItem",
-    "ChangeItem",
-    "RemoveItem",
-    "AddCheckpoint",
-    "ChangeCheckpoint",
-    "RemoveCheckpoint",
     "PlaceGroup",
     "NameGroup",
     "ColourGroup",
     "SetAppearance",
-    "PutArea",
-    "RemoveArea",
     "SetPeople",
     "ReverseQueue",
 });
@@ -95,12 +83,18 @@ struct Validator {
     }
     Status operator()(const AddGroup& c) const { return validateGroup(c.group); }
     Status operator()(const RemoveGroup&) const { return {}; }
-    Status operator()(const AddObstacle& c) const { return validateObstacle(c.obstacle); }
-    Status operator()(const ChangeObstacle& c) const { return validateObstacle(c.obstacle); }
-    Status operator()(const RemoveObstacle&) const { return {}; }
-    Status operator()(const AddPatch& c) const { return validatePatch(c.patch, kAnyMotion); }
-    Status operator()(const ChangePatch& c) const { return validatePatch(c.patch, kAnyMotion); }
-    Status operator()(const RemovePatch&) const { return {}; }
+    Status operator()(const PutThing& c) const {
+        Status status = givenIn(c.obstacle, [](const auto& def) { return validateObstacle(def); });
+        if (status.ok()) status = givenIn(c.patch,
+                                      [](const auto& def) { return validatePatch(def, kAnyMotion); });
+        if (status.ok()) status = givenIn(c.item, [](const auto& def) { return validateItem(def); });
+        if (status.ok()) status = givenIn(c.checkpoint,
+                                      [](const auto& def) { return validateCheckpoint(def, kMaxGroups); });
+        if (status.ok()) status = givenIn(c.area, [](const auto& def) { return validateArea(def); });
+        if (status.ok()) status = relations(c);
+        return status;
+    }
+    Status operator()(const RemoveThing& c) const { return isKnown(c.thing, kLastOf<ThingKind>, "thing"); }
     Status operator()(const SetParameter& c) const { return relations(c); }
     Status operator()(const GiveOrder& c) const {
         Status status = isKnown(c.mode, kLastOf<QueueMode>, "queue mode");
@@ -147,14 +141,6 @@ struct Validator {
         if (status.ok()) status = relations(c);
         return status;
     }
-    Status operator()(const AddItem& c) const { return validateItem(c.item); }
-    Status operator()(const ChangeItem& c) const { return validateItem(c.item); }
-    Status operator()(const RemoveItem&) const { return {}; }
-    Status operator()(const AddCheckpoint& c) const { return validateCheckpoint(c.checkpoint, kMaxGroups); }
-    Status operator()(const ChangeCheckpoint& c) const {
-        return validateCheckpoint(c.checkpoint, kMaxGroups);
-    }
-    Status operator()(const RemoveCheckpoint&) const { return {}; }
     Status operator()(const PlaceGroup& c) const {
         Status status = place("position", c.position);
         if (status.ok()) status = numberIn("angle", c.angle, -1e6, 1e6, "[-1e6, 1e6] rad");
@@ -163,8 +149,6 @@ struct Validator {
     Status operator()(const NameGroup& c) const { return relations(c); }
     Status operator()(const ColourGroup& c) const { return relations(c); }
     Status operator()(const SetAppearance& c) const { return relations(c); }
-    Status operator()(const PutArea& c) const { return validateArea(c.area); }
-    Status operator()(const RemoveArea&) const { return {}; }
     Status operator()(const SetPeople& c) const { return validatePeople(c.people); }
     Status operator()(const ReverseQueue&) const { return {}; }
 };

@@ -7,6 +7,7 @@
 namespace muster {
 
 Status relations(const AddControl& c);
+Status relations(const PutThing& c);
 Status relations(const SetParameter& c);
 Status relations(const AddCharacters& c);
 Status relations(const SplitGroup& c);

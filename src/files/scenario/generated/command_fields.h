@@ -2,6 +2,7 @@
 // The fields of each kind of command in gesture files, except t, kind, client and step.
 #pragma once
 
+#include "engine/state/generated/former_kinds.h"
 #include "files/scenario/command_by_hand.h"
 
 namespace muster {
@@ -21,12 +22,8 @@ inline constexpr std::array kCommandWords{
     "pose",
     "group",
     "removeGroup",
-    "obstacle",
-    "changeObstacle",
-    "removeObstacle",
-    "patch",
-    "changePatch",
-    "removePatch",
+    "putThing",
+    "removeThing",
     "parameter",
     "order",
     "queue",
@@ -41,22 +38,33 @@ inline constexpr std::array kCommandWords{
     "demands",
     "driver",
     "motion",
+    "placeGroup",
+    "nameGroup",
+    "colourGroup",
+    "appearance",
+    "people",
+    "reverseQueue",
+};
+static_assert(kCommandWords.size() == std::variant_size_v<CommandKinds>);
+
+/// What older files call commands that worlds no longer have.
+inline constexpr std::array kFormerWords{
+    "obstacle",
+    "changeObstacle",
+    "removeObstacle",
+    "patch",
+    "changePatch",
+    "removePatch",
     "item",
     "changeItem",
     "removeItem",
     "checkpoint",
     "changeCheckpoint",
     "removeCheckpoint",
-    "placeGroup",
-    "nameGroup",
-    "colourGroup",
-    "appearance",
     "area",
     "removeArea",
-    "people",
-    "reverseQueue",
 };
-static_assert(kCommandWords.size() == std::variant_size_v<CommandKinds>);
+static_assert(kFormerWords.size() == std::variant_size_v<FormerKinds>);
 
 /// Describes the fields of each kind of command to a visitor.
 template <class Visitor>
@@ -116,26 +124,29 @@ struct BodyFields {
     void operator()(RemoveGroup& c) {
         v.whole("group", c.group.value, kId, "Group to remove.", Need::Required);
     }
-    void operator()(AddObstacle& c) {
-        v.object(
-            "definition", "", [&](auto& inner) { describeObstacle(inner, c.obstacle); }, Need::Required);
+    void operator()(PutThing& c) {
+        if (takesPart<Visitor>(c.id != 0))
+            v.whole("id", c.id, kId, "Thing that gets another definition; 0 to add one.");
+        maybe("obstacle", c.obstacle, "An obstacle; none for other things.",
+              [](auto& inner, auto& def) { describeObstacle(inner, def); });
+        maybe("patch", c.patch, "A patch; none for other things.",
+              [](auto& inner, auto& def) { describePatch(inner, def, {}); });
+        maybe("item", c.item, "An item to collect; none for other things.",
+              [](auto& inner, auto& def) { describeItem(inner, def); });
+        maybe("checkpoint", c.checkpoint,
+              "A formation checkpoint (SPEC M7), whose `group` is not read; none for other things.",
+              [](auto& inner, auto& def) { describeCheckpoint(inner, def, [] {}); });
+        maybe("area", c.area, "An area, whose `group` is not read; none for other things.",
+              [](auto& inner, auto& def) { describeArea(inner, def, [] {}); });
+        if (takesPart<Visitor>(static_cast<bool>(c.group)))
+            v.whole("group", c.group.value, kId,
+                    "For a checkpoint: the group that it concerns, none for any. For a source: the group that "
+                    "its people join.");
     }
-    void operator()(ChangeObstacle& c) {
-        v.whole("id", c.id.value, kId, "Its id.", Need::Required);
-        v.object(
-            "definition", "", [&](auto& inner) { describeObstacle(inner, c.obstacle); }, Need::Required);
+    void operator()(RemoveThing& c) {
+        describeWord(v, "thing", c.thing, kThingKindWords, "What it is.", Need::Required);
+        v.whole("id", c.id, kId, "Its id.", Need::Required);
     }
-    void operator()(RemoveObstacle& c) { v.whole("id", c.id.value, kId, "Its id.", Need::Required); }
-    void operator()(AddPatch& c) {
-        v.object(
-            "definition", "", [&](auto& inner) { describePatch(inner, c.patch, {}); }, Need::Required);
-    }
-    void operator()(ChangePatch& c) {
-        v.whole("id", c.id.value, kId, "Its id.", Need::Required);
-        v.object(
-            "definition", "", [&](auto& inner) { describePatch(inner, c.patch, {}); }, Need::Required);
-    }
-    void operator()(RemovePatch& c) { v.whole("id", c.id.value, kId, "Its id.", Need::Required); }
     void operator()(SetParameter& c) {
         v.text("name", c.name, "Name in parameterTable(): \"plan.exponent\".", Need::Required);
         v.number("value", c.value, {-1e9, 1e9}, "New value, in the range of the parameter.", Need::Required);
@@ -209,6 +220,45 @@ struct BodyFields {
         v.points("velocities", c.velocities, 0, kMaxCharacters,
                  "Their velocities; empty for what follows from the last positions.");
     }
+    void operator()(PlaceGroup& c) {
+        v.whole("group", c.group.value, kId, "The group.", Need::Required);
+        spot(c.position);
+        v.number("angle", c.angle, kAngle, "New heading, counter-clockwise from +x.");
+    }
+    void operator()(NameGroup& c) {
+        v.whole("group", c.group.value, kId, "The group.", Need::Required);
+        v.text("name", c.name, "At most 4,096 bytes.", Need::Required);
+    }
+    void operator()(ColourGroup& c) {
+        v.whole("group", c.group.value, kId, "The group.", Need::Required);
+        v.colour("colour", c.colour, "0xRRGGBB; none for the palette's, by the group's id.");
+    }
+    void operator()(SetAppearance& c) { describeByHand(v, c, time); }
+    void operator()(SetPeople& c) {
+        v.whole("group", c.group.value, kId, "The group.", Need::Required);
+        describePeople(v, c.people);
+    }
+    void operator()(ReverseQueue& c) { v.whole("group", c.group.value, kId, "The group.", Need::Required); }
+    void operator()(AddObstacle& c) {
+        v.object(
+            "definition", "", [&](auto& inner) { describeObstacle(inner, c.obstacle); }, Need::Required);
+    }
+    void operator()(ChangeObstacle& c) {
+        v.whole("id", c.id.value, kId, "Its id.", Need::Required);
+        v.object(
+            "definition", "", [&](auto& inner) { describeObstacle(inner, c.obstacle); }, Need::Required);
+    }
+    void operator()(RemoveObstacle& c) { v.whole("id", c.id.value, kId, "Its id.", Need::Required); }
+    void operator()(AddPatch& c) {
+        v.object(
+            "definition", "", [&](auto& inner) { describePatch(inner, c.patch, {}); }, Need::Required);
+    }
+    void operator()(ChangePatch& c) {
+        v.whole("id", c.id.value, kId, "Its id.", Need::Required);
+        v.object(
+            "definition", "", [&](auto& inner) { describePatch(inner, c.patch, {}); }, Need::Required);
+    }
+    void operator()(RemovePatch& c) { v.whole("id", c.id.value, kId, "Its id.", Need::Required); }
     void operator()(AddItem& c) {
         v.object(
             "definition", "", [&](auto& inner) { describeItem(inner, c.item); }, Need::Required);
@@ -235,20 +285,6 @@ struct BodyFields {
             v.whole("group", c.group.value, kId, "Group that it concerns; none for any group.");
     }
     void operator()(RemoveCheckpoint& c) { v.whole("id", c.id.value, kId, "Its id.", Need::Required); }
-    void operator()(PlaceGroup& c) {
-        v.whole("group", c.group.value, kId, "The group.", Need::Required);
-        spot(c.position);
-        v.number("angle", c.angle, kAngle, "New heading, counter-clockwise from +x.");
-    }
-    void operator()(NameGroup& c) {
-        v.whole("group", c.group.value, kId, "The group.", Need::Required);
-        v.text("name", c.name, "At most 4,096 bytes.", Need::Required);
-    }
-    void operator()(ColourGroup& c) {
-        v.whole("group", c.group.value, kId, "The group.", Need::Required);
-        v.colour("colour", c.colour, "0xRRGGBB; none for the palette's, by the group's id.");
-    }
-    void operator()(SetAppearance& c) { describeByHand(v, c, time); }
     void operator()(PutArea& c) {
         if (takesPart<Visitor>(static_cast<bool>(c.id)))
             v.whole("id", c.id.value, kId, "The area that is changed; none to add one.");
@@ -258,16 +294,21 @@ struct BodyFields {
             v.whole("group", c.group.value, kId, "For Source: the group that its people join.");
     }
     void operator()(RemoveArea& c) { v.whole("id", c.id.value, kId, "Its id.", Need::Required); }
-    void operator()(SetPeople& c) {
-        v.whole("group", c.group.value, kId, "The group.", Need::Required);
-        describePeople(v, c.people);
-    }
-    void operator()(ReverseQueue& c) { v.whole("group", c.group.value, kId, "The group.", Need::Required); }
 
 private:
     void spot(Vec2& p) {
         v.number("x", p.x, kCoordinate, "World coordinate.", Need::Required);
         v.number("y", p.y, kCoordinate, "World coordinate.", Need::Required);
+    }
+    /// A definition that may be left out.
+    template <class Def, class Describe>
+    void maybe(const char* key, std::optional<Def>& def, const char* about, const Describe& describe) {
+        if constexpr (Visitor::kReading || Visitor::kSchema) {
+            Def found;
+            if (v.object(key, about, [&](auto& inner) { describe(inner, found); })) def = std::move(found);
+        } else if (def) {
+            v.object(key, about, [&](auto& inner) { describe(inner, *def); });
+        }
     }
     template <class Tag>
     void ids(const char* key, std::vector<Id<Tag>>& list, std::size_t most, const char* about) {

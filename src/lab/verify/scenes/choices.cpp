@@ -156,8 +156,8 @@ Result<VerifySample> runDynamicExit(const SceneRun& run) {
     two.hall.crowd({.starts = {{3.0, 1.5}}, .people = {adults()}, .order = Order::leave()});
     auto walk = HallRun::start(two.hall, run.seed);
     if (!walk.ok()) return walk.status();
-    PutArea shut{two.left, two.hall.def.areas[0], {}};
-    shut.area.open = false;
+    PutThing shut = putThing(two.hall.def.areas[0], two.left);
+    shut.area->open = false;
     Command command;
     command.step = 60;
     command.body = shut;

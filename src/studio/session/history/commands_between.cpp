@@ -29,21 +29,21 @@ public:
 
     LeadingBatch take() {
         for (const PartChange& part : difference_.parts) {
-            if (part.key.thing.kind != ThingKind::Group || !isPresence(part.key)) continue;
+            if (part.key.subject.kind != SubjectKind::Group || !isPresence(part.key)) continue;
             const bool isThere = now(part).has_value();
-            if (isThere && !part.after) moves_.go.push_back(part.key.thing.name);
-            if (!isThere && part.after && !part.before) moves_.come.push_back(part.key.thing.name);
+            if (isThere && !part.after) moves_.go.push_back(part.key.subject.name);
+            if (!isThere && part.after && !part.before) moves_.come.push_back(part.key.subject.name);
         }
         for (PartChange& part : difference_.parts) {
-            if (part.key.thing.kind == ThingKind::Start)
+            if (part.key.subject.kind == SubjectKind::Start)
                 leadStart(part);
-            else if (part.key.thing.kind != ThingKind::Group)
+            else if (part.key.subject.kind != SubjectKind::Group)
                 leadGround(part);
         }
         for (const FreshGroup& group : leading_.fresh) followGroup(group);
         leadMembers(difference_, scene_, moves_, batch_);
         for (PartChange& part : difference_.parts)
-            if (part.key.thing.kind == ThingKind::Group) leadGroup(part);
+            if (part.key.subject.kind == SubjectKind::Group) leadGroup(part);
         for (QueueChange& queue : difference_.queues) leadQueue(queue);
         for (PartChange* pose : poses_) leadPose(*pose, nullptr);
         return std::move(batch_);
@@ -59,15 +59,14 @@ private:
         scene_.names.toIds(body);
         batch_.bodies.push_back(std::move(body));
     }
-    GroupId idOf(std::uint32_t group) const { return GroupId{scene_.names.idOf(ThingKind::Group, group)}; }
+    GroupId idOf(std::uint32_t group) const { return GroupId{scene_.names.idOf(SubjectKind::Group, group)}; }
     std::optional<std::size_t> indexOf(std::uint32_t group) const {
         return inspect::indexOfGroup(scene_.world, idOf(group));
     }
     /// The group that it is about; 0 for none.
     static std::uint32_t groupOf(const CommandBody& said) {
-        if (const auto* put = std::get_if<PutArea>(&said)) return put->group.value;
-        const auto* checkpoint = std::get_if<ChangeCheckpoint>(&said);
-        return checkpoint == nullptr ? 0 : checkpoint->group.value;
+        const auto* put = std::get_if<PutThing>(&said);
+        return put == nullptr ? 0 : put->group.value;
     }
 
     void leadStart(PartChange& part) {
@@ -89,11 +88,11 @@ private:
         if (group != 0 && !indexOf(group)) {
             batch_.follows = batch_.follows || contains(moves_.come, group);
         } else if (comes) {
-            batch_.births.push_back({batch_.bodies.size(), part.key.thing.kind, {part.key.thing.name}});
+            batch_.births.push_back({batch_.bodies.size(), part.key.subject.kind, {part.key.subject.name}});
             give(adding(*part.after));
         } else if (is && !part.after) {
             batch_.bodies.push_back(
-                removing(*is, scene_.names.idOf(part.key.thing.kind, part.key.thing.name)));
+                removing(*is, scene_.names.idOf(part.key.subject.kind, part.key.subject.name)));
         } else if (is && !samePart(is, part.after)) {
             give(*part.after);
         }
@@ -104,17 +103,21 @@ private:
     void followGroup(const FreshGroup& group) {
         const World& world = scene_.world;
         const auto named = [&](GroupId id) { return group.before && id == group.before; };
+        const auto put = [&](std::uint32_t id) -> PutThing& {
+            PutThing again;
+            again.id = id;
+            again.group = idOf(group.name);
+            return std::get<PutThing>(batch_.bodies.emplace_back(again));
+        };
         for (std::size_t a = 0; a < world.areaCount(); ++a)
-            if (const AreaView area = world.area(a); named(area.group))
-                batch_.bodies.push_back(PutArea{area.id, area.def, idOf(group.name)});
+            if (const AreaView area = world.area(a); named(area.group)) put(area.id.value).area = area.def;
         for (std::size_t c = 0; c < world.checkpoints().size(); ++c)
             if (named(world.checkpointGroups()[c]))
-                batch_.bodies.push_back(
-                    ChangeCheckpoint{world.checkpointIds()[c], world.checkpoints()[c], idOf(group.name)});
+                put(world.checkpointIds()[c].value).checkpoint = world.checkpoints()[c];
     }
 
     void leadGroup(PartChange& part) {
-        const std::uint32_t group = part.key.thing.name;
+        const std::uint32_t group = part.key.subject.name;
         if (part.passed) return;
         if (contains(moves_.come, group)) {
             if (!isPresence(part.key)) batch_.follows = true;
@@ -171,13 +174,13 @@ private:
                                        [&](const FreshGroup& one) { return one.name == change.group; });
         if (fresh && sameOrders(is, to)) {
             for (std::size_t k = 0; k < is.orders.size(); ++k)
-                scene_.names.bind(ThingKind::Order, change.after.orders[k].id, is.orders[k].id);
+                scene_.names.bind(SubjectKind::Order, change.after.orders[k].id, is.orders[k].id);
             to.orders = is.orders;
         }
         QueueState wanted = fresh ? to : merged(is, from, to);
         const QueueState before = is;
         const auto pose = std::find_if(poses_.begin(), poses_.end(), [&](const PartChange* part) {
-            return part->key.thing.name == change.group;
+            return part->key.subject.name == change.group;
         });
         if (pose != poses_.end()) {
             if (leadPose(**pose, &wanted)) is = {};
@@ -195,14 +198,14 @@ private:
                 return std::any_of(orders.begin(), orders.end(),
                                    [&](const QueuedOrder& one) { return one.id == id; });
             };
-            return !has(now.orders, scene_.names.idOf(ThingKind::Order, order.id)) &&
+            return !has(now.orders, scene_.names.idOf(SubjectKind::Order, order.id)) &&
                    !has(change.after.orders, order.id);
         });
     }
 
     /// The mesh is put where it is to stand, unless orders that stay lead it elsewhere. True where it is.
     bool leadPose(PartChange& part, const QueueState* wanted) {
-        const GroupView group = scene_.world.group(*indexOf(part.key.thing.name));
+        const GroupView group = scene_.world.group(*indexOf(part.key.subject.name));
         const std::optional<CommandBody> is = now(part);
         const auto stays = [&](const QueuedOrder& order) {
             return wanted == nullptr ||

@@ -21,7 +21,7 @@ std::size_t indexOfKind() {
 }
 
 template <class Kind>
-PartKey keyFor(ThingKind kind, std::uint32_t name) {
+PartKey keyFor(SubjectKind kind, std::uint32_t name) {
     return {{kind, name}, indexOfKind<Kind>(), 0};
 }
 
@@ -37,59 +37,31 @@ struct Key {
     Names& names;
 
     template <class Kind, class AnyId>
-    PartKey of(ThingKind kind, AnyId id) const {
+    PartKey of(SubjectKind kind, AnyId id) const {
         return keyFor<Kind>(kind, names.nameOf(kind, id.value));
     }
-    PartKey operator()(const AddObstacle&) const { return keyFor<ChangeObstacle>(ThingKind::Obstacle, 0); }
-    PartKey operator()(const ChangeObstacle& c) const {
-        return of<ChangeObstacle>(ThingKind::Obstacle, c.id);
-    }
-    PartKey operator()(const RemoveObstacle& c) const {
-        return of<ChangeObstacle>(ThingKind::Obstacle, c.id);
-    }
-    PartKey operator()(const AddPatch&) const { return keyFor<ChangePatch>(ThingKind::Patch, 0); }
-    PartKey operator()(const ChangePatch& c) const { return of<ChangePatch>(ThingKind::Patch, c.id); }
-    PartKey operator()(const RemovePatch& c) const { return of<ChangePatch>(ThingKind::Patch, c.id); }
-    PartKey operator()(const AddItem&) const { return keyFor<ChangeItem>(ThingKind::Item, 0); }
-    PartKey operator()(const ChangeItem& c) const { return of<ChangeItem>(ThingKind::Item, c.id); }
-    PartKey operator()(const RemoveItem& c) const { return of<ChangeItem>(ThingKind::Item, c.id); }
-    PartKey operator()(const AddCheckpoint&) const {
-        return keyFor<ChangeCheckpoint>(ThingKind::Checkpoint, 0);
-    }
-    PartKey operator()(const ChangeCheckpoint& c) const {
-        return of<ChangeCheckpoint>(ThingKind::Checkpoint, c.id);
-    }
-    PartKey operator()(const RemoveCheckpoint& c) const {
-        return of<ChangeCheckpoint>(ThingKind::Checkpoint, c.id);
-    }
-    PartKey operator()(const PutArea& c) const { return of<PutArea>(ThingKind::Area, c.id); }
-    PartKey operator()(const RemoveArea& c) const { return of<PutArea>(ThingKind::Area, c.id); }
-    PartKey operator()(const AddGroup&) const { return keyFor<AddGroup>(ThingKind::Group, 0); }
-    PartKey operator()(const RemoveGroup& c) const { return of<AddGroup>(ThingKind::Group, c.group); }
+    PartKey operator()(const PutThing& c) const { return ofThing(thingOf(c), c.id); }
+    PartKey operator()(const RemoveThing& c) const { return ofThing(c.thing, c.id); }
+    PartKey operator()(const AddGroup&) const { return keyFor<AddGroup>(SubjectKind::Group, 0); }
+    PartKey operator()(const RemoveGroup& c) const { return of<AddGroup>(SubjectKind::Group, c.group); }
     PartKey operator()(const SetParameter& c) const {
-        return keyFor<SetParameter>(ThingKind::Parameter, parameterIndex(c.name));
+        return keyFor<SetParameter>(SubjectKind::Parameter, parameterIndex(c.name));
     }
     PartKey operator()(const PinControl& c) const {
-        PartKey key = of<PinControl>(ThingKind::Group, c.group);
+        PartKey key = of<PinControl>(SubjectKind::Group, c.group);
         key.part = c.control.value;
         return key;
     }
     template <class Other>
     PartKey operator()(const Other& c) const {
-        if constexpr (requires { c.group.value; }) return of<Other>(ThingKind::Group, c.group);
+        if constexpr (requires { c.group.value; }) return of<Other>(SubjectKind::Group, c.group);
         return {};
     }
-};
 
-struct Adding {
-    CommandBody operator()(const ChangeObstacle& c) const { return AddObstacle{c.obstacle}; }
-    CommandBody operator()(const ChangePatch& c) const { return AddPatch{c.patch}; }
-    CommandBody operator()(const ChangeItem& c) const { return AddItem{c.item}; }
-    CommandBody operator()(const ChangeCheckpoint& c) const { return AddCheckpoint{c.checkpoint, c.group}; }
-    CommandBody operator()(const PutArea& c) const { return PutArea{{}, c.area, c.group}; }
-    template <class Other>
-    CommandBody operator()(const Other& other) const {
-        return other;
+private:
+    PartKey ofThing(std::optional<ThingKind> thing, std::uint32_t id) const {
+        if (!thing) return {};
+        return keyFor<PutThing>(subjectOf(*thing), names.nameOf(subjectOf(*thing), id));
     }
 };
 
@@ -112,9 +84,7 @@ bool changes(const PartChange& part) {
 }  // namespace
 
 bool setsPart(const CommandBody& body) {
-    return isOneOf<AddObstacle, ChangeObstacle, RemoveObstacle, AddPatch, ChangePatch, RemovePatch, AddItem,
-                   ChangeItem, RemoveItem, AddCheckpoint, ChangeCheckpoint, RemoveCheckpoint, PutArea,
-                   RemoveArea, AddGroup, RemoveGroup, PlaceGroup, NameGroup, ColourGroup, SetAppearance,
+    return isOneOf<PutThing, RemoveThing, AddGroup, RemoveGroup, PlaceGroup, NameGroup, ColourGroup, SetAppearance,
                    SetPeople, SetFormation, SetPose, PinControl, SetConduct, SetRoles, SetDemands,
                    SetParameter>(body);
 }
@@ -124,41 +94,30 @@ PartKey keyOf(const CommandBody& body, Names& names) {
 }
 
 bool isPresence(const PartKey& key) {
-    const ThingKind kind = key.thing.kind;
-    return key.said == indexOfKind<AddGroup>() ||
-           (kind != ThingKind::Group && kind != ThingKind::Start && kind != ThingKind::Parameter);
+    return key.said == indexOfKind<AddGroup>() || key.said == indexOfKind<PutThing>();
 }
 
 std::optional<CommandBody> saidBy(const CommandBody& body, std::uint32_t id) {
-    if (isOneOf<RemoveObstacle, RemovePatch, RemoveItem, RemoveCheckpoint, RemoveArea, RemoveGroup>(body))
-        return std::nullopt;
-    if (const auto* add = std::get_if<AddObstacle>(&body))
-        return ChangeObstacle{ObstacleId{id}, add->obstacle};
-    if (const auto* add = std::get_if<AddPatch>(&body)) return ChangePatch{PatchId{id}, add->patch};
-    if (const auto* add = std::get_if<AddItem>(&body)) return ChangeItem{ItemId{id}, add->item};
-    if (const auto* add = std::get_if<AddCheckpoint>(&body))
-        return ChangeCheckpoint{CheckpointId{id}, add->checkpoint, add->group};
-    if (const auto* put = std::get_if<PutArea>(&body); put != nullptr && !put->id)
-        return PutArea{AreaId{id}, put->area, put->group};
-    return body;
+    if (isOneOf<RemoveThing, RemoveGroup>(body)) return std::nullopt;
+    CommandBody said = body;
+    if (auto* put = std::get_if<PutThing>(&said); put != nullptr && put->id == 0) put->id = id;
+    return said;
 }
 
 CommandBody adding(const CommandBody& said) {
-    return std::visit(Adding{}, said);
+    CommandBody add = said;
+    if (auto* put = std::get_if<PutThing>(&add)) put->id = 0;
+    return add;
 }
 
 CommandBody removing(const CommandBody& said, std::uint32_t id) {
-    if (std::holds_alternative<ChangeObstacle>(said)) return RemoveObstacle{ObstacleId{id}};
-    if (std::holds_alternative<ChangePatch>(said)) return RemovePatch{PatchId{id}};
-    if (std::holds_alternative<ChangeItem>(said)) return RemoveItem{ItemId{id}};
-    if (std::holds_alternative<ChangeCheckpoint>(said)) return RemoveCheckpoint{CheckpointId{id}};
-    if (std::holds_alternative<PutArea>(said)) return RemoveArea{AreaId{id}};
+    if (const auto* put = std::get_if<PutThing>(&said)) return RemoveThing{*thingOf(*put), id};
     return RemoveGroup{GroupId{id}};
 }
 
 CommandBody askedOf(const PartChange& part, const Names& names) {
     CommandBody asked = part.before ? *part.before : *part.after;
-    const std::uint32_t id = names.idOf(part.key.thing.kind, part.key.thing.name);
+    const std::uint32_t id = names.idOf(part.key.subject.kind, part.key.subject.name);
     if (isPresence(part.key)) return removing(asked, id);
     names.toIds(asked);
     return asked;
@@ -248,13 +207,13 @@ void takeOut(Difference& difference, Difference& later) {
     }
 }
 
-std::vector<Thing> thingsOf(const Difference& difference) {
-    std::vector<Thing> things;
-    for (const PartChange& part : difference.parts) things.push_back(part.key.thing);
-    for (const QueueChange& queue : difference.queues) things.push_back({ThingKind::Group, queue.group});
+std::vector<Subject> subjectsOf(const Difference& difference) {
+    std::vector<Subject> things;
+    for (const PartChange& part : difference.parts) things.push_back(part.key.subject);
+    for (const QueueChange& queue : difference.queues) things.push_back({SubjectKind::Group, queue.group});
     for (const MemberChange& member : difference.members)
         for (const std::uint32_t group : {member.before.group, member.after.group})
-            if (const Thing thing{ThingKind::Group, group};
+            if (const Subject thing{SubjectKind::Group, group};
                 group != 0 && (things.empty() || !(things.back() == thing)))
                 things.push_back(thing);
     std::sort(things.begin(), things.end());

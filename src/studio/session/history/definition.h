@@ -17,7 +17,7 @@ namespace muster {
 
 /// Names one property of one thing.
 struct PartKey {
-    Thing thing;
+    Subject subject;
     std::size_t said = 0;    ///< Index of the kind of command that sets it.
     std::uint32_t part = 0;  ///< The control, for PinControl.
     friend auto operator<=>(const PartKey&, const PartKey&) = default;
@@ -107,7 +107,7 @@ void dropEqual(Difference& difference);
 /// what was before. What the later one has set stays, and is passed over in the former.
 void takeOut(Difference& difference, Difference& later);
 /// The things that it is about.
-std::vector<Thing> thingsOf(const Difference& difference);
+std::vector<Subject> subjectsOf(const Difference& difference);
 /// About how many bytes it takes.
 std::size_t bytesOf(const Difference& difference);
 

@@ -41,7 +41,7 @@ private:
         List names;
     };
 
-    GroupId idOf(std::uint32_t group) const { return GroupId{scene_.names.idOf(ThingKind::Group, group)}; }
+    GroupId idOf(std::uint32_t group) const { return GroupId{scene_.names.idOf(SubjectKind::Group, group)}; }
     bool isThere(std::uint32_t group) const {
         return inspect::indexOfGroup(scene_.world, idOf(group)).has_value();
     }
@@ -52,7 +52,7 @@ private:
 
     /// Notes what is to become of a character, and what it is now.
     void sort(MemberChange& member) {
-        const std::uint32_t id = scene_.names.idOf(ThingKind::Character, member.character);
+        const std::uint32_t id = scene_.names.idOf(SubjectKind::Character, member.character);
         const MemberState now = presentMember(id, scene_.world, scene_.names);
         const bool stays = member.before.group == member.after.group;
         const bool sameBodies = member.before.body == member.after.body;
@@ -101,7 +101,7 @@ private:
         if (ids.size() >= left->second) return false;
         left->second -= ids.size();
         const PartShape shape = isHeld(group) || isHeld(from) ? PartShape::AsHeld : PartShape::Smaller;
-        batch_.births.push_back({batch_.bodies.size(), ThingKind::Group, {group}});
+        batch_.births.push_back({batch_.bodies.size(), SubjectKind::Group, {group}});
         batch_.bodies.push_back(SplitGroup{idOf(from), SplitBy::Ids, ids, {}, {}, false, shape});
         putIn(moves_.divided, from);
         return true;
@@ -110,7 +110,7 @@ private:
     /// The formation that a group is to have; null where it keeps its own.
     const SetFormation* wantedShape(std::uint32_t group) const {
         for (const PartChange& part : difference_.parts) {
-            const bool isOf = part.key.thing == Thing{ThingKind::Group, group};
+            const bool isOf = part.key.subject == Subject{SubjectKind::Group, group};
             const auto* set = isOf && part.after ? std::get_if<SetFormation>(&*part.after) : nullptr;
             if (set != nullptr) return set;
         }
@@ -123,13 +123,13 @@ private:
 
     void add(std::uint32_t group, bool withPeople) {
         for (const PartChange& part : difference_.parts) {
-            const auto* said = part.key.thing == Thing{ThingKind::Group, group} && part.after
+            const auto* said = part.key.subject == Subject{SubjectKind::Group, group} && part.after
                                    ? std::get_if<AddGroup>(&*part.after)
                                    : nullptr;
             if (said == nullptr) continue;
             CommandBody body = *said;
             GroupDef& def = std::get<AddGroup>(body).group;
-            Birth birth{batch_.bodies.size(), ThingKind::Group, {group}};
+            Birth birth{batch_.bodies.size(), SubjectKind::Group, {group}};
             if (!withPeople) def.count = 0, def.starts.clear(), def.demands.clear();
             for (const Crew& crew : difference_.crews)
                 if (crew.group == group && std::cmp_equal(crew.characters.size(), def.count) &&
@@ -202,7 +202,7 @@ private:
             if (isIn(moves_.come, to)) continue;
             newcomers.add.group = idOf(to);
             putIn(moves_.changed, to);
-            batch_.births.push_back({batch_.bodies.size(), ThingKind::Character, std::move(newcomers.names)});
+            batch_.births.push_back({batch_.bodies.size(), SubjectKind::Character, std::move(newcomers.names)});
             batch_.bodies.push_back(std::move(newcomers.add));
         }
     }

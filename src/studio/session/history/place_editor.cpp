@@ -17,7 +17,7 @@ bool doesTheSame(const CommandBody& a, const CommandBody& b, Names& names) {
     if (a.index() != b.index()) return false;
     if (const auto* bodies = std::get_if<SetBodies>(&a)) return bodies->ids == std::get<SetBodies>(b).ids;
     const PartKey key = keyOf(a, names);
-    return key == keyOf(b, names) && key.thing.name != 0;
+    return key == keyOf(b, names) && key.subject.name != 0;
 }
 
 /// True where the one that waits need not be carried out, because the later one stands for it.
@@ -27,8 +27,8 @@ bool overtakes(const std::vector<CommandBody>& later, const std::vector<CommandB
 }
 
 /// True where others are about to change the same things.
-bool isBusy(const std::vector<Thing>& things, const std::vector<Thing>& touched) {
-    return std::any_of(things.begin(), things.end(), [&](const Thing& thing) {
+bool isBusy(const std::vector<Subject>& things, const std::vector<Subject>& touched) {
+    return std::any_of(things.begin(), things.end(), [&](const Subject& thing) {
         return std::find(touched.begin(), touched.end(), thing) != touched.end();
     });
 }
@@ -39,16 +39,16 @@ void startAgain(Difference& difference) {
     // Numbers of people follow from who comes and leaves, but these are others now.
     for (std::size_t k = 0, count = difference.parts.size(); k < count; ++k) {
         PartChange counted = difference.parts[k];
-        if (counted.key.thing.kind != ThingKind::Start || !counted.before ||
+        if (counted.key.subject.kind != SubjectKind::Start || !counted.before ||
             !std::holds_alternative<SetCount>(*counted.before))
             continue;
-        counted.key.thing.kind = ThingKind::Group;
+        counted.key.subject.kind = SubjectKind::Group;
         difference.parts.push_back(std::move(counted));
     }
     for (Crew& crew : difference.crews) {
         crew.characters.clear();
         for (PartChange& part : difference.parts) {
-            if (!crew.start || !(part.key.thing == Thing{ThingKind::Group, crew.group})) continue;
+            if (!crew.start || !(part.key.subject == Subject{SubjectKind::Group, crew.group})) continue;
             for (auto* said : {&part.before, &part.after})
                 if (*said && std::holds_alternative<AddGroup>(**said)) *said = AddGroup{*crew.start};
         }
@@ -83,7 +83,7 @@ void PlaceEditor::begin(const WorldDef& def) {
 void PlaceEditor::beginAgain(const PlaceDefinition& before) {
     std::vector<std::uint32_t> characters;
     for (const std::uint32_t id : before.characters)
-        characters.push_back(names_.nameOf(ThingKind::Character, id));
+        characters.push_back(names_.nameOf(SubjectKind::Character, id));
     std::sort(characters.begin(), characters.end());
     // What was done to groups is undone by the new beginning.
     for (auto& [client, history] : histories_) {
@@ -98,13 +98,13 @@ void PlaceEditor::beginAgain(const PlaceDefinition& before) {
             }
         }
     }
-    names_.renumber(ThingKind::Obstacle, before.obstacles);
-    names_.renumber(ThingKind::Patch, before.patches);
-    names_.renumber(ThingKind::Item, before.items);
-    names_.renumber(ThingKind::Checkpoint, before.checkpoints);
-    names_.renumber(ThingKind::Group, before.groups);
-    names_.renumber(ThingKind::Area, before.areas);
-    names_.renumber(ThingKind::Character, before.characters);
+    names_.renumber(SubjectKind::Obstacle, before.obstacles);
+    names_.renumber(SubjectKind::Patch, before.patches);
+    names_.renumber(SubjectKind::Item, before.items);
+    names_.renumber(SubjectKind::Checkpoint, before.checkpoints);
+    names_.renumber(SubjectKind::Group, before.groups);
+    names_.renumber(SubjectKind::Area, before.areas);
+    names_.renumber(SubjectKind::Character, before.characters);
     place_.beginAgain(before);
     waiting_.clear();
     acts_.clear();
@@ -224,11 +224,11 @@ bool PlaceEditor::fetch(Waiting& waiting) {
     return true;
 }
 
-std::vector<Thing> PlaceEditor::thingsOf(const std::vector<CommandBody>& bodies,
+std::vector<Subject> PlaceEditor::subjectsOf(const std::vector<CommandBody>& bodies,
                                          const std::vector<Concern>& concerns) {
-    std::vector<Thing> things;
+    std::vector<Subject> things;
     const auto put = [&](const CommandBody& body) {
-        if (const Thing thing = keyOf(body, names_).thing; thing.name != 0) things.push_back(thing);
+        if (const Subject thing = keyOf(body, names_).subject; thing.name != 0) things.push_back(thing);
     };
     for (const CommandBody& body : bodies) put(body);
     for (const Concern& concern : concerns)
@@ -236,9 +236,9 @@ std::vector<Thing> PlaceEditor::thingsOf(const std::vector<CommandBody>& bodies,
     return things;
 }
 
-std::vector<Thing> PlaceEditor::thingsOf(const Waiting& waiting) {
-    return waiting.way == Given::Way::Do ? thingsOf(waiting.bodies, {})
-                                         : muster::thingsOf(waiting.step.difference);
+std::vector<Subject> PlaceEditor::subjectsOf(const Waiting& waiting) {
+    return waiting.way == Given::Way::Do ? subjectsOf(waiting.bodies, {})
+                                         : muster::subjectsOf(waiting.step.difference);
 }
 
 // What others have done since the step does not begin from it any more.
@@ -281,9 +281,9 @@ bool PlaceEditor::ready(Waiting& waiting, Given& given, const World& world) {
 std::vector<PlaceEditor::Given> PlaceEditor::due(const World& world) {
     std::vector<Given> given;
     if (waiting_.empty()) return given;
-    std::vector<Thing> touched;
+    std::vector<Subject> touched;
     for (const Given& act : acts_)
-        for (const Thing& thing : thingsOf(act.batch.bodies, act.concerns)) touched.push_back(thing);
+        for (const Subject& thing : subjectsOf(act.batch.bodies, act.concerns)) touched.push_back(thing);
     std::vector<std::uint32_t> busy;  // One step of each director's history at a time.
     for (auto next = waiting_.begin(); next != waiting_.end();) {
         if (std::find(busy.begin(), busy.end(), next->client) != busy.end()) {
@@ -294,7 +294,7 @@ std::vector<PlaceEditor::Given> PlaceEditor::due(const World& world) {
             next = waiting_.erase(next);
             continue;
         }
-        const std::vector<Thing> things = thingsOf(*next);
+        const std::vector<Subject> things = subjectsOf(*next);
         const bool waits = next->behindAct || isBusy(things, touched);
         touched.insert(touched.end(), things.begin(), things.end());
         if (waits) {

@@ -40,7 +40,7 @@ bool joins(const HistoryStep& last, const HistoryStep& next) {
         next.slides.empty() || next.step - last.step > kGesture)
         return false;
     // Several parameters that a page sets at once are one choice.
-    const bool atOnce = next.step == last.step && next.slides.front().thing.kind == ThingKind::Parameter;
+    const bool atOnce = next.step == last.step && next.slides.front().subject.kind == SubjectKind::Parameter;
     return atOnce || next.slides == last.slides;
 }
 
@@ -176,17 +176,17 @@ std::vector<FreshGroup> PlaceEditor::bindBirths(const Given& one, const std::vec
         const auto birth = std::find_if(one.batch.births.begin(), one.batch.births.end(),
                                         [&](const Birth& of) { return of.body == k; });
         if (birth == one.batch.births.end() || ids.empty()) continue;
-        const bool characters = birth->kind == ThingKind::Character;
+        const bool characters = birth->kind == SubjectKind::Character;
         const std::uint32_t before = names_.idOf(birth->kind, birth->names.front());
         if (!characters) names_.bind(birth->kind, birth->names.front(), ids.front());
-        if (birth->kind == ThingKind::Group) {
+        if (birth->kind == SubjectKind::Group) {
             place_.follow(GroupId{before}, GroupId{ids.front()});
             fresh.push_back({birth->names.front(), GroupId{before}});
             ids = births_.newMembers(GroupId{ids.front()}, world);
         }
         const std::size_t first = characters ? 0 : 1;
         for (std::size_t n = first; n < birth->names.size() && n - first < ids.size(); ++n)
-            names_.bind(ThingKind::Character, birth->names[n], ids[n - first]);
+            names_.bind(SubjectKind::Character, birth->names[n], ids[n - first]);
     }
     return fresh;
 }
@@ -202,7 +202,7 @@ void PlaceEditor::applyToPlace(const Given& one, const std::vector<std::size_t>&
     }
     if (first) return;
     for (const Crew& crew : one.step.difference.crews) {
-        const GroupId id{names_.idOf(ThingKind::Group, crew.group)};
+        const GroupId id{names_.idOf(SubjectKind::Group, crew.group)};
         if (crew.start && place_.group(id) == nullptr && inspect::indexOfGroup(world, id))
             place_.add(id, *crew.start);
     }

@@ -60,22 +60,43 @@ struct OfGroup {
     }
 };
 
+/// A thing of that kind and id, as it is put.
+Said presentThing(ThingKind thing, std::uint32_t id, const World& world) {
+    const Environment& ground = inspect::environment(world);
+    PutThing put;
+    put.id = id;
+    if (thing == ThingKind::Obstacle) {
+        if (const ObstacleDef* def = ground.obstacle(ObstacleId{id})) put.obstacle = *def;
+    } else if (thing == ThingKind::Patch) {
+        if (const PatchDef* def = ground.patch(PatchId{id})) put.patch = *def;
+    } else if (thing == ThingKind::Item) {
+        if (const auto at = indexOfId(world.itemIds(), ItemId{id})) put.item = world.items()[*at];
+    } else if (thing == ThingKind::Checkpoint) {
+        if (const auto at = indexOfId(world.checkpointIds(), CheckpointId{id})) {
+            put.checkpoint = world.checkpoints()[*at];
+            put.group = world.checkpointGroups()[*at];
+        }
+    } else {
+        for (std::size_t a = 0; a < world.areaCount(); ++a) {
+            const AreaView area = world.area(a);
+            if (area.id != AreaId{id}) continue;
+            put.area = area.def;
+            put.group = area.group;
+        }
+    }
+    return thingOf(put) ? Said(put) : Said();
+}
+
 /// One function for each kind of command that sets a property or removes a thing.
 struct Present {
     const World& world;
     const Place& place;
-    const Environment& ground = inspect::environment(world);
 
-    Said operator()(const ChangeObstacle& c) const { return obstacle(c.id); }
-    Said operator()(const RemoveObstacle& c) const { return obstacle(c.id); }
-    Said operator()(const ChangePatch& c) const { return patch(c.id); }
-    Said operator()(const RemovePatch& c) const { return patch(c.id); }
-    Said operator()(const ChangeItem& c) const { return item(c.id); }
-    Said operator()(const RemoveItem& c) const { return item(c.id); }
-    Said operator()(const ChangeCheckpoint& c) const { return checkpoint(c.id); }
-    Said operator()(const RemoveCheckpoint& c) const { return checkpoint(c.id); }
-    Said operator()(const PutArea& c) const { return area(c.id); }
-    Said operator()(const RemoveArea& c) const { return area(c.id); }
+    Said operator()(const PutThing& c) const {
+        const auto thing = thingOf(c);
+        return thing ? presentThing(*thing, c.id, world) : Said();
+    }
+    Said operator()(const RemoveThing& c) const { return presentThing(c.thing, c.id, world); }
     Said operator()(const RemoveGroup& c) const {
         return onGroup(c.group,
                        [&](std::size_t g, const GroupDef&) { return AddGroup{wholeGroup(world, g)}; });
@@ -117,27 +138,6 @@ struct Present {
     }
 
 private:
-    Said obstacle(ObstacleId id) const {
-        const ObstacleDef* def = ground.obstacle(id);
-        return def == nullptr ? Said() : ChangeObstacle{id, *def};
-    }
-    Said patch(PatchId id) const {
-        const PatchDef* def = ground.patch(id);
-        return def == nullptr ? Said() : ChangePatch{id, *def};
-    }
-    Said item(ItemId id) const {
-        const auto at = indexOfId(world.itemIds(), id);
-        return at ? ChangeItem{id, world.items()[*at]} : Said();
-    }
-    Said checkpoint(CheckpointId id) const {
-        const auto at = indexOfId(world.checkpointIds(), id);
-        return at ? ChangeCheckpoint{id, world.checkpoints()[*at], world.checkpointGroups()[*at]} : Said();
-    }
-    Said area(AreaId id) const {
-        for (std::size_t a = 0; a < world.areaCount() && id; ++a)
-            if (const AreaView view = world.area(a); view.id == id) return PutArea{id, view.def, view.group};
-        return {};
-    }
     template <class Make>
     Said onGroup(GroupId id, Make make) const {
         const auto g = inspect::indexOfGroup(world, id);
@@ -170,7 +170,7 @@ MemberState presentMember(std::uint32_t id, const World& world, Names& names) {
     const auto at = indexOfId(all.id, id);
     if (!at) return {};
     const GroupId group = world.group(all.group[*at]).id;
-    return {names.nameOf(ThingKind::Group, group.value), all.position[*at], all.body[*at]};
+    return {names.nameOf(SubjectKind::Group, group.value), all.position[*at], all.body[*at]};
 }
 
 }  // namespace muster

@@ -82,7 +82,7 @@ private:
     void give(std::size_t k, QueueMode mode, std::uint32_t index) {
         const QueuedOrder& order = wanted_.orders[k];
         batch_.births.push_back(
-            {batch_.bodies.size(), ThingKind::Order, {names_.nameOf(ThingKind::Order, order.id)}});
+            {batch_.bodies.size(), SubjectKind::Order, {names_.nameOf(SubjectKind::Order, order.id)}});
         batch_.bodies.push_back(GiveOrder{group_, mode, index, order.order});
     }
 
@@ -205,14 +205,14 @@ void lead(GroupId group, const QueueState& now, const QueueState& wanted, Names&
 
 void toNames(QueueState& queue, Names& names) {
     for (QueuedOrder& order : queue.orders) {
-        order.id = names.nameOf(ThingKind::Order, order.id);
+        order.id = names.nameOf(SubjectKind::Order, order.id);
         names.toNames(order.order);
     }
 }
 
 void toIds(QueueState& queue, const Names& names) {
     for (QueuedOrder& order : queue.orders) {
-        order.id = names.idOf(ThingKind::Order, order.id);
+        order.id = names.idOf(SubjectKind::Order, order.id);
         names.toIds(order.order);
     }
 }

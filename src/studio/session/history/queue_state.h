@@ -20,7 +20,7 @@ struct QueueState {
 /// What a command of a batch brings: the thing that gets an id, or characters in their order.
 struct Birth {
     std::size_t body = 0;  ///< Index of the command.
-    ThingKind kind = ThingKind::Order;
+    SubjectKind kind = SubjectKind::Order;
     std::vector<std::uint32_t> names;
 };
 

@@ -19,38 +19,34 @@ std::uint32_t firstAbove(const Ids& ids, std::uint32_t after, Same same) {
 /// Id of the thing that the command has added; 0 where it adds none.
 std::uint32_t addedId(const CommandBody& body, const World& world, std::uint32_t after) {
     const Environment& ground = inspect::environment(world);
-    if (const auto* add = std::get_if<AddObstacle>(&body)) {
+    const auto* put = std::get_if<PutThing>(&body);
+    if (put == nullptr || put->id != 0) return 0;
+    if (put->obstacle) {
         const auto ids = ground.obstacleIds();
-        return firstAbove(ids, after,
-                          [&](std::size_t k) { return *ground.obstacle(ids[k]) == add->obstacle; });
+        return firstAbove(ids, after, [&](std::size_t k) { return *ground.obstacle(ids[k]) == *put->obstacle; });
     }
-    if (const auto* add = std::get_if<AddPatch>(&body)) {
+    if (put->patch) {
         const auto ids = ground.patchIds();
-        return firstAbove(ids, after, [&](std::size_t k) { return *ground.patch(ids[k]) == add->patch; });
+        return firstAbove(ids, after, [&](std::size_t k) { return *ground.patch(ids[k]) == *put->patch; });
     }
-    if (const auto* add = std::get_if<AddItem>(&body))
+    if (put->item)
         return firstAbove(world.itemIds(), after,
-                          [&](std::size_t k) { return world.items()[k].position == add->item.position; });
-    if (const auto* add = std::get_if<AddCheckpoint>(&body))
+                          [&](std::size_t k) { return world.items()[k].position == put->item->position; });
+    if (put->checkpoint)
         return firstAbove(world.checkpointIds(), after, [&](std::size_t k) {
-            return world.checkpoints()[k].position == add->checkpoint.position;
+            return world.checkpoints()[k].position == put->checkpoint->position;
         });
-    if (const auto* put = std::get_if<PutArea>(&body); put != nullptr && !put->id) {
-        for (std::size_t a = 0; a < world.areaCount(); ++a)
-            if (const AreaView area = world.area(a); area.id.value > after && area.def == put->area)
-                return area.id.value;
-    }
+    for (std::size_t a = 0; a < world.areaCount(); ++a)
+        if (const AreaView area = world.area(a); area.id.value > after && area.def == *put->area)
+            return area.id.value;
     return 0;
 }
 
-std::optional<ThingKind> addedKind(const CommandBody& body) {
-    if (std::holds_alternative<AddObstacle>(body)) return ThingKind::Obstacle;
-    if (std::holds_alternative<AddPatch>(body)) return ThingKind::Patch;
-    if (std::holds_alternative<AddItem>(body)) return ThingKind::Item;
-    if (std::holds_alternative<AddCheckpoint>(body)) return ThingKind::Checkpoint;
-    if (std::holds_alternative<AddGroup>(body)) return ThingKind::Group;
-    const auto* put = std::get_if<PutArea>(&body);
-    return put != nullptr && !put->id ? std::optional(ThingKind::Area) : std::nullopt;
+std::optional<SubjectKind> addedKind(const CommandBody& body) {
+    if (std::holds_alternative<AddGroup>(body)) return SubjectKind::Group;
+    const auto* put = std::get_if<PutThing>(&body);
+    if (put == nullptr || put->id != 0 || !thingOf(*put)) return std::nullopt;
+    return subjectOf(*thingOf(*put));
 }
 
 }  // namespace
@@ -59,17 +55,17 @@ void StepBirths::begin(const World& world) {
     if (begun_) return;
     begun_ = true;
     const auto last = [](const auto& ids) { return ids.empty() ? 0u : ids.back().value; };
-    const auto set = [&](ThingKind kind, std::uint32_t id) { highest_[static_cast<std::size_t>(kind)] = id; };
+    const auto set = [&](SubjectKind kind, std::uint32_t id) { highest_[static_cast<std::size_t>(kind)] = id; };
     const Environment& ground = inspect::environment(world);
     const std::size_t groups = world.groupCount(), areas = world.areaCount();
     const auto characters = world.characters().id;
-    set(ThingKind::Obstacle, last(ground.obstacleIds()));
-    set(ThingKind::Patch, last(ground.patchIds()));
-    set(ThingKind::Item, last(world.itemIds()));
-    set(ThingKind::Checkpoint, last(world.checkpointIds()));
-    set(ThingKind::Group, groups == 0 ? 0u : world.group(groups - 1).id.value);
-    set(ThingKind::Area, areas == 0 ? 0u : world.area(areas - 1).id.value);
-    set(ThingKind::Character, characters.empty() ? 0u : characters.back());
+    set(SubjectKind::Obstacle, last(ground.obstacleIds()));
+    set(SubjectKind::Patch, last(ground.patchIds()));
+    set(SubjectKind::Item, last(world.itemIds()));
+    set(SubjectKind::Checkpoint, last(world.checkpointIds()));
+    set(SubjectKind::Group, groups == 0 ? 0u : world.group(groups - 1).id.value);
+    set(SubjectKind::Area, areas == 0 ? 0u : world.area(areas - 1).id.value);
+    set(SubjectKind::Character, characters.empty() ? 0u : characters.back());
 }
 
 void StepBirths::end(const World& world) {
@@ -139,7 +135,7 @@ std::vector<std::uint32_t> StepBirths::newMembers(GroupId group, const World& wo
     if (!g) return ids;
     for (const std::int32_t member : world.group(*g).members) {
         const std::uint32_t id = world.characters().id[static_cast<std::size_t>(member)];
-        if (id > highest_[static_cast<std::size_t>(ThingKind::Character)] && !cameOrLeft(id))
+        if (id > highest_[static_cast<std::size_t>(SubjectKind::Character)] && !cameOrLeft(id))
             ids.push_back(id);
     }
     return ids;

@@ -37,7 +37,7 @@ private:
     std::vector<std::uint32_t> addedGroup(const World& world, std::uint32_t after);
 
     bool begun_ = false;
-    std::array<std::uint32_t, kThingKinds> highest_{};  // Ids before the step, and those asked about since.
+    std::array<std::uint32_t, kSubjectKinds> highest_{};  // Ids before the step, and those asked about since.
     std::vector<Event> events_;
     std::vector<std::uint32_t> ofThemselves_;  // Characters who have come or left, ascending.
     std::vector<std::uint32_t> knownGroups_;   // New ones that commands have been asked about, and parts.

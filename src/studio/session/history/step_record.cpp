@@ -12,7 +12,7 @@ namespace {
 /// The same property of how the group starts.
 PartKey startKey(const CommandBody& body, Names& names) {
     PartKey key = keyOf(body, names);
-    key.thing.kind = ThingKind::Start;
+    key.subject.kind = SubjectKind::Start;
     return key;
 }
 
@@ -71,7 +71,7 @@ public:
 private:
     static bool hasCrew(const Difference& whole, const PartChange& part) {
         return std::any_of(whole.crews.begin(), whole.crews.end(),
-                           [&](const Crew& crew) { return crew.group == part.key.thing.name; });
+                           [&](const Crew& crew) { return crew.group == part.key.subject.name; });
     }
     /// Its people come from other groups.
     static void empty(GroupDef& def) {
@@ -84,7 +84,7 @@ private:
     }
 
     std::uint32_t groupName(GroupId group) const {
-        return scene_.names.nameOf(ThingKind::Group, group.value);
+        return scene_.names.nameOf(SubjectKind::Group, group.value);
     }
 
     void put(const PartKey& key, std::optional<CommandBody> after, bool stays) {
@@ -98,9 +98,9 @@ private:
     /// The command says what the property is.
     void say(const CommandBody& body, const std::vector<std::uint32_t>& ids) {
         PartKey key = keyOf(body, scene_.names);
-        if (key.thing.name == 0) {
+        if (key.subject.name == 0) {
             if (ids.empty()) return;
-            key.thing.name = scene_.names.nameOf(key.thing.kind, ids.front());
+            key.subject.name = scene_.names.nameOf(key.subject.kind, ids.front());
         }
         std::optional<CommandBody> said = saidBy(body, ids.empty() ? 0 : ids.front());
         if (said) scene_.names.toNames(*said);
@@ -135,7 +135,7 @@ private:
     void order(GroupId group, CommandBody body, const std::vector<std::uint32_t>& ids) {
         scene_.names.toNames(body);
         QueueState after = record_.queues_[groupName(group)];
-        apply(after, body, ids.empty() ? 0 : scene_.names.nameOf(ThingKind::Order, ids.front()));
+        apply(after, body, ids.empty() ? 0 : scene_.names.nameOf(SubjectKind::Order, ids.front()));
         putQueue(groupName(group), std::move(after), false);
     }
 
@@ -148,7 +148,7 @@ private:
     }
 
     void lookAtMember(std::uint32_t id) {
-        const std::uint32_t name = scene_.names.nameOf(ThingKind::Character, id);
+        const std::uint32_t name = scene_.names.nameOf(SubjectKind::Character, id);
         MemberState& now = record_.members_[name];
         const MemberState after = presentMember(id, scene_.world, scene_.names);
         if (after.group == 0 && births_.cameOrLeft(id)) return;
@@ -172,7 +172,7 @@ private:
     void remember(GroupId group, const std::vector<std::uint32_t>& ids) {
         Crew crew{groupName(group), {}, {}};
         for (const std::uint32_t id : ids)
-            crew.characters.push_back(scene_.names.nameOf(ThingKind::Character, id));
+            crew.characters.push_back(scene_.names.nameOf(SubjectKind::Character, id));
         difference_.crews.push_back(std::move(crew));
     }
 
@@ -185,7 +185,7 @@ private:
 
 void StepRecord::readPart(const CommandBody& asked, const Scene& scene) {
     const PartKey key = keyOf(asked, scene.names);
-    if (key.thing.name == 0 || parts_.contains(key)) return;
+    if (key.subject.name == 0 || parts_.contains(key)) return;
     std::optional<CommandBody> now = presentPart(asked, scene.world, scene.place);
     if (now) scene.names.toNames(*now);
     parts_.emplace(key, std::move(now));
@@ -201,7 +201,7 @@ void StepRecord::readStart(const CommandBody& asked, const Scene& scene) {
 void StepRecord::readQueue(GroupId group, const Scene& scene) {
     const auto g = inspect::indexOfGroup(scene.world, group);
     if (!g) return;
-    const auto [at, isNew] = queues_.try_emplace(scene.names.nameOf(ThingKind::Group, group.value));
+    const auto [at, isNew] = queues_.try_emplace(scene.names.nameOf(SubjectKind::Group, group.value));
     if (!isNew) return;
     at->second = queueOf(scene.world.group(*g));
     toNames(at->second, scene.names);
@@ -219,7 +219,7 @@ Concern StepRecord::read(const CommandBody& body, const Scene& scene, bool place
         return concern;
     }
     for (const std::uint32_t id : concern.characters) {
-        const auto [at, isNew] = members_.try_emplace(scene.names.nameOf(ThingKind::Character, id));
+        const auto [at, isNew] = members_.try_emplace(scene.names.nameOf(SubjectKind::Character, id));
         if (isNew) at->second = presentMember(id, scene.world, scene.names);
     }
     return concern;

@@ -41,8 +41,8 @@ const [exit, source] = things;
 describe('areas', () => {
   it('are told to the server as they are, with the id of what is changed, and the group of a source', () => {
     expect(addEvent(exit!)).toEqual({
-      kind: 'area',
-      definition: {
+      kind: 'putThing',
+      area: {
         name: 'Door',
         polygon,
         kind: 'exit',
@@ -55,12 +55,12 @@ describe('areas', () => {
       },
     });
     expect(changeEvent(source!)).toMatchObject({
-      kind: 'area',
+      kind: 'putThing',
       id: 5,
       group: 7,
-      definition: { kind: 'source', rate: 2, until: 60, timetable: [{ t: 3, count: 4 }] },
+      area: { kind: 'source', rate: 2, until: 60, timetable: [{ t: 3, count: 4 }] },
     });
-    expect(removeEvent(exit!)).toEqual({ kind: 'removeArea', id: 4 });
+    expect(removeEvent(exit!)).toEqual({ kind: 'removeThing', thing: 'area', id: 4 });
   });
 
   it('take their queues along', () => {

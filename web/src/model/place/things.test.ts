@@ -108,9 +108,9 @@ describe('things of a place', () => {
 
   it('keep what building does not change', () => {
     expect(changeEvent(moved(of('obstacle', 1), 1, 0))).toEqual({
-      kind: 'changeObstacle',
+      kind: 'putThing',
       id: 1,
-      definition: {
+      obstacle: {
         name: 'Hut',
         polygon: [
           [1, 0],
@@ -123,10 +123,10 @@ describe('things of a place', () => {
       },
     });
     expect(changeEvent(of('checkpoint', 1))).toEqual({
-      kind: 'changeCheckpoint',
+      kind: 'putThing',
       id: 1,
       group: 1,
-      definition: {
+      checkpoint: {
         position: [8, 0],
         radius: 2,
         formation: { kind: 'wedge', spacing: 1 },
@@ -140,10 +140,10 @@ describe('things of a place', () => {
   it('are told to the server by kind', () => {
     expect(changeEvent(of('group', 1))).toEqual({ kind: 'placeGroup', group: 1, x: -8, y: 0, angle: 1 });
     expect(removeEvent(of('group', 1))).toEqual({ kind: 'removeGroup', group: 1 });
-    expect(removeEvent(of('item', 7))).toEqual({ kind: 'removeItem', id: 7 });
+    expect(removeEvent(of('item', 7))).toEqual({ kind: 'removeThing', thing: 'item', id: 7 });
     expect(addEvent(thing('item', { centre: [3, 4], radius: 0.5 }))).toEqual({
-      kind: 'item',
-      definition: { position: [3, 4], radius: 0.5 },
+      kind: 'putThing',
+      item: { position: [3, 4], radius: 0.5 },
     });
   });
 

@@ -267,27 +267,23 @@ function concerned({ kind, group }: Thing): Record<string, unknown> {
   return (kind === 'checkpoint' || kind === 'area') && group > 0 ? { group } : {};
 }
 
-function capital(kind: ThingKind): string {
-  return kind[0]!.toUpperCase() + kind.slice(1);
-}
-
 /** Puts the thing there. */
 export function addEvent(one: Thing): PlaceEvent {
-  return { kind: one.kind, definition: definition(one), ...concerned(one) };
+  if (one.kind === 'group') return { kind: 'group', definition: definition(one) };
+  return { kind: 'putThing', [one.kind]: definition(one), ...concerned(one) };
 }
 
 /** Makes the thing of that id as it is here. A group is placed; its other fields have events of their own. */
 export function changeEvent(one: Thing): PlaceEvent {
   if (one.kind === 'group')
     return { kind: 'placeGroup', group: one.id, x: one.centre[0], y: one.centre[1], angle: one.angle };
-  const kind = one.kind === 'area' ? 'area' : `change${capital(one.kind)}`;
-  return { kind, id: one.id, definition: definition(one), ...concerned(one) };
+  return { ...addEvent(one), id: one.id };
 }
 
 export function removeEvent(one: Thing): PlaceEvent {
   return one.kind === 'group'
     ? { kind: 'removeGroup', group: one.id }
-    : { kind: `remove${capital(one.kind)}`, id: one.id };
+    : { kind: 'removeThing', thing: one.kind, id: one.id };
 }
 
 /** Its corners, or points on its circle. */

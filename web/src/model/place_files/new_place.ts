@@ -98,7 +98,7 @@ export function additionOf(obstacles: readonly ObstacleDefinition[], label: stri
     [events, size] = [[], 2];
   };
   for (const definition of obstacles) {
-    const event = JSON.stringify({ kind: 'obstacle', definition });
+    const event = JSON.stringify({ kind: 'putThing', obstacle: definition });
     const own = bytes.encode(event).length + 1;
     if (events.length === kMostEvents || size + own > kMostBytes) send();
     events.push(event);

@@ -19,6 +19,11 @@ export type MotionSetWord = (typeof kMotionSetWords)[number];
 export const kControlKindWords = ['point', 'line', 'area'] as const;
 export type ControlKindWord = (typeof kControlKindWords)[number];
 
+/** What stands or lies in the place. In the order of values. */
+// prettier-ignore
+export const kThingKindWords = ['obstacle', 'patch', 'item', 'checkpoint', 'area'] as const;
+export type ThingKindWord = (typeof kThingKindWords)[number];
+
 /** Who moves a character. In the order of values. */
 // prettier-ignore
 export const kDriverWords = ['muster', 'outside'] as const;
@@ -178,48 +183,30 @@ export interface RemoveGroupEvent {
   readonly group: number;
 }
 
-/** Adds an obstacle. */
-export interface AddObstacleEvent {
-  readonly kind: 'obstacle';
-  /** Its definition. */
-  readonly definition: Fields;
+/** Puts a thing into the place, or gives one another definition. Exactly one of the five definitions says what it is. An item that is collected stays so, and a checkpoint stays passed by the groups that have passed it. */
+export interface PutThingEvent {
+  readonly kind: 'putThing';
+  /** Thing that gets another definition; 0 to add one. */
+  readonly id?: number;
+  /** An obstacle; none for other things. */
+  readonly obstacle?: Fields;
+  /** A patch; none for other things. */
+  readonly patch?: Fields;
+  /** An item to collect; none for other things. */
+  readonly item?: Fields;
+  /** A formation checkpoint (SPEC M7), whose `group` is not read; none for other things. */
+  readonly checkpoint?: Fields;
+  /** An area, whose `group` is not read; none for other things. */
+  readonly area?: Fields;
+  /** For a checkpoint: the group that it concerns, none for any. For a source: the group that its people join. */
+  readonly group?: number;
 }
 
-/** Changes shape, position, path or field of an obstacle. */
-export interface ChangeObstacleEvent {
-  readonly kind: 'changeObstacle';
-  /** Its id. */
-  readonly id: number;
-  /** Its new definition. */
-  readonly definition: Fields;
-}
-
-/** Removes an obstacle. */
-export interface RemoveObstacleEvent {
-  readonly kind: 'removeObstacle';
-  /** Its id. */
-  readonly id: number;
-}
-
-/** Adds a patch. */
-export interface AddPatchEvent {
-  readonly kind: 'patch';
-  /** Its definition. */
-  readonly definition: Fields;
-}
-
-/** Changes shape, position, path or motion of a patch. */
-export interface ChangePatchEvent {
-  readonly kind: 'changePatch';
-  /** Its id. */
-  readonly id: number;
-  /** Its new definition. */
-  readonly definition: Fields;
-}
-
-/** Removes a patch. */
-export interface RemovePatchEvent {
-  readonly kind: 'removePatch';
+/** Removes a thing. People on their way to an area that is removed go to the other areas of their order, or stand. */
+export interface RemoveThingEvent {
+  readonly kind: 'removeThing';
+  /** What it is. */
+  readonly thing: ThingKindWord;
   /** Its id. */
   readonly id: number;
 }
@@ -364,56 +351,6 @@ export interface WriteMotionEvent {
   readonly velocities?: readonly (readonly [number, number])[];
 }
 
-/** Adds an item to collect. */
-export interface AddItemEvent {
-  readonly kind: 'item';
-  /** Its definition. */
-  readonly definition: Fields;
-}
-
-/** Moves an item or changes its radius. Whether it is collected stays. */
-export interface ChangeItemEvent {
-  readonly kind: 'changeItem';
-  /** Its id. */
-  readonly id: number;
-  /** Its new definition. */
-  readonly definition: Fields;
-}
-
-/** Removes an item. */
-export interface RemoveItemEvent {
-  readonly kind: 'removeItem';
-  /** Its id. */
-  readonly id: number;
-}
-
-/** Adds a formation checkpoint (SPEC M7), which nobody has passed yet. */
-export interface AddCheckpointEvent {
-  readonly kind: 'checkpoint';
-  /** Its definition; its `group` is not read. */
-  readonly definition: Fields;
-  /** Group that it concerns; none for any group. */
-  readonly group?: number;
-}
-
-/** Changes a formation checkpoint. It stays passed by the groups that have passed it. */
-export interface ChangeCheckpointEvent {
-  readonly kind: 'changeCheckpoint';
-  /** Its id. */
-  readonly id: number;
-  /** Its new definition; its `group` is not read. */
-  readonly definition: Fields;
-  /** Group that it concerns; none for any group. */
-  readonly group?: number;
-}
-
-/** Removes a formation checkpoint. */
-export interface RemoveCheckpointEvent {
-  readonly kind: 'removeCheckpoint';
-  /** Its id. */
-  readonly id: number;
-}
-
 /** Puts a group elsewhere at once: its mesh, its places, and its characters, who stand still there. Its orders and controls end. (SetPose moves the mesh alone, and characters walk.) */
 export interface PlaceGroupEvent {
   readonly kind: 'placeGroup';
@@ -455,24 +392,6 @@ export interface SetAppearanceEvent {
   readonly motions?: MotionSetWord;
 }
 
-/** Adds an area, or changes one. */
-export interface PutAreaEvent {
-  readonly kind: 'area';
-  /** The area that is changed; none to add one. */
-  readonly id?: number;
-  /** Its definition; its `group` is not read. */
-  readonly definition: Fields;
-  /** For Source: the group that its people join. */
-  readonly group?: number;
-}
-
-/** Removes an area. People on their way to it go to the other areas of their order, or stand. */
-export interface RemoveAreaEvent {
-  readonly kind: 'removeArea';
-  /** Its id. */
-  readonly id: number;
-}
-
 /** Gives a group other sorts of persons. Persons who join it by number or by a source are drawn by them from now on. Its present members are drawn again, as those who come at once: each number that neither the sorts before nor these draw stays as it is. A person who has heard an order sets out when it was to. */
 export interface SetPeopleEvent extends Fields {
   readonly kind: 'people';
@@ -502,12 +421,8 @@ export type CommandEvent =
   | SetPoseEvent
   | AddGroupEvent
   | RemoveGroupEvent
-  | AddObstacleEvent
-  | ChangeObstacleEvent
-  | RemoveObstacleEvent
-  | AddPatchEvent
-  | ChangePatchEvent
-  | RemovePatchEvent
+  | PutThingEvent
+  | RemoveThingEvent
   | SetParameterEvent
   | GiveOrderEvent
   | EditQueueEvent
@@ -522,17 +437,9 @@ export type CommandEvent =
   | SetDemandsEvent
   | SetDriverEvent
   | WriteMotionEvent
-  | AddItemEvent
-  | ChangeItemEvent
-  | RemoveItemEvent
-  | AddCheckpointEvent
-  | ChangeCheckpointEvent
-  | RemoveCheckpointEvent
   | PlaceGroupEvent
   | NameGroupEvent
   | ColourGroupEvent
   | SetAppearanceEvent
-  | PutAreaEvent
-  | RemoveAreaEvent
   | SetPeopleEvent
   | ReverseQueueEvent;

@@ -32,12 +32,8 @@ inline constexpr std::array<CommandTraits, std::variant_size_v<CommandKinds>> kC
     {"Place group", true, true, false, false, false},      // SetPose
     {"Add group", true, true, true, false, false},         // AddGroup
     {"Remove group", true, false, true, false, false},     // RemoveGroup
-    {"", true, false, true, false, false},                 // AddObstacle
-    {"", true, false, true, false, false},                 // ChangeObstacle
-    {"", true, false, true, false, false},                 // RemoveObstacle
-    {"", true, false, true, false, false},                 // AddPatch
-    {"", true, false, true, false, false},                 // ChangePatch
-    {"", true, false, true, false, false},                 // RemovePatch
+    {"", true, false, true, false, false},                 // PutThing
+    {"", true, false, true, false, false},                 // RemoveThing
     {"Setting", true, false, true, true, false},           // SetParameter
     {"", true, true, false, false, false},                 // GiveOrder
     {"", true, true, false, false, false},                 // EditQueue
@@ -52,18 +48,10 @@ inline constexpr std::array<CommandTraits, std::variant_size_v<CommandKinds>> kC
     {"Demands", true, true, true, true, false},            // SetDemands
     {"", true, false, false, false, false},                // SetDriver
     {"", true, false, false, false, false},                // WriteMotion
-    {"", true, false, true, false, false},                 // AddItem
-    {"", true, false, true, false, false},                 // ChangeItem
-    {"", true, false, true, false, false},                 // RemoveItem
-    {"", true, false, true, false, false},                 // AddCheckpoint
-    {"", true, false, true, false, false},                 // ChangeCheckpoint
-    {"", true, false, true, false, false},                 // RemoveCheckpoint
     {"", true, false, true, false, false},                 // PlaceGroup
     {"", true, false, true, false, false},                 // NameGroup
     {"", true, false, true, false, false},                 // ColourGroup
     {"", true, false, true, false, false},                 // SetAppearance
-    {"", true, false, true, false, false},                 // PutArea
-    {"", true, false, true, false, false},                 // RemoveArea
     {"", true, false, true, false, false},                 // SetPeople
     {"Reverse orders", true, true, false, false, true},    // ReverseQueue
 }};

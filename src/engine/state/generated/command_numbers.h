@@ -1,0 +1,15 @@
+// Made by schema/generate.mjs from schema/commands.txt: change these, not this file.
+// What takes call each kind of command.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace muster {
+
+/// The numbers of kinds, in the order of CommandKinds.
+inline constexpr std::array<std::uint8_t, 35> kCommandNumbers{
+    0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 47, 48, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32,
+    39, 40, 41, 42, 45, 46};
+
+}  // namespace muster
