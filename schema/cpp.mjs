@@ -79,6 +79,8 @@ function formerHeader() {
   return `${kFormerBanner}// Commands by the names that they had: each stands for the command that says the same, into which CommandBody makes it.
 #pragma once
 
+#include <variant>
+
 #include "muster/generated/command_kinds.h"
 
 namespace muster {
@@ -89,28 +91,9 @@ ${formerCommands.map(struct).join('\n')}
 
 ${formerCommands.map(({ name }) => `CommandBody converted(const ${name}& c);`.padEnd(52) + `///< The command that says the same.`).join('\n')}
 
-}  // namespace muster
-`;
-}
-
-function formerKinds() {
-  return `${kFormerBanner}// Any command by a name that it had, and what takes call it.
-#pragma once
-
-#include <array>
-#include <cstdint>
-#include <variant>
-
-#include "muster/generated/former_commands.h"
-
-namespace muster {
-
 /// Any of them.
 using FormerKinds = std::variant<
 ${call('', formerCommands.map(({ name }) => name), '>;', '    ').join('\n')}
-
-/// What takes call each of them, in their order.
-${numbers('kFormerNumbers', formerCommands)}
 
 }  // namespace muster
 `;
@@ -127,6 +110,9 @@ namespace muster {
 
 /// The numbers of kinds, in the order of CommandKinds.
 ${numbers('kCommandNumbers', commands)}
+
+/// The same of FormerKinds.
+${numbers('kFormerNumbers', formerCommands)}
 
 }  // namespace muster
 `;
@@ -287,7 +273,6 @@ export const cppFiles = () => ({
   'src/engine/state/generated/command_checks.cpp': checks(),
   'src/engine/state/generated/command_relations.h': relations(),
   'src/engine/state/generated/command_numbers.h': numbersHeader(),
-  'src/engine/state/generated/former_kinds.h': formerKinds(),
   'include/muster/generated/former_commands.h': formerHeader(),
   'src/engine/systems/commands/generated/command_functions.h': functions(),
   'src/studio/session/inbox/generated/command_traits.h': traits(),

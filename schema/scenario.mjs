@@ -83,7 +83,6 @@ function header() {
   return `${kBanner}// The fields of each kind of command in gesture files, except t, kind, client and step.
 #pragma once
 
-#include "engine/state/generated/former_kinds.h"
 #include "files/scenario/command_by_hand.h"
 
 namespace muster {

@@ -32,8 +32,7 @@ Result<double> window(const RewindDef& def, World& world, Drag& drag) {
             ObstacleDef building;
             const Vec2 at = world.group(0).pose.position + Vec2{3.0, 1.0};
             building.polygon = {at, at + Vec2{2, 0}, at + Vec2{2, 2}, at + Vec2{0, 2}};
-            if (Status status = world.submit({world.stepCount(), 900, 0, putThing(building)});
-                !status.ok())
+            if (Status status = world.submit({world.stepCount(), 900, 0, putThing(building)}); !status.ok())
                 return status;
         }
         sum += timedStep(world);

@@ -26,7 +26,7 @@ template <class T>
 concept ArchiveScalar = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
 /// Version of the commands and definitions that takes hold. Fields that came later are archived by since().
-inline constexpr std::uint32_t kArchiveVersion = 8;
+inline constexpr std::uint32_t kArchiveVersion = 7;
 
 /// Appends values to a byte vector.
 class Writer {

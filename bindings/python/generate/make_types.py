@@ -13,7 +13,7 @@ from read_headers import Enumeration, Field, HeaderError, Struct, read_header
 
 HEADERS = (
     "generated/enumerations formation geometry obstacle patch unit order control map_import people area world_def generated/command_kinds "
-    "command event characters walk_totals views take"
+    "generated/former_commands command event characters walk_totals views take"
 ).split()
 # What has a Python class of its own, or none.
 LEFT_OUT = {
@@ -199,11 +199,11 @@ def in_order(things: list[Struct | Enumeration], commands: list[str]) -> list[St
     return list(ordered.values())
 
 
-def command_names(header: Path) -> list[str]:
-    """The commands, in the order of the variant."""
-    found = re.search(r"using CommandKinds = std::variant<([^>]+)>", header.read_text(encoding="utf-8"))
+def variant_of(name: str, header: Path) -> list[str]:
+    """The alternatives of the variant of that name, in their order."""
+    found = re.search(rf"using {name} = std::variant<([^>]+)>", header.read_text(encoding="utf-8"))
     if not found:
-        raise HeaderError(f"{header.name}: found no CommandKinds, expected a variant of that name")
+        raise HeaderError(f"{header.name}: found no {name}, expected a variant of that name")
     return [name.strip() for name in found[1].split(",")]
 
 
@@ -213,7 +213,8 @@ def main() -> None:
     figures = [root / f"src/engine/world/{name}.h" for name in ("departures", "metrics")]
     paths = [include / f"{name}.h" for name in HEADERS] + figures
     things = [thing for path in paths for thing in read_header(path) if thing.name not in LEFT_OUT]
-    commands = command_names(include / "generated/command_kinds.h")
+    commands = variant_of("CommandKinds", include / "generated/command_kinds.h")
+    commands += variant_of("FormerKinds", include / "generated/former_commands.h")
     things = in_order(things, commands)
     folder.mkdir(parents=True, exist_ok=True)
     methods = {name: (Path(__file__).parent / f"{name.lower()}_methods.txt").read_text(encoding="utf-8") for name in WITH_METHODS}

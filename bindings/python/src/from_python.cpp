@@ -178,20 +178,25 @@ void FromPython::read(py::handle from, Parameters& into) {
     }
 }
 
-template <std::size_t I>
-bool FromPython::readAlternative(py::handle from, CommandBody& into) {
-    using T = std::variant_alternative_t<I, CommandKinds>;
-    if (!py::isinstance(from, classOf<T>())) return false;
-    readFields(from, into.emplace<I>());
+template <class Kind>
+bool FromPython::readKind(py::handle from, CommandBody& into) {
+    if (!py::isinstance(from, classOf<Kind>())) return false;
+    Kind kind;
+    readFields(from, kind);
+    into = CommandBody(std::move(kind));
     return true;
 }
 
+template <class... Kind>
+bool FromPython::readAnyOf(py::handle from, CommandBody& into, const std::variant<Kind...>*) {
+    return (readKind<Kind>(from, into) || ...);
+}
+
 void FromPython::read(py::handle from, CommandBody& into) {
-    const bool known = [&]<std::size_t... I>(std::index_sequence<I...>) {
-        return (readAlternative<I>(from, into) || ...);
-    }
-    (std::make_index_sequence<std::variant_size_v<CommandKinds>>());
-    if (!known) fail(from, "a command, as muster.TouchDown or muster.GiveOrder");
+    const CommandKinds* const kinds = nullptr;
+    const FormerKinds* const formerKinds = nullptr;
+    if (!readAnyOf(from, into, kinds) && !readAnyOf(from, into, formerKinds))
+        fail(from, "a command, as muster.TouchDown or muster.GiveOrder");
 }
 
 std::int32_t threadsFrom(py::handle from) {

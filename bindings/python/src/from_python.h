@@ -109,8 +109,11 @@ private:
         read(from, into);
         path_.resize(length);
     }
-    template <std::size_t I>
-    bool readAlternative(py::handle from, CommandBody& into);
+    template <class Kind>
+    bool readKind(py::handle from, CommandBody& into);
+    /// Reads a command of any of the kinds of a variant, which is named by a null pointer.
+    template <class... Kind>
+    bool readAnyOf(py::handle from, CommandBody& into, const std::variant<Kind...>* kinds);
 
     static std::string withArticle(const char* name);
     [[noreturn]] void fail(py::handle found, const std::string& expected) const;

@@ -2,6 +2,8 @@
 // Commands by the names that they had: each stands for the command that says the same, into which CommandBody makes it.
 #pragma once
 
+#include <variant>
+
 #include "muster/generated/command_kinds.h"
 
 namespace muster {
@@ -171,5 +173,10 @@ CommandBody converted(const ChangeCheckpoint& c);   ///< The command that says t
 CommandBody converted(const RemoveCheckpoint& c);   ///< The command that says the same.
 CommandBody converted(const PutArea& c);            ///< The command that says the same.
 CommandBody converted(const RemoveArea& c);         ///< The command that says the same.
+
+/// Any of them.
+using FormerKinds = std::variant<
+    AddObstacle, ChangeObstacle, RemoveObstacle, AddPatch, ChangePatch, RemovePatch, AddItem, ChangeItem,
+    RemoveItem, AddCheckpoint, ChangeCheckpoint, RemoveCheckpoint, PutArea, RemoveArea>;
 
 }  // namespace muster

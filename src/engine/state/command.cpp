@@ -6,7 +6,6 @@
 #include "base/emplace_index.h"
 #include "engine/state/command_archive.h"
 #include "engine/state/generated/command_numbers.h"
-#include "engine/state/generated/former_kinds.h"
 
 namespace muster {
 namespace {

@@ -26,9 +26,8 @@ void setOnCrowd(std::int32_t count, double spacing, double halfWidth, double hal
     World world = World::create(def).value();
     for (int s = 0; s < 30; ++s) world.step();
     std::uint32_t sequence = 0;
-    REQUIRE(
-        give(world, sequence, putThing(block(0.3 - halfWidth, -halfHeight, 0.3 + halfWidth, halfHeight)))
-            .ok());
+    REQUIRE(give(world, sequence, putThing(block(0.3 - halfWidth, -halfHeight, 0.3 + halfWidth, halfHeight)))
+                .ok());
     const double radius = def.parameters.character.radius, top = def.parameters.character.maxSpeed;
     const double depth = std::min(halfWidth, halfHeight) + radius;
     const int steps = static_cast<int>(60.0 * (depth / top + 1.0));

@@ -56,8 +56,7 @@ struct Commander {
         } else if (dice == 30 && !world.obstacleIds().empty()) {
             (void)give(world, sequence, removeThing(world.obstacleIds().back()));
         } else if (dice == 40) {
-            (void)give(world, sequence,
-                       putThing(tree({random.uniform(-9, 9), random.uniform(-9, 9)}, 0.3)));
+            (void)give(world, sequence, putThing(tree({random.uniform(-9, 9), random.uniform(-9, 9)}, 0.3)));
         } else if (dice == 50) {
             (void)give(world, sequence, SetPose{group, {random.uniform(-9, 9), random.uniform(-9, 9)}, 1.0});
         }

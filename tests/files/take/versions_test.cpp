@@ -186,16 +186,16 @@ TEST_CASE("versions are not mixed up") {
     auto newer = takeOf(1);
     newer[8] = 2;
     CHECK(parseTake(newer, "T").status().code() == StatusCode::Corrupt);
-    for (const unsigned version : {0u, 9u}) {
+    for (const unsigned version : {0u, 10u}) {
         auto other = takeOf(1);
         other[8] = static_cast<std::uint8_t>(version);
         const auto take = parseTake(other, "T");
         CHECK(take.status().code() == StatusCode::Unsupported);
-        CHECK(take.status().message().find("expected version 1 to 8") != std::string::npos);
+        CHECK(take.status().message().find("expected version 1 to 9") != std::string::npos);
     }
 }
 
-TEST_CASE("writers write version 8") {
+TEST_CASE("writers write version 9") {
     WorldDef def;
     def.groups.resize(1);
     const std::string path = (std::filesystem::temp_directory_path() / "muster_take_version_test.take")
@@ -207,5 +207,5 @@ TEST_CASE("writers write version 8") {
     CHECK(std::fread(head, 1, sizeof head, file) == sizeof head);
     std::fclose(file);
     std::filesystem::remove(path);
-    CHECK(head[8] == 8);
+    CHECK(head[8] == 9);
 }

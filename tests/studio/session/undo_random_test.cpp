@@ -70,8 +70,7 @@ Defined definitionOf(const World& world, bool poses) {
     for (const ParameterInfo& info : parameterTable())
         text += std::string(info.name) + std::to_string(info.get(world.parameters())) + "\n";
     std::vector<std::string> parts;
-    for (const ObstacleId id : world.obstacleIds())
-        parts.push_back(textOf(putThing(world.obstacle(id).def)));
+    for (const ObstacleId id : world.obstacleIds()) parts.push_back(textOf(putThing(world.obstacle(id).def)));
     for (const PatchId id : world.patchIds()) parts.push_back(textOf(putThing(world.patch(id).def)));
     for (const ItemDef& item : world.items()) parts.push_back(textOf(putThing(item)));
     for (std::size_t k = 0; k < world.checkpoints().size(); ++k)

@@ -112,6 +112,21 @@ export const AreaKind = {
 } as const;
 export type AreaKind = (typeof AreaKind)[keyof typeof AreaKind];
 
+/** What stands or lies in the place. */
+export const ThingKind = {
+  /** Something in the way. */
+  Obstacle: 0,
+  /** Ground on which another motion is performed. */
+  Patch: 1,
+  /** Something to collect. */
+  Item: 2,
+  /** Where a formation is asked for. */
+  Checkpoint: 3,
+  /** An exit, a source or a waiting area. */
+  Area: 4,
+} as const;
+export type ThingKind = (typeof ThingKind)[keyof typeof ThingKind];
+
 /** What passes a checkpoint. */
 export const CheckpointTrigger = {
   /** A share of the characters has been in it, or, up to a half, their middle is. */
@@ -390,7 +405,7 @@ export type CharacterId = number;
 /** Names an order in a queue; 0 for none. */
 export type OrderId = number;
 
-/** Kinds of commands. Numbers stay; new kinds are appended. */
+/** Kinds of commands. */
 export const CommandKind = {
   /** Its body is `touchDown`. */
   TouchDown: 0,
@@ -418,76 +433,52 @@ export const CommandKind = {
   AddGroup: 11,
   /** Its body is `removeGroup`. */
   RemoveGroup: 12,
-  /** Its body is `addObstacle`. */
-  AddObstacle: 13,
-  /** Its body is `changeObstacle`. */
-  ChangeObstacle: 14,
-  /** Its body is `removeObstacle`. */
-  RemoveObstacle: 15,
-  /** Its body is `addPatch`. */
-  AddPatch: 16,
-  /** Its body is `changePatch`. */
-  ChangePatch: 17,
-  /** Its body is `removePatch`. */
-  RemovePatch: 18,
+  /** Its body is `putThing`. */
+  PutThing: 13,
+  /** Its body is `removeThing`. */
+  RemoveThing: 14,
   /** Its body is `setParameter`. */
-  SetParameter: 19,
+  SetParameter: 15,
   /** Its body is `giveOrder`. */
-  GiveOrder: 20,
+  GiveOrder: 16,
   /** Its body is `editQueue`. */
-  EditQueue: 21,
+  EditQueue: 17,
   /** Its body is `setConduct`. */
-  SetConduct: 22,
+  SetConduct: 18,
   /** Its body is `addCharacters`. */
-  AddCharacters: 23,
+  AddCharacters: 19,
   /** Its body is `removeCharacters`. */
-  RemoveCharacters: 24,
+  RemoveCharacters: 20,
   /** Its body is `transferCharacters`. */
-  TransferCharacters: 25,
+  TransferCharacters: 21,
   /** Its body is `splitGroup`. */
-  SplitGroup: 26,
+  SplitGroup: 22,
   /** Its body is `mergeGroups`. */
-  MergeGroups: 27,
+  MergeGroups: 23,
   /** Its body is `setBodies`. */
-  SetBodies: 28,
+  SetBodies: 24,
   /** Its body is `setRoles`. */
-  SetRoles: 29,
+  SetRoles: 25,
   /** Its body is `setDemands`. */
-  SetDemands: 30,
+  SetDemands: 26,
   /** Its body is `setDriver`. */
-  SetDriver: 31,
+  SetDriver: 27,
   /** Its body is `writeMotion`. */
-  WriteMotion: 32,
-  /** Its body is `addItem`. */
-  AddItem: 33,
-  /** Its body is `changeItem`. */
-  ChangeItem: 34,
-  /** Its body is `removeItem`. */
-  RemoveItem: 35,
-  /** Its body is `addCheckpoint`. */
-  AddCheckpoint: 36,
-  /** Its body is `changeCheckpoint`. */
-  ChangeCheckpoint: 37,
-  /** Its body is `removeCheckpoint`. */
-  RemoveCheckpoint: 38,
+  WriteMotion: 28,
   /** Its body is `placeGroup`. */
-  PlaceGroup: 39,
+  PlaceGroup: 29,
   /** Its body is `nameGroup`. */
-  NameGroup: 40,
+  NameGroup: 30,
   /** Its body is `colourGroup`. */
-  ColourGroup: 41,
+  ColourGroup: 31,
   /** Its body is `setAppearance`. */
-  SetAppearance: 42,
-  /** Its body is `putArea`. */
-  PutArea: 43,
-  /** Its body is `removeArea`. */
-  RemoveArea: 44,
+  SetAppearance: 32,
   /** Its body is `setPeople`. */
-  SetPeople: 45,
+  SetPeople: 33,
   /** Its body is `reverseQueue`. */
-  ReverseQueue: 46,
+  ReverseQueue: 34,
   /** Number of kinds. */
-  Count: 47,
+  Count: 35,
 } as const;
 export type CommandKind = (typeof CommandKind)[keyof typeof CommandKind];
 

@@ -2,7 +2,7 @@
 
 import type { ReadOut } from '../binding/read_out.js';
 import type { Rows } from '../binding/rows.js';
-import type { Status, FormationKind, BodyBuild, MotionSet, ControlKind, AreaKind, CheckpointTrigger, Spread, RoleArea, Driver, SplitBy, PartShape, OrderKind, ExitChoice, Manner, Turn, QueueMode, QueueEdit, Stance, EventKind, MotionIndex, ObstacleId, PatchId, GroupId, ItemId, CheckpointId, AreaId, ControlId, CharacterId, OrderId, Limb } from './enums.js';
+import type { Status, FormationKind, BodyBuild, MotionSet, ControlKind, AreaKind, ThingKind, CheckpointTrigger, Spread, RoleArea, Driver, SplitBy, PartShape, OrderKind, ExitChoice, Manner, Turn, QueueMode, QueueEdit, Stance, EventKind, MotionIndex, ObstacleId, PatchId, GroupId, AreaId, ControlId, CharacterId, OrderId, Limb } from './enums.js';
 
 /** A point or vector in the ground plane: x right, y forward [m]. */
 export interface Vec2 {
@@ -1093,84 +1093,59 @@ export interface RemoveGroupInit {
   readonly group?: GroupId | undefined;
 }
 
-/** Adds an obstacle. */
-export interface AddObstacle {
-  /** Its definition. */
-  obstacle: ObstacleDef;
+/**
+ * Puts a thing into the place, or gives one another definition. Exactly one of the five definitions says what it
+ * is. An item that is collected stays so, and a checkpoint stays passed by the groups that have passed it.
+ */
+export interface PutThing {
+  /** Thing that gets another definition; 0 to add one. */
+  id: number;
+  /** An obstacle; null for other things. */
+  obstacle: ObstacleDef | null;
+  /** A patch; null for other things. */
+  patch: PatchDef | null;
+  /** An item to collect; null for other things. */
+  item: ItemDef | null;
+  /** A formation checkpoint (SPEC M7), whose `group` is not read; null for other things. */
+  checkpoint: CheckpointDef | null;
+  /** An area, whose `group` is not read; null for other things. */
+  area: AreaDef | null;
+  /** For a checkpoint: the group that it concerns, 0 for any. For a source: the group that its people join. */
+  group: GroupId;
 }
 
-/** What may be given of AddObstacle. */
-export interface AddObstacleInit {
-  /** Its definition. */
-  readonly obstacle?: ObstacleDefInit | undefined;
+/** What may be given of PutThing. */
+export interface PutThingInit {
+  /** Thing that gets another definition; 0 to add one. */
+  readonly id?: number | undefined;
+  /** An obstacle; null for other things. */
+  readonly obstacle?: ObstacleDefInit | null | undefined;
+  /** A patch; null for other things. */
+  readonly patch?: PatchDefInit | null | undefined;
+  /** An item to collect; null for other things. */
+  readonly item?: ItemDefInit | null | undefined;
+  /** A formation checkpoint (SPEC M7), whose `group` is not read; null for other things. */
+  readonly checkpoint?: CheckpointDefInit | null | undefined;
+  /** An area, whose `group` is not read; null for other things. */
+  readonly area?: AreaDefInit | null | undefined;
+  /** For a checkpoint: the group that it concerns, 0 for any. For a source: the group that its people join. */
+  readonly group?: GroupId | undefined;
 }
 
-/** Changes shape, position, path or field of an obstacle. */
-export interface ChangeObstacle {
+/** Removes a thing. People on their way to an area that is removed go to the other areas of their order, or stand. */
+export interface RemoveThing {
+  /** What it is. */
+  thing: ThingKind;
   /** Its id. */
-  id: ObstacleId;
-  /** Its new definition. */
-  obstacle: ObstacleDef;
+  id: number;
 }
 
-/** What may be given of ChangeObstacle. */
-export interface ChangeObstacleInit {
+/** What may be given of RemoveThing. */
+export interface RemoveThingInit {
+  /** What it is. */
+  readonly thing?: ThingKind | undefined;
   /** Its id. */
-  readonly id?: ObstacleId | undefined;
-  /** Its new definition. */
-  readonly obstacle?: ObstacleDefInit | undefined;
-}
-
-/** Removes an obstacle. */
-export interface RemoveObstacle {
-  /** Its id. */
-  id: ObstacleId;
-}
-
-/** What may be given of RemoveObstacle. */
-export interface RemoveObstacleInit {
-  /** Its id. */
-  readonly id?: ObstacleId | undefined;
-}
-
-/** Adds a patch. */
-export interface AddPatch {
-  /** Its definition. */
-  patch: PatchDef;
-}
-
-/** What may be given of AddPatch. */
-export interface AddPatchInit {
-  /** Its definition. */
-  readonly patch?: PatchDefInit | undefined;
-}
-
-/** Changes shape, position, path or motion of a patch. */
-export interface ChangePatch {
-  /** Its id. */
-  id: PatchId;
-  /** Its new definition. */
-  patch: PatchDef;
-}
-
-/** What may be given of ChangePatch. */
-export interface ChangePatchInit {
-  /** Its id. */
-  readonly id?: PatchId | undefined;
-  /** Its new definition. */
-  readonly patch?: PatchDefInit | undefined;
-}
-
-/** Removes a patch. */
-export interface RemovePatch {
-  /** Its id. */
-  id: PatchId;
-}
-
-/** What may be given of RemovePatch. */
-export interface RemovePatchInit {
-  /** Its id. */
-  readonly id?: PatchId | undefined;
+  readonly id?: number | undefined;
 }
 
 /** Changes the value of a parameter. */
@@ -1436,94 +1411,6 @@ export interface WriteMotionInit {
   readonly velocities?: readonly Vec2[] | Float64Array | undefined;
 }
 
-/** Adds an item to collect. */
-export interface AddItem {
-  /** Its definition. */
-  item: ItemDef;
-}
-
-/** What may be given of AddItem. */
-export interface AddItemInit {
-  /** Its definition. */
-  readonly item?: ItemDefInit | undefined;
-}
-
-/** Moves an item or changes its radius. Whether it is collected stays. */
-export interface ChangeItem {
-  /** Its id. */
-  id: ItemId;
-  /** Its new definition. */
-  item: ItemDef;
-}
-
-/** What may be given of ChangeItem. */
-export interface ChangeItemInit {
-  /** Its id. */
-  readonly id?: ItemId | undefined;
-  /** Its new definition. */
-  readonly item?: ItemDefInit | undefined;
-}
-
-/** Removes an item. */
-export interface RemoveItem {
-  /** Its id. */
-  id: ItemId;
-}
-
-/** What may be given of RemoveItem. */
-export interface RemoveItemInit {
-  /** Its id. */
-  readonly id?: ItemId | undefined;
-}
-
-/** Adds a formation checkpoint (SPEC M7), which nobody has passed yet. */
-export interface AddCheckpoint {
-  /** Its definition; its `group` is not read. */
-  checkpoint: CheckpointDef;
-  /** Group that it concerns; 0 for any group. */
-  group: GroupId;
-}
-
-/** What may be given of AddCheckpoint. */
-export interface AddCheckpointInit {
-  /** Its definition; its `group` is not read. */
-  readonly checkpoint?: CheckpointDefInit | undefined;
-  /** Group that it concerns; 0 for any group. */
-  readonly group?: GroupId | undefined;
-}
-
-/** Changes a formation checkpoint. It stays passed by the groups that have passed it. */
-export interface ChangeCheckpoint {
-  /** Its id. */
-  id: CheckpointId;
-  /** Its new definition; its `group` is not read. */
-  checkpoint: CheckpointDef;
-  /** Group that it concerns; 0 for any group. */
-  group: GroupId;
-}
-
-/** What may be given of ChangeCheckpoint. */
-export interface ChangeCheckpointInit {
-  /** Its id. */
-  readonly id?: CheckpointId | undefined;
-  /** Its new definition; its `group` is not read. */
-  readonly checkpoint?: CheckpointDefInit | undefined;
-  /** Group that it concerns; 0 for any group. */
-  readonly group?: GroupId | undefined;
-}
-
-/** Removes a formation checkpoint. */
-export interface RemoveCheckpoint {
-  /** Its id. */
-  id: CheckpointId;
-}
-
-/** What may be given of RemoveCheckpoint. */
-export interface RemoveCheckpointInit {
-  /** Its id. */
-  readonly id?: CheckpointId | undefined;
-}
-
 /**
  * Puts a group elsewhere at once: its mesh, its places, and its characters, who stand still there. Its orders and
  * controls end. (SetPose moves the mesh alone, and characters walk.)
@@ -1599,38 +1486,6 @@ export interface SetAppearanceInit {
   readonly motions?: MotionSet | null | undefined;
 }
 
-/** Adds an area, or changes one. */
-export interface PutArea {
-  /** The area that is changed; 0 to add one. */
-  id: AreaId;
-  /** Its definition; its `group` is not read. */
-  area: AreaDef;
-  /** For Source: the group that its people join. */
-  group: GroupId;
-}
-
-/** What may be given of PutArea. */
-export interface PutAreaInit {
-  /** The area that is changed; 0 to add one. */
-  readonly id?: AreaId | undefined;
-  /** Its definition; its `group` is not read. */
-  readonly area?: AreaDefInit | undefined;
-  /** For Source: the group that its people join. */
-  readonly group?: GroupId | undefined;
-}
-
-/** Removes an area. People on their way to it go to the other areas of their order, or stand. */
-export interface RemoveArea {
-  /** Its id. */
-  id: AreaId;
-}
-
-/** What may be given of RemoveArea. */
-export interface RemoveAreaInit {
-  /** Its id. */
-  readonly id?: AreaId | undefined;
-}
-
 /**
  * Gives a group other sorts of persons. Persons who join it by number or by a source are drawn by them from now
  * on. Its present members are drawn again, as those who come at once: each number that neither the sorts before
@@ -1691,74 +1546,50 @@ export interface CommandBodies {
   11: AddGroup;
   /** RemoveGroup */
   12: RemoveGroup;
-  /** AddObstacle */
-  13: AddObstacle;
-  /** ChangeObstacle */
-  14: ChangeObstacle;
-  /** RemoveObstacle */
-  15: RemoveObstacle;
-  /** AddPatch */
-  16: AddPatch;
-  /** ChangePatch */
-  17: ChangePatch;
-  /** RemovePatch */
-  18: RemovePatch;
+  /** PutThing */
+  13: PutThing;
+  /** RemoveThing */
+  14: RemoveThing;
   /** SetParameter */
-  19: SetParameter;
+  15: SetParameter;
   /** GiveOrder */
-  20: GiveOrder;
+  16: GiveOrder;
   /** EditQueue */
-  21: EditQueue;
+  17: EditQueue;
   /** SetConduct */
-  22: SetConduct;
+  18: SetConduct;
   /** AddCharacters */
-  23: AddCharacters;
+  19: AddCharacters;
   /** RemoveCharacters */
-  24: RemoveCharacters;
+  20: RemoveCharacters;
   /** TransferCharacters */
-  25: TransferCharacters;
+  21: TransferCharacters;
   /** SplitGroup */
-  26: SplitGroup;
+  22: SplitGroup;
   /** MergeGroups */
-  27: MergeGroups;
+  23: MergeGroups;
   /** SetBodies */
-  28: SetBodies;
+  24: SetBodies;
   /** SetRoles */
-  29: SetRoles;
+  25: SetRoles;
   /** SetDemands */
-  30: SetDemands;
+  26: SetDemands;
   /** SetDriver */
-  31: SetDriver;
+  27: SetDriver;
   /** WriteMotion */
-  32: WriteMotion;
-  /** AddItem */
-  33: AddItem;
-  /** ChangeItem */
-  34: ChangeItem;
-  /** RemoveItem */
-  35: RemoveItem;
-  /** AddCheckpoint */
-  36: AddCheckpoint;
-  /** ChangeCheckpoint */
-  37: ChangeCheckpoint;
-  /** RemoveCheckpoint */
-  38: RemoveCheckpoint;
+  28: WriteMotion;
   /** PlaceGroup */
-  39: PlaceGroup;
+  29: PlaceGroup;
   /** NameGroup */
-  40: NameGroup;
+  30: NameGroup;
   /** ColourGroup */
-  41: ColourGroup;
+  31: ColourGroup;
   /** SetAppearance */
-  42: SetAppearance;
-  /** PutArea */
-  43: PutArea;
-  /** RemoveArea */
-  44: RemoveArea;
+  32: SetAppearance;
   /** SetPeople */
-  45: SetPeople;
+  33: SetPeople;
   /** ReverseQueue */
-  46: ReverseQueue;
+  34: ReverseQueue;
 }
 
 /**
@@ -1811,74 +1642,50 @@ export interface CommandBodiesInit {
   11: AddGroupInit;
   /** RemoveGroup */
   12: RemoveGroupInit;
-  /** AddObstacle */
-  13: AddObstacleInit;
-  /** ChangeObstacle */
-  14: ChangeObstacleInit;
-  /** RemoveObstacle */
-  15: RemoveObstacleInit;
-  /** AddPatch */
-  16: AddPatchInit;
-  /** ChangePatch */
-  17: ChangePatchInit;
-  /** RemovePatch */
-  18: RemovePatchInit;
+  /** PutThing */
+  13: PutThingInit;
+  /** RemoveThing */
+  14: RemoveThingInit;
   /** SetParameter */
-  19: SetParameterInit;
+  15: SetParameterInit;
   /** GiveOrder */
-  20: GiveOrderInit;
+  16: GiveOrderInit;
   /** EditQueue */
-  21: EditQueueInit;
+  17: EditQueueInit;
   /** SetConduct */
-  22: SetConductInit;
+  18: SetConductInit;
   /** AddCharacters */
-  23: AddCharactersInit;
+  19: AddCharactersInit;
   /** RemoveCharacters */
-  24: RemoveCharactersInit;
+  20: RemoveCharactersInit;
   /** TransferCharacters */
-  25: TransferCharactersInit;
+  21: TransferCharactersInit;
   /** SplitGroup */
-  26: SplitGroupInit;
+  22: SplitGroupInit;
   /** MergeGroups */
-  27: MergeGroupsInit;
+  23: MergeGroupsInit;
   /** SetBodies */
-  28: SetBodiesInit;
+  24: SetBodiesInit;
   /** SetRoles */
-  29: SetRolesInit;
+  25: SetRolesInit;
   /** SetDemands */
-  30: SetDemandsInit;
+  26: SetDemandsInit;
   /** SetDriver */
-  31: SetDriverInit;
+  27: SetDriverInit;
   /** WriteMotion */
-  32: WriteMotionInit;
-  /** AddItem */
-  33: AddItemInit;
-  /** ChangeItem */
-  34: ChangeItemInit;
-  /** RemoveItem */
-  35: RemoveItemInit;
-  /** AddCheckpoint */
-  36: AddCheckpointInit;
-  /** ChangeCheckpoint */
-  37: ChangeCheckpointInit;
-  /** RemoveCheckpoint */
-  38: RemoveCheckpointInit;
+  28: WriteMotionInit;
   /** PlaceGroup */
-  39: PlaceGroupInit;
+  29: PlaceGroupInit;
   /** NameGroup */
-  40: NameGroupInit;
+  30: NameGroupInit;
   /** ColourGroup */
-  41: ColourGroupInit;
+  31: ColourGroupInit;
   /** SetAppearance */
-  42: SetAppearanceInit;
-  /** PutArea */
-  43: PutAreaInit;
-  /** RemoveArea */
-  44: RemoveAreaInit;
+  32: SetAppearanceInit;
   /** SetPeople */
-  45: SetPeopleInit;
+  33: SetPeopleInit;
   /** ReverseQueue */
-  46: ReverseQueueInit;
+  34: ReverseQueueInit;
 }
 
 /**

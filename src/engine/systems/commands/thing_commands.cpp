@@ -140,8 +140,7 @@ Status apply(CommandContext& context, const PutThing& put) {
     if (put.obstacle) return putObstacle(context, ObstacleId{put.id}, *put.obstacle);
     if (put.patch) return putPatch(context, PatchId{put.id}, *put.patch);
     if (put.item) return putItem(context.state, ItemId{put.id}, *put.item);
-    if (put.checkpoint)
-        return putCheckpoint(context.state, CheckpointId{put.id}, *put.checkpoint, put.group);
+    if (put.checkpoint) return putCheckpoint(context.state, CheckpointId{put.id}, *put.checkpoint, put.group);
     return putArea(context.state, AreaId{put.id}, *put.area, put.group);
 }
 

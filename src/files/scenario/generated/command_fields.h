@@ -2,7 +2,6 @@
 // The fields of each kind of command in gesture files, except t, kind, client and step.
 #pragma once
 
-#include "engine/state/generated/former_kinds.h"
 #include "files/scenario/command_by_hand.h"
 
 namespace muster {

@@ -84,9 +84,9 @@ bool changes(const PartChange& part) {
 }  // namespace
 
 bool setsPart(const CommandBody& body) {
-    return isOneOf<PutThing, RemoveThing, AddGroup, RemoveGroup, PlaceGroup, NameGroup, ColourGroup, SetAppearance,
-                   SetPeople, SetFormation, SetPose, PinControl, SetConduct, SetRoles, SetDemands,
-                   SetParameter>(body);
+    return isOneOf<PutThing, RemoveThing, AddGroup, RemoveGroup, PlaceGroup, NameGroup, ColourGroup,
+                   SetAppearance, SetPeople, SetFormation, SetPose, PinControl, SetConduct, SetRoles,
+                   SetDemands, SetParameter>(body);
 }
 
 PartKey keyOf(const CommandBody& body, Names& names) {

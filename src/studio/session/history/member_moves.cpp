@@ -202,7 +202,8 @@ private:
             if (isIn(moves_.come, to)) continue;
             newcomers.add.group = idOf(to);
             putIn(moves_.changed, to);
-            batch_.births.push_back({batch_.bodies.size(), SubjectKind::Character, std::move(newcomers.names)});
+            batch_.births.push_back(
+                {batch_.bodies.size(), SubjectKind::Character, std::move(newcomers.names)});
             batch_.bodies.push_back(std::move(newcomers.add));
         }
     }

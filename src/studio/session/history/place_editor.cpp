@@ -225,7 +225,7 @@ bool PlaceEditor::fetch(Waiting& waiting) {
 }
 
 std::vector<Subject> PlaceEditor::subjectsOf(const std::vector<CommandBody>& bodies,
-                                         const std::vector<Concern>& concerns) {
+                                             const std::vector<Concern>& concerns) {
     std::vector<Subject> things;
     const auto put = [&](const CommandBody& body) {
         if (const Subject thing = keyOf(body, names_).subject; thing.name != 0) things.push_back(thing);

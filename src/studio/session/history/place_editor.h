@@ -114,7 +114,8 @@ private:
     bool ready(Waiting& waiting, Given& given, const World& world);
     void takeOutOfOthers(std::uint32_t client, HistoryStep& step);
     std::vector<Subject> subjectsOf(const Waiting& waiting);
-    std::vector<Subject> subjectsOf(const std::vector<CommandBody>& bodies, const std::vector<Concern>& concerns);
+    std::vector<Subject> subjectsOf(const std::vector<CommandBody>& bodies,
+                                    const std::vector<Concern>& concerns);
     void addAct(std::uint32_t client, std::vector<CommandBody> bodies, std::vector<std::uint32_t> sequences,
                 std::uint32_t drag, const World& world);
     void endDrag(std::uint32_t client, std::uint32_t drag, std::uint32_t sequence, const World& world);

@@ -23,7 +23,8 @@ std::uint32_t addedId(const CommandBody& body, const World& world, std::uint32_t
     if (put == nullptr || put->id != 0) return 0;
     if (put->obstacle) {
         const auto ids = ground.obstacleIds();
-        return firstAbove(ids, after, [&](std::size_t k) { return *ground.obstacle(ids[k]) == *put->obstacle; });
+        return firstAbove(ids, after,
+                          [&](std::size_t k) { return *ground.obstacle(ids[k]) == *put->obstacle; });
     }
     if (put->patch) {
         const auto ids = ground.patchIds();
@@ -55,7 +56,9 @@ void StepBirths::begin(const World& world) {
     if (begun_) return;
     begun_ = true;
     const auto last = [](const auto& ids) { return ids.empty() ? 0u : ids.back().value; };
-    const auto set = [&](SubjectKind kind, std::uint32_t id) { highest_[static_cast<std::size_t>(kind)] = id; };
+    const auto set = [&](SubjectKind kind, std::uint32_t id) {
+        highest_[static_cast<std::size_t>(kind)] = id;
+    };
     const Environment& ground = inspect::environment(world);
     const std::size_t groups = world.groupCount(), areas = world.areaCount();
     const auto characters = world.characters().id;
