@@ -23,12 +23,12 @@ function tokensOf(line) {
   return tokens;
 }
 
-function fail(line, sentence) {
+export function fail(line, sentence) {
   throw new Error(`schema/${file}:${line}: ${sentence}`);
 }
 
 /** The value of a word that must be there. */
-function word(tokens, line, what) {
+export function word(tokens, line, what) {
   const token = tokens.shift();
   return token?.word ?? fail(line, `found ${token ? 'a text' : 'nothing'}, expected ${what}`);
 }
@@ -55,11 +55,11 @@ function readCommand(tokens, line, number) {
 }
 
 /** "points Vec2[0..10000] [m] "For Line: ..."". */
-function readField(tokens, line) {
+export function readField(tokens, line, isKnown = isType) {
   const name = word(tokens, line, 'the name of a field');
   const spelled = word(tokens, line, 'a type');
   const [, base, list, optional] = spelled.match(/^(\w+)(\[(?:[^\]]*)\])?(\?)?$/) ?? fail(line, `found type ${spelled}`);
-  if (!isType(base)) fail(line, `the type ${base} of ${name} is not known, expected one of schema/types.mjs`);
+  if (!isKnown(base)) fail(line, `the type ${base} of ${name} is not known, expected one of schema/types.mjs`);
   const field = {
     name, type: base, isList: list !== undefined, isOptional: optional !== undefined,
     count: list === undefined ? null : readRange(list.slice(1, -1)),
@@ -73,7 +73,12 @@ function readField(tokens, line) {
     else if (kFieldFlags.includes(next)) field.flags.add(next);
     else field.range = readRange(next) ?? fail(line, `found ${next}, expected a range, a default or one of ${kFieldFlags.join(', ')}`);
   }
-  if (!field.sentence.endsWith('.')) fail(line, `${name} needs a sentence that ends with a full stop`);
+  return field;
+}
+
+/** Fails unless the field is described. */
+function described(field, line) {
+  if (!field.sentence.endsWith('.')) fail(line, `${field.name} needs a sentence that ends with a full stop`);
   return field;
 }
 
@@ -91,8 +96,12 @@ function readEnumeration(tokens, line) {
   return found;
 }
 
-/** Calls `open` for each declaration, which gives what its lines are added to, and `add` for these. */
-function readFile(name, keyword, open, add) {
+/**
+ * Calls `open` for each declaration, which gives what its lines are added to, and `add` for these. A declaration begins with the
+ * keyword, or one of several.
+ */
+export function readFile(name, keyword, open, add) {
+  const keywords = [keyword].flat();
   const found = [];
   file = name;
   readFileSync(join(folder, name), 'utf8').split('\n').forEach((raw, at) => {
@@ -100,10 +109,11 @@ function readFile(name, keyword, open, add) {
     if (raw.trim() === '' || raw.startsWith('#')) return;
     const tokens = tokensOf(raw);
     if (!raw.startsWith(' ')) {
-      if (tokens.shift().word !== keyword) fail(line, `found ${raw.split(' ')[0]}, expected ${keyword}`);
-      found.push(open(tokens, line, found.length));
+      const first = tokens.shift().word;
+      if (!keywords.includes(first)) fail(line, `found ${first}, expected ${keywords.join(', ')}`);
+      found.push(open(tokens, line, found.length, first));
     } else if (found.length === 0) {
-      fail(line, `found a line before any ${keyword}`);
+      fail(line, `found a line before any ${keywords.join(', ')}`);
     } else {
       add(found[found.length - 1], tokens, line);
     }
@@ -118,7 +128,7 @@ export const enumerations = readFile('enumerations.txt', 'enum', readEnumeration
 
 export const commands = readFile('commands.txt', 'command', readCommand, (owner, tokens, line) => {
   if (tokens[0].text !== undefined) owner.sentence = tokens[0].text;
-  else owner.fields.push(readField(tokens, line));
+  else owner.fields.push(described(readField(tokens, line), line));
 });
 for (const { name, sentence, fields } of commands)
   if (sentence === '' || fields.length === 0) throw new Error(`schema/commands.txt: ${name} needs a sentence and a field`);

@@ -140,12 +140,12 @@ TEST_CASE("The frame that the page's tests read is what we write") {
     CHECK(golden == bytes);
 }
 
-TEST_CASE("The generated files are those that messages.json makes") {
+TEST_CASE("The generated files are those that the declarations make") {
     if (std::system("node --version >/dev/null 2>&1") != 0) {
         MESSAGE("skipped: node is missing");
         return;
     }
-    const std::string command = "node '" + sourceFolder() + "/protocol/generate.mjs' --check";
+    const std::string command = "node '" + sourceFolder() + "/schema/generate.mjs' --check";
     CHECK(std::system(command.c_str()) == 0);
 }
 

@@ -43,7 +43,7 @@ export class ByteReader {
     if (value >= count) throw new ProtocolError(`byte ${this.at_ - 1}: ${value} where 0 to ${count - 1} was expected`);
     return value;
   }
-  string(): string {
+  text(): string {
     const length = this.u32();
     const from = this.advance(length);
     return new TextDecoder().decode(new Uint8Array(this.buffer_, from, length));
@@ -130,7 +130,7 @@ export class ByteWriter {
   bool(value: boolean): void {
     this.u8(value ? 1 : 0);
   }
-  string(value: string): void {
+  text(value: string): void {
     this.u8s(new TextEncoder().encode(value));
   }
   u8s(values: Uint8Array): void {
