@@ -38,14 +38,14 @@ const declared = [];
 readFile(
   'messages.txt',
   ['version', 'values', 'part', 'page', 'server'],
+  declared,
   (tokens, line, _, keyword) => {
     const found =
       keyword === 'version' ? { number: Number(word(tokens, line, 'a number')) }
       : keyword === 'values' ? readValues(tokens, line)
       : readEntry(keyword, tokens, line);
-    declared.push({ ...found, keyword });
     if (keyword === 'values' || keyword === 'part') types.add(found.name);
-    return declared.at(-1);
+    return { ...found, keyword };
   },
   (owner, tokens, line) => {
     if (tokens[0].text !== undefined) owner.sentence = tokens[0].text;
