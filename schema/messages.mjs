@@ -1,5 +1,5 @@
 // Reads messages.txt: the version, enumerations and parts of messages, and the messages of both sides.
-import { enumerations, fail, readField, readFile, word } from './read.mjs';
+import { definitions, enumerations, fail, readField, readFile, word } from './read.mjs';
 
 /** Numbers of messages: their type in C++. Lists of them are arrays of numbers in TypeScript too. */
 export const kNumbers = {
@@ -12,8 +12,11 @@ export const kNumbers = {
   f64: 'double',
 };
 
+/** A list of it is the bytes of commands, one after the other; their length comes before them. */
+export const kCommand = 'Command';
+
 /** Names that fields may have as their types; parts and enumerations are known once they have been declared. */
-const types = new Set([...Object.keys(kNumbers), 'bool', 'text', ...enumerations.map(({ name }) => name)]);
+const types = new Set([...Object.keys(kNumbers), 'bool', 'text', kCommand, ...[...enumerations, ...definitions].map(({ name }) => name)]);
 
 /** "values TouchPhase Down Move Up Cancel "What a finger does."". */
 function readValues(tokens, line) {
@@ -60,6 +63,10 @@ export const values = of('values');
 export const parts = of('part');
 export const page = of('page');
 export const server = of('server');
+/** Definitions that fields of messages have. */
+export const messageDefinitions = [...parts, ...page, ...server]
+  .flatMap(({ fields }) => fields.map(({ type }) => type))
+  .filter((type) => definitions.some(({ name }) => name === type));
 /** Enumerations of enumerations.txt that fields of messages have. */
 export const shared = enumerations.filter(({ name }) =>
   [...parts, ...page, ...server].some(({ fields }) => fields.some(({ type }) => type === name)),

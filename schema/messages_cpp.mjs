@@ -1,5 +1,6 @@
 // Messages in C++: their structs, and what encodes and decodes them.
-import { kNumbers, page, parts, server, shared, values, version } from './messages.mjs';
+import { kCommand, kNumbers, page, parts, server, shared, values, version } from './messages.mjs';
+import { definitions } from './read.mjs';
 import { call, docComment, kWidth, wrap } from './text.mjs';
 
 const kFolder = 'studio/session/inbox/generated';
@@ -13,13 +14,16 @@ const kEnd = '}  // namespace muster::protocol\n';
 
 const isChoice = (type) => [...values, ...shared].some(({ name }) => name === type);
 
-function cppType({ type, isList }) {
-  const item = kNumbers[type] ?? (type === 'text' ? 'std::string' : type);
+function cppType({ type, isList, isOptional }) {
+  if (type === kCommand) return 'std::vector<std::uint8_t>';
+  const definition = definitions.find(({ name }) => name === type);
+  const item = kNumbers[type] ?? (type === 'text' ? 'std::string' : (definition?.cpp ?? type));
+  if (isOptional) return `std::optional<${item}>`;
   return isList ? `std::vector<${item}>` : item;
 }
 
-function initialOf({ type, isList }) {
-  if (isList || type === 'text') return '';
+function initialOf({ type, isList, isOptional }) {
+  if (isList || isOptional || type === 'text') return '';
   if (type === 'bool') return ' = false';
   if (isChoice(type)) return ` = ${type}::${[...values, ...shared].find(({ name }) => name === type).values.map((value) => value.name ?? value)[0]}`;
   if (!(type in kNumbers)) return '';
@@ -54,10 +58,12 @@ function struct(entry) {
 const wrapped = (words) => wrap(words.join(', '), kWidth - 4).map((line) => `    ${line}`).join('\n');
 
 const partHeader = () => `${kHeader}#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "muster/generated/enumerations.h"
+#include "muster/order.h"
 
 namespace muster::protocol {
 

@@ -1,5 +1,5 @@
 // Messages in TypeScript: their types, and the layouts by which web/src/protocol/codec.ts reads and writes them.
-import { kNumbers, page, parts, server, shared, values, version } from './messages.mjs';
+import { kCommand, kNumbers, messageDefinitions, page, parts, server, shared, values, version } from './messages.mjs';
 
 const kBanner = '// Made by schema/generate.mjs from schema/messages.txt: change these, not this file.\n';
 
@@ -11,9 +11,15 @@ const kArrays = {
 const choices = [...values, ...shared.map((one) => ({ ...one, values: one.values.map(({ name }) => name) }))];
 const choiceOf = (type) => choices.find(({ name }) => name === type);
 
-function tsType({ type, isList }) {
-  if (type in kNumbers) return isList ? kArrays[type] : 'number';
-  const item = { bool: 'boolean', text: 'string' }[type] ?? type;
+/** What the page only gives need not be whole. */
+const given = new Set(['ForecastAsk', 'PlacesAsk']);
+
+function tsType({ type, isList, isOptional }, owner) {
+  if (type === kCommand) return 'readonly Command[]';
+  if (type in kNumbers) return isList ? kArrays[type] : `number${isOptional ? ' | null' : ''}`;
+  const named = { bool: 'boolean', text: 'string' }[type] ?? type;
+  const item = given.has(owner) && messageDefinitions.includes(type) ? `Given<${named}>` : named;
+  if (isOptional) return `${item} | null`;
   return isList ? `${item}[]` : item;
 }
 
@@ -23,9 +29,9 @@ function about({ sentence, unit }) {
   return sentence === '' ? `[${unit}].` : sentence.replace(/[.;]/, (stop) => ` [${unit}]${stop}`);
 }
 
-function member(field) {
+function member(field, owner) {
   const text = about(field);
-  return [...(text === '' ? [] : [`  /** ${text} */`]), `  ${field.name}: ${tsType(field)};`];
+  return [...(text === '' ? [] : [`  /** ${text} */`]), `  ${field.name}: ${tsType(field, owner)};`];
 }
 
 const interfaceOf = (entry) =>
@@ -33,15 +39,17 @@ const interfaceOf = (entry) =>
     `/** ${entry.sentence} */`,
     `export interface ${entry.name} {`,
     ...(entry.number === null ? [] : [`  type: '${entry.name}';`]),
-    ...entry.fields.flatMap(member),
+    ...entry.fields.flatMap((field) => member(field, entry.name)),
     '}',
   ].join('\n');
 
-/** "events:TouchEvent*": a name, a type, and * for a list; s for a typed array; <4 for a byte below 4. */
+/** "events:TouchEvent*": a name, a type, and * for a list; s for a typed array; ? where it may be none; <4 for a byte below 4. */
 function layoutOf({ fields }) {
-  const word = ({ name, type, isList }) => {
+  const word = ({ name, type, isList, isOptional }) => {
     const choice = choiceOf(type);
     if (choice) return `${name}:<${choice.values.length}`;
+    if (type === kCommand) return `${name}:${type}+`;
+    if (isOptional) return `${name}:${type}?`;
     return `${name}:${type}${isList ? (type in kNumbers ? 's' : '*') : ''}`;
   };
   return fields.map(word).join(' ');
@@ -66,6 +74,7 @@ const union = (side, entries) => `export type ${side}Message =\n${entries.map(({
 const typeFile = () => `${kBanner}import type {
 ${choices.map(({ name }) => `  ${name},`).join('\n')}
 } from './choices';
+import type { Command, ${[...new Set(messageDefinitions)].join(', ')}, Given } from './commands';
 
 ${[...parts, ...page, ...server].map(interfaceOf).join('\n\n')}
 

@@ -19,24 +19,36 @@ bool emplaceBody(CommandBody& body, std::size_t index) {
 
 }  // namespace
 
+void encodeBody(Writer& writer, const CommandBody& body) {
+    const auto kind = static_cast<std::uint8_t>(body.index());
+    writer(kind);
+    std::visit([&](const auto& fields) { writer(fields); }, body);
+}
+
+Result<CommandBody> decodeBody(Reader& reader) {
+    Command command;
+    std::uint8_t kind = 0;
+    reader(kind);
+    if (!reader.ok()) return Status(StatusCode::ParseError, "command is cut short");
+    if (!emplaceBody(command.body, kind))
+        return Status(StatusCode::ParseError, "command kind " + std::to_string(kind) + " is not known");
+    std::visit([&](auto& fields) { reader(fields); }, command.body);
+    if (!reader.ok())
+        return Status(StatusCode::ParseError, std::string(commandName(command)) + " command is cut short");
+    return std::move(command.body);
+}
+
 void encodeCommand(Writer& writer, const Command& command) {
-    const auto kind = static_cast<std::uint8_t>(command.body.index());
-    writer(command.step, command.client, command.sequence, kind);
-    std::visit([&](const auto& body) { writer(body); }, command.body);
+    writer(command.step, command.client, command.sequence);
+    encodeBody(writer, command.body);
 }
 
 Result<Command> decodeCommand(Reader& reader) {
     Command command;
-    std::uint8_t kind = 0;
-    reader(command.step, command.client, command.sequence, kind);
-    if (!reader.ok()) return Status(StatusCode::ParseError, "command is cut short");
-    if (!emplaceBody(command.body, kind)) {
-        return Status(StatusCode::ParseError, "command kind " + std::to_string(kind) + " is not known");
-    }
-    std::visit([&](auto& body) { reader(body); }, command.body);
-    if (!reader.ok()) {
-        return Status(StatusCode::ParseError, std::string(commandName(command)) + " command is cut short");
-    }
+    reader(command.step, command.client, command.sequence);
+    Result<CommandBody> body = decodeBody(reader);
+    if (!body.ok()) return body.status();
+    command.body = std::move(body).value();
     const Status valid = validateCommand(command);
     if (!valid.ok()) return Status(StatusCode::ParseError, valid.message());
     return command;

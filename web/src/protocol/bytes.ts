@@ -25,6 +25,9 @@ export class ByteReader {
   i16(): number {
     return this.view_.getInt16(this.advance(2), true);
   }
+  i32(): number {
+    return this.view_.getInt32(this.advance(4), true);
+  }
   u32(): number {
     return this.view_.getUint32(this.advance(4), true);
   }
@@ -76,10 +79,13 @@ export class ByteReader {
     for (let i = 0; i < count; ++i) items.push(read(this));
     return items;
   }
+  /** How many bytes are left. */
+  get left(): number {
+    return this.view_.byteLength - this.at_;
+  }
   /** Throws where bytes are left over. */
   end(): void {
-    const left = this.view_.byteLength - this.at_;
-    if (left > 0) throw new ProtocolError(`${left} bytes too many`);
+    if (this.left > 0) throw new ProtocolError(`${this.left} bytes too many`);
   }
 
   /** Copies an array's bytes, so that the result is aligned and the message can be freed or transferred. */
@@ -114,6 +120,10 @@ export class ByteWriter {
   i16(value: number): void {
     const at = this.reserve(2);
     this.view_.setInt16(at, value, true);
+  }
+  i32(value: number): void {
+    const at = this.reserve(4);
+    this.view_.setInt32(at, value, true);
   }
   u32(value: number): void {
     const at = this.reserve(4);

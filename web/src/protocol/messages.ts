@@ -2,13 +2,31 @@
 
 import { ByteReader, ByteWriter } from './bytes';
 import { Codecs } from './codec';
+import { kCommandLayouts, kDefinitionLayouts } from './generated/command_layouts';
+import type { Given } from './generated/commands';
 import { kClientNames, kMessageLayouts, kServerNames } from './generated/layouts';
 import type { ClientMessage, ServerMessage } from './generated/messages';
+import { kWords } from './generated/words';
 
 export * from './generated/choices';
 export type * from './generated/messages';
 
-const codecs = new Codecs(kMessageLayouts);
+export const codecs = new Codecs({ ...kMessageLayouts, ...kDefinitionLayouts }, kWords);
+codecs.addUnion('Command', kCommandLayouts);
+
+/** The definition of that type with all that was left out. */
+export function filled<T>(type: string, given: Given<T>): T {
+  const w = new ByteWriter();
+  codecs.of(type).write(w, given);
+  return codecs.of(type).read(new ByteReader(w.bytes())) as T;
+}
+
+/** How many bytes a value of that type takes. */
+export function sizeOf(type: string, value: unknown): number {
+  const w = new ByteWriter();
+  codecs.of(type).write(w, value);
+  return w.bytes().byteLength;
+}
 
 function decode(names: readonly string[], buffer: ArrayBuffer): unknown {
   const r = new ByteReader(buffer);

@@ -1,8 +1,8 @@
 // Made by schema/generate.mjs from schema/messages.txt: change these, not this file.
 
-export const VERSION = 13;
+export const VERSION = 14;
 /** Of the WebSocket. */
-export const SUBPROTOCOL = 'muster.v13';
+export const SUBPROTOCOL = 'muster.v14';
 
 /** What a finger or a pointer does. */
 export const TouchPhase = {
@@ -128,35 +128,6 @@ export const ControlKind = {
   Area: 2,
 } as const;
 export type ControlKind = (typeof ControlKind)[keyof typeof ControlKind];
-
-/** What an order asks for. */
-export const OrderKind = {
-  Move: 0,
-  Face: 1,
-  Follow: 2,
-  Guard: 3,
-  Leave: 4,
-  Wait: 5,
-  Walk: 6,
-} as const;
-export type OrderKind = (typeof OrderKind)[keyof typeof OrderKind];
-
-/** How a group goes to its target. */
-export const Manner = {
-  March: 0,
-  Free: 1,
-  Continuum: 2,
-} as const;
-export type Manner = (typeof Manner)[keyof typeof Manner];
-
-/** How a marching formation takes its turns. */
-export const Turn = {
-  Wheel: 0,
-  Reverse: 1,
-  Keep: 2,
-  Flow: 3,
-} as const;
-export type Turn = (typeof Turn)[keyof typeof Turn];
 
 /** Who makes room where groups meet. */
 export const Stance = {

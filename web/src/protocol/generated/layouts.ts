@@ -7,12 +7,11 @@ export const kMessageLayouts: Readonly<Record<string, string>> = {
   ScenarioInfo: 'name:text title:text description:text characters:u32',
   ControlPointFrame: 'touch:u32 down:bool x:f32 y:f32 path:f32s',
   ControlFrame: 'id:u32 kind:<3 client:u32 pinned:bool open:bool points:ControlPointFrame* supplementary:f32s',
-  OrderFrame: 'id:u32 kind:<7 x:f32 y:f32 hasFacing:bool facing:f32 width:f32 manner:<3 turn:<4 group:u32 character:u32 halfX:f32 halfY:f32 route:f32s event:text',
-  ForecastAsk: 'group:u32 order:u32 event:text placed:bool x:f64 y:f64 facing:f64',
+  ForecastAsk: 'group:u32 order:u32 asked:Order? placed:bool x:f64 y:f64 facing:f64',
   ForecastFrame: 'group:u32 order:u32 arrives:bool seconds:f32 x:f32 y:f32 way:f32s',
-  PlacesAsk: 'group:u32 event:text x:f64 y:f64 facing:f64 places:f64s',
+  PlacesAsk: 'group:u32 formation:FormationDef? x:f64 y:f64 facing:f64 places:f64s',
   PlacesFrame: 'group:u32 places:f32s unfit:u8s problem:text',
-  GroupFrame: 'id:u32 meshVersion:u32 lag:f32 walkSum:f32 walkSquares:f32 walkLongest:f32 vertices:f32s moved:u32s offsets:i16s unfit:u8s controls:ControlFrame* x:f32 y:f32 facing:f32 orders:OrderFrame* way:f32s held:bool patrols:bool stance:<3 cohesion:f32 squeeze:f32 avoids:bool',
+  GroupFrame: 'id:u32 meshVersion:u32 lag:f32 walkSum:f32 walkSquares:f32 walkLongest:f32 vertices:f32s moved:u32s offsets:i16s unfit:u8s controls:ControlFrame* x:f32 y:f32 facing:f32 orders:QueuedOrder* way:f32s held:bool patrols:bool stance:<3 cohesion:f32 squeeze:f32 avoids:bool',
   CrowdFrame: 'count:u32 x0:f64 y0:f64 quantum:f32 x:u16s y:u16s stepX:i8s stepY:i8s jumped:u32s jumpedX:u16s jumpedY:u16s heading:u8s headingFine:u8s changed:u32s clip:u8s phase:u8s phaseFine:u8s near:u32s nearPlaces:f32s nearPoses:i16s',
   MovingFrame: 'kind:<2 id:u32 x:f32 y:f32 angle:f32',
   AreaFrame: 'id:u32 passed:u32 waiting:u32',
@@ -27,20 +26,15 @@ export const kMessageLayouts: Readonly<Record<string, string>> = {
   AnswerFrame: 'name:text text:text number:f64',
   StageFrame: 'name:text about:text milliseconds:f32',
   EventFrame: 'kind:<26 subject:u32 value:u32 x:f32 y:f32',
+  GroupBodyEdit: 'group:u32 radius:f64? maxSpeed:f64? unitClass:u8?',
   Hello: 'name:text',
   Touches: 'events:TouchEvent*',
-  AddControl: 'group:u32 kind:<3 touches:u32s xs:f64s ys:f64s time:f64',
-  PinControl: 'group:u32 control:u32 pinned:bool',
-  RemoveControl: 'group:u32 control:u32',
-  SetFormation: 'group:u32 formation:text',
-  SetCount: 'group:u32 count:u32',
-  SetParameter: 'name:text value:f64',
   Playback: 'action:<5',
   SetSpeed: 'factor:f32',
   LoadScenario: 'name:text',
   Record: 'on:bool',
   SetOverlay: 'kind:<5 character:u32',
-  Commands: 'events:text',
+  Commands: 'commands:Command+',
   Attend: 'x:f32 y:f32 count:u32',
   FrameAck: 'frame:u32',
   Ping: 'time:f64',
@@ -57,7 +51,7 @@ export const kMessageLayouts: Readonly<Record<string, string>> = {
   AnswerForm: 'instrument:text answers:AnswerFrame*',
   AskPath: 'group:u32 character:u32',
   BendPath: 'group:u32 character:u32 step:u32 dx:f64 dy:f64 seconds:f64',
-  Edit: 'label:text gesture:u32 events:text',
+  Edit: 'label:text gesture:u32 commands:Command+ bodies:GroupBodyEdit*',
   UndoEdit: 'redo:bool',
   DoInStudy: 'act:<4',
   AskPlaces: 'number:u32 asks:PlacesAsk*',
@@ -86,6 +80,6 @@ export const kMessageLayouts: Readonly<Record<string, string>> = {
 
 /** By number. */
 // prettier-ignore
-export const kClientNames = ['Hello', 'Touches', 'AddControl', 'PinControl', 'RemoveControl', 'SetFormation', 'SetCount', 'SetParameter', 'Playback', 'SetSpeed', 'LoadScenario', 'Record', 'SetOverlay', 'Commands', 'Attend', 'FrameAck', 'Ping', 'Seek', 'TakeAgain', 'EditTake', 'AskForecasts', 'SetName', 'GiveGroup', 'SetScheme', 'SetView', 'Inputs', 'EnterStudy', 'AnswerForm', 'AskPath', 'BendPath', 'Edit', 'UndoEdit', 'DoInStudy', 'AskPlaces', 'WatchStages'];
+export const kClientNames = ['Hello', 'Touches', 'Playback', 'SetSpeed', 'LoadScenario', 'Record', 'SetOverlay', 'Commands', 'Attend', 'FrameAck', 'Ping', 'Seek', 'TakeAgain', 'EditTake', 'AskForecasts', 'SetName', 'GiveGroup', 'SetScheme', 'SetView', 'Inputs', 'EnterStudy', 'AnswerForm', 'AskPath', 'BendPath', 'Edit', 'UndoEdit', 'DoInStudy', 'AskPlaces', 'WatchStages'];
 // prettier-ignore
 export const kServerNames = ['Welcome', 'Scene', 'Motions', 'GroupMesh', 'Frame', 'Overlay', 'Notice', 'Pong', 'TakePath', 'EditHistory', 'Forecasts', 'TakeState', 'TakeReady', 'TakeKept', 'Directors', 'Marks', 'StudyForm', 'StudyState', 'Places', 'StageTimes'];

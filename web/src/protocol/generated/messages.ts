@@ -14,12 +14,10 @@ import type {
   StudyAct,
   TrialEnd,
   ControlKind,
-  OrderKind,
-  Manner,
-  Turn,
   Stance,
   EventKind,
 } from './choices';
+import type { Command, Order, FormationDef, QueuedOrder, Given } from './commands';
 
 /** Somebody who is connected. */
 export interface DirectorFrame {
@@ -74,39 +72,13 @@ export interface ControlFrame {
   supplementary: Float32Array;
 }
 
-/** An order in a group's queue; the first is the one that is carried out. */
-export interface OrderFrame {
-  id: number;
-  kind: OrderKind;
-  /** Target [m]. */
-  x: number;
-  y: number;
-  hasFacing: boolean;
-  /** [rad]. */
-  facing: number;
-  /** Of the front [m]; 0: as it is. */
-  width: number;
-  manner: Manner;
-  turn: Turn;
-  /** Whom it follows; 0: nobody. */
-  group: number;
-  character: number;
-  /** Of the guarded rectangle [m]. */
-  halfX: number;
-  halfY: number;
-  /** x, y of the drawn way. */
-  route: Float32Array;
-  /** A gestures file with this order alone, where it says more than these fields; else empty. */
-  event: string;
-}
-
 /** An order that a group might get, or has in its queue, and where the group would begin it. */
 export interface ForecastAsk {
   group: number;
-  /** Id of an order in its queue; 0: that of event. */
+  /** Id of an order in its queue; 0: that of asked. */
   order: number;
-  /** One order in the words of gesture files; empty where order is not 0. */
-  event: string;
+  /** None where it asks for an order of the queue. */
+  asked: Given<Order> | null;
   /** It would begin at x, y, facing; else where the formation is. */
   placed: boolean;
   /** [m]. */
@@ -134,14 +106,14 @@ export interface ForecastFrame {
 /** A formation that a group might take up, and where, or places on the ground. */
 export interface PlacesAsk {
   group: number;
-  /** One formation event in the words of gesture files; empty: the places are given. */
-  event: string;
+  /** None: the places are given. */
+  formation: Given<FormationDef> | null;
   /** Where the formation's centre would be [m]. */
   x: number;
   y: number;
   /** [rad]. */
   facing: number;
-  /** x, y of places on the ground, where event is empty [m]. */
+  /** x, y of places on the ground, where there is no formation [m]. */
   places: Float64Array;
 }
 
@@ -182,7 +154,7 @@ export interface GroupFrame {
   /** [rad]. */
   facing: number;
   /** Its queue. */
-  orders: OrderFrame[];
+  orders: QueuedOrder[];
   /** x, y: the rest of the way of the order that is carried out. */
   way: Float32Array;
   /** It waits; the queue stays. */
@@ -382,6 +354,16 @@ export interface EventFrame {
   y: number;
 }
 
+/** Numbers of a body for all present members of a group. */
+export interface GroupBodyEdit {
+  group: number;
+  /** None to leave it as it is [m]. */
+  radius: number | null;
+  /** [m/s]. */
+  maxSpeed: number | null;
+  unitClass: number | null;
+}
+
 /** The first message of a client. */
 export interface Hello {
   type: 'Hello';
@@ -393,53 +375,6 @@ export interface Hello {
 export interface Touches {
   type: 'Touches';
   events: TouchEvent[];
-}
-
-/** A whole control at once, for mouse and keyboard. */
-export interface AddControl {
-  type: 'AddControl';
-  group: number;
-  kind: ControlKind;
-  touches: Uint32Array;
-  xs: Float64Array;
-  ys: Float64Array;
-  time: number;
-}
-
-/** Keeps a control where its path ends, or lets it go. */
-export interface PinControl {
-  type: 'PinControl';
-  group: number;
-  control: number;
-  pinned: boolean;
-}
-
-/** Ends a control at once. */
-export interface RemoveControl {
-  type: 'RemoveControl';
-  group: number;
-  control: number;
-}
-
-/** Another formation, by name, at the spacing the group has. */
-export interface SetFormation {
-  type: 'SetFormation';
-  group: number;
-  formation: string;
-}
-
-/** More or fewer characters. */
-export interface SetCount {
-  type: 'SetCount';
-  group: number;
-  count: number;
-}
-
-/** Another value for a parameter of the world. */
-export interface SetParameter {
-  type: 'SetParameter';
-  name: string;
-  value: number;
 }
 
 /** Play, pause, one step, from the start, or from the start with the touches that the scenario carries. */
@@ -475,11 +410,11 @@ export interface SetOverlay {
   character: number;
 }
 
-/** Orders and changes of units, in the words of gesture files. */
+/** Orders and changes of units, controls, counts and parameters. */
 export interface Commands {
   type: 'Commands';
-  /** A JSON array of events as gesture files have them, without t, client and step. */
-  events: string;
+  /** In their order. The time of an AddControl is that of the page's clock. */
+  commands: readonly Command[];
 }
 
 /** Where this client looks: the characters nearest to it come with whole poses. */
@@ -614,15 +549,17 @@ export interface BendPath {
   seconds: number;
 }
 
-/** A change of the place that is being made, in the words of gesture files, which its director can undo. */
+/** A change of the place that is being made, which its director can undo. */
 export interface Edit {
   type: 'Edit';
   /** What was done, for the undo: 'Move wall'; at most 80 bytes. */
   label: string;
   /** Edits of one director in a row with the same number are undone together; 0: alone. */
   gesture: number;
-  /** As in Commands; each thing at most once. */
-  events: string;
+  /** Each thing at most once. */
+  commands: readonly Command[];
+  /** Instead of commands: each group at most once. */
+  bodies: GroupBodyEdit[];
 }
 
 /** Takes back the last thing that the sender did to the place or the crowd, or does it again, by commands at the present step. */
@@ -941,12 +878,6 @@ export interface StageTimes {
 export type ClientMessage =
   | Hello
   | Touches
-  | AddControl
-  | PinControl
-  | RemoveControl
-  | SetFormation
-  | SetCount
-  | SetParameter
   | Playback
   | SetSpeed
   | LoadScenario

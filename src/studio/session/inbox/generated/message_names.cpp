@@ -8,8 +8,7 @@ namespace muster::protocol {
 namespace {
 
 constexpr std::array kClientNames{
-    "Hello", "Touches", "AddControl", "PinControl", "RemoveControl", "SetFormation", "SetCount",
-    "SetParameter", "Playback", "SetSpeed", "LoadScenario", "Record", "SetOverlay", "Commands", "Attend",
+    "Hello", "Touches", "Playback", "SetSpeed", "LoadScenario", "Record", "SetOverlay", "Commands", "Attend",
     "FrameAck", "Ping", "Seek", "TakeAgain", "EditTake", "AskForecasts", "SetName", "GiveGroup", "SetScheme",
     "SetView", "Inputs", "EnterStudy", "AnswerForm", "AskPath", "BendPath", "Edit", "UndoEdit", "DoInStudy",
     "AskPlaces", "WatchStages"};

@@ -35,93 +35,9 @@ struct Touches {
     }
 };
 
-/// A whole control at once, for mouse and keyboard.
-struct AddControl {
-    static constexpr std::uint8_t kNumber = 2;  ///< First byte of the message.
-    std::uint32_t group = 0;
-    ControlKind kind = ControlKind::Point;
-    std::vector<std::uint32_t> touches;
-    std::vector<double> xs;
-    std::vector<double> ys;
-    double time = 0.0;
-
-    /// Lets an archive read or write the fields.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(group, kind, touches, xs, ys, time);
-        checkChoice(archive, kind);
-    }
-};
-
-/// Keeps a control where its path ends, or lets it go.
-struct PinControl {
-    static constexpr std::uint8_t kNumber = 3;  ///< First byte of the message.
-    std::uint32_t group = 0;
-    std::uint32_t control = 0;
-    bool pinned = false;
-
-    /// Lets an archive read or write the fields.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(group, control, pinned);
-    }
-};
-
-/// Ends a control at once.
-struct RemoveControl {
-    static constexpr std::uint8_t kNumber = 4;  ///< First byte of the message.
-    std::uint32_t group = 0;
-    std::uint32_t control = 0;
-
-    /// Lets an archive read or write the fields.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(group, control);
-    }
-};
-
-/// Another formation, by name, at the spacing the group has.
-struct SetFormation {
-    static constexpr std::uint8_t kNumber = 5;  ///< First byte of the message.
-    std::uint32_t group = 0;
-    std::string formation;
-
-    /// Lets an archive read or write the fields.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(group, formation);
-    }
-};
-
-/// More or fewer characters.
-struct SetCount {
-    static constexpr std::uint8_t kNumber = 6;  ///< First byte of the message.
-    std::uint32_t group = 0;
-    std::uint32_t count = 0;
-
-    /// Lets an archive read or write the fields.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(group, count);
-    }
-};
-
-/// Another value for a parameter of the world.
-struct SetParameter {
-    static constexpr std::uint8_t kNumber = 7;  ///< First byte of the message.
-    std::string name;
-    double value = 0.0;
-
-    /// Lets an archive read or write the fields.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(name, value);
-    }
-};
-
 /// Play, pause, one step, from the start, or from the start with the touches that the scenario carries.
 struct Playback {
-    static constexpr std::uint8_t kNumber = 8;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 2;  ///< First byte of the message.
     PlaybackAction action = PlaybackAction::Play;
 
     /// Lets an archive read or write the fields.
@@ -134,7 +50,7 @@ struct Playback {
 
 /// How much faster than real time.
 struct SetSpeed {
-    static constexpr std::uint8_t kNumber = 9;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 3;  ///< First byte of the message.
     float factor = 0.0f;  ///< 0.1 to 8.
 
     /// Lets an archive read or write the fields.
@@ -146,7 +62,7 @@ struct SetSpeed {
 
 /// Another world for everybody.
 struct LoadScenario {
-    static constexpr std::uint8_t kNumber = 10;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 4;  ///< First byte of the message.
     std::string name;
 
     /// Lets an archive read or write the fields.
@@ -158,7 +74,7 @@ struct LoadScenario {
 
 /// Starts or stops the recording clock.
 struct Record {
-    static constexpr std::uint8_t kNumber = 11;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 5;  ///< First byte of the message.
     bool on = false;
 
     /// Lets an archive read or write the fields.
@@ -170,7 +86,7 @@ struct Record {
 
 /// What to colour the ground by.
 struct SetOverlay {
-    static constexpr std::uint8_t kNumber = 12;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 6;  ///< First byte of the message.
     OverlayKind kind = OverlayKind::None;
     std::uint32_t character = 0;  ///< Id, for Cost.
 
@@ -182,21 +98,21 @@ struct SetOverlay {
     }
 };
 
-/// Orders and changes of units, in the words of gesture files.
+/// Orders and changes of units, controls, counts and parameters.
 struct Commands {
-    static constexpr std::uint8_t kNumber = 13;  ///< First byte of the message.
-    std::string events;  ///< A JSON array of events as gesture files have them, without t, client and step.
+    static constexpr std::uint8_t kNumber = 7;  ///< First byte of the message.
+    std::vector<std::uint8_t> commands;  ///< In their order. The time of an AddControl is that of the page's clock.
 
     /// Lets an archive read or write the fields.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(events);
+        archive(commands);
     }
 };
 
 /// Where this client looks: the characters nearest to it come with whole poses.
 struct Attend {
-    static constexpr std::uint8_t kNumber = 14;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 8;  ///< First byte of the message.
     float x = 0.0f;  ///< [m].
     float y = 0.0f;
     std::uint32_t count = 0;  ///< How many at most; 0 for none.
@@ -210,7 +126,7 @@ struct Attend {
 
 /// Frame drawn; the next may come.
 struct FrameAck {
-    static constexpr std::uint8_t kNumber = 15;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 9;  ///< First byte of the message.
     std::uint32_t frame = 0;
 
     /// Lets an archive read or write the fields.
@@ -222,7 +138,7 @@ struct FrameAck {
 
 /// Asks for a Pong.
 struct Ping {
-    static constexpr std::uint8_t kNumber = 16;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 10;  ///< First byte of the message.
     double time = 0.0;
 
     /// Lets an archive read or write the fields.
@@ -234,7 +150,7 @@ struct Ping {
 
 /// Goes to a moment of the open take; playing goes on from there.
 struct Seek {
-    static constexpr std::uint8_t kNumber = 17;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 11;  ///< First byte of the message.
     std::uint32_t step = 0;
 
     /// Lets an archive read or write the fields.
@@ -246,7 +162,7 @@ struct Seek {
 
 /// Directs from the present moment of the open take on: a new take with its beginning.
 struct TakeAgain {
-    static constexpr std::uint8_t kNumber = 18;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 12;  ///< First byte of the message.
     bool keep = false;  ///< What was recorded later goes on beneath what is directed now.
 
     /// Lets an archive read or write the fields.
@@ -258,7 +174,7 @@ struct TakeAgain {
 
 /// Another name, part or speed of the open take; kept with its file.
 struct EditTake {
-    static constexpr std::uint8_t kNumber = 19;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 13;  ///< First byte of the message.
     std::string title;
     std::uint32_t from = 0;  ///< First step of the part that is shown.
     std::uint32_t to = 0;  ///< Its last step; the largest number: the end.
@@ -274,7 +190,7 @@ struct EditTake {
 
 /// Would these orders arrive, by which way, when? Nothing changes.
 struct AskForecasts {
-    static constexpr std::uint8_t kNumber = 20;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 14;  ///< First byte of the message.
     std::uint32_t number = 0;  ///< Comes back with the answer.
     std::vector<ForecastAsk> asks;
 
@@ -287,7 +203,7 @@ struct AskForecasts {
 
 /// How the sender is called from now on.
 struct SetName {
-    static constexpr std::uint8_t kNumber = 21;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 15;  ///< First byte of the message.
     std::string name;  ///< At most 40 characters count; empty: a number.
 
     /// Lets an archive read or write the fields.
@@ -299,7 +215,7 @@ struct SetName {
 
 /// What a director may direct: one group and its parts, or everything.
 struct GiveGroup {
-    static constexpr std::uint8_t kNumber = 22;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 16;  ///< First byte of the message.
     std::uint32_t client = 0;
     std::uint32_t group = 0;  ///< 0: everything.
 
@@ -312,7 +228,7 @@ struct GiveGroup {
 
 /// Inputs shall be judged by this control scheme; empty: by the page itself.
 struct SetScheme {
-    static constexpr std::uint8_t kNumber = 23;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 17;  ///< First byte of the message.
     std::string name;
 
     /// Lets an archive read or write the fields.
@@ -324,7 +240,7 @@ struct SetScheme {
 
 /// How the ground is seen from now on.
 struct SetView {
-    static constexpr std::uint8_t kNumber = 24;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 18;  ///< First byte of the message.
     std::vector<double> matrix;  ///< Nine numbers by rows: from (x, y, 1) on the ground [m] to homogeneous pixels.
     double width = 0.0;  ///< Of the view [px].
     double height = 0.0;
@@ -339,7 +255,7 @@ struct SetView {
 
 /// Raw inputs, in the order they were seen, for the client's control scheme.
 struct Inputs {
-    static constexpr std::uint8_t kNumber = 25;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 19;  ///< First byte of the message.
     std::vector<RawInput> events;
 
     /// Lets an archive read or write the fields.
@@ -351,7 +267,7 @@ struct Inputs {
 
 /// Begins a run of the study, or goes on with one.
 struct EnterStudy {
-    static constexpr std::uint8_t kNumber = 26;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 20;  ///< First byte of the message.
     std::string token;  ///< As StudyState gave it; empty for a new run.
 
     /// Lets an archive read or write the fields.
@@ -363,7 +279,7 @@ struct EnterStudy {
 
 /// The answers to the form that waits.
 struct AnswerForm {
-    static constexpr std::uint8_t kNumber = 27;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 21;  ///< First byte of the message.
     std::string instrument;
     std::vector<AnswerFrame> answers;
 
@@ -376,7 +292,7 @@ struct AnswerForm {
 
 /// Where a group or a character goes in the open take.
 struct AskPath {
-    static constexpr std::uint8_t kNumber = 28;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 22;  ///< First byte of the message.
     std::uint32_t group = 0;  ///< Id.
     std::uint32_t character = 0;  ///< Id; 0: the group as a whole.
 
@@ -389,7 +305,7 @@ struct AskPath {
 
 /// Moves that path, and simulates everything again as another take, which opens.
 struct BendPath {
-    static constexpr std::uint8_t kNumber = 29;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 23;  ///< First byte of the message.
     std::uint32_t group = 0;
     std::uint32_t character = 0;
     std::uint32_t step = 0;  ///< Where the path is taken hold of.
@@ -404,24 +320,25 @@ struct BendPath {
     }
 };
 
-/// A change of the place that is being made, in the words of gesture files, which its director can undo.
+/// A change of the place that is being made, which its director can undo.
 struct Edit {
-    static constexpr std::uint8_t kNumber = 30;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 24;  ///< First byte of the message.
     std::string label;  ///< What was done, for the undo: 'Move wall'; at most 80 bytes.
     std::uint32_t gesture = 0;  ///< Edits of one director in a row with the same number are undone together; 0: alone.
-    std::string events;  ///< As in Commands; each thing at most once.
+    std::vector<std::uint8_t> commands;  ///< Each thing at most once.
+    std::vector<GroupBodyEdit> bodies;  ///< Instead of commands: each group at most once.
 
     /// Lets an archive read or write the fields.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(label, gesture, events);
+        archive(label, gesture, commands, bodies);
     }
 };
 
 /// Takes back the last thing that the sender did to the place or the crowd, or does it again, by commands at
 /// the present step.
 struct UndoEdit {
-    static constexpr std::uint8_t kNumber = 31;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 25;  ///< First byte of the message.
     bool redo = false;
 
     /// Lets an archive read or write the fields.
@@ -433,7 +350,7 @@ struct UndoEdit {
 
 /// What a person wants in a run of the study.
 struct DoInStudy {
-    static constexpr std::uint8_t kNumber = 32;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 26;  ///< First byte of the message.
     StudyAct act = StudyAct::Start;
 
     /// Lets an archive read or write the fields.
@@ -446,7 +363,7 @@ struct DoInStudy {
 
 /// Where would everybody stand, and which of these places could they not reach? Nothing changes.
 struct AskPlaces {
-    static constexpr std::uint8_t kNumber = 33;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 27;  ///< First byte of the message.
     std::uint32_t number = 0;  ///< Comes back with the answer.
     std::vector<PlacesAsk> asks;
 
@@ -459,7 +376,7 @@ struct AskPlaces {
 
 /// Whether the sender wants to know how long the stages of steps take.
 struct WatchStages {
-    static constexpr std::uint8_t kNumber = 34;  ///< First byte of the message.
+    static constexpr std::uint8_t kNumber = 28;  ///< First byte of the message.
     bool on = false;
 
     /// Lets an archive read or write the fields.
@@ -471,9 +388,8 @@ struct WatchStages {
 
 /// Any message of the page; the index is its number.
 using ClientMessage = std::variant<
-    Hello, Touches, AddControl, PinControl, RemoveControl, SetFormation, SetCount, SetParameter, Playback,
-    SetSpeed, LoadScenario, Record, SetOverlay, Commands, Attend, FrameAck, Ping, Seek, TakeAgain, EditTake,
-    AskForecasts, SetName, GiveGroup, SetScheme, SetView, Inputs, EnterStudy, AnswerForm, AskPath, BendPath,
-    Edit, UndoEdit, DoInStudy, AskPlaces, WatchStages>;
+    Hello, Touches, Playback, SetSpeed, LoadScenario, Record, SetOverlay, Commands, Attend, FrameAck, Ping,
+    Seek, TakeAgain, EditTake, AskForecasts, SetName, GiveGroup, SetScheme, SetView, Inputs, EnterStudy,
+    AnswerForm, AskPath, BendPath, Edit, UndoEdit, DoInStudy, AskPlaces, WatchStages>;
 
 }  // namespace muster::protocol

@@ -3,20 +3,19 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "muster/generated/enumerations.h"
+#include "muster/order.h"
 
 namespace muster::protocol {
 
-inline constexpr std::uint32_t kVersion = 13;                 ///< Raised by any change of a message.
-inline constexpr const char* kSubprotocol = "muster.v13";  ///< Of the WebSocket.
+inline constexpr std::uint32_t kVersion = 14;                 ///< Raised by any change of a message.
+inline constexpr const char* kSubprotocol = "muster.v14";  ///< Of the WebSocket.
 
 using muster::ControlKind;
-using muster::OrderKind;
-using muster::Manner;
-using muster::Turn;
 using muster::Stance;
 using muster::EventKind;
 /// What a finger or a pointer does.
@@ -162,40 +161,11 @@ struct ControlFrame {
     }
 };
 
-/// An order in a group's queue; the first is the one that is carried out.
-struct OrderFrame {
-    std::uint32_t id = 0;
-    OrderKind kind = OrderKind::Move;
-    float x = 0.0f;  ///< Target [m].
-    float y = 0.0f;
-    bool hasFacing = false;
-    float facing = 0.0f;  ///< [rad].
-    float width = 0.0f;  ///< Of the front [m]; 0: as it is.
-    Manner manner = Manner::March;
-    Turn turn = Turn::Wheel;
-    std::uint32_t group = 0;  ///< Whom it follows; 0: nobody.
-    std::uint32_t character = 0;
-    float halfX = 0.0f;  ///< Of the guarded rectangle [m].
-    float halfY = 0.0f;
-    std::vector<float> route;  ///< x, y of the drawn way.
-    std::string event;  ///< A gestures file with this order alone, where it says more than these fields; else empty.
-
-    /// Lets an archive read or write the fields.
-    template <class Archive>
-    void visit(Archive& archive) {
-        archive(id, kind, x, y, hasFacing, facing, width, manner, turn, group, character, halfX, halfY, route,
-                event);
-        checkChoice(archive, kind);
-        checkChoice(archive, manner);
-        checkChoice(archive, turn);
-    }
-};
-
 /// An order that a group might get, or has in its queue, and where the group would begin it.
 struct ForecastAsk {
     std::uint32_t group = 0;
-    std::uint32_t order = 0;  ///< Id of an order in its queue; 0: that of event.
-    std::string event;  ///< One order in the words of gesture files; empty where order is not 0.
+    std::uint32_t order = 0;  ///< Id of an order in its queue; 0: that of asked.
+    std::optional<Order> asked;  ///< None where it asks for an order of the queue.
     bool placed = false;  ///< It would begin at x, y, facing; else where the formation is.
     double x = 0.0;  ///< [m].
     double y = 0.0;
@@ -204,7 +174,7 @@ struct ForecastAsk {
     /// Lets an archive read or write the fields.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(group, order, event, placed, x, y, facing);
+        archive(group, order, asked, placed, x, y, facing);
     }
 };
 
@@ -228,16 +198,16 @@ struct ForecastFrame {
 /// A formation that a group might take up, and where, or places on the ground.
 struct PlacesAsk {
     std::uint32_t group = 0;
-    std::string event;  ///< One formation event in the words of gesture files; empty: the places are given.
+    std::optional<FormationDef> formation;  ///< None: the places are given.
     double x = 0.0;  ///< Where the formation's centre would be [m].
     double y = 0.0;
     double facing = 0.0;  ///< [rad].
-    std::vector<double> places;  ///< x, y of places on the ground, where event is empty [m].
+    std::vector<double> places;  ///< x, y of places on the ground, where there is no formation [m].
 
     /// Lets an archive read or write the fields.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(group, event, x, y, facing, places);
+        archive(group, formation, x, y, facing, places);
     }
 };
 
@@ -271,7 +241,7 @@ struct GroupFrame {
     float x = 0.0f;  ///< Where its formation has its centre [m].
     float y = 0.0f;
     float facing = 0.0f;  ///< [rad].
-    std::vector<OrderFrame> orders;  ///< Its queue.
+    std::vector<QueuedOrder> orders;  ///< Its queue.
     std::vector<float> way;  ///< x, y: the rest of the way of the order that is carried out.
     bool held = false;  ///< It waits; the queue stays.
     bool patrols = false;  ///< Orders that are done come last again.
@@ -522,6 +492,20 @@ struct EventFrame {
     void visit(Archive& archive) {
         archive(kind, subject, value, x, y);
         checkChoice(archive, kind);
+    }
+};
+
+/// Numbers of a body for all present members of a group.
+struct GroupBodyEdit {
+    std::uint32_t group = 0;
+    std::optional<double> radius;  ///< None to leave it as it is [m].
+    std::optional<double> maxSpeed;  ///< [m/s].
+    std::optional<std::uint8_t> unitClass;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(group, radius, maxSpeed, unitClass);
     }
 };
 
