@@ -1,4 +1,4 @@
-// Writes all that follows from enumerations.txt and commands.txt.
+// Writes all that follows from the declarations in this folder.
 //
 //     node schema/generate.mjs           writes the files
 //     node schema/generate.mjs --check   writes nothing; exit code 1 where a committed file differs
@@ -6,7 +6,10 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { cFiles } from './c.mjs';
 import { cppFiles } from './cpp.mjs';
+import { documentationFiles } from './documentation.mjs';
 import { enumerationFiles } from './enumerations.mjs';
+import { messageCppFiles } from './messages_cpp.mjs';
+import { messageTypescriptFiles } from './messages_typescript.mjs';
 import { root } from './read.mjs';
 import { sampleFiles } from './samples.mjs';
 import { scenarioFiles } from './scenario.mjs';
@@ -14,7 +17,7 @@ import { typescriptFiles } from './typescript.mjs';
 
 const checks = process.argv.includes('--check');
 let stale = 0;
-for (const [path, text] of Object.entries({ ...enumerationFiles(), ...cppFiles(), ...cFiles(), ...scenarioFiles(), ...sampleFiles(), ...typescriptFiles() })) {
+for (const [path, text] of Object.entries({ ...enumerationFiles(), ...cppFiles(), ...cFiles(), ...scenarioFiles(), ...sampleFiles(), ...typescriptFiles(), ...messageCppFiles(), ...messageTypescriptFiles(), ...documentationFiles() })) {
   const file = join(root, path);
   let old = null;
   try {

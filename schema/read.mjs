@@ -1,4 +1,4 @@
-// Reads the declarations in enumerations.txt, commands.txt and former.txt (README.md tells their form).
+// Reads the declarations in enumerations.txt, definitions.txt, commands.txt and former.txt (README.md tells their form).
 import { readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -10,7 +10,13 @@ export const folder = dirname(fileURLToPath(import.meta.url));
 export const root = join(folder, '..');
 
 const kCommandFlags = ['relations', 'by-hand', 'undoable', 'directs', 'edits', 'slides', 'queues'];
-const kFieldFlags = ['required', 'omit', 'unchecked', 'internal'];
+const kDefinitionFlags = ['equal', 'flat', 'relations', 'engine', 'unsaved'];
+const kFieldFlags = ['required', 'omit', 'unchecked', 'internal', 'apart', 'within', 'unhashed'];
+/** What a field may say with a word or a text behind it, and what it is called in the field that was read. */
+const kFieldWords = { key: 'key', since: 'since', 'files-after': 'filesAfter', 'c-after': 'cAfter' };
+const kFieldTexts = { files: 'inFiles', unless: 'unless', needed: 'needed', called: 'called' };
+/** The parts into which definitions are divided, each a header. */
+export const kSubjects = ['ground', 'people', 'orders', 'world'];
 
 /** Words, quoted texts without their quotes, and bracketed units of a line. */
 function tokensOf(line) {
@@ -23,19 +29,20 @@ function tokensOf(line) {
   return tokens;
 }
 
-function fail(line, sentence) {
+export function fail(line, sentence) {
   throw new Error(`schema/${file}:${line}: ${sentence}`);
 }
 
 /** The value of a word that must be there. */
-function word(tokens, line, what) {
+export function word(tokens, line, what) {
   const token = tokens.shift();
   return token?.word ?? fail(line, `found ${token ? 'a text' : 'nothing'}, expected ${what}`);
 }
 
+/** "0.05..1.5"; "0|0.05..1.5" also takes 0, "-|0..1e4" all that is negative. */
 function readRange(text) {
-  const [, low, high] = text.match(/^(-?[\d.e]+)\.\.(-?[\d.e]+)$/) ?? [];
-  return low === undefined ? null : { low, high };
+  const [, other, low, high] = text.match(/^(?:([0-])\|)?(-?[\d.]+(?:e-?\d+)?)\.\.(-?[\d.]+(?:e-?\d+)?)$/) ?? [];
+  return low === undefined ? null : { low, high, orZero: other === '0', orNegative: other === '-' };
 }
 
 /** "command TouchDown 0 file down label "..." flags". */
@@ -55,26 +62,77 @@ function readCommand(tokens, line, index) {
 }
 
 /** "points Vec2[0..10000] [m] "For Line: ..."". */
-function readField(tokens, line) {
+export function readField(tokens, line, isKnown = isDeclared) {
   const name = word(tokens, line, 'the name of a field');
   const spelled = word(tokens, line, 'a type');
   const [, base, list, optional] = spelled.match(/^(\w+)(\[(?:[^\]]*)\])?(\?)?$/) ?? fail(line, `found type ${spelled}`);
-  if (!isType(base)) fail(line, `the type ${base} of ${name} is not known, expected one of schema/types.mjs`);
+  if (!isKnown(base))
+    fail(line, `the type ${base} of ${name} is not known, expected one of schema/types.mjs, an enumeration or a definition above`);
   const field = {
     name, type: base, isList: list !== undefined, isOptional: optional !== undefined,
     count: list === undefined ? null : readRange(list.slice(1, -1)),
     unit: '', range: null, initial: '', sentence: '', flags: new Set(),
+    key: '', since: '', filesAfter: '', cAfter: '', inFiles: '', unless: '', needed: '', called: '',
   };
   while (tokens.length > 0) {
     const { word: next, unit, text } = tokens.shift();
     if (text !== undefined) field.sentence = text;
     else if (unit !== undefined) field.unit = unit;
-    else if (next === '=') field.initial = word(tokens, line, 'a default');
+    else if (next === '=') field.initial = tokens[0]?.text !== undefined ? `"${tokens.shift().text}"` : word(tokens, line, 'a default');
+    else if (next in kFieldWords) field[kFieldWords[next]] = word(tokens, line, `a word behind ${next}`);
+    else if (next in kFieldTexts) field[kFieldTexts[next]] = tokens.shift()?.text ?? fail(line, `found no text behind ${next}`);
     else if (kFieldFlags.includes(next)) field.flags.add(next);
     else field.range = readRange(next) ?? fail(line, `found ${next}, expected a range, a default or one of ${kFieldFlags.join(', ')}`);
   }
-  if (!field.sentence.endsWith('.')) fail(line, `${name} needs a sentence that ends with a full stop`);
   return field;
+}
+
+/** Fails unless the field is described. */
+function described(field, line) {
+  if (!field.sentence.endsWith('.')) fail(line, `${field.name} needs a sentence that ends with a full stop`);
+  return field;
+}
+
+/** "definition ObstacleDef in ground version 3.1 equal relations". */
+function readDefinition(tokens, line) {
+  const definition = {
+    name: word(tokens, line, 'a name'), subject: '', cpp: '', version: null, flags: new Set(),
+    sentences: [], made: '', context: null, fields: [], functions: [],
+  };
+  definition.cpp = definition.name;
+  while (tokens.length > 0) {
+    const next = word(tokens, line, 'a property');
+    if (next === 'in') definition.subject = word(tokens, line, 'a subject');
+    else if (next === 'cpp') definition.cpp = word(tokens, line, 'its name in C++');
+    else if (next === 'version') definition.version = readVersion(word(tokens, line, 'the version of its struct in C'), line);
+    else if (kDefinitionFlags.includes(next)) definition.flags.add(next);
+    else fail(line, `found ${next}, expected in, cpp, version or one of ${kDefinitionFlags.join(', ')}`);
+  }
+  if (!kSubjects.includes(definition.subject)) fail(line, `${definition.name} is in no subject, expected one of ${kSubjects.join(', ')}`);
+  return definition;
+}
+
+function readVersion(text, line) {
+  const [, kind, version] = text.match(/^(\d+)\.(\d+)$/) ?? fail(line, `found version ${text}, expected KIND.VERSION`);
+  return { kind, version };
+}
+
+/** A line below a definition: a sentence, how C makes one, what describing it needs, a function, or a field. */
+function addToDefinition(owner, tokens, line) {
+  const text = (what) => tokens.shift()?.text ?? fail(line, `found no text, expected ${what}`);
+  if (tokens[0].text !== undefined) return owner.sentences.push(tokens[0].text);
+  if (tokens[0].word === 'default') {
+    tokens.shift();
+    owner.made = text('what the default is');
+  } else if (tokens[0].word === 'with') {
+    tokens.shift();
+    owner.context = { name: word(tokens, line, 'a name'), type: text('its type in C++') };
+  } else if (tokens[0].word === 'function') {
+    tokens.shift();
+    owner.functions.push({ sentence: text('a sentence'), code: text('its declaration in C++') });
+  } else {
+    owner.fields.push(readField(tokens, line));
+  }
 }
 
 /** "enum SplitBy c SPLIT_BY "How..."": a value stands on each line below. */
@@ -91,19 +149,23 @@ function readEnumeration(tokens, line) {
   return found;
 }
 
-/** Calls `open` for each declaration, which gives what its lines are added to, and `add` for these. */
-function readFile(name, keyword, open, add) {
-  const found = [];
+/**
+ * Calls `open` for each declaration, which gives what its lines are added to, and `add` for these. A declaration begins with the
+ * keyword, or one of several.
+ */
+export function readFile(name, keyword, found, open, add) {
+  const keywords = [keyword].flat();
   file = name;
   readFileSync(join(folder, name), 'utf8').split('\n').forEach((raw, at) => {
     const line = at + 1;
     if (raw.trim() === '' || raw.startsWith('#')) return;
     const tokens = tokensOf(raw);
     if (!raw.startsWith(' ')) {
-      if (tokens.shift().word !== keyword) fail(line, `found ${raw.split(' ')[0]}, expected ${keyword}`);
-      found.push(open(tokens, line, found.length));
+      const first = tokens.shift().word;
+      if (!keywords.includes(first)) fail(line, `found ${first}, expected ${keywords.join(', ')}`);
+      found.push(open(tokens, line, found.length, first));
     } else if (found.length === 0) {
-      fail(line, `found a line before any ${keyword}`);
+      fail(line, `found a line before any ${keywords.join(', ')}`);
     } else {
       add(found[found.length - 1], tokens, line);
     }
@@ -111,15 +173,28 @@ function readFile(name, keyword, open, add) {
   return found;
 }
 
-export const enumerations = readFile('enumerations.txt', 'enum', readEnumeration, (owner, tokens, line) => {
+export const enumerations = [];
+export const definitions = [];
+export const isEnumeration = (type) => enumerations.some(({ name }) => name === type);
+export const isDefinition = (type) => definitions.some(({ name }) => name === type);
+const isDeclared = (type) => isType(type) || isEnumeration(type) || isDefinition(type);
+
+readFile('enumerations.txt', 'enum', enumerations, readEnumeration, (owner, tokens, line) => {
   const name = word(tokens, line, 'a value');
   owner.values.push({ name, sentence: tokens.shift()?.text ?? fail(line, `found no sentence for ${name}`) });
 });
 
+readFile('definitions.txt', 'definition', definitions, readDefinition, addToDefinition);
+for (const { name, sentences, fields, flags, made, version } of definitions) {
+  if (sentences.length === 0 || fields.length === 0) throw new Error(`schema/definitions.txt: ${name} needs a sentence and a field`);
+  if (version !== null && made === '') throw new Error(`schema/definitions.txt: ${name} needs a sentence for its default in C`);
+  if (flags.has('flat') && version !== null) throw new Error(`schema/definitions.txt: ${name} has a version in C, so it is not flat`);
+}
+
 const readCommands = (name) =>
-  readFile(name, 'command', readCommand, (owner, tokens, line) => {
+  readFile(name, 'command', [], readCommand, (owner, tokens, line) => {
     if (tokens[0].text !== undefined) owner.sentence = tokens[0].text;
-    else owner.fields.push(readField(tokens, line));
+    else owner.fields.push(described(readField(tokens, line), line));
   });
 
 export const commands = readCommands('commands.txt');

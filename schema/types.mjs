@@ -1,15 +1,21 @@
-// The types that fields of commands may have, and how each is written in C++, C, files and TypeScript.
+// The types that fields of definitions and commands may have, and how each is written in C++, C, files and TypeScript.
 
 /** Numbers, flags and texts. */
 const kPlain = {
   u8: { cpp: 'std::uint8_t', c: 'uint8_t', initial: '0', ts: 'number' },
   u32: { cpp: 'std::uint32_t', c: 'uint32_t', initial: '0', ts: 'number' },
+  u64: { cpp: 'std::uint64_t', c: 'uint64_t', initial: '0', ts: 'number' },
   i32: { cpp: 'std::int32_t', c: 'int32_t', initial: '0', ts: 'number' },
   f64: { cpp: 'double', c: 'double', initial: '0.0', ts: 'number' },
   bool: { cpp: 'bool', c: 'bool', initial: 'false', ts: 'boolean' },
   Vec2: { cpp: 'Vec2', c: 'MusterVec2', initial: '', ts: 'readonly [number, number]' },
   CharacterId: { cpp: 'std::uint32_t', c: 'MusterCharacterId', initial: '0', ts: 'number' },
   OrderId: { cpp: 'std::uint32_t', c: 'MusterOrderId', initial: '0', ts: 'number' },
+  MotionId: { cpp: 'MotionId', c: 'MusterMotionIndex', initial: '0', ts: 'string | number' },
+  Polygon: { cpp: 'Polygon', c: 'MusterPolygon', initial: '', ts: 'readonly (readonly [number, number])[]' },
+  PolygonWithHoles: { cpp: 'PolygonWithHoles', c: 'MusterPolygon', initial: '', ts: 'readonly (readonly [number, number])[]' },
+  Box: { cpp: 'Box', c: 'MusterBox', initial: '', ts: 'readonly [readonly [number, number], readonly [number, number]]' },
+  Parameters: { cpp: 'Parameters', c: '', initial: '', ts: 'Readonly<Record<string, number>>' },
   Colour: { cpp: 'std::uint32_t', c: 'uint32_t', initial: '0', ts: 'string' },
 };
 

@@ -1,49 +1,91 @@
-// Commands as the page writes them: events of gesture files, in a Commands message.
-import { commands, enumerations } from './read.mjs';
+// Commands and definitions as the page has them: their types, and the layouts by which web/src/protocol/codec.ts reads and
+// writes their bytes.
+import { commands, definitions, enumerations } from './read.mjs';
 import { kBanner } from './cpp.mjs';
+import { messageDefinitions } from './messages.mjs';
 import { lowerFirst } from './text.mjs';
-import { definition, enumerated, isId, plain } from './types.mjs';
+import { enumerated, isId } from './types.mjs';
 
-const kOrderKinds = 'OrderKind';
-const kGiveOrder = 'GiveOrder';
+const kGiven = 'What is left out is as the declarations say.';
 
-/** Definitions and what stands inline have forms of their own (docs/scenario-format.md). */
-function typeOf({ type, isList }) {
-  const item =
-    type === 'text' ? 'string'
-    : isId(type) ? 'number'
-    : enumerations.some(({ name }) => name === type) ? `${type}Word`
-    : definition(type) ? 'Fields'
-    : plain(type).ts;
-  return isList ? `readonly ${item.startsWith('readonly') ? `(${item})` : item}[]` : item;
+/** Types of single values: in TypeScript, and in layouts where they are called otherwise there. */
+const kPlain = {
+  text: ['string'], bool: ['boolean'], Vec2: ['Vec2'], Polygon: ['readonly Vec2[]', 'Vec2*'], PolygonWithHoles: ['PolygonWithHoles'],
+  CharacterId: ['number', 'u32'], OrderId: ['number', 'u32'], MotionId: ['number', 'i32'], Colour: ['number', 'u32'],
+};
+
+const isEnumeration = (type) => enumerations.some(({ name }) => name === type);
+const definitionOf = (type) => definitions.find(({ name }) => name === type);
+
+/** Definitions that these fields have, each behind those that it has itself. */
+function reached(fields, found = new Set()) {
+  for (const { type } of fields) {
+    const definition = definitionOf(type);
+    if (!definition || found.has(definition)) continue;
+    reached(definition.fields, found);
+    found.add(definition);
+  }
+  return found;
 }
 
-const isOptional = (field) =>
-  !field.flags.has('required') &&
-  (field.isOptional || field.initial !== '' || field.flags.has('omit') || (field.isList && field.type !== 'CharacterId' && !isId(field.type)) || field.flags.has('unchecked') && field.isList);
+const used = [...reached([...commands.flatMap(({ fields }) => fields), ...messageDefinitions.map((type) => ({ type }))])];
+const fieldsOfAll = [...commands, ...used].flatMap(({ fields }) => fields);
+const usedEnumerations = enumerations.filter(({ name }) => fieldsOfAll.some(({ type }) => type === name));
 
-/** A field as a line of an interface, with its comment; none for what files do not have. */
-function member(field) {
-  const { name, type, flags } = field;
-  if (flags.has('internal') || (name === 'time' && type === 'f64')) return [];
-  const about = `  /** ${field.unit === '' ? field.sentence : `${field.sentence.replace(/\.$/, '')} [${field.unit}].`} */`;
-  if (type === 'Vec2' && !field.isList) return [about, '  readonly x: number;', '  readonly y: number;'];
-  const named = definition(type);
-  const key = named && !named.inline ? (named.key ?? 'definition') : (enumerated(type)?.key ?? name);
-  if (named && field.isOptional) return [about, `  readonly ${name}?: Fields;`];
-  return [about, `  readonly ${key}${isOptional(field) ? '?' : ''}: ${typeOf(field)};`];
+const typeOfItem = (type) =>
+  isEnumeration(type) ? `${type}Word` : definitionOf(type) ? type : (kPlain[type]?.[0] ?? 'number');
+
+/** As in files: `kind` is that of the command. */
+const nameOf = ({ name, type }) => enumerated(type)?.key ?? name;
+
+/** None of an id is 0. */
+const mayBeNone = ({ type, isOptional }) => isOptional && !isId(type);
+
+function typeOf(field) {
+  const item = typeOfItem(field.type);
+  if (field.isList) return `readonly ${item.startsWith('readonly') ? `(${item})` : item}[]`;
+  return mayBeNone(field) ? `${item} | null` : item;
 }
 
-/** Fields that stand among those of the command, in a form of their own. */
-const isInline = ({ type, isList }) => definition(type)?.inline !== undefined && !(isList && (type === 'Body' || type === 'RoleDef'));
-
-function event(command) {
-  const kind = command.name === kGiveOrder ? `${kOrderKinds}Word` : `'${command.file}'`;
-  const byHand = command.name === 'AddControl';
-  const own = command.fields.filter((field) => !isInline(field) && !(byHand && field.type !== 'GroupId' && field.type !== 'ControlKind'));
-  const extends_ = byHand || command.fields.some(isInline) ? ' extends Fields' : '';
-  return [`/** ${command.sentence} */`, `export interface ${command.name}Event${extends_} {`, `  readonly kind: ${kind};`, ...own.flatMap(member), '}'].join('\n');
+/** "shape:PartShape=asHeld": name, type and default. */
+function layoutOf(fields) {
+  const word = (field) => {
+    const { type, initial, isList } = field;
+    const item = isId(type) ? 'u32' : (kPlain[type]?.[1] ?? type);
+    const start = initial === '' || isList ? '' : isEnumeration(type) ? lowerFirst(initial) : initial.replace(/"|\.0$/g, '').replace(/^(false|0)$/, '').replace('true', '1');
+    return `${nameOf(field)}:${item}${isList ? '*' : mayBeNone(field) ? '?' : ''}${start === '' ? '' : `=${start}`}`;
+  };
+  return fields.map(word).join(' ');
 }
+
+const about = (field) => `  /** ${field.unit === '' ? field.sentence : `${field.sentence.replace(/\.$/, '')} [${field.unit}].`} */`;
+
+const definitionType = ({ name, sentences, fields }) =>
+  [
+    `/** ${sentences[0]} */`,
+    `export interface ${name} {`,
+    ...fields.flatMap((field) => [...(field.sentence === '' ? [] : [about(field)]), `  readonly ${field.name}: ${typeOf(field)};`]),
+    '}',
+  ].join('\n');
+
+/** A command has to say what has no default. */
+const isNeeded = (field) =>
+  field.flags.has('required') ||
+  (field.initial === '' && !field.isOptional && !field.flags.has('omit') && (!field.isList || field.type === 'CharacterId' || isId(field.type)) && field.type !== 'bool');
+
+const commandType = (command) =>
+  [
+    `/** ${command.sentence} */`,
+    `export interface ${command.name}Command {`,
+    `  readonly kind: '${command.file}';`,
+    ...command.fields
+      .filter(({ flags }) => !flags.has('internal'))
+      .flatMap((field) => {
+        const type = typeOf(field);
+        return [about(field), `  readonly ${nameOf(field)}${isNeeded(field) ? '' : '?'}: ${definitionOf(field.type) ? `Given<${type}>` : type};`];
+      }),
+    '}',
+  ].join('\n');
 
 function words({ name, sentence, values }) {
   const list = values.map((value) => `'${lowerFirst(value.name)}'`);
@@ -53,21 +95,61 @@ export const k${name}Words = [${list.join(', ')}] as const;
 export type ${name}Word = (typeof k${name}Words)[number];`;
 }
 
-/** Enumerations that fields of commands have, and those of orders. */
-const isUsed = ({ name }) => enumerated(name) !== undefined || [kOrderKinds, 'Manner', 'Turn', 'Stance'].includes(name);
+const wordFile = () => `${kBanner.replace('commands.txt', 'enumerations.txt')}${usedEnumerations.map(words).join('\n\n')}
+
+/** By name. */
+export const kWords: Readonly<Record<string, readonly string[]>> = {
+${usedEnumerations.map(({ name }) => `  ${name}: k${name}Words,`).join('\n')}
+};
+`;
+
+const typeFile = () => `${kBanner.replace('commands.txt', 'definitions.txt and commands.txt')}import type {
+${usedEnumerations.map(({ name }) => `  ${name}Word,`).join('\n')}
+} from './words';
+
+export type Vec2 = readonly [number, number];
+
+/** A polygon with holes. */
+export interface PolygonWithHoles {
+  readonly outline: readonly Vec2[];
+  readonly holes: readonly (readonly Vec2[])[];
+}
+
+/** ${kGiven} */
+export type Given<T> = T extends Vec2
+  ? T
+  : T extends readonly (infer Item)[]
+    ? readonly Given<Item>[]
+    : T extends object
+      ? { readonly [Key in keyof T]?: Given<T[Key]> | undefined }
+      : T;
+
+${used.map(definitionType).join('\n\n')}
+
+${commands.map(commandType).join('\n\n')}
+
+/** Any command. */
+export type Command =
+${commands.map(({ name }) => `  | ${name}Command`).join('\n')};
+`;
+
+const layoutFile = () => `${kBanner.replace('commands.txt', 'definitions.txt and commands.txt')}// prettier-ignore
+/** The fields of definitions: name, type and default (codec.ts). */
+export const kDefinitionLayouts: Readonly<Record<string, string>> = {
+  Vec2: '0:f64 1:f64',
+  PolygonWithHoles: 'outline:Vec2* holes:Vec2**',
+${used.map(({ name, fields }) => `  ${name}: '${layoutOf(fields)}',`).join('\n')}
+};
+
+// prettier-ignore
+/** Commands: number in bytes, kind and fields. */
+export const kCommandLayouts: readonly (readonly [number, string, string])[] = [
+${commands.map(({ number, file, fields }) => `  [${number}, '${file}', '${layoutOf(fields)}'],`).join('\n')}
+];
+`;
 
 export const typescriptFiles = () => ({
-  'web/src/protocol/generated/commands.ts': `${kBanner}// Commands as events of gesture files: what a Commands message carries.
-
-/** What has a form of its own: definitions, orders, conducts (docs/scenario-format.md). */
-export type Fields = Readonly<Record<string, unknown>>;
-
-${enumerations.filter(isUsed).map(words).join('\n\n')}
-
-${commands.map(event).join('\n\n')}
-
-/** Any command, as the page writes it. */
-export type CommandEvent =
-${commands.map(({ name }) => `  | ${name}Event`).join('\n')};
-`,
+  'web/src/protocol/generated/words.ts': wordFile(),
+  'web/src/protocol/generated/commands.ts': typeFile(),
+  'web/src/protocol/generated/command_layouts.ts': layoutFile(),
 });

@@ -64,7 +64,7 @@ links() {
 
 # What generators write is what the declarations say.
 fresh() {
-    node schema/generate.mjs --check && node protocol/generate.mjs --check
+    node schema/generate.mjs --check
 }
 
 # some KIND: of the files on standard input as many as a push has time for.

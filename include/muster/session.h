@@ -29,8 +29,8 @@ struct SessionLimits {
     std::size_t pointsPerControl = 64;        ///< Points of one AddControl message.
     std::size_t waitingCommands = 20000;      ///< Commands queued for one step; only reached while paused.
     std::int32_t charactersPerGroup = 20000;  ///< Characters that SetCount may ask for.
-    std::size_t commandsPerMessage = 256;     ///< Events of one Commands message.
-    std::size_t commandBytes = std::size_t{1} << 18;  ///< Text of one Commands message.
+    std::size_t commandsPerMessage = 256;     ///< Commands of one message.
+    std::size_t commandBytes = std::size_t{1} << 18;  ///< Commands of one message.
     std::size_t forecastsPerMessage = 16;             ///< Orders of one AskForecasts message.
     double forecastsPerSecond = 60.0;                 ///< Forecasts to one client.
     std::size_t takeBytes = std::size_t{64} << 20;  ///< Size of the log since the world began; it ends there.

@@ -2,8 +2,8 @@
 // are needed at once.
 import { readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
-import { root } from '../../protocol/schema.mjs';
-import { encode, fromServer } from '../../protocol/wire.mjs';
+import { root } from '../../schema/read.mjs';
+import { encode, fromServer } from '../../schema/wire.mjs';
 
 const kFirst = 'market';
 /** Each step of the page's loop lets so much time pass [s]. */

@@ -1,12 +1,9 @@
 // A raw client for the studio's server: bytes on a socket, so that it can also break every rule.
 import net from 'node:net';
 import { randomBytes } from 'node:crypto';
-import { schema } from '../../protocol/schema.mjs';
-import { encode, fromClient, fromServer } from '../../protocol/wire.mjs';
+import { encode, fromClient, fromServer, kSubprotocol } from '../../schema/wire.mjs';
 
-export { fromClient, fromServer };
-/** The WebSocket's subprotocol. */
-export const kSubprotocol = `muster.v${schema.version}`;
+export { fromClient, fromServer, kSubprotocol };
 
 /** How long a test waits for what must come [ms]: no measure of speed, only an end for what hangs. */
 export const kPatience = 60000;

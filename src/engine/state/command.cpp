@@ -37,22 +37,35 @@ bool readBody(Reader& reader, std::uint8_t number, CommandBody& body) {
 
 }  // namespace
 
+void encodeBody(Writer& writer, const CommandBody& body) {
+    std::uint8_t number = kCommandNumbers[body.index()];
+    writer(number);
+    std::visit([&](const auto& fields) { writer(fields); }, body);
+}
+
+Result<CommandBody> decodeBody(Reader& reader) {
+    Command command;
+    std::uint8_t number = 0;
+    reader(number);
+    if (!reader.ok()) return Status(StatusCode::ParseError, "command is cut short");
+    if (!readBody(reader, number, command.body))
+        return Status(StatusCode::ParseError, "command kind " + std::to_string(number) + " is not known");
+    if (!reader.ok())
+        return Status(StatusCode::ParseError, std::string(commandName(command)) + " command is cut short");
+    return std::move(command.body);
+}
+
 void encodeCommand(Writer& writer, const Command& command) {
-    std::uint8_t number = kCommandNumbers[command.body.index()];
-    writer(command.step, command.client, command.sequence, number);
-    std::visit([&](const auto& body) { writer(body); }, command.body);
+    writer(command.step, command.client, command.sequence);
+    encodeBody(writer, command.body);
 }
 
 Result<Command> decodeCommand(Reader& reader) {
     Command command;
-    std::uint8_t number = 0;
-    reader(command.step, command.client, command.sequence, number);
-    if (!reader.ok()) return Status(StatusCode::ParseError, "command is cut short");
-    if (!readBody(reader, number, command.body))
-        return Status(StatusCode::ParseError, "command kind " + std::to_string(number) + " is not known");
-    if (!reader.ok()) {
-        return Status(StatusCode::ParseError, std::string(commandName(command)) + " command is cut short");
-    }
+    reader(command.step, command.client, command.sequence);
+    Result<CommandBody> body = decodeBody(reader);
+    if (!body.ok()) return body.status();
+    command.body = std::move(body).value();
     const Status valid = validateCommand(command);
     if (!valid.ok()) return Status(StatusCode::ParseError, valid.message());
     return command;

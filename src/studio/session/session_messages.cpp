@@ -2,14 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/ground/environment/environment.h"
-#include "engine/state/validation.h"
 #include "engine/world/inspect.h"
-#include "muster/parameter_table.h"
 #include "studio/session/frames/notices.h"
 #include "studio/session/inbox/answers.h"
 #include "studio/session/inbox/chosen_scheme.h"
-#include "studio/session/inbox/command_text.h"
+#include "studio/session/inbox/command_list.h"
 #include "studio/session/session_state.h"
 
 namespace muster {
@@ -89,67 +86,6 @@ public:
         client_.clock = clock;
         client_.touchWaiting = newest;
         return status;
-    }
-
-    Status operator()(const protocol::AddControl& message) {
-        const std::size_t count = message.touches.size();
-        const std::size_t most = session_.def.limits.pointsPerControl;
-        if (count > most) return limitExceeded("points", count, most);
-        if (message.xs.size() != count || message.ys.size() != count)
-            return invalidArgument(
-                "found lists of different lengths, expected one x and one y for each touch");
-        if (!std::isfinite(message.time)) return invalidArgument("a time that is not finite");
-        AddControl add;
-        add.group = GroupId{message.group};
-        add.kind = static_cast<ControlKind>(message.kind);
-        add.touches = message.touches;
-        for (std::size_t i = 0; i < count; ++i) add.positions.push_back({message.xs[i], message.ys[i]});
-        TouchClock clock = client_.clock;
-        add.time = stamp(clock, message.time);
-        const Status status = submit(CommandBody{std::move(add)});
-        if (!status.ok()) return status;
-        client_.clock = clock;
-        client_.touchWaiting = std::max(client_.touchWaiting, message.time);
-        return status;
-    }
-
-    Status operator()(const protocol::PinControl& message) {
-        return submit(
-            CommandBody{PinControl{GroupId{message.group}, ControlId{message.control}, message.pinned}});
-    }
-
-    Status operator()(const protocol::RemoveControl& message) {
-        return submit(CommandBody{RemoveControl{GroupId{message.group}, ControlId{message.control}}});
-    }
-
-    Status operator()(const protocol::SetFormation& message) {
-        const auto kind = formationKind(message.formation);
-        if (!kind.ok()) return kind.status();
-        const GroupDef* group = groupDef(message.group);
-        if (group == nullptr) return noGroup(message.group);
-        SetFormation set{GroupId{message.group}, group->formation};
-        set.formation.kind = kind.value();
-        return submit(CommandBody{std::move(set)});
-    }
-
-    Status operator()(const protocol::SetCount& message) {
-        const std::int32_t most = session_.def.limits.charactersPerGroup;
-        if (message.count < 1 || message.count > static_cast<std::uint32_t>(most)) {
-            return invalidArgument("found " + std::to_string(message.count) + " characters, expected 1 to " +
-                                   std::to_string(most));
-        }
-        if (groupDef(message.group) == nullptr) return noGroup(message.group);
-        return submit(
-            CommandBody{SetCount{GroupId{message.group}, static_cast<std::int32_t>(message.count)}});
-    }
-
-    Status operator()(const protocol::SetParameter& message) {
-        if (!session_.world) return noWorld();
-        Parameters copy = session_.world->parameters();
-        Status status = setParameter(copy, message.name, message.value);
-        if (status.ok()) status = validateParameters(copy, inspect::environment(*session_.world).def().box);
-        if (!status.ok()) return status;
-        return submit(CommandBody{SetParameter{message.name, message.value}});
     }
 
     Status operator()(const protocol::Playback& message) {
@@ -241,9 +177,18 @@ public:
 
     Status operator()(const protocol::Commands& message) {
         if (!session_.world) return noWorld();
-        auto bodies = parseCommandText(message.events, session_.def.limits);
+        TouchClock clock = client_.clock;  // Stored only if every command of the message is valid.
+        double newest = client_.touchWaiting;
+        auto bodies = readDirections(message.commands, session_.def.limits, [&](double pageTime) {
+            newest = std::max(newest, pageTime);
+            return stamp(clock, pageTime);
+        });
         if (!bodies.ok()) return bodies.status();
-        return submit(std::move(bodies).value());
+        const Status status = submit(std::move(bodies).value());
+        if (!status.ok()) return status;
+        client_.clock = clock;
+        client_.touchWaiting = newest;
+        return status;
     }
 
     Status operator()(const protocol::Attend& message) {

@@ -1,4 +1,4 @@
-// Orders and changes of units that clients send as text, and what frames tell of them.
+// Orders and changes of units that clients send, and what frames tell of them.
 #include <doctest.h>
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <string>
 
 #include "studio/session/fake_client.h"
-#include "studio/session/inbox/command_text.h"
+#include "studio/session/inbox/command_list.h"
 
 using namespace muster;
 using namespace muster::testing;
@@ -17,64 +17,99 @@ bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-/// The message of what is wrong with a text; empty where nothing is.
-std::string wrongWith(const std::string& text, const SessionLimits& limits = {}) {
-    return parseCommandText(text, limits).status().message();
+Result<std::vector<CommandBody>> read(const std::vector<std::uint8_t>& bytes, const SessionLimits& limits = {}) {
+    return readDirections(bytes, limits, [](double time) { return time; });
 }
+
+/// The message of what is wrong with commands; empty where nothing is.
+std::string wrongWith(const std::vector<std::uint8_t>& bytes, const SessionLimits& limits = {}) {
+    return read(bytes, limits).status().message();
+}
+
+std::vector<std::uint8_t> bytesOf(const CommandBody& body) {
+    return commandBytes(std::span(&body, 1));
+}
+
+const EditQueue kHold{GroupId{1}, QueueEdit::Hold, 0};
 
 }  // namespace
 
-TEST_CASE("Commands are read in the words of gesture files") {
-    const auto bodies = parseCommandText(
+TEST_CASE("Commands are read from the bytes that takes have") {
+    const auto bytes = commandBytes(
         R"([{"kind":"move","group":1,"x":4,"y":-2,"facing":0.5,"mode":"append","manner":"free"},
             {"kind":"queue","group":1,"edit":"hold"},
-            {"kind":"split","group":1,"by":"line","points":[[0,-9],[0,9]]}])",
-        {});
+            {"kind":"split","group":1,"by":"line","points":[[0,-9],[0,9]]}])");
+    const auto bodies = read(bytes);
     REQUIRE(bodies.ok());
     REQUIRE(bodies->size() == 3);
     const auto& give = std::get<GiveOrder>((*bodies)[0]);
     CHECK(give.group == GroupId{1});
     CHECK(give.mode == QueueMode::Append);
-    CHECK(give.order.kind == OrderKind::Move);
     CHECK(give.order.target == Vec2{4, -2});
     CHECK(give.order.facing == 0.5);
-    CHECK(give.order.manner == Manner::Free);
     CHECK(std::get<EditQueue>((*bodies)[1]).edit == QueueEdit::Hold);
-    CHECK(std::get<SplitGroup>((*bodies)[2]).points.size() == 2);
+    CHECK(commandBytes(*bodies) == bytes);
+    // In a take, step, client and sequence come before.
+    const auto inTake = encodeCommand({7, 2, 9, (*bodies)[1]});
+    CHECK(std::vector(inTake.begin() + 12, inTake.end()) == bytesOf((*bodies)[1]));
 }
 
-TEST_CASE("What is no order is refused with a sentence that names it") {
-    CHECK(has(wrongWith("[{"), "commands"));
-    CHECK(has(wrongWith(R"([{"kind":"dance","group":1}])"), "dance"));
-    CHECK(has(wrongWith(R"([{"kind":"queue","group":1,"edit":"hold"},{"kind":"removeObstacle","id":1}])"),
-              "$[1]"));
-    CHECK(has(wrongWith(R"([{"kind":"parameter","name":"plan.exponent","value":1}])"), "another kind"));
-    CHECK_FALSE(wrongWith(R"([{"kind":"move","group":1,"x":"far","y":0}])").empty());
-    CHECK_FALSE(wrongWith(R"([{"kind":"move","group":1,"x":1e400,"y":0}])").empty());
+TEST_CASE("Bad commands are refused with a sentence that says which and why") {
+    const std::vector<CommandBody> both{kHold, removeThing(ObstacleId{1})};
+    CHECK(has(wrongWith(commandBytes(both)), "commands[1]: found a command of another kind"));
+    CHECK(has(wrongWith(bytesOf(TouchDown{})), "another kind"));
+    CHECK(wrongWith({255}) == "commands[0]: command kind 255 is not known");
+    auto bytes = bytesOf(kHold);
+    bytes.pop_back();
+    CHECK(wrongWith(bytes) == "commands[0]: EditQueue command is cut short");
+    bytes = bytesOf(kHold);
+    bytes.push_back(200);
+    CHECK(wrongWith(bytes) == "commands[1]: command kind 200 is not known");
+    CHECK(has(wrongWith(bytesOf(EditQueue{GroupId{1}, static_cast<QueueEdit>(77), 0})), "queue edit"));
+    CHECK(has(wrongWith(bytesOf(SetPose{GroupId{1}, {1e9, 0}, 0})), "position"));
+    CHECK(has(wrongWith(bytesOf(SetPose{GroupId{1}, {0, 0}, std::nan("")})), "angle"));
 }
 
-TEST_CASE("Text and number of commands have limits") {
+TEST_CASE("Bytes and number of commands have limits") {
     SessionLimits limits;
     limits.commandsPerMessage = 2;
     limits.charactersPerGroup = 1;
-    const std::string hold = R"({"kind":"queue","group":1,"edit":"hold"})";
-    CHECK(wrongWith("[" + hold + "," + hold + "]", limits).empty());
-    CHECK(has(wrongWith("[" + hold + "," + hold + "," + hold + "]", limits), "3 commands"));
-    CHECK(has(wrongWith(R"([{"kind":"join","group":1,"positions":[[0,0],[2,0]]}])", limits), "2 characters"));
-    CHECK(has(wrongWith(R"([{"kind":"group","definition":{"count":2}}])", limits), "2 characters"));
-    limits.commandBytes = 10;
-    CHECK(has(wrongWith("[" + hold + "]", limits), "bytes"));
+    std::vector<CommandBody> holds(2, kHold);
+    CHECK(wrongWith(commandBytes(holds), limits).empty());
+    holds.push_back(kHold);
+    CHECK(has(wrongWith(commandBytes(holds), limits), "more than 2 commands"));
+    CHECK(has(wrongWith(bytesOf(AddCharacters{GroupId{1}, {{0, 0}, {2, 0}}, {}}), limits), "2 characters"));
+    CHECK(has(wrongWith(bytesOf(SetCount{GroupId{1}, 2}), limits), "2 characters"));
+    limits.commandBytes = 5;
+    CHECK(has(wrongWith(bytesOf(kHold), limits), "bytes"));
+}
+
+TEST_CASE("A list of commands that is longer than its message is refused, and so are bytes behind it") {
+    Session session = startedSession();
+    FakeClient client(session);
+    auto bytes = protocol::encode(told(kHold));
+    bytes.push_back(0);
+    client.sendBytes(bytes);
+    bytes.resize(bytes.size() - 2);
+    client.sendBytes(bytes);
+    client.poll();
+    REQUIRE(client.notices.size() == 2);
+    CHECK(client.notices[0].text == "Commands: 1 bytes too many");
+    CHECK(client.notices[1].text == "Commands: short or invalid bytes");
 }
 
 TEST_CASE("A message of commands steers the world, and a bad one changes nothing") {
     Session session = startedSession();
     FakeClient client(session);
     run(session, 0.1, {&client});
-    client.send(protocol::Commands{R"([{"kind":"formation","group":1,"formation":"wedge"}])"});
+    client.send(told(R"([{"kind":"formation","group":1,"formation":"wedge"}])"));
     run(session, 0.1, {&client});
     CHECK(client.meshes.back().formation == "wedge");
     CHECK(client.notices.empty());
-    client.send(protocol::Commands{R"([{"kind":"formation","group":1,"formation":"ring"},{"kind":"pin"}])"});
+    SetFormation shape{GroupId{1}, {}};
+    shape.formation.kind = FormationKind::Ring;
+    const std::vector<CommandBody> bad{shape, SetPose{GroupId{1}, {0, 0}, 1e9}};
+    client.send(protocol::Commands{commandBytes(bad)});
     run(session, 0.1, {&client});
     CHECK(client.meshes.back().formation == "wedge");
     CHECK_FALSE(client.noticed("Commands").empty());
@@ -85,9 +120,9 @@ TEST_CASE("A group comes by a command, with what its definition says") {
     FakeClient client(session);
     run(session, 0.1, {&client});
     const std::size_t before = client.frames.back().groups.size();
-    client.send(protocol::Commands{
+    client.send(told(
         R"([{"kind":"group","definition":{"name":"Visitors","count":5,"formation":{"kind":"line","spacing":1.2},
-            "position":[2,3],"bodies":[{"radius":0.3,"maxSpeed":1.5}]}}])"});
+            "position":[2,3],"bodies":[{"radius":0.3,"maxSpeed":1.5}]}}])"));
     run(session, 0.1, {&client});
     CHECK(client.notices.empty());
     CHECK(client.frames.back().groups.size() == before + 1);
@@ -142,31 +177,30 @@ TEST_CASE("A queue comes to the page as it was given, with the way and the condu
     run(session, 0.1, {&client});
     CHECK(client.frames.back().groups[0].orders.empty());
     CHECK(client.frames.back().groups[0].way.empty());
-    client.send(protocol::Commands{
+    client.send(told(
         R"([{"kind":"move","group":1,"x":6,"y":-2,"facing":1.5,"width":3},
             {"kind":"move","group":1,"x":-6,"y":2,"route":[[0,5]],"mode":"append","manner":"free","turn":"keep"},
-            {"kind":"conduct","group":1,"stance":"yield","cohesion":0.5,"squeeze":0.25,"avoids":true}])"});
+            {"kind":"conduct","group":1,"stance":"yield","cohesion":0.5,"squeeze":0.25,"avoids":true}])"));
     run(session, 0.2, {&client});
     CHECK(client.notices.empty());
     const protocol::GroupFrame& group = client.frames.back().groups[0];
     REQUIRE(group.orders.size() == 2);
-    const protocol::OrderFrame& first = group.orders[0];
-    const protocol::OrderFrame& second = group.orders[1];
-    CHECK(first.id != second.id);
-    CHECK((first.x == 6.0f && first.y == -2.0f && first.width == 3.0f));
-    CHECK((first.hasFacing && first.facing == 1.5f));
-    CHECK(second.route == std::vector<float>{0.0f, 5.0f});
-    CHECK((second.manner == protocol::Manner::Free && second.turn == protocol::Turn::Keep));
-    CHECK_FALSE(second.hasFacing);
+    CHECK(group.orders[0].id != group.orders[1].id);
+    const Order& first = group.orders[0].order;
+    const Order& second = group.orders[1].order;
+    CHECK((first.target == Vec2{6, -2} && first.width == 3.0 && first.facing == 1.5));
+    CHECK(second.route == std::vector<Vec2>{{0, 5}});
+    CHECK((second.manner == Manner::Free && second.turn == Turn::Keep));
+    CHECK_FALSE(second.facing);
     CHECK((group.stance == protocol::Stance::Yield && group.avoids));
     CHECK((group.cohesion == 0.5f && group.squeeze == 0.25f));
     REQUIRE(group.way.size() >= 2);
     CHECK(std::abs(group.way[group.way.size() - 2] - 6.0f) < 0.5f);
-    client.send(protocol::Commands{R"([{"kind":"queue","group":1,"edit":"hold"},
-                                       {"kind":"queue","group":1,"edit":"patrol"}])"});
+    client.send(told(R"([{"kind":"queue","group":1,"edit":"hold"},
+                                       {"kind":"queue","group":1,"edit":"patrol"}])"));
     run(session, 0.1, {&client});
     CHECK((client.frames.back().groups[0].held && client.frames.back().groups[0].patrols));
-    client.send(protocol::Commands{R"([{"kind":"queue","group":1,"edit":"stop"}])"});
+    client.send(told(R"([{"kind":"queue","group":1,"edit":"stop"}])"));
     run(session, 0.1, {&client});
     CHECK(client.frames.back().groups[0].orders.empty());
 }
@@ -176,7 +210,7 @@ TEST_CASE("A split gives frames another group, with a scene and a mesh before it
     FakeClient client(session);
     run(session, 0.1, {&client});
     const std::size_t scenes = client.scenes.size();
-    client.send(protocol::Commands{R"([{"kind":"split","group":1,"by":"line","points":[[0,-9],[0,9]]}])"});
+    client.send(told(R"([{"kind":"split","group":1,"by":"line","points":[[0,-9],[0,9]]}])"));
     run(session, 0.2, {&client});
     CHECK(client.notices.empty());
     REQUIRE(client.frames.back().groups.size() == 2);
@@ -193,7 +227,7 @@ TEST_CASE("A split gives frames another group, with a scene and a mesh before it
             added |= event.kind == protocol::EventKind::GroupAdded && event.subject == part &&
                      event.value == 1;
     CHECK(added);
-    client.send(protocol::Commands{"[{\"kind\":\"merge\",\"groups\":[1," + std::to_string(part) + "]}]"});
+    client.send(told("[{\"kind\":\"merge\",\"groups\":[1," + std::to_string(part) + "]}]"));
     run(session, 0.2, {&client});
     REQUIRE(client.frames.back().groups.size() == 1);
     CHECK(client.page.ids.size() == 16);

@@ -4,9 +4,12 @@
 #include <doctest.h>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "engine/state/command_archive.h"
+#include "muster/scenario.h"
 #include "muster/session.h"
 #include "studio/session/inbox/protocol.h"
 #include "studio/session/page_decoder.h"
@@ -33,6 +36,41 @@ inline SessionDef sessionDef() {
         return Status(StatusCode::ParseError, "broken.json: found nothing, expected a scenario");
     };
     return def;
+}
+
+/// The bytes of commands, as clients send them.
+inline std::vector<std::uint8_t> commandBytes(std::span<const CommandBody> bodies) {
+    Writer writer;
+    for (const CommandBody& body : bodies) encodeBody(writer, body);
+    return writer.take();
+}
+
+/// The same from the words of gesture files, which are easier to read in a test.
+inline std::vector<std::uint8_t> commandBytes(const std::string& events) {
+    const auto commands = parseCommands(events, "test", 1.0);
+    REQUIRE_MESSAGE(commands.ok(), commands.status().message());
+    std::vector<CommandBody> bodies;
+    for (const Command& command : *commands) bodies.push_back(command.body);
+    return commandBytes(bodies);
+}
+
+/// A message with one command.
+inline protocol::Commands told(const CommandBody& body) {
+    return {commandBytes(std::span(&body, 1))};
+}
+/// A message with the commands of a list of events.
+inline protocol::Commands told(const std::string& events) {
+    return {commandBytes(events)};
+}
+/// Another formation of the usual spacing.
+inline protocol::Commands shaped(std::uint32_t group, FormationKind kind) {
+    SetFormation set{GroupId{group}, {}};
+    set.formation.kind = kind;
+    return told(set);
+}
+/// An edit with the commands of a list of events.
+inline protocol::Edit edited(const std::string& label, std::uint32_t gesture, const std::string& events) {
+    return {label, gesture, commandBytes(events), {}};
 }
 
 /// One client of a session.

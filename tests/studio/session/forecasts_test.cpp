@@ -30,14 +30,14 @@ Session walledSession() {
     return session;
 }
 
-protocol::ForecastAsk ask(const std::string& event) {
+protocol::ForecastAsk ask(const Order& order) {
     protocol::ForecastAsk made;
     made.group = 1;
-    made.event = event;
+    made.asked = order;
     return made;
 }
 
-const std::string kEast = R"({"kind":"move","group":1,"x":20,"y":0})";
+const Order kEast = Order::move({20, 0});
 
 double wayLength(const protocol::ForecastFrame& frame) {
     double sum = 0.0;
@@ -74,8 +74,8 @@ TEST_CASE("A forecast tells way and time, and changes nothing") {
 TEST_CASE("A forecast may begin where another order would end, and be of an order in the queue") {
     Session session = walledSession();
     FakeClient client(session);
-    client.send(
-        protocol::Commands{"[" + kEast + R"(,{"kind":"move","group":1,"mode":"append","x":20,"y":15}])"});
+    client.send(told(R"([{"kind":"move","group":1,"x":20,"y":0},
+                         {"kind":"move","group":1,"mode":"append","x":20,"y":15}])"));
     session.elapse(0.1);
     while (session.stepDue()) session.step();
     client.poll();
@@ -99,7 +99,7 @@ TEST_CASE("A forecast may begin where another order would end, and be of an orde
 TEST_CASE("What cannot be reached is said, and what is gone is left out") {
     Session session = walledSession();
     FakeClient client(session);
-    const std::string inside = R"({"kind":"move","group":1,"x":22,"y":-12})";  // The middle of the house.
+    const Order inside = Order::move({22, -12});  // The middle of the house.
     protocol::ForecastAsk gone;
     gone.group = 1;
     gone.order = 99;
@@ -121,15 +121,19 @@ TEST_CASE("Bad questions are refused with one sentence each") {
     nowhere.placed = true;
     nowhere.x = std::numeric_limits<double>::quiet_NaN();
     client.send(protocol::AskForecasts{1, {nowhere}});
-    client.send(protocol::AskForecasts{2, {ask(R"({"kind":"queue","group":1,"edit":"hold"})")}});
-    client.send(protocol::AskForecasts{3, {ask(kEast + "," + kEast)}});
+    Order endless = kEast;
+    endless.pace = std::numeric_limits<double>::infinity();
+    protocol::ForecastAsk none;
+    none.group = 1;
+    client.send(protocol::AskForecasts{2, {none}});
+    client.send(protocol::AskForecasts{3, {ask(endless)}});
     client.send(protocol::AskForecasts{4, std::vector(17, ask(kEast))});
     client.poll();
     CHECK(client.forecasts.empty());
     REQUIRE(client.notices.size() == 4);
     CHECK(client.notices[0].text == "a forecast from a place that is not finite");
-    CHECK(client.notices[1].text == "a forecast of what is not one order");
-    CHECK(client.notices[2].text == client.notices[1].text);
+    CHECK(client.notices[1].text == "a forecast of no order");
+    CHECK(client.notices[2].text.find("pace") != std::string::npos);
     CHECK(client.notices[3].text == "found 17 forecasts, expected at most 16");
 }
 
@@ -149,24 +153,19 @@ TEST_CASE("A client gets so many forecasts a second") {
     CHECK(client.forecasts.back().number == 8);
 }
 
-TEST_CASE("An order that says more than a frame's fields comes as text that reads as the same order") {
+TEST_CASE("An order in the queue comes with all that it says") {
     Session session = walledSession();
     FakeClient client(session);
-    client.send(protocol::Commands{R"([{"kind":"move","group":1,"x":3,"y":4,"pace":0.75,"share":0.5,
-        "formation":{"kind":"wedge","spacing":1.5}},{"kind":"move","group":1,"mode":"append","x":1,"y":2}])"});
+    Order order = Order::move({3, 4});
+    order.pace = 0.75;
+    order.share = 0.5;
+    order.formation.emplace().kind = FormationKind::Wedge;
+    client.send(told(GiveOrder{GroupId{1}, QueueMode::Replace, 0, order}));
     session.elapse(0.1);
     while (session.stepDue()) session.step();
     client.poll();
     const auto& orders = client.frames.back().groups[0].orders;
-    REQUIRE(orders.size() == 2);
-    CHECK(orders[1].event.empty());
-    const auto commands = parseGestures(orders[0].event, "event", 1.0);
-    REQUIRE(commands.ok());
-    REQUIRE(commands->size() == 1);
-    const Order& order = std::get<GiveOrder>((*commands)[0].body).order;
-    CHECK(order.pace == 0.75);
-    CHECK(order.share == 0.5);
-    REQUIRE(order.formation);
-    CHECK(order.formation->kind == FormationKind::Wedge);
-    CHECK(order.formation->spacing == 1.5);
+    REQUIRE(orders.size() == 1);
+    const auto bytesOf = [](const Order& one) { return encodeCommand({0, 0, 0, GiveOrder{{}, {}, 0, one}}); };
+    CHECK(bytesOf(orders[0].order) == bytesOf(order));
 }

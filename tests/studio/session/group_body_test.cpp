@@ -17,8 +17,12 @@ struct BodyDesk {
     Session session = startedSession();
     FakeClient client{session};
 
-    void edit(const std::string& events, std::uint32_t gesture = 0) {
-        client.send(protocol::Edit{"Body", gesture, "[" + events + "]"});
+    void edit(const std::string& events) {
+        client.send(edited("Body", 0, "[" + events + "]"));
+        run(session, 0.1, {&client});
+    }
+    void give(const std::vector<protocol::GroupBodyEdit>& bodies, std::uint32_t gesture = 0) {
+        client.send(protocol::Edit{"Body", gesture, {}, bodies});
         run(session, 0.1, {&client});
     }
     void undo() {
@@ -36,8 +40,8 @@ struct BodyDesk {
     }
 };
 
-std::string radius(const std::string& metres) {
-    return R"({"kind":"groupBody","group":1,"body":{"radius":)" + metres + "}}";
+protocol::GroupBodyEdit radius(double metres, std::uint32_t group = 1) {
+    return {group, metres, {}, {}};
 }
 
 }  // namespace
@@ -47,12 +51,12 @@ TEST_CASE("all of a group get a number of their body, and all other numbers stay
     const std::uint32_t first = desk.session.world()->characters().id[0];
     desk.edit(R"({"kind":"bodies","ids":[)" + std::to_string(first) +
               R"(],"bodies":[{"mass":3,"class":2}]})");
-    desk.edit(radius("0.3"));
+    desk.give({radius(0.3)});
     CHECK(desk.all([](const Body& body) { return body.radius == 0.3; }));
     CHECK(desk.bodies()[0].mass == 3.0);
     CHECK(desk.bodies()[0].unitClass == 2);
     CHECK(desk.bodies()[1].mass == 1.0);
-    desk.edit(R"({"kind":"groupBody","group":1,"body":{"maxSpeed":1.2,"class":1}})");
+    desk.give({{1, {}, 1.2, std::uint8_t{1}}});
     CHECK(desk.all([](const Body& body) { return body.maxSpeed == 1.2 && body.unitClass == 1; }));
     CHECK(desk.bodies()[0].mass == 3.0);
     desk.undo();
@@ -64,10 +68,10 @@ TEST_CASE("all of a group get a number of their body, and all other numbers stay
 
 TEST_CASE("a slider that is dragged is one step of the history") {
     BodyDesk desk;
-    for (const char* metres : {"0.2", "0.26", "0.31", "0.4"}) desk.edit(radius(metres), 7);
+    for (const double metres : {0.2, 0.26, 0.31, 0.4}) desk.give({radius(metres)}, 7);
     CHECK(desk.client.history.undo == 1);
     CHECK(desk.all([](const Body& body) { return body.radius == 0.4; }));
-    desk.edit(radius("0.5"), 8);
+    desk.give({radius(0.5)}, 8);
     CHECK(desk.client.history.undo == 2);
     desk.undo();
     CHECK(desk.all([](const Body& body) { return body.radius == 0.4; }));
@@ -84,7 +88,7 @@ TEST_CASE("the scene tells what all in a group have in common, and the file keep
     const std::uint32_t first = desk.session.world()->characters().id[0];
     desk.edit(R"({"kind":"bodies","ids":[)" + std::to_string(first) + R"(],"bodies":[{"class":2}]})");
     CHECK(desk.start().find("body")->find("class") == nullptr);
-    desk.edit(R"({"kind":"groupBody","group":1,"body":{"radius":0.3,"maxSpeed":1.5,"class":4}})");
+    desk.give({{1, 0.3, 1.5, std::uint8_t{4}}});
     desk.edit(R"({"kind":"roles","group":1,"roles":[{"area":"rim","class":4}]})");
     CHECK(desk.start().find("body")->find("radius")->number() == 0.3);
     CHECK(desk.start().find("body")->find("class")->number() == 4.0);
@@ -100,23 +104,18 @@ TEST_CASE("the scene tells what all in a group have in common, and the file keep
 
 TEST_CASE("bad bodies of groups are answered by one sentence and change nothing") {
     BodyDesk desk;
-    const auto refused = [&](const std::string& events) {
+    const auto says = [&](const protocol::Edit& edit, const char* what) {
         desk.client.notices.clear();
-        desk.edit(events);
-        run(desk.session, 1.0, {&desk.client});
+        desk.client.send(edit);
+        run(desk.session, 1.1, {&desk.client});
         REQUIRE(desk.client.notices.size() == 1);
-        return desk.client.notices[0].text;
+        CHECK(desk.client.notices[0].text.find(what) != std::string::npos);
     };
-    const auto says = [&](const std::string& events, const char* what) {
-        CHECK(refused(events).find(what) != std::string::npos);
-    };
-    says(radius("7"), "radius");
-    says(radius("0.01"), "radius");
-    says(R"({"kind":"groupBody","group":9,"body":{"radius":0.3}})", "a group with people in it");
-    says(R"({"kind":"groupBody","group":1})", "body");
-    says(R"({"kind":"groupBody","group":1,"body":{"width":0.3}})", "width");
-    says(radius("0.3") + "," + radius("0.4"), "one for each group");
-    says(radius("0.3") + R"(,{"kind":"nameGroup","group":1,"name":"A"})", "found");
+    says({"Body", 0, {}, {radius(7)}}, "radius");
+    says({"Body", 0, {}, {radius(0.01)}}, "radius");
+    says({"Body", 0, {}, {radius(0.3, 9)}}, "a group with people in it");
+    says({"Body", 0, {}, {radius(0.3), radius(0.4)}}, "one for each group");
+    says({"Body", 0, commandBytes(R"([{"kind":"nameGroup","group":1,"name":"A"}])"), {radius(0.3)}}, "only one");
     CHECK(desk.all([](const Body& body) { return body == Body{}; }));
     CHECK(desk.client.history.undo == 0);
 }

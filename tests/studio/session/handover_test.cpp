@@ -55,7 +55,7 @@ TEST_CASE("a second session goes on bit for bit, and its take holds everything s
     FakeClient director(first);
     REQUIRE(first.load("floor", smallFloor()).ok());
     run(first, 0.3, {&director});
-    director.send(protocol::Commands{commandsTo(9)});
+    director.send(told(commandsTo(9)));
     run(first, 1.5, {&director});
     HandoverKeeper keeper;
     keeper.ask(first);
@@ -73,7 +73,7 @@ TEST_CASE("a second session goes on bit for bit, and its take holds everything s
     replaysTo(second, second.world()->hash());
 
     SUBCASE("who directs there gets a number of their own, and can direct") {
-        other.send(protocol::Commands{commandsTo(-9)});
+        other.send(told(commandsTo(-9)));
         run(second, 1.0, {&other});
         CHECK(other.noticed("rejected") == "");
         CHECK(second.world()->group(0).orders.front().order.target.x == doctest::Approx(-9));
@@ -87,7 +87,7 @@ TEST_CASE("a keeper gets only those bytes of the take that it does not have") {
     REQUIRE(session.load("floor", smallFloor()).ok());
     HandoverKeeper keeper;
     for (int i = 0; i < 5; ++i) {
-        director.send(protocol::Commands{commandsTo(i)});
+        director.send(told(commandsTo(i)));
         run(session, 0.4, {&director});
         keeper.ask(session);
         Session whole(sessionDef());
@@ -109,8 +109,8 @@ TEST_CASE("pause, speed, recording, edits of the place and the demonstration go 
     FakeClient director(first);
     REQUIRE(first.load("floor", smallFloor()).ok());
     run(first, 0.3, {&director});
-    director.send(protocol::Edit{
-        "Wall", 0, R"([{"kind":"obstacle","definition":{"polygon":[[7,7],[9,7],[9,9],[7,9]],"height":2}}])"});
+    director.send(edited(
+        "Wall", 0, R"([{"kind":"obstacle","definition":{"polygon":[[7,7],[9,7],[9,9],[7,9]],"height":2}}])"));
     director.send(protocol::Record{true});
     run(first, 0.5, {&director});
     REQUIRE(director.noticed("Edit") == "");
@@ -139,7 +139,7 @@ TEST_CASE("an open take goes on at the same step") {
     Session first(sessionDef());
     FakeClient director(first);
     REQUIRE(first.load("floor", smallFloor()).ok());
-    director.send(protocol::Commands{commandsTo(9)});
+    director.send(told(commandsTo(9)));
     run(first, 2.0, {&director});
     const auto take = first.take();
     REQUIRE(take.ok());

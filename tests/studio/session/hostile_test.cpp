@@ -16,20 +16,15 @@ std::vector<std::vector<std::uint8_t>> everyMessage() {
     protocol::Touches touches;
     touches.events.push_back(FakeClient::touch(protocol::TouchPhase::Down, {0, 0}, 1.0));
     touches.events.push_back(FakeClient::touch(protocol::TouchPhase::Move, {0.5, 0}, 1.1));
-    protocol::AddControl add;
-    add.group = 1;
-    add.kind = protocol::ControlKind::Line;
-    add.touches = {4, 5};
-    add.xs = {-1, 1};
-    add.ys = {0, 0};
+    const AddControl add{GroupId{1}, ControlKind::Line, {4, 5}, {{-1, 0}, {1, 0}}};
     return {protocol::encode(protocol::Hello{"again"}),
             protocol::encode(touches),
-            protocol::encode(add),
-            protocol::encode(protocol::PinControl{1, 1, true}),
-            protocol::encode(protocol::RemoveControl{1, 1}),
-            protocol::encode(protocol::SetFormation{1, "wedge"}),
-            protocol::encode(protocol::SetCount{1, 12}),
-            protocol::encode(protocol::SetParameter{"plan.exponent", 1.5}),
+            protocol::encode(told(add)),
+            protocol::encode(told(PinControl{GroupId{1}, ControlId{1}, true})),
+            protocol::encode(told(RemoveControl{GroupId{1}, ControlId{1}})),
+            protocol::encode(shaped(1, FormationKind::Wedge)),
+            protocol::encode(told(SetCount{GroupId{1}, 12})),
+            protocol::encode(told(SetParameter{"plan.exponent", 1.5})),
             protocol::encode(protocol::Playback{protocol::PlaybackAction::SingleStep}),
             protocol::encode(protocol::SetSpeed{2.0f}),
             protocol::encode(protocol::LoadScenario{"small"}),
@@ -139,19 +134,14 @@ TEST_CASE("Numbers out of range are refused, and accepted at the limit") {
         touches.events = {FakeClient::touch(TouchPhase::Down, {0, 0}, 1.0), bad};
         checkRefused(session, touches, "Touches");
     }
-    protocol::AddControl add;
-    add.group = 1;
-    add.touches = {1};
-    add.xs = {0.0, 1.0};
-    add.ys = {0.0};
-    checkRefused(session, add, "AddControl");
-    checkRefused(session, protocol::SetFormation{1, "heap"}, "SetFormation");
-    checkRefused(session, protocol::SetFormation{9, "line"}, "SetFormation");
-    checkRefused(session, protocol::SetCount{1, 0}, "SetCount");
-    checkRefused(session, protocol::SetCount{1, 20001}, "SetCount");
-    checkRefused(session, protocol::SetCount{1, 0xffffffffu}, "SetCount");
-    checkRefused(session, protocol::SetParameter{"plan.exponent", kNan}, "SetParameter");
-    checkRefused(session, protocol::SetParameter{"no.such", 1.0}, "SetParameter");
+    checkRefused(session, told(AddControl{GroupId{1}, ControlKind::Line, {1}, {{0, 0}, {1, 0}}}), "Commands");
+    checkRefused(session, told(AddControl{GroupId{1}, ControlKind::Point, {1}, {{0, 0}}, kNan}), "Commands");
+    checkRefused(session, shaped(1, static_cast<FormationKind>(99)), "Commands");
+    checkRefused(session, told(SetCount{GroupId{1}, 0}), "Commands");
+    checkRefused(session, told(SetCount{GroupId{1}, 20001}), "Commands");
+    checkRefused(session, told(SetCount{GroupId{1}, -1}), "Commands");
+    checkRefused(session, told(SetParameter{"plan.exponent", kNan}), "Commands");
+    checkRefused(session, told(SetParameter{"no.such", 1.0}), "Commands");
     checkRefused(session, protocol::SetSpeed{0.0999f}, "SetSpeed");
     checkRefused(session, protocol::SetSpeed{8.001f}, "SetSpeed");
     checkRefused(session, protocol::SetSpeed{static_cast<float>(kNan)}, "SetSpeed");
@@ -164,7 +154,7 @@ TEST_CASE("Numbers out of range are refused, and accepted at the limit") {
     FakeClient client(session);
     for (const float factor : {0.1f, 8.0f}) client.send(protocol::SetSpeed{factor});
     client.send(protocol::SetSpeed{1.0f});
-    client.send(protocol::SetCount{1, 1});
+    client.send(told(SetCount{GroupId{1}, 1}));
     client.poll();
     CHECK(client.notices.empty());
 }
@@ -260,21 +250,15 @@ TEST_CASE("Points of one control: the limit is accepted, one more is refused") {
     SessionDef def = sessionDef();
     def.limits.pointsPerControl = 3;
     Session session = startedSession(def);
-    protocol::AddControl add;
-    add.group = 1;
-    add.kind = protocol::ControlKind::Area;
-    add.touches = {1, 2, 3};
-    add.xs = {-1, 1, 0};
-    add.ys = {-1, -1, 1};
+    AddControl add{GroupId{1}, ControlKind::Area, {1, 2, 3}, {{-1, -1}, {1, -1}, {0, 1}}};
     FakeClient client(session);
-    client.send(add);
+    client.send(told(add));
     run(session, 0.1, {&client});
     CHECK(client.notices.empty());
     CHECK(client.frames.back().groups[0].controls.size() == 1);
     add.touches.push_back(4);
-    add.xs.push_back(1);
-    add.ys.push_back(1);
-    checkRefused(session, add, "AddControl");
+    add.positions.push_back({1, 1});
+    checkRefused(session, told(add), "Commands");
 }
 
 TEST_CASE("Notices to one client are bounded") {

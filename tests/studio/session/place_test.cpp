@@ -22,7 +22,7 @@ struct Desk {
     FakeClient client{session};
 
     void edit(const std::string& events, const std::string& label = "Edit", std::uint32_t gesture = 0) {
-        client.send(protocol::Edit{label, gesture, "[" + events + "]"});
+        client.send(edited(label, gesture, "[" + events + "]"));
         settle();
     }
     void undo(bool redo = false) {
@@ -121,10 +121,10 @@ TEST_CASE("two drags in a row are two steps, however fast they follow each other
     const std::string id = std::to_string(desk.world().obstacleIds()[0].value);
     // Nothing is carried out between them.
     for (const auto& [x, gesture] : {std::pair{1, 7u}, {2, 7u}, {3, 8u}, {4, 8u}})
-        desk.client.send(protocol::Edit{"Move", gesture,
+        desk.client.send(edited("Move", gesture,
                                         R"([{"kind":"changeObstacle","id":)" + id +
                                             R"(,"definition":{"centre":[)" + std::to_string(x) +
-                                            R"(,0],"radius":1}}])"});
+                                            R"(,0],"radius":1}}])"));
     desk.settle();
     CHECK(desk.obstacle(0).centre.x == 4.0);
     CHECK(desk.client.history.undo == 3);
@@ -143,9 +143,9 @@ TEST_CASE("an edit of a drag takes the place of one that still waits") {
     desk.settle();
     const std::uint32_t before = desk.world().stepCount();
     for (int k = 1; k <= 300; ++k)
-        desk.client.send(protocol::Edit{
+        desk.client.send(edited(
             "Move", 7,
-            R"([{"kind":"placeGroup","group":1,"x":)" + std::to_string(0.01 * k) + R"(,"y":1,"angle":0}])"});
+            R"([{"kind":"placeGroup","group":1,"x":)" + std::to_string(0.01 * k) + R"(,"y":1,"angle":0}])"));
     desk.settle();
     CHECK(desk.world().stepCount() == before + 1);
     CHECK(desk.world().group(0).pose.position.x == doctest::Approx(3.0));
@@ -210,7 +210,7 @@ TEST_CASE("people who were taken out by a number come back as they were, also af
 
 TEST_CASE("how a group starts is taken back, whatever was directed meanwhile") {
     Desk desk;
-    desk.client.send(protocol::Commands{R"([{"kind":"formation","group":1,"formation":"ring"}])"});
+    desk.client.send(told(R"([{"kind":"formation","group":1,"formation":"ring"}])"));
     desk.settle();
     desk.edit(R"({"kind":"formation","group":1,"formation":"ring"})", "Shape");
     CHECK(desk.saved().groups[0].formation.kind == FormationKind::Ring);
@@ -312,7 +312,7 @@ TEST_CASE("each director takes back their own edits") {
     Desk desk;
     FakeClient other(desk.session);
     desk.edit(kBox, "Mine");
-    other.send(protocol::Edit{"Theirs", 0, R"([{"kind":"item","definition":{"position":[1,1]}}])"});
+    other.send(edited("Theirs", 0, R"([{"kind":"item","definition":{"position":[1,1]}}])"));
     run(desk.session, 0.1, {&desk.client, &other});
     CHECK(desk.client.history.undoLabel == "Mine");
     CHECK(other.history.undoLabel == "Theirs");
@@ -471,16 +471,16 @@ TEST_CASE("a map stays a map while nothing of it is changed") {
     REQUIRE(opened.ok());
     CHECK(session.scenarioName() == "smallmap.json");
     FakeClient client(session);
-    client.send(protocol::Edit{
+    client.send(edited(
         "Add", 0,
-        std::string("[") + R"({"kind":"obstacle","definition":{"centre":[3,12],"radius":1}})" + "]"});
+        std::string("[") + R"({"kind":"obstacle","definition":{"centre":[3,12],"radius":1}})" + "]"));
     run(session, 0.1, {&client});
     auto saved = parseScenario(*session.scenario(), "saved.json", "");
     REQUIRE(saved.ok());
     CHECK(saved->map.has_value());
     CHECK(saved->obstacles.size() == 1);
     const std::string id = std::to_string(session.world()->obstacleIds()[0].value);
-    client.send(protocol::Edit{"Remove", 0, R"([{"kind":"removeObstacle","id":)" + id + "}]"});
+    client.send(edited("Remove", 0, R"([{"kind":"removeObstacle","id":)" + id + "}]"));
     run(session, 0.1, {&client});
     saved = parseScenario(*session.scenario(), "saved.json", "");
     REQUIRE(saved.ok());

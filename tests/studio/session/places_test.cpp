@@ -30,17 +30,24 @@ Session houseSession() {
     return session;
 }
 
-protocol::PlacesAsk ask(const std::string& formation, Vec2 at, double facing = 0.0) {
+protocol::PlacesAsk ask(const FormationDef& formation, Vec2 at, double facing = 0.0) {
     protocol::PlacesAsk made;
     made.group = 1;
-    made.event = R"({"kind":"formation","group":1,"formation":)" + formation + "}";
+    made.formation = formation;
     made.x = at.x;
     made.y = at.y;
     made.facing = facing;
     return made;
 }
 
-const std::string kColumn = R"({"kind":"column","spacing":1.0})";
+FormationDef formationOf(FormationKind kind, std::vector<Vec2> points = {}) {
+    FormationDef def;
+    def.kind = kind;
+    def.points = std::move(points);
+    return def;
+}
+
+const FormationDef kColumn = formationOf(FormationKind::Column);
 
 }  // namespace
 
@@ -97,7 +104,7 @@ TEST_CASE("A formation that cannot be made is answered by its problem, one of no
     protocol::PlacesAsk nobody = ask(kColumn, {0, 0});
     nobody.group = 5;
     client.send(protocol::AskPlaces{
-        1, {nobody, ask(R"({"kind":"points","spacing":1,"points":[[0,0],[1,0]]})", {0, 0})}});
+        1, {nobody, ask(formationOf(FormationKind::Points, {{0, 0}, {1, 0}}), {0, 0})}});
     client.poll();
     CHECK(client.notices.empty());
     REQUIRE(client.places.size() == 1);

@@ -7,10 +7,12 @@
 #include "base/token_bucket.h"
 #include "folders.h"
 #include "studio/session/inbox/pacer.h"
+#include "studio/session/fake_client.h"
 #include "studio/session/inbox/protocol.h"
 #include "studio/session/inbox/touch_clock.h"
 
 using namespace muster;
+using namespace muster::testing;
 
 namespace {
 
@@ -67,12 +69,9 @@ protocol::Frame sampleFrame() {
     control.points.push_back({9, true, 1.0f, 2.0f, {3.0f, 4.0f}});
     frame.areas.push_back({3, 70000, 2});
     frame.moving.push_back({protocol::MovingKind::Patch, 2, 0.1f, 0.2f, 0.3f});
-    protocol::OrderFrame& order = group.orders.emplace_back();
-    order.id = 4;
-    order.kind = protocol::OrderKind::Guard;
-    order.hasFacing = true;
-    order.facing = 1.5f;
-    order.route = {1.0f, -2.0f};
+    group.orders.push_back({4, Order::guard({0, 0}, {2, 1}, 1.5)});
+    group.orders[0].order.route = {{1, -2}};
+    group.orders[0].order.formation.emplace().kind = FormationKind::Wedge;
     group.way = {0.5f, 0.25f};
     group.held = true;
     group.stance = protocol::Stance::Yield;
@@ -99,8 +98,15 @@ TEST_CASE("Bytes on the wire are those the protocol promises") {
           "00000000000000c0"
           "000000000000e03f"
           "03000000");
-    CHECK(hex(protocol::encode(protocol::PinControl{1, 2, true})) == "03010000000200000001");
-    CHECK(hex(protocol::encode(protocol::SetSpeed{0.5f})) == "090000003f");
+    // The length of the commands, the number of the kind, and its fields.
+    CHECK(hex(protocol::encode(told(PinControl{GroupId{1}, ControlId{2}, true}))) ==
+          "07"
+          "0a000000"
+          "05"
+          "01000000"
+          "02000000"
+          "01");
+    CHECK(hex(protocol::encode(protocol::SetSpeed{0.5f})) == "030000003f");
     CHECK(hex(protocol::encode(protocol::Pong{1.0})) == "07000000000000f03f");
 }
 
@@ -116,8 +122,8 @@ TEST_CASE("A frame is the same after encoding and decoding") {
     CHECK(frame.groups[0].offsets == sent.groups[0].offsets);
     CHECK(frame.groups[0].controls[0].points[0].path == sent.groups[0].controls[0].points[0].path);
     CHECK(frame.groups[0].controls[0].kind == protocol::ControlKind::Area);
-    CHECK(frame.groups[0].orders[0].kind == protocol::OrderKind::Guard);
-    CHECK(frame.groups[0].orders[0].route == sent.groups[0].orders[0].route);
+    CHECK(frame.groups[0].orders[0].order.kind == OrderKind::Guard);
+    CHECK(frame.groups[0].orders[0].order.route == sent.groups[0].orders[0].order.route);
     CHECK(frame.groups[0].stance == protocol::Stance::Yield);
     CHECK(frame.radius == sent.radius);
     CHECK(frame.moving[0].id == 2);
@@ -140,12 +146,12 @@ TEST_CASE("The frame that the page's tests read is what we write") {
     CHECK(golden == bytes);
 }
 
-TEST_CASE("The generated files are those that messages.json makes") {
+TEST_CASE("The generated files are those that the declarations make") {
     if (std::system("node --version >/dev/null 2>&1") != 0) {
         MESSAGE("skipped: node is missing");
         return;
     }
-    const std::string command = "node '" + sourceFolder() + "/protocol/generate.mjs' --check";
+    const std::string command = "node '" + sourceFolder() + "/schema/generate.mjs' --check";
     CHECK(std::system(command.c_str()) == 0);
 }
 

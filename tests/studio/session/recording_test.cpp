@@ -41,7 +41,7 @@ void steer(Session& session, FakeClient& client) {
         run(session, 1.0 / 60.0, {&client});
     }
     client.touchAt(protocol::TouchPhase::Up, {3, 1}, 10.8);
-    client.send(protocol::SetFormation{1, "circle"});
+    client.send(shaped(1, FormationKind::Circle));
     run(session, 1.0, {&client});
     client.send(protocol::Playback{protocol::PlaybackAction::Pause});
     client.touchAt(protocol::TouchPhase::Down, {3.0, 1.0}, 13.0, 2);
@@ -200,7 +200,7 @@ TEST_CASE("Restart, load and the end of the session finish the file") {
         Session session = startedSession(def);
         FakeClient client(session);
         client.send(protocol::Record{true});
-        client.send(protocol::SetFormation{1, "circle"});
+        client.send(shaped(1, FormationKind::Circle));
         run(session, 0.5, {&client});
         if (how == 0) client.send(protocol::Playback{protocol::PlaybackAction::Restart});
         if (how == 1) client.send(protocol::LoadScenario{"small"});

@@ -274,9 +274,9 @@ struct TwoDirectors : UndoDesk {
         const std::uint32_t before = who.history.undo;
         const std::uint32_t kind = draw(20);
         if (kind < 11)
-            who.send(protocol::Commands{text(anyAct())});
+            who.send(told(text(anyAct())));
         else if (kind < 19 || orders)
-            who.send(protocol::Edit{"Edit", 0, text(anyEdit())});
+            who.send(edited("Edit", 0, text(anyEdit())));
         else
             drag(who);
         both(0.6);  // Two messages of a slider would be one step.

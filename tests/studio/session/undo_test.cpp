@@ -114,7 +114,7 @@ TEST_CASE("stop, hold and patrol are taken back") {
 TEST_CASE("a shape is taken back, also one that an order gave") {
     UndoDesk desk;
     desk.act(R"({"kind":"formation","group":1,"formation":"ring"})");
-    desk.client.send(protocol::SetFormation{1, "wedge"});
+    desk.client.send(shaped(1, FormationKind::Wedge));
     desk.settle();
     CHECK(desk.history().undoLabel == "Change shape");
     desk.undo();
@@ -159,8 +159,8 @@ TEST_CASE("parameters that are set at once are one step") {
     UndoDesk desk;
     const double reach = desk.world().parameters().input.reach;
     const double exponent = desk.world().parameters().plan.exponent;
-    desk.client.send(protocol::SetParameter{"plan.exponent", 1.0});
-    desk.client.send(protocol::SetParameter{"input.reach", 2.5});
+    desk.client.send(told(SetParameter{"plan.exponent", 1.0}));
+    desk.client.send(told(SetParameter{"input.reach", 2.5}));
     desk.settle();
     CHECK(desk.history().undo == 1);
     desk.undo();
@@ -275,7 +275,7 @@ TEST_CASE("people who come, leave or change groups are taken back") {
     CHECK(desk.group(1).count == 11);
     desk.undo();
     CHECK(desk.group(1).count == 9);
-    desk.client.send(protocol::SetCount{1, 4});
+    desk.client.send(told(SetCount{GroupId{1}, 4}));
     desk.settle();
     CHECK(desk.history().undoLabel == "People");
     desk.undo();
@@ -288,7 +288,7 @@ TEST_CASE("each director takes back their own acts") {
     UndoDesk desk;
     FakeClient other(desk.session, true, "other");
     desk.move(20, 0);
-    other.send(protocol::Commands{R"([{"kind":"move","group":2,"x":-20,"y":0}])"});
+    other.send(told(R"([{"kind":"move","group":2,"x":-20,"y":0}])"));
     desk.settle();
     other.poll();
     CHECK(other.history.undo == 1);
@@ -300,7 +300,7 @@ TEST_CASE("each director takes back their own acts") {
     CHECK(desk.group(1).orders.size() == 1);
     // What another director has ordered since stays.
     desk.move(15, 0);
-    other.send(protocol::Commands{R"([{"kind":"move","group":1,"x":-15,"y":0}])"});
+    other.send(told(R"([{"kind":"move","group":1,"x":-15,"y":0}])"));
     desk.settle();
     desk.undo();
     CHECK(desk.targets() == Xs{-15});
@@ -342,7 +342,7 @@ TEST_CASE("acts and edits of the place are one history") {
     const std::string
         edit = R"([{"kind":"obstacle","definition":{"name":"Box","centre":[20,20],"radius":1}}])";
     desk.move(20, 0);
-    desk.client.send(protocol::Edit{"Add disc", 0, edit});
+    desk.client.send(edited("Add disc", 0, edit));
     desk.settle();
     desk.act(R"({"kind":"formation","group":1,"formation":"ring"})");
     CHECK(desk.history().undo == 3);
@@ -417,7 +417,7 @@ TEST_CASE("pose and pin are taken back") {
     desk.client.touchAt(protocol::TouchPhase::Down, {-12, -12}, 1.0);
     desk.settle();
     REQUIRE(desk.group().controls.size() == 1);
-    desk.client.send(protocol::PinControl{1, desk.group().controls[0].id.value, true});
+    desk.client.send(told(PinControl{GroupId{1}, ControlId{desk.group().controls[0].id.value}, true}));
     desk.settle();
     CHECK(desk.history().undoLabel == "Pin");
     CHECK(desk.group().controls[0].pinned);
@@ -429,8 +429,8 @@ TEST_CASE("pose and pin are taken back") {
 TEST_CASE("a history keeps a thousand steps") {
     UndoDesk desk;
     for (int k = 0; k < 1003; ++k)
-        desk.client.send(protocol::Commands{R"([{"kind":"formation","group":1,"formation":")" +
-                                            std::string(k % 2 == 0 ? "ring" : "square") + R"("}])"});
+        desk.client.send(told(R"([{"kind":"formation","group":1,"formation":")" +
+                                            std::string(k % 2 == 0 ? "ring" : "square") + R"("}])"));
     desk.settle();
     CHECK(desk.history().undo == 1000);
     desk.undo();
@@ -453,25 +453,25 @@ TEST_CASE("random acts of two directors with undo between them replay to the sam
         const std::string last = std::to_string(desk.group(desk.world().groupCount() - 1).id.value);
         switch (draw(9)) {
             case 0:
-                who.send(protocol::Commands{R"([{"kind":"move")" + group + R"(,"y":3,"x":)" + x + "}]"});
+                who.send(told(R"([{"kind":"move")" + group + R"(,"y":3,"x":)" + x + "}]"));
                 break;
             case 1:
-                who.send(protocol::Commands{R"([{"kind":"move","mode":"append")" + group + R"(,"y":3,"x":)" +
-                                            x + "}]"});
+                who.send(told(R"([{"kind":"move","mode":"append")" + group + R"(,"y":3,"x":)" +
+                                            x + "}]"));
                 break;
             case 2:
-                who.send(protocol::Commands{R"([{"kind":"queue","edit":"stop")" + group + "}]"});
+                who.send(told(R"([{"kind":"queue","edit":"stop")" + group + "}]"));
                 break;
             case 3:
-                who.send(protocol::Commands{R"([{"kind":"formation","formation":"ring")" + group + "}]"});
+                who.send(told(R"([{"kind":"formation","formation":"ring")" + group + "}]"));
                 break;
             case 4:
                 who.send(
-                    protocol::Commands{R"([{"kind":"split","by":"shares","shares":[1,1])" + group + "}]"});
+                    told(R"([{"kind":"split","by":"shares","shares":[1,1])" + group + "}]"));
                 break;
             case 5:
                 if (id != last)
-                    who.send(protocol::Commands{R"([{"kind":"merge","groups":[)" + id + "," + last + "]}]"});
+                    who.send(told(R"([{"kind":"merge","groups":[)" + id + "," + last + "]}]"));
                 break;
             default:
                 who.send(protocol::UndoEdit{draw(4) == 0});
@@ -488,13 +488,13 @@ TEST_CASE("what two directors did to the same things is taken back in any order"
         UndoDesk desk;
         FakeClient other(desk.session, true, "other");
         const auto ask = [&](FakeClient& who, const std::string& event) {
-            who.send(protocol::Commands{"[" + event + "]"});
+            who.send(told("[" + event + "]"));
             desk.settle();
         };
         const double reach = desk.world().parameters().input.reach;
-        desk.client.send(protocol::SetParameter{"input.reach", 2.0});
+        desk.client.send(told(SetParameter{"input.reach", 2.0}));
         desk.settle();
-        other.send(protocol::SetParameter{"input.reach", 3.0});
+        other.send(told(SetParameter{"input.reach", 3.0}));
         desk.settle();
         ask(desk.client, R"({"kind":"formation","group":1,"formation":"ring"})");
         ask(other, R"({"kind":"formation","group":1,"formation":"wedge"})");
@@ -520,7 +520,7 @@ TEST_CASE("what another director has set since stays") {
     UndoDesk desk;
     FakeClient other(desk.session, true, "other");
     desk.act(R"({"kind":"formation","group":1,"formation":"ring"})");
-    other.send(protocol::Commands{R"([{"kind":"formation","group":1,"formation":"wedge"}])"});
+    other.send(told(R"([{"kind":"formation","group":1,"formation":"wedge"}])"));
     desk.settle();
     desk.undo();
     CHECK(desk.group().formation == FormationKind::Wedge);
@@ -542,7 +542,7 @@ TEST_CASE("a command that changes nothing is no step") {
 TEST_CASE("a group that comes back is named by sources and checkpoints as before") {
     UndoDesk desk;
     const auto edit = [&](const std::string& event) {
-        desk.client.send(protocol::Edit{"Edit", 0, "[" + event + "]"});
+        desk.client.send(edited("Edit", 0, "[" + event + "]"));
         desk.settle();
     };
     edit(

@@ -5,6 +5,7 @@ import type { Frame, GroupFrame, GroupMesh, Motions } from '../protocol/messages
 import { clipDuration } from '../model/clip_duration';
 import { kJoints } from '../model/skeleton';
 import { CrowdUnpacker } from './crowd_unpacker';
+import { queueOrder } from '../model/queue_order';
 import type { StudioFrame, StudioGroup } from '../model/studio_frame';
 
 /** Numbers of a whole pose on the wire, and unpacked. */
@@ -50,7 +51,7 @@ class Places {
     this.offsets_ = new Float32Array(2 * mesh_.placeTriangles.length);
   }
 
-  unpack({ moved, offsets, unfit, ...group }: GroupFrame): StudioGroup {
+  unpack({ moved, offsets, unfit, orders, ...group }: GroupFrame): StudioGroup {
     for (let k = 0; k < moved.length; ++k) {
       const at = 2 * moved[k]!;
       this.offsets_[at] = offsets[2 * k]! / 100;
@@ -60,7 +61,7 @@ class Places {
     const count = this.mesh_.placeTriangles.length;
     const fit = new Uint8Array(count);
     for (let k = 0; k < count; ++k) fit[k] = ((this.unfit_[k >> 3] ?? 0) >> (k & 7)) & 1 ? 0 : 1;
-    return { ...group, places: this.places(group.vertices), fit };
+    return { ...group, orders: orders.map(queueOrder), places: this.places(group.vertices), fit };
   }
 
   private places(vertices: Float32Array): Float32Array {

@@ -15,7 +15,12 @@ export function accentOf(colour: number): Accent {
 /** The colour number of a group of that accent with a chosen colour, `#rrggbb`; without one, the accent's. */
 export function colourNumber(accent: number, chosen: string | undefined): number {
   if (!chosen || !/^#[0-9a-f]{6}$/i.test(chosen)) return accent;
-  return Number.parseInt(chosen.slice(1), 16) + (accent + 1) * kChosen;
+  return numberOfColour(chosen) + (accent + 1) * kChosen;
+}
+
+/** 0xRRGGBB of `#rrggbb`. */
+export function numberOfColour(text: string): number {
+  return Number.parseInt(text.slice(1), 16);
 }
 
 /** The chosen colour, `#RRGGBB`; null where the accent counts. */

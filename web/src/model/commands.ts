@@ -1,22 +1,26 @@
-// Orders and changes of units as events of gesture files: what a Commands message carries.
+// Orders and changes of units: what a Commands message carries.
 
+import type {
+  EditQueueCommand,
+  FormationDef,
+  Given,
+  GiveOrderCommand,
+  MergeGroupsCommand,
+  SetConductCommand,
+  SplitGroupCommand,
+} from '../protocol/generated/commands';
 import {
   kStanceWords,
   kTurnWords,
-  type CommandEvent,
-  type EditQueueEvent,
-  type GiveOrderEvent,
-  type MergeGroupsEvent,
   type PartShapeWord,
   type QueueEditWord,
-  type SetConductEvent,
-  type SplitGroupEvent,
   type StanceWord,
   type TurnWord,
-} from '../protocol/generated/commands';
+} from '../protocol/generated/words';
 import type { GroundPoint } from './plane';
 
-export type { CommandEvent, PartShapeWord, QueueEditWord, StanceWord, TurnWord } from '../protocol/generated/commands';
+export type { Command, GiveOrderCommand } from '../protocol/generated/commands';
+export type { PartShapeWord, QueueEditWord, StanceWord, TurnWord } from '../protocol/generated/words';
 /** Manners that the page offers. */
 export type MannerWord = 'march' | 'free';
 /** Where orders go that have no spot of their own. */
@@ -54,11 +58,8 @@ export interface MoveTarget {
   readonly width: number;
   readonly route: readonly GroundPoint[];
   /** Which formation to take up; null to keep it. */
-  readonly formation: { readonly kind: string; readonly spacing: number } | null;
+  readonly formation: Given<FormationDef> | null;
 }
-
-/** An order of a group. */
-export type GroupEvent = GiveOrderEvent;
 
 function rounded(value: number): number {
   return Math.round(value * 1000) / 1000;
@@ -68,74 +69,65 @@ function pair({ x, y }: GroundPoint): Pair {
   return [rounded(x), rounded(y)];
 }
 
-export function moveEvent(
+export function moveCommand(
   group: number,
   to: MoveTarget,
   style: OrderStyle,
   spot: QueueSpot = { mode: style.mode },
-): GroupEvent {
-  const [x, y] = pair(to.target);
-  return {
-    kind: 'move',
-    group,
-    ...spot,
-    x,
-    y,
-    ...(to.facing === null ? {} : { facing: rounded(to.facing) }),
-    ...(to.width > 0 ? { width: rounded(to.width) } : {}),
-    ...(to.route.length > 0 ? { route: to.route.map(pair) } : {}),
-    ...(to.formation ? { formation: to.formation } : {}),
+): GiveOrderCommand {
+  const order = {
+    target: pair(to.target),
+    facing: to.facing === null ? null : rounded(to.facing),
+    width: rounded(Math.max(0, to.width)),
+    route: to.route.map(pair),
+    formation: to.formation,
     manner: style.manner,
     turn: style.turn,
   };
+  return { kind: 'order', group, ...spot, order };
 }
 
-export function followEvent(group: number, leader: number, offset: GroundPoint, spot: QueueSpot): GroupEvent {
-  return { kind: 'follow', group, ...spot, leader, offset: pair(offset) };
+export function followCommand(group: number, leader: number, offset: GroundPoint, spot: QueueSpot): GiveOrderCommand {
+  return { kind: 'order', group, ...spot, order: { kind: 'follow', group: leader, offset: pair(offset) } };
 }
 
-export function guardEvent(
+export function guardCommand(
   group: number,
   centre: GroundPoint,
   halfSize: GroundPoint,
   facing: number,
   spot: QueueSpot,
-): GroupEvent {
-  const [x, y] = pair(centre);
-  return { kind: 'guard', group, ...spot, x, y, facing: rounded(facing), halfSize: pair(halfSize) };
+): GiveOrderCommand {
+  const order = { kind: 'guard', target: pair(centre), facing: rounded(facing), halfSize: pair(halfSize) } as const;
+  return { kind: 'order', group, ...spot, order };
 }
 
 /** By those exits; none for all. */
-export function leaveEvent(group: number, exits: readonly number[], spot: QueueSpot): GroupEvent {
-  return { kind: 'leave', group, ...spot, ...(exits.length > 0 ? { exits } : {}) };
+export function leaveCommand(group: number, exits: readonly number[], spot: QueueSpot): GiveOrderCommand {
+  return { kind: 'order', group, ...spot, order: { kind: 'leave', exits } };
 }
 
-export function waitEvent(group: number, area: number, spot: QueueSpot): GroupEvent {
-  return { kind: 'wait', group, ...spot, area };
+export function waitCommand(group: number, area: number, spot: QueueSpot): GiveOrderCommand {
+  return { kind: 'order', group, ...spot, order: { kind: 'wait', area } };
 }
 
-export function queueEvent(group: number, edit: QueueEditWord, order = 0): EditQueueEvent {
-  return { kind: 'queue', group, edit, ...(order > 0 ? { order } : {}) };
+export function queueCommand(group: number, edit: QueueEditWord, order = 0): EditQueueCommand {
+  return { kind: 'queue', group, edit, order };
 }
 
-export function conductEvent(group: number, conduct: ConductFacts): SetConductEvent {
-  return { kind: 'conduct', group, ...conduct };
+export function conductCommand(group: number, conduct: ConductFacts): SetConductCommand {
+  return { kind: 'conduct', group, conduct };
 }
 
 /** Those to the left of a line, looking from its first point to its second, leave. */
-export function splitByLineEvent(group: number, from: GroundPoint, to: GroundPoint): SplitGroupEvent {
-  return { kind: 'split', group, by: 'line', points: [pair(from), pair(to)], shape: 'asHeld' };
+export function splitByLineCommand(group: number, from: GroundPoint, to: GroundPoint): SplitGroupCommand {
+  return { kind: 'split', group, by: 'line', ids: [], points: [pair(from), pair(to)], shape: 'asHeld' };
 }
 
-export function splitByIdsEvent(group: number, ids: readonly number[]): SplitGroupEvent {
+export function splitByIdsCommand(group: number, ids: readonly number[]): SplitGroupCommand {
   return { kind: 'split', group, by: 'ids', ids, shape: 'asHeld' };
 }
 
-export function mergeEvent(groups: readonly number[], shape: PartShapeWord): MergeGroupsEvent {
+export function mergeCommand(groups: readonly number[], shape: PartShapeWord): MergeGroupsCommand {
   return { kind: 'merge', groups, shape };
-}
-
-/** The text of a Commands message. */
-export function commandText(events: readonly CommandEvent[]): string {
-  return JSON.stringify(events);
 }

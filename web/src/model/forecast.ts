@@ -1,9 +1,10 @@
 // What would come of orders: questions to the server, and what the page makes of the answers.
 
-import type { ForecastAsk, ForecastFrame, OrderFrame } from '../protocol/messages';
-import type { CommandEvent } from './commands';
+import type { Given, Order } from '../protocol/generated/commands';
+import type { ForecastAsk, ForecastFrame } from '../protocol/messages';
 import { isPlaceless } from './goals';
 import { pointsOf, type GroundPoint } from './plane';
+import { targetOf, type QueueOrder } from './queue_order';
 
 /** An answer. */
 export interface Forecast {
@@ -26,16 +27,13 @@ export interface Stand extends GroundPoint {
 /** What the questions need to know of a group. */
 export interface Asker extends Stand {
   readonly id: number;
-  readonly orders: readonly OrderFrame[];
+  readonly orders: readonly QueueOrder[];
   readonly patrols: boolean;
 }
 
-const kFace = 1;
-const kFollow = 2;
-
 /** Orders that end nowhere, or at no time, that is known before. */
-function endsAnywhere(order: Pick<OrderFrame, 'kind'>): boolean {
-  return order.kind === kFollow || isPlaceless(order);
+function endsAnywhere(order: Pick<QueueOrder, 'kind'>): boolean {
+  return order.kind === 'follow' || isPlaceless(order);
 }
 
 export function forecastOf({ group, order, arrives, seconds, x, y, way }: ForecastFrame): Forecast {
@@ -54,9 +52,9 @@ export function standAfter(group: Asker, count: number, known: ReadonlyMap<numbe
     const forecast = known.get(order.id);
     // What cannot be reached is skipped.
     if (endsAnywhere(order) || (forecast && !forecast.arrives)) continue;
-    const way = forecast && forecast.way.length > 1 ? forecast.way : [at, order];
-    const facing = order.hasFacing ? order.facing : headingOf(way, at.facing);
-    at = order.kind === kFace ? { ...at, facing } : { x: order.x, y: order.y, facing };
+    const way = forecast && forecast.way.length > 1 ? forecast.way : [at, targetOf(order)];
+    const facing = order.facing ?? headingOf(way, at.facing);
+    at = order.kind === 'face' ? { ...at, facing } : { ...targetOf(order), facing };
   }
   return at;
 }
@@ -78,7 +76,7 @@ export function queueAsks(group: Asker, known: ReadonlyMap<number, Forecast>): F
   return group.orders.flatMap((order, k) => {
     if (endsAnywhere(order)) return [];
     const { x, y, facing } = standAfter(group, k, known);
-    return [{ group: group.id, order: order.id, event: '', placed: k > 0, x, y, facing }];
+    return [{ group: group.id, order: order.id, asked: null, placed: k > 0, x, y, facing }];
   });
 }
 
@@ -86,11 +84,11 @@ export function queueAsks(group: Asker, known: ReadonlyMap<number, Forecast>): F
 export function drawnAsk(
   group: Asker,
   count: number,
-  event: CommandEvent,
+  asked: Given<Order>,
   known: ReadonlyMap<number, Forecast>,
 ): ForecastAsk {
   const { x, y, facing } = standAfter(group, count, known);
-  return { group: group.id, order: 0, event: JSON.stringify(event), placed: count > 0, x, y, facing };
+  return { group: group.id, order: 0, asked, placed: count > 0, x, y, facing };
 }
 
 /** The question about the way of a patrol back to its first order; null where it has no way back. */
@@ -98,7 +96,7 @@ export function returnAsk(group: Asker, known: ReadonlyMap<number, Forecast>): F
   const first = group.orders[0];
   if (!group.patrols || group.orders.length < 2 || !first || endsAnywhere(first)) return null;
   const { x, y, facing } = standAfter(group, group.orders.length, known);
-  return { group: group.id, order: first.id, event: '', placed: true, x, y, facing };
+  return { group: group.id, order: first.id, asked: null, placed: true, x, y, facing };
 }
 
 /** "0:42", or "12:05"; a dash where it never arrives. */

@@ -1,5 +1,7 @@
 // What the view reads of the protocol's messages. Structural, so that decoded messages and synthetic ones both fit.
 
+import type { QueueOrder } from './queue_order';
+
 export type Numbers = ArrayLike<number>;
 
 export interface ControlPointView {
@@ -23,26 +25,6 @@ export interface ControlView {
   readonly supplementary: Numbers;
 }
 
-/** An order in a queue; see OrderFrame. */
-export interface OrderView {
-  readonly id: number;
-  /** OrderKind */
-  readonly kind: number;
-  readonly x: number;
-  readonly y: number;
-  readonly hasFacing: boolean;
-  readonly facing: number;
-  readonly width: number;
-  /** Id of the group that is followed; 0 for none. */
-  readonly group: number;
-  readonly halfX: number;
-  readonly halfY: number;
-  /** x, y. */
-  readonly route: Numbers;
-  /** The order as a gestures file, where it says more than these fields; else empty. */
-  readonly event?: string;
-}
-
 export interface GroupView {
   readonly id: number;
   readonly meshVersion: number;
@@ -58,7 +40,7 @@ export interface GroupView {
   readonly x: number;
   readonly y: number;
   readonly facing: number;
-  readonly orders: readonly OrderView[];
+  readonly orders: readonly QueueOrder[];
   /** x, y: the rest of the way of the first order. */
   readonly way: Numbers;
   readonly held: boolean;

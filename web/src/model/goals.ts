@@ -1,16 +1,16 @@
 // Where people can be told to go without places: exits to leave by, and areas to wait in.
 
-import { OrderKind } from '../protocol/messages';
+import type { OrderKindWord } from '../protocol/generated/words';
 import type { AreaKind, SceneArea } from '../protocol/scene';
 import { distanceToSegment, insidePolygon, type GroundPoint } from './plane';
 
 /** True for orders during which nobody has a place. */
-export function isPlaceless({ kind }: { readonly kind: number }): boolean {
-  return kind >= OrderKind.Leave;
+export function isPlaceless({ kind }: { readonly kind: OrderKindWord }): boolean {
+  return kind === 'leave' || kind === 'wait' || kind === 'walk';
 }
 
 /** True while nobody of a group has a place. */
-export function hasNoPlaces({ orders }: { readonly orders: readonly { readonly kind: number }[] }): boolean {
+export function hasNoPlaces({ orders }: { readonly orders: readonly { readonly kind: OrderKindWord }[] }): boolean {
   return orders[0] !== undefined && isPlaceless(orders[0]);
 }
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { moveEvent } from './commands';
+import { moveCommand } from './commands';
 import { depthOf, placed, widened, widthOf, type GroupShape } from './group_shapes';
 import { planLine, planPoint, planRoute, type OrderedGroup } from './order_plan';
 
@@ -96,7 +96,7 @@ describe('shapes', () => {
 it('an event says no more than was drawn', () => {
   const style = { manner: 'march', turn: 'wheel', mode: 'append' } as const;
   expect(
-    moveEvent(3, { target: { x: 1.23456, y: 2 }, facing: null, width: 0, route: [], formation: null }, style),
+    moveCommand(3, { target: { x: 1.23456, y: 2 }, facing: null, width: 0, route: [], formation: null }, style),
   ).toEqual({
     kind: 'move',
     group: 3,

@@ -1,65 +1,26 @@
 // Queues as they were and as they shall be: the commands that lead from one to the other.
 
-import {
-  kOrderKindWords,
-  type EditQueueEvent,
-  type Fields,
-  type GiveOrderEvent,
-  type OrderKindWord,
-} from '../protocol/generated/commands';
-import type { OrderFrame } from '../protocol/messages';
-import { kManners, kTurns, queueEvent } from './commands';
+import type { EditQueueCommand, GiveOrderCommand, Order } from '../protocol/generated/commands';
+import { queueCommand } from './commands';
+import type { QueueOrder } from './queue_order';
 
 export interface QueueState {
   readonly group: number;
-  readonly orders: readonly OrderFrame[];
+  readonly orders: readonly QueueOrder[];
   readonly held: boolean;
   readonly patrols: boolean;
 }
 
-/** An order without its group and place in a queue. */
-export type OrderContent = Fields & { readonly kind: OrderKindWord };
-
-/** What an event says beside its order. */
-const kFrameOfEvent = ['t', 'client', 'group', 'mode', 'index'];
-
-/** What commands lead to: events, and whose copies they put into the queue, in the order in which they are given. */
+/** What leads to a queue: commands, and whose copies they put into the queue, in the order in which they are given. */
 export interface QueueChange {
-  readonly events: readonly (GiveOrderEvent | EditQueueEvent)[];
+  readonly commands: readonly (GiveOrderCommand | EditQueueCommand)[];
   /** Ids of orders that come back, or stand elsewhere, under new ids. */
   readonly copied: readonly number[];
 }
 
-function pairs(numbers: ArrayLike<number>): [number, number][] {
-  return Array.from({ length: numbers.length >> 1 }, (_, i) => [numbers[2 * i]!, numbers[2 * i + 1]!]);
-}
-
-/** An order as an event of a gesture file, without its group and place. */
-export function orderContent(order: OrderFrame): OrderContent {
-  if (order.event) {
-    const file = JSON.parse(order.event) as { events: Fields[] };
-    const rest: Record<string, unknown> = { ...file.events[0] };
-    for (const name of kFrameOfEvent) delete rest[name];
-    return { ...rest, kind: kOrderKindWords[order.kind] };
-  }
-  const kind = kOrderKindWords[order.kind];
-  const moves = order.kind === 0;
-  return {
-    kind,
-    ...(moves || (order.kind === 3 && !order.group && !order.character) ? { x: order.x, y: order.y } : {}),
-    ...(order.hasFacing ? { facing: order.facing } : {}),
-    ...(order.width > 0 ? { width: order.width } : {}),
-    ...(order.route.length > 0 ? { route: pairs(order.route) } : {}),
-    ...(moves ? { manner: kManners[order.manner], turn: kTurns[order.turn] } : {}),
-    ...(order.group ? { leader: order.group } : {}),
-    ...(order.character ? { character: order.character } : {}),
-    ...(order.halfX > 0 || order.halfY > 0 ? { halfSize: [order.halfX, order.halfY] } : {}),
-  };
-}
-
 /** Gives an order again, before that of an index. */
-export function insertEvent(group: number, order: OrderFrame, index: number): GiveOrderEvent {
-  return { ...orderContent(order), group, mode: 'insert', index };
+export function insertCommand(group: number, order: Order, index: number): GiveOrderCommand {
+  return { kind: 'order', group, mode: 'insert', index, order };
 }
 
 /** The longest list of ids that stand in the same order in both. */
@@ -86,17 +47,17 @@ export function queueChange(now: QueueState, wanted: QueueState): QueueChange {
     now.orders.map(({ id }) => id),
     wanted.orders.map(({ id }) => id),
   );
-  const events: (GiveOrderEvent | EditQueueEvent)[] = [];
+  const commands: (GiveOrderCommand | EditQueueCommand)[] = [];
   const copied: number[] = [];
-  for (const { id } of now.orders) if (!kept.has(id)) events.push(queueEvent(group, 'cancel', id));
+  for (const { id } of now.orders) if (!kept.has(id)) commands.push(queueCommand(group, 'cancel', id));
   wanted.orders.forEach((order, index) => {
     if (kept.has(order.id)) return;
-    events.push(insertEvent(group, order, index));
+    commands.push(insertCommand(group, order, index));
     copied.push(order.id);
   });
-  if (wanted.held !== now.held) events.push(queueEvent(group, wanted.held ? 'hold' : 'resume'));
-  if (wanted.patrols !== now.patrols) events.push(queueEvent(group, wanted.patrols ? 'patrol' : 'endPatrol'));
-  return { events, copied };
+  if (wanted.held !== now.held) commands.push(queueCommand(group, wanted.held ? 'hold' : 'resume'));
+  if (wanted.patrols !== now.patrols) commands.push(queueCommand(group, wanted.patrols ? 'patrol' : 'endPatrol'));
+  return { commands, copied };
 }
 
 /** The queue with the order of an id at another index. */

@@ -1,12 +1,19 @@
 // A sequence of formations that a group takes up one after another along its way (SPEC M7). An order takes up its
 // formation when it begins, so a way with a formation in its middle is two orders: one to a joint, one on from there.
 
-import type { OrderFrame } from '../protocol/messages';
+import type { FormationDef, Given, Order, Vec2 } from '../protocol/generated/commands';
+import { kFormationKindWords, type FormationKindWord } from '../protocol/generated/words';
+import { filled } from '../protocol/messages';
 import { distance, type GroundPoint } from './plane';
-import { orderContent } from './queue_edit';
+import { targetOf, type QueueOrder } from './queue_order';
 
-/** A formation in the words of gesture files. */
-export type FormationWords = Readonly<Record<string, unknown>> & { readonly kind: string };
+/** A formation, as far as it is not what formations are anyway. */
+export type FormationWords = Given<FormationDef> & Pick<FormationDef, 'kind'>;
+
+/** The shape of that name; a square where there is none. */
+export function formationKind(name: string): FormationKindWord {
+  return kFormationKindWords.find((word) => word === name) ?? 'square';
+}
 
 /** Where along the way a formation is taken up [m]. */
 export interface Station {
@@ -16,7 +23,7 @@ export interface Station {
 
 /** A stretch of a way, and the order at its end. */
 export interface WayLeg {
-  readonly order: OrderFrame;
+  readonly order: QueueOrder;
   readonly points: readonly GroundPoint[];
   /** Joints lie in it: it is the way of several orders. */
   readonly joined?: boolean;
@@ -24,46 +31,31 @@ export interface WayLeg {
 
 /** An order to a joint is done when so many are there, and is known by this: usual shares are 0.95. */
 export const kJointShare = 0.305;
+const kUsualShare = 0.95;
 /** Stations lie at least so far apart, and from joints of the way [m]. */
 export const kLeastGap = 0.5;
-const kMove = 0;
-
-type Content = Readonly<Record<string, unknown>>;
 
 export function lengthOf(points: readonly GroundPoint[]): number {
   return points.reduce((sum, point, i) => (i === 0 ? 0 : sum + distance(points[i - 1]!, point)), 0);
 }
 
-/** What an order takes up when it begins; null where it keeps what there is. */
-export function formationIn(order: Pick<OrderFrame, 'event'>): FormationWords | null {
-  if (!order.event) return null;
-  const file = JSON.parse(order.event) as { events: { formation?: FormationWords | string }[] };
-  const formation = file.events[0]?.formation;
-  if (formation === undefined) return null;
-  return typeof formation === 'string' ? { kind: formation, spacing: 1 } : formation;
+function isJoint({ kind, share }: QueueOrder): boolean {
+  return kind === 'move' && isJointShare(share);
 }
 
-function isJoint({ kind, event }: OrderFrame): boolean {
-  return kind === kMove && event !== '' && isJointShare(contentShare(event));
-}
-
-function isJointShare(share: unknown): boolean {
-  return typeof share === 'number' && Math.abs(share - kJointShare) < 1e-6;
-}
-
-function contentShare(event: string): unknown {
-  return (JSON.parse(event) as { events: { share?: number }[] }).events[0]?.share;
+function isJointShare(share: number): boolean {
+  return Math.abs(share - kJointShare) < 1e-6;
 }
 
 /** An order that goes nowhere and takes up a formation: the last one of a sequence. */
 function isEnd({ order, points }: WayLeg, index: number): boolean {
-  return index > 0 && order.kind === kMove && lengthOf(points) < kLeastGap && formationIn(order) !== null;
+  return index > 0 && order.kind === 'move' && lengthOf(points) < kLeastGap && order.formation !== null;
 }
 
 export function stationsOf(legs: readonly WayLeg[]): Station[] {
   let at = 0;
   return legs.flatMap(({ order, points }) => {
-    const [formation, here] = [formationIn(order), at];
+    const [{ formation }, here] = [order, at];
     at += lengthOf(points);
     return formation ? [{ at: here, formation }] : [];
   });
@@ -73,7 +65,7 @@ export function stationsOf(legs: readonly WayLeg[]): Station[] {
 export function plainLegs(legs: readonly WayLeg[]): WayLeg[] {
   const plain: WayLeg[] = [];
   let before: GroundPoint[] = [];
-  let route: number[] = [];
+  let route: Vec2[] = [];
   legs.forEach((leg, k) => {
     const { order, points } = leg;
     const last = k === legs.length - 1;
@@ -81,10 +73,10 @@ export function plainLegs(legs: readonly WayLeg[]): WayLeg[] {
     const whole = [...before, ...(before.length > 0 ? points.slice(1) : points)];
     if (isJoint(order) && legs.slice(k + 1).some((next) => !isEnd(next, k + 1))) {
       before = whole;
-      if (order.route.length > 0) route.push(...order.route, order.x, order.y);
+      if (order.route.length > 0) route.push(...order.route, order.target);
       return;
     }
-    const drawn = route.length > 0 ? { ...order, route: Float32Array.of(...route, ...order.route) } : order;
+    const drawn = route.length > 0 ? { ...order, route: [...route, ...order.route] } : order;
     plain.push({ order: drawn, points: whole, joined: before.length > 0 });
     [before, route] = [[], []];
   });
@@ -130,17 +122,17 @@ export function alongWay(points: readonly GroundPoint[], at: number): GroundPoin
 const rounded = (value: number): number => Math.round(value * 1000) / 1000;
 
 /** The corners of a drawn way between two distances along it. */
-function routeBetween(points: readonly GroundPoint[], from: number, to: number): [number, number][] {
+function routeBetween(points: readonly GroundPoint[], from: number, to: number): Vec2[] {
   let gone = 0;
-  return points.flatMap((point, i): [number, number][] => {
+  return points.flatMap((point, i): Vec2[] => {
     gone += i > 0 ? distance(points[i - 1]!, point) : 0;
     return gone > from + 1e-6 && gone < to - 1e-6 ? [[rounded(point.x), rounded(point.y)]] : [];
   });
 }
 
-/** An order as a queue would hold it; `id` is below 0 until the world gives one. */
-function made(order: OrderFrame, content: Content, id: number, at: GroundPoint): OrderFrame {
-  return { ...order, id, x: at.x, y: at.y, event: JSON.stringify({ events: [content] }) };
+/** The formation with all that it leaves out. */
+function whole(formation: FormationWords | null): FormationDef | null {
+  return formation && filled<FormationDef>('FormationDef', formation);
 }
 
 /** A leg in pieces: `cuts` are distances along it, `formations` those that its pieces begin with. */
@@ -149,38 +141,35 @@ function pieces(
   cuts: readonly number[],
   formations: readonly (FormationWords | null)[],
   id: () => number,
-): OrderFrame[] {
-  const { formation: own, width, facing, share, route, ...rest } = orderContent(order);
+): QueueOrder[] {
   const ends = [...cuts, lengthOf(points)];
-  const first = formations[0] ?? null;
-  const same = JSON.stringify(own ?? null) === JSON.stringify(first);
-  if (cuts.length === 0 && same && !joined && !isJointShare(share)) return [order];
-  const isDrawn = route !== undefined || order.route.length > 0;
-  const kept = share === undefined || isJointShare(share) ? {} : { share };
+  const first = whole(formations[0] ?? null);
+  const same = JSON.stringify(order.formation) === JSON.stringify(first);
+  if (cuts.length === 0 && same && !joined && !isJointShare(order.share)) return [order];
+  const isDrawn = order.route.length > 0;
   return ends.map((end, k) => {
     const last = k === ends.length - 1;
-    const formation = formations[k] ?? null;
-    const at = last ? { x: order.x, y: order.y } : alongWay(points, end);
-    const drawn = isDrawn ? routeBetween(points, k === 0 ? 0 : ends[k - 1]!, end) : [];
-    const content = {
-      ...rest,
-      ...(rest['x'] === undefined ? {} : { x: rounded(at.x), y: rounded(at.y) }),
-      ...(last ? { ...kept, ...arrival(facing, width, formation) } : { share: kJointShare }),
-      ...(drawn.length > 0 ? { route: drawn } : {}),
-      ...(formation ? { formation } : {}),
+    const formation = whole(formations[k] ?? null);
+    const at = last ? targetOf(order) : alongWay(points, end);
+    return {
+      ...order,
+      id: id(),
+      target: order.kind === 'move' ? [rounded(at.x), rounded(at.y)] : order.target,
+      ...(last ? arrival(order, formation) : { share: kJointShare, facing: null, width: 0 }),
+      route: isDrawn ? routeBetween(points, k === 0 ? 0 : ends[k - 1]!, end) : [],
+      formation,
     };
-    return made(order, content, id(), at);
   });
 }
 
-/** Facing and width at the end of a leg; shapes that are not of ranks have no width to give. */
-function arrival(facing: unknown, width: unknown, formation: FormationWords | null): Content {
+/** Share and width at the end of a leg; shapes that are not of ranks have no width to give. */
+function arrival({ share, width }: QueueOrder, formation: FormationDef | null): Pick<QueueOrder, 'share' | 'width'> {
   const isRanked = formation === null || formation.kind === 'square';
-  return { ...(facing === undefined ? {} : { facing }), ...(width !== undefined && isRanked ? { width } : {}) };
+  return { share: isJointShare(share) ? kUsualShare : share, width: isRanked ? width : 0 };
 }
 
 /** The queue in which a group takes up these formations along its way. */
-export function withStations(legs: readonly WayLeg[], stations: readonly Station[]): OrderFrame[] {
+export function withStations(legs: readonly WayLeg[], stations: readonly Station[]): QueueOrder[] {
   const plain = plainLegs(legs);
   const total = plain.reduce((sum, { points }) => sum + lengthOf(points), 0);
   const placed = arranged(stations, total);
@@ -190,7 +179,7 @@ export function withStations(legs: readonly WayLeg[], stations: readonly Station
   const orders = plain.flatMap((leg, k) => {
     const to = from + lengthOf(leg.points);
     const isLast = k === plain.length - 1;
-    const inside = placed.filter(({ at }) => at > from + kLeastGap && at < to - kLeastGap && leg.order.kind === kMove);
+    const inside = placed.filter(({ at }) => at > from + kLeastGap && at < to - kLeastGap && leg.order.kind === 'move');
     const begins = placed.filter(({ at }) => at <= from + kLeastGap && at > (k === 0 ? -1 : from - kLeastGap)).pop();
     const cuts = inside.map(({ at }) => at - from);
     const atEnd = isLast ? placed.filter(({ at }) => at >= to - kLeastGap && at > from + kLeastGap).pop() : undefined;
@@ -202,16 +191,8 @@ export function withStations(legs: readonly WayLeg[], stations: readonly Station
 }
 
 /** The formation that is taken up where the way ends. */
-function endOf(order: OrderFrame, formation: FormationWords, id: number): OrderFrame {
-  const { x, y, facing, manner, turn } = orderContent(order);
-  const content = {
-    kind: 'move',
-    x: x ?? rounded(order.x),
-    y: y ?? rounded(order.y),
-    ...(facing === undefined ? {} : { facing }),
-    ...(manner === undefined ? {} : { manner }),
-    ...(turn === undefined ? {} : { turn }),
-    formation,
-  };
-  return { ...made(order, content, id, order), kind: kMove, route: new Float32Array(0) };
+function endOf(order: QueueOrder, formation: FormationWords, id: number): QueueOrder {
+  const { target, facing, manner, turn } = order;
+  const move = { kind: 'move', target, facing, manner, turn, formation } as const;
+  return { id, ...filled<Order>('Order', move) };
 }

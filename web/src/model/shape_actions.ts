@@ -1,5 +1,6 @@
 // What panels ask for formations of a visitor's own and for new groups.
 
+import type { FormationKindWord } from '../protocol/generated/words';
 import type { GroundPoint } from './plane';
 import type { OwnShape } from './shape_edit';
 import type { DialogName } from './studio_state';
@@ -9,7 +10,7 @@ export interface NewGroup {
   readonly name: string;
   readonly count: number;
   /** Of the library. */
-  readonly formation: string;
+  readonly formation: FormationKindWord;
   /** Between neighbours [m]. */
   readonly spacing: number;
   /** Of each body [m]. */

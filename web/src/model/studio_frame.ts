@@ -1,6 +1,7 @@
 // A frame as the page uses it: the whole crowd, not only what changed since the last frame.
 
 import type { Frame, GroupFrame } from '../protocol/messages';
+import type { QueueOrder } from './queue_order';
 
 /** Numbers per character in `rows`: x, y [m], heading [rad], share of the clip before; clip and its phase (0 to 1),
  * the clip before and its phase. */
@@ -13,7 +14,8 @@ export function rowsLength(count: number): number {
   return kRowFloats * kRowsAcross * Math.max(1, Math.ceil(count / kRowsAcross));
 }
 
-export interface StudioGroup extends Omit<GroupFrame, 'moved' | 'offsets' | 'unfit'> {
+export interface StudioGroup extends Omit<GroupFrame, 'moved' | 'offsets' | 'unfit' | 'orders'> {
+  orders: QueueOrder[];
   /** x, y per place [m]. */
   places: Float32Array;
   /** Per place: 0 where an obstacle leaves no space for a character. */

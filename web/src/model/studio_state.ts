@@ -1,5 +1,6 @@
 // What the panels show.
 
+import type { OrderKindWord } from '../protocol/generated/words';
 import type { FieldScale } from './field_scale';
 import type { Layers, Theme } from './view_settings';
 import { OverlayKind, type Notice, type ScenarioInfo, type SchemeInfo } from '../protocol/messages';
@@ -48,8 +49,7 @@ export interface GroupInfo {
 
 export interface OrderInfo {
   readonly id: number;
-  /** OrderKind */
-  readonly kind: number;
+  readonly kind: OrderKindWord;
 }
 
 /** An order in the list of the active group's queue. */

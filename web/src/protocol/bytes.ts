@@ -25,6 +25,9 @@ export class ByteReader {
   i16(): number {
     return this.view_.getInt16(this.advance(2), true);
   }
+  i32(): number {
+    return this.view_.getInt32(this.advance(4), true);
+  }
   u32(): number {
     return this.view_.getUint32(this.advance(4), true);
   }
@@ -43,7 +46,13 @@ export class ByteReader {
     if (value >= count) throw new ProtocolError(`byte ${this.at_ - 1}: ${value} where 0 to ${count - 1} was expected`);
     return value;
   }
-  string(): string {
+  /** Where a byte stands among these. */
+  among(numbers: readonly number[]): number {
+    const at = numbers.indexOf(this.u8());
+    if (at < 0) throw new ProtocolError(`byte ${this.at_ - 1}: found no kind of that number`);
+    return at;
+  }
+  text(): string {
     const length = this.u32();
     const from = this.advance(length);
     return new TextDecoder().decode(new Uint8Array(this.buffer_, from, length));
@@ -76,10 +85,13 @@ export class ByteReader {
     for (let i = 0; i < count; ++i) items.push(read(this));
     return items;
   }
+  /** How many bytes are left. */
+  get left(): number {
+    return this.view_.byteLength - this.at_;
+  }
   /** Throws where bytes are left over. */
   end(): void {
-    const left = this.view_.byteLength - this.at_;
-    if (left > 0) throw new ProtocolError(`${left} bytes too many`);
+    if (this.left > 0) throw new ProtocolError(`${this.left} bytes too many`);
   }
 
   /** Copies an array's bytes, so that the result is aligned and the message can be freed or transferred. */
@@ -115,6 +127,10 @@ export class ByteWriter {
     const at = this.reserve(2);
     this.view_.setInt16(at, value, true);
   }
+  i32(value: number): void {
+    const at = this.reserve(4);
+    this.view_.setInt32(at, value, true);
+  }
   u32(value: number): void {
     const at = this.reserve(4);
     this.view_.setUint32(at, value, true);
@@ -130,7 +146,7 @@ export class ByteWriter {
   bool(value: boolean): void {
     this.u8(value ? 1 : 0);
   }
-  string(value: string): void {
+  text(value: string): void {
     this.u8s(new TextEncoder().encode(value));
   }
   u8s(values: Uint8Array): void {

@@ -193,7 +193,7 @@ describe('ByteWriter and ByteReader', () => {
     const w = new ByteWriter();
     const many = Float64Array.from({ length: 5000 }, (_, i) => i / 3);
     w.f64s(many);
-    w.string('ü'.repeat(300));
+    w.text('ü'.repeat(300));
     w.u32(4294967295);
     w.f32(0.1);
     w.bool(true);
@@ -201,7 +201,7 @@ describe('ByteWriter and ByteReader', () => {
     w.f32s(Float32Array.of(1, 2, 3).subarray(1));
     const r = new ByteReader(w.bytes());
     expect(r.f64s()).toEqual(many);
-    expect(r.string()).toBe('ü'.repeat(300));
+    expect(r.text()).toBe('ü'.repeat(300));
     expect(r.u32()).toBe(4294967295);
     expect(r.f32()).toBeCloseTo(0.1);
     expect(r.bool()).toBe(true);

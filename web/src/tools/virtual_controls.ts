@@ -1,6 +1,8 @@
 // Controls with virtual fingers: made by rubber band, lasso or keyboard, or grabbed again after the real fingers
 // lifted. Their touches stay down until they are released.
 
+import type { Command, Vec2 } from '../protocol/generated/commands';
+import { kControlKindWords } from '../protocol/generated/words';
 import { type ControlKind, type ControlFrame } from '../protocol/messages';
 import type { StudioFrame, StudioGroup } from '../model/studio_frame';
 import type { MessageSender } from '../link/studio_client';
@@ -88,13 +90,12 @@ export class VirtualControls {
       replacedTouch: made.replacedTouches?.[i] ?? 0,
       at,
     }));
-    this.client_.send({
-      type: 'AddControl',
+    this.tell({
+      kind: 'control',
       group: made.group,
-      kind: made.kind,
-      touches: Uint32Array.from(fingers, (finger) => finger.touch),
-      xs: Float64Array.from(fingers, (finger) => finger.at.x),
-      ys: Float64Array.from(fingers, (finger) => finger.at.y),
+      control: kControlKindWords[made.kind],
+      touches: fingers.map(({ touch }) => touch),
+      positions: fingers.map(({ at }): Vec2 => [at.x, at.y]),
       time: made.time,
     });
     const { group, kind, pinned, keep, replaced = 0 } = made;
@@ -120,7 +121,7 @@ export class VirtualControls {
     if (known) return known;
     const { control, group } = grab;
     this.touches_.flush();
-    this.client_.send({ type: 'RemoveControl', group, control: control.id });
+    this.tell({ kind: 'remove', group, control: control.id });
     const positions = control.points.map(({ x, y }) => ({ x, y }));
     const was = control.points.map(({ touch }) => touch);
     const { kind, pinned, id } = control;
@@ -159,7 +160,7 @@ export class VirtualControls {
     this.controls_ = [];
     this.touches_.flush();
     for (const { group, control } of this.ownIn(frame)) {
-      this.client_.send({ type: 'RemoveControl', group, control: control.id });
+      this.tell({ kind: 'remove', group, control: control.id });
     }
     this.drafts_.changed();
   }
@@ -168,12 +169,12 @@ export class VirtualControls {
   remove(group: number, control: ControlFrame): void {
     const virtual = this.holderOf(control, group);
     if (virtual) this.controls_ = this.controls_.filter((other) => other !== virtual);
-    this.client_.send({ type: 'RemoveControl', group, control: control.id });
+    this.tell({ kind: 'remove', group, control: control.id });
   }
 
   togglePin(group: number, control: ControlFrame, time: number): void {
     const pinned = !control.pinned;
-    this.client_.send({ type: 'PinControl', group, control: control.id, pinned });
+    this.tell({ kind: 'pin', group, control: control.id, pinned });
     const virtual = this.holderOf(control, group);
     if (!virtual) return;
     virtual.pinned = pinned;
@@ -209,8 +210,7 @@ export class VirtualControls {
       const control = shown.find((own) => this.matches(virtual, own.control, own.group))?.control;
       if (control && virtual.control === 0) {
         virtual.control = control.id;
-        if (virtual.pinned)
-          this.client_.send({ type: 'PinControl', group: virtual.group, control: control.id, pinned: true });
+        if (virtual.pinned) this.tell({ kind: 'pin', group: virtual.group, control: control.id, pinned: true });
       }
       const refused =
         virtual.control === 0 &&
@@ -222,6 +222,10 @@ export class VirtualControls {
 
   clear(): void {
     this.controls_ = [];
+  }
+
+  private tell(command: Command): void {
+    this.client_.send({ type: 'Commands', commands: [command] });
   }
 
   private ownIn(frame: StudioFrame | null): OwnControl[] {

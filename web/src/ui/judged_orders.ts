@@ -33,7 +33,7 @@ class JudgedOrders implements Judge {
     }
     const asks = preview.moves.map(({ group, places }) => ({
       group,
-      event: '',
+      formation: null,
       x: 0,
       y: 0,
       facing: 0,

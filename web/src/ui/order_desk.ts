@@ -2,17 +2,16 @@
 
 import type { MessageSender } from '../link/studio_client';
 import {
-  commandText,
-  conductEvent,
-  followEvent,
-  guardEvent,
-  leaveEvent,
-  moveEvent,
-  mergeEvent,
-  splitByLineEvent,
-  waitEvent,
-  type CommandEvent,
-  type GroupEvent,
+  conductCommand,
+  followCommand,
+  guardCommand,
+  leaveCommand,
+  moveCommand,
+  mergeCommand,
+  splitByLineCommand,
+  waitCommand,
+  type Command,
+  type GiveOrderCommand,
   type ConductFacts,
   type OrderStyle,
 } from '../model/commands';
@@ -156,7 +155,7 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
 
   previewOrder(preview: OrderPreview | null, keys: Keys = kNoKeys): void {
     this.scene_.orders.previewOrder(preview);
-    this.queues.drawn(preview ? this.eventsOf(preview, keys) : [], keys.shift);
+    this.queues.drawn(preview ? this.ordersOf(preview, keys) : [], keys.shift);
   }
 
   previewCut(preview: CutPreview | null): void {
@@ -169,12 +168,12 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
 
   move(moves: readonly PlannedMove[], keys: Keys): void {
     const style = this.styleOf(keys);
-    this.give(moves.map((move) => moveEvent(move.group, move, style, this.queues.spotOf(move.group, keys.shift))));
+    this.give(moves.map((move) => moveCommand(move.group, move, style, this.queues.spotOf(move.group, keys.shift))));
   }
 
   guard(centre: GroundPoint, halfSize: GroundPoint, facing: number, keys: Keys): void {
     this.give(
-      this.groups().map(({ id }) => guardEvent(id, centre, halfSize, facing, this.queues.spotOf(id, keys.shift))),
+      this.groups().map(({ id }) => guardCommand(id, centre, halfSize, facing, this.queues.spotOf(id, keys.shift))),
     );
   }
 
@@ -191,7 +190,7 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
     });
     this.give(
       followers.map((group) =>
-        followEvent(group.id, leader.group, behind(group), this.queues.spotOf(group.id, keys.shift)),
+        followCommand(group.id, leader.group, behind(group), this.queues.spotOf(group.id, keys.shift)),
       ),
     );
     this.say_(`Follows ${this.nameOf(leader.group)}`);
@@ -202,7 +201,7 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
     if (!areas.some(({ kind }) => kind === 'exit')) return this.say_('There is no exit to leave by');
     const exit = areaAt(areas, 'exit', at);
     const exits = exit ? [exit.id] : [];
-    this.give(selected.map((id) => leaveEvent(id, exits, this.queues.spotOf(id, keys.shift))));
+    this.give(selected.map((id) => leaveCommand(id, exits, this.queues.spotOf(id, keys.shift))));
     this.say_(exit ? `Leaves by ${exit.name || 'the exit'}` : 'Leaves by all exits');
   }
 
@@ -210,7 +209,7 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
     const { areas, selected } = this.store_.state;
     const area = areaAt(areas, 'waiting', at);
     if (!area) return this.say_('Press on the area where they shall wait');
-    this.give(selected.map((id) => waitEvent(id, area.id, this.queues.spotOf(id, keys.shift))));
+    this.give(selected.map((id) => waitCommand(id, area.id, this.queues.spotOf(id, keys.shift))));
     this.say_(`Waits in ${area.name || 'the area'}`);
   }
 
@@ -225,13 +224,13 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
 
   split(cut: Cut): void {
     this.news_.splitAsked(cut.group);
-    this.send([splitByLineEvent(cut.group, cut.from, cut.to)]);
+    this.send([splitByLineCommand(cut.group, cut.from, cut.to)]);
     this.say_(`${this.nameOf(cut.group)} divided: ${cut.left} leave, ${cut.right} stay`);
   }
 
   merge(into: number, dragged: number): void {
     if (into === dragged) return;
-    this.send([mergeEvent([into, dragged], 'smaller')]);
+    this.send([mergeCommand([into, dragged], 'smaller')]);
     const { groups } = this.store_.state;
     const index = groups.findIndex(({ id }) => id === into);
     if (index >= 0) this.store_.set({ active: index, selected: [into] });
@@ -302,7 +301,7 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
   setConduct(conduct: Partial<ConductFacts>): void {
     const { units, selected } = this.store_.state;
     const chosen = units.filter(({ id }) => selected.includes(id));
-    this.send(chosen.map((unit) => conductEvent(unit.id, { ...unit.conduct, ...conduct })));
+    this.send(chosen.map((unit) => conductCommand(unit.id, { ...unit.conduct, ...conduct })));
   }
 
   undo(redo = false): void {
@@ -310,14 +309,14 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
   }
 
   /** Orders, at most one for each group. */
-  private give(events: readonly GroupEvent[]): void {
-    this.send(events);
+  private give(orders: readonly GiveOrderCommand[]): void {
+    this.send(orders);
     this.once();
     this.queues.given();
   }
 
-  private send(events: readonly CommandEvent[]): void {
-    if (events.length > 0) this.client_.send({ type: 'Commands', events: commandText(events) });
+  private send(commands: readonly Command[]): void {
+    if (commands.length > 0) this.client_.send({ type: 'Commands', commands });
   }
 
   /** Tools that are meant for one order are put away. */
@@ -326,14 +325,14 @@ export class OrderDesk implements OrderActions, OrderSink, CutSink, BoxSink {
   }
 
   /** The orders that would be given. */
-  private eventsOf({ moves, rectangle }: OrderPreview, keys: Keys): GroupEvent[] {
+  private ordersOf({ moves, rectangle }: OrderPreview, keys: Keys): GiveOrderCommand[] {
     const style = this.styleOf(keys);
     const [a, , b] = rectangle;
-    if (!a || !b) return moves.map((move) => moveEvent(move.group, move, style, kFirst));
+    if (!a || !b) return moves.map((move) => moveCommand(move.group, move, style, kFirst));
     const centre = { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
     const half = { x: Math.abs(b.x - a.x) / 2, y: Math.abs(b.y - a.y) / 2 };
     if (half.x < kLeastHalf || half.y < kLeastHalf) return [];
-    return this.groups().map(({ id }) => guardEvent(id, centre, half, 0, kFirst));
+    return this.groups().map(({ id }) => guardCommand(id, centre, half, 0, kFirst));
   }
 
   private styleOf(keys: Keys): OrderStyle {

@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import type { CommandEvent } from '../model/commands';
+import type { Command } from '../model/commands';
 import type { StudioFrame } from '../model/studio_frame';
 import { StudioStore } from '../model/studio_store';
 import { kIdle, madeOrder } from '../model/test_frames';
@@ -29,8 +29,8 @@ function done(id: number): EventFrame {
   return { kind: EventKind.OrderDone, subject: 4, value: id, x: 0, y: 0 };
 }
 
-const events = (): CommandEvent[] =>
-  sent.flatMap((one) => (one.type === 'Commands' ? (JSON.parse(one.events) as CommandEvent[]) : []));
+const events = (): Command[] =>
+  sent.flatMap((one) => (one.type === 'Commands' ? (JSON.parse(one.events) as Command[]) : []));
 
 beforeEach(() => {
   sent = [];

@@ -2,21 +2,20 @@
 
 import type { MessageSender } from '../link/studio_client';
 import {
-  commandText,
-  queueEvent,
-  type CommandEvent,
-  type GroupEvent,
+  queueCommand,
+  type Command,
+  type GiveOrderCommand,
   type QueueEditWord,
   type QueueSpot,
 } from '../model/commands';
 import { drawnAsk, formatSpan, secondsUntil, type Forecast } from '../model/forecast';
 import type { GroundPoint } from '../model/plane';
-import { formationIn } from '../model/sequence';
 import { queueChange, reordered, skipped, type QueueState } from '../model/queue_edit';
 import type { StudioFrame, StudioGroup } from '../model/studio_frame';
 import type { QueueItem, ToolName } from '../model/studio_state';
 import type { StudioStore } from '../model/studio_store';
 import type { UnitNews } from '../model/unit_news';
+import type { FormationKindWord, OrderKindWord } from '../protocol/generated/words';
 import type { Forecasts } from '../protocol/messages';
 import { Forecaster } from './forecaster';
 
@@ -36,7 +35,15 @@ export interface QueueScene {
   setPicked(order: number): void;
 }
 
-const kOrderWords = ['Move', 'Face', 'Follow', 'Guard', 'Leave', 'Wait', 'Walk on'];
+const kOrderWords: Readonly<Record<OrderKindWord, string>> = {
+  move: 'Move',
+  face: 'Face',
+  follow: 'Follow',
+  guard: 'Guard',
+  leave: 'Leave',
+  wait: 'Wait',
+  walk: 'Walk on',
+};
 /** Shapes that are no part of the library. */
 const kOwnWords: Readonly<Record<string, string>> = { outline: 'drawn', points: 'own shape' };
 
@@ -134,7 +141,7 @@ export class QueueDesk {
     const queue = this.activeQueue();
     const index = queue?.orders.findIndex(({ id }) => id === order) ?? -1;
     if (!queue || index < 0) return;
-    this.send([queueEvent(queue.group, 'cancel', order)]);
+    this.send([queueCommand(queue.group, 'cancel', order)]);
     if (this.store_.state.picked === order) this.store_.set({ picked: 0 });
     this.say_(`Order ${index + 1} cancelled`);
   }
@@ -155,7 +162,7 @@ export class QueueDesk {
 
   /** The same edit for several groups. */
   edit(groups: readonly number[], edit: QueueEditWord): void {
-    this.send(groups.map((id) => queueEvent(id, edit)));
+    this.send(groups.map((id) => queueCommand(id, edit)));
   }
 
   queue(group: number): QueueState | undefined {
@@ -165,13 +172,13 @@ export class QueueDesk {
 
   /** Gives the commands that lead from one queue to another. */
   change(now: QueueState, wanted: QueueState): void {
-    const { events, copied } = queueChange(now, wanted);
+    const { commands, copied } = queueChange(now, wanted);
     this.news_.copiesAsked(now.group, copied);
-    this.send(events);
+    this.send(commands);
   }
 
-  private send(events: readonly CommandEvent[]): void {
-    if (events.length > 0) this.client_.send({ type: 'Commands', events: commandText(events) });
+  private send(commands: readonly Command[]): void {
+    if (commands.length > 0) this.client_.send({ type: 'Commands', commands });
   }
 
   private activeGroup(): StudioGroup | undefined {
@@ -188,16 +195,16 @@ export class QueueDesk {
   // ---- Forecasts ----
 
   /** Asks what would come of orders that are drawn, one for each group; none where the drawing has ended. */
-  drawn(events: readonly GroupEvent[], add: boolean): void {
+  drawn(orders: readonly GiveOrderCommand[], add: boolean): void {
     const groups = this.frame_?.groups ?? [];
     const asks = [];
     this.drawn_ = [];
-    for (const event of events) {
-      const index = groups.findIndex(({ id }) => id === event.group);
-      const before = this.countBefore(event.group, add);
+    for (const { group, order } of orders) {
+      const index = groups.findIndex(({ id }) => id === group);
+      const before = this.countBefore(group, add);
       if (index < 0) continue;
-      this.drawn_.push({ id: event.group, index, before });
-      asks.push(drawnAsk(groups[index]!, before, event, this.forecaster.known));
+      this.drawn_.push({ id: group, index, before });
+      asks.push(drawnAsk(groups[index]!, before, order, this.forecaster.known));
     }
     this.forecaster.draw(asks.length > 0 ? asks : null);
   }
@@ -236,14 +243,14 @@ export class QueueDesk {
     const group = this.activeGroup();
     const { known } = this.forecaster;
     const gone = group && this.frame_ ? this.frame_.time - this.forecaster.since(group.id) : 0;
-    const items = (group?.orders ?? []).map(({ id, kind, event }, k): QueueItem => {
+    const items = (group?.orders ?? []).map(({ id, kind, formation }, k): QueueItem => {
       const seconds = secondsUntil(group!, k + 1, known);
       const arrives = known.get(id)?.arrives ?? true;
       const isKnown = seconds !== null && Number.isFinite(seconds) && !group!.held;
       return {
         id,
         kind,
-        word: wordOf(kind, event),
+        word: wordOf(kind, formation?.kind ?? 'square'),
         arrives,
         span: arrives && isKnown ? formatSpan(seconds - gone) : '',
       };
@@ -257,10 +264,9 @@ export class QueueDesk {
 }
 
 /** What an order is, and the formation that it takes up. */
-function wordOf(kind: number, event: string): string {
-  const formation = formationIn({ event })?.kind;
-  const word = kOrderWords[kind] ?? 'Order';
-  return formation === undefined || formation === 'square' ? word : `${word}, ${kOwnWords[formation] ?? formation}`;
+function wordOf(kind: OrderKindWord, formation: FormationKindWord): string {
+  const word = kOrderWords[kind];
+  return formation === 'square' ? word : `${word}, ${kOwnWords[formation] ?? formation}`;
 }
 
 /** When groups would arrive: null where that is not known, infinite where it never is [s]. */

@@ -1,15 +1,16 @@
 // Formations of a visitor's own, and new groups: an outline drawn with a finger, words, and a group put on the ground.
 
 import type { Forecast } from '../model/forecast';
-import { commandText, moveEvent, type CommandEvent } from '../model/commands';
+import { moveCommand, type Command } from '../model/commands';
 import { areaOf, centreOf, outlineFrom } from '../model/outline';
 import type { GroundPoint } from '../model/plane';
 import type { Design, NewGroup, ShapeActions } from '../model/shape_actions';
-import type { FormationWords } from '../model/sequence';
+import { formationKind, type FormationWords } from '../model/sequence';
 import type { OwnShape } from '../model/shape_edit';
 import type { StandPose } from '../model/stand';
 import type { StudioFrame } from '../model/studio_frame';
 import type { StudioStore } from '../model/studio_store';
+import type { Vec2 } from '../protocol/generated/commands';
 import { problem } from '../protocol/problem';
 import type { Contact, ContactOwner } from '../tools/contact';
 import { OutlineDraw, PlacePress, type OutlineSink } from '../tools/outline_draw';
@@ -31,7 +32,7 @@ const kPressMs = 400;
 
 /** What a stroke makes of a group. */
 interface DrawnFormation {
-  readonly formation: FormationWords & { readonly spacing: number };
+  readonly formation: FormationWords;
   readonly centre: GroundPoint;
   /** It changes its shape where it is; else it goes to the centre. */
   readonly here: boolean;
@@ -153,7 +154,7 @@ export class ShapeDesk implements ShapeActions, OutlineSink {
     if (this.tried_) return;
     if (formation === null || !group) return this.stands_.hide();
     const spacing = this.host_.shapeOf(group.id)?.spacing ?? 1;
-    const words = typeof formation === 'string' ? { kind: formation, spacing } : formationOf(formation);
+    const words = typeof formation === 'string' ? { kind: formationKind(formation), spacing } : formationOf(formation);
     this.stands_.show(words);
   }
 
@@ -197,7 +198,7 @@ export class ShapeDesk implements ShapeActions, OutlineSink {
       return;
     }
     const { formation, here, centre } = drawn;
-    const move = moveEvent(group.id, { target: centre, facing, width: 0, route: [], formation }, kStyle);
+    const move = moveCommand(group.id, { target: centre, facing, width: 0, route: [], formation }, kStyle);
     this.send(here ? [{ kind: 'formation', group: group.id, formation }] : [move]);
     if (this.drawHeld_) this.drawHeld_.used = true;
     else this.host_.store.set({ tool: 'steer' });
@@ -213,12 +214,12 @@ export class ShapeDesk implements ShapeActions, OutlineSink {
     const centre = centreOf(outline.corners);
     const room = Math.sqrt(areaOf(outline.corners) / (Math.max(1, count) * kLattice));
     const [c, s] = [Math.cos(-facing), Math.sin(-facing)];
-    const corners = outline.corners.map(({ x, y }) => {
+    const corners = outline.corners.map(({ x, y }): Vec2 => {
       const [dx, dy] = [x - centre.x, y - centre.y];
       return [round(c * dx - s * dy), round(s * dx + c * dy)];
     });
     const spacing = round(Math.min(kSpacing.most, Math.max(kSpacing.least, room)));
-    const formation = { kind: 'outline', spacing, outline: corners };
+    const formation = { kind: 'outline', spacing, outline: { outline: corners } } as const;
     const here = Math.hypot(centre.x - at.x, centre.y - at.y) < kHere;
     return { formation, centre, here, at: { ...(here ? at : centre), facing } };
   }
@@ -248,26 +249,26 @@ export class ShapeDesk implements ShapeActions, OutlineSink {
     const { held_: held } = this;
     if (!held) return;
     const { name, count, formation, spacing, radius, speed } = held;
-    const definition = {
+    const group = {
       name,
       count,
       formation: { kind: formation, spacing },
-      position: [round(at.x), round(at.y)],
+      position: [round(at.x), round(at.y)] as const,
       bodies: [{ radius, maxSpeed: speed }],
     };
-    this.send([{ kind: 'group', definition }]);
+    this.send([{ kind: 'group', group }]);
     this.held_ = null;
     this.host_.store.set({ tool: 'steer' });
     this.host_.say(`${name} comes`);
   }
 
-  private send(events: readonly CommandEvent[]): void {
-    this.host_.client.send({ type: 'Commands', events: commandText(events) });
+  private send(commands: readonly Command[]): void {
+    this.host_.client.send({ type: 'Commands', commands });
   }
 }
 
 function formationOf({ spacing, places }: OwnShape): FormationWords {
-  return { kind: 'points', spacing: round(spacing), points: places.map(({ x, y }) => [round(x), round(y)]) };
+  return { kind: 'points', spacing: round(spacing), points: places.map(({ x, y }) => [round(x), round(y)] as const) };
 }
 
 function round(value: number): number {

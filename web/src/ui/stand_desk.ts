@@ -93,9 +93,9 @@ export class StandDesk {
     const pose = wanted.at ?? this.pose();
     if (!group || !pose) return;
     this.asked_ = pose;
-    const event = JSON.stringify({ kind: 'formation', group: group.id, formation: wanted.formation });
+    const { formation } = wanted;
     const { x, y, facing } = pose;
-    this.asker_.ask([{ group: group.id, event, x, y, facing, places: new Float64Array(0) }], ([answer]) => {
+    this.asker_.ask([{ group: group.id, formation, x, y, facing, places: new Float64Array(0) }], ([answer]) => {
       const index = this.frame_?.groups.findIndex(({ id }) => id === group.id) ?? -1;
       if (!answer || index < 0 || !this.wanted_) return;
       const failed = answer.problem !== '';

@@ -6,6 +6,7 @@ import type { MessageSender } from '../link/studio_client';
 import type { ShapeActions } from '../model/shape_actions';
 import { kHintSteps, type DialogName, type HintStep, type PlacesView, type StudioState } from '../model/studio_state';
 import { kObjectives, objectiveParameters } from '../model/objective';
+import { formationKind } from '../model/sequence';
 import type { OwnPeople } from './own_people';
 import type { StudioActions } from '../model/studio_actions';
 import { downloadTake, openTake } from './takes';
@@ -52,7 +53,7 @@ export class StudioController implements StudioActions {
     private readonly camera_: ControllerCamera,
     private readonly say_: (text: string) => void,
     private readonly people_: Pick<OwnPeople, 'open' | 'reset'>,
-    private readonly shapes_: Pick<ShapeActions, 'toggleDraw' | 'holdDraw' | 'lookAt'>,
+    private readonly shapes_: Pick<ShapeActions, 'toggleDraw' | 'holdDraw' | 'lookAt' | 'shape'>,
   ) {}
 
   togglePlay(): void {
@@ -132,8 +133,10 @@ export class StudioController implements StudioActions {
   }
 
   setObjective(index: number): void {
-    for (const { name, value } of objectiveParameters(this.store_.state.parameters, index))
-      this.client_.send({ type: 'SetParameter', name, value });
+    const commands = objectiveParameters(this.store_.state.parameters, index).map(
+      ({ name, value }) => ({ kind: 'parameter', name, value }) as const,
+    );
+    if (commands.length > 0) this.client_.send({ type: 'Commands', commands });
     this.say_(`Plans: ${kObjectives[index]!.label.toLowerCase()}`);
   }
 
@@ -141,7 +144,8 @@ export class StudioController implements StudioActions {
     const { groups, active } = this.store_.state;
     const group = groups[active];
     if (!group) return;
-    this.client_.send({ type: 'SetFormation', group: group.id, formation: name });
+    const formation = { kind: formationKind(name), spacing: this.shapes_.shape()?.spacing ?? 1 };
+    this.client_.send({ type: 'Commands', commands: [{ kind: 'formation', group: group.id, formation }] });
     // The change is announced when it happens.
     if (!this.store_.state.playing) this.say_(`${group.name}: ${name} with the next step`);
   }

@@ -9,7 +9,6 @@
 #include "engine/world/inspect.h"
 #include "muster/control.h"
 #include "muster/formation.h"
-#include "muster/scenario.h"
 
 namespace muster {
 namespace {
@@ -34,7 +33,7 @@ void fillPoints(std::vector<float>& list, std::span<const Vec2> points) {
 protocol::ControlFrame controlFrame(const Control& control, const FormationMesh& mesh) {
     protocol::ControlFrame frame;
     frame.id = control.id.value;
-    frame.kind = static_cast<protocol::ControlKind>(control.kind);
+    frame.kind = control.kind;
     frame.client = control.client;
     frame.pinned = control.pinned;
     frame.open = control.open;
@@ -51,53 +50,16 @@ protocol::ControlFrame controlFrame(const Control& control, const FormationMesh&
     return frame;
 }
 
-static_assert(static_cast<int>(EventKind::Count) == static_cast<int>(protocol::EventKind::Entered) + 1);
-
-/// True where an order says more than the fields of a frame do.
-bool saysMore(const Order& order) {
-    return order.manner == Manner::Continuum || order.pace > 0.0 || order.share != Order{}.share ||
-           order.formation || !order.path.still() || !(order.offset == Vec2{}) ||
-           order.kind >= OrderKind::Leave;
-}
-
-/// The order as a gestures file with it alone.
-std::string eventText(const Order& order) {
-    const Command command{0, 1, 0, GiveOrder{GroupId{1}, QueueMode::Append, 0, order}};
-    return writeGestures(std::span(&command, 1), 1.0);
-}
-
-protocol::OrderFrame orderFrame(const QueuedOrder& queued) {
-    const Order& order = queued.order;
-    protocol::OrderFrame frame;
-    frame.id = queued.id;
-    frame.kind = static_cast<protocol::OrderKind>(order.kind);
-    frame.x = narrow(order.target.x);
-    frame.y = narrow(order.target.y);
-    frame.hasFacing = order.facing.has_value();
-    frame.facing = narrow(order.facing.value_or(0.0));
-    frame.width = narrow(order.width);
-    frame.manner = order.manner == Manner::March ? protocol::Manner::March : protocol::Manner::Free;
-    frame.turn = static_cast<protocol::Turn>(order.turn);
-    frame.group = order.group.value;
-    frame.character = order.character;
-    frame.halfX = narrow(order.halfSize.x);
-    frame.halfY = narrow(order.halfSize.y);
-    fillPoints(frame.route, order.route);
-    if (saysMore(order)) frame.event = eventText(order);
-    return frame;
-}
-
 /// The queue and the conduct of a group.
 void fillOrders(const GroupView& view, protocol::GroupFrame& frame) {
     frame.x = narrow(view.pose.position.x);
     frame.y = narrow(view.pose.position.y);
     frame.facing = narrow(std::atan2(view.pose.rotation.s, view.pose.rotation.c));
-    frame.orders.clear();
-    for (const QueuedOrder& order : view.orders) frame.orders.push_back(orderFrame(order));
+    frame.orders.assign(view.orders.begin(), view.orders.end());
     fillPoints(frame.way, view.way);
     frame.held = view.held;
     frame.patrols = view.patrols;
-    frame.stance = static_cast<protocol::Stance>(view.conduct.stance);
+    frame.stance = view.conduct.stance;
     frame.cohesion = narrow(view.conduct.cohesion);
     frame.squeeze = narrow(view.conduct.squeeze);
     frame.avoids = view.conduct.avoids;
@@ -266,7 +228,7 @@ void appendEvents(const World& world, std::vector<protocol::EventFrame>& events)
     for (const Event& event : world.events()) {
         // A large crowd has many swaps; a frame holds their rate instead.
         if (event.kind == EventKind::Swap) continue;
-        events.push_back({static_cast<protocol::EventKind>(event.kind), event.subject, event.value,
+        events.push_back({event.kind, event.subject, event.value,
                           narrow(event.position.x), narrow(event.position.y)});
     }
 }

@@ -101,12 +101,23 @@ std::optional<Vec2> positionOf(const CommandBody& command) {
     return middle(add->positions.size(), [&](std::size_t i) { return add->positions[i]; });
 }
 
-std::optional<Vec2> positionOf(const protocol::ClientMessage& message) {
-    if (const auto* add = std::get_if<protocol::AddControl>(&message)) {
-        return middle(std::min(add->xs.size(), add->ys.size()), [&](std::size_t i) {
-            return Vec2{add->xs[i], add->ys[i]};
-        });
+namespace {
+
+/// The first position that commands have, as far as their bytes can be read.
+std::optional<Vec2> positionIn(std::span<const std::uint8_t> bytes) {
+    Reader reader(bytes);
+    while (reader.remaining() > 0) {
+        const Result<CommandBody> body = decodeBody(reader);
+        if (!body.ok()) return std::nullopt;
+        if (const auto position = positionOf(body.value())) return position;
     }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Vec2> positionOf(const protocol::ClientMessage& message) {
+    if (const auto* list = std::get_if<protocol::Commands>(&message)) return positionIn(list->commands);
     const auto* touches = std::get_if<protocol::Touches>(&message);
     if (touches == nullptr) return std::nullopt;
     for (const protocol::TouchEvent& event : touches->events)

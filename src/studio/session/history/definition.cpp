@@ -6,7 +6,7 @@
 
 #include "base/maths.h"
 #include "muster/parameter_table.h"
-#include "studio/session/inbox/command_text.h"
+#include "studio/session/inbox/command_list.h"
 
 namespace muster {
 namespace {

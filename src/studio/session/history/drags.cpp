@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "engine/world/inspect.h"
-#include "studio/session/inbox/command_text.h"
+#include "studio/session/inbox/command_list.h"
 
 namespace muster {
 namespace {

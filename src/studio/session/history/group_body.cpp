@@ -4,37 +4,24 @@
 #include <string>
 
 #include "engine/world/inspect.h"
-#include "files/scenario/describe_units.h"
-#include "json/json.h"
 
 namespace muster {
 namespace {
 
-constexpr const char* kKind = "groupBody";
-
-/// One event. `failure` gets a sentence where it is bad.
-SetBodies readEvent(const Json& event, const std::string& path, const World& world, std::string& failure) {
+/// The bodies of all in a group once they have these numbers.
+Result<SetBodies> bodiesOf(const protocol::GroupBodyEdit& edit, const World& world) {
+    const auto g = inspect::indexOfGroup(world, GroupId{edit.group});
+    if (!g || world.group(*g).members.empty())
+        return invalidArgument("found group " + std::to_string(edit.group) +
+                               ", expected a group with people in it");
     SetBodies set;
-    FieldReader reader(event, path, failure);
-    std::string kind;
-    reader.choice("kind", kind, {kKind}, "What the event is.", Need::Required);
-    std::uint32_t id = 0;
-    reader.whole("group", id, {1.0, 4294967295.0}, "Which group.", Need::Required);
-    const Json* body = reader.find("body", Need::Required);
-    reader.finish();
-    if (reader.failed()) return set;
-    const auto g = inspect::indexOfGroup(world, GroupId{id});
-    if (!g || world.group(*g).members.empty()) {
-        reader.fail("group", std::to_string(id), "a group with people in it");
-        return set;
-    }
     for (const std::int32_t member : world.group(*g).members) {
         const auto i = static_cast<std::size_t>(member);
         set.ids.push_back(world.characters().id[i]);
-        FieldReader fields(*body, path + ".body", failure);
-        describeBody(fields, set.bodies.emplace_back(world.characters().body[i]));
-        fields.finish();
-        if (fields.failed()) return set;
+        Body& body = set.bodies.emplace_back(world.characters().body[i]);
+        body.radius = edit.radius.value_or(body.radius);
+        body.maxSpeed = edit.maxSpeed.value_or(body.maxSpeed);
+        body.unitClass = edit.unitClass.value_or(body.unitClass);
     }
     if (std::all_of(set.bodies.begin(), set.bodies.end(),
                     [&](const Body& one) { return one == set.bodies.front(); }))
@@ -44,28 +31,16 @@ SetBodies readEvent(const Json& event, const std::string& path, const World& wor
 
 }  // namespace
 
-bool changesGroupBody(std::string_view text) {
-    return text.find("\"groupBody\"") != std::string_view::npos;
-}
-
-Result<std::vector<CommandBody>> parseGroupBodies(std::string_view text, const SessionLimits& limits,
-                                                  const World& world) {
-    if (text.size() > limits.commandBytes)
-        return Status(StatusCode::LimitExceeded, "found " + std::to_string(text.size()) +
-                                                     " bytes of commands, expected at most " +
-                                                     std::to_string(limits.commandBytes));
-    const auto events = parseJson(text, "commands");
-    if (!events.ok()) return events.status();
-    if (!events->isArray()) return invalidArgument("commands: $: found no array, expected one of events");
-    if (events->size() > limits.commandsPerMessage || events->size() > world.groupCount())
-        return Status(StatusCode::LimitExceeded, "found " + std::to_string(events->size()) +
-                                                     " events groupBody, expected one for each group");
+Result<std::vector<CommandBody>> bodiesOf(const std::vector<protocol::GroupBodyEdit>& edits,
+                                          const World& world) {
+    if (edits.size() > world.groupCount())
+        return Status(StatusCode::LimitExceeded, "found bodies of " + std::to_string(edits.size()) +
+                                                     " groups, expected one for each group");
     std::vector<CommandBody> bodies;
-    for (std::size_t k = 0; k < events->size(); ++k) {
-        std::string failure;
-        SetBodies set = readEvent((*events)[k], "$[" + std::to_string(k) + "]", world, failure);
-        if (!failure.empty()) return invalidArgument("commands: " + failure);
-        bodies.emplace_back(std::move(set));
+    for (const protocol::GroupBodyEdit& edit : edits) {
+        auto set = bodiesOf(edit, world);
+        if (!set.ok()) return set.status().within("bodies[" + std::to_string(bodies.size()) + "]");
+        bodies.emplace_back(std::move(set).value());
     }
     return bodies;
 }

@@ -1,21 +1,18 @@
 // The body of a whole group, as the page changes it while a place is made.
 #pragma once
 
-#include <string_view>
 #include <vector>
 
 #include "muster/command.h"
-#include "muster/session.h"
 #include "muster/world.h"
+#include "studio/session/inbox/protocol.h"
 
 namespace muster {
 
-/// True where the text of an edit holds events `groupBody` (docs/protocol.md), and maybe others.
-bool changesGroupBody(std::string_view text);
-/// Reads events `groupBody`. Each becomes a SetBodies for all who are in the group now: the numbers that it
-/// names are theirs from then on, and all others stay. Fails with one sentence that names the event.
-Result<std::vector<CommandBody>> parseGroupBodies(std::string_view text, const SessionLimits& limits,
-                                                  const World& world);
+/// Each edit becomes a SetBodies for all who are in the group now: the numbers that it names are theirs from
+/// then on, and all others stay. Fails with one sentence that names the edit.
+Result<std::vector<CommandBody>> bodiesOf(const std::vector<protocol::GroupBodyEdit>& edits,
+                                          const World& world);
 
 /// What all in a group have in common. What they differ in is negative.
 struct GroupBody {

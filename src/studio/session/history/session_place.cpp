@@ -4,7 +4,7 @@
 #include "muster/scenario.h"
 #include "studio/session/history/group_body.h"
 #include "studio/session/history/place_editor.h"
-#include "studio/session/inbox/command_text.h"
+#include "studio/session/inbox/command_list.h"
 #include "studio/session/session_state.h"
 
 namespace muster {
@@ -60,8 +60,10 @@ Status Session::Impl::edit(SessionClient& client, const protocol::Edit& message)
     if (!world) return {StatusCode::NotFound, "there is no world yet"};
     if (player)
         return {StatusCode::Unsupported, "a take is being replayed; load a scenario to edit its place"};
-    auto bodies = changesGroupBody(message.events) ? parseGroupBodies(message.events, def.limits, *world)
-                                                   : parseEditText(message.events, def.limits);
+    if (!message.bodies.empty() && !message.commands.empty())
+        return invalidArgument("found commands and bodies of groups, expected only one of them");
+    auto bodies = message.bodies.empty() ? readEdits(message.commands, def.limits)
+                                         : bodiesOf(message.bodies, *world);
     if (!bodies.ok()) return bodies.status();
     for (CommandBody& body : *bodies) {
         const Command command{world->stepCount(), client.number, 0, body};

@@ -10,7 +10,6 @@
 #include "engine/state/validation.h"
 #include "engine/world/studio_access.h"
 #include "muster/views.h"
-#include "studio/session/inbox/command_text.h"
 
 namespace muster {
 namespace {
@@ -23,16 +22,6 @@ std::optional<GroupView> groupViewOf(const World& world, std::uint32_t id) {
         if (view.id.value == id) return view;
     }
     return std::nullopt;
-}
-
-/// The order that a question spells out.
-Result<Order> orderOf(const std::string& event, const SessionLimits& limits) {
-    auto bodies = parseCommandText("[" + event + "]", limits);
-    if (!bodies.ok()) return bodies.status();
-    const auto* give = bodies->size() == 1 ? std::get_if<GiveOrder>(&bodies->front()) : nullptr;
-    if (give == nullptr) return Status(StatusCode::InvalidArgument, "a forecast of what is not one order");
-    if (const Status status = validateOrder(give->order); !status.ok()) return status;
-    return give->order;
 }
 
 protocol::ForecastFrame answer(const World& world, const protocol::ForecastAsk& ask, const Order& order) {
@@ -71,9 +60,9 @@ Result<protocol::Forecasts> answerForecasts(const World& world, const protocol::
             return Status(StatusCode::InvalidArgument, "a forecast from a place that is not finite");
         std::optional<Order> order;
         if (ask.order == 0) {
-            auto spelt = orderOf(ask.event, limits);
-            if (!spelt.ok()) return spelt.status();
-            order = std::move(spelt).value();
+            if (!ask.asked) return Status(StatusCode::InvalidArgument, "a forecast of no order");
+            if (const Status status = validateOrder(*ask.asked); !status.ok()) return status;
+            order = ask.asked;
         }
         const std::optional<GroupView> view = groupViewOf(world, ask.group);
         if (!view) continue;

@@ -12,7 +12,6 @@
 #include "engine/world/inspect.h"
 #include "engine/world/studio_access.h"
 #include "muster/views.h"
-#include "studio/session/inbox/command_text.h"
 
 namespace muster {
 namespace {
@@ -40,15 +39,11 @@ Status check(const protocol::PlacesAsk& ask, const SessionLimits& limits) {
     return {};
 }
 
-/// The places of the formation that a question spells out.
-Result<std::vector<Vec2>> standOf(const World& world, const protocol::PlacesAsk& ask,
-                                  const SessionLimits& limits) {
-    auto bodies = parseCommandText("[" + ask.event + "]", limits);
-    if (!bodies.ok()) return bodies.status();
-    const auto* set = bodies->size() == 1 ? std::get_if<SetFormation>(&bodies->front()) : nullptr;
-    if (set == nullptr) return Status(StatusCode::InvalidArgument, "places of what is not one formation");
+/// The places of the formation that a question asks for.
+Result<std::vector<Vec2>> standOf(const World& world, const protocol::PlacesAsk& ask) {
+    if (Status valid = validateFormation(*ask.formation); !valid.ok()) return valid;
     const Pose at{{ask.x, ask.y}, {cosine(ask.facing), sine(ask.facing)}};
-    return placesAt(world, GroupId{ask.group}, set->formation, at);
+    return placesAt(world, GroupId{ask.group}, *ask.formation, at);
 }
 
 std::vector<Vec2> given(const protocol::PlacesAsk& ask) {
@@ -58,12 +53,11 @@ std::vector<Vec2> given(const protocol::PlacesAsk& ask) {
     return places;
 }
 
-protocol::PlacesFrame answer(const World& world, const protocol::PlacesAsk& ask,
-                             const SessionLimits& limits) {
+protocol::PlacesFrame answer(const World& world, const protocol::PlacesAsk& ask) {
     protocol::PlacesFrame frame;
     frame.group = ask.group;
-    const Result<std::vector<Vec2>> places = ask.event.empty() ? Result<std::vector<Vec2>>(given(ask))
-                                                               : standOf(world, ask, limits);
+    const Result<std::vector<Vec2>> places = ask.formation ? standOf(world, ask)
+                                                           : Result<std::vector<Vec2>>(given(ask));
     if (!places.ok()) {
         frame.problem = places.status().message();
         return frame;
@@ -89,7 +83,7 @@ Result<protocol::Places> answerPlaces(const World& world, const protocol::AskPla
     answers.number = message.number;
     for (const protocol::PlacesAsk& ask : message.asks) {
         if (Status status = check(ask, limits); !status.ok()) return status;
-        if (isGroup(world, ask.group)) answers.answers.push_back(answer(world, ask, limits));
+        if (isGroup(world, ask.group)) answers.answers.push_back(answer(world, ask));
     }
     return answers;
 }

@@ -1,8 +1,10 @@
 // Exits, sources and waiting areas of a place that is being made: whom a source sends, and lines to queue in.
 
+import type { Command } from '../../protocol/generated/commands';
 import type { Point2, SceneFacts } from '../../protocol/scene';
 import { distance, type GroundPoint } from '../plane';
-import type { PlaceEvent, Thing } from './things';
+import { kAdults } from './people';
+import type { Thing } from './things';
 
 /** Points of a queue lie so far apart [m]. */
 const kQueueStep = 1;
@@ -20,16 +22,15 @@ export function groupChoices(scene: SceneFacts | null): { readonly id: number; r
 const kArrivals = 'Arrivals';
 
 /** A group for the people of a source: adults who leave by the quickest exit. Nobody is in it at first. */
-export function newArrivals({ centre }: Thing): PlaceEvent {
-  const definition = {
+export function newArrivals({ centre }: Thing): Command {
+  const group = {
     name: kArrivals,
     count: 0,
-    formation: { kind: 'square', spacing: 1 },
     position: centre,
-    people: 'adults',
+    people: [kAdults],
     orders: [{ kind: 'leave' }],
-  };
-  return { kind: 'group', definition };
+  } as const;
+  return { kind: 'group', group };
 }
 
 /** The source with its group, which has come; null where it has not. `known`: what was there before. */

@@ -1,6 +1,7 @@
 // Things as they are drawn: from where a pointer came down to where it is.
 
 import type { AreaKind, Point2 } from '../../protocol/scene';
+import { formationKind } from '../sequence';
 import { distance, type GroundPoint } from '../plane';
 import { groupRadius, thing, type Thing } from './things';
 
@@ -99,7 +100,7 @@ function round(a: GroundPoint, b: GroundPoint, pressed: number): { centre: Point
 /** The thing that a stroke from `a` to `b` makes by a tool; null where it makes none. */
 export function drawn(tool: BuildTool, a: GroundPoint, b: GroundPoint, options: DrawingOptions): Thing | null {
   const { height, motion, count, spacing } = options;
-  const formation = { kind: options.formation, spacing };
+  const formation = { kind: formationKind(options.formation), spacing };
   if (isAreaTool(tool)) return areaThing(tool, boxOf(a, b), options);
   switch (tool) {
     case 'box':
@@ -171,7 +172,7 @@ export function routed(one: Thing, line: readonly GroundPoint[], speed: number):
   let t = 0;
   const waypoints = way.map((p, k) => {
     if (k > 0) t += distance(p, way[k - 1]!) / Math.max(0.05, speed);
-    return { t, x: p.x - first.x, y: p.y - first.y, angle: 0 };
+    return { time: t, position: [p.x - first.x, p.y - first.y] as const, angle: 0 };
   });
   return { ...one, path: { waypoints, loop: true } };
 }

@@ -1,7 +1,7 @@
 // Changes of things that the server has been told and has not shown yet: whoever takes hold of a thing takes it as they
 // left it.
 
-import { changeEvent, sameThing, type Thing } from './things';
+import { changeCommand, sameThing, type Thing } from './things';
 
 /** So long the server may take until what it shows counts, for instance where it refused a change [ms]. */
 const kPatience = 1500;
@@ -31,7 +31,7 @@ export class PendingChanges {
     if (now - this.since_ > kPatience) this.things_ = [];
     this.things_ = this.things_.filter((one) => {
       const there = shown.find((other) => sameThing(one, other));
-      return there !== undefined && !alike(changeEvent(one), changeEvent(there));
+      return there !== undefined && !alike(changeCommand(one), changeCommand(there));
     });
     return shown.map((one) => this.things_.find((other) => sameThing(one, other)) ?? one);
   }

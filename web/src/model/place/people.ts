@@ -1,15 +1,10 @@
 // Sorts of persons of a group: as scenario files have them, and as somebody edits them.
 
-/** How a number is spread over persons; see docs/scenario-format.md. */
-export type Spread = 'constant' | 'uniform' | 'normal' | 'logNormal' | 'gamma' | 'weibull';
+import type { Distribution } from '../../protocol/generated/commands';
+import type { SpreadWord } from '../../protocol/generated/words';
 
-export interface Spreading {
-  readonly spread: Spread;
-  readonly a: number;
-  readonly b: number;
-  readonly least: number;
-  readonly most: number;
-}
+export type Spread = SpreadWord;
+export type Spreading = Distribution;
 
 /** Numbers that differ from person to person. */
 export type DrawnNumber = 'speed' | 'radius' | 'headway' | 'premovement' | 'age';
@@ -20,7 +15,7 @@ export const kDrawnNumbers: readonly DrawnNumber[] = ['speed', 'radius', 'headwa
 export interface PersonSort extends Readonly<Partial<Record<DrawnNumber, Spreading>>> {
   readonly name: string;
   readonly share: number;
-  readonly class: number;
+  readonly unitClass: number;
   /** Shares of the speed in the open; 0 for that of the stairs. */
   readonly upstairs: number;
   readonly downstairs: number;
@@ -28,7 +23,7 @@ export interface PersonSort extends Readonly<Partial<Record<DrawnNumber, Spreadi
 
 const kMost = 1e9;
 const kAdultsWord = 'adults';
-const kBlank: PersonSort = { name: '', share: 1, class: 0, upstairs: 0, downstairs: 0 };
+const kBlank: PersonSort = { name: '', share: 1, unitClass: 0, upstairs: 0, downstairs: 0 };
 
 /** Free speeds of Weidmann 1993. */
 export const kAdults: PersonSort = {
@@ -129,7 +124,7 @@ function sortOf(raw: unknown): PersonSort {
   return {
     name: typeof raw['name'] === 'string' ? raw['name'] : '',
     share: numberOf(raw['share'], 1),
-    class: numberOf(raw['class'], 0),
+    unitClass: numberOf(raw['class'], 0),
     upstairs: numberOf(raw['upstairs'], 0),
     downstairs: numberOf(raw['downstairs'], 0),
     ...Object.fromEntries(drawn),
@@ -141,23 +136,6 @@ export function sortsOf(raw: unknown): PersonSort[] {
   if (raw === kAdultsWord) return [kAdults];
   if (Array.isArray(raw)) return raw.map(sortOf);
   return isRecord(raw) ? [sortOf(raw)] : [];
-}
-
-function rawSpreading({ spread, a, b, least, most }: Spreading): unknown {
-  if (spread === 'constant') return a;
-  return { spread, a, b, ...(least > 0 ? { least } : {}), ...(most < kMost ? { most } : {}) };
-}
-
-function rawSort(sort: PersonSort): Record<string, unknown> {
-  const { name, share, upstairs, downstairs } = sort;
-  const words = Object.entries({ name, class: sort.class, upstairs, downstairs }).filter(([, one]) => Boolean(one));
-  const drawn = kDrawnNumbers.flatMap((key) => (sort[key] ? [[key, rawSpreading(sort[key])] as const] : []));
-  return { share, ...Object.fromEntries([...words, ...drawn]) };
-}
-
-/** `people` of a group with these sorts, for an event; nothing where it has none. */
-export function peopleField(sorts: readonly PersonSort[]): { readonly people?: readonly unknown[] } {
-  return sorts.length > 0 ? { people: sorts.map(rawSort) } : {};
 }
 
 /** The number with another kind of spread, about as it was; undefined for none. */

@@ -1,18 +1,25 @@
 // What stands and lies in a place, as somebody who builds it takes hold of it: chosen, moved, turned, scaled, and told to
-// the server in the words of gesture files.
+// the server by commands.
 
 import type {
-  AreaKind,
-  Point2,
-  SceneFacts,
-  SceneGroupBody,
-  ScenePath,
-  SceneRole,
-  SceneShape,
-} from '../../protocol/scene';
-import { colourNumber } from '../accent';
+  AreaDef,
+  CheckpointDef,
+  Command,
+  Given,
+  GroupDef,
+  ObstacleDef,
+  PatchDef,
+  RoleDef,
+  TimedPath,
+} from '../../protocol/generated/commands';
+import type { GroupBodyEdit } from '../../protocol/messages';
+import type { AreaKind, Point2, SceneFacts, SceneGroupBody, ScenePath, SceneRole } from '../../protocol/scene';
+import { colourNumber, numberOfColour } from '../accent';
 import { distance, insidePolygon, type GroundPoint } from '../plane';
-import { likeGroup } from './group_body';
+import type { FormationWords } from '../sequence';
+import { formationOf } from './formation';
+import { likeGroup, type GroupBody } from './group_body';
+import { sortsOf } from './people';
 
 export type ThingKind = 'obstacle' | 'patch' | 'area' | 'item' | 'checkpoint' | 'group';
 
@@ -44,13 +51,13 @@ export interface Thing {
   /** Of stairs: heading of the way up [rad]; null for other things. */
   readonly ascent: number | null;
   readonly area: AreaFields | null;
-  readonly path: ScenePath | null;
+  readonly path: TimedPath | null;
   /** Of a group and a checkpoint. */
-  readonly formation: SceneShape;
+  readonly formation: FormationWords;
   readonly count: number;
   /** Of a group: what all have in common. */
-  readonly body: SceneGroupBody | null;
-  readonly roles: readonly SceneRole[];
+  readonly body: GroupBody | null;
+  readonly roles: readonly RoleDef[];
   /** Of a group: its colour number. */
   readonly colour: number;
   /** Fields of its definition that building leaves alone. */
@@ -59,8 +66,8 @@ export interface Thing {
   readonly group: number;
 }
 
-/** An event of a gestures file. */
-export type PlaceEvent = Readonly<Record<string, unknown>>;
+/** What an edit changes: a command, or the bodies of a group. */
+export type PlaceChange = Command | { readonly kind: 'groupBody'; readonly edit: GroupBodyEdit };
 
 const kBlank: Thing = {
   kind: 'obstacle',
@@ -112,6 +119,19 @@ function shapeOf(polygon: readonly Point2[] | undefined, centre: Point2 | undefi
   };
 }
 
+function pathOf(path: ScenePath | undefined): TimedPath | null {
+  const waypoints = path?.waypoints.map(({ t, x, y, angle }) => ({ time: t, position: [x, y] as const, angle }));
+  return path && waypoints ? { waypoints, loop: path.loop } : null;
+}
+
+function bodyOf({ class: unitClass, ...body }: SceneGroupBody): GroupBody {
+  return { ...body, ...(unitClass === undefined ? {} : { unitClass }) };
+}
+
+function rolesOf(roles: readonly SceneRole[] | undefined): RoleDef[] {
+  return (roles ?? []).map(({ area, class: unitClass }) => ({ area: area as RoleDef['area'], unitClass }));
+}
+
 /** All that can be taken hold of, what lies on top last. */
 export function thingsOf(scene: SceneFacts): Thing[] {
   const patches = scene.patches.map(({ id, name, polygon, motion, path, ownSpeed, ascent, speedDown }) =>
@@ -121,7 +141,7 @@ export function thingsOf(scene: SceneFacts): Thing[] {
       ...shapeOf(polygon, undefined, undefined),
       motion,
       ascent: ascent ?? null,
-      path: path ?? null,
+      path: pathOf(path),
       rest: present({ speed: ownSpeed, speedDown }),
     }),
   );
@@ -131,7 +151,7 @@ export function thingsOf(scene: SceneFacts): Thing[] {
       name,
       ...shapeOf(polygon, centre, radius),
       height,
-      path: path ?? null,
+      path: pathOf(path),
       rest: present({ range, strength }),
     }),
   );
@@ -140,7 +160,7 @@ export function thingsOf(scene: SceneFacts): Thing[] {
       id,
       centre: position,
       radius,
-      formation: shape,
+      formation: formationOf(shape),
       group,
       rest: present({ once, trigger, share }),
     }),
@@ -158,14 +178,14 @@ function areasOf(scene: SceneFacts): Thing[] {
       ...shapeOf(polygon, undefined, undefined),
       area: { kind, open, rate, queue: queue ?? [] },
       group: group ?? 0,
-      rest: present({ from, until, most, timetable }),
+      rest: present({ from, until, most, timetable: timetable?.map(({ t, count }) => ({ time: t, count })) }),
     }),
   );
 }
 
 function groupsOf(scene: SceneFacts): Thing[] {
   const speed = scene.parameters.find(({ name }) => name === 'character.maxSpeed')?.value;
-  const usual: SceneGroupBody = { radius: scene.radius, maxSpeed: speed ?? 2, class: 0 };
+  const usual: GroupBody = { radius: scene.radius, maxSpeed: speed ?? 2, unitClass: 0 };
   return scene.groups.flatMap(({ id, name, count, colour, chosenColour, build, motions, start }) =>
     start
       ? [
@@ -175,13 +195,15 @@ function groupsOf(scene: SceneFacts): Thing[] {
             count: start.count ?? count,
             centre: start.position,
             angle: start.angle,
-            formation: start.formation,
-            body: start.body ?? null,
-            roles: start.roles ?? [],
+            formation: formationOf(start.formation),
+            body: start.body ? bodyOf(start.body) : null,
+            roles: rolesOf(start.roles),
             colour: colourNumber(colour, chosenColour),
             rest: {
-              ...likeGroup(start.body ?? {}, start.roles ?? [], usual),
-              ...present({ colour: chosenColour, build, motions, people: start.people }),
+              ...likeGroup(bodyOf(start.body ?? {}), rolesOf(start.roles), usual),
+              ...present({ build, motions }),
+              ...(chosenColour === undefined ? {} : { colour: numberOfColour(chosenColour) }),
+              ...(start.people === undefined ? {} : { people: sortsOf(start.people) }),
             },
             radius: groupRadius(start.count ?? count, start.formation.spacing ?? 1),
           }),
@@ -208,7 +230,11 @@ function mapped(one: Thing, map: (p: Point2) => Point2, turn: number, scale: num
     area: one.area && { ...one.area, queue: one.area.queue.map(map) },
     path: one.path && {
       ...one.path,
-      waypoints: one.path.waypoints.map(({ t, x, y, angle }) => ({ t, x: c * x - s * y, y: s * x + c * y, angle })),
+      waypoints: one.path.waypoints.map(({ time, position: [x, y], angle }) => ({
+        time,
+        position: [c * x - s * y, s * x + c * y],
+        angle,
+      })),
     },
   };
 }
@@ -231,59 +257,55 @@ export function scaled(one: Thing, about: GroundPoint, factor: number): Thing {
   return mapped(one, map, 0, factor);
 }
 
-function definition(one: Thing): Record<string, unknown> {
-  const { name, polygon, centre, radius, path, rest } = one;
+function obstacleOf({ name, polygon, centre, radius, height, path, rest }: Thing): Given<ObstacleDef> {
   const shape = polygon ? { polygon } : { centre, radius };
-  const way = path ? { path } : {};
-  switch (one.kind) {
-    case 'obstacle':
-      return { name, ...shape, height: one.height, ...way, ...rest };
-    case 'patch':
-      return {
-        name,
-        polygon,
-        motion: one.motion,
-        ...(one.ascent === null ? {} : { ascent: one.ascent }),
-        ...way,
-        ...rest,
-      };
-    case 'area':
-      return { name, polygon, ...areaDefinition(one.area!), ...rest };
-    case 'item':
-      return { position: centre, radius };
-    case 'checkpoint':
-      return { position: centre, radius, formation: one.formation, ...rest };
-    case 'group':
-      return { name, count: one.count, formation: one.formation, position: centre, angle: one.angle, ...rest };
-  }
+  return { name, ...shape, height, ...(path ? { path } : {}), ...rest };
 }
 
-function areaDefinition({ kind, open, rate, queue }: AreaFields): Record<string, unknown> {
-  return { kind, open, rate, ...(queue.length > 1 ? { queue } : {}) };
+function patchOf({ name, polygon, motion, ascent, path, rest }: Thing): Given<PatchDef> {
+  return { name, polygon: polygon ?? [], motion, ascent, ...(path ? { path } : {}), ...rest };
 }
 
-/** The group that a checkpoint or a source is about. */
-function concerned({ kind, group }: Thing): Record<string, unknown> {
-  return (kind === 'checkpoint' || kind === 'area') && group > 0 ? { group } : {};
+function areaOf({ name, polygon, area, rest }: Thing): Given<AreaDef> {
+  const { kind, open, rate, queue } = area!;
+  return { name, polygon: polygon ?? [], kind, open, rate, queue: queue.length > 1 ? queue : [], ...rest };
+}
+
+function groupOf({ name, count, formation, centre, angle, rest }: Thing): Given<GroupDef> {
+  return { name, count, formation, position: centre, angle, ...rest };
 }
 
 /** Puts the thing there. */
-export function addEvent(one: Thing): PlaceEvent {
-  if (one.kind === 'group') return { kind: 'group', definition: definition(one) };
-  return { kind: 'putThing', [one.kind]: definition(one), ...concerned(one) };
+export function addCommand(one: Thing): Command {
+  switch (one.kind) {
+    case 'group':
+      return { kind: 'group', group: groupOf(one) };
+    case 'area':
+      return { kind: 'putThing', area: areaOf(one), group: one.group };
+    case 'obstacle':
+      return { kind: 'putThing', obstacle: obstacleOf(one) };
+    case 'patch':
+      return { kind: 'putThing', patch: patchOf(one) };
+    case 'item':
+      return { kind: 'putThing', item: { position: one.centre, radius: one.radius } };
+    case 'checkpoint':
+      return { kind: 'putThing', checkpoint: checkpointOf(one), group: one.group };
+  }
 }
 
-/** Makes the thing of that id as it is here. A group is placed; its other fields have events of their own. */
-export function changeEvent(one: Thing): PlaceEvent {
-  if (one.kind === 'group')
-    return { kind: 'placeGroup', group: one.id, x: one.centre[0], y: one.centre[1], angle: one.angle };
-  return { ...addEvent(one), id: one.id };
+function checkpointOf({ centre, radius, formation, rest }: Thing): Given<CheckpointDef> {
+  return { position: centre, radius, formation, ...rest };
 }
 
-export function removeEvent(one: Thing): PlaceEvent {
-  return one.kind === 'group'
-    ? { kind: 'removeGroup', group: one.id }
-    : { kind: 'removeThing', thing: one.kind, id: one.id };
+/** Makes the thing of that id as it is here. A group is placed; its other fields have commands of their own. */
+export function changeCommand(one: Thing): Command {
+  const added = addCommand(one);
+  if (added.kind === 'putThing') return { ...added, id: one.id };
+  return { kind: 'placeGroup', group: one.id, position: one.centre, angle: one.angle };
+}
+
+export function removeCommand({ kind, id }: Thing): Command {
+  return kind === 'group' ? { kind: 'removeGroup', group: id } : { kind: 'removeThing', thing: kind, id };
 }
 
 /** Its corners, or points on its circle. */

@@ -1,5 +1,7 @@
-// Places made of outlines: a new one around them, or events that add them to the present one.
+// Places made of outlines: a new one around them, or commands that add them to the present one.
 
+import type { Command } from '../../protocol/generated/commands';
+import { sizeOf, type Edit } from '../../protocol/messages';
 import type { GroundPoint } from '../plane';
 import { startFor } from './free_ground';
 import { count, type LeftOut } from './left_out';
@@ -20,15 +22,8 @@ const kMargin = { share: 0.08, least: 6 };
 const kMostGround = 15.5e6;
 const kCells = { fine: 0.25, usual: 0.5, fineUpTo: 200 };
 /** What one message may hold (docs/protocol.md). */
-export const kMostEvents = 256;
+export const kMostCommands = 256;
 export const kMostBytes = 256 * 1024;
-
-export interface EditMessage {
-  readonly type: 'Edit';
-  readonly label: string;
-  readonly gesture: number;
-  readonly events: string;
-}
 
 export function cellFor(wide: number, high: number): number {
   const usual = Math.max(wide, high) <= kCells.fineUpTo ? kCells.fine : kCells.usual;
@@ -88,20 +83,19 @@ export function within(outlines: readonly Outline[], box: Bounds, left: LeftOut)
 }
 
 /** Messages that add obstacles; one undo takes all of them back. */
-export function additionOf(obstacles: readonly ObstacleDefinition[], label: string, gesture: number): EditMessage[] {
-  const bytes = new TextEncoder();
-  const messages: EditMessage[] = [];
-  let events: string[] = [];
-  let size = 2;
+export function additionOf(obstacles: readonly ObstacleDefinition[], label: string, gesture: number): Edit[] {
+  const messages: Edit[] = [];
+  let commands: Command[] = [];
+  let size = 0;
   const send = (): void => {
-    if (events.length > 0) messages.push({ type: 'Edit', label, gesture, events: `[${events.join(',')}]` });
-    [events, size] = [[], 2];
+    if (commands.length > 0) messages.push({ type: 'Edit', label, gesture, commands, bodies: [] });
+    [commands, size] = [[], 0];
   };
-  for (const definition of obstacles) {
-    const event = JSON.stringify({ kind: 'putThing', obstacle: definition });
-    const own = bytes.encode(event).length + 1;
-    if (events.length === kMostEvents || size + own > kMostBytes) send();
-    events.push(event);
+  for (const { name, polygon, centre, radius, height } of obstacles) {
+    const command: Command = { kind: 'putThing', obstacle: { name, polygon, centre, radius, height } };
+    const own = sizeOf('Command', command);
+    if (commands.length === kMostCommands || size + own > kMostBytes) send();
+    commands.push(command);
     size += own;
   }
   send();

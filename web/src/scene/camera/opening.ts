@@ -2,7 +2,6 @@
 
 import type { Point2, SceneFacts } from '../../protocol/scene';
 import type { GroupView } from '../../model/frame_view';
-import { OrderKind } from '../../protocol/messages';
 import type { GroundPoint } from '../../model/plane';
 
 /** Things within this of the crowd are shown [m]. */
@@ -46,7 +45,7 @@ export function goals(groups: readonly GroupView[], crowd: readonly GroundPoint[
   const clamp = (value: number, low: number, high: number): number => Math.min(high, Math.max(low, value));
   return groups.flatMap(({ orders }) =>
     orders
-      .filter(({ kind }) => kind === OrderKind.Move || kind === OrderKind.Guard)
-      .map(({ x, y }) => ({ x: clamp(x, x0 - kGoal, x1 + kGoal), y: clamp(y, y0 - kGoal, y1 + kGoal) })),
+      .filter(({ kind }) => kind === 'move' || kind === 'guard')
+      .map(({ target: [x, y] }) => ({ x: clamp(x, x0 - kGoal, x1 + kGoal), y: clamp(y, y0 - kGoal, y1 + kGoal) })),
   );
 }

@@ -1,7 +1,8 @@
 // Queues of orders as drawn ways: lines with arrow heads, a numbered point per order, and how the group will stand at the
 // end. Orders that are being drawn are shown the same way, with all places.
 
-import type { GroupView, OrderView } from '../../model/frame_view';
+import type { GroupView } from '../../model/frame_view';
+import { targetOf, type QueueOrder } from '../../model/queue_order';
 import { isPlaceless } from '../../model/goals';
 import { frontLine, outlineOf, placed, widened, type GroupShapes } from '../../model/group_shapes';
 import { distance, pointsOf, type GroundPoint, type ScreenPoint } from '../../model/plane';
@@ -75,9 +76,6 @@ export interface OrderScene {
   readonly scheme: SchemePicture | null;
 }
 
-const kFollow = 2;
-const kGuard = 3;
-const kFace = 1;
 const kOthersAlpha = 0.42;
 /** Arrow heads on long legs stand so far apart [CSS px]. */
 const kArrowGap = 120;
@@ -90,7 +88,7 @@ const kLabelGap = 20;
 
 /** A stretch of a way, and the order at its end. */
 interface Leg {
-  readonly order: OrderView;
+  readonly order: QueueOrder;
   readonly points: readonly GroundPoint[];
   readonly facing: number;
 }
@@ -100,14 +98,14 @@ export function legsOf(group: GroupView, groups: readonly GroupView[], ways: Way
   let from: GroundPoint = { x: group.x, y: group.y };
   let facing = group.facing;
   return group.orders.map((order, k) => {
-    const leader = order.kind === kFollow ? groups.find(({ id }) => id === order.group) : undefined;
-    const end = order.kind === kFace || isPlaceless(order) ? from : (leader ?? order);
-    const between = k === 0 ? pointsOf(group.way) : (ways.get(order.id) ?? pointsOf(order.route));
+    const leader = order.kind === 'follow' ? groups.find(({ id }) => id === order.group) : undefined;
+    const end = order.kind === 'face' || isPlaceless(order) ? from : (leader ?? targetOf(order));
+    const between = k === 0 ? pointsOf(group.way) : (ways.get(order.id) ?? order.route.map(([x, y]) => ({ x, y })));
     const points = [from, ...between, { x: end.x, y: end.y }].filter(
       (point, i, all) => i === 0 || distance(point, all[i - 1]!) > 0.05,
     );
     const [a, b] = [points[points.length - 2], points[points.length - 1]!];
-    facing = order.hasFacing ? order.facing : a ? Math.atan2(b.y - a.y, b.x - a.x) : facing;
+    facing = order.facing ?? (a ? Math.atan2(b.y - a.y, b.x - a.x) : facing);
     from = b;
     return { order, points, facing };
   });
@@ -142,7 +140,7 @@ export class OrderMarks {
     const points: GroundPoint[] = group.held ? [group] : [];
     for (const leg of legsOf(group, scene.groups, scene.ways)) {
       points.push(...leg.points, ...(this.ghost(group, leg, scene)?.outline ?? []));
-      if (leg.order.kind === kGuard) points.push(...rectangleOf(leg.order));
+      if (leg.order.kind === 'guard') points.push(...rectangleOf(leg.order));
     }
     return points;
   }
@@ -181,7 +179,7 @@ export class OrderMarks {
     for (const leg of legs) this.drawLeg(leg, colours, scene);
     // How it stands in a formation that it takes up on the way is not known here.
     if (last && !changesShape(legs)) this.drawGhost(group, last, colours, scene);
-    for (const { order } of legs) if (order.kind === kGuard) this.drawGuard(order, colours, scene);
+    for (const { order } of legs) if (order.kind === 'guard') this.drawGuard(order, colours, scene);
     this.drawNumbers(group, legs, colours, scene);
     drawStations(painter, legs, colours, scene);
     if (group.held && legs.length > 0) {
@@ -209,7 +207,7 @@ export class OrderMarks {
   private drawLeg({ points, order }: Leg, colours: MarkColours, scene: OrderScene): void {
     if (points.length < 2) return;
     const at = this.screen(points, scene);
-    if (order.kind === kFollow) this.painter_.dashed(at, colours.accent, 2.2, false, colours.casing);
+    if (order.kind === 'follow') this.painter_.dashed(at, colours.accent, 2.2, false, colours.casing);
     else this.painter_.cased(at, colours, 2.2, 5);
     this.drawArrows(at, colours);
   }
@@ -239,7 +237,7 @@ export class OrderMarks {
   private ghost(group: GroupView, { order, points, facing }: Leg, { shapes }: OrderScene): StandPreview | null {
     const shape = shapes.of(group.id);
     const at = points[points.length - 1];
-    if (!shape || !at || shape.places.length === 0 || order.kind === kFollow || order.kind === kGuard) return null;
+    if (!shape || !at || shape.places.length === 0 || order.kind === 'follow' || order.kind === 'guard') return null;
     if (isPlaceless(order)) return null;
     const local = widened(shape, order.width);
     const [left, right] = placed(frontLine(local), at, facing);
@@ -270,7 +268,7 @@ export class OrderMarks {
     this.painter_.chevron(head, angle, colours);
   }
 
-  private drawGuard(order: OrderView, colours: MarkColours, scene: OrderScene): void {
+  private drawGuard(order: QueueOrder, colours: MarkColours, scene: OrderScene): void {
     const corners = this.screen(rectangleOf(order), scene);
     this.painter_.veil(corners, colours.accent);
     this.painter_.dashed(corners, colours.accent, 2.2, true, colours.casing);
@@ -347,12 +345,12 @@ export class OrderMarks {
   }
 }
 
-function rectangleOf({ x, y, halfX, halfY, facing }: OrderView): GroundPoint[] {
+function rectangleOf({ target: [x, y], halfSize: [halfX, halfY], facing }: QueueOrder): GroundPoint[] {
   const corners = [
     { x: -halfX, y: -halfY },
     { x: halfX, y: -halfY },
     { x: halfX, y: halfY },
     { x: -halfX, y: halfY },
   ];
-  return placed(corners, { x, y }, facing);
+  return placed(corners, { x, y }, facing ?? 0);
 }

@@ -1,14 +1,13 @@
 // Formations that a group takes up along its way, as small outlines of dots above the spots where it does.
 
 import { dotsOfFormation, kSize, type Dot } from '../../model/formation_dots';
-import type { OrderView } from '../../model/frame_view';
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
-import { formationIn } from '../../model/sequence';
+import type { QueueOrder } from '../../model/queue_order';
 import type { Palette } from '../drawing/palette';
 import type { MarkColours, MarkPainter } from './mark_painter';
 
 interface Leg {
-  readonly order: OrderView;
+  readonly order: QueueOrder;
   readonly points: readonly GroundPoint[];
 }
 
@@ -27,24 +26,10 @@ const kDot = 1.7;
 /** Half of a number on the way [CSS px]. */
 const kBadge = 11;
 
-/** Dots of orders by their texts: queues change rarely, pictures often. */
-const known = new Map<string, readonly Dot[]>();
-const kMostKnown = 200;
-
-function dotsIn(event: string): readonly Dot[] {
-  const found = known.get(event);
-  if (found) return found;
-  const formation = formationIn({ event });
-  const dots = formation ? dotsOfFormation(formation) : [];
-  if (known.size >= kMostKnown) known.clear();
-  known.set(event, dots);
-  return dots;
-}
-
 /** What the first order took up when it began is seen on the group itself. */
 function stationsOf(legs: readonly Leg[], eye: Eye): Station[] {
   return legs.slice(1).flatMap(({ order, points }): Station[] => {
-    const dots = order.event ? dotsIn(order.event) : [];
+    const dots = order.formation ? dotsOfFormation(order.formation) : [];
     const from = points[0];
     if (dots.length === 0 || !from) return [];
     const { x, y } = eye.worldToScreen(from.x, from.y);
@@ -84,5 +69,5 @@ export function drawStations(
 export function changesShape(legs: readonly Leg[]): boolean {
   return legs
     .slice(1)
-    .some(({ order: { event } }) => event !== undefined && (formationIn({ event })?.kind ?? 'square') !== 'square');
+    .some(({ order: { formation } }) => formation !== null && formation.kind !== 'square');
 }

@@ -1,7 +1,7 @@
 // What panel and keys ask of whoever builds.
 
 import type { BuildTool, DrawingOptions } from '../../model/place/drawing';
-import type { PlaceEvent, Thing, ThingKind } from '../../model/place/things';
+import type { PlaceChange, Thing, ThingKind } from '../../model/place/things';
 
 /** Formations that people and checkpoints may have. */
 export const kShapes: readonly string[] = ['square', 'line', 'column', 'wedge', 'circle', 'ring', 'crescent', 'cross'];
@@ -12,10 +12,10 @@ export interface BuildActions {
   setSnaps(on: boolean): void;
   toggleLayer(kind: ThingKind, what: 'hidden' | 'locked', on: boolean): void;
   edit(label: string, change: (one: Thing) => Thing): void;
-  editGroup(label: string, event: (one: Thing) => PlaceEvent): void;
+  editGroup(label: string, event: (one: Thing) => PlaceChange): void;
   /** The same while a slider is dragged: begins, goes on, ends. All of it is one step of the history. */
   dragBegins(): void;
-  dragGroup(label: string, event: (one: Thing) => PlaceEvent, ends: boolean): void;
+  dragGroup(label: string, event: (one: Thing) => PlaceChange, ends: boolean): void;
   undo(redo?: boolean): void;
   remove(): void;
   copy(): void;

@@ -6,7 +6,7 @@ import type { GroundPoint, ScreenPoint } from '../../model/plane';
 import type { BuildTool, DrawingOptions } from '../../model/place/drawing';
 import { emptiedGroups, isNobody, joinedSource, newArrivals } from '../../model/place/areas';
 import * as things from '../../model/place/things';
-import type { PlaceEvent, Thing, ThingKind } from '../../model/place/things';
+import type { PlaceChange, Thing, ThingKind } from '../../model/place/things';
 import { OverlayKind, PlaybackAction } from '../../protocol/messages';
 import { parseScene, type SceneFacts } from '../../protocol/scene';
 import type { StudioScene } from '../../scene/studio_scene';
@@ -205,8 +205,8 @@ export class BuildDesk implements StrokeHost, BuildActions {
     const source = made.find(({ area, group }) => area?.kind === 'source' && group === 0);
     if (source) {
       this.source_ = source;
-      this.edits_.send({ label: firstOf('Add source'), events: [newArrivals(source)], changed: [] });
-    } else this.edits_.send({ label, events: made.map(things.addEvent), changed: [] });
+      this.edits_.send({ label: firstOf('Add source'), changes: [newArrivals(source)], changed: [] });
+    } else this.edits_.send({ label, changes: made.map(things.addCommand), changed: [] });
     // A refusal brings no new thing.
     window.clearTimeout(this.waits_);
     this.waits_ = window.setTimeout(() => (this.preview = []), kPreviewStays);
@@ -216,7 +216,7 @@ export class BuildDesk implements StrokeHost, BuildActions {
   private sourceFollows(scene: SceneFacts, sameWorld: boolean): boolean {
     const made = this.source_ && sameWorld ? joinedSource(this.source_, scene, this.served_) : null;
     if (made || !sameWorld) this.source_ = null;
-    if (made) this.edits_.send({ label: 'Add source', events: [things.addEvent(made)], changed: [] });
+    if (made) this.edits_.send({ label: 'Add source', changes: [things.addCommand(made)], changed: [] });
     return made !== null;
   }
 
@@ -249,19 +249,19 @@ export class BuildDesk implements StrokeHost, BuildActions {
   }
 
   /** A change of the chosen group that has an event of its own. */
-  editGroup(label: string, event: (one: Thing) => PlaceEvent): void {
+  editGroup(label: string, event: (one: Thing) => PlaceChange): void {
     this.edits_.send(this.groupEdit(label, event));
   }
 
-  dragGroup(label: string, event: (one: Thing) => PlaceEvent, ends: boolean): void {
+  dragGroup(label: string, event: (one: Thing) => PlaceChange, ends: boolean): void {
     const edit = this.groupEdit(label, event);
     if (ends) this.edits_.end(edit);
     else this.edits_.drag(edit);
   }
 
-  private groupEdit(label: string, event: (one: Thing) => PlaceEvent): PlaceEdit {
-    const events = this.chosen_.filter(({ kind }) => kind === 'group').map(event);
-    return { label, events, changed: [] };
+  private groupEdit(label: string, event: (one: Thing) => PlaceChange): PlaceEdit {
+    const changes = this.chosen_.filter(({ kind }) => kind === 'group').map(event);
+    return { label, changes, changed: [] };
   }
 
   undo(redo = false): void {
@@ -281,8 +281,8 @@ export class BuildDesk implements StrokeHost, BuildActions {
     const sources = removed.filter(({ group }) => removed.some(({ kind, id }) => kind === 'group' && id === group));
     const others = removed.filter((gone) => !sources.includes(gone));
     const first = sources.length > 0 && others.length > 0 ? firstOf(label) : label;
-    this.edits_.send({ label: first, events: sources.map(things.removeEvent), changed: [] });
-    this.edits_.send({ label, events: others.map(things.removeEvent), changed: [] });
+    this.edits_.send({ label: first, changes: sources.map(things.removeCommand), changed: [] });
+    this.edits_.send({ label, changes: others.map(things.removeCommand), changed: [] });
     this.chosen_ = [];
     this.showChosen();
   }

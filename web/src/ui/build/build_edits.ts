@@ -3,24 +3,33 @@
 import type { StudioClient } from '../../link/studio_client';
 import { PendingChanges } from '../../model/place/pending';
 import * as things from '../../model/place/things';
-import type { PlaceEvent, Thing } from '../../model/place/things';
+import type { PlaceChange, Thing } from '../../model/place/things';
+import type { Edit } from '../../protocol/messages';
 import { LiveEdits } from './live_edits';
 
-/** One edit: its name for people, its events, and things that are shown as it leaves them. */
+/** One edit: its name for people, its changes, and things that are shown as it leaves them. */
 export interface PlaceEdit {
   readonly label: string;
-  readonly events: readonly PlaceEvent[];
+  readonly changes: readonly PlaceChange[];
   readonly changed: readonly Thing[];
 }
 
-/** Events of one message. */
-const kMostEvents = 200;
+/** Changes of one message. */
+const kMostChanges = 200;
 /** After a refusal what was there is shown again [ms]. */
 const kPatience = 1550;
 
+/** The lists of a message. */
+function told(changes: readonly PlaceChange[]): Pick<Edit, 'commands' | 'bodies'> {
+  return {
+    commands: changes.flatMap((one) => (one.kind === 'groupBody' ? [] : [one])),
+    bodies: changes.flatMap((one) => (one.kind === 'groupBody' ? [one.edit] : [])),
+  };
+}
+
 /** The edit that leaves the things like this. */
 export function changeOf(label: string, changed: readonly Thing[]): PlaceEdit {
-  return { label, events: changed.map(things.changeEvent), changed };
+  return { label, changes: changed.map(things.changeCommand), changed };
 }
 
 export class BuildEdits {
@@ -44,7 +53,7 @@ export class BuildEdits {
   }
 
   send(edit: PlaceEdit): void {
-    if (edit.events.length > 0) this.tell(edit, edit.events.length > kMostEvents ? ++this.gestures_ : 0);
+    if (edit.changes.length > 0) this.tell(edit, edit.changes.length > kMostChanges ? ++this.gestures_ : 0);
   }
 
   /** A drag begins: all its edits are taken back together. */
@@ -54,11 +63,11 @@ export class BuildEdits {
 
   /** How the drag leaves things at present. The world follows where that is one message. */
   drag(edit: PlaceEdit): void {
-    if (edit.events.length > 0 && edit.events.length <= kMostEvents) this.live_.drag(edit);
+    if (edit.changes.length > 0 && edit.changes.length <= kMostChanges) this.live_.drag(edit);
   }
 
   end(edit: PlaceEdit): void {
-    if (edit.events.length > 0) this.live_.end(edit);
+    if (edit.changes.length > 0) this.live_.end(edit);
   }
 
   /** The drag is given up; `before` is how things were. */
@@ -76,13 +85,13 @@ export class BuildEdits {
     this.pending_.clear();
   }
 
-  private tell({ label, events, changed }: PlaceEdit, gesture: number): void {
-    for (let from = 0; from < events.length; from += kMostEvents)
+  private tell({ label, changes, changed }: PlaceEdit, gesture: number): void {
+    for (let from = 0; from < changes.length; from += kMostChanges)
       this.client_.send({
         type: 'Edit',
         label,
         gesture,
-        events: JSON.stringify(events.slice(from, from + kMostEvents)),
+        ...told(changes.slice(from, from + kMostChanges)),
       });
     window.clearTimeout(this.waits_);
     this.waits_ = window.setTimeout(this.shows_, kPatience);

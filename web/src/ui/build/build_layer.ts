@@ -172,7 +172,7 @@ export class BuildLayer {
     group.append(this.path(outlineOf(one), true, 'build-casing'), this.path(outlineOf(one), true, 'build-outline'));
     if (one.path) {
       const [x, y] = one.centre;
-      const way = one.path.waypoints.map((w) => ({ x: x + w.x, y: y + w.y }));
+      const way = one.path.waypoints.map(({ position: [dx, dy] }) => ({ x: x + dx, y: y + dy }));
       group.append(this.path(way, false, 'build-way'));
     }
     return group;

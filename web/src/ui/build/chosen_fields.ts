@@ -1,5 +1,6 @@
 // Numbers and words of what is chosen.
 
+import { formationKind, type FormationWords } from '../../model/sequence';
 import { extentOf, moved, scaled, turned, type Thing } from '../../model/place/things';
 import type { SceneFacts } from '../../protocol/scene';
 import { element } from '../widgets/dom';
@@ -137,7 +138,7 @@ export class ChosenFields {
   private checkpoint(one: Thing): HTMLElement[] {
     return [
       selectField('Formation', kShapes, one.formation.kind, (kind) =>
-        this.desk_.edit('Formation', (it) => ({ ...it, formation: { ...it.formation, kind } })),
+        this.desk_.edit('Formation', (it) => ({ ...it, formation: { ...it.formation, kind: formationKind(kind) } })),
       ),
     ];
   }
@@ -145,7 +146,7 @@ export class ChosenFields {
   private group(one: Thing): HTMLElement[] {
     const { desk_: desk } = this;
     const spacing = one.formation.spacing ?? 1;
-    const formation = (change: object): void =>
+    const formation = (change: Partial<FormationWords>): void =>
       desk.editGroup('Formation', (it) => ({
         kind: 'formation',
         group: it.id,
@@ -159,7 +160,7 @@ export class ChosenFields {
         desk.editGroup('People', (it) => ({ kind: 'count', group: it.id, count })),
       ),
       numberField('Spacing', spacing, { min: 0.3, max: 20, unit: 'm' }, (value) => formation({ spacing: value })),
-      selectField('Formation', kShapes, one.formation.kind, (kind) => formation({ kind })),
+      selectField('Formation', kShapes, one.formation.kind, (kind) => formation({ kind: formationKind(kind) })),
       numberField('Faces', one.angle / kDegree, { min: -3600, max: 3600, unit: '°' }, (degrees) =>
         desk.edit('Turn', (it) => turned(it, { x: it.centre[0], y: it.centre[1] }, degrees * kDegree - it.angle)),
       ),

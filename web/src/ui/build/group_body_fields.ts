@@ -1,7 +1,8 @@
 // Body, appearance, class and role of a chosen group.
 
 import { areaOf, classesOf, kAnywhere, kAreas, withArea } from '../../model/place/group_body';
-import type { PlaceEvent, Thing } from '../../model/place/things';
+import type { PlaceChange, Thing } from '../../model/place/things';
+import type { SetAppearanceCommand } from '../../protocol/generated/commands';
 import type { BuildActions } from './build_actions';
 import { selectField, sliderField, type SliderRange } from './fields';
 
@@ -15,6 +16,9 @@ const kClasses: readonly string[] = [kNone, '1', '2', '3', '4', '5', '6'];
 const kBuilds: Readonly<Record<string, string>> = { '': 'Both', broad: 'Broad', narrow: 'Narrow' };
 const kMotions: Readonly<Record<string, string>> = { '': 'Plain', march: 'March', weary: 'Weary' };
 
+/** No number of a body changes. */
+const kAsTheyAre = { radius: null, maxSpeed: null, unitClass: null } as const;
+
 type Hold = (held: boolean) => void;
 
 function bodySlider(
@@ -24,7 +28,7 @@ function bodySlider(
 ): HTMLElement {
   const event =
     (value: number) =>
-    ({ id }: Thing): PlaceEvent => ({ kind: 'groupBody', group: id, body: { [key]: value } });
+    ({ id }: Thing): PlaceChange => ({ kind: 'groupBody', edit: { ...kAsTheyAre, group: id, [key]: value } });
   const dragging = {
     begins: () => {
       hold(true);
@@ -40,7 +44,7 @@ function bodySlider(
   return sliderField(label, value, range, dragging, (typed) => desk.editGroup(label, event(typed)));
 }
 
-/** Build and motion set: an event has both, and lacks what is as usual. */
+/** Build and motion set: the command has both, none for what is as usual. */
 function appearanceField(
   one: Thing,
   [key, label, words]: readonly ['build' | 'motions', string, Readonly<Record<string, string>>],
@@ -50,8 +54,8 @@ function appearanceField(
   return selectField(label, Object.values(words), words[typeof word === 'string' ? word : ''] ?? '', (shown) => {
     const chosen = Object.keys(words).find((known) => words[known] === shown) ?? '';
     desk.editGroup(label, ({ id, rest }) => {
-      const wished = Object.entries({ build: rest['build'], motions: rest['motions'], [key]: chosen });
-      return { kind: 'appearance', group: id, ...Object.fromEntries(wished.filter(([, value]) => Boolean(value))) };
+      const wished = { build: rest['build'] ?? null, motions: rest['motions'] ?? null, [key]: chosen || null };
+      return { kind: 'appearance', group: id, ...wished } as SetAppearanceCommand;
     });
   });
 }
@@ -60,7 +64,7 @@ function appearanceField(
 export function groupBodyFields(one: Thing, desk: BuildActions, hold: Hold): HTMLElement[] {
   const { body, roles } = one;
   if (!body) return [];
-  const unitClass = body.class === undefined ? kMixed : body.class === 0 ? kNone : String(body.class);
+  const unitClass = body.unitClass === undefined ? kMixed : body.unitClass === 0 ? kNone : String(body.unitClass);
   return [
     bodySlider([one, 'radius', 'Body radius', kRadius], desk, hold),
     bodySlider([one, 'maxSpeed', 'Top speed', kSpeed], desk, hold),
@@ -69,7 +73,7 @@ export function groupBodyFields(one: Thing, desk: BuildActions, hold: Hold): HTM
     selectField('Class', kClasses, unitClass, (word) => {
       const chosen = word === kNone ? 0 : Number(word);
       if (word !== kMixed)
-        desk.editGroup('Class', ({ id }) => ({ kind: 'groupBody', group: id, body: { class: chosen } }));
+        desk.editGroup('Class', ({ id }) => ({ kind: 'groupBody', edit: { ...kAsTheyAre, group: id, unitClass: chosen } }));
     }),
     ...classesOf(body, roles).map((of) =>
       selectField(`Class ${of} stands`, [kAnywhere, ...Object.values(kAreas)], areaOf(roles, of), (label) =>

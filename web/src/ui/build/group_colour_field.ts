@@ -1,6 +1,6 @@
 // The colour of a chosen group: its place's own, a swatch, or any other.
 
-import { accentOf, chosenOf } from '../../model/accent';
+import { accentOf, chosenOf, numberOfColour } from '../../model/accent';
 import type { Thing } from '../../model/place/things';
 import { kSwatches, swatchOf } from '../../model/swatches';
 import { contrast } from '../../scene/drawing/colour';
@@ -101,7 +101,7 @@ export function groupColourField(one: Thing, desk: BuildActions): HTMLElement {
     desk.editGroup('Colour', ({ id }) => ({
       kind: 'colourGroup',
       group: id,
-      ...(colour ? { colour: colour.toLowerCase() } : {}),
+      colour: colour ? numberOfColour(colour) : null,
     }));
   };
   const title = element('span', { class: 'colour-title', id: 'group-colour-title' }, 'Colour', groupMark(one.colour));

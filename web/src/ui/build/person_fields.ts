@@ -5,9 +5,7 @@ import {
   kDrawnNumbers,
   kNumbers,
   kSpreads,
-  peopleField,
   respread,
-  sortsOf,
   spreadTrouble,
   spreadWords,
   type DrawnNumber,
@@ -50,7 +48,7 @@ export class PersonFields {
   constructor(private readonly desk_: BuildActions) {}
 
   make(one: Thing): HTMLElement {
-    const sorts = sortsOf(one.rest['people']);
+    const sorts = (one.rest['people'] ?? []) as readonly PersonSort[];
     if (one.id !== this.group_) this.unfolded_.clear();
     if (one.id !== this.group_ || JSON.stringify(this.given_?.sorts) === JSON.stringify(sorts)) this.given_ = null;
     this.group_ = one.id;
@@ -74,9 +72,8 @@ export class PersonFields {
   }
 
   private give(sorts: readonly PersonSort[]): void {
-    // As they come back.
-    this.given_ = { sorts: sortsOf(peopleField(sorts).people), at: performance.now() };
-    this.desk_.editGroup('Persons', ({ id }) => ({ kind: 'people', group: id, ...peopleField(sorts) }));
+    this.given_ = { sorts, at: performance.now() };
+    this.desk_.editGroup('Persons', ({ id }) => ({ kind: 'people', group: id, people: sorts }));
   }
 
   private adding(): HTMLElement {
@@ -127,8 +124,8 @@ export class PersonFields {
       stairs('upstairs', 'Up stairs, 0: as all'),
       stairs('downstairs', 'Down stairs, 0: as all'),
       named(
-        selectField('Class', kClasses, kClasses[sort.class] ?? String(sort.class), (word) =>
-          change({ class: Number(word) || 0 }),
+        selectField('Class', kClasses, kClasses[sort.unitClass] ?? String(sort.unitClass), (word) =>
+          change({ unitClass: Number(word) || 0 }),
         ),
         `${prefix}class of the sort`,
       ),

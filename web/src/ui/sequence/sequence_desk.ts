@@ -1,11 +1,13 @@
 // The formations that the active group takes up along its way: edits of its queue, and how it would stand at each.
 
 import { PlaybackAction, type PlacesFrame } from '../../protocol/messages';
+import type { Vec2 } from '../../protocol/generated/commands';
 import { problem } from '../../protocol/problem';
 import { savedShapes } from '../../model/saved_shapes';
 import {
   alongWay,
   arranged,
+  formationKind,
   lengthOf,
   plainLegs,
   stationsOf,
@@ -147,7 +149,7 @@ export class SequenceDesk {
     const kinds = kFormations.slice(0, 8).map(({ name }) => name);
     const kind = kinds[(kinds.indexOf(used) + 1) % kinds.length]!;
     const at = length - last > 1 ? (last + length) / 2 : length;
-    this.edit([...stations, { at, formation: { kind, spacing: this.spacing() } }]);
+    this.edit([...stations, { at, formation: { kind: formationKind(kind), spacing: this.spacing() } }]);
   }
 
   private shapeNow(): string {
@@ -159,7 +161,7 @@ export class SequenceDesk {
     const formation = name.startsWith(kSavedPrefix) ? this.saved(name.slice(kSavedPrefix.length)) : null;
     this.change(index, (station) => ({
       ...station,
-      formation: formation ?? { kind: name, spacing: this.spacing() },
+      formation: formation ?? { kind: formationKind(name), spacing: this.spacing() },
     }));
   }
 
@@ -169,7 +171,7 @@ export class SequenceDesk {
     if (!shape) return null;
     const { spacing, places } = forCount(shape, count);
     const round = (value: number): number => Math.round(value * 1000) / 1000;
-    return { kind: 'points', spacing, points: places.map(({ x, y }) => [round(x), round(y)]) };
+    return { kind: 'points', spacing, points: places.map(({ x, y }): Vec2 => [round(x), round(y)]) };
   }
 
   private change(index: number, to: (station: Station) => Station): void {
@@ -247,7 +249,7 @@ export class SequenceDesk {
     const poses = stations.map(({ at }): StandPose => alongWay(way, at));
     const asks = stations.map(({ formation }, i) => ({
       group: group.id,
-      event: JSON.stringify({ kind: 'formation', group: group.id, formation }),
+      formation,
       ...poses[i]!,
       places: new Float64Array(0),
     }));

@@ -1,9 +1,11 @@
-// Bytes of messages to the server, by messages.json: for scripts and tests that have no page.
-import { client, schema, server, structs } from './schema.mjs';
+// Bytes of messages to the server, by messages.txt: for scripts and tests that have no page.
+import { page, parts, server, shared, values, version } from './messages.mjs';
 
 const numbered = (entries) => Object.fromEntries(entries.map(({ name, number }) => [name, number]));
+/** The WebSocket's subprotocol. */
+export const kSubprotocol = `muster.v${version}`;
 /** First bytes of messages, by name. */
-export const fromClient = numbered(client);
+export const fromClient = numbered(page);
 export const fromServer = numbered(server);
 
 /** Size, and writer of Buffer, of each type of number. */
@@ -27,11 +29,14 @@ function number(type, value) {
 /** Text and arrays have their length before them. */
 const withLength = (length, ...parts) => Buffer.concat([number('u32', length), ...parts]);
 
-function one({ kind, item }, value) {
-  if (kind === 'number') return number(item, value);
-  if (kind === 'bool') return number('u8', value ? 1 : 0);
-  if (kind === 'enum') return number('u8', schema.enums[item].indexOf(value));
-  if (kind === 'struct') return all(structs.find(({ name }) => name === item).fields, value);
+const named = (entries, type) => entries.find(({ name }) => name === type);
+
+function one({ type }, value) {
+  if (type in kNumbers) return number(type, value);
+  if (type === 'bool') return number('u8', value ? 1 : 0);
+  if (named(values, type)) return number('u8', named(values, type).values.indexOf(value));
+  if (named(shared, type)) return number('u8', named(shared, type).values.findIndex(({ name }) => name === value));
+  if (named(parts, type)) return all(named(parts, type).fields, value);
   const text = Buffer.from(value);
   return withLength(text.length, text);
 }
@@ -40,12 +45,12 @@ function all(fields, values) {
   return Buffer.concat(
     fields.map((field) => {
       const value = values[field.name];
-      return field.array ? withLength(value.length, ...value.map((part) => one(field, part))) : one(field, value);
+      return field.isList ? withLength(value.length, ...value.map((part) => one(field, part))) : one(field, value);
     }),
   );
 }
 
 /** A message of a client: its name, and its fields by name, enumerations by their words. */
 export function encode(name, values = {}) {
-  return Buffer.concat([number('u8', fromClient[name]), all(client[fromClient[name]].fields, values)]);
+  return Buffer.concat([number('u8', fromClient[name]), all(page[fromClient[name]].fields, values)]);
 }
