@@ -159,7 +159,7 @@ export async function numbers(studio) {
       [6.7, -5.5, 7, -2.3],
     ].map(([x0, y0, x1, y1]) => ({
       kind: 'obstacle',
-      definition: {
+      obstacle: {
         polygon: [
           [x0, y0],
           [x1, y0],
@@ -168,7 +168,7 @@ export async function numbers(studio) {
         ],
       },
     }));
-    globalThis.__muster.client.send({ type: 'Edit', label: 'Walls', gesture: 0, events: JSON.stringify(walls) });
+    globalThis.__muster.client.send({ type: 'Edit', label: 'Walls', gesture: 0, commands: walls, bodies: [] });
   });
   await page.locator('.build-gap-label').first().waitFor();
   const shown = await page.evaluate(() => ({
