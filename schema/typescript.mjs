@@ -53,7 +53,7 @@ export type ${name}Word = (typeof k${name}Words)[number];`;
 }
 
 /** Enumerations that fields of commands have, and those of orders. */
-const isUsed = ({ name }) => enumerated(name) !== undefined || [kOrderKinds, 'Manner', 'Turn', 'Stance'].includes(name);
+export const isUsed = ({ name }) => enumerated(name) !== undefined || [kOrderKinds, 'Manner', 'Turn', 'Stance'].includes(name);
 
 export const typescriptFiles = () => ({
   'web/src/protocol/generated/commands.ts': `${kBanner}// Commands as events of gesture files: what a Commands message carries.

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/world/inspect.h"
-#include "files/scenario/describe_units.h"
+#include "files/scenario/describe_forms.h"
 #include "json/json.h"
 
 namespace muster {
@@ -32,7 +32,7 @@ SetBodies readEvent(const Json& event, const std::string& path, const World& wor
         const auto i = static_cast<std::size_t>(member);
         set.ids.push_back(world.characters().id[i]);
         FieldReader fields(*body, path + ".body", failure);
-        describeBody(fields, set.bodies.emplace_back(world.characters().body[i]));
+        describe(fields, set.bodies.emplace_back(world.characters().body[i]));
         fields.finish();
         if (fields.failed()) return set;
     }

@@ -31,7 +31,7 @@ Result<Order> orderOf(const std::string& event, const SessionLimits& limits) {
     if (!bodies.ok()) return bodies.status();
     const auto* give = bodies->size() == 1 ? std::get_if<GiveOrder>(&bodies->front()) : nullptr;
     if (give == nullptr) return Status(StatusCode::InvalidArgument, "a forecast of what is not one order");
-    if (const Status status = validateOrder(give->order); !status.ok()) return status;
+    if (const Status status = validate(give->order); !status.ok()) return status;
     return give->order;
 }
 
