@@ -3,6 +3,7 @@
 #pragma once
 
 #include "command_draw.h"
+#include "generated/random_definitions.h"
 
 namespace muster {
 
@@ -73,7 +74,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
         case 8: {
             SetFormation c;
             c.group = GroupId{draw.number()};
-            c.formation = draw.formationDef();
+            c.formation = randomFormationDef(draw);
             draw.relate(c);
             return c;
         }
@@ -94,7 +95,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
         }
         case 11: {
             AddGroup c;
-            c.group = draw.groupDef();
+            c.group = randomGroupDef(draw);
             draw.relate(c);
             return c;
         }
@@ -106,14 +107,14 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
         }
         case 13: {
             AddObstacle c;
-            c.obstacle = draw.obstacleDef();
+            c.obstacle = randomObstacleDef(draw);
             draw.relate(c);
             return c;
         }
         case 14: {
             ChangeObstacle c;
             c.id = ObstacleId{draw.number()};
-            c.obstacle = draw.obstacleDef();
+            c.obstacle = randomObstacleDef(draw);
             draw.relate(c);
             return c;
         }
@@ -125,14 +126,14 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
         }
         case 16: {
             AddPatch c;
-            c.patch = draw.patchDef();
+            c.patch = randomPatchDef(draw);
             draw.relate(c);
             return c;
         }
         case 17: {
             ChangePatch c;
             c.id = PatchId{draw.number()};
-            c.patch = draw.patchDef();
+            c.patch = randomPatchDef(draw);
             draw.relate(c);
             return c;
         }
@@ -154,7 +155,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             c.group = GroupId{draw.number()};
             c.mode = draw.value<QueueMode>();
             c.index = draw.number();
-            c.order = draw.order();
+            c.order = randomOrder(draw);
             draw.relate(c);
             return c;
         }
@@ -169,7 +170,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
         case 22: {
             SetConduct c;
             c.group = GroupId{draw.number()};
-            c.conduct = draw.conduct();
+            c.conduct = randomConduct(draw);
             draw.relate(c);
             return c;
         }
@@ -177,7 +178,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             AddCharacters c;
             c.group = GroupId{draw.number()};
             draw.list(c.positions, [&] { return draw.place(); });
-            draw.list(c.bodies, [&] { return draw.body(); });
+            draw.list(c.bodies, [&] { return randomBody(draw); });
             draw.relate(c);
             return c;
         }
@@ -216,14 +217,14 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
         case 28: {
             SetBodies c;
             c.ids = draw.ids();
-            draw.list(c.bodies, [&] { return draw.body(); });
+            draw.list(c.bodies, [&] { return randomBody(draw); });
             draw.relate(c);
             return c;
         }
         case 29: {
             SetRoles c;
             c.group = GroupId{draw.number()};
-            draw.list(c.roles, [&] { return draw.roleDef(); });
+            draw.list(c.roles, [&] { return randomRoleDef(draw); });
             draw.relate(c);
             return c;
         }
@@ -251,14 +252,14 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
         }
         case 33: {
             AddItem c;
-            c.item = draw.itemDef();
+            c.item = randomItemDef(draw);
             draw.relate(c);
             return c;
         }
         case 34: {
             ChangeItem c;
             c.id = ItemId{draw.number()};
-            c.item = draw.itemDef();
+            c.item = randomItemDef(draw);
             draw.relate(c);
             return c;
         }
@@ -270,7 +271,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
         }
         case 36: {
             AddCheckpoint c;
-            c.checkpoint = draw.checkpointDef();
+            c.checkpoint = randomCheckpointDef(draw);
             if (draw.flag()) c.group = GroupId{draw.number()};
             draw.relate(c);
             return c;
@@ -278,7 +279,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
         case 37: {
             ChangeCheckpoint c;
             c.id = CheckpointId{draw.number()};
-            c.checkpoint = draw.checkpointDef();
+            c.checkpoint = randomCheckpointDef(draw);
             if (draw.flag()) c.group = GroupId{draw.number()};
             draw.relate(c);
             return c;
@@ -322,7 +323,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
         case 43: {
             PutArea c;
             if (draw.flag()) c.id = AreaId{draw.number()};
-            c.area = draw.areaDef();
+            c.area = randomAreaDef(draw);
             if (draw.flag()) c.group = GroupId{draw.number()};
             draw.relate(c);
             return c;
@@ -336,7 +337,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
         case 45: {
             SetPeople c;
             c.group = GroupId{draw.number()};
-            draw.list(c.people, [&] { return draw.peopleDef(); });
+            draw.list(c.people, [&] { return randomPeopleDef(draw); });
             draw.relate(c);
             return c;
         }

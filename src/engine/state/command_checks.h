@@ -22,10 +22,4 @@ Status eachOnce(const std::vector<std::uint32_t>& ids);
 Status numberIn(const char* field, double value, double low, double high, const char* range);
 /// The same for a whole number.
 Status countIn(const char* field, std::int32_t value, std::int32_t low, std::int32_t high);
-/// A value of an enumeration.
-template <class Enum>
-Status isKnown(Enum value, Enum last, const char* called) {
-    return value <= last ? Status{} : invalidArgument(std::string(called) + " is not known");
-}
-
 }  // namespace muster

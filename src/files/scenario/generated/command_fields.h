@@ -98,7 +98,7 @@ struct BodyFields {
     void operator()(SetFormation& c) {
         v.whole("group", c.group.value, kId, "Group to change.", Need::Required);
         v.objectOrKind(
-            "formation", "", [&](auto& inner) { describeFormation(inner, c.formation); }, Need::Required);
+            "formation", "", [&](auto& inner) { describe(inner, c.formation); }, Need::Required);
     }
     void operator()(SetCount& c) {
         v.whole("group", c.group.value, kId, "Group to change.", Need::Required);
@@ -111,29 +111,29 @@ struct BodyFields {
     }
     void operator()(AddGroup& c) {
         v.object(
-            "definition", "", [&](auto& inner) { describeGroup(inner, c.group); }, Need::Required);
+            "definition", "", [&](auto& inner) { describe(inner, c.group); }, Need::Required);
     }
     void operator()(RemoveGroup& c) {
         v.whole("group", c.group.value, kId, "Group to remove.", Need::Required);
     }
     void operator()(AddObstacle& c) {
         v.object(
-            "definition", "", [&](auto& inner) { describeObstacle(inner, c.obstacle); }, Need::Required);
+            "definition", "", [&](auto& inner) { describe(inner, c.obstacle); }, Need::Required);
     }
     void operator()(ChangeObstacle& c) {
         v.whole("id", c.id.value, kId, "Its id.", Need::Required);
         v.object(
-            "definition", "", [&](auto& inner) { describeObstacle(inner, c.obstacle); }, Need::Required);
+            "definition", "", [&](auto& inner) { describe(inner, c.obstacle); }, Need::Required);
     }
     void operator()(RemoveObstacle& c) { v.whole("id", c.id.value, kId, "Its id.", Need::Required); }
     void operator()(AddPatch& c) {
         v.object(
-            "definition", "", [&](auto& inner) { describePatch(inner, c.patch, {}); }, Need::Required);
+            "definition", "", [&](auto& inner) { describe(inner, c.patch, {}); }, Need::Required);
     }
     void operator()(ChangePatch& c) {
         v.whole("id", c.id.value, kId, "Its id.", Need::Required);
         v.object(
-            "definition", "", [&](auto& inner) { describePatch(inner, c.patch, {}); }, Need::Required);
+            "definition", "", [&](auto& inner) { describe(inner, c.patch, {}); }, Need::Required);
     }
     void operator()(RemovePatch& c) { v.whole("id", c.id.value, kId, "Its id.", Need::Required); }
     void operator()(SetParameter& c) {
@@ -145,7 +145,7 @@ struct BodyFields {
         describeWord(v, "mode", c.mode, kQueueModeWords, "Where the order stands in the queue.");
         if (takesPart<Visitor>(c.index != 0))
             v.whole("index", c.index, kId, "For Insert: before which order, counted from 0.");
-        describeOrder(v, c.order);
+        describe(v, c.order);
     }
     void operator()(EditQueue& c) {
         v.whole("group", c.group.value, kId, "The group.", Need::Required);
@@ -155,7 +155,7 @@ struct BodyFields {
     }
     void operator()(SetConduct& c) {
         v.whole("group", c.group.value, kId, "The group.", Need::Required);
-        describeConduct(v, c.conduct);
+        describe(v, c.conduct);
     }
     void operator()(AddCharacters& c) {
         v.whole("group", c.group.value, kId, "Group that they join.", Need::Required);
@@ -182,7 +182,7 @@ struct BodyFields {
         describeWord(v, "shape", c.shape, kPartShapeWords, "Formation of the parts.");
     }
     void operator()(MergeGroups& c) {
-        ids("groups", c.groups, kMaxGroups, "Two or more.");
+        describeIds(v, "groups", c.groups, kMaxGroups, "Two or more.", Need::Required);
         describeWord(v, "shape", c.shape, kPartShapeWords,
                      "Smaller: the formation of the first for all; AsHeld: all places stay.");
     }
@@ -211,26 +211,24 @@ struct BodyFields {
     }
     void operator()(AddItem& c) {
         v.object(
-            "definition", "", [&](auto& inner) { describeItem(inner, c.item); }, Need::Required);
+            "definition", "", [&](auto& inner) { describe(inner, c.item); }, Need::Required);
     }
     void operator()(ChangeItem& c) {
         v.whole("id", c.id.value, kId, "Its id.", Need::Required);
         v.object(
-            "definition", "", [&](auto& inner) { describeItem(inner, c.item); }, Need::Required);
+            "definition", "", [&](auto& inner) { describe(inner, c.item); }, Need::Required);
     }
     void operator()(RemoveItem& c) { v.whole("id", c.id.value, kId, "Its id.", Need::Required); }
     void operator()(AddCheckpoint& c) {
         v.object(
-            "definition", "", [&](auto& inner) { describeCheckpoint(inner, c.checkpoint, [] {}); },
-            Need::Required);
+            "definition", "", [&](auto& inner) { describe(inner, c.checkpoint, [] {}); }, Need::Required);
         if (takesPart<Visitor>(static_cast<bool>(c.group)))
             v.whole("group", c.group.value, kId, "Group that it concerns; none for any group.");
     }
     void operator()(ChangeCheckpoint& c) {
         v.whole("id", c.id.value, kId, "Its id.", Need::Required);
         v.object(
-            "definition", "", [&](auto& inner) { describeCheckpoint(inner, c.checkpoint, [] {}); },
-            Need::Required);
+            "definition", "", [&](auto& inner) { describe(inner, c.checkpoint, [] {}); }, Need::Required);
         if (takesPart<Visitor>(static_cast<bool>(c.group)))
             v.whole("group", c.group.value, kId, "Group that it concerns; none for any group.");
     }
@@ -248,12 +246,17 @@ struct BodyFields {
         v.whole("group", c.group.value, kId, "The group.", Need::Required);
         v.colour("colour", c.colour, "0xRRGGBB; none for the palette's, by the group's id.");
     }
-    void operator()(SetAppearance& c) { describeByHand(v, c, time); }
+    void operator()(SetAppearance& c) {
+        v.whole("group", c.group.value, kId, "The group.", Need::Required);
+        describeWord(v, "build", c.build, kBodyBuildWords,
+                     "Build of the drawn bodies; left out: both, by their ids.");
+        describeWord(v, "motions", c.motions, kMotionSetWords, "How they walk and jog; left out: plainly.");
+    }
     void operator()(PutArea& c) {
         if (takesPart<Visitor>(static_cast<bool>(c.id)))
             v.whole("id", c.id.value, kId, "The area that is changed; none to add one.");
         v.object(
-            "definition", "", [&](auto& inner) { describeArea(inner, c.area, [] {}); }, Need::Required);
+            "definition", "", [&](auto& inner) { describe(inner, c.area, [] {}); }, Need::Required);
         if (takesPart<Visitor>(static_cast<bool>(c.group)))
             v.whole("group", c.group.value, kId, "For Source: the group that its people join.");
     }
@@ -268,14 +271,6 @@ private:
     void spot(Vec2& p) {
         v.number("x", p.x, kCoordinate, "World coordinate.", Need::Required);
         v.number("y", p.y, kCoordinate, "World coordinate.", Need::Required);
-    }
-    template <class Tag>
-    void ids(const char* key, std::vector<Id<Tag>>& list, std::size_t most, const char* about) {
-        std::vector<std::uint32_t> numbers;
-        for (const Id<Tag> id : list) numbers.push_back(id.value);
-        v.numbers(key, numbers, kId, most, about, Need::Required);
-        list.clear();
-        for (const std::uint32_t number : numbers) list.push_back({number});
     }
 };
 
