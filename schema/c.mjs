@@ -66,7 +66,7 @@ function bodies() {
     { code: `MUSTER_COMMAND_COUNT = ${commands.length}`, about: 'Number of kinds.' },
   ];
   const members = commands.map(({ name }) => ({ code: `Muster${name} ${lowerFirst(name)};`, about: `For MUSTER_COMMAND_${upperWords(name)}.` }));
-  return guard('COMMAND_BODIES', '#include "muster/c/world_def.h"', `${commands.map(struct).join('\n\n')}
+  return guard('COMMAND_BODIES', '#include "muster/c/definitions.h"', `${commands.map(struct).join('\n\n')}
 
 /// Kinds of commands.
 typedef int32_t MusterCommandKind;

@@ -49,12 +49,11 @@ function header() {
 #include <variant>
 #include <vector>
 
-#include "muster/area.h"
 #include "muster/control.h"
+#include "muster/ground.h"
 #include "muster/id.h"
 #include "muster/order.h"
 #include "muster/people.h"
-#include "muster/unit.h"
 #include "muster/world_def.h"
 
 namespace muster {
@@ -125,7 +124,9 @@ const limit = (text) => kLimits[text] ?? text;
 function checkOf(field) {
   const value = `c.${field.name}`;
   const { type, range } = field;
-  if (field.flags.has('unchecked') || isId(type) || type === 'text' || type === 'Colour' || type === 'bool') return null;
+  if (field.flags.has('unchecked') || isId(type) || type === 'bool') return null;
+  if (type === 'text') return `isText("${field.name}", ${value})`;
+  if (type === 'Colour') return `validateColour(${value})`;
   const named = definition(type);
   if (named?.check && field.isOptional) return `givenIn(${value}, [](const auto& def) { return ${named.check}(def${named.checkMore ?? ''}); })`;
   if (named?.checkAll) return `${named.checkAll}(${value})`;
@@ -134,7 +135,7 @@ function checkOf(field) {
     if (type === 'CharacterId') return `eachOnce(${value})`;
     return type === 'Vec2' && field.count ? `places("${field.name}", ${value}, ${limit(field.count.low)}, ${limit(field.count.high)})` : null;
   }
-  if (enumerated(type)) return field.isOptional ? null : `isKnown(${value}, kLastOf<${type}>, "${enumerated(type).called}")`;
+  if (enumerated(type)) return `isKnown(${value}, kLastOf<${type}>, "${enumerated(type).called}")`;
   if (type === 'Vec2') return `place("${field.name}", ${value})`;
   if (range === null) return null;
   const bounds = `${type === 'i32' ? 'countIn' : 'numberIn'}("${field.name}", ${value}, ${limit(range.low)}, ${limit(range.high)}`;
@@ -169,6 +170,7 @@ function checks() {
 
 #include "engine/state/generated/command_relations.h"
 #include "engine/state/validation.h"
+#include "engine/state/validation_parts.h"
 
 namespace muster {
 namespace {

@@ -6,6 +6,12 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { cFiles } from './c.mjs';
 import { cppFiles } from './cpp.mjs';
+import { definitionCFiles } from './definitions_c.mjs';
+import { definitionCheckFiles } from './definitions_checks.mjs';
+import { definitionFiles } from './definitions_cpp.mjs';
+import { definitionFileFiles } from './definitions_files.mjs';
+import { definitionSampleFiles } from './definitions_samples.mjs';
+import { definitionTypescriptFiles } from './definitions_typescript.mjs';
 import { documentationFiles } from './documentation.mjs';
 import { enumerationFiles } from './enumerations.mjs';
 import { messageCppFiles } from './messages_cpp.mjs';
@@ -13,11 +19,28 @@ import { messageTypescriptFiles } from './messages_typescript.mjs';
 import { root } from './read.mjs';
 import { sampleFiles } from './samples.mjs';
 import { scenarioFiles } from './scenario.mjs';
-import { typescriptFiles } from './typescript.mjs';
+import { isUsed, typescriptFiles } from './typescript.mjs';
 
 const checks = process.argv.includes('--check');
 let stale = 0;
-for (const [path, text] of Object.entries({ ...enumerationFiles(), ...cppFiles(), ...cFiles(), ...scenarioFiles(), ...sampleFiles(), ...typescriptFiles(), ...messageCppFiles(), ...messageTypescriptFiles(), ...documentationFiles() })) {
+const files = {
+  ...enumerationFiles(),
+  ...definitionFiles(),
+  ...definitionCheckFiles(),
+  ...definitionCFiles(),
+  ...definitionFileFiles(),
+  ...definitionSampleFiles(),
+  ...cppFiles(),
+  ...cFiles(),
+  ...scenarioFiles(),
+  ...sampleFiles(),
+  ...typescriptFiles(),
+  ...definitionTypescriptFiles(isUsed),
+  ...messageCppFiles(),
+  ...messageTypescriptFiles(),
+  ...documentationFiles(),
+};
+for (const [path, text] of Object.entries(files)) {
   const file = join(root, path);
   let old = null;
   try {

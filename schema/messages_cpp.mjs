@@ -63,7 +63,7 @@ const partHeader = () => `${kHeader}#include <cstdint>
 #include <vector>
 
 #include "muster/generated/enumerations.h"
-#include "muster/order.h"
+#include "muster/generated/orders_definitions.h"
 
 namespace muster::protocol {
 

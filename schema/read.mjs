@@ -10,11 +10,11 @@ export const folder = dirname(fileURLToPath(import.meta.url));
 export const root = join(folder, '..');
 
 const kCommandFlags = ['relations', 'by-hand', 'undoable', 'directs', 'edits', 'slides', 'queues'];
-const kDefinitionFlags = ['equal', 'flat', 'relations', 'engine', 'unsaved'];
-const kFieldFlags = ['required', 'omit', 'unchecked', 'internal', 'apart', 'within', 'unhashed'];
+const kDefinitionFlags = ['equal', 'flat', 'relations', 'no-c', 'no-files', 'unsaved'];
+const kFieldFlags = ['required', 'omit', 'unchecked', 'internal', 'xy', 'within', 'unhashed'];
 /** What a field may say with a word or a text behind it, and what it is called in the field that was read. */
 const kFieldWords = { key: 'key', since: 'since', 'files-after': 'filesAfter', 'c-after': 'cAfter' };
-const kFieldTexts = { files: 'inFiles', unless: 'unless', needed: 'needed', called: 'called' };
+const kFieldTexts = { files: 'inFiles', unless: 'unless', needed: 'needed', called: 'called', apart: 'apart' };
 /** The parts into which definitions are divided, each a header. */
 export const kSubjects = ['ground', 'people', 'orders', 'world'];
 
@@ -72,7 +72,7 @@ export function readField(tokens, line, isKnown = isDeclared) {
     name, type: base, isList: list !== undefined, isOptional: optional !== undefined,
     count: list === undefined ? null : readRange(list.slice(1, -1)),
     unit: '', range: null, initial: '', sentence: '', flags: new Set(),
-    key: '', since: '', filesAfter: '', cAfter: '', inFiles: '', unless: '', needed: '', called: '',
+    key: '', since: '', filesAfter: '', cAfter: '', inFiles: '', unless: '', needed: '', called: '', apart: null,
   };
   while (tokens.length > 0) {
     const { word: next, unit, text } = tokens.shift();
@@ -97,7 +97,7 @@ function described(field, line) {
 function readDefinition(tokens, line) {
   const definition = {
     name: word(tokens, line, 'a name'), subject: '', cpp: '', version: null, flags: new Set(),
-    sentences: [], made: '', context: null, fields: [], functions: [],
+    sentences: [], made: '', context: [], fields: [], functions: [],
   };
   definition.cpp = definition.name;
   while (tokens.length > 0) {
@@ -126,7 +126,7 @@ function addToDefinition(owner, tokens, line) {
     owner.made = text('what the default is');
   } else if (tokens[0].word === 'with') {
     tokens.shift();
-    owner.context = { name: word(tokens, line, 'a name'), type: text('its type in C++') };
+    owner.context.push({ name: word(tokens, line, 'a name'), type: text('its type in C++') });
   } else if (tokens[0].word === 'function') {
     tokens.shift();
     owner.functions.push({ sentence: text('a sentence'), code: text('its declaration in C++') });

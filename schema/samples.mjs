@@ -14,7 +14,7 @@ function item({ type, range, name }) {
   if (type === 'f64') return `draw.real(${range?.low ?? '0'}, ${range?.high ?? '1'})`;
   if (type === 'i32') return `draw.whole(${range.low}, ${range.high})`;
   if (plain(type)) return name === 'unused' ? 'std::uint8_t{0}' : 'draw.number()';
-  return `draw.${type[0].toLowerCase()}${type.slice(1)}()`;
+  return `random${type}(draw)`;
 }
 
 function statement(field) {
@@ -37,6 +37,7 @@ export const sampleFiles = () => ({
 #pragma once
 
 #include "command_draw.h"
+#include "generated/random_definitions.h"
 
 namespace muster {
 

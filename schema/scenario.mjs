@@ -4,13 +4,13 @@ import { call, kWidth, listed } from './text.mjs';
 import { kBanner } from './cpp.mjs';
 import { definition, enumerated, isId } from './types.mjs';
 
-const quoted = (text) => `"${text.replace(/"/g, '\\"')}"`;
+export const quoted = (text) => `"${text.replace(/"/g, '\\"')}"`;
 const kLimits = { 200000: 'kMaxCharacters', 10000: 'kMaxCorners' };
-const limit = (text) => kLimits[text] ?? text;
+export const limit = (text) => kLimits[text] ?? text;
 
 /** A call, broken where it is too long for its line. */
-function line(head, words, close = ');') {
-  return call(head, words, close, '        ').flatMap((text) => (text.length <= kWidth ? [text] : breakText(text)));
+export function line(head, words, close = ');', indent = '        ') {
+  return call(head, words, close, indent).flatMap((text) => (text.length <= kWidth ? [text] : breakText(text)));
 }
 
 /** A text that is too long goes on in a second literal. */
@@ -21,7 +21,7 @@ function breakText(text) {
 }
 
 /** A bound as a number with a point. */
-const real = (text) => (text in kLimits ? kLimits[text] : /[.e]/.test(text) ? text : `${text}.0`);
+export const real = (text) => (text in kLimits ? kLimits[text] : /[.e]/.test(text) ? text : `${text}.0`);
 
 function rangeOf(field) {
   const { type, range } = field;
@@ -35,7 +35,7 @@ function rangeOf(field) {
 function describe(field) {
   const { name, type } = field;
   const value = `c.${name}`;
-  const about = quoted(field.sentence);
+  const about = quoted(field.inFiles || field.sentence);
   const named = definition(type);
   const isNeeded = field.flags.has('required') || (field.initial === '' && !field.isOptional && !field.flags.has('omit'));
   const need = isNeeded ? ['Need::Required'] : [];
@@ -53,7 +53,7 @@ function describe(field) {
     if (type === 'Vec2') return line('v.points(', [`"${name}"`, value, field.count?.low ?? '0', limit(field.count?.high ?? '200000'), about, ...(field.flags.has('required') ? need : [])]);
     const most = type === 'GroupId' || name === 'shares' ? 'kMaxGroups' : 'kMaxCharacters';
     const wanted = field.flags.has('required') || (type === 'CharacterId' && !field.flags.has('unchecked')) || type === 'GroupId' ? ['Need::Required'] : [];
-    if (isId(type)) return line('ids(', [`"${name}"`, value, most, about]);
+    if (isId(type)) return line('describeIds(', ['v', `"${name}"`, value, most, about, 'Need::Required']);
     return line('v.numbers(', [`"${name}"`, value, rangeOf(field), most, about, ...wanted]);
   }
   if (type === 'Vec2') return [`        spot(${value});`];
@@ -119,14 +119,6 @@ private:
         } else if (def) {
             v.object(key, about, [&](auto& inner) { describe(inner, *def); });
         }
-    }
-    template <class Tag>
-    void ids(const char* key, std::vector<Id<Tag>>& list, std::size_t most, const char* about) {
-        std::vector<std::uint32_t> numbers;
-        for (const Id<Tag> id : list) numbers.push_back(id.value);
-        v.numbers(key, numbers, kId, most, about, Need::Required);
-        list.clear();
-        for (const std::uint32_t number : numbers) list.push_back({number});
     }
 };
 

@@ -30,6 +30,8 @@ function reached(fields, found = new Set()) {
 
 const used = [...reached([...commands.flatMap(({ fields }) => fields), ...messageDefinitions.map((type) => ({ type }))])];
 const fieldsOfAll = [...commands, ...used].flatMap(({ fields }) => fields);
+/** True of an enumeration whose words the page has (words.ts). */
+export const isUsed = ({ name }) => usedEnumerations.some((one) => one.name === name);
 const usedEnumerations = enumerations.filter(({ name }) => fieldsOfAll.some(({ type }) => type === name));
 
 const typeOfItem = (type) =>

@@ -1,5 +1,8 @@
 // Bytes of messages to the server, by messages.txt: for scripts and tests that have no page.
-import { page, parts, server, shared, values, version } from './messages.mjs';
+import { page, parts, server, values, version } from './messages.mjs';
+import { definitions, enumerations } from './read.mjs';
+import { lowerFirst } from './text.mjs';
+import { isId } from './types.mjs';
 
 const numbered = (entries) => Object.fromEntries(entries.map(({ name, number }) => [name, number]));
 /** The WebSocket's subprotocol. */
@@ -15,6 +18,7 @@ const kNumbers = {
   u16: [2, 'writeUInt16LE'],
   i16: [2, 'writeInt16LE'],
   u32: [4, 'writeUInt32LE'],
+  i32: [4, 'writeInt32LE'],
   f32: [4, 'writeFloatLE'],
   f64: [8, 'writeDoubleLE'],
 };
@@ -31,26 +35,52 @@ const withLength = (length, ...parts) => Buffer.concat([number('u32', length), .
 
 const named = (entries, type) => entries.find(({ name }) => name === type);
 
-function one({ type }, value) {
-  if (type in kNumbers) return number(type, value);
+/** Types of definitions that are numbers. */
+const kAs = { CharacterId: 'u32', OrderId: 'u32', MotionId: 'i32', Colour: 'u32' };
+/** Structs that are not declared. */
+const kStructs = {
+  Vec2: [{ name: 0, type: 'f64' }, { name: 1, type: 'f64' }],
+  PolygonWithHoles: [{ name: 'outline', type: 'Vec2', isList: true }, { name: 'holes', type: 'Polygon', isList: true }],
+};
+const fieldsOf = (type) => kStructs[type] ?? (named(parts, type) ?? named(definitions, type))?.fields;
+
+/** What a field is where it is left out. */
+function defaultOf({ type, initial = '', isList }) {
+  if (isList || type === 'Polygon') return [];
+  const choice = named(enumerations, type);
+  if (choice) return initial || choice.values[0].name;
+  if (fieldsOf(type)) return {};
+  return type === 'text' ? initial.replace(/"/g, '') : type === 'bool' ? initial === 'true' : Number(initial);
+}
+
+function one(field, value) {
+  const { type } = field;
+  const as = isId(type) ? 'u32' : (kAs[type] ?? type);
+  if (as in kNumbers) return number(as, value);
   if (type === 'bool') return number('u8', value ? 1 : 0);
   if (named(values, type)) return number('u8', named(values, type).values.indexOf(value));
-  if (named(shared, type)) return number('u8', named(shared, type).values.findIndex(({ name }) => name === value));
-  if (named(parts, type)) return all(named(parts, type).fields, value);
+  const choice = named(enumerations, type);
+  if (choice) return number('u8', choice.values.findIndex(({ name }) => name === value || lowerFirst(name) === value));
+  if (type === 'Polygon') return list({ type: 'Vec2' }, value);
+  if (fieldsOf(type)) return all(fieldsOf(type), value);
   const text = Buffer.from(value);
   return withLength(text.length, text);
 }
 
-function all(fields, values) {
+const list = (field, items) => withLength(items.length, ...items.map((part) => one(field, part)));
+
+function all(fields, given) {
   return Buffer.concat(
     fields.map((field) => {
-      const value = values[field.name];
-      return field.isList ? withLength(value.length, ...value.map((part) => one(field, part))) : one(field, value);
+      const value = given[field.name];
+      if (field.isOptional && !isId(field.type))
+        return value === undefined || value === null ? number('u8', 0) : Buffer.concat([number('u8', 1), one(field, value)]);
+      return (field.isList ? list : one)(field, value ?? defaultOf(field));
     }),
   );
 }
 
-/** A message of a client: its name, and its fields by name, enumerations by their words. */
+/** A message of a client without commands: its name, and its fields by name, enumerations by their words. */
 export function encode(name, values = {}) {
   return Buffer.concat([number('u8', fromClient[name]), all(page[fromClient[name]].fields, values)]);
 }

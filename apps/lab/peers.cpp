@@ -118,7 +118,7 @@ Result<Scene> readScene(const std::string& name, const Json& json, const PeersOp
         scene.def.parameters.character.velocityGain = 60.0;
         scene.def.parameters.character.acceleration = 1000.0;
     }
-    if (Status s = validateWorld(scene.def); !s.ok()) return s.within(sceneName(options.file, name));
+    if (Status s = validate(scene.def); !s.ok()) return s.within(sceneName(options.file, name));
     if (Status s = options.overrides.apply(scene.def); !s.ok()) return s;
     return scene;
 }

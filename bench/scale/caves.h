@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "muster/map_import.h"
+#include "muster/ground.h"
 
 namespace muster::scale {
 

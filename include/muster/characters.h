@@ -5,8 +5,8 @@
 #include <span>
 
 #include "muster/generated/enumerations.h"
-#include "muster/patch.h"
-#include "muster/unit.h"
+#include "muster/generated/people_definitions.h"
+#include "muster/ground.h"
 #include "muster/vec2.h"
 
 namespace muster {

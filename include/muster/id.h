@@ -1,4 +1,4 @@
-// Typed ids.
+// Typed ids, and the indices of motions.
 #pragma once
 
 #include <cstdint>
@@ -22,6 +22,9 @@ struct Id {
         archive(value);
     }
 };
+
+/// Index of a motion clip in the world's table of clips; 0 is running in the open.
+using MotionId = std::int32_t;
 
 using ObstacleId = Id<struct ObstacleTag>;      ///< Names an obstacle.
 using PatchId = Id<struct PatchTag>;            ///< Names a patch.

@@ -12,10 +12,9 @@
 #include "muster/command.h"
 #include "muster/control.h"
 #include "muster/formation.h"
+#include "muster/ground.h"
 #include "muster/id.h"
-#include "muster/obstacle.h"
 #include "muster/order.h"
-#include "muster/patch.h"
 #include "muster/vec2.h"
 #include "muster/walk_totals.h"
 

@@ -10,7 +10,7 @@ const file = join(root, 'docs/api/muster_api.json');
 
 /** The headers, each after those that it includes, and the component of the library that each belongs to. */
 const kHeaders = {
-  core: ['base', 'generated/enumerations', 'ground', 'orders', 'people', 'world_def', 'generated/command_bodies', 'command', 'views', 'world'],
+  core: ['base', 'generated/enumerations', 'values', 'generated/definition_structs', 'definitions', 'generated/command_bodies', 'command', 'views', 'world'],
   motion: ['clips', 'bvh', 'motion'],
   io: ['scenario', 'take'],
 };

@@ -11,9 +11,9 @@ const kTick = 1 / 60;
 
 /** Asks where orders lead: those in the queues of the first groups, which have small numbers, and a new one. */
 function forecasts() {
-  const ask = (group, order, event) => ({ group, order, event, placed: order > 1, x: 0, y: 0, facing: 0 });
-  const asks = [1, 2].flatMap((group) => [1, 2, 3].map((order) => ask(group, order, '')));
-  asks.push(ask(1, 0, '{"kind":"move","group":1,"x":3,"y":2}'));
+  const ask = (group, order, asked) => ({ group, order, asked, placed: order > 1, x: 0, y: 0, facing: 0 });
+  const asks = [1, 2].flatMap((group) => [1, 2, 3].map((order) => ask(group, order, null)));
+  asks.push(ask(1, 0, { target: [3, 2] }));
   return encode('AskForecasts', { number: 1, asks });
 }
 

@@ -38,7 +38,7 @@ TEST_CASE("every scene makes a world in every regime, at several sizes") {
             for (const std::int32_t count : {36, 400, 2500}) {
                 const Result<Scene> scene = makeScene(sceneOf(name, regime, count));
                 REQUIRE_MESSAGE(scene.ok(), scene.status().message());
-                CHECK(validateWorld(scene->world).ok());
+                CHECK(validate(scene->world).ok());
                 CHECK(scene->world.groups.size() == 1);
                 CHECK(scene->world.groups[0].starts.size() == static_cast<std::size_t>(count));
             }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "command_draw.h"
+#include "generated/random_definitions.h"
 
 namespace muster {
 
@@ -73,7 +74,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
         case 8: {
             SetFormation c;
             c.group = GroupId{draw.number()};
-            c.formation = draw.formationDef();
+            c.formation = randomFormationDef(draw);
             draw.relate(c);
             return c;
         }
@@ -94,7 +95,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
         }
         case 11: {
             AddGroup c;
-            c.group = draw.groupDef();
+            c.group = randomGroupDef(draw);
             draw.relate(c);
             return c;
         }
@@ -107,11 +108,11 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
         case 13: {
             PutThing c;
             c.id = draw.number();
-            if (draw.flag()) c.obstacle = draw.obstacleDef();
-            if (draw.flag()) c.patch = draw.patchDef();
-            if (draw.flag()) c.item = draw.itemDef();
-            if (draw.flag()) c.checkpoint = draw.checkpointDef();
-            if (draw.flag()) c.area = draw.areaDef();
+            if (draw.flag()) c.obstacle = randomObstacleDef(draw);
+            if (draw.flag()) c.patch = randomPatchDef(draw);
+            if (draw.flag()) c.item = randomItemDef(draw);
+            if (draw.flag()) c.checkpoint = randomCheckpointDef(draw);
+            if (draw.flag()) c.area = randomAreaDef(draw);
             if (draw.flag()) c.group = GroupId{draw.number()};
             draw.relate(c);
             return c;
@@ -135,7 +136,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             c.group = GroupId{draw.number()};
             c.mode = draw.value<QueueMode>();
             c.index = draw.number();
-            c.order = draw.order();
+            c.order = randomOrder(draw);
             draw.relate(c);
             return c;
         }
@@ -150,7 +151,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
         case 18: {
             SetConduct c;
             c.group = GroupId{draw.number()};
-            c.conduct = draw.conduct();
+            c.conduct = randomConduct(draw);
             draw.relate(c);
             return c;
         }
@@ -158,7 +159,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
             AddCharacters c;
             c.group = GroupId{draw.number()};
             draw.list(c.positions, [&] { return draw.place(); });
-            draw.list(c.bodies, [&] { return draw.body(); });
+            draw.list(c.bodies, [&] { return randomBody(draw); });
             draw.relate(c);
             return c;
         }
@@ -197,14 +198,14 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
         case 24: {
             SetBodies c;
             c.ids = draw.ids();
-            draw.list(c.bodies, [&] { return draw.body(); });
+            draw.list(c.bodies, [&] { return randomBody(draw); });
             draw.relate(c);
             return c;
         }
         case 25: {
             SetRoles c;
             c.group = GroupId{draw.number()};
-            draw.list(c.roles, [&] { return draw.roleDef(); });
+            draw.list(c.roles, [&] { return randomRoleDef(draw); });
             draw.relate(c);
             return c;
         }
@@ -263,7 +264,7 @@ inline CommandBody randomCommand(std::size_t kind, CommandDraw& draw) {
         case 33: {
             SetPeople c;
             c.group = GroupId{draw.number()};
-            draw.list(c.people, [&] { return draw.peopleDef(); });
+            draw.list(c.people, [&] { return randomPeopleDef(draw); });
             draw.relate(c);
             return c;
         }

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "muster/obstacle.h"
+#include "muster/ground.h"
 
 namespace muster::testing {
 

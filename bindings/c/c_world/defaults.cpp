@@ -1,7 +1,9 @@
-// Defaults: those of the engine's definitions, so that none stands twice. Names, paths, formations.
+// Definitions by hand: parameters, maps, people, orders.
+#include "bindings/c/c_world/default_of.h"
 #include "bindings/c/c_world/layout.h"
 #include "bindings/c/c_world/world_fields.h"
 #include "muster/c/world.h"
+#include "muster/parameter_table.h"
 
 namespace muster::c_api {
 
@@ -28,77 +30,20 @@ void parameterFields(ToC& m, MusterWorldDef& c, const Parameters& p) {
         if (info.get(p) != info.get(standard)) values[c.parameterCount++] = {info.name.data(), info.get(p)};
 }
 
-namespace {
-
-/// The engine's default as a C struct. Its arrays and texts live as long as the process.
-template <class A, class B>
-const A& defaultOf() {
-    static const B& value = *new B{};
-    static Arena& arena = *new Arena;
-    static const A made = writeC<A>(value, arena);
-    return made;
-}
-
-}  // namespace
 }  // namespace muster::c_api
 
 using namespace muster;
 using namespace muster::c_api;
 
-MusterFormationDef muster_default_formation_def(void) {
-    return defaultOf<MusterFormationDef, FormationDef>();
-}
-MusterObstacleDef muster_default_obstacle_def(void) {
-    return defaultOf<MusterObstacleDef, ObstacleDef>();
-}
-MusterPatchDef muster_default_patch_def(void) {
-    return defaultOf<MusterPatchDef, PatchDef>();
-}
-MusterClipFacts muster_default_clip_facts(void) {
-    return defaultOf<MusterClipFacts, ClipFacts>();
-}
 MusterMapDef muster_default_map_def(void) {
     return defaultOf<MusterMapDef, MapGround>();
 }
-MusterOrder muster_default_order(void) {
-    return defaultOf<MusterOrder, Order>();
-}
-MusterConduct muster_default_conduct(void) {
-    return defaultOf<MusterConduct, Conduct>();
-}
-MusterGroupDef muster_default_group_def(void) {
-    return defaultOf<MusterGroupDef, GroupDef>();
-}
-MusterCheckpointDef muster_default_checkpoint_def(void) {
-    return defaultOf<MusterCheckpointDef, FormationCheckpointDef>();
-}
-MusterItemDef muster_default_item_def(void) {
-    return defaultOf<MusterItemDef, ItemDef>();
-}
-MusterWorldDef muster_default_world_def(void) {
-    return defaultOf<MusterWorldDef, WorldDef>();
-}
 
-MusterBody muster_default_body(void) {
-    const Body body;
-    return {body.radius,    body.maxSpeed, body.acceleration, body.mass,     body.supply,
-            body.unitClass, body.headway,  body.premovement,  body.upstairs, body.downstairs};
-}
-
-MusterDistribution muster_default_distribution(void) {
-    return defaultOf<MusterDistribution, Distribution>();
-}
-MusterPeopleDef muster_default_people_def(void) {
-    return defaultOf<MusterPeopleDef, PeopleDef>();
-}
 MusterPeopleDef muster_adults(void) {
     static const PeopleDef& value = *new PeopleDef(adults());
     static Arena& arena = *new Arena;
     static const MusterPeopleDef made = writeC<MusterPeopleDef>(value, arena);
     return made;
-}
-MusterAreaDef muster_default_area_def(void) {
-    return defaultOf<MusterAreaDef, AreaDef>();
 }
 
 double muster_walking_speed_at_age(double years) {

@@ -22,19 +22,6 @@ static_assert(offsetof(MusterBox, max) == offsetof(Box, max));
 static_assert(offsetof(MusterPose, rotation) == offsetof(Pose, rotation));
 static_assert(offsetof(MusterRotation, s) == offsetof(Rotation, s));
 static_assert(offsetof(MusterMeshPoint, weight) == offsetof(MeshPoint, weight));
-static_assert(offsetof(MusterWaypoint, position) == offsetof(Waypoint, position) &&
-              offsetof(MusterWaypoint, angle) == offsetof(Waypoint, angle));
-static_assert(offsetof(MusterBody, maxSpeed) == offsetof(Body, maxSpeed) &&
-              offsetof(MusterBody, acceleration) == offsetof(Body, acceleration) &&
-              offsetof(MusterBody, mass) == offsetof(Body, mass) &&
-              offsetof(MusterBody, supply) == offsetof(Body, supply) &&
-              offsetof(MusterBody, unitClass) == offsetof(Body, unitClass) &&
-              offsetof(MusterBody, headway) == offsetof(Body, headway) &&
-              offsetof(MusterBody, premovement) == offsetof(Body, premovement) &&
-              offsetof(MusterBody, upstairs) == offsetof(Body, upstairs) &&
-              offsetof(MusterBody, downstairs) == offsetof(Body, downstairs));
-static_assert(offsetof(MusterArrivals, count) == offsetof(Arrivals, count));
-static_assert(offsetof(MusterItemDef, radius) == offsetof(ItemDef, radius));
 static_assert(offsetof(MusterCheckpoint, time) == offsetof(Checkpoint, time));
 static_assert(offsetof(MusterEvent, subject) == offsetof(Event, subject) &&
               offsetof(MusterEvent, value) == offsetof(Event, value) &&

@@ -24,24 +24,14 @@ constexpr std::uint32_t structVersion(std::uint32_t kind, std::uint32_t version)
         static constexpr const char* kMaker = maker;                          \
     }
 
+// Kinds 2 to 7, 9 to 11, 17 and 18 are definitions (schema/definitions.txt).
 MUSTER_STRUCT_VERSION(MusterTaskRunner, 1, 1, "muster_default_task_runner");
-MUSTER_STRUCT_VERSION(MusterFormationDef, 2, 1, "muster_default_formation_def");
-MUSTER_STRUCT_VERSION(MusterObstacleDef, 3, 1, "muster_default_obstacle_def");
-MUSTER_STRUCT_VERSION(MusterPatchDef, 4, 2, "muster_default_patch_def");
-MUSTER_STRUCT_VERSION(MusterClipFacts, 5, 1, "muster_default_clip_facts");
-MUSTER_STRUCT_VERSION(MusterMapDef, 6, 1, "muster_default_map_def");
-MUSTER_STRUCT_VERSION(MusterOrder, 7, 2, "muster_default_order");
 MUSTER_STRUCT_VERSION(MusterForecast, 8, 1, "muster_default_forecast");
-MUSTER_STRUCT_VERSION(MusterGroupDef, 9, 2, "muster_default_group_def");
-MUSTER_STRUCT_VERSION(MusterCheckpointDef, 10, 1, "muster_default_checkpoint_def");
-MUSTER_STRUCT_VERSION(MusterWorldDef, 11, 2, "muster_default_world_def");
 MUSTER_STRUCT_VERSION(MusterCommand, 12, 2, "muster_default_command");
 MUSTER_STRUCT_VERSION(MusterCharacters, 13, 2, "muster_default_characters");
 MUSTER_STRUCT_VERSION(MusterGroup, 14, 1, "muster_default_group");
 MUSTER_STRUCT_VERSION(MusterObstacle, 15, 1, "muster_default_obstacle");
 MUSTER_STRUCT_VERSION(MusterPatch, 16, 2, "muster_default_patch");
-MUSTER_STRUCT_VERSION(MusterPeopleDef, 17, 1, "muster_default_people_def");
-MUSTER_STRUCT_VERSION(MusterAreaDef, 18, 1, "muster_default_area_def");
 
 /// Fails where a struct that is to be filled is null or of another version.
 template <class T>

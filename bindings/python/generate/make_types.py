@@ -12,7 +12,8 @@ from pathlib import Path
 from read_headers import Enumeration, Field, HeaderError, Struct, read_header
 
 HEADERS = (
-    "generated/enumerations formation geometry obstacle patch unit order control map_import people area world_def generated/command_kinds "
+    "generated/enumerations geometry generated/ground_definitions generated/people_definitions generated/orders_definitions ground order control "
+    "generated/world_definitions generated/command_kinds "
     "generated/former_commands command event characters walk_totals views take"
 ).split()
 # What has a Python class of its own, or none.

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "muster/geometry.h"
-#include "muster/unit.h"
+#include "muster/people.h"
 #include "muster/vec2.h"
 
 namespace muster::python {

@@ -8,12 +8,11 @@
 #include <variant>
 #include <vector>
 
-#include "muster/area.h"
 #include "muster/control.h"
+#include "muster/ground.h"
 #include "muster/id.h"
 #include "muster/order.h"
 #include "muster/people.h"
-#include "muster/unit.h"
 #include "muster/world_def.h"
 
 namespace muster {

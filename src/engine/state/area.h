@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/random.h"
-#include "muster/area.h"
+#include "muster/ground.h"
 
 namespace muster {
 

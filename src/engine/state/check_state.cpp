@@ -10,6 +10,7 @@
 #include "engine/assignment/planning/assigner.h"
 #include "engine/passages/way_number.h"
 #include "engine/state/validation.h"
+#include "engine/state/validation_parts.h"
 
 namespace muster {
 namespace {
@@ -49,9 +50,9 @@ Status checkGround(const Environment& environment) {
     const auto motions = static_cast<std::int32_t>(environment.def().clips.size());
     if (motions == 0) return wrong("no clip");
     for (const ClipFacts& clip : environment.def().clips)
-        if (Status s = validateClip(clip); !s.ok()) return s;
+        if (Status s = validate(clip); !s.ok()) return s;
     for (const ObstacleId id : environment.obstacleIds())
-        if (Status s = validateObstacle(*environment.obstacle(id)); !s.ok()) return s;
+        if (Status s = validate(*environment.obstacle(id)); !s.ok()) return s;
     for (const PatchId id : environment.patchIds())
         if (Status s = validatePatch(*environment.patch(id), motions); !s.ok()) return s;
     return {};
@@ -172,10 +173,10 @@ Status checkOrders(const Group& group, std::uint32_t nextOrder) {
     if (queue.orders.size() > kMaxOrders + 1) return wrong("too many orders");
     for (const QueuedOrder& queued : queue.orders) {
         if (queued.id == 0 || queued.id >= nextOrder) return wrong("an order of an unknown number");
-        if (Status s = validateOrder(queued.order); !s.ok()) return s;
+        if (Status s = validate(queued.order); !s.ok()) return s;
     }
     if (queue.own)
-        if (Status s = validateFormation(*queue.own); !s.ok()) return s;
+        if (Status s = validate(*queue.own); !s.ok()) return s;
     const bool points = queue.own && queue.own->kind == FormationKind::Points;
     if (!isSane(queue.march) || !isSane(group.flow) || !isSane(group.avoidance) || !isPlace(queue.target) ||
         queue.arrived < 0 || (queue.begun && queue.orders.empty()) ||
@@ -194,8 +195,9 @@ Status checkGroup(const Group& group, const Grid& grid, bool bare) {
     if (def.name.size() > kMaxText || !isPlace(def.position) || !arePlaces(def.starts))
         return wrong("a bad group");
     if (Status s = validateColour(def.colour); !s.ok()) return s;
-    if (Status s = validateAppearance(def.build, def.motions); !s.ok()) return s;
-    if (Status s = validateFormation(def.formation); !s.ok()) return s;
+    if (Status s = isKnown(def.build, kLastOf<BodyBuild>, "build"); !s.ok()) return s;
+    if (Status s = isKnown(def.motions, kLastOf<MotionSet>, "set of motions"); !s.ok()) return s;
+    if (Status s = validate(def.formation); !s.ok()) return s;
     const Formation& formation = group.mesh.formation();
     if (formation.places.size() != count || group.places.positions().size() != count)
         return wrong("places that do not suit their group");
@@ -340,12 +342,12 @@ Status checkQueueAndMarks(const WorldState& state) {
     if (!ascend(state.itemIds, state.nextItem) || !ascend(state.checkpointIds, state.nextCheckpoint))
         return wrong("ids of items or checkpoints out of order");
     for (const ItemDef& item : state.items)
-        if (Status s = validateItem(item); !s.ok()) return s;
+        if (Status s = validate(item); !s.ok()) return s;
     for (const FormationCheckpointDef& checkpoint : state.checkpoints)
         if (Status s = validateCheckpoint(checkpoint, kMaxGroups); !s.ok()) return s;
     std::vector<AreaId> areas;
     for (const Area& area : state.areas) {
-        if (Status s = validateArea(area.def); !s.ok()) return s;
+        if (Status s = validate(area.def); !s.ok()) return s;
         if (!isSane(area, state.nextCharacter)) return wrong("an area with a number out of range");
         areas.push_back(area.id);
     }

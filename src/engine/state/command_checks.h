@@ -28,10 +28,4 @@ template <class T, class Check>
 Status givenIn(const std::optional<T>& value, const Check& check) {
     return value ? check(*value) : Status{};
 }
-/// A value of an enumeration.
-template <class Enum>
-Status isKnown(Enum value, Enum last, const char* called) {
-    return value <= last ? Status{} : invalidArgument(std::string(called) + " is not known");
-}
-
 }  // namespace muster

@@ -121,16 +121,4 @@ Status relations(const WriteMotion& c) {
     return differInNumber("ids, positions and velocities");
 }
 
-Status relations(const NameGroup& c) {
-    return validateName(c.name);
-}
-
-Status relations(const ColourGroup& c) {
-    return validateColour(c.colour);
-}
-
-Status relations(const SetAppearance& c) {
-    return validateAppearance(c.build, c.motions);
-}
-
 }  // namespace muster

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "muster/people.h"
-#include "muster/unit.h"
 #include "muster/world_def.h"
 
 namespace muster {

@@ -134,6 +134,10 @@ double shareBelow(const Distribution& drawn, double x) {
 
 }  // namespace
 
+Distribution Distribution::normal(double mean, double deviation, double least, double most) {
+    return {Spread::Normal, mean, deviation, least, most};
+}
+
 double Distribution::quantile(double p) const {
     constexpr double kEnd = 1e-12;
     if (spread == Spread::Constant) return a;

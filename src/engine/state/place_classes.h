@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/formation/shapes/formation.h"
-#include "muster/unit.h"
+#include "muster/people.h"
 
 namespace muster {
 

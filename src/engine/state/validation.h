@@ -1,6 +1,8 @@
-// Range checks of definitions, shared by scenarios and commands; they need no world.
+// Checks of definitions that take more than the definition, shared by scenarios and commands; they need no
+// world.
 #pragma once
 
+#include "engine/state/generated/definition_checks.h"
 #include "muster/world_def.h"
 
 namespace muster {
@@ -18,48 +20,24 @@ inline constexpr std::size_t kMaxAreas = 1000;  ///< Exits, sources and waiting 
 inline constexpr std::size_t kMaxSorts = 100;   ///< Of persons in one group.
 inline constexpr double kMaxCoordinate = 1e6;   ///< Of any position [m].
 
-/// InvalidArgument where the spacing, the opening or the shape is bad.
-Status validateFormation(const FormationDef& formation);
-/// InvalidArgument where the shape, path or field is bad.
-Status validateObstacle(const ObstacleDef& obstacle);
-/// InvalidArgument where the shape, path, motion or speed is bad. `motions` is the number of known clips.
+/// InvalidArgument where a patch is bad. `motions` is the number of known clips.
 Status validatePatch(const PatchDef& patch, std::int32_t motions);
 /// InvalidArgument where a parameter is out of its range or contradicts others, in a world of this box.
 Status validateParameters(const Parameters& parameters, const Box& box);
 /// InvalidArgument where a checkpoint for one of so many groups is bad.
 Status validateCheckpoint(const FormationCheckpointDef& checkpoint, std::size_t groups);
-/// InvalidArgument where an item is bad.
-Status validateItem(const ItemDef& item);
-/// InvalidArgument where a clip's text or number is bad.
-Status validateClip(const ClipFacts& clip);
 /// LimitExceeded where a world with these parameters would hold more characters than it can.
 Status validateTotal(std::int64_t characters, const Parameters& parameters);
-/// InvalidArgument where the count, pose, starts or formation is bad.
-Status validateGroup(const GroupDef& group);
-/// InvalidArgument where a number of an order is out of its range.
-Status validateOrder(const Order& order);
-/// InvalidArgument where a number of a conduct is out of its range.
-Status validateConduct(const Conduct& conduct);
 /// InvalidArgument where a body is bad, or there is neither one for each of `count` nor one for all (nor,
 /// where `optional`, none).
 Status validateBodies(const std::vector<Body>& bodies, std::size_t count, bool optional);
 /// InvalidArgument where a role is bad.
 Status validateRoles(const std::vector<RoleDef>& roles);
-/// InvalidArgument where a name is too long or no text.
-Status validateName(const std::string& name);
 /// InvalidArgument where a colour is above 0xFFFFFF.
 Status validateColour(const std::optional<std::uint32_t>& colour);
-/// InvalidArgument where a build or a motion set is not known.
-Status validateAppearance(const std::optional<BodyBuild>& build, const std::optional<MotionSet>& motions);
 /// InvalidArgument where a demand is out of its range.
 Status validateDemands(const std::vector<double>& demands);
-/// InvalidArgument where an area is bad.
-Status validateArea(const AreaDef& area);
 /// InvalidArgument where a sort of persons is bad.
 Status validatePeople(const std::vector<PeopleDef>& people);
-/// InvalidArgument where a polygon is not simple.
-Status validateShape(const char* what, const Polygon& polygon);
-/// InvalidArgument naming the first bad thing of a whole definition ("groups[1]: ...").
-Status validateWorld(const WorldDef& def);
 
 }  // namespace muster

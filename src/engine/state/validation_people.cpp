@@ -1,4 +1,4 @@
-// Checks of areas and of sorts of persons.
+// What the fields of areas and of sorts of persons have to be together.
 #include <algorithm>
 
 #include "engine/state/validation.h"
@@ -7,9 +7,8 @@
 namespace muster {
 namespace {
 
-constexpr double kLongest = 1e9;      // Any time [s].
-constexpr double kMostRate = 1000.0;  // Of people by an area [1/s].
-constexpr double kMostShape = 1e4;    // Of a gamma distribution; a narrower one is a normal one.
+constexpr double kLongest = 1e9;    // Any time [s].
+constexpr double kMostShape = 1e4;  // Of a gamma distribution; a narrower one is a normal one.
 
 Status isTimetable(const std::vector<Arrivals>& timetable) {
     if (timetable.size() > kMaxCorners)
@@ -19,8 +18,7 @@ Status isTimetable(const std::vector<Arrivals>& timetable) {
     double before = 0.0;
     for (std::size_t k = 0; k < timetable.size(); ++k) {
         const std::string where = "timetable[" + std::to_string(k) + "]";
-        if (Status s = first({inRange("time", timetable[k].time, before, kLongest),
-                              inRange("count", timetable[k].count, 1, kMaxCharacters)});
+        if (Status s = first({validate(timetable[k]), inRange("time", timetable[k].time, before, kLongest)});
             !s.ok())
             return s.within(where);
         before = timetable[k].time;
@@ -28,73 +26,54 @@ Status isTimetable(const std::vector<Arrivals>& timetable) {
     return {};
 }
 
-// What is drawn is 0, which stands for a parameter, or in its range.
-Status isDistribution(const char* what, const Distribution& drawn, double low, double high) {
-    const auto check = [&]() -> Status {
-        if (drawn.spread > Spread::Weibull) return invalidArgument("its kind is not known");
-        if (Status s = first({inRange("a", drawn.a, -1e9, 1e9), inRange("b", drawn.b, -1e9, 1e9),
-                              inRange("least", drawn.least, 0.0, 1e9),
-                              inRange("most", drawn.most, drawn.least, 1e9)});
-            !s.ok())
-            return s;
-        const Spread spread = drawn.spread;
-        if (spread == Spread::Constant) return isOwn("a", drawn.a, low, high);
-        if (spread == Spread::Uniform && drawn.b < drawn.a)
-            return invalidArgument("b is " + numberText(drawn.b) + ", expected a number of at least a, " +
-                                   numberText(drawn.a));
-        const bool scaled = spread == Spread::Gamma || spread == Spread::Weibull;
-        if (scaled && !(drawn.a >= 1e-6 && drawn.b >= 1e-6))
-            return invalidArgument("shape and scale are to be 1e-6 or more");
-        if (spread == Spread::Gamma && !(drawn.a <= kMostShape))
-            return invalidArgument("a is " + numberText(drawn.a) + ", expected a shape of at most " +
-                                   numberText(kMostShape));
-        if ((spread == Spread::Normal || spread == Spread::LogNormal) && drawn.b < 0.0)
-            return invalidArgument("b is " + numberText(drawn.b) + ", expected a deviation of 0 or more");
-        if (spread == Spread::LogNormal && !(std::max(drawn.a, drawn.b) <= 50.0))
-            return invalidArgument("the numbers of the logarithm are to be 50 or less");
-        const double lowest = drawn.quantile(1e-9), highest = drawn.quantile(1.0 - 1e-9);
-        if (lowest >= low && highest <= high) return {};
-        return invalidArgument("it reaches from " + numberText(lowest) + " to " + numberText(highest) +
-                               ", expected numbers in [" + numberText(low) + ", " + numberText(high) +
-                               "]; least and most cut it off");
-    };
-    return check().within(what);
+// What is drawn lies from `low` to `high`.
+Status drawsFrom(const Distribution& drawn, double low, double high) {
+    if (drawn.spread == Spread::Constant) return isOwn("a", drawn.a, low, high);
+    const double lowest = drawn.quantile(1e-9), highest = drawn.quantile(1.0 - 1e-9);
+    if (lowest >= low && highest <= high) return {};
+    return invalidArgument("it reaches from " + numberText(lowest) + " to " + numberText(highest) +
+                           ", expected numbers in [" + numberText(low) + ", " + numberText(high) +
+                           "]; least and most cut it off");
 }
 
 }  // namespace
 
-Status validateArea(const AreaDef& area) {
-    if (area.kind > AreaKind::Waiting) return invalidArgument("kind is not known");
-    if (Status s = first({validateName(area.name), validateShape("polygon", area.polygon),
-                          inRange("rate", area.rate, 0.0, kMostRate), arePlaces("queue", area.queue),
-                          inRange("from", area.from, 0.0, kLongest),
-                          inRange("until", area.until, area.from, kLongest),
-                          inRange("most", area.most, 0, kMaxCharacters), isTimetable(area.timetable)});
-        !s.ok())
+Status isDistribution(const char* what, const Distribution& drawn, double low, double high) {
+    Status status = validate(drawn);
+    if (status.ok()) status = drawsFrom(drawn, low, high);
+    return status.within(what);
+}
+
+Status relations(const Distribution& d) {
+    if (Status s = inRange("most", d.most, d.least, 1e9); !s.ok()) return s;
+    if (d.spread == Spread::Uniform && d.b < d.a)
+        return invalidArgument("b is " + numberText(d.b) + ", expected a number of at least a, " +
+                               numberText(d.a));
+    const bool scaled = d.spread == Spread::Gamma || d.spread == Spread::Weibull;
+    if (scaled && !(d.a >= 1e-6 && d.b >= 1e-6))
+        return invalidArgument("shape and scale are to be 1e-6 or more");
+    if (d.spread == Spread::Gamma && !(d.a <= kMostShape))
+        return invalidArgument("a is " + numberText(d.a) + ", expected a shape of at most " +
+                               numberText(kMostShape));
+    if ((d.spread == Spread::Normal || d.spread == Spread::LogNormal) && d.b < 0.0)
+        return invalidArgument("b is " + numberText(d.b) + ", expected a deviation of 0 or more");
+    if (d.spread == Spread::LogNormal && !(std::max(d.a, d.b) <= 50.0))
+        return invalidArgument("the numbers of the logarithm are to be 50 or less");
+    return {};
+}
+
+Status relations(const AreaDef& d) {
+    if (Status s = first({inRange("until", d.until, d.from, kLongest), isTimetable(d.timetable)}); !s.ok())
         return s;
-    if (!area.queue.empty() && (area.kind != AreaKind::Exit || area.queue.size() < 2))
+    if (!d.queue.empty() && (d.kind != AreaKind::Exit || d.queue.size() < 2))
         return invalidArgument("a queue is a line of two or more points before an exit");
-    if (!area.timetable.empty() && area.kind != AreaKind::Source)
+    if (!d.timetable.empty() && d.kind != AreaKind::Source)
         return invalidArgument("only a source has a timetable");
     return {};
 }
 
 Status validatePeople(const std::vector<PeopleDef>& people) {
-    if (people.size() > kMaxSorts)
-        return {StatusCode::LimitExceeded, "people: there are more than 100 sorts"};
-    for (std::size_t k = 0; k < people.size(); ++k) {
-        const PeopleDef& sort = people[k];
-        const Status s = first({validateName(sort.name), inRange("share", sort.share, 1e-9, 1e9),
-                                isDistribution("speed", sort.speed, 0.01, 50.0),
-                                isDistribution("radius", sort.radius, 0.05, 1.5),
-                                isDistribution("headway", sort.headway, 0.02, 5.0),
-                                isDistribution("premovement", sort.premovement, 0.0, 1e7),
-                                isDistribution("age", sort.age, 5.0, 90.0),
-                                isOwn("upstairs", sort.upstairs, 0.01, 1.0),
-                                isOwn("downstairs", sort.downstairs, 0.01, 1.0)});
-        if (!s.ok()) return s.within("people[" + std::to_string(k) + "]");
-    }
-    return {};
+    return each("people", people, 100);
 }
 
 }  // namespace muster

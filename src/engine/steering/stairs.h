@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/ground/environment/environment.h"
-#include "muster/unit.h"
+#include "muster/generated/people_definitions.h"
 
 namespace muster {
 

@@ -40,7 +40,7 @@ Result<std::vector<Vec2>> placesAt(const World& world, GroupId group, const Form
                                    const Pose& at) {
     const Group* const found = WorldAccess::of(world).state.findGroup(group);
     if (found == nullptr) return Status(StatusCode::NotFound, "there is no such group");
-    if (Status status = validateFormation(formation); !status.ok()) return status;
+    if (Status status = validate(formation); !status.ok()) return status;
     if (found->def.count < 1) return std::vector<Vec2>{};
     const Result<Formation> made = makeFormation(formation, found->def.count);
     if (!made.ok()) return made.status();

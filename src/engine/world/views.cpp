@@ -21,7 +21,7 @@ namespace {
 OrderForecast forecastOf(WorldEngine& engine, GroupId group, const Order& order, const Pose* from) {
     engine.finishBackgroundWork();
     const Group* const found = engine.state.findGroup(group);
-    if (found == nullptr || !validateOrder(order).ok()) {
+    if (found == nullptr || !validate(order).ok()) {
         OrderForecast none;
         none.end = order.target;
         none.seconds = std::numeric_limits<double>::infinity();

@@ -8,7 +8,7 @@
 #include "engine/state/world_archive.h"
 #include "engine/systems/commands/area_commands.h"
 #include "engine/world/world_engine.h"
-#include "muster/map_import.h"
+#include "muster/ground.h"
 
 namespace muster {
 namespace {
@@ -73,7 +73,7 @@ Result<World> World::create(const WorldDef& def, const TaskRunner& runner) {
 }
 
 Result<World> World::createOn(std::unique_ptr<ThreadPool> pool, const WorldDef& def) {
-    if (const Status valid = validateWorld(def); !valid.ok()) return valid;
+    if (const Status valid = validate(def); !valid.ok()) return valid;
     EnvironmentDef ground;
     ground.box = def.box;
     ground.cell = def.cell;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/geometry/polygon.h"
-#include "muster/obstacle.h"
+#include "muster/ground.h"
 #include "muster/vec3.h"
 #include "muster/world.h"
 

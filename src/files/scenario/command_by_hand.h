@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "files/scenario/describe.h"
+#include "files/scenario/describe_forms.h"
 #include "muster/command.h"
 
 namespace muster {
@@ -33,13 +33,6 @@ void describeByHand(Visitor& v, AddControl& c, double& time) {
         c.positions.push_back(position);
     }
     c.time = time;
-}
-
-/// An appearance is written as in groups.
-template <class Visitor>
-void describeByHand(Visitor& v, SetAppearance& c, double&) {
-    v.whole("group", c.group.value, kId, "The group.", Need::Required);
-    describeAppearance(v, c);
 }
 
 }  // namespace muster

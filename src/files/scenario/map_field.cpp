@@ -1,4 +1,4 @@
-#include "files/scenario/describe.h"
+#include "files/scenario/describe_world.h"
 
 #include "base/text_file.h"
 #include "muster/scenario.h"
@@ -8,13 +8,6 @@ namespace {
 
 constexpr std::size_t kMaxMapSide = 4096;
 constexpr const char* kAbout = "A MovingAI map as ground: a file beside the scenario, or its rows.";
-
-template <class Visitor>
-void describeScale(Visitor& v, MapDef& def) {
-    v.number("metresPerCell", def.metresPerCell, {0.01, 1000.0, "m"}, "Edge of a map cell.");
-    v.point("origin", def.origin, "Lower left corner of the map.");
-    v.number("swampSpeed", def.swampSpeed, {0.01, 100.0}, "Travel speed of swamp cells.");
-}
 
 /// The map's text, from the file or from the rows.
 std::string mapText(FieldReader& v, const std::string& file, const Json* rows, const std::string& folder) {
@@ -47,7 +40,7 @@ void readMap(FieldReader& v, MapGround& map, const std::string& folder) {
     std::string file;
     v.text("file", file, "");
     const Json* rows = v.findArray("rows", kMaxMapSide, Need::Optional);
-    describeScale(v, map.def);
+    describe(v, map.def);
     if (v.failed()) return;
     if (file.empty() == (rows == nullptr)) {
         return v.fail({}, file.empty() ? "neither file nor rows" : "both file and rows", "one of them");
@@ -76,7 +69,7 @@ bool describeMap(FieldReader& v, std::optional<MapGround>& map, const std::strin
 bool describeMap(FieldWriter& v, std::optional<MapGround>& map, const std::string&) {
     if (!map) return false;
     v.object("map", kAbout, [&](FieldWriter& inner) {
-        describeScale(inner, map->def);
+        describe(inner, map->def);
         Json rows = Json::array();
         const auto width = static_cast<std::size_t>(map->grid.width);
         for (std::int32_t row = 0; row < map->grid.height; ++row) {
@@ -93,7 +86,7 @@ bool describeMap(FieldSchema& v, std::optional<MapGround>&, const std::string&) 
         inner.text("file", "", "MovingAI map file, relative to the scenario.");
         inner.set("rows", {{"type", "array"}, {"maxItems", kMaxMapSide}, {"items", {{"type", "string"}}}},
                   "The map's rows from the top, instead of a file.", Need::Optional);
-        describeScale(inner, def);
+        describe(inner, def);
     });
 }
 

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <utility>
 
-#include "files/scenario/describe_people.h"
+#include "files/scenario/describe_forms.h"
 
 namespace muster {
 namespace {
@@ -21,7 +21,7 @@ void describeDrawn(FieldReader& v, const char* key, Distribution& drawn, const c
     if (found == nullptr) return;
     if (found->isObject()) {
         drawn = {};
-        v.object(key, about, [&](FieldReader& inner) { describeDistribution(inner, drawn); });
+        v.object(key, about, [&](FieldReader& inner) { describe(inner, drawn); });
         return;
     }
     double value = 0.0;
@@ -32,7 +32,7 @@ void describeDrawn(FieldReader& v, const char* key, Distribution& drawn, const c
 void describeDrawn(FieldWriter& v, const char* key, Distribution& drawn, const char* unit,
                    const char* about) {
     if (!isPlainNumber(drawn)) {
-        v.object(key, about, [&](FieldWriter& inner) { describeDistribution(inner, drawn); });
+        v.object(key, about, [&](FieldWriter& inner) { describe(inner, drawn); });
     } else if (drawn.a != 0.0 || std::signbit(drawn.a)) {
         v.number(key, drawn.a, {kValue.minimum, kValue.maximum, unit}, about);
     }
@@ -42,7 +42,7 @@ void describeDrawn(FieldSchema& v, const char* key, Distribution&, const char* u
     Json object;
     FieldSchema inner(object);
     Distribution none;
-    describeDistribution(inner, none);
+    describe(inner, none);
     Json number = {{"type", "number"}, {"minimum", kValue.minimum}, {"maximum", kValue.maximum}};
     v.set(key, {{"anyOf", Json::array({std::move(number), std::move(object)})}},
           std::string(about) + " 0 stands for the parameter's. [" + unit + "]", Need::Optional);
@@ -63,21 +63,21 @@ void describePeople(FieldReader& v, std::vector<PeopleDef>& people) {
             sort = adults();
             continue;
         }
-        v.inside(key, one, [&](FieldReader& inner) { describeSort(inner, sort); });
+        v.inside(key, one, [&](FieldReader& inner) { describe(inner, sort); });
     }
 }
 
 void describePeople(FieldWriter& v, std::vector<PeopleDef>& people) {
     if (people.size() == 1 && people.front() == adults()) return v.set("people", kAdultsWord);
     v.list("people", people, kMaxSorts, kPeople,
-           [](FieldWriter& item, PeopleDef& sort) { describeSort(item, sort); });
+           [](FieldWriter& item, PeopleDef& sort) { describe(item, sort); });
 }
 
 void describePeople(FieldSchema& v, std::vector<PeopleDef>&) {
     Json sort;
     FieldSchema inner(sort);
     PeopleDef none;
-    describeSort(inner, none);
+    describe(inner, none);
     const Json word = {{"enum", Json::array({kAdultsWord})}};
     const Json either = {{"anyOf", Json::array({word, sort})}};
     const Json list = {{"type", "array"}, {"maxItems", kMaxSorts}, {"items", either}};

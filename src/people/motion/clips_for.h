@@ -5,7 +5,7 @@
 #include <string>
 
 #include "muster/clip.h"
-#include "muster/patch.h"
+#include "muster/ground.h"
 
 namespace muster {
 

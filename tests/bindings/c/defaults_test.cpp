@@ -5,7 +5,7 @@
 #include <map>
 
 #include "bindings/c/both_worlds.h"
-#include "muster/map_import.h"
+#include "muster/ground.h"
 
 using namespace muster;
 

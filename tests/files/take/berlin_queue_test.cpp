@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "folders.h"
-#include "muster/map_import.h"
+#include "muster/ground.h"
 #include "muster/scenario.h"
 #include "muster/world.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "muster/ground.h"
 #include "muster/own_clips.h"
-#include "muster/patch.h"
 #include "people/clips/clip_files.h"
 #include "people/clips/motion_facts.h"
 #include "people/clips/samples.h"

@@ -3,8 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <string>
 
+#include "folders.h"
+#include "generated/random_commands.h"
 #include "studio/session/fake_client.h"
 #include "studio/session/inbox/command_list.h"
 
@@ -24,10 +29,6 @@ Result<std::vector<CommandBody>> read(const std::vector<std::uint8_t>& bytes, co
 /// The message of what is wrong with commands; empty where nothing is.
 std::string wrongWith(const std::vector<std::uint8_t>& bytes, const SessionLimits& limits = {}) {
     return read(bytes, limits).status().message();
-}
-
-std::vector<std::uint8_t> bytesOf(const CommandBody& body) {
-    return commandBytes(std::span(&body, 1));
 }
 
 const EditQueue kHold{GroupId{1}, QueueEdit::Hold, 0};
@@ -51,23 +52,40 @@ TEST_CASE("Commands are read from the bytes that takes have") {
     CHECK(commandBytes(*bodies) == bytes);
     // In a take, step, client and sequence come before.
     const auto inTake = encodeCommand({7, 2, 9, (*bodies)[1]});
-    CHECK(std::vector(inTake.begin() + 12, inTake.end()) == bytesOf((*bodies)[1]));
+    CHECK(std::vector(inTake.begin() + 12, inTake.end()) == commandBytes((*bodies)[1]));
+}
+
+// The page's tests read this file and write it again: both sides agree on each field of each command.
+// MUSTER_UPDATE_GOLDEN=1 writes it anew.
+TEST_CASE("The commands that the page's tests read are what we write, of every kind") {
+    CommandDraw draw(39);
+    std::vector<CommandBody> bodies;
+    for (std::size_t kind = 0; kind < std::variant_size_v<CommandKinds>; ++kind)
+        for (int k = 0; k < 4; ++k) bodies.push_back(randomCommand(kind, draw));
+    const auto bytes = commandBytes(bodies);
+    const std::string path = sourceFolder() + "/tests/golden/commands.bin";
+    if (std::getenv("MUSTER_UPDATE_GOLDEN") != nullptr)
+        std::ofstream(path, std::ios::binary)
+            .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    std::ifstream file(path, std::ios::binary);
+    const std::vector<std::uint8_t> golden{std::istreambuf_iterator<char>(file), {}};
+    CHECK(golden == bytes);
 }
 
 TEST_CASE("Bad commands are refused with a sentence that says which and why") {
     const std::vector<CommandBody> both{kHold, removeThing(ObstacleId{1})};
     CHECK(has(wrongWith(commandBytes(both)), "commands[1]: found a command of another kind"));
-    CHECK(has(wrongWith(bytesOf(TouchDown{})), "another kind"));
+    CHECK(has(wrongWith(commandBytes(TouchDown{})), "another kind"));
     CHECK(wrongWith({255}) == "commands[0]: command kind 255 is not known");
-    auto bytes = bytesOf(kHold);
+    auto bytes = commandBytes(kHold);
     bytes.pop_back();
     CHECK(wrongWith(bytes) == "commands[0]: EditQueue command is cut short");
-    bytes = bytesOf(kHold);
+    bytes = commandBytes(kHold);
     bytes.push_back(200);
     CHECK(wrongWith(bytes) == "commands[1]: command kind 200 is not known");
-    CHECK(has(wrongWith(bytesOf(EditQueue{GroupId{1}, static_cast<QueueEdit>(77), 0})), "queue edit"));
-    CHECK(has(wrongWith(bytesOf(SetPose{GroupId{1}, {1e9, 0}, 0})), "position"));
-    CHECK(has(wrongWith(bytesOf(SetPose{GroupId{1}, {0, 0}, std::nan("")})), "angle"));
+    CHECK(has(wrongWith(commandBytes(EditQueue{GroupId{1}, static_cast<QueueEdit>(77), 0})), "queue edit"));
+    CHECK(has(wrongWith(commandBytes(SetPose{GroupId{1}, {1e9, 0}, 0})), "position"));
+    CHECK(has(wrongWith(commandBytes(SetPose{GroupId{1}, {0, 0}, std::nan("")})), "angle"));
 }
 
 TEST_CASE("Bytes and number of commands have limits") {
@@ -78,10 +96,10 @@ TEST_CASE("Bytes and number of commands have limits") {
     CHECK(wrongWith(commandBytes(holds), limits).empty());
     holds.push_back(kHold);
     CHECK(has(wrongWith(commandBytes(holds), limits), "more than 2 commands"));
-    CHECK(has(wrongWith(bytesOf(AddCharacters{GroupId{1}, {{0, 0}, {2, 0}}, {}}), limits), "2 characters"));
-    CHECK(has(wrongWith(bytesOf(SetCount{GroupId{1}, 2}), limits), "2 characters"));
+    CHECK(has(wrongWith(commandBytes(AddCharacters{GroupId{1}, {{0, 0}, {2, 0}}, {}}), limits), "2 characters"));
+    CHECK(has(wrongWith(commandBytes(SetCount{GroupId{1}, 2}), limits), "2 characters"));
     limits.commandBytes = 5;
-    CHECK(has(wrongWith(bytesOf(kHold), limits), "bytes"));
+    CHECK(has(wrongWith(commandBytes(kHold), limits), "bytes"));
 }
 
 TEST_CASE("A list of commands that is longer than its message is refused, and so are bytes behind it") {

@@ -45,6 +45,10 @@ inline std::vector<std::uint8_t> commandBytes(std::span<const CommandBody> bodie
     return writer.take();
 }
 
+/// The bytes of one command.
+inline std::vector<std::uint8_t> commandBytes(const CommandBody& body) {
+    return commandBytes(std::span(&body, 1));
+}
 /// The same from the words of gesture files, which are easier to read in a test.
 inline std::vector<std::uint8_t> commandBytes(const std::string& events) {
     const auto commands = parseCommands(events, "test", 1.0);
@@ -56,7 +60,7 @@ inline std::vector<std::uint8_t> commandBytes(const std::string& events) {
 
 /// A message with one command.
 inline protocol::Commands told(const CommandBody& body) {
-    return {commandBytes(std::span(&body, 1))};
+    return {commandBytes(body)};
 }
 /// A message with the commands of a list of events.
 inline protocol::Commands told(const std::string& events) {

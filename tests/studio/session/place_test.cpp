@@ -25,6 +25,10 @@ struct Desk {
         client.send(edited(label, gesture, "[" + events + "]"));
         settle();
     }
+    void edit(const CommandBody& body) {
+        client.send(protocol::Edit{"Edit", 0, commandBytes(body), {}});
+        settle();
+    }
     void undo(bool redo = false) {
         client.send(protocol::UndoEdit{redo});
         settle();
@@ -367,7 +371,8 @@ TEST_CASE("a colour is one step of undo, shown in the scene and kept by the plac
     desk.edit(R"({"kind":"removeGroup","group":1})");
     desk.undo();
     CHECK(desk.world().group(0).colour == 0xD60EA8u);
-    desk.edit(R"({"kind":"colourGroup","group":1,"colour":"red"})");
+    desk.edit(ColourGroup{GroupId{1}, 0x1000000});
+    CHECK(desk.client.noticed("Edit").find("colour") != std::string::npos);
     CHECK(desk.client.history.undo == 1);
 }
 
@@ -393,7 +398,8 @@ TEST_CASE("an appearance is one step of undo, shown in the scene and kept by the
     CHECK_FALSE(shows(R"("motions")"));
     desk.undo(true);
     CHECK(shows(R"("motions":"march")"));
-    desk.edit(R"({"kind":"appearance","group":1,"motions":"hop"})");
+    desk.edit(SetAppearance{GroupId{1}, {}, static_cast<MotionSet>(9)});
+    CHECK_FALSE(desk.client.noticed("Edit").empty());
     CHECK(desk.client.history.undo == 1);
 }
 
@@ -420,7 +426,10 @@ TEST_CASE("sorts of persons are one step of undo, draw who is there, and are kep
     CHECK(radii() == before);
     desk.undo(true);
     CHECK(radii() == mixed);
-    desk.edit(R"({"kind":"people","group":1,"people":{"share":-1}})");
+    PeopleDef less;
+    less.share = -1.0;
+    desk.edit(SetPeople{GroupId{1}, {less}});
+    CHECK(desk.client.noticed("Edit").find("share") != std::string::npos);
     CHECK(desk.client.history.undo == 1);
 }
 
@@ -437,7 +446,7 @@ TEST_CASE("the saved place plays to the hash of the studio") {
     desk.edit(R"({"kind":"colourGroup","group":1,"colour":"#05536d"})");
     desk.edit(R"({"kind":"appearance","group":1,"build":"broad"})");
     desk.edit(R"({"kind":"count","group":1,"count":12})");
-    desk.edit(R"({"kind":"parameter","name":"character.speed","value":2.5})");
+    desk.edit(R"({"kind":"parameter","name":"character.maxSpeed","value":2.5})");
     const WorldDef saved = desk.saved();
     REQUIRE(saved.groups.size() == 2);
     CHECK(saved.groups[0].name == "First");
@@ -505,24 +514,23 @@ TEST_CASE("takes hold edits and undo, and replay to the same hash") {
 
 TEST_CASE("bad edits are answered by one sentence and change nothing") {
     Desk desk;
-    const auto refused = [&](const std::string& events) {
+    const auto refused = [&](const auto& edit) {
         desk.client.notices.clear();
-        desk.edit(events);
+        desk.edit(edit);
         run(desk.session, 1.0, {&desk.client});
         REQUIRE(desk.client.notices.size() == 1);
         return desk.client.notices[0].text;
     };
-    CHECK(refused("").find("at least one") != std::string::npos);
-    CHECK(refused(R"({"kind":"move","group":1,"x":0,"y":0})").find("expected a change of the place") !=
+    CHECK(refused(std::string()).find("at least one") != std::string::npos);
+    CHECK(refused(std::string(R"({"kind":"move","group":1,"x":0,"y":0})")).find("expected a change of the place") !=
           std::string::npos);
-    CHECK(refused(R"({"kind":"removeObstacle","id":77})").find("no obstacle has the id 77") !=
+    CHECK(refused(std::string(R"({"kind":"removeObstacle","id":77})")).find("no obstacle has the id 77") !=
           std::string::npos);
-    CHECK(refused(R"({"kind":"item","definition":{"position":[1,1],"radius":-1}})").find("radius") !=
-          std::string::npos);
-    CHECK(refused(R"({"kind":"count","group":1,"count":199999})").find("characters") != std::string::npos);
-    CHECK(refused(R"({"kind":"checkpoint","definition":{"position":[0,0],"formation":"square"},"group":9})")
+    CHECK(refused(AddItem{{{1, 1}, -1.0}}).find("radius") != std::string::npos);
+    CHECK(refused(std::string(R"({"kind":"count","group":1,"count":199999})")).find("characters") != std::string::npos);
+    CHECK(refused(std::string(R"({"kind":"checkpoint","definition":{"position":[0,0],"formation":"square"},"group":9})"))
               .find("no group has the id 9") != std::string::npos);
-    CHECK(refused(R"({"kind":"nameGroup","group":1,"name":"A"},{"kind":"nameGroup","group":1,"name":"B"})")
+    CHECK(refused(std::string(R"({"kind":"nameGroup","group":1,"name":"A"},{"kind":"nameGroup","group":1,"name":"B"})"))
               .find("expected each once") != std::string::npos);
     CHECK(desk.client.history.undo == 0);
     CHECK(desk.obstacles() == 0);

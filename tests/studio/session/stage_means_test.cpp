@@ -136,7 +136,7 @@ TEST_CASE("Times of stages are the same after encoding and decoding, and refused
     std::vector<std::uint8_t> many = bytes;
     many[9] = many[10] = many[11] = many[12] = 0xFF;  // The number of stages.
     CHECK_FALSE(protocol::decodeServer(many).ok());
-    CHECK(protocol::encode(protocol::WatchStages{true}) == std::vector<std::uint8_t>{34, 1});
+    CHECK(protocol::encode(protocol::WatchStages{true}) == std::vector<std::uint8_t>{28, 1});
     CHECK_FALSE(protocol::decodeClient(std::vector<std::uint8_t>{34, 2}).ok());
     CHECK_FALSE(protocol::decodeClient(std::vector<std::uint8_t>{34}).ok());
 }

@@ -112,11 +112,6 @@ struct TwoDirectors : UndoDesk {
     void both(double seconds = 0.15) { run(session, seconds, {&client, &other}); }
     Defined definition() const { return definitionOf(world(), !orders); }
 
-    std::string text(const CommandBody& body) const {
-        const std::vector<Command> commands{{0, 1, 1, body}};
-        const std::string file = writeGestures(commands, 1.0);
-        return file.substr(file.find('['), file.rfind(']') - file.find('[') + 1);
-    }
     GroupId anyGroup() { return group(draw(world().groupCount())).id; }
     std::vector<std::uint32_t> anyMembers(GroupId id, std::size_t most) {
         std::vector<std::uint32_t> ids;
@@ -274,9 +269,9 @@ struct TwoDirectors : UndoDesk {
         const std::uint32_t before = who.history.undo;
         const std::uint32_t kind = draw(20);
         if (kind < 11)
-            who.send(told(text(anyAct())));
+            who.send(told(anyAct()));
         else if (kind < 19 || orders)
-            who.send(edited("Edit", 0, text(anyEdit())));
+            who.send(protocol::Edit{"Edit", 0, commandBytes(anyEdit()), {}});
         else
             drag(who);
         both(0.6);  // Two messages of a slider would be one step.

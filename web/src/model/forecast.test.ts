@@ -13,9 +13,9 @@ const group: Asker = {
   facing: 0.25,
   patrols: false,
   orders: [
-    madeOrder(7, { x: 10, y: 0 }),
-    madeOrder(8, { x: 10, y: 5, hasFacing: true, facing: 1 }),
-    madeOrder(9, { kind: 1, hasFacing: true, facing: 2 }),
+    madeOrder(7, { target: [10, 0] }),
+    madeOrder(8, { target: [10, 5], facing: 1 }),
+    madeOrder(9, { kind: 'face', facing: 2 }),
   ],
 };
 
@@ -42,12 +42,12 @@ it('times add up, and are not known before all are', () => {
   expect(secondsUntil(group, 2, new Map([forecast(7)]))).toBeNull();
   const known = new Map([forecast(7), forecast(8, { arrives: false, seconds: Infinity }), forecast(9, { seconds: 2 })]);
   expect(secondsUntil(group, 3, known)).toBe(12);
-  const follows: Asker = { ...group, orders: [madeOrder(7, { kind: 2 })] };
+  const follows: Asker = { ...group, orders: [madeOrder(7, { kind: 'follow' })] };
   expect(secondsUntil(follows, 1, known)).toBe(Infinity);
 });
 
 it('asks about each order from where the one before ends, but not about followers', () => {
-  const orders = [...group.orders, madeOrder(10, { kind: 2 })];
+  const orders = [...group.orders, madeOrder(10, { kind: 'follow' })];
   const asks = queueAsks({ ...group, orders }, new Map());
   expect(asks.map(({ order, placed, x, y }) => [order, placed, x, y])).toEqual([
     [7, false, 0, 0],

@@ -93,17 +93,22 @@ describe('shapes', () => {
   });
 });
 
-it('an event says no more than was drawn', () => {
+it('a command says what was drawn, to the millimetre', () => {
   const style = { manner: 'march', turn: 'wheel', mode: 'append' } as const;
   expect(
     moveCommand(3, { target: { x: 1.23456, y: 2 }, facing: null, width: 0, route: [], formation: null }, style),
   ).toEqual({
-    kind: 'move',
+    kind: 'order',
     group: 3,
     mode: 'append',
-    x: 1.235,
-    y: 2,
-    manner: 'march',
-    turn: 'wheel',
+    order: {
+      target: [1.235, 2],
+      facing: null,
+      width: 0,
+      route: [],
+      formation: null,
+      manner: 'march',
+      turn: 'wheel',
+    },
   });
 });

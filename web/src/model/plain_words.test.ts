@@ -18,7 +18,14 @@ describe('plainWords', () => {
     expect(words({ lag: NaN })).toBe('100 people · all in their places');
     expect(words({ playing: false, lag: 5 })).toBe('100 people · paused');
     expect(words({ characters: 0 })).toBe('0 people');
-    const unit = { id: 1, orders: [{ id: 1, kind: 0 }], held: false, patrols: false, classes: [], conduct: kConduct };
+    const unit = {
+      id: 1,
+      orders: [{ id: 1, kind: 'move' as const }],
+      held: false,
+      patrols: false,
+      classes: [],
+      conduct: kConduct,
+    };
     expect(words({ lag: 0.1, units: [unit] })).toBe('100 people · walking as ordered');
     expect(words({ lag: 0.1, units: [{ ...unit, held: true }] })).toBe('100 people · all in their places');
   });

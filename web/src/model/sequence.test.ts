@@ -1,12 +1,13 @@
 import { describe, expect, it } from 'vitest';
-import type { OrderFrame } from '../protocol/messages';
+import type { FormationDef, Vec2 } from '../protocol/generated/commands';
+import type { FormationKindWord } from '../protocol/generated/words';
+import { filled } from '../protocol/messages';
 import { dotsOf, dotsOfFormation } from './formation_dots';
 import type { GroundPoint } from './plane';
-import { orderContent } from './queue_edit';
+import { targetOf, type QueueOrder } from './queue_order';
 import {
   alongWay,
   arranged,
-  formationIn,
   kJointShare,
   plainLegs,
   stationsOf,
@@ -16,42 +17,39 @@ import {
 } from './sequence';
 import { madeOrder } from './test_frames';
 
-const station = (at: number, kind: string): Station => ({ at, formation: { kind, spacing: 1 } });
+const station = (at: number, kind: FormationKindWord): Station => ({
+  at,
+  formation: filled<FormationDef>('FormationDef', { kind, spacing: 1 }),
+});
 
 /** The legs of a queue from the origin, straight from target to target, by the routes that are drawn. */
-function legsOf(orders: readonly OrderFrame[]): WayLeg[] {
+function legsOf(orders: readonly QueueOrder[]): WayLeg[] {
   let from: GroundPoint = { x: 0, y: 0 };
   return orders.map((order) => {
-    const { route } = orderContent(order) as { route?: [number, number][] };
-    const between = (route ?? []).map(([x, y]) => ({ x, y }));
-    const points = [from, ...between, { x: order.x, y: order.y }];
-    from = { x: order.x, y: order.y };
+    const between = order.route.map(([x, y]) => ({ x, y }));
+    const points = [from, ...between, targetOf(order)];
+    from = targetOf(order);
     return { order, points };
   });
 }
 
-const contents = (orders: readonly OrderFrame[]): unknown[] => orders.map(orderContent);
-const short = (orders: readonly OrderFrame[]): string[] =>
-  orders.map((order) => `${order.x},${order.y} ${formationIn(order)?.kind ?? '-'}`);
+const short = (orders: readonly QueueOrder[]): string[] =>
+  orders.map((order) => `${order.target.join()} ${order.formation?.kind ?? '-'}`);
 
 describe('withStations', () => {
   it('makes joints along the way, and reads them again', () => {
-    const legs = legsOf([madeOrder(7, { x: 20, hasFacing: true, facing: 1 })]);
+    const legs = legsOf([madeOrder(7, { target: [20, 0], facing: 1 })]);
     const orders = withStations(legs, [station(5, 'line'), station(12, 'wedge')]);
     expect(short(orders)).toEqual(['5,0 -', '12,0 line', '20,0 wedge']);
-    expect(contents(orders).map((one) => (one as { share?: number }).share)).toEqual([
-      kJointShare,
-      kJointShare,
-      undefined,
-    ]);
-    expect(contents(orders).map((one) => (one as { facing?: number }).facing)).toEqual([undefined, undefined, 1]);
+    expect(orders.map(({ share }) => share)).toEqual([kJointShare, kJointShare, 0.95]);
+    expect(orders.map(({ facing }) => facing)).toEqual([null, null, 1]);
     const again = legsOf(orders);
     expect(stationsOf(again)).toEqual([station(5, 'line'), station(12, 'wedge')]);
-    expect(plainLegs(again).map(({ order }) => [order.x, order.y])).toEqual([[20, 0]]);
+    expect(plainLegs(again).map(({ order }) => order.target)).toEqual([[20, 0]]);
   });
 
   it('goes back to the plain queue when all are removed', () => {
-    const legs = legsOf([madeOrder(7, { x: 20 }), madeOrder(8, { x: 20, y: 10 })]);
+    const legs = legsOf([madeOrder(7, { target: [20, 0] }), madeOrder(8, { target: [20, 10] })]);
     const orders = withStations(legs, [
       station(0, 'ring'),
       station(9, 'line'),
@@ -64,7 +62,7 @@ describe('withStations', () => {
   });
 
   it('takes a formation up where one order ends and the next begins, without a joint', () => {
-    const legs = legsOf([madeOrder(7, { x: 20 }), madeOrder(8, { x: 20, y: 10 })]);
+    const legs = legsOf([madeOrder(7, { target: [20, 0] }), madeOrder(8, { target: [20, 10] })]);
     const orders = withStations(legs, [station(20, 'wedge')]);
     expect(short(orders)).toEqual(['20,0 -', '20,10 wedge']);
     // The first order is the same: the group does not begin it anew.
@@ -72,18 +70,21 @@ describe('withStations', () => {
   });
 
   it('leaves a queue alone that has these formations already', () => {
-    const legs = legsOf([madeOrder(7, { x: 20 })]);
+    const legs = legsOf([madeOrder(7, { target: [20, 0] })]);
     expect(withStations(legs, [])).toEqual([legs[0]!.order]);
   });
 
   it('divides a drawn way at its joints', () => {
-    const route = Float32Array.of(10, 0, 10, 10);
-    const legs = legsOf([madeOrder(7, { x: 20, y: 10, route })]);
+    const route = [
+      [10, 0],
+      [10, 10],
+    ] as const;
+    const legs = legsOf([madeOrder(7, { target: [20, 10], route })]);
     const orders = withStations(legs, [station(15, 'line')]);
-    expect(contents(orders).map((one) => (one as { route?: unknown }).route)).toEqual([[[10, 0]], [[10, 10]]]);
+    expect(orders.map((one) => one.route)).toEqual([[[10, 0]], [[10, 10]]]);
     expect(short(orders)).toEqual(['10,5 -', '20,10 line']);
     const back = withStations(legsOf(orders), []);
-    expect(contents(back).map((one) => (one as { route?: unknown }).route)).toEqual([
+    expect(back.map((one) => one.route)).toEqual([
       [
         [10, 0],
         [10, 5],
@@ -93,10 +94,9 @@ describe('withStations', () => {
   });
 
   it('drops the width of a front for a shape without ranks', () => {
-    const legs = legsOf([madeOrder(7, { x: 20, width: 8 })]);
-    const width = (kind: string): unknown =>
-      (orderContent(withStations(legs, [station(0, kind)])[0]!) as { width?: number }).width;
-    expect([width('square'), width('ring')]).toEqual([8, undefined]);
+    const legs = legsOf([madeOrder(7, { target: [20, 0], width: 8 })]);
+    const width = (kind: FormationKindWord): number => withStations(legs, [station(0, kind)])[0]!.width;
+    expect([width('square'), width('ring')]).toEqual([8, 0]);
   });
 });
 
@@ -131,11 +131,11 @@ it('draws shapes of one\u2019s own as dots, ahead up', () => {
   const points = [
     [2, 0],
     [-2, 2],
-  ];
+  ] as const;
   expect(dotsOfFormation({ kind: 'points', spacing: 1, points })).toEqual([
     [23, 5],
     [11, 29],
   ]);
-  const many = Array.from({ length: 500 }, (_, i) => [Math.cos(i), Math.sin(i)]);
-  expect(dotsOfFormation({ kind: 'outline', outline: many }).length).toBeLessThanOrEqual(40);
+  const many = Array.from({ length: 500 }, (_, i): Vec2 => [Math.cos(i), Math.sin(i)]);
+  expect(dotsOfFormation({ kind: 'outline', outline: { outline: many } }).length).toBeLessThanOrEqual(40);
 });

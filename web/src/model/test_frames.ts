@@ -1,7 +1,9 @@
 // Small frames for tests.
 
 import { kRowFloats, rowsLength } from './studio_frame';
-import type { OrderFrame } from '../protocol/messages';
+import type { Given, Order } from '../protocol/generated/commands';
+import { filled } from '../protocol/messages';
+import type { QueueOrder } from './queue_order';
 import type { ControlView, FrameView, GroupView } from './frame_view';
 
 /** What each character plays, and where it faces; what is not given is 0. */
@@ -79,23 +81,6 @@ export function madeGroup(id: number, controls: readonly ControlView[], more: Pa
 }
 
 /** A march to a place, or another order. */
-export function madeOrder(id: number, more: Partial<OrderFrame> = {}): OrderFrame {
-  return {
-    id,
-    kind: 0,
-    x: 0,
-    y: 0,
-    hasFacing: false,
-    facing: 0,
-    width: 0,
-    manner: 0,
-    turn: 0,
-    group: 0,
-    character: 0,
-    halfX: 0,
-    halfY: 0,
-    route: new Float32Array(),
-    event: '',
-    ...more,
-  };
+export function madeOrder(id: number, more: Given<Order> = {}): QueueOrder {
+  return { id, ...filled<Order>('Order', more) };
 }

@@ -63,7 +63,8 @@ export class Codecs {
       return { read: (r) => r.choice(count), write: (w, value) => w.u8(value as number) };
     }
     const words = this.words_[type];
-    if (words) return { read: (r) => words[r.choice(words.length)], write: (w, value) => w.u8(words.indexOf(value as string)) };
+    if (words)
+      return { read: (r) => words[r.choice(words.length)], write: (w, value) => w.u8(words.indexOf(value as string)) };
     const layout = this.layouts_[type];
     if (layout !== undefined) return this.struct(layout);
     return {

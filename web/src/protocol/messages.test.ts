@@ -13,7 +13,6 @@ import {
   decodeServer,
   encodeClient,
   encodeServer,
-  OrderKind,
   Stance,
   type ClientMessage,
   type Frame,
@@ -32,32 +31,35 @@ function goldenFrame(): ArrayBuffer {
 const everyMessage: ClientMessage[] = [
   { type: 'Hello', name: 'Zoë' },
   { type: 'Touches', events: [{ phase: TouchPhase.Move, touch: 1, x: 1, y: 2, time: 3, group: 0 }] },
-  {
-    type: 'AddControl',
-    group: 1,
-    kind: ControlKind.Line,
-    touches: Uint32Array.of(1, 2),
-    xs: Float64Array.of(0.5, 1),
-    ys: Float64Array.of(-0.5, 1),
-    time: 9,
-  },
-  { type: 'PinControl', group: 1, control: 2, pinned: true },
-  { type: 'RemoveControl', group: 1, control: 2 },
-  { type: 'SetFormation', group: 1, formation: 'wedge' },
-  { type: 'SetCount', group: 1, count: 36 },
-  { type: 'SetParameter', name: 'plan.exponent', value: 1.5 },
   { type: 'Playback', action: PlaybackAction.Restart },
   { type: 'SetSpeed', factor: 0.5 },
   { type: 'LoadScenario', name: 'open' },
   { type: 'Record', on: false },
   { type: 'SetOverlay', kind: 2, character: 7 },
-  { type: 'Commands', events: '[{"kind":"queue","group":1,"edit":"stop"}]' },
+  {
+    type: 'Commands',
+    commands: [
+      { kind: 'queue', group: 1, edit: 'stop', order: 0 },
+      {
+        kind: 'control',
+        group: 1,
+        control: 'line',
+        touches: [1, 2],
+        positions: [
+          [0.5, -0.5],
+          [1, 1],
+        ],
+        time: 9,
+      },
+      { kind: 'colourGroup', group: 1, colour: null },
+    ],
+  },
   { type: 'FrameAck', frame: 4294967295 },
   { type: 'Ping', time: 1.25 },
   {
     type: 'AskForecasts',
     number: 3,
-    asks: [{ group: 1, order: 0, event: '{"kind":"move"}', placed: true, x: 0.5, y: -1, facing: 3 }],
+    asks: [{ group: 1, order: 4, asked: null, placed: true, x: 0.5, y: -1, facing: 3 }],
   },
   { type: 'WatchStages', on: true },
 ];
@@ -76,8 +78,11 @@ describe('the bytes', () => {
     ).toBe(
       '01' + '01000000' + '02' + '02010000' + '000000000000f03f' + '00000000000000c0' + '000000000000e03f' + '03000000',
     );
-    expect(hex(encodeClient({ type: 'PinControl', group: 1, control: 2, pinned: true }))).toBe('03010000000200000001');
-    expect(hex(encodeClient({ type: 'SetSpeed', factor: 0.5 }))).toBe('090000003f');
+    const pin = { kind: 'pin', group: 1, control: 2 } as const;
+    expect(hex(encodeClient({ type: 'Commands', commands: [pin] }))).toBe(
+      '07' + '0a000000' + '05' + '01000000' + '02000000' + '01',
+    );
+    expect(hex(encodeClient({ type: 'SetSpeed', factor: 0.5 }))).toBe('030000003f');
     expect(hex(encodeServer({ type: 'Pong', time: 1 }))).toBe('07000000000000f03f');
     expect(SUBPROTOCOL).toBe(`muster.v${VERSION}`);
   });
@@ -99,7 +104,7 @@ describe('the bytes', () => {
   });
 
   it('are refused with unknown numbers, flags, enumerations and impossible lengths', () => {
-    for (const bytes of [[99], [8, 5], [11, 2], [1, 255, 255, 255, 255], [0, 255, 255, 255, 255]]) {
+    for (const bytes of [[99], [2, 5], [5, 2], [1, 255, 255, 255, 255], [0, 255, 255, 255, 255]]) {
       expect(() => decodeClient(Uint8Array.from(bytes).buffer)).toThrow(ProtocolError);
     }
   });
@@ -128,8 +133,12 @@ describe('a frame of the server', () => {
     expect(control.kind).toBe(ControlKind.Area);
     expect(control.points[0]).toEqual({ touch: 9, down: true, x: 1, y: 2, path: Float32Array.of(3, 4) });
     const [order] = frame.groups[0]!.orders;
-    expect([order!.kind, order!.hasFacing, order!.facing]).toEqual([OrderKind.Guard, true, 1.5]);
-    expect(order!.route).toEqual(Float32Array.of(1, -2));
+    expect([order!.id, order!.order.kind, order!.order.facing]).toEqual([4, 'guard', 1.5]);
+    expect([order!.order.halfSize, order!.order.route, order!.order.formation?.kind]).toEqual([
+      [2, 1],
+      [[1, -2]],
+      'wedge',
+    ]);
     expect([frame.groups[0]!.held, frame.groups[0]!.stance]).toEqual([true, Stance.Yield]);
     expect([frame.unitClass, frame.radius]).toEqual([Uint8Array.of(0, 3), Uint8Array.of(25, 60)]);
     expect(frame.moving[0]!.kind).toBe(MovingKind.Patch);
@@ -171,7 +180,7 @@ describe('times of stages', () => {
     expect(decodeServer(bytes)).toEqual(times);
     // Number, step, total and the number of stages; the same bytes stand in tests/studio/session/stage_means_test.cpp.
     expect(hex(bytes).slice(0, 26)).toBe('13' + '3c000000' + '0000403f' + '02000000');
-    expect(hex(encodeClient({ type: 'WatchStages', on: true }))).toBe('2201');
+    expect(hex(encodeClient({ type: 'WatchStages', on: true }))).toBe('1c01');
   });
 
   it('are refused when cut short, prolonged, or of an impossible number', () => {

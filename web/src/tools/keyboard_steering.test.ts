@@ -26,7 +26,7 @@ beforeEach(() => {
 describe('KeyboardSteering', () => {
   it('grabs the inner part as an area, carries and drops it', () => {
     expect(steering.grab(5, square, 1)).toBe(true);
-    expect(client.sent[0]).toMatchObject({ type: 'AddControl', kind: 2 });
+    expect(client.commands()[0]).toMatchObject({ kind: 'control', control: 'area' });
     steering.move('ArrowUp', false, axes, 2);
     steering.move('ArrowLeft', true, axes, 3);
     touches.flush();

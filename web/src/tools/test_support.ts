@@ -1,5 +1,6 @@
 // Shared by the tests of the tools: a client that records messages, contacts, and frames.
 
+import type { Command } from '../protocol/generated/commands';
 import type { ClientMessage, ControlFrame, TouchEvent } from '../protocol/messages';
 import type { StudioFrame } from '../model/studio_frame';
 import { kIdle } from '../model/test_frames';
@@ -25,8 +26,16 @@ export class FakeClient {
     return this.sent.flatMap((message) => (message.type === 'Touches' ? message.events : []));
   }
 
+  /** All commands that were sent, in order. */
+  commands(): Command[] {
+    return this.sent.flatMap((message) => (message.type === 'Commands' ? message.commands : []));
+  }
+
+  /** What was sent, in order: kinds of commands, and types of other messages. */
   types(): string[] {
-    return this.sent.map((message) => message.type);
+    return this.sent.flatMap((message) =>
+      message.type === 'Commands' ? message.commands.map(({ kind }) => kind) : [message.type],
+    );
   }
 }
 

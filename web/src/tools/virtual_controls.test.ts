@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import { ControlKind, TouchPhase } from '../protocol/messages';
+import { TouchPhase } from '../protocol/messages';
 import { ControlDrag, Lasso, RubberBand } from './drawn_controls';
 import { grabAt } from './grab';
 import { VirtualControls } from './virtual_controls';
@@ -46,13 +46,9 @@ describe('RubberBand', () => {
   it('makes a line of two held touches', () => {
     drawLine();
     expect(scene.preview).toBeNull();
-    const [made] = client.sent;
-    expect(made).toMatchObject({ type: 'AddControl', group: 5, kind: ControlKind.Line, time: 3 });
-    if (made?.type === 'AddControl')
-      expect([[...made.touches], [...made.xs]]).toEqual([
-        [1, 2],
-        [0, 4],
-      ]);
+    expect(client.commands()).toMatchObject([{ kind: 'control', group: 5, control: 'line', touches: [1, 2], time: 3 }]);
+    const [made] = client.commands();
+    expect(made?.kind === 'control' && made.positions?.map(([x]) => x)).toEqual([0, 4]);
     expect(client.touches()).toEqual([]);
   });
   it('makes nothing of a click or a lost contact', () => {
@@ -75,9 +71,9 @@ describe('Lasso', () => {
     lasso.begin(contactAt(3, 0));
     lasso.move(Array.from({ length: 40 }, (_, i) => contactAt(3 * Math.cos(i / 6.4), 3 * Math.sin(i / 6.4))));
     lasso.end(contactAt(3, 0), false);
-    const made = client.sent[0];
-    expect(made).toMatchObject({ type: 'AddControl', kind: ControlKind.Area });
-    if (made?.type === 'AddControl') expect(made.touches.length).toBeLessThanOrEqual(6);
+    const [made] = client.commands();
+    expect(made).toMatchObject({ kind: 'control', control: 'area' });
+    expect(made?.kind === 'control' && made.touches?.length).toBeLessThanOrEqual(6);
   });
 });
 
@@ -115,11 +111,11 @@ describe('HeldControls', () => {
     drag.move([contactAt(2, 1)]);
     drag.end(contactAt(2, 1));
     touches.flush();
-    expect(client.types()).toEqual(['RemoveControl', 'AddControl', 'Touches']);
+    expect(client.types()).toEqual(['remove', 'control', 'Touches']);
     const anew = controlFrame(9, 0, [{ x: 2, y: 1 }]);
     anew.points[0]!.down = true;
     controls.observe(frameWith(2, [anew]));
-    expect(client.sent[3]).toEqual({ type: 'PinControl', group: 5, control: 9, pinned: true });
+    expect(client.commands().at(-1)).toEqual({ kind: 'pin', group: 5, control: 9, pinned: true });
     expect(controls.all).toHaveLength(1);
   });
 
@@ -151,10 +147,9 @@ describe('HeldControls', () => {
       [TouchPhase.Up, 3],
       [TouchPhase.Up, 4],
     ]);
-    const removed = client.sent.filter((one) => one.type === 'RemoveControl');
-    expect(removed).toEqual([
-      { type: 'RemoveControl', group: 5, control: 8 },
-      { type: 'RemoveControl', group: 5, control: 11 },
+    expect(client.commands()).toEqual([
+      { kind: 'remove', group: 5, control: 8 },
+      { kind: 'remove', group: 5, control: 11 },
     ]);
     expect(controls.all).toHaveLength(0);
   });
@@ -211,9 +206,9 @@ describe('HeldControls', () => {
     drag.begin(contactAt(4, 0));
     drag.move([contactAt(4, 2)]);
     touches.flush();
-    const made = client.sent.find((one) => one.type === 'AddControl');
+    const made = client.commands().find((one) => one.kind === 'control');
     const [moved] = client.touches();
-    expect(made?.type === 'AddControl' && made.touches[1]).toBe(moved?.touch);
+    expect(made?.kind === 'control' && made.touches?.[1]).toBe(moved?.touch);
     expect(moved).toMatchObject({ x: 4, y: 2 });
   });
 

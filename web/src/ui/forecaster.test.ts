@@ -10,7 +10,7 @@ let asked: Question[];
 let drawn: (readonly Forecast[])[];
 let forecaster: Forecaster;
 
-const ask = (x: number): ForecastAsk => ({ group: 1, order: 0, event: `${x}`, placed: false, x: 0, y: 0, facing: 0 });
+const ask = (x: number): ForecastAsk => ({ group: 1, order: 0, asked: {}, placed: false, x, y: 0, facing: 0 });
 
 function answer(question: Question, more: Partial<ForecastFrame> = {}): ForecastFrame[] {
   const none = { arrives: true, seconds: 3, x: 0, y: 0, way: new Float32Array(), ...more };
@@ -22,7 +22,7 @@ function reply(question: Question, now: number): void {
 }
 
 function group(id: number, ids: readonly number[]): Asker {
-  return { id, x: 0, y: 0, facing: 0, patrols: false, orders: ids.map((one) => madeOrder(one, { x: one, y: 0 })) };
+  return { id, x: 0, y: 0, facing: 0, patrols: false, orders: ids.map((one) => madeOrder(one, { target: [one, 0] })) };
 }
 
 beforeEach(() => {
@@ -42,11 +42,11 @@ describe('what is drawn', () => {
       forecaster.draw([ask(now)]);
       forecaster.tick(now);
     }
-    expect(asked.map(({ asks }) => asks[0]!.event)).toEqual(['0']);
+    expect(asked.map(({ asks }) => asks[0]!.x)).toEqual([0]);
     reply(asked[0]!, 50);
     expect(drawn.at(-1)).toHaveLength(1);
     for (let now = 51; now < 400; now += 10) forecaster.tick(now);
-    expect(asked.map(({ asks }) => asks[0]!.event)).toEqual(['0', '40']);
+    expect(asked.map(({ asks }) => asks[0]!.x)).toEqual([0, 40]);
   });
 
   it('is asked about at a bounded rate, and more rarely where answers are slow', () => {

@@ -1,4 +1,5 @@
 import { beforeEach, describe, expect, it } from 'vitest';
+import type { Command } from '../protocol/generated/commands';
 import { EventKind, type ClientMessage, type GroupMesh } from '../protocol/messages';
 import type { StudioFrame } from '../model/studio_frame';
 import { StudioStore } from '../model/studio_store';
@@ -37,9 +38,9 @@ function frame(groups: readonly [id: number, x: number][], members: number[], ev
   return { groups: made, ids, group: Uint16Array.from(members), x, events } as unknown as StudioFrame;
 }
 
-/** The events of all Commands that were sent. */
-function events(): Record<string, unknown>[] {
-  return sent.flatMap((one) => (one.type === 'Commands' ? (JSON.parse(one.events) as Record<string, unknown>[]) : []));
+/** All commands that were sent. */
+function commands(): Command[] {
+  return sent.flatMap((one) => (one.type === 'Commands' ? one.commands : []));
 }
 
 beforeEach(() => {
@@ -87,19 +88,21 @@ describe('OrderDesk', () => {
     expect([store.state.selected, store.state.active]).toEqual([[9], 1]);
     desk.chooseAll();
     desk.stop();
-    expect(events()).toEqual([
-      { kind: 'queue', group: 4, edit: 'stop' },
-      { kind: 'queue', group: 9, edit: 'stop' },
+    expect(commands()).toEqual([
+      { kind: 'queue', group: 4, edit: 'stop', order: 0 },
+      { kind: 'queue', group: 9, edit: 'stop', order: 0 },
     ]);
   });
 
   it('follows the group under the press, behind it, and puts the tool away', () => {
     desk.setTool('follow');
     desk.follow({ x: 0, y: 0 }, noKeys);
-    expect(events()).toEqual([]);
+    expect(commands()).toEqual([]);
     expect(store.state.tool).toBe('follow');
     desk.follow({ x: 20, y: 0 }, { ...noKeys, shift: true });
-    expect(events()).toEqual([{ kind: 'follow', group: 4, mode: 'append', leader: 9, offset: [-4, 0] }]);
+    expect(commands()).toEqual([
+      { kind: 'order', group: 4, mode: 'append', order: { kind: 'follow', group: 9, offset: [-4, 0] } },
+    ]);
     expect(store.state.tool).toBe('steer');
   });
 
@@ -139,7 +142,7 @@ describe('OrderDesk', () => {
     const conduct = { stance: 'hold', cohesion: 0.5, squeeze: 0.25, avoids: false } as const;
     store.set({ units: [{ id: 4, orders: [], held: false, patrols: false, conduct, classes: [] }] });
     desk.setConduct({ squeeze: 1 });
-    expect(events()).toEqual([{ kind: 'conduct', group: 4, ...conduct, squeeze: 1 }]);
+    expect(commands()).toEqual([{ kind: 'conduct', group: 4, conduct: { ...conduct, squeeze: 1 } }]);
   });
 
   it('tells why a stroke did nothing', () => {
@@ -169,13 +172,13 @@ describe('OrderDesk', () => {
     expect(said.at(-1)).toBe('Leaves by Door');
     desk.leave({ x: -5, y: 0 }, { shift: true, alt: false });
     desk.wait({ x: 5.5, y: -0.5 }, noKeys);
-    expect(events()).toEqual([
-      { kind: 'leave', group: 7, mode: 'replace', exits: [3] },
-      { kind: 'leave', group: 9, mode: 'replace', exits: [3] },
-      { kind: 'leave', group: 7, mode: 'append' },
-      { kind: 'leave', group: 9, mode: 'append' },
-      { kind: 'wait', group: 7, mode: 'replace', area: 4 },
-      { kind: 'wait', group: 9, mode: 'replace', area: 4 },
+    expect(commands()).toEqual([
+      { kind: 'order', group: 7, mode: 'replace', order: { kind: 'leave', exits: [3] } },
+      { kind: 'order', group: 9, mode: 'replace', order: { kind: 'leave', exits: [3] } },
+      { kind: 'order', group: 7, mode: 'append', order: { kind: 'leave', exits: [] } },
+      { kind: 'order', group: 9, mode: 'append', order: { kind: 'leave', exits: [] } },
+      { kind: 'order', group: 7, mode: 'replace', order: { kind: 'wait', area: 4 } },
+      { kind: 'order', group: 9, mode: 'replace', order: { kind: 'wait', area: 4 } },
     ]);
     desk.wait({ x: -5, y: 0 }, noKeys);
     expect(said.at(-1)).toBe('Press on the area where they shall wait');

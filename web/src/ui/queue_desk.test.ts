@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import type { Command } from '../model/commands';
+import type { Command, GiveOrderCommand } from '../model/commands';
 import type { StudioFrame } from '../model/studio_frame';
 import { StudioStore } from '../model/studio_store';
 import { kIdle, madeOrder } from '../model/test_frames';
@@ -15,7 +15,7 @@ let desk: QueueDesk;
 
 /** Group 4 with these orders. */
 function see(ids: readonly number[], events: EventFrame[] = [], more: object = {}): void {
-  const orders = ids.map((id) => madeOrder(id, { x: id, y: 0 }));
+  const orders = ids.map((id) => madeOrder(id, { target: [id, 0] }));
   const frame = { groups: [{ id: 4, ...kIdle, orders, ...more }], sceneRevision: 1, time: 0, events };
   news.observe(events);
   desk.observe(frame as unknown as StudioFrame);
@@ -29,8 +29,7 @@ function done(id: number): EventFrame {
   return { kind: EventKind.OrderDone, subject: 4, value: id, x: 0, y: 0 };
 }
 
-const events = (): Command[] =>
-  sent.flatMap((one) => (one.type === 'Commands' ? (JSON.parse(one.events) as Command[]) : []));
+const commands = (): Command[] => sent.flatMap((one) => (one.type === 'Commands' ? one.commands : []));
 
 beforeEach(() => {
   sent = [];
@@ -65,9 +64,9 @@ describe('QueueDesk', () => {
   it('moves an order and keeps it chosen under its new id', () => {
     desk.pick(9);
     desk.moveTo(9, 0);
-    expect(events()).toMatchObject([
+    expect(commands()).toMatchObject([
       { kind: 'queue', edit: 'cancel', order: 9 },
-      { kind: 'move', mode: 'insert', index: 0, x: 9 },
+      { kind: 'order', mode: 'insert', index: 0, order: { kind: 'move', target: [9, 0] } },
     ]);
     see([10, 7, 8], [given(10)]);
     expect(store.state.picked).toBe(10);
@@ -77,14 +76,14 @@ describe('QueueDesk', () => {
     desk.cancel(8);
     see([7, 9]);
     desk.skip();
-    expect(events()).toMatchObject([
+    expect(commands()).toMatchObject([
       { edit: 'cancel', order: 8 },
       { edit: 'cancel', order: 7 },
     ]);
   });
 
   it('says when a drawn order would arrive, after those that come before', () => {
-    const move = { kind: 'move' as const, group: 4, x: 5, y: 5 };
+    const move: GiveOrderCommand = { kind: 'order', group: 4, order: { target: [5, 5] } };
     const answer = (order: number, seconds: number, arrives = true): void => {
       const last = sent.at(-1) as Extract<ClientMessage, { type: 'AskForecasts' }>;
       const answers = last.asks.map((ask) => ({

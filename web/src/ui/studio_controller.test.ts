@@ -38,7 +38,7 @@ beforeEach(() => {
       open: () => Promise.resolve(),
       reset: () => undefined,
     },
-    { toggleDraw: nothing, holdDraw: nothing, lookAt: nothing },
+    { toggleDraw: nothing, holdDraw: nothing, lookAt: nothing, shape: () => ({ spacing: 1.5, places: [] }) },
   );
 });
 
@@ -68,7 +68,8 @@ describe('StudioController', () => {
     expect(sent).toEqual([]);
     store.set({ groups: [{ ...group, id: 1 }, group], active: 1 });
     controller.setFormation('ring');
-    expect(sent).toEqual([{ type: 'SetFormation', group: 7, formation: 'ring' }]);
+    const formation = { kind: 'ring', spacing: 1.5 };
+    expect(sent).toEqual([{ type: 'Commands', commands: [{ kind: 'formation', group: 7, formation }] }]);
     expect(said).toEqual(['North: ring with the next step']);
     store.set({ playing: true });
     controller.setFormation('line');

@@ -98,7 +98,7 @@ export async function leaveAndWait(studio) {
   await studio.send({ type: 'Playback', action: 0 });
   await studio.send({ type: 'SetSpeed', factor: 4 });
   await ordered(studio, 'Wait', { x: 1, y: 4 });
-  await studio.until('an order to wait', () => globalThis.__muster.frame.groups[0].orders[0]?.kind === 5);
+  await studio.until('an order to wait', () => globalThis.__muster.frame.groups[0].orders[0]?.kind === 'wait');
   const inside = ({ x, y }) => x > -4.3 && x < 4.3 && y > 0.7 && y < 8.3;
   await studio.eventually(async () => {
     const there = crowd(await studio.frame()).filter(inside).length;
@@ -108,7 +108,7 @@ export async function leaveAndWait(studio) {
   await studio.shot('areas-waiting');
   const before = crowd(await studio.frame());
   await ordered(studio, 'Leave', { x: 5, y: -2 });
-  await studio.until('an order to leave', () => globalThis.__muster.frame.groups[0].orders[0]?.kind === 4);
+  await studio.until('an order to leave', () => globalThis.__muster.frame.groups[0].orders[0]?.kind === 'leave');
   await studio.until('half of them left', (n) => globalThis.__muster.frame.x.length < n / 2, count, 60000);
   expect(distance(crowd(await studio.frame())[0], before[0]) > 0.5, 'they walk');
   await studio.eventually(async () => {

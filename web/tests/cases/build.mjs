@@ -168,7 +168,7 @@ export async function numbers(studio) {
         ],
       },
     }));
-    globalThis.__muster.client.send({ type: 'Edit', label: 'Walls', gesture: 0, events: JSON.stringify(walls) });
+    globalThis.__muster.client.send({ type: 'Edit', label: 'Walls', gesture: 0, commands: walls, bodies: [] });
   });
   await page.locator('.build-gap-label').first().waitFor();
   const shown = await page.evaluate(() => ({

@@ -79,9 +79,15 @@ async function oneGroupOnly(studio, other) {
   const [first, wanted] = (await studio.frame()).groups;
   await studio.page.locator('.director select').nth(1).selectOption(String(wanted.id));
   await other.page.locator('.notice', { hasText: 'to direct' }).waitFor();
-  await other.send({ type: 'SetFormation', group: first.id, formation: 'ring' });
+  await other.send({
+    type: 'Commands',
+    commands: [{ kind: 'formation', group: first.id, formation: { kind: 'ring' } }],
+  });
   await other.page.locator('.notice', { hasText: 'not yours to direct' }).waitFor();
-  await other.send({ type: 'SetFormation', group: wanted.id, formation: 'ring' });
+  await other.send({
+    type: 'Commands',
+    commands: [{ kind: 'formation', group: wanted.id, formation: { kind: 'ring' } }],
+  });
   await studio.eventually(async () => {
     const { groups } = await studio.page.evaluate(() => globalThis.__muster.state);
     expect(groups[1].formation === 'ring' && groups[0].formation !== 'ring', 'only their own group changed');

@@ -186,7 +186,7 @@ export async function hiddenPeople(studio) {
   await studio.wait(300);
   const before = await studio.page.evaluate(() => [...globalThis.__muster.view.solid]);
   expect(Math.min(...before) === 1, 'nothing is thin where nobody is hidden');
-  await studio.send({ type: 'Commands', events: '[{"kind":"pose","group":1,"x":-5.6,"y":0,"angle":0}]' });
+  await studio.send({ type: 'Commands', commands: [{ kind: 'pose', group: 1, position: [-5.6, 0] }] });
   await studio.until('a thin building', () => Math.min(...globalThis.__muster.view.solid) < 0.5, null, 30000);
   await studio.shot('thin-building');
 }

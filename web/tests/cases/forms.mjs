@@ -38,8 +38,10 @@ const inGranary = ({ x, y }) => Math.abs(x) < 2.75 && Math.abs(y) < 4.75;
 
 async function pausedOrder(studio, x, y) {
   await studio.page.keyboard.press('.');
-  const event = { kind: 'move', group: 1, mode: 'replace', x, y, facing: 0 };
-  await studio.send({ type: 'Commands', events: JSON.stringify([event]) });
+  await studio.send({
+    type: 'Commands',
+    commands: [{ kind: 'order', group: 1, order: { target: [x, y], facing: 0 } }],
+  });
   await studio.page.keyboard.press('.');
   await studio.until('the order', () => globalThis.__muster.frame.groups[0].orders.length === 1);
 }
@@ -238,9 +240,8 @@ const rows = (studio) => studio.page.locator('.sequence-list li');
 /** Orders of the first group: where to, and what each takes up. */
 const queueOf = (studio) =>
   studio.page.evaluate(() =>
-    globalThis.__muster.frame.groups[0].orders.map(({ x, y, event }) => {
-      const formation = event ? JSON.parse(event).events[0].formation : undefined;
-      return `${Math.round(x)},${Math.round(y)} ${formation?.kind ?? formation ?? '-'}`;
+    globalThis.__muster.frame.groups[0].orders.map(({ target: [x, y], formation }) => {
+      return `${Math.round(x)},${Math.round(y)} ${formation?.kind ?? '-'}`;
     }),
   );
 

@@ -20,7 +20,7 @@ const clips = (studio) =>
 async function march(studio, group) {
   if (!(await studio.page.evaluate(() => globalThis.__muster.frame.playing)))
     await studio.send({ type: 'Playback', action: 0 });
-  await studio.send({ type: 'Commands', events: JSON.stringify([{ kind: 'move', group, x: 6, y: 5 }]) });
+  await studio.send({ type: 'Commands', commands: [{ kind: 'order', group, order: { target: [6, 5] } }] });
   await studio.eventually(async () => {
     const names = await clips(studio);
     expect(names.includes('march-walk') || names.includes('march-jog'), `they march: ${names}`);

@@ -167,7 +167,7 @@ export async function ordersByTouch(studio) {
   await studio.pictures(2);
   await studio.shot('touch-route');
   await studio.fingers.up([1]);
-  await studio.until('a drawn way', () => globalThis.__muster.frame.groups[0].orders[0]?.route.length > 8);
+  await studio.until('a drawn way', () => globalThis.__muster.frame.groups[0].orders[0]?.route.length > 4);
   await takeTool(studio, 'steer');
 }
 

@@ -359,7 +359,7 @@ export async function autosave(studio, server) {
       height: 2,
     },
   };
-  await studio.send({ type: 'Edit', label: 'Wall', gesture: 0, events: JSON.stringify([wall]) });
+  await studio.send({ type: 'Edit', label: 'Wall', gesture: 0, commands: [wall], bodies: [] });
   await studio.eventually(async () =>
     expect(
       (await present(server)).obstacles.some(({ name }) => name === 'Wall'),

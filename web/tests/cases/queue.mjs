@@ -6,7 +6,8 @@ import * as look from './look.mjs';
 const forecasts = () => globalThis.__muster.view.orders.scene(true).forecasts;
 
 const orders = async (studio) => (await studio.frame()).groups[0].orders;
-const targets = async (studio) => (await orders(studio)).map(({ x, y }) => `${Math.round(x)},${Math.round(y)}`);
+const targets = async (studio) =>
+  (await orders(studio)).map(({ target: [x, y] }) => `${Math.round(x)},${Math.round(y)}`);
 const chip = (studio, number) => studio.page.locator('.queue-chip').nth(number - 1);
 const act = (studio, label) => studio.page.locator(`.queue-act[aria-label="${label}"]`);
 
@@ -200,8 +201,13 @@ const kStops = [
 
 /** Gives orders while the world is paused, so that none is done meanwhile. */
 async function queueUpPaused(studio, stops = kStops) {
-  const move = ({ x, y }, k) => ({ kind: 'move', group: 1, mode: k === 0 ? 'replace' : 'append', x, y });
-  await studio.send({ type: 'Commands', events: JSON.stringify(stops.map(move)) });
+  const move = ({ x, y }, k) => ({
+    kind: 'order',
+    group: 1,
+    mode: k === 0 ? 'replace' : 'append',
+    order: { target: [x, y] },
+  });
+  await studio.send({ type: 'Commands', commands: stops.map(move) });
   await studio.page.keyboard.press('.');
   await targetsToBe(
     studio,

@@ -243,8 +243,7 @@ export async function largeCrowds(studio) {
     }, JSON.stringify(place));
     expect(answer === '', answer);
     await studio.until('the crowd', (n) => globalThis.__muster.frame.x.length === n, count, 60000);
-    const march = JSON.stringify([{ kind: 'move', group: 1, x: side, y: 0 }]);
-    await studio.send({ type: 'Commands', events: march });
+    await studio.send({ type: 'Commands', commands: [{ kind: 'order', group: 1, order: { target: [side, 0] } }] });
     await studio.wait(3000);
     const look = () =>
       studio.page.evaluate(() => {

@@ -30,8 +30,8 @@ async function disabled(studio, label) {
   return (await tile(studio, label).getAttribute('aria-disabled')) === 'true';
 }
 
-async function send(studio, ...events) {
-  await studio.send({ type: 'Commands', events: JSON.stringify(events) });
+async function send(studio, ...commands) {
+  await studio.send({ type: 'Commands', commands });
 }
 
 /** Three fingers that tap beside each other. */
@@ -125,7 +125,7 @@ async function undoOfTwo(studio) {
   const other = await StudioPage.open(studio.context.browser(), studio.page.url(), { size: studio.size });
   try {
     const [a, b] = (await studio.frame()).groups;
-    await send(studio, { kind: 'move', group: a.id, x: a.x, y: a.y + 9 });
+    await send(studio, { kind: 'order', group: a.id, order: { target: [a.x, a.y + 9] } });
     await send(other, { kind: 'move', group: b.id, x: b.x, y: b.y + 9 });
     await ordersToBe(studio, 1, 0);
     await ordersToBe(studio, 1, 1);
@@ -146,14 +146,12 @@ async function undoOfTwo(studio) {
 async function oneHistory(studio) {
   const { page } = studio;
   const group = (await studio.frame()).groups[0].id;
-  await send(studio, { kind: 'formation', group, formation: 'ring' });
+  await send(studio, { kind: 'formation', group, formation: { kind: 'ring' } });
   await shapeToBe(studio, 'ring');
   await page.keyboard.press('Shift+E');
   await page.getByRole('button', { name: 'Undo change shape' }).waitFor();
-  const events = JSON.stringify([
-    { kind: 'putThing', obstacle: { name: 'Post', centre: [0, 12], radius: 1, height: 2 } },
-  ]);
-  await studio.send({ type: 'Edit', label: 'Add disc', gesture: 0, events });
+  const commands = [{ kind: 'putThing', obstacle: { name: 'Post', centre: [0, 12], radius: 1, height: 2 } }];
+  await studio.send({ type: 'Edit', label: 'Add disc', gesture: 0, commands, bodies: [] });
   await page.getByRole('button', { name: 'Undo add disc' }).click();
   await told(studio, 'Undone: Add disc');
   await page.keyboard.press('Shift+E');

@@ -62,198 +62,6 @@ export interface PolygonInit {
   readonly points?: readonly Vec2[] | Float64Array | undefined;
 }
 
-/** Position and angle of a moving object at one time. */
-export interface Waypoint {
-  /** World time [s], -1e7 to 1e7. */
-  time: number;
-  /** Offset from the object's defined position [m], each coordinate -1e7 to 1e7. */
-  position: Vec2;
-  /** Rotation about the object's centre of area [rad], -1e5 to 1e5. */
-  angle: number;
-}
-
-/** Piecewise linear motion through waypoints of strictly rising time. */
-export interface TimedPath {
-  /** At least 1e-6 s apart; none for an object that stands still. */
-  waypoints: Waypoint[];
-  /** True to start again after the last one; false to stay there. */
-  loop: boolean;
-}
-
-/** What may be given of TimedPath. */
-export interface TimedPathInit {
-  /** At least 1e-6 s apart; none for an object that stands still. */
-  readonly waypoints?: readonly Waypoint[] | undefined;
-  /** True to start again after the last one; false to stay there. */
-  readonly loop?: boolean | undefined;
-}
-
-/** Position, angle and velocities on a path at one time. */
-export interface PathState {
-  /** Position and angle. */
-  readonly at: Waypoint;
-  /** Velocity [m/s]. */
-  readonly velocity: Vec2;
-  /** Angular velocity [rad/s]. */
-  readonly angularVelocity: number;
-}
-
-/** Definition of a formation in its local axes: it faces +x, its centre is the origin. */
-export interface FormationDef {
-  /** Shape. */
-  kind: FormationKind;
-  /** Distance between neighbouring places [m], above 1e-6 and below 1e6. */
-  spacing: number;
-  /** Full angle of Pacman's mouth or of the crescent's gap [rad] in (0, 6]. */
-  opening: number;
-  /** For Outline: at least three corners, in any size [m]. */
-  outline: Polygon;
-  /** For Outline: holes, clockwise, apart from each other [m]. */
-  holes: Polygon[];
-  /** For Points: the places in this order [m]; no fewer than characters. */
-  points: Vec2[];
-  /** For Square: how many stand abreast, 0 to 200,000; 0 for about as many as there are ranks. */
-  files: number;
-}
-
-/** What may be given of FormationDef. */
-export interface FormationDefInit {
-  /** Shape. */
-  readonly kind?: FormationKind | undefined;
-  /** Distance between neighbouring places [m], above 1e-6 and below 1e6. */
-  readonly spacing?: number | undefined;
-  /** Full angle of Pacman's mouth or of the crescent's gap [rad] in (0, 6]. */
-  readonly opening?: number | undefined;
-  /** For Outline: at least three corners, in any size [m]. */
-  readonly outline?: PolygonInit | undefined;
-  /** For Outline: holes, clockwise, apart from each other [m]. */
-  readonly holes?: readonly PolygonInit[] | undefined;
-  /** For Points: the places in this order [m]; no fewer than characters. */
-  readonly points?: readonly Vec2[] | Float64Array | undefined;
-  /** For Square: how many stand abreast, 0 to 200,000; 0 for about as many as there are ranks. */
-  readonly files?: number | undefined;
-}
-
-/** Describes an obstacle, which nobody can walk through: a polygon or a disc. */
-export interface ObstacleDef {
-  /** Name for display; null or empty for none. */
-  name: string;
-  /** Simple, convex or not [m]; empty for a disc. */
-  polygon: Polygon;
-  /** Centre of the disc [m]. */
-  centre: Vec2;
-  /** Radius of the disc [m], above 0; 0 for a polygon. */
-  radius: number;
-  /** Its motion; empty for an obstacle that stands still. */
-  path: TimedPath;
-  /** Reach of its potential field [m], 0 or more; negative for the world's default. */
-  range: number;
-  /** Factor of its potential field, 0 or more; negative for the world's default. */
-  strength: number;
-  /** Height for display only [m], above 0. */
-  height: number;
-}
-
-/** What may be given of ObstacleDef. */
-export interface ObstacleDefInit {
-  /** Name for display; null or empty for none. */
-  readonly name?: string | null | undefined;
-  /** Simple, convex or not [m]; empty for a disc. */
-  readonly polygon?: PolygonInit | undefined;
-  /** Centre of the disc [m]. */
-  readonly centre?: Vec2 | undefined;
-  /** Radius of the disc [m], above 0; 0 for a polygon. */
-  readonly radius?: number | undefined;
-  /** Its motion; empty for an obstacle that stands still. */
-  readonly path?: TimedPathInit | undefined;
-  /** Reach of its potential field [m], 0 or more; negative for the world's default. */
-  readonly range?: number | undefined;
-  /** Factor of its potential field, 0 or more; negative for the world's default. */
-  readonly strength?: number | undefined;
-  /** Height for display only [m], above 0. */
-  readonly height?: number | undefined;
-}
-
-/** Describes a patch: ground on which a motion clip of its own is played. */
-export interface PatchDef {
-  /** Name for display; null or empty for none. */
-  name: string;
-  /** Corners of a simple polygon, convex or not [m]. */
-  polygon: Polygon;
-  /** Its motion; empty for a patch that stands still. */
-  path: TimedPath;
-  /** Clip played on it; an index into the world's clips. */
-  motion: MotionIndex;
-  /** Travel speed relative to running, above 0; negative for the clip's. */
-  speed: number;
-  /** Heading of the way up [rad]. Null: True: stairs or a ramp. There `speed` is that of going up. */
-  ascent: number | null;
-  /** For stairs and ramps: that of going down; negative for `speed`. */
-  speedDown: number;
-}
-
-/** What may be given of PatchDef. */
-export interface PatchDefInit {
-  /** Name for display; null or empty for none. */
-  readonly name?: string | null | undefined;
-  /** Corners of a simple polygon, convex or not [m]. */
-  readonly polygon?: PolygonInit | undefined;
-  /** Its motion; empty for a patch that stands still. */
-  readonly path?: TimedPathInit | undefined;
-  /** Clip played on it; an index into the world's clips. */
-  readonly motion?: MotionIndex | undefined;
-  /** Travel speed relative to running, above 0; negative for the clip's. */
-  readonly speed?: number | undefined;
-  /** Heading of the way up [rad]. Null: True: stairs or a ramp. There `speed` is that of going up. */
-  readonly ascent?: number | null | undefined;
-  /** For stairs and ramps: that of going down; negative for `speed`. */
-  readonly speedDown?: number | undefined;
-}
-
-/** Facts of a motion clip that simulation needs. */
-export interface ClipFacts {
-  /** Name of the motion: "run", "crawl", "climb"... */
-  name: string;
-  /** File of the clip; null or empty for one of Muster's own. */
-  file: string;
-  /** Travel speed relative to running, above 0 (running is 1). */
-  speed: number;
-  /** Ground covered by one play [m]; 0 where unknown. */
-  length: number;
-  /** Duration of one play [s], 0 or more. */
-  duration: number;
-  /** False for single-step motions (jump, climb). */
-  cyclic: boolean;
-  /** Duration of the transition on entering and on leaving [s]; 0 for none. */
-  transitionTime: number;
-  /** From the position to the head of a body that leans or lies [m]. */
-  reachAhead: number;
-  /** From there back to its hips [m]; both are 0 for upright bodies. */
-  reachBehind: number;
-}
-
-/** What may be given of ClipFacts. */
-export interface ClipFactsInit {
-  /** Name of the motion: "run", "crawl", "climb"... */
-  readonly name?: string | null | undefined;
-  /** File of the clip; null or empty for one of Muster's own. */
-  readonly file?: string | null | undefined;
-  /** Travel speed relative to running, above 0 (running is 1). */
-  readonly speed?: number | undefined;
-  /** Ground covered by one play [m]; 0 where unknown. */
-  readonly length?: number | undefined;
-  /** Duration of one play [s], 0 or more. */
-  readonly duration?: number | undefined;
-  /** False for single-step motions (jump, climb). */
-  readonly cyclic?: boolean | undefined;
-  /** Duration of the transition on entering and on leaving [s]; 0 for none. */
-  readonly transitionTime?: number | undefined;
-  /** From the position to the head of a body that leans or lies [m]. */
-  readonly reachAhead?: number | undefined;
-  /** From there back to its hips [m]; both are 0 for upright bodies. */
-  readonly reachBehind?: number | undefined;
-}
-
 /** A MovingAI grid map as ground. */
 export interface MapDef {
   /** Columns, 1 to 4096. */
@@ -286,13 +94,260 @@ export interface MapDefInit {
   readonly swampSpeed?: number | undefined;
 }
 
+/** The value of a parameter. */
+export interface ParameterValue {
+  /** Name as parameterInfo() gives it: "plan.exponent". */
+  name: string;
+  /** Value in the range of the parameter. */
+  value: number;
+}
+
+/** What may be given of ParameterValue. */
+export interface ParameterValueInit {
+  /** Name as parameterInfo() gives it: "plan.exponent". */
+  readonly name?: string | null | undefined;
+  /** Value in the range of the parameter. */
+  readonly value: number;
+}
+
+/** Position and angle of a moving object at one time. */
+export interface Waypoint {
+  /** World time, 0 to 1e7 [s]. */
+  time: number;
+  /** Offset from the object's defined position [m]. */
+  position: Vec2;
+  /** Rotation about the object's centre of area, -1e5 to 1e5 [rad]. */
+  angle: number;
+}
+
+/**
+ * Piecewise linear motion through waypoints of strictly rising time. An obstacle whose path is over becomes
+ * ground: the world then holds it where it stands, without a path.
+ */
+export interface TimedPath {
+  /** At least 1e-6 s apart; none for an object that stands still. */
+  waypoints: Waypoint[];
+  /** True to start again after the last waypoint; false to stay there. */
+  loop: boolean;
+}
+
+/** What may be given of TimedPath. */
+export interface TimedPathInit {
+  /** At least 1e-6 s apart; none for an object that stands still. */
+  readonly waypoints?: readonly Waypoint[] | undefined;
+  /** True to start again after the last waypoint; false to stay there. */
+  readonly loop?: boolean | undefined;
+}
+
+/** Describes an obstacle, which nobody can walk through: a polygon or a disc. */
+export interface ObstacleDef {
+  /** Name for display; null for none. */
+  name: string;
+  /** Simple, convex or not [m]; empty for a disc. */
+  polygon: Polygon;
+  /** Centre of the disc [m]. */
+  centre: Vec2;
+  /** Radius of the disc, above 0 [m]; 0 for a polygon. */
+  radius: number;
+  /** Its motion; empty for an obstacle that stands still. */
+  path: TimedPath;
+  /** Reach of its potential field, 0 or more [m]; negative for the world's default. */
+  range: number;
+  /** Factor of its potential field, 0 or more; negative for the world's default. */
+  strength: number;
+  /** Height for display only, above 0 [m]. */
+  height: number;
+}
+
+/** What may be given of ObstacleDef. */
+export interface ObstacleDefInit {
+  /** Name for display; null for none. */
+  readonly name?: string | null | undefined;
+  /** Simple, convex or not [m]; empty for a disc. */
+  readonly polygon?: PolygonInit | undefined;
+  /** Centre of the disc [m]. */
+  readonly centre?: Vec2 | undefined;
+  /** Radius of the disc, above 0 [m]; 0 for a polygon. */
+  readonly radius?: number | undefined;
+  /** Its motion; empty for an obstacle that stands still. */
+  readonly path?: TimedPathInit | undefined;
+  /** Reach of its potential field, 0 or more [m]; negative for the world's default. */
+  readonly range?: number | undefined;
+  /** Factor of its potential field, 0 or more; negative for the world's default. */
+  readonly strength?: number | undefined;
+  /** Height for display only, above 0 [m]. */
+  readonly height?: number | undefined;
+}
+
+/** Facts of a motion clip that simulation needs (the paper's table 1). */
+export interface ClipFacts {
+  /** Name of the motion: "run", "crawl", "climb"...; null for none. */
+  name: string;
+  /** File of the clip; empty for one of Muster's own; null for none. */
+  file: string;
+  /** Travel speed relative to running, above 0 (running is 1). */
+  speed: number;
+  /** Ground covered by one play [m]; 0 where unknown. */
+  length: number;
+  /** Duration of one play, 0 or more [s]. */
+  duration: number;
+  /** False for single-step motions (jump, climb). */
+  cyclic: boolean;
+  /** Duration of the transition on entering and on leaving [s]; 0 for none. */
+  transitionTime: number;
+  /** From the character's position to the head of a body that leans or lies [m]. */
+  reachAhead: number;
+  /** From there back to its hips [m]; both are 0 for upright bodies. */
+  reachBehind: number;
+}
+
+/** What may be given of ClipFacts. */
+export interface ClipFactsInit {
+  /** Name of the motion: "run", "crawl", "climb"...; null for none. */
+  readonly name?: string | null | undefined;
+  /** File of the clip; empty for one of Muster's own; null for none. */
+  readonly file?: string | null | undefined;
+  /** Travel speed relative to running, above 0 (running is 1). */
+  readonly speed?: number | undefined;
+  /** Ground covered by one play [m]; 0 where unknown. */
+  readonly length?: number | undefined;
+  /** Duration of one play, 0 or more [s]. */
+  readonly duration?: number | undefined;
+  /** False for single-step motions (jump, climb). */
+  readonly cyclic?: boolean | undefined;
+  /** Duration of the transition on entering and on leaving [s]; 0 for none. */
+  readonly transitionTime?: number | undefined;
+  /** From the character's position to the head of a body that leans or lies [m]. */
+  readonly reachAhead?: number | undefined;
+  /** From there back to its hips [m]; both are 0 for upright bodies. */
+  readonly reachBehind?: number | undefined;
+}
+
+/** Describes a patch: ground with a motion clip of its own. */
+export interface PatchDef {
+  /** Name for display: "Net", "Pool"...; null for none. */
+  name: string;
+  /** Corners of a simple polygon, convex or not [m]. */
+  polygon: Polygon;
+  /** Its motion; empty for a patch that stands still. */
+  path: TimedPath;
+  /** Clip played on it: an index into the world's clips. */
+  motion: MotionIndex;
+  /** Travel speed relative to running, above 0; negative for the clip's. */
+  speed: number;
+  /** For stairs and ramps: heading of the way up, where `speed` is that of going up [rad]. Null: level ground. */
+  ascent: number | null;
+  /** For stairs and ramps: that of going down; negative for `speed`. */
+  speedDown: number;
+}
+
+/** What may be given of PatchDef. */
+export interface PatchDefInit {
+  /** Name for display: "Net", "Pool"...; null for none. */
+  readonly name?: string | null | undefined;
+  /** Corners of a simple polygon, convex or not [m]. */
+  readonly polygon?: PolygonInit | undefined;
+  /** Its motion; empty for a patch that stands still. */
+  readonly path?: TimedPathInit | undefined;
+  /** Clip played on it: an index into the world's clips. */
+  readonly motion?: MotionIndex | undefined;
+  /** Travel speed relative to running, above 0; negative for the clip's. */
+  readonly speed?: number | undefined;
+  /** For stairs and ramps: heading of the way up, where `speed` is that of going up [rad]. Null: level ground. */
+  readonly ascent?: number | null | undefined;
+  /** For stairs and ramps: that of going down; negative for `speed`. */
+  readonly speedDown?: number | undefined;
+}
+
+/** How many people a source has let in by a time. */
+export interface Arrivals {
+  /** Time of the world [s]. */
+  time: number;
+  /** That come at this time. */
+  count: number;
+}
+
+/** Describes an area, where people leave the world, come into it, or wait. It is no obstacle. */
+export interface AreaDef {
+  /** Name for display: "Main exit"; null for none. */
+  name: string;
+  /** What it does. */
+  kind: AreaKind;
+  /** Corners of a simple polygon, convex or not [m]. */
+  polygon: Polygon;
+  /** False: nobody leaves or comes here for now. */
+  open: boolean;
+  /**
+   * For Exit: the most people who leave in a second, 0 to 1000 [1/s]; 0 for as many as come. For Source: how many
+   * come in a second on average, at random times by the world's seed, 0 to 1000.
+   */
+  rate: number;
+  /** For Exit: a line in which people queue, from who is next to the last [m]; none for a crowd. */
+  queue: Vec2[];
+  /** For Source in a WorldDef: index of the group whom its people join. */
+  group: number;
+  /** For Exit: when it opens [s]; for Source with a rate: when it begins. */
+  from: number;
+  /** For Exit: when it closes [s]; for Source with a rate: when it ends. */
+  until: number;
+  /** For Source with a rate: how many come in all; 0 for no end. */
+  most: number;
+  /** For Source: further people, by ascending times. */
+  timetable: Arrivals[];
+}
+
+/** What may be given of AreaDef. */
+export interface AreaDefInit {
+  /** Name for display: "Main exit"; null for none. */
+  readonly name?: string | null | undefined;
+  /** What it does. */
+  readonly kind?: AreaKind | undefined;
+  /** Corners of a simple polygon, convex or not [m]. */
+  readonly polygon?: PolygonInit | undefined;
+  /** False: nobody leaves or comes here for now. */
+  readonly open?: boolean | undefined;
+  /**
+   * For Exit: the most people who leave in a second, 0 to 1000 [1/s]; 0 for as many as come. For Source: how many
+   * come in a second on average, at random times by the world's seed, 0 to 1000.
+   */
+  readonly rate?: number | undefined;
+  /** For Exit: a line in which people queue, from who is next to the last [m]; none for a crowd. */
+  readonly queue?: readonly Vec2[] | Float64Array | undefined;
+  /** For Source in a WorldDef: index of the group whom its people join. */
+  readonly group?: number | undefined;
+  /** For Exit: when it opens [s]; for Source with a rate: when it begins. */
+  readonly from?: number | undefined;
+  /** For Exit: when it closes [s]; for Source with a rate: when it ends. */
+  readonly until?: number | undefined;
+  /** For Source with a rate: how many come in all; 0 for no end. */
+  readonly most?: number | undefined;
+  /** For Source: further people, by ascending times. */
+  readonly timetable?: readonly Arrivals[] | undefined;
+}
+
+/** An item, which a character collects by coming within its radius. */
+export interface ItemDef {
+  /** Centre [m]. */
+  position: Vec2;
+  /** Radius, above 0 [m]. */
+  radius: number;
+}
+
+/** What may be given of ItemDef. */
+export interface ItemDefInit {
+  /** Centre [m]. */
+  readonly position?: Vec2 | undefined;
+  /** Radius, above 0 [m]. */
+  readonly radius?: number | undefined;
+}
+
 /** The body of a character. A number of 0 stands for the parameter of that name. */
 export interface Body {
-  /** Radius [m], 0 or 0.05 to 1.5. */
+  /** Radius, 0 or 0.05 to 1.5 [m]. */
   radius: number;
-  /** Top speed in the open [m/s], 0 or 0.01 to 50. */
+  /** Top speed in the open, 0 or 0.01 to 50 [m/s]. */
   maxSpeed: number;
-  /** Top acceleration [m/s^2], 0 or 0.01 to 1000. */
+  /** Top acceleration, 0 or 0.01 to 1000 [m/s^2]. */
   acceleration: number;
   /** Mass in bodies of the usual mass, 0.01 to 1000: who is heavy gives way less. */
   mass: number;
@@ -300,9 +355,9 @@ export interface Body {
   supply: number;
   /** Class, for roles; 0 for none. */
   unitClass: number;
-  /** Time that it keeps from who is ahead [s], 0 or 0.02 to 5. */
+  /** Time that it keeps from who is ahead, 0 or 0.02 to 5 [s]. */
   headway: number;
-  /** Time from its first order until it sets out [s], 0 to 1e7; no parameter. */
+  /** Time from its first order until it sets out, 0 to 1e7 [s]; no parameter. */
   premovement: number;
   /** Speed up stairs as a share of that in the open, 0.01 to 1; 0: the stairs'. */
   upstairs: number;
@@ -312,11 +367,11 @@ export interface Body {
 
 /** What may be given of Body. */
 export interface BodyInit {
-  /** Radius [m], 0 or 0.05 to 1.5. */
+  /** Radius, 0 or 0.05 to 1.5 [m]. */
   readonly radius?: number | undefined;
-  /** Top speed in the open [m/s], 0 or 0.01 to 50. */
+  /** Top speed in the open, 0 or 0.01 to 50 [m/s]. */
   readonly maxSpeed?: number | undefined;
-  /** Top acceleration [m/s^2], 0 or 0.01 to 1000. */
+  /** Top acceleration, 0 or 0.01 to 1000 [m/s^2]. */
   readonly acceleration?: number | undefined;
   /** Mass in bodies of the usual mass, 0.01 to 1000: who is heavy gives way less. */
   readonly mass?: number | undefined;
@@ -324,9 +379,9 @@ export interface BodyInit {
   readonly supply?: number | undefined;
   /** Class, for roles; 0 for none. */
   readonly unitClass?: number | undefined;
-  /** Time that it keeps from who is ahead [s], 0 or 0.02 to 5. */
+  /** Time that it keeps from who is ahead, 0 or 0.02 to 5 [s]. */
   readonly headway?: number | undefined;
-  /** Time from its first order until it sets out [s], 0 to 1e7; no parameter. */
+  /** Time from its first order until it sets out, 0 to 1e7 [s]; no parameter. */
   readonly premovement?: number | undefined;
   /** Speed up stairs as a share of that in the open, 0.01 to 1; 0: the stairs'. */
   readonly upstairs?: number | undefined;
@@ -334,7 +389,10 @@ export interface BodyInit {
   readonly downstairs?: number | undefined;
 }
 
-/** Characters of a class take their places in a part of the formation. */
+/**
+ * Characters of a class take their places in a part of the formation: as many as there are such characters. Roles
+ * choose in their order; who is of no role takes what is left. (Ranks by class: several roles in front.)
+ */
 export interface RoleDef {
   /** Where. */
   area: RoleArea;
@@ -342,147 +400,10 @@ export interface RoleDef {
   unitClass: number;
 }
 
-/** One order of a group. */
-export interface Order {
-  /** What it asks for. */
-  kind: OrderKind;
-  /** How it goes. */
-  manner: Manner;
-  /** How it turns on a march. */
-  turn: Turn;
-  /** Centre of the formation at the end; of the rectangle for Guard [m]. */
-  target: Vec2;
-  /** Heading at the end [rad]. Null: the heading of the last stretch. */
-  facing: number | null;
-  /** Width of the front in ranks [m]; 0 for the formation's own. */
-  width: number;
-  /** Drawn way to the target [m]; followed as drawn, round obstacles. */
-  route: Vec2[];
-  /** New formation, which is taken up on the way; null to keep it. */
-  formation: FormationDef | null;
-  /** Speed of a march [m/s]; 0 for as fast as all can keep up with. */
-  pace: number;
-  /** Share that must have arrived before the next order begins, (0, 1]. */
-  share: number;
-  /** For Follow and Guard: the group to stay with; 0 for none. */
-  group: GroupId;
-  /** For Follow and Guard: the character to stay with; 0 for none. */
-  character: CharacterId;
-  /** For Follow: from its centre to the formation's, in its axes [m]. */
-  offset: Vec2;
-  /** For Guard: half the length and half the width [m]. */
-  halfSize: Vec2;
-  /** For Guard: how the rectangle moves from `target` on. */
-  path: TimedPath;
-  /** For Leave: by which exits; none for all. */
-  exits: number[];
-  /** For Leave: by which of them each goes. */
-  choice: ExitChoice;
-  /** For Leave: seconds by which each of `exits` counts as nearer; or none. */
-  attractions: number[];
-  /** For Leave: seconds by which an exit counts as nearer if all others nearby choose it, 0 to 1e6. */
-  herding: number;
-  /** For Leave: deviation of the error by which each misjudges the time by an exit [s], 0 to 1e6. */
-  misjudgement: number;
-  /** For Wait: the waiting area. */
-  area: AreaId;
-  /** For Wait: how long, from when its share has come, 0 to 1e9; 0 for no end. */
-  seconds: number;
-}
-
-/** What may be given of Order. */
-export interface OrderInit {
-  /** What it asks for. */
-  readonly kind?: OrderKind | undefined;
-  /** How it goes. */
-  readonly manner?: Manner | undefined;
-  /** How it turns on a march. */
-  readonly turn?: Turn | undefined;
-  /** Centre of the formation at the end; of the rectangle for Guard [m]. */
-  readonly target?: Vec2 | undefined;
-  /** Heading at the end [rad]. Null: the heading of the last stretch. */
-  readonly facing?: number | null | undefined;
-  /** Width of the front in ranks [m]; 0 for the formation's own. */
-  readonly width?: number | undefined;
-  /** Drawn way to the target [m]; followed as drawn, round obstacles. */
-  readonly route?: readonly Vec2[] | Float64Array | undefined;
-  /** New formation, which is taken up on the way; null to keep it. */
-  readonly formation?: FormationDefInit | null | undefined;
-  /** Speed of a march [m/s]; 0 for as fast as all can keep up with. */
-  readonly pace?: number | undefined;
-  /** Share that must have arrived before the next order begins, (0, 1]. */
-  readonly share?: number | undefined;
-  /** For Follow and Guard: the group to stay with; 0 for none. */
-  readonly group?: GroupId | undefined;
-  /** For Follow and Guard: the character to stay with; 0 for none. */
-  readonly character?: CharacterId | undefined;
-  /** For Follow: from its centre to the formation's, in its axes [m]. */
-  readonly offset?: Vec2 | undefined;
-  /** For Guard: half the length and half the width [m]. */
-  readonly halfSize?: Vec2 | undefined;
-  /** For Guard: how the rectangle moves from `target` on. */
-  readonly path?: TimedPathInit | undefined;
-  /** For Leave: by which exits; none for all. */
-  readonly exits?: ArrayLike<number> | undefined;
-  /** For Leave: by which of them each goes. */
-  readonly choice?: ExitChoice | undefined;
-  /** For Leave: seconds by which each of `exits` counts as nearer; or none. */
-  readonly attractions?: ArrayLike<number> | undefined;
-  /** For Leave: seconds by which an exit counts as nearer if all others nearby choose it, 0 to 1e6. */
-  readonly herding?: number | undefined;
-  /** For Leave: deviation of the error by which each misjudges the time by an exit [s], 0 to 1e6. */
-  readonly misjudgement?: number | undefined;
-  /** For Wait: the waiting area. */
-  readonly area?: AreaId | undefined;
-  /** For Wait: how long, from when its share has come, 0 to 1e9; 0 for no end. */
-  readonly seconds?: number | undefined;
-}
-
-/** How a group behaves, whatever its orders. */
-export interface Conduct {
-  /** Who makes room. */
-  stance: Stance;
-  /** 0: everybody walks at their own pace; 1: at that of the slowest, [0, 1]. */
-  cohesion: number;
-  /** Share of its width that it may give up in narrow passages, [0, 1]; 0 for none. */
-  squeeze: number;
-  /** True: its mesh gives way to other meshes and to moving obstacles. */
-  avoids: boolean;
-}
-
-/** What may be given of Conduct. */
-export interface ConductInit {
-  /** Who makes room. */
-  readonly stance?: Stance | undefined;
-  /** 0: everybody walks at their own pace; 1: at that of the slowest, [0, 1]. */
-  readonly cohesion?: number | undefined;
-  /** Share of its width that it may give up in narrow passages, [0, 1]; 0 for none. */
-  readonly squeeze?: number | undefined;
-  /** True: its mesh gives way to other meshes and to moving obstacles. */
-  readonly avoids?: boolean | undefined;
-}
-
-/** An order in a group's queue. */
-export interface QueuedOrder {
-  /** Unique in the world; it is not used again. */
-  readonly id: OrderId;
-  /** What is to be done. */
-  readonly order: Order;
-}
-
-/** What would come of an order. */
-export interface Forecast {
-  /** True where the target can be reached. */
-  readonly arrives: boolean;
-  /** The way of the formation's centre, both ends included [m]. */
-  readonly way: Float64Array;
-  /** Where the formation would stand: the target, or the nearest ground to it [m]. */
-  readonly end: Vec2;
-  /** Time until it would arrive [s]; infinite where it never does. */
-  readonly seconds: number;
-}
-
-/** The distribution of a number over persons. What lies outside `least` to `most` is not drawn. */
+/**
+ * The distribution of a number over persons. What lies outside `least` to `most` is cut off: it is not drawn, and
+ * what lies inside is drawn in its proportions. A constant is as it is.
+ */
 export interface Distribution {
   /** Its kind. */
   spread: Spread;
@@ -510,23 +431,26 @@ export interface DistributionInit {
   readonly most?: number | undefined;
 }
 
-/** One sort of persons in a group. A number of 0 stands for that of the parameters, as in Body. */
+/**
+ * One sort of persons in a group. What is constantly 0 is not drawn: it is that of GroupDef.bodies, or of the
+ * parameters where that is 0, too.
+ */
 export interface PeopleDef {
-  /** Name for display; null or empty for none. */
+  /** Name for display: "Women over 50"; null for none. */
   name: string;
   /** Share of the group, above 0; shares are divided by their sum. */
   share: number;
   /** Class, for roles; 0 for none. */
   unitClass: number;
-  /** Top speed in the open [m/s], 0 or 0.01 to 50. */
+  /** Top speed in the open, 0 or 0.01 to 50 [m/s]. */
   speed: Distribution;
-  /** Radius of the body [m], 0 or 0.05 to 1.5. */
+  /** Radius of the body, 0 or 0.05 to 1.5 [m]. */
   radius: Distribution;
-  /** Time that it keeps from who is ahead [s], 0 or 0.02 to 5. */
+  /** Time that it keeps from who is ahead, 0 or 0.02 to 5 [s]. */
   headway: Distribution;
-  /** Time until it sets out on its first order [s], 0 to 1e7. */
+  /** Time until it sets out on its first order, 0 to 1e7 [s]. */
   premovement: Distribution;
-  /** Age [years]; above 0 it gives the top speed in the place of `speed`. */
+  /** Age, 0 or 5 to 90 [years]; above 0 it gives the top speed in the place of `speed`, as RiMEA has it. */
   age: Distribution;
   /** Speed up stairs as a share of that in the open, 0 or 0.01 to 1. */
   upstairs: number;
@@ -536,21 +460,21 @@ export interface PeopleDef {
 
 /** What may be given of PeopleDef. */
 export interface PeopleDefInit {
-  /** Name for display; null or empty for none. */
+  /** Name for display: "Women over 50"; null for none. */
   readonly name?: string | null | undefined;
   /** Share of the group, above 0; shares are divided by their sum. */
   readonly share?: number | undefined;
   /** Class, for roles; 0 for none. */
   readonly unitClass?: number | undefined;
-  /** Top speed in the open [m/s], 0 or 0.01 to 50. */
+  /** Top speed in the open, 0 or 0.01 to 50 [m/s]. */
   readonly speed?: DistributionInit | undefined;
-  /** Radius of the body [m], 0 or 0.05 to 1.5. */
+  /** Radius of the body, 0 or 0.05 to 1.5 [m]. */
   readonly radius?: DistributionInit | undefined;
-  /** Time that it keeps from who is ahead [s], 0 or 0.02 to 5. */
+  /** Time that it keeps from who is ahead, 0 or 0.02 to 5 [s]. */
   readonly headway?: DistributionInit | undefined;
-  /** Time until it sets out on its first order [s], 0 to 1e7. */
+  /** Time until it sets out on its first order, 0 to 1e7 [s]. */
   readonly premovement?: DistributionInit | undefined;
-  /** Age [years]; above 0 it gives the top speed in the place of `speed`. */
+  /** Age, 0 or 5 to 90 [years]; above 0 it gives the top speed in the place of `speed`, as RiMEA has it. */
   readonly age?: DistributionInit | undefined;
   /** Speed up stairs as a share of that in the open, 0 or 0.01 to 1. */
   readonly upstairs?: number | undefined;
@@ -558,77 +482,190 @@ export interface PeopleDefInit {
   readonly downstairs?: number | undefined;
 }
 
-/** How many people a source has let in by a time. */
-export interface Arrivals {
-  /** [s] of the world. */
-  time: number;
-  /** That come at this time. */
-  count: number;
+/** Describes a formation in its local axes: it faces +x, its centre is the origin. */
+export interface FormationDef {
+  /** Shape. */
+  kind: FormationKind;
+  /** Distance between neighbouring places, 0.05 to 100 [m]. */
+  spacing: number;
+  /** Full angle of Pacman's mouth or of the crescent's gap, above 0 and at most 6 [rad]. */
+  opening: number;
+  /** For Outline: the shape, in any size [m]. */
+  outline: Polygon;
+  /** Its holes, clockwise, apart from each other [m]. */
+  holes: Polygon[];
+  /** For Points: the places in this order [m]; at least as many as characters. */
+  points: Vec2[];
+  /** For Square: how many stand abreast, 0 to 200,000; 0 for about as many as there are ranks. */
+  files: number;
 }
 
-/** An area where people leave the world, come into it, or wait. It is no obstacle. */
-export interface AreaDef {
-  /** Name for display; null or empty for none. */
-  name: string;
-  /** What it does. */
-  kind: AreaKind;
-  /** Corners of a simple polygon, convex or not [m]. */
-  polygon: Polygon;
-  /** False: nobody leaves or comes here for now. */
-  open: boolean;
-  /**
-   * For Exit: the most who leave in a second, 0 for as many as come. For Source: how many come in a second on
-   * average. 0 to 1000.
-   */
-  rate: number;
-  /** For Exit: a line in which people queue, from who is next to the last [m]. */
-  queue: Vec2[];
-  /** For Source in a WorldDef: index of the group whom its people join. */
-  group: number;
-  /** For Exit: when it opens; for Source with a rate: when it begins [s]. */
-  from: number;
-  /** For Exit: when it closes; for Source with a rate: when it ends [s]. */
-  until: number;
-  /** For Source with a rate: how many come in all; 0 for no end. */
-  most: number;
-  /** For Source: further people, by ascending times. */
-  timetable: Arrivals[];
+/** What may be given of FormationDef. */
+export interface FormationDefInit {
+  /** Shape. */
+  readonly kind?: FormationKind | undefined;
+  /** Distance between neighbouring places, 0.05 to 100 [m]. */
+  readonly spacing?: number | undefined;
+  /** Full angle of Pacman's mouth or of the crescent's gap, above 0 and at most 6 [rad]. */
+  readonly opening?: number | undefined;
+  /** For Outline: the shape, in any size [m]. */
+  readonly outline?: PolygonInit | undefined;
+  /** Its holes, clockwise, apart from each other [m]. */
+  readonly holes?: readonly PolygonInit[] | undefined;
+  /** For Points: the places in this order [m]; at least as many as characters. */
+  readonly points?: readonly Vec2[] | Float64Array | undefined;
+  /** For Square: how many stand abreast, 0 to 200,000; 0 for about as many as there are ranks. */
+  readonly files?: number | undefined;
 }
 
-/** What may be given of AreaDef. */
-export interface AreaDefInit {
-  /** Name for display; null or empty for none. */
-  readonly name?: string | null | undefined;
-  /** What it does. */
-  readonly kind?: AreaKind | undefined;
-  /** Corners of a simple polygon, convex or not [m]. */
-  readonly polygon?: PolygonInit | undefined;
-  /** False: nobody leaves or comes here for now. */
-  readonly open?: boolean | undefined;
+/** One order of a group. */
+export interface Order {
+  /** What it asks for. */
+  kind: OrderKind;
+  /** How it goes. */
+  manner: Manner;
+  /** How it turns on a march. */
+  turn: Turn;
+  /** Centre of the formation at the end [m]; of the rectangle for Guard. */
+  target: Vec2;
+  /** Heading at the end [rad]. Null: that of the last stretch. */
+  facing: number | null;
   /**
-   * For Exit: the most who leave in a second, 0 for as many as come. For Source: how many come in a second on
-   * average. 0 to 1000.
+   * Width of the front of a formation in ranks (square, line, column), which becomes a square of so many files
+   * [m]; 0 for its own. Other shapes keep theirs.
    */
-  readonly rate?: number | undefined;
-  /** For Exit: a line in which people queue, from who is next to the last [m]. */
-  readonly queue?: readonly Vec2[] | Float64Array | undefined;
-  /** For Source in a WorldDef: index of the group whom its people join. */
-  readonly group?: number | undefined;
-  /** For Exit: when it opens; for Source with a rate: when it begins [s]. */
-  readonly from?: number | undefined;
-  /** For Exit: when it closes; for Source with a rate: when it ends [s]. */
-  readonly until?: number | undefined;
-  /** For Source with a rate: how many come in all; 0 for no end. */
-  readonly most?: number | undefined;
-  /** For Source: further people, by ascending times. */
-  readonly timetable?: readonly Arrivals[] | undefined;
+  width: number;
+  /** Drawn way to the target [m]; followed as drawn, round obstacles. */
+  route: Vec2[];
+  /** New formation, which is taken up on the way; null to keep it. */
+  formation: FormationDef | null;
+  /** Speed of a march [m/s]; 0 for as fast as all can keep up with. */
+  pace: number;
+  /** Share of the group that must have arrived before the next order begins, (0, 1]. */
+  share: number;
+  /** For Follow and Guard: the group to stay with; 0 for a character or a place. */
+  group: GroupId;
+  /** For Follow and Guard: id of the character to stay with; 0 for none. */
+  character: CharacterId;
+  /** For Follow: from its centre to the formation's, in its axes [m]. */
+  offset: Vec2;
+  /** For Guard: half the length and half the width of the rectangle [m]. */
+  halfSize: Vec2;
+  /** For Guard: how the rectangle moves from `target` on. */
+  path: TimedPath;
+  /** For Leave: by which exits; none for all. */
+  exits: number[];
+  /** For Leave: by which of them each goes. */
+  choice: ExitChoice;
+  /** For Leave: seconds by which each of `exits` counts as nearer than it is, -1e6 to 1e6 [s]. */
+  attractions: number[];
+  /** For Leave: seconds by which an exit counts as nearer if all others nearby choose it, 0 to 1e6 [s]. */
+  herding: number;
+  /**
+   * For Leave: deviation of the error by which each misjudges the time by an exit, drawn by the world's seed, 0 to
+   * 1e6 [s].
+   */
+  misjudgement: number;
+  /** For Wait: the waiting area. */
+  area: AreaId;
+  /** For Wait: how long, from when its share has come, 0 to 1e9 [s]; 0 for no end. */
+  seconds: number;
+}
+
+/** What may be given of Order. */
+export interface OrderInit {
+  /** What it asks for. */
+  readonly kind?: OrderKind | undefined;
+  /** How it goes. */
+  readonly manner?: Manner | undefined;
+  /** How it turns on a march. */
+  readonly turn?: Turn | undefined;
+  /** Centre of the formation at the end [m]; of the rectangle for Guard. */
+  readonly target?: Vec2 | undefined;
+  /** Heading at the end [rad]. Null: that of the last stretch. */
+  readonly facing?: number | null | undefined;
+  /**
+   * Width of the front of a formation in ranks (square, line, column), which becomes a square of so many files
+   * [m]; 0 for its own. Other shapes keep theirs.
+   */
+  readonly width?: number | undefined;
+  /** Drawn way to the target [m]; followed as drawn, round obstacles. */
+  readonly route?: readonly Vec2[] | Float64Array | undefined;
+  /** New formation, which is taken up on the way; null to keep it. */
+  readonly formation?: FormationDefInit | null | undefined;
+  /** Speed of a march [m/s]; 0 for as fast as all can keep up with. */
+  readonly pace?: number | undefined;
+  /** Share of the group that must have arrived before the next order begins, (0, 1]. */
+  readonly share?: number | undefined;
+  /** For Follow and Guard: the group to stay with; 0 for a character or a place. */
+  readonly group?: GroupId | undefined;
+  /** For Follow and Guard: id of the character to stay with; 0 for none. */
+  readonly character?: CharacterId | undefined;
+  /** For Follow: from its centre to the formation's, in its axes [m]. */
+  readonly offset?: Vec2 | undefined;
+  /** For Guard: half the length and half the width of the rectangle [m]. */
+  readonly halfSize?: Vec2 | undefined;
+  /** For Guard: how the rectangle moves from `target` on. */
+  readonly path?: TimedPathInit | undefined;
+  /** For Leave: by which exits; none for all. */
+  readonly exits?: ArrayLike<number> | undefined;
+  /** For Leave: by which of them each goes. */
+  readonly choice?: ExitChoice | undefined;
+  /** For Leave: seconds by which each of `exits` counts as nearer than it is, -1e6 to 1e6 [s]. */
+  readonly attractions?: ArrayLike<number> | undefined;
+  /** For Leave: seconds by which an exit counts as nearer if all others nearby choose it, 0 to 1e6 [s]. */
+  readonly herding?: number | undefined;
+  /**
+   * For Leave: deviation of the error by which each misjudges the time by an exit, drawn by the world's seed, 0 to
+   * 1e6 [s].
+   */
+  readonly misjudgement?: number | undefined;
+  /** For Wait: the waiting area. */
+  readonly area?: AreaId | undefined;
+  /** For Wait: how long, from when its share has come, 0 to 1e9 [s]; 0 for no end. */
+  readonly seconds?: number | undefined;
+}
+
+/** An order in a group's queue. */
+export interface QueuedOrder {
+  /** Unique in the world; it is not used again. */
+  readonly id: OrderId;
+  /** What is to be done. */
+  readonly order: Order;
+}
+
+/** How a group behaves, whatever its orders. */
+export interface Conduct {
+  /** Who makes room. */
+  stance: Stance;
+  /** 0: everybody walks at their own pace; 1: at that of the slowest, [0, 1]. */
+  cohesion: number;
+  /** Share of its width that it may give up in narrow passages, [0, 1]; 0 for none. */
+  squeeze: number;
+  /** True: its mesh gives way to other meshes and to moving obstacles. */
+  avoids: boolean;
+}
+
+/** What may be given of Conduct. */
+export interface ConductInit {
+  /** Who makes room. */
+  readonly stance?: Stance | undefined;
+  /** 0: everybody walks at their own pace; 1: at that of the slowest, [0, 1]. */
+  readonly cohesion?: number | undefined;
+  /** Share of its width that it may give up in narrow passages, [0, 1]; 0 for none. */
+  readonly squeeze?: number | undefined;
+  /** True: its mesh gives way to other meshes and to moving obstacles. */
+  readonly avoids?: boolean | undefined;
 }
 
 /** A group of characters with one mesh. */
 export interface GroupDef {
-  /** Name for display; null or empty for none. */
+  /** Name for display; null for none. */
   name: string;
-  /** Number of characters, 1 to 200,000, or 0 where a source sends some; in all at most 5,000 with exact plans. */
+  /**
+   * Number of characters, 1 to 200,000, or 0 where a source sends some; at most 5,000 in all groups with exact
+   * plans.
+   */
   count: number;
   /** Shape and spacing of the places. */
   formation: FormationDef;
@@ -638,11 +675,11 @@ export interface GroupDef {
   angle: number;
   /** Initial positions of characters [m]; none to start on their places. */
   starts: Vec2[];
-  /** Largest random displacement of initial positions [m], 0 or more. */
+  /** Largest random displacement of initial positions, 0 or more [m]. */
   jitter: number;
   /** One for all, or one for each character; none for the parameters'. */
   bodies: Body[];
-  /** Which class stands where; none for no roles. */
+  /** Which class stands where. */
   roles: RoleDef[];
   /** Units of supply that each place demands; none for 1 each. */
   demands: number[];
@@ -652,21 +689,27 @@ export interface GroupDef {
   orders: Order[];
   /** True: orders that are done come last again. */
   patrols: boolean;
-  /** Colour for display, 0xRRGGBB. Null: the palette's colour. */
+  /** Colour for display, 0xRRGGBB. Null: the palette's. */
   colour: number | null;
-  /** Build of its drawn bodies. Null: bodies of both builds, by the character's id. */
+  /** Build of its drawn bodies. Null: both, by the character's id. */
   build: BodyBuild | null;
-  /** How they walk and jog. Null: they walk in the plain manner. */
+  /** How it walks and jogs. Null: the plain manner. */
   motions: MotionSet | null;
-  /** Sorts of persons, who also come by sources; none for no sorts. */
+  /**
+   * Sorts of persons, who also come by sources. A number that a sort draws goes before that of `bodies`; what it
+   * does not draw, and acceleration, mass and supply, is that of `bodies`.
+   */
   people: PeopleDef[];
 }
 
 /** What may be given of GroupDef. */
 export interface GroupDefInit {
-  /** Name for display; null or empty for none. */
+  /** Name for display; null for none. */
   readonly name?: string | null | undefined;
-  /** Number of characters, 1 to 200,000, or 0 where a source sends some; in all at most 5,000 with exact plans. */
+  /**
+   * Number of characters, 1 to 200,000, or 0 where a source sends some; at most 5,000 in all groups with exact
+   * plans.
+   */
   readonly count?: number | undefined;
   /** Shape and spacing of the places. */
   readonly formation?: FormationDefInit | undefined;
@@ -676,11 +719,11 @@ export interface GroupDefInit {
   readonly angle?: number | undefined;
   /** Initial positions of characters [m]; none to start on their places. */
   readonly starts?: readonly Vec2[] | Float64Array | undefined;
-  /** Largest random displacement of initial positions [m], 0 or more. */
+  /** Largest random displacement of initial positions, 0 or more [m]. */
   readonly jitter?: number | undefined;
   /** One for all, or one for each character; none for the parameters'. */
   readonly bodies?: readonly BodyInit[] | undefined;
-  /** Which class stands where; none for no roles. */
+  /** Which class stands where. */
   readonly roles?: readonly RoleDef[] | undefined;
   /** Units of supply that each place demands; none for 1 each. */
   readonly demands?: ArrayLike<number> | undefined;
@@ -690,13 +733,16 @@ export interface GroupDefInit {
   readonly orders?: readonly OrderInit[] | undefined;
   /** True: orders that are done come last again. */
   readonly patrols?: boolean | undefined;
-  /** Colour for display, 0xRRGGBB. Null: the palette's colour. */
+  /** Colour for display, 0xRRGGBB. Null: the palette's. */
   readonly colour?: number | null | undefined;
-  /** Build of its drawn bodies. Null: bodies of both builds, by the character's id. */
+  /** Build of its drawn bodies. Null: both, by the character's id. */
   readonly build?: BodyBuild | null | undefined;
-  /** How they walk and jog. Null: they walk in the plain manner. */
+  /** How it walks and jogs. Null: the plain manner. */
   readonly motions?: MotionSet | null | undefined;
-  /** Sorts of persons, who also come by sources; none for no sorts. */
+  /**
+   * Sorts of persons, who also come by sources. A number that a sort draws goes before that of `bodies`; what it
+   * does not draw, and acceleration, mass and supply, is that of `bodies`.
+   */
   readonly people?: readonly PeopleDefInit[] | undefined;
 }
 
@@ -704,7 +750,7 @@ export interface GroupDefInit {
 export interface CheckpointDef {
   /** Centre [m]. */
   position: Vec2;
-  /** Radius [m], above 0. */
+  /** Radius, above 0 [m]. */
   radius: number;
   /** New formation of the group. */
   formation: FormationDef;
@@ -722,7 +768,7 @@ export interface CheckpointDef {
 export interface CheckpointDefInit {
   /** Centre [m]. */
   readonly position?: Vec2 | undefined;
-  /** Radius [m], above 0. */
+  /** Radius, above 0 [m]. */
   readonly radius?: number | undefined;
   /** New formation of the group. */
   readonly formation?: FormationDefInit | undefined;
@@ -736,36 +782,106 @@ export interface CheckpointDefInit {
   readonly share?: number | undefined;
 }
 
-/** An item, which a character collects by coming within its radius. */
-export interface ItemDef {
-  /** Centre [m]. */
-  position: Vec2;
-  /** Radius [m], above 0. */
-  radius: number;
-}
-
-/** What may be given of ItemDef. */
-export interface ItemDefInit {
-  /** Centre [m]. */
-  readonly position?: Vec2 | undefined;
-  /** Radius [m], above 0. */
-  readonly radius?: number | undefined;
-}
-
-/** The value of a parameter. */
-export interface ParameterValue {
-  /** Name as parameterInfo() gives it: "plan.exponent". */
+/** Describes a world. */
+export interface WorldDef {
+  /** Title for display; null for none. */
   name: string;
-  /** Value in the range of the parameter. */
-  value: number;
+  /** Description in one or two sentences; null for none. */
+  description: string;
+  /** Credit for the data it uses; null for none. */
+  credit: string;
+  /** File of its gestures, in the scenario's folder or below, which worlds do not read; null for none. */
+  gestures: string;
+  /** Extent of the ground [m]. */
+  box: Box;
+  /** Edge of a ground cell, above 0 [m]. */
+  cell: number;
+  /** Seed of all random numbers. */
+  seed: bigint;
+  /** Facts of clips, which patches name by their index. */
+  clips: ClipFacts[];
+  /** At most 20,000 obstacles. */
+  obstacles: ObstacleDef[];
+  /** At most 20,000 patches. */
+  patches: PatchDef[];
+  /** Map that adds obstacles and patches; null for no map. */
+  map: MapDef | null;
+  /** At most 20,000 groups. */
+  groups: GroupDef[];
+  /** Discs that change formations. */
+  checkpoints: CheckpointDef[];
+  /** Items to collect. */
+  items: ItemDef[];
+  /** Exits, sources and waiting areas; at most 1,000. */
+  areas: AreaDef[];
+  /** True: the left and the right side of `box` are joined. Who walks out on one side comes in on the other. */
+  ring: boolean;
+  /** Preset of parameters, "units", "people" or "paper"; null for "units". */
+  preset: string;
+  /** Parameters that differ from the preset, set in this order. */
+  parameters: ParameterValue[];
 }
 
-/** What may be given of ParameterValue. */
-export interface ParameterValueInit {
-  /** Name as parameterInfo() gives it: "plan.exponent". */
+/** What may be given of WorldDef. */
+export interface WorldDefInit {
+  /** Title for display; null for none. */
   readonly name?: string | null | undefined;
-  /** Value in the range of the parameter. */
-  readonly value: number;
+  /** Description in one or two sentences; null for none. */
+  readonly description?: string | null | undefined;
+  /** Credit for the data it uses; null for none. */
+  readonly credit?: string | null | undefined;
+  /** File of its gestures, in the scenario's folder or below, which worlds do not read; null for none. */
+  readonly gestures?: string | null | undefined;
+  /** Extent of the ground [m]. */
+  readonly box?: Box | undefined;
+  /** Edge of a ground cell, above 0 [m]. */
+  readonly cell?: number | undefined;
+  /** Seed of all random numbers. */
+  readonly seed?: bigint | number | undefined;
+  /** Facts of clips, which patches name by their index. */
+  readonly clips?: readonly ClipFactsInit[] | undefined;
+  /** At most 20,000 obstacles. */
+  readonly obstacles?: readonly ObstacleDefInit[] | undefined;
+  /** At most 20,000 patches. */
+  readonly patches?: readonly PatchDefInit[] | undefined;
+  /** Map that adds obstacles and patches; null for no map. */
+  readonly map?: MapDefInit | null | undefined;
+  /** At most 20,000 groups. */
+  readonly groups?: readonly GroupDefInit[] | undefined;
+  /** Discs that change formations. */
+  readonly checkpoints?: readonly CheckpointDefInit[] | undefined;
+  /** Items to collect. */
+  readonly items?: readonly ItemDefInit[] | undefined;
+  /** Exits, sources and waiting areas; at most 1,000. */
+  readonly areas?: readonly AreaDefInit[] | undefined;
+  /** True: the left and the right side of `box` are joined. Who walks out on one side comes in on the other. */
+  readonly ring?: boolean | undefined;
+  /** Preset of parameters, "units", "people" or "paper"; null for "units". */
+  readonly preset?: string | null | undefined;
+  /** Parameters that differ from the preset, set in this order. */
+  readonly parameters?: readonly ParameterValueInit[] | undefined;
+}
+
+/** Position, angle and velocities on a path at one time. */
+export interface PathState {
+  /** Position and angle. */
+  readonly at: Waypoint;
+  /** Velocity [m/s]. */
+  readonly velocity: Vec2;
+  /** Angular velocity [rad/s]. */
+  readonly angularVelocity: number;
+}
+
+/** What would come of an order. */
+export interface Forecast {
+  /** True where the target can be reached. */
+  readonly arrives: boolean;
+  /** The way of the formation's centre, both ends included [m]. */
+  readonly way: Float64Array;
+  /** Where the formation would stand: the target, or the nearest ground to it [m]. */
+  readonly end: Vec2;
+  /** Time until it would arrive [s]; infinite where it never does. */
+  readonly seconds: number;
 }
 
 /** Describes one parameter. */
@@ -784,86 +900,6 @@ export interface ParameterInfo {
   readonly whole: boolean;
   /** One sentence. */
   readonly description: string;
-}
-
-/** Definition of a world. */
-export interface WorldDef {
-  /** Title for display; null or empty for none. */
-  name: string;
-  /** Description in one or two sentences; null or empty for none. */
-  description: string;
-  /** Credit for the data it uses; null or empty for none. */
-  credit: string;
-  /** File of its gestures; null or empty for none. Worlds do not read it. */
-  gestures: string;
-  /** Extent of the ground [m]. */
-  box: Box;
-  /** Edge of a ground cell [m], above 0. */
-  cell: number;
-  /** Seed of all random numbers. */
-  seed: bigint;
-  /** Facts of clips, indexed by MotionIndex. */
-  clips: ClipFacts[];
-  /** At most 20,000 obstacles. */
-  obstacles: ObstacleDef[];
-  /** At most 20,000 patches. */
-  patches: PatchDef[];
-  /** Map that adds obstacles and patches; null for none. */
-  map: MapDef | null;
-  /** At most 20,000 groups. */
-  groups: GroupDef[];
-  /** Discs that change formations. */
-  checkpoints: CheckpointDef[];
-  /** Items to collect. */
-  items: ItemDef[];
-  /** Exits, sources and waiting areas; at most 1,000. */
-  areas: AreaDef[];
-  /** True: the left and the right side of `box` are joined. */
-  ring: boolean;
-  /** Preset of parameters, "units", "people" or "paper"; null for "units". */
-  preset: string;
-  /** Parameters that differ from the preset, set in this order. */
-  parameters: ParameterValue[];
-}
-
-/** What may be given of WorldDef. */
-export interface WorldDefInit {
-  /** Title for display; null or empty for none. */
-  readonly name?: string | null | undefined;
-  /** Description in one or two sentences; null or empty for none. */
-  readonly description?: string | null | undefined;
-  /** Credit for the data it uses; null or empty for none. */
-  readonly credit?: string | null | undefined;
-  /** File of its gestures; null or empty for none. Worlds do not read it. */
-  readonly gestures?: string | null | undefined;
-  /** Extent of the ground [m]. */
-  readonly box?: Box | undefined;
-  /** Edge of a ground cell [m], above 0. */
-  readonly cell?: number | undefined;
-  /** Seed of all random numbers. */
-  readonly seed?: bigint | number | undefined;
-  /** Facts of clips, indexed by MotionIndex. */
-  readonly clips?: readonly ClipFactsInit[] | undefined;
-  /** At most 20,000 obstacles. */
-  readonly obstacles?: readonly ObstacleDefInit[] | undefined;
-  /** At most 20,000 patches. */
-  readonly patches?: readonly PatchDefInit[] | undefined;
-  /** Map that adds obstacles and patches; null for none. */
-  readonly map?: MapDefInit | null | undefined;
-  /** At most 20,000 groups. */
-  readonly groups?: readonly GroupDefInit[] | undefined;
-  /** Discs that change formations. */
-  readonly checkpoints?: readonly CheckpointDefInit[] | undefined;
-  /** Items to collect. */
-  readonly items?: readonly ItemDefInit[] | undefined;
-  /** Exits, sources and waiting areas; at most 1,000. */
-  readonly areas?: readonly AreaDefInit[] | undefined;
-  /** True: the left and the right side of `box` are joined. */
-  readonly ring?: boolean | undefined;
-  /** Preset of parameters, "units", "people" or "paper"; null for "units". */
-  readonly preset?: string | null | undefined;
-  /** Parameters that differ from the preset, set in this order. */
-  readonly parameters?: readonly ParameterValueInit[] | undefined;
 }
 
 /** A finger touches down. It edits the group whose mesh is nearest within `input.reach`, or `group` if given. */

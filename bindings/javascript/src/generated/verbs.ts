@@ -4,7 +4,7 @@ import { Caller, Handle } from '../binding/handle.js';
 import type { ProgressFunction, ReplayFunction } from '../binding/callbacks.js';
 import type { Rows } from '../binding/rows.js';
 import type { Status, FormationKind, EventKind, MotionIndex, ObstacleId, PatchId, GroupId, CharacterId, CommandKind, JointRole, Limb, ReplayFrom } from './enums.js';
-import type { Vec2, TimedPathInit, PathState, FormationDef, ObstacleDef, PatchDef, ClipFacts, MapDef, MapDefInit, Body, Order, OrderInit, Conduct, QueuedOrder, Forecast, Distribution, DistributionInit, PeopleDef, AreaDef, GroupDef, CheckpointDef, ItemDef, ParameterInfo, WorldDef, WorldDefInit, Command, CommandInit, Characters, Group, Control, Obstacle, Patch, Area, Event, Rejection, Contacts, StageTime, Transform, Joint, BodyPose, LimbContact, Travel, Clip, ClipInit, ClipMeasures, BvhContents, MotionState, TakeContents, ReplayReport, ExportFormat, ExportDef, ExportDefInit } from './structs.js';
+import type { Vec2, MapDef, MapDefInit, TimedPathInit, ObstacleDef, ClipFacts, PatchDef, AreaDef, ItemDef, Body, Distribution, DistributionInit, PeopleDef, FormationDef, Order, OrderInit, QueuedOrder, Conduct, GroupDef, CheckpointDef, WorldDef, WorldDefInit, PathState, Forecast, ParameterInfo, Command, CommandInit, Characters, Group, Control, Obstacle, Patch, Area, Event, Rejection, Contacts, StageTime, Transform, Joint, BodyPose, LimbContact, Travel, Clip, ClipInit, ClipMeasures, BvhContents, MotionState, TakeContents, ReplayReport, ExportFormat, ExportDef, ExportDefInit } from './structs.js';
 
 /** A map that was read, and the ground that it makes. */
 export class GridMap extends Handle {
@@ -588,6 +588,81 @@ export class MusterFunctions extends Caller {
     return this.call_('muster_has_component', component) as boolean;
   }
 
+  /** No cells, 1 m each. */
+  defaultMapDef(): MapDef {
+    return this.call_('muster_default_map_def') as MapDef;
+  }
+
+  /** No shape yet, of the world's range and strength. */
+  defaultObstacleDef(): ObstacleDef {
+    return this.call_('muster_default_obstacle_def') as ObstacleDef;
+  }
+
+  /** A cyclic clip without a name, as fast as running. */
+  defaultClipFacts(): ClipFacts {
+    return this.call_('muster_default_clip_facts') as ClipFacts;
+  }
+
+  /** No shape yet, on which people run. */
+  defaultPatchDef(): PatchDef {
+    return this.call_('muster_default_patch_def') as PatchDef;
+  }
+
+  /** An exit without a shape yet, open, for as many as come. */
+  defaultAreaDef(): AreaDef {
+    return this.call_('muster_default_area_def') as AreaDef;
+  }
+
+  /** Half a metre round the origin. */
+  defaultItemDef(): ItemDef {
+    return this.call_('muster_default_item_def') as ItemDef;
+  }
+
+  /** A body by the parameters, of mass and supply 1. */
+  defaultBody(): Body {
+    return this.call_('muster_default_body') as Body;
+  }
+
+  /** 0 for all, which stands for a parameter. */
+  defaultDistribution(): Distribution {
+    return this.call_('muster_default_distribution') as Distribution;
+  }
+
+  /** One sort, by the parameters. */
+  defaultPeopleDef(): PeopleDef {
+    return this.call_('muster_default_people_def') as PeopleDef;
+  }
+
+  /** A square at 1 m. */
+  defaultFormationDef(): FormationDef {
+    return this.call_('muster_default_formation_def') as FormationDef;
+  }
+
+  /** A move to the origin. */
+  defaultOrder(): Order {
+    return this.call_('muster_default_order') as Order;
+  }
+
+  /** Everybody at their own pace, any squeeze. */
+  defaultConduct(): Conduct {
+    return this.call_('muster_default_conduct') as Conduct;
+  }
+
+  /** 36 characters in a square at the origin. */
+  defaultGroupDef(): GroupDef {
+    return this.call_('muster_default_group_def') as GroupDef;
+  }
+
+  /** 2 m round the origin, for half of any group. */
+  defaultCheckpointDef(): CheckpointDef {
+    return this.call_('muster_default_checkpoint_def') as CheckpointDef;
+  }
+
+  /** 32 m by 32 m of empty ground round the origin, with Muster's own clips. */
+  defaultWorldDef(): WorldDef {
+    return this.call_('muster_default_world_def') as WorldDef;
+  }
+
   /**
    * Reads a path at `time` [s]. Fails with InvalidArgument, naming the waypoint, where times do not rise or a
    * number is out of range.
@@ -606,26 +681,6 @@ export class MusterFunctions extends Caller {
     return this.call_('muster_formation_kind', name) as FormationKind;
   }
 
-  /** A square at 1 m. */
-  defaultFormationDef(): FormationDef {
-    return this.call_('muster_default_formation_def') as FormationDef;
-  }
-
-  /** No shape yet, of the world's range and strength. */
-  defaultObstacleDef(): ObstacleDef {
-    return this.call_('muster_default_obstacle_def') as ObstacleDef;
-  }
-
-  /** No shape yet, on which people run. */
-  defaultPatchDef(): PatchDef {
-    return this.call_('muster_default_patch_def') as PatchDef;
-  }
-
-  /** A cyclic clip without a name, as fast as running. */
-  defaultClipFacts(): ClipFacts {
-    return this.call_('muster_default_clip_facts') as ClipFacts;
-  }
-
   /**
    * The clips that every world knows: run, walk, duck, crawl, swim, jump, climb, idle, in this order. Valid for
    * ever.
@@ -634,34 +689,9 @@ export class MusterFunctions extends Caller {
     return this.call_('muster_own_clip_facts') as readonly ClipFacts[];
   }
 
-  /** No cells, 1 m each. */
-  defaultMapDef(): MapDef {
-    return this.call_('muster_default_map_def') as MapDef;
-  }
-
-  /** A body by the parameters, of mass and supply 1. */
-  defaultBody(): Body {
-    return this.call_('muster_default_body') as Body;
-  }
-
-  /** A move to the origin. */
-  defaultOrder(): Order {
-    return this.call_('muster_default_order') as Order;
-  }
-
   /** Takes up a front from `left` to `right` [m]: its middle, width and facing. */
   orderToLine(left: Vec2, right: Vec2): Order {
     return this.call_('muster_order_to_line', left, right) as Order;
-  }
-
-  /** Everybody at their own pace, any squeeze. */
-  defaultConduct(): Conduct {
-    return this.call_('muster_default_conduct') as Conduct;
-  }
-
-  /** 0 for all, which stands for a parameter. */
-  defaultDistribution(): Distribution {
-    return this.call_('muster_default_distribution') as Distribution;
   }
 
   /**
@@ -672,11 +702,6 @@ export class MusterFunctions extends Caller {
     return this.call_('muster_distribution_quantile', distribution, share) as number;
   }
 
-  /** One sort, by the parameters. */
-  defaultPeopleDef(): PeopleDef {
-    return this.call_('muster_default_people_def') as PeopleDef;
-  }
-
   /** Adults: free speeds of mean 1.34 m/s and deviation 0.26 m/s, cut off at 0.5 and 2.2 m/s. */
   adults(): PeopleDef {
     return this.call_('muster_adults') as PeopleDef;
@@ -685,26 +710,6 @@ export class MusterFunctions extends Caller {
   /** The mean free speed of persons by age [m/s], 5 to 90 years. */
   walkingSpeedAtAge(years: number): number {
     return this.call_('muster_walking_speed_at_age', years) as number;
-  }
-
-  /** An exit without a shape yet, open, for as many as come. */
-  defaultAreaDef(): AreaDef {
-    return this.call_('muster_default_area_def') as AreaDef;
-  }
-
-  /** 36 characters in a square at the origin. */
-  defaultGroupDef(): GroupDef {
-    return this.call_('muster_default_group_def') as GroupDef;
-  }
-
-  /** 2 m round the origin, for half of any group. */
-  defaultCheckpointDef(): CheckpointDef {
-    return this.call_('muster_default_checkpoint_def') as CheckpointDef;
-  }
-
-  /** Half a metre round the origin. */
-  defaultItemDef(): ItemDef {
-    return this.call_('muster_default_item_def') as ItemDef;
   }
 
   /** Number of parameters. */
@@ -720,11 +725,6 @@ export class MusterFunctions extends Caller {
   /** The value of a parameter in a preset: "units" (the defaults), "people" or "paper". Fails with NotFound. */
   presetValue(preset: string, name: string): number {
     return this.call_('muster_preset_value', preset, name) as number;
-  }
-
-  /** 32 m by 32 m of empty ground round the origin, with Muster's own clips. */
-  defaultWorldDef(): WorldDef {
-    return this.call_('muster_default_world_def') as WorldDef;
   }
 
   /** A command of that kind with the defaults of its body, for step 0. Of kind 0 where there is no such kind. */

@@ -2,7 +2,7 @@
 #ifndef MUSTER_C_COMMAND_BODIES_H
 #define MUSTER_C_COMMAND_BODIES_H
 
-#include "muster/c/world_def.h"
+#include "muster/c/definitions.h"
 
 #ifdef __cplusplus
 extern "C" {

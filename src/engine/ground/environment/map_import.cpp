@@ -1,4 +1,4 @@
-#include "muster/map_import.h"
+#include "muster/ground.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "muster/patch.h"
+#include "muster/ground.h"
 
 namespace muster {
 namespace {

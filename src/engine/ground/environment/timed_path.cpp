@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "muster/obstacle.h"
+#include "muster/ground.h"
 
 namespace muster {
 namespace {

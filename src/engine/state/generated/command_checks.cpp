@@ -6,6 +6,7 @@
 
 #include "engine/state/generated/command_relations.h"
 #include "engine/state/validation.h"
+#include "engine/state/validation_parts.h"
 
 namespace muster {
 namespace {
@@ -74,35 +75,39 @@ struct Validator {
     Status operator()(const PinControl&) const { return {}; }
     Status operator()(const RemoveControl&) const { return {}; }
     Status operator()(const ReleaseClient&) const { return {}; }
-    Status operator()(const SetFormation& c) const { return validateFormation(c.formation); }
+    Status operator()(const SetFormation& c) const { return validate(c.formation); }
     Status operator()(const SetCount& c) const { return countIn("count", c.count, 1, kMaxCharacters); }
     Status operator()(const SetPose& c) const {
         Status status = place("position", c.position);
         if (status.ok()) status = numberIn("angle", c.angle, -1e6, 1e6, "[-1e6, 1e6] rad");
         return status;
     }
-    Status operator()(const AddGroup& c) const { return validateGroup(c.group); }
+    Status operator()(const AddGroup& c) const { return validate(c.group); }
     Status operator()(const RemoveGroup&) const { return {}; }
     Status operator()(const PutThing& c) const {
-        Status status = givenIn(c.obstacle, [](const auto& def) { return validateObstacle(def); });
+        Status status = givenIn(c.obstacle, [](const auto& def) { return validate(def); });
         if (status.ok()) status = givenIn(c.patch,
                                       [](const auto& def) { return validatePatch(def, kAnyMotion); });
-        if (status.ok()) status = givenIn(c.item, [](const auto& def) { return validateItem(def); });
+        if (status.ok()) status = givenIn(c.item, [](const auto& def) { return validate(def); });
         if (status.ok()) status = givenIn(c.checkpoint,
                                       [](const auto& def) { return validateCheckpoint(def, kMaxGroups); });
-        if (status.ok()) status = givenIn(c.area, [](const auto& def) { return validateArea(def); });
+        if (status.ok()) status = givenIn(c.area, [](const auto& def) { return validate(def); });
         if (status.ok()) status = relations(c);
         return status;
     }
     Status operator()(const RemoveThing& c) const { return isKnown(c.thing, kLastOf<ThingKind>, "thing"); }
-    Status operator()(const SetParameter& c) const { return relations(c); }
+    Status operator()(const SetParameter& c) const {
+        Status status = isText("name", c.name);
+        if (status.ok()) status = relations(c);
+        return status;
+    }
     Status operator()(const GiveOrder& c) const {
         Status status = isKnown(c.mode, kLastOf<QueueMode>, "queue mode");
-        if (status.ok()) status = validateOrder(c.order);
+        if (status.ok()) status = validate(c.order);
         return status;
     }
     Status operator()(const EditQueue& c) const { return isKnown(c.edit, kLastOf<QueueEdit>, "queue edit"); }
-    Status operator()(const SetConduct& c) const { return validateConduct(c.conduct); }
+    Status operator()(const SetConduct& c) const { return validate(c.conduct); }
     Status operator()(const AddCharacters& c) const {
         Status status = places("positions", c.positions, 1, kMaxCharacters);
         if (status.ok()) status = relations(c);
@@ -146,9 +151,13 @@ struct Validator {
         if (status.ok()) status = numberIn("angle", c.angle, -1e6, 1e6, "[-1e6, 1e6] rad");
         return status;
     }
-    Status operator()(const NameGroup& c) const { return relations(c); }
-    Status operator()(const ColourGroup& c) const { return relations(c); }
-    Status operator()(const SetAppearance& c) const { return relations(c); }
+    Status operator()(const NameGroup& c) const { return isText("name", c.name); }
+    Status operator()(const ColourGroup& c) const { return validateColour(c.colour); }
+    Status operator()(const SetAppearance& c) const {
+        Status status = isKnown(c.build, kLastOf<BodyBuild>, "build");
+        if (status.ok()) status = isKnown(c.motions, kLastOf<MotionSet>, "set of motions");
+        return status;
+    }
     Status operator()(const SetPeople& c) const { return validatePeople(c.people); }
     Status operator()(const ReverseQueue&) const { return {}; }
 };

@@ -15,8 +15,5 @@ Status relations(const MergeGroups& c);
 Status relations(const SetBodies& c);
 Status relations(const SetDemands& c);
 Status relations(const WriteMotion& c);
-Status relations(const NameGroup& c);
-Status relations(const ColourGroup& c);
-Status relations(const SetAppearance& c);
 
 }  // namespace muster

@@ -105,7 +105,7 @@ struct BodyFields {
     void operator()(SetFormation& c) {
         v.whole("group", c.group.value, kId, "Group to change.", Need::Required);
         v.objectOrKind(
-            "formation", "", [&](auto& inner) { describeFormation(inner, c.formation); }, Need::Required);
+            "formation", "", [&](auto& inner) { describe(inner, c.formation); }, Need::Required);
     }
     void operator()(SetCount& c) {
         v.whole("group", c.group.value, kId, "Group to change.", Need::Required);
@@ -118,7 +118,7 @@ struct BodyFields {
     }
     void operator()(AddGroup& c) {
         v.object(
-            "definition", "", [&](auto& inner) { describeGroup(inner, c.group); }, Need::Required);
+            "definition", "", [&](auto& inner) { describe(inner, c.group); }, Need::Required);
     }
     void operator()(RemoveGroup& c) {
         v.whole("group", c.group.value, kId, "Group to remove.", Need::Required);
@@ -127,16 +127,16 @@ struct BodyFields {
         if (takesPart<Visitor>(c.id != 0))
             v.whole("id", c.id, kId, "Thing that gets another definition; 0 to add one.");
         maybe("obstacle", c.obstacle, "An obstacle; none for other things.",
-              [](auto& inner, auto& def) { describeObstacle(inner, def); });
+              [](auto& inner, auto& def) { describe(inner, def); });
         maybe("patch", c.patch, "A patch; none for other things.",
-              [](auto& inner, auto& def) { describePatch(inner, def, {}); });
+              [](auto& inner, auto& def) { describe(inner, def, {}); });
         maybe("item", c.item, "An item to collect; none for other things.",
-              [](auto& inner, auto& def) { describeItem(inner, def); });
+              [](auto& inner, auto& def) { describe(inner, def); });
         maybe("checkpoint", c.checkpoint,
               "A formation checkpoint (SPEC M7), whose `group` is not read; none for other things.",
-              [](auto& inner, auto& def) { describeCheckpoint(inner, def, [] {}); });
+              [](auto& inner, auto& def) { describe(inner, def, [] {}); });
         maybe("area", c.area, "An area, whose `group` is not read; none for other things.",
-              [](auto& inner, auto& def) { describeArea(inner, def, [] {}); });
+              [](auto& inner, auto& def) { describe(inner, def, [] {}); });
         if (takesPart<Visitor>(static_cast<bool>(c.group)))
             v.whole("group", c.group.value, kId,
                     "For a checkpoint: the group that it concerns, none for any. For a source: the group that "
@@ -155,7 +155,7 @@ struct BodyFields {
         describeWord(v, "mode", c.mode, kQueueModeWords, "Where the order stands in the queue.");
         if (takesPart<Visitor>(c.index != 0))
             v.whole("index", c.index, kId, "For Insert: before which order, counted from 0.");
-        describeOrder(v, c.order);
+        describe(v, c.order);
     }
     void operator()(EditQueue& c) {
         v.whole("group", c.group.value, kId, "The group.", Need::Required);
@@ -165,7 +165,7 @@ struct BodyFields {
     }
     void operator()(SetConduct& c) {
         v.whole("group", c.group.value, kId, "The group.", Need::Required);
-        describeConduct(v, c.conduct);
+        describe(v, c.conduct);
     }
     void operator()(AddCharacters& c) {
         v.whole("group", c.group.value, kId, "Group that they join.", Need::Required);
@@ -192,7 +192,7 @@ struct BodyFields {
         describeWord(v, "shape", c.shape, kPartShapeWords, "Formation of the parts.");
     }
     void operator()(MergeGroups& c) {
-        ids("groups", c.groups, kMaxGroups, "Two or more.");
+        describeIds(v, "groups", c.groups, kMaxGroups, "Two or more.", Need::Required);
         describeWord(v, "shape", c.shape, kPartShapeWords,
                      "Smaller: the formation of the first for all; AsHeld: all places stay.");
     }
@@ -232,7 +232,12 @@ struct BodyFields {
         v.whole("group", c.group.value, kId, "The group.", Need::Required);
         v.colour("colour", c.colour, "0xRRGGBB; none for the palette's, by the group's id.");
     }
-    void operator()(SetAppearance& c) { describeByHand(v, c, time); }
+    void operator()(SetAppearance& c) {
+        v.whole("group", c.group.value, kId, "The group.", Need::Required);
+        describeWord(v, "build", c.build, kBodyBuildWords,
+                     "Build of the drawn bodies; left out: both, by their ids.");
+        describeWord(v, "motions", c.motions, kMotionSetWords, "How they walk and jog; left out: plainly.");
+    }
     void operator()(SetPeople& c) {
         v.whole("group", c.group.value, kId, "The group.", Need::Required);
         describePeople(v, c.people);
@@ -240,46 +245,44 @@ struct BodyFields {
     void operator()(ReverseQueue& c) { v.whole("group", c.group.value, kId, "The group.", Need::Required); }
     void operator()(AddObstacle& c) {
         v.object(
-            "definition", "", [&](auto& inner) { describeObstacle(inner, c.obstacle); }, Need::Required);
+            "definition", "", [&](auto& inner) { describe(inner, c.obstacle); }, Need::Required);
     }
     void operator()(ChangeObstacle& c) {
         v.whole("id", c.id.value, kId, "Its id.", Need::Required);
         v.object(
-            "definition", "", [&](auto& inner) { describeObstacle(inner, c.obstacle); }, Need::Required);
+            "definition", "", [&](auto& inner) { describe(inner, c.obstacle); }, Need::Required);
     }
     void operator()(RemoveObstacle& c) { v.whole("id", c.id.value, kId, "Its id.", Need::Required); }
     void operator()(AddPatch& c) {
         v.object(
-            "definition", "", [&](auto& inner) { describePatch(inner, c.patch, {}); }, Need::Required);
+            "definition", "", [&](auto& inner) { describe(inner, c.patch, {}); }, Need::Required);
     }
     void operator()(ChangePatch& c) {
         v.whole("id", c.id.value, kId, "Its id.", Need::Required);
         v.object(
-            "definition", "", [&](auto& inner) { describePatch(inner, c.patch, {}); }, Need::Required);
+            "definition", "", [&](auto& inner) { describe(inner, c.patch, {}); }, Need::Required);
     }
     void operator()(RemovePatch& c) { v.whole("id", c.id.value, kId, "Its id.", Need::Required); }
     void operator()(AddItem& c) {
         v.object(
-            "definition", "", [&](auto& inner) { describeItem(inner, c.item); }, Need::Required);
+            "definition", "", [&](auto& inner) { describe(inner, c.item); }, Need::Required);
     }
     void operator()(ChangeItem& c) {
         v.whole("id", c.id.value, kId, "Its id.", Need::Required);
         v.object(
-            "definition", "", [&](auto& inner) { describeItem(inner, c.item); }, Need::Required);
+            "definition", "", [&](auto& inner) { describe(inner, c.item); }, Need::Required);
     }
     void operator()(RemoveItem& c) { v.whole("id", c.id.value, kId, "Its id.", Need::Required); }
     void operator()(AddCheckpoint& c) {
         v.object(
-            "definition", "", [&](auto& inner) { describeCheckpoint(inner, c.checkpoint, [] {}); },
-            Need::Required);
+            "definition", "", [&](auto& inner) { describe(inner, c.checkpoint, [] {}); }, Need::Required);
         if (takesPart<Visitor>(static_cast<bool>(c.group)))
             v.whole("group", c.group.value, kId, "Group that it concerns; none for any group.");
     }
     void operator()(ChangeCheckpoint& c) {
         v.whole("id", c.id.value, kId, "Its id.", Need::Required);
         v.object(
-            "definition", "", [&](auto& inner) { describeCheckpoint(inner, c.checkpoint, [] {}); },
-            Need::Required);
+            "definition", "", [&](auto& inner) { describe(inner, c.checkpoint, [] {}); }, Need::Required);
         if (takesPart<Visitor>(static_cast<bool>(c.group)))
             v.whole("group", c.group.value, kId, "Group that it concerns; none for any group.");
     }
@@ -288,7 +291,7 @@ struct BodyFields {
         if (takesPart<Visitor>(static_cast<bool>(c.id)))
             v.whole("id", c.id.value, kId, "The area that is changed; none to add one.");
         v.object(
-            "definition", "", [&](auto& inner) { describeArea(inner, c.area, [] {}); }, Need::Required);
+            "definition", "", [&](auto& inner) { describe(inner, c.area, [] {}); }, Need::Required);
         if (takesPart<Visitor>(static_cast<bool>(c.group)))
             v.whole("group", c.group.value, kId, "For Source: the group that its people join.");
     }
@@ -308,14 +311,6 @@ private:
         } else if (def) {
             v.object(key, about, [&](auto& inner) { describe(inner, *def); });
         }
-    }
-    template <class Tag>
-    void ids(const char* key, std::vector<Id<Tag>>& list, std::size_t most, const char* about) {
-        std::vector<std::uint32_t> numbers;
-        for (const Id<Tag> id : list) numbers.push_back(id.value);
-        v.numbers(key, numbers, kId, most, about, Need::Required);
-        list.clear();
-        for (const std::uint32_t number : numbers) list.push_back({number});
     }
 };
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <variant>
 
+#include "engine/state/command_archive.h"
 #include "engine/world/inspect.h"
 
 namespace muster {

@@ -5,9 +5,7 @@
 #include "base/hash.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
-#include "files/scenario/describe_people.h"
-#include "files/scenario/describe_shapes.h"
-#include "files/scenario/describe_units.h"
+#include "files/scenario/describe_forms.h"
 #include "json/json.h"
 #include "muster/formation.h"
 #include "muster/parameter_table.h"
@@ -43,7 +41,7 @@ Json shape(const FormationDef& formation) {
     Json item;
     FieldWriter writer(item);
     FormationDef copy = formation;
-    describeFormation(writer, copy);
+    describe(writer, copy);
     return item;
 }
 
@@ -182,7 +180,7 @@ Json areas(const World& world) {
         AreaView area = world.area(a);
         Json item;
         FieldWriter writer(item);
-        describeArea(writer, area.def, [] {});
+        describe(writer, area.def, [] {});
         item["id"] = area.id.value;
         if (area.group) item["group"] = area.group.value;
         list.push(std::move(item));

@@ -5,7 +5,7 @@
 #include "base/maths.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
-#include "muster/map_import.h"
+#include "muster/ground.h"
 #include "muster/parameter_table.h"
 
 namespace muster {

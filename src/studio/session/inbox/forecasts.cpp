@@ -61,7 +61,7 @@ Result<protocol::Forecasts> answerForecasts(const World& world, const protocol::
         std::optional<Order> order;
         if (ask.order == 0) {
             if (!ask.asked) return Status(StatusCode::InvalidArgument, "a forecast of no order");
-            if (const Status status = validateOrder(*ask.asked); !status.ok()) return status;
+            if (const Status status = validate(*ask.asked); !status.ok()) return status;
             order = ask.asked;
         }
         const std::optional<GroupView> view = groupViewOf(world, ask.group);

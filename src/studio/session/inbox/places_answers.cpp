@@ -41,7 +41,7 @@ Status check(const protocol::PlacesAsk& ask, const SessionLimits& limits) {
 
 /// The places of the formation that a question asks for.
 Result<std::vector<Vec2>> standOf(const World& world, const protocol::PlacesAsk& ask) {
-    if (Status valid = validateFormation(*ask.formation); !valid.ok()) return valid;
+    if (Status valid = validate(*ask.formation); !valid.ok()) return valid;
     const Pose at{{ask.x, ask.y}, {cosine(ask.facing), sine(ask.facing)}};
     return placesAt(world, GroupId{ask.group}, *ask.formation, at);
 }

@@ -1,5 +1,5 @@
-#include "muster/map_import.h"
 #include "folders.h"
+#include "muster/ground.h"
 
 #include <doctest.h>
 

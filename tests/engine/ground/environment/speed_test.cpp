@@ -9,7 +9,7 @@
 #include "counting_new.h"
 #include "engine/ground/environment/scene.h"
 #include "folders.h"
-#include "muster/map_import.h"
+#include "muster/ground.h"
 
 using namespace muster;
 using namespace muster::test;

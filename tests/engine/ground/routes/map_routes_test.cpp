@@ -4,7 +4,7 @@
 
 #include "engine/ground/routes/route_scene.h"
 #include "folders.h"
-#include "muster/map_import.h"
+#include "muster/ground.h"
 
 using namespace muster;
 using namespace muster::test;

@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { parseScene } from '../../protocol/scene';
 import { emptiedGroups, groupChoices, joinedSource, newArrivals, queued } from './areas';
-import { addEvent, changeEvent, moved, removeEvent, thing, thingsOf, turned } from './things';
+import { kAdults } from './people';
+import { addCommand, changeCommand, moved, removeCommand, thing, thingsOf, turned } from './things';
 
 const box = { min: [-9, -9], max: [9, 9] };
 const polygon = [
@@ -40,8 +41,9 @@ const [exit, source] = things;
 
 describe('areas', () => {
   it('are told to the server as they are, with the id of what is changed, and the group of a source', () => {
-    expect(addEvent(exit!)).toEqual({
+    expect(addCommand(exit!)).toEqual({
       kind: 'putThing',
+      group: 0,
       area: {
         name: 'Door',
         polygon,
@@ -54,13 +56,13 @@ describe('areas', () => {
         ],
       },
     });
-    expect(changeEvent(source!)).toMatchObject({
+    expect(changeCommand(source!)).toMatchObject({
       kind: 'putThing',
       id: 5,
       group: 7,
-      area: { kind: 'source', rate: 2, until: 60, timetable: [{ t: 3, count: 4 }] },
+      area: { kind: 'source', rate: 2, until: 60, timetable: [{ time: 3, count: 4 }] },
     });
-    expect(removeEvent(exit!)).toEqual({ kind: 'removeThing', thing: 'area', id: 4 });
+    expect(removeCommand(exit!)).toEqual({ kind: 'removeThing', thing: 'area', id: 4 });
   });
 
   it('take their queues along', () => {
@@ -94,7 +96,7 @@ describe('areas', () => {
     ]);
     expect(newArrivals(source!)).toMatchObject({
       kind: 'group',
-      definition: { count: 0, people: 'adults', orders: [{ kind: 'leave' }], position: [1, 1] },
+      group: { count: 0, people: [kAdults], orders: [{ kind: 'leave' }], position: [1, 1] },
     });
   });
 
@@ -108,6 +110,6 @@ describe('areas', () => {
   it('groups begin with as many as the place says, whoever has left since', () => {
     const group = things.find(({ kind, id }) => kind === 'group' && id === 7)!;
     expect(group.count).toBe(0);
-    expect(addEvent(group)).toMatchObject({ definition: { count: 0, people: 'adults' } });
+    expect(addCommand(group)).toMatchObject({ group: { count: 0, people: [kAdults] } });
   });
 });

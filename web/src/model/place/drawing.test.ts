@@ -67,16 +67,16 @@ describe('drawing', () => {
     const line = Array.from({ length: 11 }, (_, k) => ({ x: k, y: 0 }));
     const back = routed(car, line, 2).path!;
     expect(back.loop).toBe(true);
-    expect(back.waypoints.at(-1)).toEqual({ t: 10, x: 0, y: 0, angle: 0 });
-    expect(Math.max(...back.waypoints.map(({ x }) => x))).toBe(10);
+    expect(back.waypoints.at(-1)).toEqual({ time: 10, position: [0, 0], angle: 0 });
+    expect(Math.max(...back.waypoints.map(({ position: [x] }) => x))).toBe(10);
     for (let k = 1; k < back.waypoints.length; ++k)
-      expect(back.waypoints[k]!.t).toBeGreaterThan(back.waypoints[k - 1]!.t);
+      expect(back.waypoints[k]!.time).toBeGreaterThan(back.waypoints[k - 1]!.time);
     const round = Array.from({ length: 41 }, (_, k) => {
       const angle = (2 * Math.PI * k) / 40;
       return { x: 5 * Math.cos(angle), y: 5 * Math.sin(angle) };
     });
     const way = routed(car, round, 1).path!;
-    expect(way.waypoints.at(-1)!.t).toBeCloseTo(2 * Math.PI * 5, 0);
+    expect(way.waypoints.at(-1)!.time).toBeCloseTo(2 * Math.PI * 5, 0);
     expect(routed(car, [{ x: 0, y: 0 }], 1).path).toBeNull();
   });
 });

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { kAdults, meanOf, peopleField, respread, sortsOf, spreadTrouble, spreadWords, type Spreading } from './people';
+import { kAdults, meanOf, respread, sortsOf, spreadTrouble, spreadWords, type Spreading } from './people';
 
 const kNormal: Spreading = { spread: 'normal', a: 1.34, b: 0.26, least: 0.5, most: 2.2 };
 
@@ -11,27 +11,13 @@ describe('Sorts of persons', () => {
       {
         name: '',
         share: 1,
-        class: 0,
+        unitClass: 0,
         upstairs: 0,
         downstairs: 0,
         speed: { spread: 'constant', a: 1, b: 0, least: 0, most: 1e9 },
       },
     ]);
     expect(sortsOf([{ share: 2 }, { name: 'Old', age: { spread: 'uniform', a: 65, b: 80 } }])).toHaveLength(2);
-  });
-  it('come back as they were', () => {
-    const raw = [
-      {
-        share: 0.25,
-        name: 'Slow',
-        class: 2,
-        upstairs: 0.5,
-        speed: { spread: 'normal', a: 0.8, b: 0.1, least: 0.4, most: 1.2 },
-      },
-      { share: 1, premovement: { spread: 'gamma', a: 4, b: 10 }, radius: 0.25 },
-    ];
-    expect(peopleField(sortsOf(raw))).toEqual({ people: raw });
-    expect(peopleField([])).toEqual({});
   });
 });
 

@@ -1,13 +1,13 @@
 import { describe, expect, it } from 'vitest';
 import { parseScene } from '../../protocol/scene';
 import {
-  addEvent,
-  changeEvent,
+  addCommand,
+  changeCommand,
   chosenAgain,
   extentOf,
   hit,
   moved,
-  removeEvent,
+  removeCommand,
   scaled,
   thing,
   thingsOf,
@@ -107,7 +107,7 @@ describe('things of a place', () => {
   });
 
   it('keep what building does not change', () => {
-    expect(changeEvent(moved(of('obstacle', 1), 1, 0))).toEqual({
+    expect(changeCommand(moved(of('obstacle', 1), 1, 0))).toEqual({
       kind: 'putThing',
       id: 1,
       obstacle: {
@@ -122,7 +122,7 @@ describe('things of a place', () => {
         range: 1.5,
       },
     });
-    expect(changeEvent(of('checkpoint', 1))).toEqual({
+    expect(changeCommand(of('checkpoint', 1))).toEqual({
       kind: 'putThing',
       id: 1,
       group: 1,
@@ -138,10 +138,10 @@ describe('things of a place', () => {
   });
 
   it('are told to the server by kind', () => {
-    expect(changeEvent(of('group', 1))).toEqual({ kind: 'placeGroup', group: 1, x: -8, y: 0, angle: 1 });
-    expect(removeEvent(of('group', 1))).toEqual({ kind: 'removeGroup', group: 1 });
-    expect(removeEvent(of('item', 7))).toEqual({ kind: 'removeThing', thing: 'item', id: 7 });
-    expect(addEvent(thing('item', { centre: [3, 4], radius: 0.5 }))).toEqual({
+    expect(changeCommand(of('group', 1))).toEqual({ kind: 'placeGroup', group: 1, position: [-8, 0], angle: 1 });
+    expect(removeCommand(of('group', 1))).toEqual({ kind: 'removeGroup', group: 1 });
+    expect(removeCommand(of('item', 7))).toEqual({ kind: 'removeThing', thing: 'item', id: 7 });
+    expect(addCommand(thing('item', { centre: [3, 4], radius: 0.5 }))).toEqual({
       kind: 'putThing',
       item: { position: [3, 4], radius: 0.5 },
     });
@@ -149,8 +149,8 @@ describe('things of a place', () => {
 
   it('turn and grow about a point, with their ways', () => {
     const car = turned(of('obstacle', 4), { x: 5, y: 5 }, Math.PI / 2);
-    expect(car.path!.waypoints[1]!.x).toBeCloseTo(0, 9);
-    expect(car.path!.waypoints[1]!.y).toBeCloseTo(4, 9);
+    expect(car.path!.waypoints[1]!.position[0]).toBeCloseTo(0, 9);
+    expect(car.path!.waypoints[1]!.position[1]).toBeCloseTo(4, 9);
     const hut = scaled(of('obstacle', 1), { x: 0, y: 0 }, 2);
     expect(extentOf([hut])).toEqual({ minX: 0, minY: 0, maxX: 4, maxY: 4 });
     expect(scaled(of('item', 7), { x: 0, y: 0 }, 2).radius).toBe(1);

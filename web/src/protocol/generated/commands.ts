@@ -194,7 +194,7 @@ export interface PeopleDef {
   readonly headway: Distribution;
   /** Time until it sets out on its first order, 0 to 1e7 [s]. */
   readonly premovement: Distribution;
-  /** Age, 0 or 5 to 90; above 0 it gives the top speed in the place of `speed`, by walkingSpeedAtAge() [years]. */
+  /** Age, 0 or 5 to 90; above 0 it gives the top speed in the place of `speed`, as RiMEA has it [years]. */
   readonly age: Distribution;
   /** Speed up stairs as a share of that in the open, 0 or 0.01 to 1. */
   readonly upstairs: number;
@@ -268,7 +268,7 @@ export interface PatchDef {
   readonly polygon: readonly Vec2[];
   /** Its motion; empty for a patch that stands still. */
   readonly path: TimedPath;
-  /** Clip played on it; an index into the world's clips. */
+  /** Clip played on it: an index into the world's clips. */
   readonly motion: number;
   /** Travel speed relative to running, above 0; negative for the clip's. */
   readonly speed: number;

@@ -1,8 +1,10 @@
 // @vitest-environment jsdom
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
-import type { GroupView, OrderView } from '../../model/frame_view';
+import type { GroupView } from '../../model/frame_view';
 import { GroupShapes } from '../../model/group_shapes';
-import { madeGroup } from '../../model/test_frames';
+import type { QueueOrder } from '../../model/queue_order';
+import { madeGroup, madeOrder } from '../../model/test_frames';
+import type { Given, Order } from '../../protocol/generated/commands';
 import { CameraController } from '../camera/camera_controller';
 import { paletteOf } from '../drawing/palette';
 import { MarkPainter } from './mark_painter';
@@ -23,9 +25,8 @@ beforeEach(() => {
 
 afterEach(() => vi.restoreAllMocks());
 
-function order(id: number, x: number, y: number, more: Partial<OrderView> = {}): OrderView {
-  const none = { kind: 0, hasFacing: false, facing: 0, width: 0, group: 0, halfX: 0, halfY: 0, route: [] };
-  return { id, x, y, ...none, ...more };
+function order(id: number, x: number, y: number, more: Given<Order> = {}): QueueOrder {
+  return madeOrder(id, { target: [x, y], ...more });
 }
 
 function draw(groups: readonly GroupView[], queues = true, more: Partial<OrderScene> = {}): void {
@@ -53,11 +54,7 @@ function draw(groups: readonly GroupView[], queues = true, more: Partial<OrderSc
 it('a queue leads from where the group stands, along its way, from target to target', () => {
   const group = madeGroup(1, [], {
     way: [3, 4],
-    orders: [
-      order(1, 6, 4),
-      order(2, 6, 9, { route: [8, 4] }),
-      order(3, 0, 0, { kind: 1, hasFacing: true, facing: 2 }),
-    ],
+    orders: [order(1, 6, 4), order(2, 6, 9, { route: [[8, 4]] }), order(3, 0, 0, { kind: 'face', facing: 2 })],
   });
   const legs = legsOf(group, [group]);
   expect(legs[0]!.points).toEqual([
@@ -78,13 +75,13 @@ it('a queue leads from where the group stands, along its way, from target to tar
 
 it('who follows is led to the group that it follows, wherever that is now', () => {
   const leader = madeGroup(2, [], { x: 7, y: -3 });
-  const group = madeGroup(1, [], { orders: [order(1, 0, 0, { kind: 2, group: 2 })] });
+  const group = madeGroup(1, [], { orders: [order(1, 0, 0, { kind: 'follow', group: 2 })] });
   const [leg] = legsOf(group, [group, leader]);
   expect(leg!.points[1]).toEqual({ x: 7, y: -3 });
 });
 
 it('numbers the orders; those at one place share a badge, and a single one has none', () => {
-  draw([madeGroup(1, [], { orders: [order(1, 5, 0), order(2, 9, 0), order(3, 9, 0, { kind: 1 })] })]);
+  draw([madeGroup(1, [], { orders: [order(1, 5, 0), order(2, 9, 0), order(3, 9, 0, { kind: 'face' })] })]);
   expect(badges).toEqual(['1', '2–3']);
   badges = [];
   draw([madeGroup(1, [], { orders: [order(1, 5, 0)] })]);

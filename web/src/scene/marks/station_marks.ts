@@ -67,7 +67,5 @@ export function drawStations(
 
 /** True where a group takes up another formation on its way than ranks as wide as they are drawn. */
 export function changesShape(legs: readonly Leg[]): boolean {
-  return legs
-    .slice(1)
-    .some(({ order: { formation } }) => formation !== null && formation.kind !== 'square');
+  return legs.slice(1).some(({ order: { formation } }) => formation !== null && formation.kind !== 'square');
 }

@@ -1,6 +1,7 @@
 // Numbers and words of a chosen exit, source or waiting area, and of stairs.
 
 import { groupChoices } from '../../model/place/areas';
+import type { Arrivals } from '../../protocol/generated/commands';
 import type { AreaFields, Thing } from '../../model/place/things';
 import type { SceneFacts } from '../../protocol/scene';
 import { element } from '../widgets/dom';
@@ -18,11 +19,6 @@ const kTime = { min: 0, max: 1e7, unit: 's' };
 const kPeople = { min: 0, max: 200_000, whole: true };
 /** From one arrival to the next that is added [s]. */
 const kApart = 60;
-
-interface Arrival {
-  readonly t: number;
-  readonly count: number;
-}
 
 const kOpen = { true: 'Open', false: 'Closed' };
 
@@ -91,26 +87,26 @@ function mostField(one: Thing, desk: BuildActions): HTMLElement {
   );
 }
 
-function arrivalsOf({ rest }: Thing): readonly Arrival[] {
-  return (Array.isArray(rest['timetable']) ? rest['timetable'] : []) as readonly Arrival[];
+function arrivalsOf({ rest }: Thing): readonly Arrivals[] {
+  return (Array.isArray(rest['timetable']) ? rest['timetable'] : []) as readonly Arrivals[];
 }
 
 /** People who come at times of their own, beside those of the rate. */
 function timetable(one: Thing, desk: BuildActions): HTMLElement {
   const rows = arrivalsOf(one);
-  const change = (next: (now: readonly Arrival[]) => readonly Arrival[]): void =>
+  const change = (next: (now: readonly Arrivals[]) => readonly Arrivals[]): void =>
     desk.edit('Timetable', (it) => {
       const rest = Object.fromEntries(Object.entries(it.rest).filter(([key]) => key !== 'timetable'));
-      const sorted = [...next(arrivalsOf(it))].sort((a, b) => a.t - b.t);
+      const sorted = [...next(arrivalsOf(it))].sort((a, b) => a.time - b.time);
       return { ...it, rest: sorted.length > 0 ? { ...rest, timetable: sorted } : rest };
     });
   const lines = rows.map((row, k) => {
-    const edit = (fields: Partial<Arrival>): void =>
+    const edit = (fields: Partial<Arrivals>): void =>
       change((now) => now.map((other, n) => (n === k ? { ...other, ...fields } : other)));
     const remove = element('button', { type: 'button', 'aria-label': `Remove arrival ${k + 1}` }, buildIcon('remove'));
     remove.addEventListener('click', () => change((now) => now.filter((_, n) => n !== k)));
     const [time, count] = [
-      numberField('At', row.t, kTime, (t) => edit({ t })),
+      numberField('At', row.time, kTime, (value) => edit({ time: value })),
       numberField('People', row.count, { min: 1, max: kPeople.max, whole: true }, (value) => edit({ count: value })),
     ];
     time.querySelector('input')!.setAttribute('aria-label', `Arrival ${k + 1}, time`);
@@ -121,7 +117,7 @@ function timetable(one: Thing, desk: BuildActions): HTMLElement {
   add.addEventListener('click', () => {
     change((now) => {
       const last = now[now.length - 1];
-      return [...now, { t: (last?.t ?? 0) + kApart, count: last?.count ?? 20 }];
+      return [...now, { time: (last?.time ?? 0) + kApart, count: last?.count ?? 20 }];
     });
   });
   return element('div', { class: 'build-timetable' }, element('h4', {}, 'Timetable'), ...lines, add);

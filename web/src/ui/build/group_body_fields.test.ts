@@ -1,6 +1,6 @@
 // @vitest-environment jsdom
 import { beforeEach, expect, it, vi } from 'vitest';
-import { thing, type PlaceEvent, type Thing } from '../../model/place/things';
+import { thing, type PlaceChange, type Thing } from '../../model/place/things';
 import type { BuildActions } from './build_actions';
 import { ChosenFields } from './chosen_fields';
 
@@ -8,9 +8,10 @@ const group: Thing = thing('group', {
   id: 4,
   name: 'Guests',
   count: 9,
-  body: { radius: 0.25, maxSpeed: 2, class: 0 },
+  body: { radius: 0.25, maxSpeed: 2, unitClass: 0 },
 });
-let sent: [string, PlaceEvent][] = [];
+let sent: [string, PlaceChange | null][] = [];
+const kAsTheyAre = { group: 4, radius: null, maxSpeed: null, unitClass: null };
 let shown: Thing = group;
 let fields: ChosenFields;
 
@@ -36,9 +37,9 @@ function show(one: Thing): void {
 beforeEach(() => {
   sent = [];
   const desk = {
-    editGroup: (label: string, event: (one: Thing) => PlaceEvent) => sent.push([label, event(shown)]),
-    dragBegins: vi.fn(() => sent.push(['begins', {}])),
-    dragGroup: (label: string, event: (one: Thing) => PlaceEvent, ends: boolean) =>
+    editGroup: (label: string, event: (one: Thing) => PlaceChange) => sent.push([label, event(shown)]),
+    dragBegins: vi.fn(() => sent.push(['begins', null])),
+    dragGroup: (label: string, event: (one: Thing) => PlaceChange, ends: boolean) =>
       sent.push([`${ends ? 'ends' : 'drags'} ${label}`, event(shown)]),
   };
   fields = new ChosenFields(desk as unknown as BuildActions);
@@ -49,7 +50,7 @@ beforeEach(() => {
 it('sends a typed radius and refuses one that nobody has', () => {
   give('Body radius [m]', '0.4', 'change');
   give('Body radius [m]', '9', 'change');
-  expect(sent).toEqual([['Body radius', { kind: 'groupBody', group: 4, body: { radius: 0.4 } }]]);
+  expect(sent).toEqual([['Body radius', { kind: 'groupBody', edit: { ...kAsTheyAre, radius: 0.4 } }]]);
 });
 
 it('keeps the slider while it is dragged, and shows the newest after', () => {
@@ -58,11 +59,11 @@ it('keeps the slider while it is dragged, and shows the newest after', () => {
   show({ ...group, body: { ...group.body, maxSpeed: 3 } });
   expect(control('Top speed, slider')).toBe(slider);
   give('Top speed, slider', '4', 'input', 'change');
-  expect(sent.map(([label, event]) => [label, event['body']])).toEqual([
-    ['begins', undefined],
-    ['drags Top speed', { maxSpeed: 3 }],
-    ['drags Top speed', { maxSpeed: 4 }],
-    ['ends Top speed', { maxSpeed: 4 }],
+  expect(sent.map(([label, change]) => [label, change?.kind === 'groupBody' && change.edit.maxSpeed])).toEqual([
+    ['begins', false],
+    ['drags Top speed', 3],
+    ['drags Top speed', 4],
+    ['ends Top speed', 4],
   ]);
   show({ ...group, body: { ...group.body, maxSpeed: 4 } });
   expect(control('Top speed, slider')).not.toBe(slider);
@@ -72,16 +73,16 @@ it('keeps the slider while it is dragged, and shows the newest after', () => {
 
 it('gives a class, and a class its part of the formation', () => {
   give('Class', '2', 'change');
-  show({ ...group, body: { ...group.body, class: 2 } });
+  show({ ...group, body: { ...group.body, unitClass: 2 } });
   give('Class 2 stands', 'Rear', 'change');
   expect(sent.map(([, event]) => event)).toEqual([
-    { kind: 'groupBody', group: 4, body: { class: 2 } },
-    { kind: 'roles', group: 4, roles: [{ area: 'rear', class: 2 }] },
+    { kind: 'groupBody', edit: { ...kAsTheyAre, unitClass: 2 } },
+    { kind: 'roles', group: 4, roles: [{ area: 'rear', unitClass: 2 }] },
   ]);
 });
 
 it('says where people differ', () => {
-  show({ ...group, body: { radius: 0.25 }, roles: [{ area: 'front', class: 1 }] });
+  show({ ...group, body: { radius: 0.25 }, roles: [{ area: 'front', unitClass: 1 }] });
   expect(control('Class').value).toBe('Mixed');
   expect(control('Top speed [m/s]').value).toBe('');
   expect(control('Top speed [m/s]').placeholder).toBe('Mixed');
@@ -95,7 +96,7 @@ it('leaves the focus in the field whose number comes back', () => {
   expect(document.activeElement).toBe(control('People'));
 });
 
-it('sends build and motion set together, and leaves out what is as usual', () => {
+it('sends build and motion set together, none for what is as usual', () => {
   give('Build', 'Narrow', 'change');
   show({ ...group, rest: { build: 'narrow' } });
   expect(control('Build').value).toBe('Narrow');
@@ -103,8 +104,8 @@ it('sends build and motion set together, and leaves out what is as usual', () =>
   show({ ...group, rest: { build: 'narrow', motions: 'march' } });
   give('Build', 'Both', 'change');
   expect(sent).toEqual([
-    ['Build', { kind: 'appearance', group: 4, build: 'narrow' }],
+    ['Build', { kind: 'appearance', group: 4, build: 'narrow', motions: null }],
     ['Motion set', { kind: 'appearance', group: 4, build: 'narrow', motions: 'march' }],
-    ['Build', { kind: 'appearance', group: 4, motions: 'march' }],
+    ['Build', { kind: 'appearance', group: 4, build: null, motions: 'march' }],
   ]);
 });

@@ -73,7 +73,10 @@ export function groupBodyFields(one: Thing, desk: BuildActions, hold: Hold): HTM
     selectField('Class', kClasses, unitClass, (word) => {
       const chosen = word === kNone ? 0 : Number(word);
       if (word !== kMixed)
-        desk.editGroup('Class', ({ id }) => ({ kind: 'groupBody', edit: { ...kAsTheyAre, group: id, unitClass: chosen } }));
+        desk.editGroup('Class', ({ id }) => ({
+          kind: 'groupBody',
+          edit: { ...kAsTheyAre, group: id, unitClass: chosen },
+        }));
     }),
     ...classesOf(body, roles).map((of) =>
       selectField(`Class ${of} stands`, [kAnywhere, ...Object.values(kAreas)], areaOf(roles, of), (label) =>

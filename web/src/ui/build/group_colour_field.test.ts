@@ -1,13 +1,13 @@
 // @vitest-environment jsdom
 import { beforeEach, expect, it } from 'vitest';
 import { colourNumber } from '../../model/accent';
-import { addEvent, thing, type PlaceEvent, type Thing } from '../../model/place/things';
+import { addCommand, thing, type PlaceChange, type Thing } from '../../model/place/things';
 import { accentVariable, groupMark } from '../widgets/group_marks';
 import type { BuildActions } from './build_actions';
 import { ChosenFields } from './chosen_fields';
 
 const group: Thing = thing('group', { id: 4, name: 'Guests', count: 9, body: {}, colour: 1 });
-let sent: [string, PlaceEvent][] = [];
+let sent: [string, PlaceChange][] = [];
 let fields: ChosenFields;
 
 const radios = (): HTMLElement[] => [...fields.root.querySelectorAll<HTMLElement>('[role="radio"]')];
@@ -19,7 +19,7 @@ const marked = (): (string | null)[] =>
 
 beforeEach(() => {
   sent = [];
-  const desk = { editGroup: (label: string, event: (one: Thing) => PlaceEvent) => sent.push([label, event(group)]) };
+  const desk = { editGroup: (label: string, event: (one: Thing) => PlaceChange) => sent.push([label, event(group)]) };
   fields = new ChosenFields(desk as unknown as BuildActions);
   document.body.replaceChildren(fields.root);
   fields.show([group], null);
@@ -29,12 +29,12 @@ it('sends one edit for a swatch, none for the one that is chosen', () => {
   expect(marked()).toEqual(['Automatic, ember']);
   radio('Automatic, ember').click();
   radio('Magenta').click();
-  expect(sent).toEqual([['Colour', { kind: 'colourGroup', group: 4, colour: '#d60ea8' }]]);
+  expect(sent).toEqual([['Colour', { kind: 'colourGroup', group: 4, colour: 0xd60ea8 }]]);
   fields.show([{ ...group, colour: colourNumber(1, '#d60ea8') }], null);
   expect(marked()).toEqual(['Magenta']);
   radio('Magenta').click();
   radio('Automatic, ember').click();
-  expect(sent.slice(1)).toEqual([['Colour', { kind: 'colourGroup', group: 4 }]]);
+  expect(sent.slice(1)).toEqual([['Colour', { kind: 'colourGroup', group: 4, colour: null }]]);
 });
 
 it('goes along by arrow keys without an edit, and leaves the focus where it was', () => {
@@ -59,7 +59,7 @@ it('takes any own colour, marks it, and says where it is hard to see', () => {
   own.dispatchEvent(new Event('input'));
   expect(sent).toEqual([]);
   own.dispatchEvent(new Event('change'));
-  expect(sent).toEqual([['Colour', { kind: 'colourGroup', group: 4, colour: '#f2e8d0' }]]);
+  expect(sent).toEqual([['Colour', { kind: 'colourGroup', group: 4, colour: 0xf2e8d0 }]]);
   fields.show([{ ...group, colour: colourNumber(1, '#f2e8d0') }], null);
   expect(marked()).toEqual([]);
   expect(fields.root.querySelector('.is-chosen')?.textContent).toBe('Own colour #F2E8D0');
@@ -79,6 +79,6 @@ it('keeps the shape of the mark, and lets panels see an own colour', () => {
 });
 
 it('is copied with the group', () => {
-  const copy = addEvent({ ...group, rest: { colour: '#05536d' } });
-  expect((copy['definition'] as Record<string, unknown>)['colour']).toBe('#05536d');
+  const copy = addCommand({ ...group, rest: { colour: 0x05536d } });
+  expect(copy).toMatchObject({ group: { colour: 0x05536d } });
 });

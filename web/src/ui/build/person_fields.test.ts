@@ -1,10 +1,11 @@
 // @vitest-environment jsdom
 import { beforeEach, expect, it } from 'vitest';
-import { thing, type PlaceEvent, type Thing } from '../../model/place/things';
+import { kAdults } from '../../model/place/people';
+import { thing, type PlaceChange, type Thing } from '../../model/place/things';
 import type { BuildActions } from './build_actions';
 import { ChosenFields } from './chosen_fields';
 
-const group: Thing = thing('group', { id: 4, name: 'Guests', count: 9, rest: { people: 'adults' } });
+const group: Thing = thing('group', { id: 4, name: 'Guests', count: 9, rest: { people: [kAdults] } });
 const source: Thing = thing('area', {
   id: 2,
   polygon: [
@@ -13,7 +14,7 @@ const source: Thing = thing('area', {
     [1, 1],
   ],
   area: { kind: 'source', open: true, rate: 1, queue: [] },
-  rest: { from: 5, timetable: [{ t: 60, count: 20 }] },
+  rest: { from: 5, timetable: [{ time: 60, count: 20 }] },
 });
 let sent: unknown[] = [];
 let said = '';
@@ -57,7 +58,7 @@ beforeEach(() => {
   sent = [];
   said = '';
   const desk = {
-    editGroup: (_: string, event: (one: Thing) => PlaceEvent) => sent.push(event(shown)),
+    editGroup: (_: string, event: (one: Thing) => PlaceChange) => sent.push(event(shown)),
     edit: (_: string, change: (one: Thing) => Thing) => sent.push(change(shown).rest),
     say: (text: string) => (said = text),
   };
@@ -69,10 +70,10 @@ it('adults become sorts of one’s own, whose spreads are typed', () => {
   show(group);
   give('Persons', 'Sorts of one’s own');
   const adults = { spread: 'normal', a: 1.34, b: 0.26, least: 0.5, most: 2.2 };
-  expect(last()).toEqual({ kind: 'people', group: 4, people: [{ share: 1, name: 'Sort 1', speed: adults }] });
+  expect(last()).toEqual({ kind: 'people', group: 4, people: [{ ...kAdults, name: 'Sort 1' }] });
   follow(last().people);
   give('Speed, mean', '1');
-  expect(last().people).toEqual([{ share: 1, name: 'Sort 1', speed: { ...adults, a: 1 } }]);
+  expect(last().people).toEqual([{ ...kAdults, name: 'Sort 1', speed: { ...adults, a: 1 } }]);
   give('Premovement', 'Uniform');
   expect(last().people).toMatchObject([{ premovement: { spread: 'uniform', a: 30, b: 90 } }]);
   give('Speed, least', '5');
@@ -80,17 +81,17 @@ it('adults become sorts of one’s own, whose spreads are typed', () => {
     'The least speed is not below the largest one.',
   );
   give('Persons', 'All alike');
-  expect(last()).toEqual({ kind: 'people', group: 4 });
+  expect(last()).toEqual({ kind: 'people', group: 4, people: [] });
 });
 
 it('sorts are added, stay unfolded, and are removed', () => {
-  const sorts = [{ share: 3, name: 'Women' }];
+  const sorts = [{ ...kAdults, share: 3, name: 'Women' }];
   show({ ...group, rest: { people: sorts } });
   press('Add a sort');
   expect(last().people).toHaveLength(2);
   follow(last().people);
   expect([...fields.root.querySelectorAll('details')].map(({ open }) => open)).toEqual([false, true]);
-  expect(fields.root.querySelector('summary')!.textContent).toBe('Women · 75 %');
+  expect(fields.root.querySelector('summary')!.textContent).toBe('Women · 75 % · 1.34 ± 0.26 m/s');
   give('Sort 2, share', '2');
   // Before that is shown.
   give('Sort 2, name of the sort', 'Men');
@@ -102,7 +103,7 @@ it('sorts are added, stay unfolded, and are removed', () => {
 it('a source has times, a number and a timetable by ascending times', () => {
   show(source);
   give('Until, 0: no end [s]', '90');
-  expect(sent.pop()).toEqual({ from: 5, until: 90, timetable: [{ t: 60, count: 20 }] });
+  expect(sent.pop()).toEqual({ from: 5, until: 90, timetable: [{ time: 60, count: 20 }] });
   give('Until, 0: no end [s]', '4');
   expect([sent.length, said]).toEqual([0, 'That is not after the beginning.']);
   give('In all, 0: no end', '40');
@@ -110,12 +111,12 @@ it('a source has times, a number and a timetable by ascending times', () => {
   press('Add an arrival');
   expect(sent.pop()).toMatchObject({
     timetable: [
-      { t: 60, count: 20 },
-      { t: 120, count: 20 },
+      { time: 60, count: 20 },
+      { time: 120, count: 20 },
     ],
   });
   give('Arrival 1, people', '35');
-  expect(sent.pop()).toMatchObject({ timetable: [{ t: 60, count: 35 }] });
+  expect(sent.pop()).toMatchObject({ timetable: [{ time: 60, count: 35 }] });
   press('Remove arrival 1');
   expect(sent.pop()).toEqual({ from: 5 });
 });

@@ -14,7 +14,7 @@ const act = (label: string): HTMLElement => root.querySelector<HTMLElement>(`.qu
 const acts = (): HTMLElement => root.querySelector<HTMLElement>('.queue-acts')!;
 
 function item(id: number, more: Partial<QueueItem> = {}): QueueItem {
-  return { id, kind: 0, word: 'Move', arrives: true, span: '0:10', ...more };
+  return { id, kind: 'move', word: 'Move', arrives: true, span: '0:10', ...more };
 }
 
 beforeEach(() => {
@@ -22,7 +22,7 @@ beforeEach(() => {
   store = new StudioStore();
   root = new QueueBar(store, actions).root;
   document.body.replaceChildren(root);
-  store.set({ loaded: true, queue: [item(31), item(32, { kind: 3, word: 'Guard', span: '' }), item(33)] });
+  store.set({ loaded: true, queue: [item(31), item(32, { kind: 'guard', word: 'Guard', span: '' }), item(33)] });
 });
 
 it('lists the orders, and is hidden where there are none', () => {

@@ -1,5 +1,6 @@
 // Dialogs for words as a formation, for shapes of one's own, and for a new group. This file is loaded when the first of them is opened.
 
+import { formationKind } from '../../model/sequence';
 import { spreadOver, type Mask } from '../../model/spread';
 import type { GroundPoint } from '../../model/plane';
 import type { ShapeActions } from '../../model/shape_actions';
@@ -168,7 +169,7 @@ class GroupDialog {
       shapes.holdGroup({
         name: this.name_.value.trim(),
         count: this.count_.valueAsNumber,
-        formation: this.formation_.value,
+        formation: formationKind(this.formation_.value),
         spacing: this.spacing_.valueAsNumber,
         radius: this.radius_.valueAsNumber || 0,
         speed: this.speed_.valueAsNumber || 0,

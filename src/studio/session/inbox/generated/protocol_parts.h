@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "muster/generated/enumerations.h"
-#include "muster/order.h"
+#include "muster/generated/orders_definitions.h"
 
 namespace muster::protocol {
 
