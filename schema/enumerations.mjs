@@ -26,7 +26,7 @@ function valuesOf(rows) {
   return lines;
 }
 
-function inCpp({ name, sentence, values, isCounted }) {
+export function inCpp({ name, sentence, values, isCounted }) {
   const rows = values.map((value) => ({ code: `${value.name},`, about: value.sentence }));
   if (isCounted) rows.push({ code: 'Count,', about: 'Their number.' });
   return [...docComment(sentence), `enum class ${name} : std::uint8_t {`, ...valuesOf(rows), '};'].join('\n');

@@ -1,20 +1,22 @@
-// Writes all that follows from enumerations.txt and commands.txt.
+// Writes all that follows from the declarations.
 //
 //     node schema/generate.mjs           writes the files
 //     node schema/generate.mjs --check   writes nothing; exit code 1 where a committed file differs
-import { readFileSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
 import { cFiles } from './c.mjs';
 import { cppFiles } from './cpp.mjs';
 import { enumerationFiles } from './enumerations.mjs';
+import { parameterFiles } from './parameters.mjs';
 import { root } from './read.mjs';
 import { sampleFiles } from './samples.mjs';
 import { scenarioFiles } from './scenario.mjs';
 import { typescriptFiles } from './typescript.mjs';
 
 const checks = process.argv.includes('--check');
+const makers = [enumerationFiles, cppFiles, cFiles, scenarioFiles, sampleFiles, typescriptFiles, parameterFiles];
 let stale = 0;
-for (const [path, text] of Object.entries({ ...enumerationFiles(), ...cppFiles(), ...cFiles(), ...scenarioFiles(), ...sampleFiles(), ...typescriptFiles() })) {
+for (const [path, text] of makers.flatMap((make) => Object.entries(make()))) {
   const file = join(root, path);
   let old = null;
   try {
@@ -25,6 +27,7 @@ for (const [path, text] of Object.entries({ ...enumerationFiles(), ...cppFiles()
     console.error(`${path} is not what the declarations in schema/ say: run node schema/generate.mjs`);
     stale = 1;
   } else {
+    mkdirSync(dirname(file), { recursive: true });
     writeFileSync(file, text);
     console.log(`wrote ${path}`);
   }

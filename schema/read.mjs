@@ -23,18 +23,18 @@ function tokensOf(line) {
   return tokens;
 }
 
-function fail(line, sentence) {
+export function fail(line, sentence) {
   throw new Error(`schema/${file}:${line}: ${sentence}`);
 }
 
 /** The value of a word that must be there. */
-function word(tokens, line, what) {
+export function word(tokens, line, what) {
   const token = tokens.shift();
   return token?.word ?? fail(line, `found ${token ? 'a text' : 'nothing'}, expected ${what}`);
 }
 
-function readRange(text) {
-  const [, low, high] = text.match(/^(-?[\d.e]+)\.\.(-?[\d.e]+)$/) ?? [];
+export function readRange(text) {
+  const [, low, high] = text.match(/^(-?[\d.e/-]+?)\.\.(-?[\d.e/-]+)$/) ?? [];
   return low === undefined ? null : { low, high };
 }
 
@@ -91,8 +91,11 @@ function readEnumeration(tokens, line) {
   return found;
 }
 
-/** Calls `open` for each declaration, which gives what its lines are added to, and `add` for these. */
-function readFile(name, keyword, open, add) {
+/**
+ * Reads a file of declarations of several kinds. `kinds` has, by the keyword of each, `open`, which gives what its lines are added
+ * to, and `add` for these.
+ */
+export function readKinds(name, kinds) {
   const found = [];
   file = name;
   readFileSync(join(folder, name), 'utf8').split('\n').forEach((raw, at) => {
@@ -100,21 +103,31 @@ function readFile(name, keyword, open, add) {
     if (raw.trim() === '' || raw.startsWith('#')) return;
     const tokens = tokensOf(raw);
     if (!raw.startsWith(' ')) {
-      if (tokens.shift().word !== keyword) fail(line, `found ${raw.split(' ')[0]}, expected ${keyword}`);
-      found.push(open(tokens, line, found.length));
+      const keyword = tokens.shift().word;
+      if (!(keyword in kinds)) fail(line, `found ${keyword}, expected ${Object.keys(kinds).join(' or ')}`);
+      found.push({ keyword, line, owner: kinds[keyword].open(tokens, line, found.length) });
     } else if (found.length === 0) {
-      fail(line, `found a line before any ${keyword}`);
+      fail(line, `found a line before any ${Object.keys(kinds).join(' or ')}`);
     } else {
-      add(found[found.length - 1], tokens, line);
+      const { keyword, owner } = found[found.length - 1];
+      kinds[keyword].add(owner, tokens, line);
     }
   });
   return found;
 }
 
-export const enumerations = readFile('enumerations.txt', 'enum', readEnumeration, (owner, tokens, line) => {
+/** The same for a file of one kind. */
+function readFile(name, keyword, open, add) {
+  return readKinds(name, { [keyword]: { open, add } }).map(({ owner }) => owner);
+}
+
+/** "Ids "Those with the given ids leave."". */
+export function addValue(owner, tokens, line) {
   const name = word(tokens, line, 'a value');
   owner.values.push({ name, sentence: tokens.shift()?.text ?? fail(line, `found no sentence for ${name}`) });
-});
+}
+
+export const enumerations = readFile('enumerations.txt', 'enum', readEnumeration, addValue);
 
 export const commands = readFile('commands.txt', 'command', readCommand, (owner, tokens, line) => {
   if (tokens[0].text !== undefined) owner.sentence = tokens[0].text;

@@ -63,3 +63,6 @@ export const withUnit = ({ sentence, unit }) => (unit === '' ? sentence : senten
 
 /** Entries of a list, each on its line, so that a new one changes one line. */
 export const listed = (words, close) => [...words.map((word) => `    ${word},`), close].join('\n');
+
+/** A text as a literal of C++. */
+export const quoted = (text) => `"${text.replace(/"/g, '\\"')}"`;

@@ -16,6 +16,7 @@ const kGenerated = [
   'server_messages',
   'messages',
   'generated/commands',
+  'generated/parameters',
 ].map((name) => `src/protocol/${name}.ts`);
 
 /** The layers of src, lowest first. A file imports from its own layer and from those before it. */
