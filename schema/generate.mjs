@@ -5,16 +5,19 @@
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { cFiles } from './c.mjs';
+import { cHeaderFiles } from './c_headers.mjs';
 import { cppFiles } from './cpp.mjs';
+import { descriptionFiles } from './description.mjs';
 import { enumerationFiles } from './enumerations.mjs';
 import { parameterFiles } from './parameters.mjs';
 import { root } from './read.mjs';
 import { sampleFiles } from './samples.mjs';
 import { scenarioFiles } from './scenario.mjs';
 import { typescriptFiles } from './typescript.mjs';
+import { viewFiles } from './views.mjs';
 
 const checks = process.argv.includes('--check');
-const makers = [enumerationFiles, cppFiles, cFiles, scenarioFiles, sampleFiles, typescriptFiles, parameterFiles];
+const makers = [enumerationFiles, cppFiles, cFiles, scenarioFiles, sampleFiles, typescriptFiles, parameterFiles, cHeaderFiles, viewFiles, descriptionFiles];
 let stale = 0;
 for (const [path, text] of makers.flatMap((make) => Object.entries(make()))) {
   const file = join(root, path);

@@ -66,3 +66,25 @@ export const listed = (words, close) => [...words.map((word) => `    ${word},`),
 
 /** A text as a literal of C++. */
 export const quoted = (text) => `"${text.replace(/"/g, '\\"')}"`;
+
+/** Declarations with comments behind them, or before them where they take more than one line. */
+export function rowsOf(rows, indent = '    ') {
+  const isLong = ({ code, about }) => code.length + about.length + indent.length + 7 > kWidth;
+  const column = Math.max(0, ...rows.filter((row) => !isLong(row)).map(({ code }) => code.length));
+  const lines = [];
+  let short = [];
+  const flush = () => {
+    if (short.length > 0) lines.push(...aligned(short, indent));
+    short = [];
+  };
+  for (const row of rows) {
+    if (!isLong({ ...row, code: row.code.padEnd(column) })) {
+      short.push(row);
+      continue;
+    }
+    flush();
+    lines.push(...docComment(row.about, indent), `${indent}${row.code}`);
+  }
+  flush();
+  return lines;
+}

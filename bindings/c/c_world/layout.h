@@ -35,10 +35,6 @@ static_assert(offsetof(MusterBody, maxSpeed) == offsetof(Body, maxSpeed) &&
               offsetof(MusterBody, downstairs) == offsetof(Body, downstairs));
 static_assert(offsetof(MusterArrivals, count) == offsetof(Arrivals, count));
 static_assert(offsetof(MusterItemDef, radius) == offsetof(ItemDef, radius));
-static_assert(offsetof(MusterCheckpoint, time) == offsetof(Checkpoint, time));
-static_assert(offsetof(MusterEvent, subject) == offsetof(Event, subject) &&
-              offsetof(MusterEvent, value) == offsetof(Event, value) &&
-              offsetof(MusterEvent, position) == offsetof(Event, position));
 
 /// The data of a span, seen as another type of the same layout.
 template <class A, class B>

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -159,6 +160,8 @@ public:
         c = static_cast<std::uint8_t>(p);
     }
     void text(const char*& c, const std::string& p) { c = p.c_str(); }
+    /// The name of a definition, which ends with a zero byte.
+    void text(const char*& c, std::string_view p) { c = p.data(); }
     template <class A, class B>
     void optional(bool& has, A& c, const std::optional<B>& p) {
         has = p.has_value();

@@ -1,3 +1,4 @@
+/* Made by schema/generate.mjs from schema/api/take.txt: change these, not this file. */
 /* Takes: a scenario, the commands given to it and hashes of its state, so that it replays bit for bit; and
  * their export. Component io. */
 #ifndef MUSTER_C_TAKE_H
@@ -101,6 +102,7 @@ MUSTER_API MusterStatus muster_take_parse(const uint8_t* bytes, size_t size, con
                                           MusterTakeId* outTake);
 /// Ends a take. Fails with NotFound where there is none.
 MUSTER_API MusterStatus muster_take_destroy(MusterTakeId take);
+
 /// What the take holds. Valid until it is destroyed.
 MUSTER_API MusterStatus muster_take_get(MusterTakeId take, MusterTake* outTake);
 /// Seconds of the take per second that it is shown, at that time of the take [s].
