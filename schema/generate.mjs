@@ -9,6 +9,7 @@ import { cHeaderFiles } from './c_headers.mjs';
 import { cppFiles } from './cpp.mjs';
 import { descriptionFiles } from './description.mjs';
 import { enumerationFiles } from './enumerations.mjs';
+import { javascriptFiles } from './javascript.mjs';
 import { parameterFiles } from './parameters.mjs';
 import { root } from './read.mjs';
 import { sampleFiles } from './samples.mjs';
@@ -17,7 +18,7 @@ import { typescriptFiles } from './typescript.mjs';
 import { viewFiles } from './views.mjs';
 
 const checks = process.argv.includes('--check');
-const makers = [enumerationFiles, cppFiles, cFiles, scenarioFiles, sampleFiles, typescriptFiles, parameterFiles, cHeaderFiles, viewFiles, descriptionFiles];
+const makers = [enumerationFiles, cppFiles, cFiles, scenarioFiles, sampleFiles, typescriptFiles, parameterFiles, cHeaderFiles, viewFiles, descriptionFiles, javascriptFiles];
 let stale = 0;
 for (const [path, text] of makers.flatMap((make) => Object.entries(make()))) {
   const file = join(root, path);
