@@ -7,7 +7,7 @@ import { isId, plain } from './types.mjs';
 import { singular, withUnit } from './text.mjs';
 
 /** The headers, each after those that it includes. */
-const kFiles = ['base', 'command', 'views', 'world', 'clips', 'bvh', 'motion', 'scenario', 'take'];
+const kFiles = ['base', 'command', 'views', 'world', 'clips', 'bvh', 'motion', 'scenario', 'take', 'figures'];
 
 /** Types of C that are not named after Muster. */
 const kC = {
@@ -48,6 +48,10 @@ function readField(struct, tokens, line) {
     struct.made = textOf(tokens, line, 'the default');
     return;
   }
+  if (name === 'function') {
+    struct.functions.push({ sentence: textOf(tokens, line, 'a function'), code: textOf(tokens, line, 'a function') });
+    return;
+  }
   const field = { name, ...readType(tokens, line, name), unit: '', sentence: '', flags: new Set() };
   if (tokens[0]?.unit !== undefined) field.unit = tokens.shift().unit;
   Object.assign(field, properties(tokens, line, { count: 1, as: 1, '=': 1, 'c-only': 0, 'cpp-only': 0 }));
@@ -57,8 +61,8 @@ function readField(struct, tokens, line) {
 
 function readStruct(tokens, line) {
   const name = word(tokens, line, 'a name');
-  const flags = properties(tokens, line, { versioned: 0, cpp: 1, in: 1, columns: 0, spans: 0, archived: 0 });
-  return { name, ...flags, sentence: textOf(tokens, line, name), fields: [] };
+  const flags = properties(tokens, line, { versioned: 0, cpp: 1, in: 1, 'cpp-only': 0, columns: 0, spans: 0, archived: 0, equal: 0 });
+  return { name, ...flags, sentence: textOf(tokens, line, name), fields: [], functions: [] };
 }
 
 function readFunction(tokens, line) {
@@ -110,9 +114,14 @@ function readHeader(name) {
   };
 }
 
+const files = kFiles.map(readHeader);
+/** All structs, also those of C++ alone. */
+export const apiStructs = files.flatMap(({ name: file, declarations }) => declarations.filter(({ kind }) => kind === 'struct').map((one) => ({ ...one, file })));
+
 /** The headers of the C API that are declared here: {name, component, sentence, includes, declarations}. */
-export const apiHeaders = kFiles.map(readHeader);
-export const apiStructs = apiHeaders.flatMap(({ declarations }) => declarations.filter(({ kind }) => kind === 'struct'));
+export const apiHeaders = files
+  .filter(({ component }) => component !== 'none')
+  .map((header) => ({ ...header, declarations: header.declarations.filter((one) => !one['cpp-only']) }));
 
 /** The name of the number of a list. */
 const countOf = (struct, { name, count }) => count ?? (struct.columns ? 'count' : `${singular(name)}Count`);

@@ -4,39 +4,73 @@ import { call, docComment, rowsOf, withUnit } from './text.mjs';
 import { enumerations } from './read.mjs';
 import { cppItem, isId, plain } from './types.mjs';
 
-const kBanner = '// Made by schema/generate.mjs from schema/api/views.txt: change these, not this file.\n';
+const kInclude = 'include/muster/generated';
 
-/** The headers of C++: what they begin with, and the headers of the types in them. */
+/** The headers of C++: where they stand, what they are about, and what they include. */
 const kFiles = {
-  event: { about: 'What happened in a step.', includes: ['generated/enumerations', 'vec2'], system: ['cstdint'] },
+  walk_totals: { about: 'Sums over the path costs of many.', uses: [], includes: [] },
+  control: {
+    about: 'Controls: points of a mesh that fingers move along trajectories (paper sections 4.1 and 4.2).',
+    uses: ['cstdint', 'vector'],
+    includes: ['generated/enumerations', 'geometry', 'id', 'vec2'],
+  },
+  event: { about: 'What happened in a step.', uses: ['cstdint'], includes: ['generated/enumerations', 'vec2'] },
   characters: {
     about: 'Read access to the characters of a world, and to the contacts between them.',
+    uses: ['cstddef', 'cstdint', 'span'],
     includes: ['generated/enumerations', 'patch', 'unit', 'vec2'],
-    system: ['cstddef', 'cstdint', 'span'],
   },
   views: {
     about: 'Read access to a world except its characters: groups, obstacles, patches, areas.',
+    uses: ['cstdint', 'optional', 'span', 'string_view', 'vector'],
     includes: ['area', 'control', 'formation', 'id', 'obstacle', 'order', 'patch', 'unit', 'vec2', 'walk_totals'],
-    system: ['cstdint', 'optional', 'span', 'string_view', 'vector'],
+  },
+  take: {
+    about: 'What takes hold, and the outcome of a replay.',
+    uses: ['cstddef', 'cstdint', 'string', 'vector'],
+    includes: ['event', 'status', 'vec2'],
+  },
+  figures: {
+    folder: 'src/engine/world/generated',
+    about: "Figures of runs, in the words of the specification's section 8.",
+    uses: ['array', 'cstdint', 'string', 'vector'],
+    includes: ['generated/enumerations', 'id', 'views', 'walk_totals'],
   },
 };
 
 const isEnumeration = (type) => enumerations.some(({ name }) => name === type);
-const kItems = { MotionIndex: 'MotionId', f32: 'float' };
+/** Types that C++ spells in a way of its own. */
+const kItems = {
+  ...{ MotionIndex: 'MotionId', f32: 'float', u64: 'std::uint64_t', size: 'std::size_t' },
+  EventCounts: 'std::array<std::uint64_t, kCountOf<EventKind>>',
+  StageMeans: 'std::array<double, kStageCount>',
+};
 
 /** How C++ spells the type of a field. Columns hold ids as numbers. */
-function typeOf(struct, { type, isList, isOptional }) {
+export function typeOf(struct, field) {
+  const { type, isList, isOptional } = field;
   const item = struct.columns && isId(type) ? 'std::uint32_t' : (kItems[type] ?? cppItem(type));
   if (isList) return struct.columns || struct.spans ? `std::span<const ${item}>` : `std::vector<${item}>`;
+  if (field.length) return `std::array<${item}, ${field.length}>`;
   if (type === 'text' && struct.spans) return 'std::string_view';
   return isOptional ? `std::optional<${item}>` : item;
 }
 
-function initialOf(field) {
-  if (field.isList || field.isOptional) return '';
-  if (isEnumeration(field.type)) return field['='] ? ` = ${field.type}::${field['=']}` : '{}';
-  const initial = plain(field.type)?.initial ?? '';
-  return initial === '' ? '' : ` = ${initial}`;
+/** The default of a field; empty where its type has one. */
+export function initialOf(field) {
+  const { type, isList, isOptional, length } = field;
+  if (isList || isOptional) return '';
+  if (isEnumeration(type)) return field['='] ? `${type}::${field['=']}` : '{}';
+  if (field['=']) return field['='];
+  if (type === 'EventCounts' || type === 'StageMeans' || length) return '{}';
+  return ['u64', 'size'].includes(type) ? '0' : (plain(type)?.initial ?? '');
+}
+
+/** "double speed = 1.0". */
+function declared(struct, field) {
+  const initial = initialOf(field);
+  const named = `${typeOf(struct, field)} ${field.as ?? field.name}`;
+  return initial === '' || initial.startsWith('{') ? `${named}${initial}` : `${named} = ${initial}`;
 }
 
 const kArchive = (names) => [
@@ -50,28 +84,28 @@ const kArchive = (names) => [
 
 function structOf(struct) {
   const fields = struct.fields.filter((field) => !field['c-only']);
-  const rows = fields.map((field) => ({ code: `${typeOf(struct, field)} ${field.as ?? field.name}${initialOf(field)};`, about: withUnit(field) }));
+  const rows = fields.map((field) => ({ code: `${declared(struct, field)};`, about: withUnit(field) }));
   const lines = [...docComment(struct.sentence), `struct ${struct.cpp} {`, ...rowsOf(rows)];
   if (struct.columns) lines.push('', '    std::size_t size() const { return id.size(); }  ///< Number of entries.');
-  if (struct.archived) {
-    lines.push(...kArchive(fields.map(({ name }) => name)));
-    lines.push('    /// Equal in all parts.', `    friend bool operator==(const ${struct.cpp}&, const ${struct.cpp}&) = default;`);
-  }
+  if (struct.functions.length > 0) lines.push('');
+  for (const { sentence, code } of struct.functions) lines.push(...docComment(sentence, '    '), ...code.split('\\n').map((line) => `    ${line}`));
+  if (struct.archived) lines.push(...kArchive(fields.map(({ name }) => name)));
+  if (struct.equal) lines.push('    /// Equal in all parts.', `    friend bool operator==(const ${struct.cpp}&, const ${struct.cpp}&) = default;`);
   return [...lines, '};'].join('\n');
 }
 
-function header(file) {
-  const { about, includes, system } = kFiles[file];
-  return `${kBanner}// ${about}
+const includesOf = (names, mark) => (names.length === 0 ? '' : `${names.map(mark).join('\n')}\n\n`);
+
+function header(name) {
+  const { about, uses, includes } = kFiles[name];
+  const structs = apiStructs.filter((struct) => struct.in === name);
+  return `// Made by schema/generate.mjs from schema/api/${structs[0].file}.txt: change these, not this file.
+// ${about}
 #pragma once
 
-${system.map((name) => `#include <${name}>`).join('\n')}
+${includesOf(uses, (one) => `#include <${one}>`)}${includesOf(includes, (one) => `#include "muster/${one}.h"`)}namespace muster {
 
-${includes.map((name) => `#include "muster/${name}.h"`).join('\n')}
-
-namespace muster {
-
-${apiStructs.filter((struct) => struct.in === file).map(structOf).join('\n\n')}
+${structs.map(structOf).join('\n\n')}
 
 }  // namespace muster
 `;
@@ -112,9 +146,10 @@ function layoutOf({ name, cpp, fields }) {
 }
 
 function marshalling() {
-  const written = apiStructs.filter(({ cpp }) => cpp);
+  const written = apiStructs.filter(({ cpp, file }) => cpp && file === 'views');
   const isPlain = ({ name }) => isFlat(name);
-  return `${kBanner}// What is read of worlds, as structs of C (bindings/c/c_world/marshal.h).
+  return `// Made by schema/generate.mjs from schema/api/views.txt: change these, not this file.
+// What is read of worlds, as structs of C (bindings/c/c_world/marshal.h).
 #pragma once
 
 #include <cstddef>
@@ -136,6 +171,6 @@ ${written.filter((struct) => !isPlain(struct)).map(fieldsOf).join('\n')}
 }
 
 export const viewFiles = () => ({
-  ...Object.fromEntries(Object.keys(kFiles).map((file) => [`include/muster/generated/${file}.h`, header(file)])),
+  ...Object.fromEntries(Object.entries(kFiles).map(([name, { folder = kInclude }]) => [`${folder}/${name}.h`, header(name)])),
   'bindings/c/c_world/generated/view_fields.h': marshalling(),
 });

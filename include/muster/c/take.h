@@ -40,16 +40,17 @@ typedef struct MusterTakeId {
 typedef struct MusterHashMark {
     uint32_t step;      ///< Number of steps done.
     uint64_t hash;      ///< Hash of the state after these steps.
-    uint32_t commands;  ///< Number of commands recorded before this mark.
+    uint32_t commands;  ///< Number of commands recorded before this mark. The file does not store it.
 } MusterHashMark;
 
-/// An event of an order, as it was raised while the take was recorded.
+/// An event of an order, as it was raised while the take was recorded (EventKind: Arrived and later ones).
 typedef struct MusterTakeEvent {
     uint32_t step;      ///< Number of steps done at the event.
     MusterEvent event;  ///< The event.
 } MusterTakeEvent;
 
-/// Where everybody was after that many steps, to 1 mm.
+/// Where everybody was after that many steps, to 1 mm: what a take shows where its simulation gives other
+/// bits.
 typedef struct MusterTakeFrame {
     uint32_t step;                 ///< Number of steps done.
     const MusterCharacterId* ids;  ///< Who, in ascending order.

@@ -101,16 +101,18 @@ typedef struct MusterCheckpoint {
 
 /// A mesh vertex that a finger controls, and the trajectory drawn for it.
 typedef struct MusterControlPoint {
-    int32_t vertex;                      ///< Index of the mesh vertex.
-    uint32_t touch;                      ///< Number of the finger.
+    int32_t vertex;                      ///< Index of the mesh vertex, which is a hard constraint.
+    uint32_t touch;                      ///< Number of the finger; unique per client while it is down.
     bool down;                           ///< False once the finger has lifted.
-    MusterVec2 offset;                   ///< From the finger to the vertex at touch down [m].
+    MusterVec2 offset;                   ///< From the finger to the vertex at touch down [m]; added to all
+                                         ///< drawn points.
     MusterVec2 position;                 ///< Current position of the vertex in the world [m].
     const MusterCheckpoint* trajectory;  ///< Checkpoints still ahead; the last is the finger's newest point.
     int32_t trajectoryCount;             ///< Their number.
 } MusterControlPoint;
 
-/// One control of a mesh.
+/// One control of a mesh. All its points follow their trajectories by a common clock, which preserves their
+/// relative timing.
 typedef struct MusterControl {
     MusterControlId id;                    ///< Unique id, which is not reused.
     MusterControlKind kind;                ///< Follows from the number of points.
@@ -119,13 +121,15 @@ typedef struct MusterControl {
     bool open;                             ///< True while touches of the same client may still join.
     double joinDeadline;                   ///< World time at which it stops being open [s]; -1 before its
                                            ///< first step.
-    double startTime;                      ///< Time stamp of the first touch [s].
+    double startTime;                      ///< Time stamp of the first touch [s]; may be later than the
+                                           ///< world's time.
     double clock;                          ///< Time of the drawing that the points have reached [s].
     const MusterControlPoint* points;      ///< Controlled vertices, at least one.
     int32_t pointCount;                    ///< Their number.
     const MusterMeshPoint* supplementary;  ///< Supplementary points, which are soft constraints.
     int32_t supplementaryCount;            ///< Their number.
-    const double* weights;                 ///< Row-major weights, supplementary points x points.
+    const double* weights;                 ///< Row-major weights, supplementary points x points; each row
+                                           ///< sums to 1.
     int32_t weightCount;                   ///< Their number.
 } MusterControl;
 

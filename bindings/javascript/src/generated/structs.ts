@@ -2027,13 +2027,13 @@ export interface Checkpoint {
 
 /** A mesh vertex that a finger controls, and the trajectory drawn for it. */
 export interface ControlPoint {
-  /** Index of the mesh vertex. */
+  /** Index of the mesh vertex, which is a hard constraint. */
   readonly vertex: number;
-  /** Number of the finger. */
+  /** Number of the finger; unique per client while it is down. */
   readonly touch: number;
   /** False once the finger has lifted. */
   readonly down: boolean;
-  /** From the finger to the vertex at touch down [m]. */
+  /** From the finger to the vertex at touch down [m]; added to all drawn points. */
   readonly offset: Vec2;
   /** Current position of the vertex in the world [m]. */
   readonly position: Vec2;
@@ -2041,7 +2041,10 @@ export interface ControlPoint {
   readonly trajectory: readonly Checkpoint[];
 }
 
-/** One control of a mesh. */
+/**
+ * One control of a mesh. All its points follow their trajectories by a common clock, which preserves their
+ * relative timing.
+ */
 export interface Control {
   /** Unique id, which is not reused. */
   readonly id: ControlId;
@@ -2055,7 +2058,7 @@ export interface Control {
   readonly open: boolean;
   /** World time at which it stops being open [s]; -1 before its first step. */
   readonly joinDeadline: number;
-  /** Time stamp of the first touch [s]. */
+  /** Time stamp of the first touch [s]; may be later than the world's time. */
   readonly startTime: number;
   /** Time of the drawing that the points have reached [s]. */
   readonly clock: number;
@@ -2063,7 +2066,7 @@ export interface Control {
   readonly points: readonly ControlPoint[];
   /** Supplementary points, which are soft constraints. */
   readonly supplementary: readonly MeshPoint[];
-  /** Row-major weights, supplementary points x points. */
+  /** Row-major weights, supplementary points x points; each row sums to 1. */
   readonly weights: Float64Array;
 }
 
@@ -2331,11 +2334,11 @@ export interface HashMark {
   readonly step: number;
   /** Hash of the state after these steps. */
   readonly hash: bigint;
-  /** Number of commands recorded before this mark. */
+  /** Number of commands recorded before this mark. The file does not store it. */
   readonly commands: number;
 }
 
-/** An event of an order, as it was raised while the take was recorded. */
+/** An event of an order, as it was raised while the take was recorded (EventKind: Arrived and later ones). */
 export interface TakeEvent {
   /** Number of steps done at the event. */
   readonly step: number;
@@ -2343,7 +2346,7 @@ export interface TakeEvent {
   readonly event: Event;
 }
 
-/** Where everybody was after that many steps, to 1 mm. */
+/** Where everybody was after that many steps, to 1 mm: what a take shows where its simulation gives other bits. */
 export interface TakeFrame {
   /** Number of steps done. */
   readonly step: number;
