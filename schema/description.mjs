@@ -1,7 +1,7 @@
 // The description of the C API for generators of bindings: docs/api/muster_api.json.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { parseHeader } from '../scripts/capi/parse.mjs';
+import { parseHeader } from './read_c_header.mjs';
 import { apiHeaders, cType, functionParameters, makerOf, returnType, structMembers } from './api.mjs';
 import { commandKinds, commandMembers, membersOf } from './c.mjs';
 import { valuesOf } from './c_headers.mjs';

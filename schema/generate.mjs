@@ -11,6 +11,7 @@ import { descriptionFiles } from './description.mjs';
 import { enumerationFiles } from './enumerations.mjs';
 import { javascriptFiles } from './javascript.mjs';
 import { parameterFiles } from './parameters.mjs';
+import { pythonFiles } from './python.mjs';
 import { root } from './read.mjs';
 import { sampleFiles } from './samples.mjs';
 import { scenarioFiles } from './scenario.mjs';
@@ -18,7 +19,7 @@ import { typescriptFiles } from './typescript.mjs';
 import { viewFiles } from './views.mjs';
 
 const checks = process.argv.includes('--check');
-const makers = [enumerationFiles, cppFiles, cFiles, scenarioFiles, sampleFiles, typescriptFiles, parameterFiles, cHeaderFiles, viewFiles, descriptionFiles, javascriptFiles];
+const makers = [enumerationFiles, cppFiles, cFiles, scenarioFiles, sampleFiles, typescriptFiles, parameterFiles, cHeaderFiles, viewFiles, descriptionFiles, javascriptFiles, pythonFiles];
 let stale = 0;
 for (const [path, text] of makers.flatMap((make) => Object.entries(make()))) {
   const file = join(root, path);
