@@ -61,7 +61,7 @@ function readField(struct, tokens, line) {
 
 function readStruct(tokens, line) {
   const name = word(tokens, line, 'a name');
-  const flags = properties(tokens, line, { versioned: 0, cpp: 1, in: 1, 'cpp-only': 0, columns: 0, spans: 0, archived: 0, equal: 0 });
+  const flags = properties(tokens, line, { version: 1, cpp: 1, in: 1, 'cpp-only': 0, columns: 0, spans: 0, archived: 0, equal: 0 });
   return { name, ...flags, sentence: textOf(tokens, line, name), fields: [], functions: [] };
 }
 
@@ -141,7 +141,7 @@ export function structMembers(struct) {
     const pointer = isPointer ? `const ${cType(type)}*` : isChanged ? `${cType(type)}*` : cType(type);
     return [{ type: pointer, name, about: withUnit(field), length }];
   });
-  return struct.versioned ? [version, ...members] : members;
+  return struct.version ? [version, ...members] : members;
 }
 
 /** The function that makes a struct with a version. */

@@ -1,5 +1,5 @@
 // The structs of api/*.txt that are written for C++ too: what is read of worlds. And how they become those of C.
-import { apiStructs, isFlat } from './api.mjs';
+import { apiHeaders, apiStructs, isFlat, makerOf } from './api.mjs';
 import { call, docComment, rowsOf, withUnit } from './text.mjs';
 import { enumerations } from './read.mjs';
 import { cppItem, isId, plain } from './types.mjs';
@@ -131,7 +131,7 @@ function marshal(struct, field) {
 }
 
 function fieldsOf(struct) {
-  const version = struct.versioned ? [`m.template version<Muster${struct.name}>(c.structVersion);`] : [];
+  const version = struct.version ? [`m.template version<Muster${struct.name}>(c.structVersion);`] : [];
   const lines = [...version, ...struct.fields.flatMap((field) => marshal(struct, field))];
   return `template <class M>
 void fields(M& m, C<M, Muster${struct.name}>& c, P<M, ${struct.cpp}>& p) {
@@ -170,7 +170,30 @@ ${written.filter((struct) => !isPlain(struct)).map(fieldsOf).join('\n')}
 `;
 }
 
+/** The versions of the structs of a component that callers hand over. */
+function versions(component) {
+  const some = apiHeaders.filter((header) => header.component === component);
+  const structs = some.flatMap(({ declarations }) => declarations.filter(({ version }) => version));
+  const lines = structs.map((one) => `MUSTER_STRUCT_VERSION(Muster${one.name}, ${one.version.replace('.', ', ')}, "${makerOf(one)}");`);
+  return `// Made by schema/generate.mjs from schema/api: change these, not this file.
+// Versions of structs that callers hand over: a number per kind, and that of its members.
+#pragma once
+
+#include "bindings/c/c_world/struct_version.h"
+${some.map(({ name }) => `#include "muster/c/${name}.h"`).sort().join('\n')}
+
+namespace muster::c_api {
+
+${lines.join('\n')}
+
+}  // namespace muster::c_api
+`;
+}
+
+const kModules = { core: 'c_world', motion: 'c_motion', io: 'c_io' };
+
 export const viewFiles = () => ({
+  ...Object.fromEntries(Object.entries(kModules).map(([component, module]) => [`bindings/c/${module}/generated/struct_versions.h`, versions(component)])),
   ...Object.fromEntries(Object.entries(kFiles).map(([name, { folder = kInclude }]) => [`${folder}/${name}.h`, header(name)])),
   'bindings/c/c_world/generated/view_fields.h': marshalling(),
 });

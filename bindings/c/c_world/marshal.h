@@ -10,8 +10,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "bindings/c/c_world/generated/struct_versions.h"
 #include "bindings/c/c_world/memory.h"
-#include "bindings/c/c_world/struct_version.h"
 #include "muster/id.h"
 #include "muster/status.h"
 

@@ -5,7 +5,8 @@
 #include <string>
 
 #include "bindings/c/c_world/call.h"
-#include "muster/c/views.h"
+#include "muster/c/people.h"
+#include "muster/c/world_def.h"
 
 namespace muster::c_api {
 
@@ -24,7 +25,7 @@ constexpr std::uint32_t structVersion(std::uint32_t kind, std::uint32_t version)
         static constexpr const char* kMaker = maker;                          \
     }
 
-MUSTER_STRUCT_VERSION(MusterTaskRunner, 1, 1, "muster_default_task_runner");
+// Those that schema/api declares stand in generated/struct_versions.h.
 MUSTER_STRUCT_VERSION(MusterFormationDef, 2, 1, "muster_default_formation_def");
 MUSTER_STRUCT_VERSION(MusterObstacleDef, 3, 1, "muster_default_obstacle_def");
 MUSTER_STRUCT_VERSION(MusterPatchDef, 4, 2, "muster_default_patch_def");
@@ -35,11 +36,6 @@ MUSTER_STRUCT_VERSION(MusterForecast, 8, 1, "muster_default_forecast");
 MUSTER_STRUCT_VERSION(MusterGroupDef, 9, 2, "muster_default_group_def");
 MUSTER_STRUCT_VERSION(MusterCheckpointDef, 10, 1, "muster_default_checkpoint_def");
 MUSTER_STRUCT_VERSION(MusterWorldDef, 11, 2, "muster_default_world_def");
-MUSTER_STRUCT_VERSION(MusterCommand, 12, 2, "muster_default_command");
-MUSTER_STRUCT_VERSION(MusterCharacters, 13, 2, "muster_default_characters");
-MUSTER_STRUCT_VERSION(MusterGroup, 14, 1, "muster_default_group");
-MUSTER_STRUCT_VERSION(MusterObstacle, 15, 1, "muster_default_obstacle");
-MUSTER_STRUCT_VERSION(MusterPatch, 16, 2, "muster_default_patch");
 MUSTER_STRUCT_VERSION(MusterPeopleDef, 17, 1, "muster_default_people_def");
 MUSTER_STRUCT_VERSION(MusterAreaDef, 18, 1, "muster_default_area_def");
 
