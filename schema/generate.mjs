@@ -12,6 +12,7 @@ import { enumerationFiles } from './enumerations.mjs';
 import { javascriptFiles } from './javascript.mjs';
 import { parameterFiles } from './parameters.mjs';
 import { pythonFiles } from './python.mjs';
+import { pythonViewFiles } from './python_views.mjs';
 import { root } from './read.mjs';
 import { sampleFiles } from './samples.mjs';
 import { scenarioFiles } from './scenario.mjs';
@@ -19,7 +20,7 @@ import { typescriptFiles } from './typescript.mjs';
 import { viewFiles } from './views.mjs';
 
 const checks = process.argv.includes('--check');
-const makers = [enumerationFiles, cppFiles, cFiles, scenarioFiles, sampleFiles, typescriptFiles, parameterFiles, cHeaderFiles, viewFiles, descriptionFiles, javascriptFiles, pythonFiles];
+const makers = [enumerationFiles, cppFiles, cFiles, scenarioFiles, sampleFiles, typescriptFiles, parameterFiles, cHeaderFiles, viewFiles, descriptionFiles, javascriptFiles, pythonFiles, pythonViewFiles];
 let stale = 0;
 for (const [path, text] of makers.flatMap((make) => Object.entries(make()))) {
   const file = join(root, path);

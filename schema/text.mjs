@@ -59,7 +59,7 @@ export const lowerFirst = (name) => name[0].toLowerCase() + name.slice(1);
 /** "TouchDown" -> "TOUCH_DOWN". */
 export const upperWords = (name) => name.replace(/(?<!^)([A-Z])/g, '_$1').toUpperCase();
 /** The sentence, with the unit before its first stop or semicolon. */
-export const withUnit = ({ sentence, unit }) => (unit === '' ? sentence : sentence.replace(/[.;]/, (stop) => ` [${unit}]${stop}`));
+export const withUnit = ({ sentence, unit }) => (unit === '' ? sentence : sentence.replace(/[.;](?=\s|$)/, (stop) => ` [${unit}]${stop}`));
 
 /** Entries of a list, each on its line, so that a new one changes one line. */
 export const listed = (words, close) => [...words.map((word) => `    ${word},`), close].join('\n');
