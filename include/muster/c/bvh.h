@@ -25,7 +25,7 @@ typedef struct MusterBvh {
     const MusterBvhJoint* joints;   ///< Parents before children; at least one.
     int32_t jointCount;             ///< Their number.
     const MusterTransform* values;  ///< Transforms relative to the parent [m], by frame and then by joint.
-    int32_t valueCount;             ///< Their number.
+    int32_t valueCount;             ///< Frames times joints.
     int32_t frames;                 ///< Number of frames, at least one.
     double rate;                    ///< Frames per second, above 0.
     double unit;                    ///< Length of one unit of the file [m].
