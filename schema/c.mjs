@@ -12,8 +12,7 @@ function about(field) {
 }
 
 /** The members that stand for a field: [type, name, comment]. */
-function membersOf(field) {
-  const item = cItem(field.type);
+export function membersOf(field, item = cItem(field.type)) {
   const { name } = field;
   if (field.isList)
     return [
@@ -33,7 +32,7 @@ function membersOf(field) {
 }
 
 function struct(command) {
-  const rows = command.fields.flatMap(membersOf).map(([code, text]) => ({ code: `${code};`, about: text }));
+  const rows = command.fields.flatMap((field) => membersOf(field)).map(([code, text]) => ({ code: `${code};`, about: text }));
   return [
     ...docComment(command.sentence),
     `typedef struct Muster${command.name} {`,
@@ -60,12 +59,19 @@ ${text}
 #endif
 `;
 
+/** The kinds of commands: {name, value, about}. */
+export const commandKinds = () => [
+  ...commands.map(({ name, index }) => ({ name: `MUSTER_COMMAND_${upperWords(name)}`, value: index, about: `Its body is \`${lowerFirst(name)}\`.` })),
+  { name: 'MUSTER_COMMAND_COUNT', value: commands.length, about: 'Number of kinds.' },
+];
+
+/** The members of the union of all bodies: {name, type, about}. */
+export const commandMembers = () =>
+  commands.map(({ name }) => ({ name: lowerFirst(name), type: `Muster${name}`, about: `For MUSTER_COMMAND_${upperWords(name)}.` }));
+
 function bodies() {
-  const kinds = [
-    ...commands.map(({ name, index }) => ({ code: `MUSTER_COMMAND_${upperWords(name)} = ${index},`, about: `Its body is \`${lowerFirst(name)}\`.` })),
-    { code: `MUSTER_COMMAND_COUNT = ${commands.length}`, about: 'Number of kinds.' },
-  ];
-  const members = commands.map(({ name }) => ({ code: `Muster${name} ${lowerFirst(name)};`, about: `For MUSTER_COMMAND_${upperWords(name)}.` }));
+  const kinds = commandKinds().map(({ name, value, about: text }, at, all) => ({ code: `${name} = ${value}${at + 1 < all.length ? ',' : ''}`, about: text }));
+  const members = commandMembers().map(({ name, type, about: text }) => ({ code: `${type} ${name};`, about: text }));
   return guard('COMMAND_BODIES', '#include "muster/c/definitions.h"', `${commands.map(struct).join('\n\n')}
 
 /// Kinds of commands.

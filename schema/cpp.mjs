@@ -11,20 +11,22 @@ function cppType(field) {
   return field.isOptional && !isId(field.type) ? `std::optional<${item}>` : item;
 }
 
-/** " = 0.0", " = SplitBy::Ids"; empty where the type has a default of its own. */
+/** "0.0", "SplitBy::Ids"; empty where the type has a default of its own. */
 function initialOf(field) {
   if (field.isList || field.isOptional) return '';
-  if (enumerated(field.type)) return ` = ${field.type}::${field.initial}`;
+  if (enumerated(field.type)) return `${field.type}::${field.initial}`;
   const initial = plain(field.type)?.initial ?? '';
-  if (initial === '') return '';
-  return ` = ${field.type === 'f64' || field.initial === '' ? initial : field.initial}`;
+  return initial === '' || field.type === 'f64' || field.initial === '' ? initial : field.initial;
 }
 
+/** A field as a member of C++: {type, name, initial}. */
+export const memberOf = (field) => ({ type: cppType(field), name: field.name, initial: initialOf(field) });
+
 function struct(command) {
-  const rows = command.fields.map((field) => ({
-    code: `${cppType(field)} ${field.name}${initialOf(field)};`,
-    about: withUnit(field),
-  }));
+  const rows = command.fields.map((field) => {
+    const { type, name, initial } = memberOf(field);
+    return { code: `${type} ${name}${initial === '' ? '' : ` = ${initial}`};`, about: withUnit(field) };
+  });
   return [
     ...docComment(command.sentence),
     `struct ${command.name} {`,

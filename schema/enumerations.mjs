@@ -1,35 +1,13 @@
 // Enumerations in C++ and C, and the words of their values in files and messages.
 import { enumerations } from './read.mjs';
-import { aligned, docComment, kWidth, lowerFirst, upperWords, wrap } from './text.mjs';
+import { aligned, docComment, kWidth, lowerFirst, rowsOf, upperWords, wrap } from './text.mjs';
 
 const kFrom = 'Made by schema/generate.mjs from schema/enumerations.txt: change these, not this file.';
 
-/** Values with their comments behind them, or before them where they take more than one line. */
-function valuesOf(rows) {
-  const isLong = ({ code, about }) => code.length + about.length + 11 > kWidth;
-  const column = Math.max(0, ...rows.filter((row) => !isLong(row)).map(({ code }) => code.length));
-  const lines = [];
-  let short = [];
-  const flush = () => {
-    if (short.length > 0) lines.push(...aligned(short));
-    short = [];
-  };
-  for (const row of rows) {
-    if (!isLong({ ...row, code: row.code.padEnd(column) })) {
-      short.push(row);
-      continue;
-    }
-    flush();
-    lines.push(...docComment(row.about, '    '), `    ${row.code}`);
-  }
-  flush();
-  return lines;
-}
-
-function inCpp({ name, sentence, values, isCounted }) {
+export function inCpp({ name, sentence, values, isCounted }) {
   const rows = values.map((value) => ({ code: `${value.name},`, about: value.sentence }));
   if (isCounted) rows.push({ code: 'Count,', about: 'Their number.' });
-  return [...docComment(sentence), `enum class ${name} : std::uint8_t {`, ...valuesOf(rows), '};'].join('\n');
+  return [...docComment(sentence), `enum class ${name} : std::uint8_t {`, ...rowsOf(rows), '};'].join('\n');
 }
 
 function inC({ name, prefix, sentence, values, isCounted }) {

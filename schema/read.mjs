@@ -40,8 +40,8 @@ export function word(tokens, line, what) {
 }
 
 /** "0.05..1.5"; "0|0.05..1.5" also takes 0, "-|0..1e4" all that is negative. */
-function readRange(text) {
-  const [, other, low, high] = text.match(/^(?:([0-])\|)?(-?[\d.]+(?:e-?\d+)?)\.\.(-?[\d.]+(?:e-?\d+)?)$/) ?? [];
+export function readRange(text) {
+  const [, other, low, high] = text.match(/^(?:([0-])\|)?(-?[\d.e/-]+?)\.\.(-?[\d.e/-]+)$/) ?? [];
   return low === undefined ? null : { low, high, orZero: other === '0', orNegative: other === '-' };
 }
 
@@ -150,26 +150,35 @@ function readEnumeration(tokens, line) {
 }
 
 /**
- * Calls `open` for each declaration, which gives what its lines are added to, and `add` for these. A declaration begins with the
- * keyword, or one of several.
+ * Reads a file of declarations of several kinds. `kinds` has, by the keyword of each, `open`, which gives what its lines are added
+ * to, and `add` for these.
  */
-export function readFile(name, keyword, found, open, add) {
-  const keywords = [keyword].flat();
+export function readKinds(name, kinds) {
+  const found = [];
   file = name;
   readFileSync(join(folder, name), 'utf8').split('\n').forEach((raw, at) => {
     const line = at + 1;
     if (raw.trim() === '' || raw.startsWith('#')) return;
     const tokens = tokensOf(raw);
     if (!raw.startsWith(' ')) {
-      const first = tokens.shift().word;
-      if (!keywords.includes(first)) fail(line, `found ${first}, expected ${keywords.join(', ')}`);
-      found.push(open(tokens, line, found.length, first));
+      const keyword = tokens.shift().word;
+      if (!(keyword in kinds)) fail(line, `found ${keyword}, expected ${Object.keys(kinds).join(' or ')}`);
+      found.push({ keyword, line, owner: kinds[keyword].open(tokens, line, found.length) });
     } else if (found.length === 0) {
-      fail(line, `found a line before any ${keywords.join(', ')}`);
+      fail(line, `found a line before any ${Object.keys(kinds).join(' or ')}`);
     } else {
-      add(found[found.length - 1], tokens, line);
+      const { keyword, owner } = found[found.length - 1];
+      kinds[keyword].add(owner, tokens, line);
     }
   });
+  return found;
+}
+
+/** The same for a file whose declarations begin with the keyword, or one of several: fills a list that is there already. */
+export function readFile(name, keyword, found, open, add) {
+  const keep = (owner) => found[found.push(owner) - 1];
+  const kinds = [keyword].flat().map((one) => [one, { open: (tokens, line) => keep(open(tokens, line, found.length, one)), add }]);
+  readKinds(name, Object.fromEntries(kinds));
   return found;
 }
 
@@ -179,10 +188,13 @@ export const isEnumeration = (type) => enumerations.some(({ name }) => name === 
 export const isDefinition = (type) => definitions.some(({ name }) => name === type);
 const isDeclared = (type) => isType(type) || isEnumeration(type) || isDefinition(type);
 
-readFile('enumerations.txt', 'enum', enumerations, readEnumeration, (owner, tokens, line) => {
+/** "Ids "Those with the given ids leave."". */
+export function addValue(owner, tokens, line) {
   const name = word(tokens, line, 'a value');
   owner.values.push({ name, sentence: tokens.shift()?.text ?? fail(line, `found no sentence for ${name}`) });
-});
+}
+
+readFile('enumerations.txt', 'enum', enumerations, readEnumeration, addValue);
 
 readFile('definitions.txt', 'definition', definitions, readDefinition, addToDefinition);
 for (const { name, sentences, fields, flags, made, version } of definitions) {

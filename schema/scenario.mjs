@@ -1,10 +1,9 @@
 // The fields of commands in files of gestures and in messages of pages.
 import { commands, formerCommands } from './read.mjs';
-import { call, kWidth, listed } from './text.mjs';
+import { call, kWidth, listed, quoted } from './text.mjs';
 import { kBanner } from './cpp.mjs';
 import { definition, enumerated, isId } from './types.mjs';
 
-export const quoted = (text) => `"${text.replace(/"/g, '\\"')}"`;
 const kLimits = { 200000: 'kMaxCharacters', 10000: 'kMaxCorners' };
 export const limit = (text) => kLimits[text] ?? text;
 

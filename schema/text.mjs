@@ -63,3 +63,28 @@ export const withUnit = ({ sentence, unit }) => (unit === '' ? sentence : senten
 
 /** Entries of a list, each on its line, so that a new one changes one line. */
 export const listed = (words, close) => [...words.map((word) => `    ${word},`), close].join('\n');
+
+/** A text as a literal of C++. */
+export const quoted = (text) => `"${text.replace(/"/g, '\\"')}"`;
+
+/** Declarations with comments behind them, or before them where they take more than one line. */
+export function rowsOf(rows, indent = '    ') {
+  const isLong = ({ code, about }) => code.length + about.length + indent.length + 7 > kWidth;
+  const column = Math.max(0, ...rows.filter((row) => !isLong(row)).map(({ code }) => code.length));
+  const lines = [];
+  let short = [];
+  const flush = () => {
+    if (short.length > 0) lines.push(...aligned(short, indent));
+    short = [];
+  };
+  for (const row of rows) {
+    if (!isLong({ ...row, code: row.code.padEnd(column) })) {
+      short.push(row);
+      continue;
+    }
+    flush();
+    lines.push(...docComment(row.about, indent), `${indent}${row.code}`);
+  }
+  flush();
+  return lines;
+}

@@ -31,9 +31,8 @@ std::span<const ParameterInfo> parameterTable();
 std::span<const std::string_view> retiredParameters();
 /// Sets a parameter by name. Fails with NotFound, or with InvalidArgument naming name, value and range.
 Status setParameter(Parameters& parameters, std::string_view name, double value);
-/// Parameters of a preset: "units" (the defaults: who go the same way go in step; formerly "muster"),
-/// "people" (pedestrians: each keeps a headway of time and stands closer the slower all are, docs/people.md)
-/// or "paper" (exact plans of exponent 1 and threshold 0 in every step). Fails with NotFound.
+/// Parameters of a preset: "units" (the defaults), "people" or "paper" (docs/parameters.md). Fails with
+/// NotFound.
 Result<Parameters> parameterPreset(std::string_view name);
 /// Sets the parameters in which that preset differs from `units`, and those that have the value of another
 /// preset, and no others. Fails with NotFound and then changes nothing.

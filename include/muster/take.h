@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "muster/command.h"
+#include "muster/generated/take.h"
 #include "muster/status.h"
 #include "muster/world.h"
 
@@ -18,63 +19,7 @@ namespace muster {
 
 inline constexpr std::uint32_t kTakeMarkSpacing = 60;  ///< Steps between hash marks.
 
-/// The hash of a world's state after that many steps.
-struct HashMark {
-    std::uint32_t step = 0;  ///< Number of steps done.
-    std::uint64_t hash = 0;  ///< World::hash() after these steps.
-    /// Number of commands recorded before this mark. The file does not store it.
-    std::uint32_t commands = 0;
-    friend bool operator==(const HashMark&, const HashMark&) = default;
-};
-
-/// An event of an order, as it was raised while the take was recorded (isOrderEvent()).
-struct TakeEvent {
-    std::uint32_t step = 0;  ///< Number of steps done at the event.
-    Event event;             ///< The event.
-    friend bool operator==(const TakeEvent&, const TakeEvent&) = default;
-};
-
-/// Where everybody was after that many steps, to 1 mm: what a take shows where its simulation gives other
-/// bits.
-struct TakeFrame {
-    std::uint32_t step = 0;          ///< Number of steps done.
-    std::vector<std::uint32_t> ids;  ///< Who, in ascending order.
-    std::vector<Vec2> positions;     ///< Where [m], in the same order.
-    friend bool operator==(const TakeFrame&, const TakeFrame&) = default;
-};
-
-/// A part of a take that plays faster or slower than it was recorded.
-struct SpeedPiece {
-    double from = 0.0;   ///< Time in the take [s].
-    double to = 0.0;     ///< Time in the take [s] > from.
-    double speed = 1.0;  ///< Seconds of the take per second, 0.1 to 8.
-    double ease = 0.0;   ///< Time at each end in which the speed comes and goes [s] >= 0.
-    friend bool operator==(const SpeedPiece&, const SpeedPiece&) = default;
-};
-
 inline constexpr std::uint32_t kTakeEnd = 0xffffffff;  ///< As the last step of a part: the take's end.
-
-/// What is said about a take: its name, and the part of it that is to be shown. It changes nothing of what
-/// was recorded.
-struct TakeAbout {
-    std::string title;               ///< Name for people; empty for none, at most kMaxTitleBytes.
-    std::uint32_t from = 0;          ///< Steps before the part begins.
-    std::uint32_t to = kTakeEnd;     ///< Steps after which the part ends.
-    std::vector<SpeedPiece> speeds;  ///< In ascending order, apart from each other; at most kMaxSpeedPieces.
-
-    static constexpr std::size_t kMaxTitleBytes = 200;  ///< Length of a title.
-    static constexpr std::size_t kMaxSpeedPieces = 64;  ///< Number of speed pieces.
-
-    /// The first step of the part of a take with that many steps: below its last one.
-    std::uint32_t firstStep(std::uint32_t steps) const;
-    /// The last step of the part, at most `steps`.
-    std::uint32_t lastStep(std::uint32_t steps) const;
-    /// Seconds of the take per second that it is shown, at that time of the take [s].
-    double speedAt(double seconds) const;
-    /// Fails with InvalidArgument, naming the value, where it is not as described.
-    Status check() const;
-    friend bool operator==(const TakeAbout&, const TakeAbout&) = default;
-};
 
 /// A whole take in memory.
 struct Take {
@@ -132,14 +77,6 @@ private:
 Result<Take> readTake(const std::string& path);
 /// The same from bytes.
 Result<Take> parseTake(std::span<const std::uint8_t> bytes, const std::string& sourceName);
-
-/// Outcome of a replay.
-struct ReplayReport {
-    std::uint32_t steps = 0;     ///< Number of steps simulated.
-    std::uint32_t compared = 0;  ///< Number of marks that matched.
-    std::uint32_t unmarked = 0;  ///< Steps after the last mark, which no hash confirms.
-    std::uint64_t hash = 0;      ///< Hash of the final state.
-};
 
 /// Where a replay takes positions from.
 enum class ReplayFrom : std::uint8_t {

@@ -1,15 +1,13 @@
 // The takes of a C program.
 #pragma once
 
+#include "bindings/c/c_io/generated/struct_versions.h"
 #include "bindings/c/c_world/command_list.h"
 #include "bindings/c/c_world/layout.h"
 #include "muster/c/take.h"
 #include "muster/take.h"
 
 namespace muster::c_api {
-
-MUSTER_STRUCT_VERSION(MusterTake, 19, 1, "muster_default_take");
-MUSTER_STRUCT_VERSION(MusterExportDef, 20, 1, "muster_default_export_def");
 
 /// A take, and the same for C.
 struct TakeThing {

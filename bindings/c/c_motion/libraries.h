@@ -3,15 +3,13 @@
 
 #include <memory>
 
+#include "bindings/c/c_motion/generated/struct_versions.h"
 #include "bindings/c/c_world/marshal.h"
 #include "muster/c/bvh.h"
 #include "muster/c/motion.h"
 #include "muster/clip.h"
 
 namespace muster::c_api {
-
-MUSTER_STRUCT_VERSION(MusterClip, 17, 1, "muster_default_clip");
-MUSTER_STRUCT_VERSION(MusterBvh, 18, 1, "muster_default_bvh");
 
 /// A library and its C structs; motions that play its clips share it.
 struct LibraryThing {

@@ -22,10 +22,6 @@ static_assert(offsetof(MusterBox, max) == offsetof(Box, max));
 static_assert(offsetof(MusterPose, rotation) == offsetof(Pose, rotation));
 static_assert(offsetof(MusterRotation, s) == offsetof(Rotation, s));
 static_assert(offsetof(MusterMeshPoint, weight) == offsetof(MeshPoint, weight));
-static_assert(offsetof(MusterCheckpoint, time) == offsetof(Checkpoint, time));
-static_assert(offsetof(MusterEvent, subject) == offsetof(Event, subject) &&
-              offsetof(MusterEvent, value) == offsetof(Event, value) &&
-              offsetof(MusterEvent, position) == offsetof(Event, position));
 
 /// The data of a span, seen as another type of the same layout.
 template <class A, class B>

@@ -6,11 +6,12 @@
 #include <cstring>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
+#include "bindings/c/c_world/generated/struct_versions.h"
 #include "bindings/c/c_world/memory.h"
-#include "bindings/c/c_world/struct_version.h"
 #include "muster/id.h"
 #include "muster/status.h"
 
@@ -159,6 +160,8 @@ public:
         c = static_cast<std::uint8_t>(p);
     }
     void text(const char*& c, const std::string& p) { c = p.c_str(); }
+    /// The name of a definition, which ends with a zero byte.
+    void text(const char*& c, std::string_view p) { c = p.data(); }
     template <class A, class B>
     void optional(bool& has, A& c, const std::optional<B>& p) {
         has = p.has_value();

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "bindings/c/c_world/call.h"
-#include "muster/c/views.h"
+#include "muster/c/definitions.h"
 
 namespace muster::c_api {
 
@@ -24,14 +24,8 @@ constexpr std::uint32_t structVersion(std::uint32_t kind, std::uint32_t version)
         static constexpr const char* kMaker = maker;                          \
     }
 
-// Kinds 2 to 7, 9 to 11, 17 and 18 are definitions (schema/definitions.txt).
-MUSTER_STRUCT_VERSION(MusterTaskRunner, 1, 1, "muster_default_task_runner");
+// Those of definitions and of what schema/api declares are generated.
 MUSTER_STRUCT_VERSION(MusterForecast, 8, 1, "muster_default_forecast");
-MUSTER_STRUCT_VERSION(MusterCommand, 12, 2, "muster_default_command");
-MUSTER_STRUCT_VERSION(MusterCharacters, 13, 2, "muster_default_characters");
-MUSTER_STRUCT_VERSION(MusterGroup, 14, 1, "muster_default_group");
-MUSTER_STRUCT_VERSION(MusterObstacle, 15, 1, "muster_default_obstacle");
-MUSTER_STRUCT_VERSION(MusterPatch, 16, 2, "muster_default_patch");
 
 /// Fails where a struct that is to be filled is null or of another version.
 template <class T>

@@ -1,7 +1,7 @@
 // Read-outs of what lies on a world's ground.
 #include <algorithm>
 
-#include "bindings/c/c_world/command_fields.h"
+#include "bindings/c/c_world/generated/view_fields.h"
 #include "bindings/c/c_world/layout.h"
 #include "bindings/c/c_world/world_handle.h"
 
@@ -21,30 +21,12 @@ T emptyStruct() {
     return none;
 }
 
-/// Fills what obstacles and patches share, from a copy that the handle keeps.
-template <class CDef, class CView, class View>
-void fillThing(const View& view, Arena& arena, CView& out) {
-    out.id = view.id.value;
-    out.def = writeC<CDef>(view.def, arena);
-    out.outline = reinterpret_cast<const MusterVec2*>(view.outline.data());
-    out.outlineCount = static_cast<std::int32_t>(view.outline.size());
-}
-
 template <class T>
 void giveWhereWanted(const T** out, const T* data) {
     if (out != nullptr) *out = data;
 }
 
 }  // namespace
-
-template <class M>
-void fields(M& m, C<M, MusterArea>& c, P<M, AreaView>& p) {
-    m.id(c.id, p.id);
-    m.part(c.def, p.def, "def");
-    m.id(c.group, p.group);
-    m.plain(c.passed, p.count.passed);
-    m.plain(c.waiting, p.count.waiting);
-}
 
 }  // namespace muster::c_api
 
@@ -72,8 +54,7 @@ MusterStatus muster_world_obstacle(MusterWorldId world, MusterObstacleId id, Mus
         const auto ids = handle.world().obstacleIds();
         if (!std::binary_search(ids.begin(), ids.end(), wanted)) return noSuchThing("obstacle", wanted);
         const ObstacleView& view = handle.keep(handle.world().obstacle(wanted));
-        fillThing<MusterObstacleDef>(view, handle.lend(Lent::Obstacle), *outObstacle);
-        outObstacle->centre = {view.centre.x, view.centre.y};
+        *outObstacle = writeC<MusterObstacle>(view, handle.lend(Lent::Obstacle));
         return {};
     });
 }
@@ -91,7 +72,7 @@ MusterStatus muster_world_patch(MusterWorldId world, MusterPatchId id, MusterPat
         const auto ids = handle.world().patchIds();
         if (!std::binary_search(ids.begin(), ids.end(), wanted)) return noSuchThing("patch", wanted);
         const PatchView& view = handle.keep(handle.world().patch(wanted));
-        fillThing<MusterPatchDef>(view, handle.lend(Lent::Patch), *outPatch);
+        *outPatch = writeC<MusterPatch>(view, handle.lend(Lent::Patch));
         return {};
     });
 }

@@ -1,33 +1,9 @@
 // Read-outs of a world's groups.
-#include "bindings/c/c_world/command_fields.h"
+#include "bindings/c/c_world/generated/view_fields.h"
 #include "bindings/c/c_world/layout.h"
 #include "bindings/c/c_world/world_handle.h"
 
 namespace muster::c_api {
-
-template <class M>
-void fields(M& m, C<M, MusterControlPoint>& c, P<M, ControlPoint>& p) {
-    m.plain(c.vertex, p.vertex);
-    m.plain(c.touch, p.touch);
-    m.plain(c.down, p.down);
-    m.plain(c.offset, p.offset);
-    m.plain(c.position, p.position);
-    m.list(c.trajectory, c.trajectoryCount, p.trajectory, "trajectory");
-}
-template <class M>
-void fields(M& m, C<M, MusterControl>& c, P<M, Control>& p) {
-    m.id(c.id, p.id);
-    m.choice(c.kind, p.kind, ControlKind::Area, "kind");
-    m.plain(c.client, p.client);
-    m.plain(c.pinned, p.pinned);
-    m.plain(c.open, p.open);
-    m.plain(c.joinDeadline, p.joinDeadline);
-    m.plain(c.startTime, p.startTime);
-    m.plain(c.clock, p.clock);
-    m.items(c.points, c.pointCount, p.points, "points");
-    m.list(c.supplementary, c.supplementaryCount, p.supplementary, "supplementary");
-    m.list(c.weights, c.weightCount, p.weights, "weights");
-}
 
 namespace {
 
@@ -50,51 +26,6 @@ Status noGroup(MusterGroupId id) {
 
 std::int32_t sizeOf(std::size_t size) {
     return static_cast<std::int32_t>(size);
-}
-
-void fillMeshes(const GroupView& view, MusterGroup& out) {
-    out.restMesh = same<MusterVec2>(view.restMesh);
-    out.userMesh = same<MusterVec2>(view.userMesh);
-    out.finalMesh = same<MusterVec2>(view.finalMesh);
-    out.vertexCount = sizeOf(view.restMesh.size());
-    out.triangles = same<MusterTriangle>(view.triangles);
-    out.triangleCount = sizeOf(view.triangles.size());
-    out.meshPlaces = same<MusterMeshPoint>(view.meshPlaces);
-    out.placePositions = same<MusterVec2>(view.placePositions);
-    out.placeVelocities = same<MusterVec2>(view.placeVelocities);
-    out.placeTargets = same<MusterVec2>(view.placeTargets);
-    out.placeUsable = view.placeUsable.data();
-    out.placeCount = sizeOf(view.placePositions.size());
-    out.placeClasses = view.placeClasses.data();
-    out.placeClassCount = sizeOf(view.placeClasses.size());
-}
-
-void fillGroup(const GroupView& view, MusterGroup& out) {
-    out.id = view.id.value;
-    out.name = view.name.data();  // The name of a definition, which ends with a zero byte.
-    out.hasColour = view.colour.has_value();
-    out.colour = view.colour.value_or(0);
-    out.hasBuild = view.build.has_value();
-    out.build = static_cast<MusterBodyBuild>(view.build.value_or(BodyBuild{}));
-    out.hasMotions = view.motions.has_value();
-    out.motions = static_cast<MusterMotionSet>(view.motions.value_or(MotionSet{}));
-    out.count = view.count;
-    out.formation = static_cast<MusterFormationKind>(view.formation);
-    out.formationVersion = view.formationVersion;
-    out.pose = {{view.pose.position.x, view.pose.position.y}, {view.pose.rotation.c, view.pose.rotation.s}};
-    out.members = view.members.data();
-    out.memberCount = sizeOf(view.members.size());
-    fillMeshes(view, out);
-    out.objective = view.objective;
-    out.gapBound = view.gapBound;
-    out.walk = {view.walk.sum, view.walk.squares, view.walk.longest};
-    out.meanLag = view.meanLag;
-    out.waits = view.held;
-    out.patrols = view.patrols;
-    out.conduct = {static_cast<MusterStance>(view.conduct.stance), view.conduct.cohesion,
-                   view.conduct.squeeze, view.conduct.avoids};
-    out.way = same<MusterVec2>(view.way);
-    out.wayCount = sizeOf(view.way.size());
 }
 
 }  // namespace
@@ -123,7 +54,8 @@ MusterStatus muster_world_group(MusterWorldId world, int32_t index, MusterGroup*
     return readWorld(world, [&](WorldHandle& handle) -> Status {
         if (const Status fits = needStruct(outGroup, "outGroup"); !fits.ok()) return fits;
         if (const Status known = checkGroup(handle.world(), index); !known.ok()) return known;
-        fillGroup(handle.world().group(static_cast<std::size_t>(index)), *outGroup);
+        Arena none;
+        *outGroup = writeC<MusterGroup>(handle.world().group(static_cast<std::size_t>(index)), none);
         return {};
     });
 }

@@ -1,5 +1,6 @@
 // Read-outs of a world's characters, events and numbers.
 #include "bindings/c/c_world/command_fields.h"
+#include "bindings/c/c_world/generated/view_fields.h"
 #include "bindings/c/c_world/layout.h"
 #include "bindings/c/c_world/world_handle.h"
 #include "muster/parameter_table.h"
@@ -63,25 +64,8 @@ MusterStatus muster_world_parameter(MusterWorldId world, const char* name, doubl
 MusterStatus muster_world_characters(MusterWorldId world, MusterCharacters* outCharacters) {
     return readWorld(world, [&](WorldHandle& handle) -> Status {
         if (const Status fits = needStruct(outCharacters, "outCharacters"); !fits.ok()) return fits;
-        const CharactersView view = handle.world().characters();
-        MusterCharacters& out = *outCharacters;
-        out.count = static_cast<std::int32_t>(view.size());
-        out.id = view.id.data();
-        out.group = view.group.data();
-        out.position = same<MusterVec2>(view.position);
-        out.velocity = same<MusterVec2>(view.velocity);
-        out.heading = same<MusterVec2>(view.heading);
-        out.place = view.place.data();
-        out.direction = same<MusterVec2>(view.direction);
-        out.cost = view.cost.data();
-        out.motion = view.motion.data();
-        out.phase = same<MusterMotionPhase>(view.phase);
-        out.motionTime = view.motionTime.data();
-        out.patch = view.patch.data();
-        out.body = same<MusterBody>(view.body);
-        out.driver = same<MusterDriver>(view.driver);
-        out.wantedVelocity = same<MusterVec2>(view.wantedVelocity);
-        out.goal = view.goal.data();
+        Arena none;
+        *outCharacters = writeC<MusterCharacters>(handle.world().characters(), none);
         return {};
     });
 }

@@ -23,7 +23,7 @@ struct Described : std::false_type {};
 template <class T>
 struct Words {};
 
-#include "described_types.inc"
+#include "generated/described_types.inc"
 
 /// The class of that name in muster._types.
 inline pybind11::object dataClass(const char* name) {

@@ -1,5 +1,6 @@
-/* What all parts of the C API share: codes of failures, their sentences, memory, log, threads. C99 and C++.
- */
+/* Made by schema/generate.mjs from schema/api/base.txt: change these, not this file. */
+/* What all parts of the C API share: codes of failures, their sentences, memory, log, threads. C99 and
+ * C++. */
 #ifndef MUSTER_C_BASE_H
 #define MUSTER_C_BASE_H
 
@@ -51,8 +52,7 @@ MUSTER_API bool muster_has_component(const char* component);
 
 /// Memory of the host. Both functions may be called from any thread.
 typedef struct MusterAllocator {
-    /// Passed unchanged as the first argument. May be null.
-    void* context;
+    void* context;  ///< Passed unchanged as the first argument. May be null.
     /// Gives `size` bytes at a multiple of `alignment`, a power of two, or null. Must not be null.
     void* (*allocate)(void* context, size_t size, size_t alignment);
     /// Takes back what `allocate` gave. Must not be null.
@@ -64,6 +64,7 @@ typedef struct MusterAllocator {
 /// comes from here is stated by muster_allocator_covers_engine(). Fails with InvalidArgument where a function
 /// is null.
 MUSTER_API MusterStatus muster_set_allocator(const MusterAllocator* allocator);
+
 /// True where all that the library takes with C++ `new` comes from the allocator (a shared library that was
 /// built with MUSTER_HOST_ALLOCATOR). False: only the memory that the C API itself takes for read-outs,
 /// buffers and text.
@@ -101,11 +102,9 @@ typedef void (*MusterBackgroundTask)(void* taskContext);
 /// The job system of the host, in place of the library's own threads. Results are the same.
 typedef struct MusterTaskRunner {
     uint32_t structVersion;  ///< Set by muster_default_task_runner().
-    /// Largest number of workers that run at the same time, the calling thread included where it takes part
-    /// [1 to 256].
-    int32_t threads;
-    /// Passed unchanged as the first argument of each function below. May be null.
-    void* context;
+    int32_t threads;         ///< Largest number of workers that run at the same time, the calling thread
+                             ///< included where it takes part [1 to 256].
+    void* context;           ///< Passed unchanged as the first argument of each function below. May be null.
     /// Calls `task(taskContext, item, worker)` once for every item in [0, count), in any order and on any
     /// threads. Returns when all calls have returned and their writes are visible to the calling thread.
     /// `worker` lies in [0, threads); no two simultaneous calls have the same `worker`. Must not be null.

@@ -1,3 +1,4 @@
+/* Made by schema/generate.mjs from schema/api/bvh.txt: change these, not this file. */
 /* BVH files, decoded. Component motion. */
 #ifndef MUSTER_C_BVH_H
 #define MUSTER_C_BVH_H
@@ -47,6 +48,7 @@ MUSTER_API MusterStatus muster_bvh_parse(const char* text, size_t size, const ch
                                          MusterBvhId* outBvh);
 /// The same from a file.
 MUSTER_API MusterStatus muster_bvh_read(const char* path, double unit, MusterBvhId* outBvh);
+
 /// What the file holds. Valid until it is destroyed.
 MUSTER_API MusterStatus muster_bvh_get(MusterBvhId bvh, MusterBvh* outFile);
 /// Ends a file. Fails with NotFound where there is none.

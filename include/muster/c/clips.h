@@ -1,3 +1,4 @@
+/* Made by schema/generate.mjs from schema/api/clips.txt: change these, not this file. */
 /* Skeleton, poses, motion clips and BVH files. Component motion. */
 #ifndef MUSTER_C_CLIPS_H
 #define MUSTER_C_CLIPS_H
@@ -55,7 +56,7 @@ enum MusterJointRoleValue {
     MUSTER_JOINT_RIGHT_LEG = 18,       ///< The right leg.
     MUSTER_JOINT_RIGHT_FOOT = 19,      ///< The right foot.
     MUSTER_JOINT_RIGHT_TOE_BASE = 20,  ///< The right toe base.
-    MUSTER_JOINT_COUNT = 21            ///< Number of joints.
+    MUSTER_JOINT_COUNT = 21            ///< Their number.
 };
 
 /// A joint in the rest pose.
@@ -73,9 +74,9 @@ MUSTER_API float muster_character_size(uint32_t character);
 
 /// A pose of the body in body axes: the origin is on the ground below the character, which faces +x.
 typedef struct MusterBodyPose {
-    MusterVec3 hips;  ///< Position of the hips [m].
-    MusterQuat
-        rotation[21];  ///< Rotation of each joint relative to its parent; of the hips to the body axes.
+    MusterVec3 hips;          ///< Position of the hips [m].
+    MusterQuat rotation[21];  ///< Rotation of each joint relative to its parent; of the hips to the body
+                              ///< axes.
 } MusterBodyPose;
 
 /// The rest pose.
@@ -97,7 +98,7 @@ enum MusterLimbValue {
     MUSTER_LIMB_RIGHT_HAND = 3,  ///< The right hand.
     MUSTER_LIMB_LEFT_KNEE = 4,   ///< The left knee.
     MUSTER_LIMB_RIGHT_KNEE = 5,  ///< The right knee.
-    MUSTER_LIMB_COUNT = 6        ///< Number of limbs.
+    MUSTER_LIMB_COUNT = 6        ///< Their number.
 };
 
 /// The name of a limb: "left foot"... Null for other numbers.
@@ -107,11 +108,11 @@ MUSTER_API MusterJointRole muster_limb_joint(MusterLimb limb);
 
 /// A time interval in which a limb does not move over the ground.
 typedef struct MusterLimbContact {
-    MusterLimb limb;  ///< The limb that is in contact.
-    double begin;     ///< Start time [s], in [0, duration).
-    double end;       ///< End time [s], above `begin`; in a cyclic clip it may exceed the duration.
-    MusterVec3
-        anchor;  ///< Position of the joint during the contact [m], in the axes in which the travel starts.
+    MusterLimb limb;    ///< The limb that is in contact.
+    double begin;       ///< Start time [s], in [0, duration).
+    double end;         ///< End time [s], above `begin`; in a cyclic clip it may exceed the duration.
+    MusterVec3 anchor;  ///< Position of the joint during the contact [m], in the axes in which the travel
+                        ///< starts.
 } MusterLimbContact;
 
 /// Displacement of the body axes on the ground since the clip began (root motion).
@@ -126,21 +127,23 @@ MUSTER_API MusterTravel muster_travel_compose(MusterTravel first, MusterTravel t
 
 /// A motion clip: poses at a fixed rate, their travel, and the contacts.
 typedef struct MusterClip {
-    uint32_t structVersion;       ///< Set by muster_default_clip().
-    const char* name;             ///< Unique name: "run", "crawl-enter"...
-    const char* motion;           ///< The motion it belongs to: "run", "duck", "crawl"...
-    double rate;                  ///< Poses per second, above 0.
-    bool cyclic;                  ///< True where the first pose follows the last, displaced by the travel.
-    const MusterBodyPose* poses;  ///< Duration times rate of a cyclic clip, one more of others.
-    int32_t poseCount;            ///< Their number.
-    const MusterTravel* travel;   ///< Travel at each pose; a cyclic clip has one more.
-    int32_t travelCount;          ///< Their number.
+    uint32_t structVersion;             ///< Set by muster_default_clip().
+    const char* name;                   ///< Unique name: "run", "crawl-enter"...
+    const char* motion;                 ///< The motion it belongs to: "run", "duck", "crawl"...
+    double rate;                        ///< Poses per second, above 0.
+    bool cyclic;                        ///< True where the first pose follows the last, displaced by the
+                                        ///< travel.
+    const MusterBodyPose* poses;        ///< Duration times rate of a cyclic clip, one more of others.
+    int32_t poseCount;                  ///< Their number.
+    const MusterTravel* travel;         ///< Travel at each pose; a cyclic clip has one more.
+    int32_t travelCount;                ///< Their number.
     const MusterLimbContact* contacts;  ///< Contacts in order of `begin`.
     int32_t contactCount;               ///< Their number.
-    double entryPhase;        ///< Of a transition: share of the entered cycle at which that continues.
-    double exitPhase;         ///< Of a transition: share of the left cycle at which it begins.
-    float obstacleHeight;     ///< Height of what a single-step clip passes over [m]; 0 for nothing.
-    float obstacleThickness;  ///< Its extent along the travel [m].
+    double entryPhase;                  ///< Of a transition: share of the entered cycle at which that
+                                        ///< continues.
+    double exitPhase;                   ///< Of a transition: share of the left cycle at which it begins.
+    float obstacleHeight;               ///< Height of what a single-step clip passes over [m]; 0 for nothing.
+    float obstacleThickness;            ///< Its extent along the travel [m].
 } MusterClip;
 
 /// A cyclic clip without poses, at 60 poses per second.

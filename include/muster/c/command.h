@@ -1,3 +1,4 @@
+/* Made by schema/generate.mjs from schema/api/command.txt: change these, not this file. */
 /* The command itself: one struct for all kinds. */
 #ifndef MUSTER_C_COMMAND_H
 #define MUSTER_C_COMMAND_H
@@ -17,7 +18,6 @@ typedef struct MusterCommand {
     uint32_t sequence;       ///< Rises with each command of a client.
     MusterCommandBody body;  ///< The change.
 } MusterCommand;
-
 /// A command of that kind with the defaults of its body, for step 0. Of kind 0 where there is no such kind.
 MUSTER_API MusterCommand muster_default_command(MusterCommandKind kind);
 /// The kind as a word, for logs: "TouchDown". Null for other numbers.

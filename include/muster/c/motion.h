@@ -1,5 +1,6 @@
-/* Animation of a crowd: which clip each character plays, and its pose with feet on the floor. It reads worlds
- * and never changes them. Component motion. */
+/* Made by schema/generate.mjs from schema/api/motion.txt: change these, not this file. */
+/* Animation of a crowd: which clip each character plays, and its pose with feet on the floor. It reads
+ * worlds and never changes them. Component motion. */
 #ifndef MUSTER_C_MOTION_H
 #define MUSTER_C_MOTION_H
 

@@ -1,5 +1,6 @@
-/* Scenario files: everything a world starts from. Gesture files: touches and other commands with their times.
- * Component io. */
+/* Made by schema/generate.mjs from schema/api/scenario.txt: change these, not this file. */
+/* Scenario files: everything a world starts from. Gesture files: touches and other commands with their
+ * times. Component io. */
 #ifndef MUSTER_C_SCENARIO_H
 #define MUSTER_C_SCENARIO_H
 

@@ -1,3 +1,4 @@
+/* Made by schema/generate.mjs from schema/api/take.txt: change these, not this file. */
 /* Takes: a scenario, the commands given to it and hashes of its state, so that it replays bit for bit; and
  * their export. Component io. */
 #ifndef MUSTER_C_TAKE_H
@@ -39,16 +40,17 @@ typedef struct MusterTakeId {
 typedef struct MusterHashMark {
     uint32_t step;      ///< Number of steps done.
     uint64_t hash;      ///< Hash of the state after these steps.
-    uint32_t commands;  ///< Number of commands recorded before this mark.
+    uint32_t commands;  ///< Number of commands recorded before this mark. The file does not store it.
 } MusterHashMark;
 
-/// An event of an order, as it was raised while the take was recorded.
+/// An event of an order, as it was raised while the take was recorded (EventKind: Arrived and later ones).
 typedef struct MusterTakeEvent {
     uint32_t step;      ///< Number of steps done at the event.
     MusterEvent event;  ///< The event.
 } MusterTakeEvent;
 
-/// Where everybody was after that many steps, to 1 mm.
+/// Where everybody was after that many steps, to 1 mm: what a take shows where its simulation gives other
+/// bits.
 typedef struct MusterTakeFrame {
     uint32_t step;                 ///< Number of steps done.
     const MusterCharacterId* ids;  ///< Who, in ascending order.
@@ -101,6 +103,7 @@ MUSTER_API MusterStatus muster_take_parse(const uint8_t* bytes, size_t size, con
                                           MusterTakeId* outTake);
 /// Ends a take. Fails with NotFound where there is none.
 MUSTER_API MusterStatus muster_take_destroy(MusterTakeId take);
+
 /// What the take holds. Valid until it is destroyed.
 MUSTER_API MusterStatus muster_take_get(MusterTakeId take, MusterTake* outTake);
 /// Seconds of the take per second that it is shown, at that time of the take [s].

@@ -1,3 +1,4 @@
+/* Made by schema/generate.mjs from schema/api/world.txt: change these, not this file. */
 /* Worlds: environment, groups, characters, and the simulation step. */
 #ifndef MUSTER_C_WORLD_H
 #define MUSTER_C_WORLD_H

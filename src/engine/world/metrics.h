@@ -10,6 +10,7 @@
 
 #include "engine/steering/walk_progress.h"
 #include "engine/world/departures.h"
+#include "engine/world/generated/figures.h"
 #include "muster/world.h"
 
 namespace muster {
@@ -17,45 +18,13 @@ namespace muster {
 class Environment;
 
 /// Number of events by kind.
-using EventCounts = std::array<std::uint64_t, static_cast<std::size_t>(EventKind::Count)>;
+using EventCounts = decltype(RunFigures::events);
 
 /// True for the kinds whose events are about so many characters of a group as `value` says.
 constexpr bool isAboutMany(EventKind kind) {
     return kind == EventKind::Arrived || kind == EventKind::Blocked || kind == EventKind::Free ||
            kind == EventKind::NoPath;
 }
-
-/// Figures of a run. Times count from the last command, those of departures from the beginning.
-struct RunFigures {
-    std::int32_t characters = 0;  ///< At the end.
-    std::uint32_t steps = 0;      ///< Done.
-    std::uint64_t hash = 0;       ///< Of the state at the end.
-    /// When 95 % had arrived of all who are there or have left by an exit, which is arriving [s]; -1 where
-    /// not reached, and while a source may still send more.
-    double arrived95 = -1.0;
-    double arrived100 = -1.0;  ///< When all had arrived [s], as arrived95.
-    std::int32_t stuck = 0;    ///< Not arrived, and within 0.25 m for the last 5 s.
-    /// Length walked over the least-sum geodesic assignment; -1 where it has no meaning.
-    double pathRatio = -1.0;
-    std::int32_t overlapPairsMax = 0;  ///< Most pairs at once deeper than 10 % of the mean diameter.
-    double worstPenetration = 0.0;     ///< Share of the mean diameter.
-    double
-        topSpeedRatio = 0.0;  ///< Largest displacement of a step, in steps at own top speed on that ground.
-    double swapsPerCharacterPerSecond = 0.0;  ///< Changes of place without a command.
-    WalkTotals planned;                       ///< Paths to the places by the last plan, all groups.
-    WalkTotals walked;                        ///< Paths walked by those still there.
-    double lagP95 = 0.0;                      ///< Distance to the place at the end, p95 [m].
-    std::int32_t unmatched = 0;               ///< At the end.
-    std::int32_t collected = 0;               ///< Items.
-    EventCounts events{};                     ///< Of the whole run, by kind.
-    /// For the kinds that isAboutMany(): the sum over groups of the most characters that an event was about.
-    EventCounts eventPersons{};
-    DepartureFigures departures;                  ///< Who left by exits and came by sources.
-    double stepP50 = 0.0;                         ///< [ms]
-    double stepP95 = 0.0;                         ///< [ms]
-    double stepMax = 0.0;                         ///< [ms]
-    std::array<double, kStageCount> stageMean{};  ///< [ms] by Stage.
-};
 
 /// Watches a world and never changes it.
 class RunMetrics {

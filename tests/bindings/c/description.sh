@@ -16,7 +16,7 @@ fail() {
 
 # Compiles the program that is made from a description.
 compiles() {
-    node "$root/scripts/capi/check_program.mjs" "$2" >"$work/program.c" &&
+    node "$root/tests/bindings/c/check_program.mjs" "$2" >"$work/program.c" &&
         "$1" -std=c99 -pedantic -Wall -Wextra -Wno-address -Werror -I "$include" -c "$work/program.c" -o "$work/program.o"
 }
 
@@ -33,7 +33,6 @@ described() {
             for (const one of list === "values" ? values ?? [] : [{ name }]) console.log(one.name);' "$file" "$@" | sort -u
 }
 
-node "$root/scripts/capi/describe.mjs" --check || exit 1
 diff <(declared 'muster_[a-z0-9_]+ *\(' | tr -d ' (') <(described functions) || fail "the description lacks functions"
 diff <(declared 'Muster[A-Za-z0-9]+') <(described integers structs callbacks) || fail "the description lacks types"
 for compiler in gcc clang; do
@@ -50,7 +49,7 @@ done
 if [ -n "$libraries" ]; then
     compiles "${CC:-cc}" "$file" && "${CC:-cc}" "$work/program.o" -L "$libraries" -lmuster -o "$work/program" &&
         LD_LIBRARY_PATH=$libraries "$work/program" || fail "the library lacks functions"
-    node "$root/scripts/capi/zero_program.mjs" >"$work/zero.c" &&
+    node "$root/tests/bindings/c/zero_program.mjs" >"$work/zero.c" &&
         "${CC:-cc}" -std=c99 -I "$include" "$work/zero.c" -L "$libraries" -lmuster -o "$work/zero" &&
         LD_LIBRARY_PATH=$libraries "$work/zero" || fail "a call with nothing ends the program, or succeeds"
 fi

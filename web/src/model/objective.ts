@@ -1,6 +1,7 @@
 // The objectives that a plan can minimise, and their current values.
 
 import type { StudioFrame } from './studio_frame';
+import { kPlanObjective, type ParameterName } from '../protocol/generated/parameters';
 import type { SceneParameter } from '../protocol/scene';
 import { formatCount, formatFigure } from './formatters';
 
@@ -45,16 +46,12 @@ export function objectiveText(index: number, walks: Walks): string {
   return `${kObjectives[index]!.label}: ${objectiveFigure(index, walks)}`;
 }
 
-const valueOf = (parameters: readonly SceneParameter[], name: string): number | undefined =>
+const valueOf = (parameters: readonly SceneParameter[], name: ParameterName): number | undefined =>
   parameters.find((one) => one.name === name)?.value;
-
-/** Values of plan.objective. */
-const kPower = 0;
-const kLongestWalk = 1;
 
 /** Index of the world's objective; -1 where its parameters hold none of ours. */
 export function objectiveOf(parameters: readonly SceneParameter[]): number {
-  if (valueOf(parameters, 'plan.objective') === kLongestWalk) return 2;
+  if (valueOf(parameters, 'plan.objective') === kPlanObjective.longestWalk) return 2;
   const exponent = valueOf(parameters, 'plan.exponent');
   return exponent === 1 ? 0 : exponent === 2 ? 1 : -1;
 }
@@ -67,8 +64,8 @@ export function objectivesFor(parameters: readonly SceneParameter[]): readonly n
 
 /** The parameters that set this objective: least sum and least squares are the power objective with exponent 1 and 2. */
 export function objectiveParameters(parameters: readonly SceneParameter[], index: number): readonly SceneParameter[] {
-  if (index === 2) return [{ name: 'plan.objective', value: kLongestWalk }];
+  if (index === 2) return [{ name: 'plan.objective', value: kPlanObjective.longestWalk }];
   const exponent = { name: 'plan.exponent', value: index + 1 };
   const known = valueOf(parameters, 'plan.objective') !== undefined;
-  return known ? [exponent, { name: 'plan.objective', value: kPower }] : [exponent];
+  return known ? [exponent, { name: 'plan.objective', value: kPlanObjective.power }] : [exponent];
 }

@@ -1,4 +1,4 @@
-// Generated from docs/api/muster_api.json by scripts/capi/typescript.mjs; do not edit.
+// Made by schema/generate.mjs from schema/api: change these, not this file.
 
 /** What kind of thing went wrong. */
 export const Status = {
@@ -526,7 +526,7 @@ export const JointRole = {
   RightFoot: 19,
   /** The right toe base. */
   RightToeBase: 20,
-  /** Number of joints. */
+  /** Their number. */
   Count: 21,
 } as const;
 export type JointRole = (typeof JointRole)[keyof typeof JointRole];
@@ -545,7 +545,7 @@ export const Limb = {
   LeftKnee: 4,
   /** The right knee. */
   RightKnee: 5,
-  /** Number of limbs. */
+  /** Their number. */
   Count: 6,
 } as const;
 export type Limb = (typeof Limb)[keyof typeof Limb];

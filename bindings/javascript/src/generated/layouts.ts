@@ -1,4 +1,4 @@
-// Generated from docs/api/muster_api.json by scripts/capi/typescript.mjs; do not edit.
+// Made by schema/generate.mjs from schema/api: change these, not this file.
 
 /** Of each struct: mode, size, scalar of flat ones, maker | name, offset, type, shape, offset of count or flag. */
 export const kLayouts: Readonly<Record<string, string>> = {

@@ -1,4 +1,4 @@
-// Generated from docs/api/muster_api.json by scripts/capi/typescript.mjs; do not edit.
+// Made by schema/generate.mjs from schema/api: change these, not this file.
 
 /** Of each function that has a verb: what it returns | its parameters, name, role, type. */
 export const kSignatures = {

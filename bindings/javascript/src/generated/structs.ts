@@ -1,4 +1,4 @@
-// Generated from docs/api/muster_api.json by scripts/capi/typescript.mjs; do not edit.
+// Made by schema/generate.mjs from schema/api: change these, not this file.
 
 import type { ReadOut } from '../binding/read_out.js';
 import type { Rows } from '../binding/rows.js';
@@ -1746,17 +1746,20 @@ export type CommandInit = {
   [Kind in keyof CommandBodiesInit]: CommandOfInit<Kind>;
 }[keyof CommandBodiesInit];
 
-/** All characters of a world: `count` entries in each array, in ascending order of ids. No copies are made. */
+/**
+ * All characters of a world: one entry per character in each array, in ascending order of ids. No copies are made,
+ * and arrays are valid until the world steps or ends.
+ */
 export interface Characters extends ReadOut {
   /** Number of characters. */
   readonly count: number;
   /** Unique id; it is not reused after the character has left. */
   readonly id: Uint32Array;
-  /** Index of its group (World.group()). */
+  /** Index of its group. */
   readonly group: Uint32Array;
-  /** [m] */
+  /** Position [m]. */
   readonly position: Float64Array;
-  /** [m/s] */
+  /** Velocity [m/s]. */
   readonly velocity: Float64Array;
   /** Unit vector in which the body faces. */
   readonly heading: Float64Array;
@@ -1772,13 +1775,16 @@ export interface Characters extends ReadOut {
   readonly phase: Uint8Array;
   /** Time since the phase began [s]. */
   readonly motionTime: Float64Array;
-  /** Patch that it is in; 0 for none. */
+  /** Id of the patch that it is in; 0 for none. */
   readonly patch: Uint32Array;
   /** What it is. */
   readonly body: Rows<Body>;
   /** Who moves it. */
   readonly driver: Uint8Array;
-  /** Velocity that steering aims at, before bounds and contacts [m/s]. */
+  /**
+   * Velocity that steering aims at on the ground it is on, before bounds and contacts [m/s]. Those that are moved
+   * from outside have it too.
+   */
   readonly wantedVelocity: Float64Array;
   /** Exit or waiting area that it goes to; 0 for none. */
   readonly goal: Uint32Array;
@@ -1794,7 +1800,7 @@ export interface WalkTotals {
   readonly longest: number;
 }
 
-/** What can be read of a group without a copy. Its controls and orders have functions of their own. */
+/** What can be read of a group without a copy. Texts and arrays are valid until the world steps or ends. */
 export interface Group extends ReadOut {
   /** Unique id; it is not reused after the group is removed. */
   readonly id: GroupId;
@@ -1804,11 +1810,11 @@ export interface Group extends ReadOut {
   readonly colour: number | null;
   /** Build of its drawn bodies. Null: bodies of both builds. */
   readonly build: BodyBuild | null;
-  /** How they walk and jog. Null: the plain manner. */
+  /** How it walks and jogs. Null: the plain manner. */
   readonly motions: MotionSet | null;
-  /** Number of characters and of places. */
+  /** Number of characters, and of places but where they go without (Leave, Wait, Walk): then there are none. */
   readonly count: number;
-  /** Current shape; World.groupDef() has the whole definition. */
+  /** Current shape. Its whole definition is read separately. */
   readonly formation: FormationKind;
   /** Increases whenever the mesh is replaced. */
   readonly formationVersion: number;
@@ -1822,7 +1828,7 @@ export interface Group extends ReadOut {
   readonly userMesh: Float64Array;
   /** Vertices of Vf: Vu deformed by the environment [m]. */
   readonly finalMesh: Float64Array;
-  /** Triangles of the meshes. */
+  /** Vertex indices, counter-clockwise. */
   readonly triangles: Int32Array;
   /** Each place as a point of the mesh. */
   readonly meshPlaces: Rows<MeshPoint>;
@@ -1834,7 +1840,7 @@ export interface Group extends ReadOut {
   readonly placeTargets: Float64Array;
   /** 1 where a character can stand at the place, else 0. */
   readonly placeUsable: Uint8Array;
-  /** Class of each place by the roles, 0 for whoever is left. */
+  /** Class of each place by the group's roles, 0 for whoever is left; none without roles. */
   readonly placeClasses: Uint8Array;
   /** Objective of the last plan [cost^p]. */
   readonly objective: number;
@@ -1842,7 +1848,7 @@ export interface Group extends ReadOut {
   readonly gapBound: number;
   /** Path costs by the last plan. */
   readonly walk: WalkTotals;
-  /** Mean distance of characters to the targets of their places [m]. */
+  /** Mean distance of characters to the targets of their places (SPEC U6) [m]. */
   readonly meanLag: number;
   /** True: it was ordered to hold, and its orders stay. */
   readonly waits: boolean;
@@ -1850,7 +1856,7 @@ export interface Group extends ReadOut {
   readonly patrols: boolean;
   /** How it behaves. */
   readonly conduct: Conduct;
-  /** What is ahead of the way of its order: corners up to the end [m]. */
+  /** What is ahead of the way of the order that it carries out: corners up to the end, the next one first [m]. */
   readonly way: Float64Array;
 }
 
@@ -1864,13 +1870,13 @@ export interface Checkpoint {
 
 /** A mesh vertex that a finger controls, and the trajectory drawn for it. */
 export interface ControlPoint {
-  /** Index of the mesh vertex. */
+  /** Index of the mesh vertex, which is a hard constraint. */
   readonly vertex: number;
-  /** Number of the finger. */
+  /** Number of the finger; unique per client while it is down. */
   readonly touch: number;
   /** False once the finger has lifted. */
   readonly down: boolean;
-  /** From the finger to the vertex at touch down [m]. */
+  /** From the finger to the vertex at touch down [m]; added to all drawn points. */
   readonly offset: Vec2;
   /** Current position of the vertex in the world [m]. */
   readonly position: Vec2;
@@ -1878,7 +1884,10 @@ export interface ControlPoint {
   readonly trajectory: readonly Checkpoint[];
 }
 
-/** One control of a mesh. */
+/**
+ * One control of a mesh. All its points follow their trajectories by a common clock, which preserves their
+ * relative timing.
+ */
 export interface Control {
   /** Unique id, which is not reused. */
   readonly id: ControlId;
@@ -1892,7 +1901,7 @@ export interface Control {
   readonly open: boolean;
   /** World time at which it stops being open [s]; -1 before its first step. */
   readonly joinDeadline: number;
-  /** Time stamp of the first touch [s]. */
+  /** Time stamp of the first touch [s]; may be later than the world's time. */
   readonly startTime: number;
   /** Time of the drawing that the points have reached [s]. */
   readonly clock: number;
@@ -1900,11 +1909,11 @@ export interface Control {
   readonly points: readonly ControlPoint[];
   /** Supplementary points, which are soft constraints. */
   readonly supplementary: readonly MeshPoint[];
-  /** Row-major weights, supplementary points x points. */
+  /** Row-major weights, supplementary points x points; each row sums to 1. */
   readonly weights: Float64Array;
 }
 
-/** An obstacle and its current position. */
+/** An obstacle and its current position. Its id is none where the world has no such obstacle. */
 export interface Obstacle {
   /** Unique id; it is not reused. */
   readonly id: ObstacleId;
@@ -1916,7 +1925,7 @@ export interface Obstacle {
   readonly centre: Vec2;
 }
 
-/** A patch and its current position. */
+/** A patch and its current position. Its id is none where the world has no such patch. */
 export interface Patch {
   /** Unique id; it is not reused. */
   readonly id: PatchId;
@@ -1948,7 +1957,7 @@ export interface Event {
   readonly subject: number;
   /** Its meaning depends on the kind. */
   readonly value: number;
-  /** Where it happened [m]: the middle of those concerned. */
+  /** Where it happened: the middle of those concerned [m]. */
   readonly position: Vec2;
 }
 
@@ -2168,11 +2177,11 @@ export interface HashMark {
   readonly step: number;
   /** Hash of the state after these steps. */
   readonly hash: bigint;
-  /** Number of commands recorded before this mark. */
+  /** Number of commands recorded before this mark. The file does not store it. */
   readonly commands: number;
 }
 
-/** An event of an order, as it was raised while the take was recorded. */
+/** An event of an order, as it was raised while the take was recorded (EventKind: Arrived and later ones). */
 export interface TakeEvent {
   /** Number of steps done at the event. */
   readonly step: number;
@@ -2180,7 +2189,7 @@ export interface TakeEvent {
   readonly event: Event;
 }
 
-/** Where everybody was after that many steps, to 1 mm. */
+/** Where everybody was after that many steps, to 1 mm: what a take shows where its simulation gives other bits. */
 export interface TakeFrame {
   /** Number of steps done. */
   readonly step: number;

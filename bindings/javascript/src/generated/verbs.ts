@@ -1,4 +1,4 @@
-// Generated from docs/api/muster_api.json by scripts/capi/typescript.mjs; do not edit.
+// Made by schema/generate.mjs from schema/api: change these, not this file.
 
 import { Caller, Handle } from '../binding/handle.js';
 import type { ProgressFunction, ReplayFunction } from '../binding/callbacks.js';

@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
-const root = join(dirname(fileURLToPath(import.meta.url)), '../..');
+const root = join(dirname(fileURLToPath(import.meta.url)), '../../..');
 const api = JSON.parse(readFileSync(join(root, 'docs/api/muster_api.json'), 'utf8'));
 const structs = new Map(api.structs.map((struct) => [struct.name, struct]));
 

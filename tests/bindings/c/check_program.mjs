@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
-const root = join(dirname(fileURLToPath(import.meta.url)), '../..');
+const root = join(dirname(fileURLToPath(import.meta.url)), '../../..');
 const api = JSON.parse(readFileSync(process.argv[2] ?? join(root, 'docs/api/muster_api.json'), 'utf8'));
 
 const typesOf = (parameters) => parameters.map(({ type }) => type).join(', ') || 'void';

@@ -1,7 +1,7 @@
 // Writes enums.ts and structs.ts of the TypeScript binding.
 import { pascal } from './model.mjs';
 
-export const kHeading = '// Generated from docs/api/muster_api.json by scripts/capi/typescript.mjs; do not edit.\n';
+export const kHeading = '// Made by schema/generate.mjs from schema/api: change these, not this file.\n';
 
 /** A doc comment of one or several lines. */
 export function docLines(text, indent = '') {

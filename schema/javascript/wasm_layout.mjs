@@ -68,19 +68,3 @@ export class Types {
     return kinds.size === 1 && only !== 'bool' && only !== 'u64' ? only : undefined;
   }
 }
-
-/** A C99 program that compiles for WebAssembly only where its compiler places all fields so. */
-export function layoutProgram(api) {
-  const types = new Types(api);
-  const lines = ['#include <muster/muster.h>', '#include <stddef.h>', ''];
-  let checks = 0;
-  const check = (condition) => lines.push(`typedef char check_${checks++}[(${condition}) ? 1 : -1];`);
-  for (const { name, fields } of api.structs) {
-    const { size, align, offsets } = types.place(name);
-    check(`sizeof(${name}) == ${size}`);
-    check(`_Alignof(${name}) == ${align}`);
-    fields.forEach((field, k) => check(`offsetof(${name}, ${field.name}) == ${offsets[k]}`));
-  }
-  lines.push(`/* ${checks} checks */`, '');
-  return lines.join('\n');
-}

@@ -1,0 +1,86 @@
+// Made by schema/generate.mjs from schema/api/take.txt: change these, not this file.
+// What takes hold, and the outcome of a replay.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "muster/event.h"
+#include "muster/status.h"
+#include "muster/vec2.h"
+
+namespace muster {
+
+/// The hash of a world's state after that many steps.
+struct HashMark {
+    std::uint32_t step = 0;  ///< Number of steps done.
+    std::uint64_t hash = 0;  ///< Hash of the state after these steps.
+    /// Number of commands recorded before this mark. The file does not store it.
+    std::uint32_t commands = 0;
+    /// Equal in all parts.
+    friend bool operator==(const HashMark&, const HashMark&) = default;
+};
+
+/// An event of an order, as it was raised while the take was recorded (EventKind: Arrived and later ones).
+struct TakeEvent {
+    std::uint32_t step = 0;  ///< Number of steps done at the event.
+    Event event;             ///< The event.
+    /// Equal in all parts.
+    friend bool operator==(const TakeEvent&, const TakeEvent&) = default;
+};
+
+/// Where everybody was after that many steps, to 1 mm: what a take shows where its simulation gives other
+/// bits.
+struct TakeFrame {
+    std::uint32_t step = 0;          ///< Number of steps done.
+    std::vector<std::uint32_t> ids;  ///< Who, in ascending order.
+    std::vector<Vec2> positions;     ///< Where [m], in the same order.
+    /// Equal in all parts.
+    friend bool operator==(const TakeFrame&, const TakeFrame&) = default;
+};
+
+/// A part of a take that plays faster or slower than it was recorded.
+struct SpeedPiece {
+    double from = 0.0;   ///< Time in the take [s].
+    double to = 0.0;     ///< Time in the take [s], above `from`.
+    double speed = 1.0;  ///< Seconds of the take per second, 0.1 to 8.
+    double ease = 0.0;   ///< Time at each end in which the speed comes and goes [s], 0 or more.
+    /// Equal in all parts.
+    friend bool operator==(const SpeedPiece&, const SpeedPiece&) = default;
+};
+
+/// What is said about a take: its name, and the part of it that is to be shown. It changes nothing of what
+/// was recorded.
+struct TakeAbout {
+    std::string title;               ///< Name for people; empty for none, at most kMaxTitleBytes.
+    std::uint32_t from = 0;          ///< Steps before the part begins.
+    std::uint32_t to = 0xffffffff;   ///< Steps after which the part ends; kTakeEnd for the end of the take.
+    std::vector<SpeedPiece> speeds;  ///< In ascending order, apart from each other; at most kMaxSpeedPieces.
+
+    /// Length of a title.
+    static constexpr std::size_t kMaxTitleBytes = 200;
+    /// Number of speed pieces.
+    static constexpr std::size_t kMaxSpeedPieces = 64;
+    /// The first step of the part of a take with that many steps: below its last one.
+    std::uint32_t firstStep(std::uint32_t steps) const;
+    /// The last step of the part, at most `steps`.
+    std::uint32_t lastStep(std::uint32_t steps) const;
+    /// Seconds of the take per second that it is shown, at that time of the take [s].
+    double speedAt(double seconds) const;
+    /// Fails with InvalidArgument, naming the value, where it is not as described.
+    Status check() const;
+    /// Equal in all parts.
+    friend bool operator==(const TakeAbout&, const TakeAbout&) = default;
+};
+
+/// Outcome of a replay.
+struct ReplayReport {
+    std::uint32_t steps = 0;     ///< Number of steps simulated.
+    std::uint32_t compared = 0;  ///< Number of marks that matched.
+    std::uint32_t unmarked = 0;  ///< Steps after the last mark, which no hash confirms.
+    std::uint64_t hash = 0;      ///< Hash of the final state.
+};
+
+}  // namespace muster
