@@ -7,7 +7,7 @@ import { isId, plain } from './types.mjs';
 import { singular, withUnit } from './text.mjs';
 
 /** The headers, each after those that it includes. */
-const kFiles = ['base', 'command', 'views', 'world', 'clips', 'bvh', 'motion', 'scenario', 'take', 'figures'];
+const kFiles = ['base', 'values', 'definitions', 'command', 'views', 'world', 'clips', 'bvh', 'motion', 'scenario', 'take', 'figures'];
 
 /** Types of C that are not named after Muster. */
 const kC = {
@@ -102,6 +102,10 @@ function readHeader(name) {
     struct: { open: readStruct, add: readField },
     handle: { open: (tokens, line) => ({ name: `${word(tokens, line, 'a name')}Id`, sentence: textOf(tokens, line, 'it') }), add: refuse },
     enum: { open: readEnumeration, add: addValue },
+    number: {
+      open: (tokens, line) => ({ name: word(tokens, line, 'a name'), type: word(tokens, line, 'a type'), sentence: textOf(tokens, line, 'it') }),
+      add: refuse,
+    },
     callback: { open: readFunction, add: readParameter },
     function: { open: readFunction, add: readParameter },
   });

@@ -58,6 +58,7 @@ function enumeration(declaration) {
 function linesOf(declaration) {
   const { kind, name, sentence } = declaration;
   if (kind === 'enum') return enumeration(declaration);
+  if (kind === 'number') return [...docComment(sentence), `typedef ${cType(declaration.type)} Muster${name};`];
   if (kind === 'handle') return struct(name, sentence, kHandle);
   if (kind === 'callback')
     return [...docComment(sentence), ...call(`typedef ${returnType(declaration)} (*Muster${name})(`, pairs(functionParameters(declaration)), ');', '')];

@@ -4,7 +4,7 @@ import { aligned, docComment, singular, upperWords, withUnit } from './text.mjs'
 import { kDefinitionsBanner } from './definitions_cpp.mjs';
 import { isId, plain } from './types.mjs';
 
-const inC = definitions.filter(({ flags }) => !flags.has('no-c'));
+export const definitionsInC = definitions.filter(({ flags }) => !flags.has('no-c'));
 const isFlat = (type) => !isDefinition(type) || definitions.some(({ name, flags }) => name === type && flags.has('flat'));
 const maker = ({ name }) => `muster_default_${upperWords(name).toLowerCase()}`;
 const capital = (name) => name[0].toUpperCase() + name.slice(1);
@@ -65,13 +65,26 @@ export function inCOrder(fields) {
   return ordered;
 }
 
-function struct(definition) {
+/** The struct of C: its name, members with their comments, and the function that makes it. */
+export function definitionStruct(definition) {
   const { name, sentences, version, made, fields } = definition;
-  const members = inCOrder(fields).flatMap(membersOf);
-  if (version !== null) members.unshift(['uint32_t structVersion', `Set by ${maker(definition)}().`]);
-  const rows = members.map(([code, text]) => ({ code: `${code};`, about: text }));
-  const lines = [...docComment(asInC(sentences[0])), `typedef struct Muster${name} {`, ...aligned(rows), `} Muster${name};`];
-  if (made !== '') lines.push(...docComment(made), `MUSTER_API Muster${name} ${maker(definition)}(void);`);
+  const members = inCOrder(fields).flatMap((field) => {
+    const own = membersOf(field).map(([code, text]) => ({ code, about: text }));
+    own.forEach((member, at) => {
+      const next = own[at + 1]?.code;
+      if (member.code.includes('*') && next?.endsWith('Count')) member.count = next.split(' ').at(-1);
+    });
+    return own;
+  });
+  if (version !== null) members.unshift({ code: 'uint32_t structVersion', about: `Set by ${maker(definition)}().` });
+  return { name: `Muster${name}`, doc: asInC(sentences[0]), made, maker: maker(definition), members };
+}
+
+function struct(definition) {
+  const { name, doc, made, maker: function_, members } = definitionStruct(definition);
+  const rows = members.map(({ code, about: text }) => ({ code: `${code};`, about: text }));
+  const lines = [...docComment(doc), `typedef struct ${name} {`, ...aligned(rows), `} ${name};`];
+  if (made !== '') lines.push(...docComment(made), `MUSTER_API ${name} ${function_}(void);`);
   return lines.join('\n');
 }
 
@@ -84,7 +97,7 @@ const header = () => `${kDefinitionsBanner.replace('// ', '/* ').replace('.\n', 
 extern "C" {
 #endif
 
-${inC.map(struct).join('\n\n')}
+${definitionsInC.map(struct).join('\n\n')}
 
 #ifdef __cplusplus
 }
@@ -136,16 +149,16 @@ const marshalling = () => `${kDefinitionsBanner}// The fields of definitions, fo
 
 namespace muster::c_api {
 
-${inC.filter(({ version }) => version !== null).map((one) => `MUSTER_STRUCT_VERSION(Muster${one.name}, ${one.version.kind}, ${one.version.version}, "${maker(one)}");`).join('\n')}
+${definitionsInC.filter(({ version }) => version !== null).map((one) => `MUSTER_STRUCT_VERSION(Muster${one.name}, ${one.version.kind}, ${one.version.version}, "${maker(one)}");`).join('\n')}
 
-${inC.filter(({ flags }) => flags.has('flat')).map(layout).join('\n')}
+${definitionsInC.filter(({ flags }) => flags.has('flat')).map(layout).join('\n')}
 
 /// Reads the preset, and what differs from it.
 void parameterFields(FromC& m, const MusterWorldDef& c, Parameters& p);
 /// Writes what differs from the preset "muster".
 void parameterFields(ToC& m, MusterWorldDef& c, const Parameters& p);
 
-${inC.map(pair).join('\n')}
+${definitionsInC.map(pair).join('\n')}
 
 }  // namespace muster::c_api
 `;
@@ -156,7 +169,7 @@ const defaults = () => `${kDefinitionsBanner}// Definitions as they are made at 
 using namespace muster;
 using namespace muster::c_api;
 
-${inC.filter(({ made }) => made !== '').map((one) => `Muster${one.name} ${maker(one)}(void) {
+${definitionsInC.filter(({ made }) => made !== '').map((one) => `Muster${one.name} ${maker(one)}(void) {
     return defaultOf<Muster${one.name}, ${one.cpp}>();
 }`).join('\n')}
 `;

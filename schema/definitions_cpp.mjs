@@ -40,6 +40,9 @@ function initialOf({ type, initial, isList, isOptional }) {
   return value === '' ? '' : ` = ${value}`;
 }
 
+/** A field as a member: {type, name, initial}. */
+export const definitionMember = (field) => ({ type: cppType(field), name: field.name, initial: initialOf(field).replace(' = ', '') });
+
 /** Fields as archives take them: those of one version together. */
 function archiveLines(fields) {
   const groups = [];

@@ -1,13 +1,11 @@
 // The description of the C API for generators of bindings: docs/api/muster_api.json.
-import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
-import { parseHeader } from './read_c_header.mjs';
 import { apiHeaders, cType, functionParameters, makerOf, returnType, structMembers } from './api.mjs';
 import { commandKinds, commandMembers, membersOf } from './c.mjs';
 import { valuesOf } from './c_headers.mjs';
-import { commands, enumerations, root } from './read.mjs';
+import { definitionsInC, definitionStruct } from './definitions_c.mjs';
+import { commands, enumerations } from './read.mjs';
 
-/** The headers, each after those that it includes. Those of definitions are read, as they are not declared yet. */
+/** The headers, each after those that it includes. */
 const kOrder = ['base', 'generated/enumerations', 'values', 'generated/definition_structs', 'definitions', 'generated/command_bodies', 'command', 'views', 'world',
   'clips', 'bvh', 'motion', 'scenario', 'take'];
 
@@ -32,6 +30,7 @@ function entriesOf(declaration) {
     const values = valuesOf(declaration).map((one) => ({ name: one.name, value: one.value, doc: one.about }));
     return [{ list: 'integers', entry: { name: `Muster${name}`, type: cType(declaration.type), doc }, values }];
   }
+  if (kind === 'number') return [{ list: 'integers', entry: { name: `Muster${name}`, type: cType(declaration.type), doc } }];
   if (kind === 'handle') return [{ list: 'structs', entry: { name: `Muster${name}`, kind: 'struct', doc, fields: kHandleFields } }];
   if (kind === 'callback')
     return [{ list: 'callbacks', entry: { name: `Muster${name}`, returns: returnType(declaration), parameters: functionParameters(declaration), doc } }];
@@ -62,18 +61,20 @@ function fieldsOfBody(field) {
   return members;
 }
 
-/** Reads a header that is written by hand. */
-function readHeader(header) {
-  const found = parseHeader(readFileSync(join(root, 'include/muster/c', `${header}.h`), 'utf8'));
-  const values = new Map(found.filter(({ list }) => list === 'values').map(({ entry }) => [entry.name, entry.values]));
-  return found.filter(({ list }) => list !== 'values').map((one) => ({ ...one, values: values.get(`${one.entry.name}Value`) }));
-}
+/** The structs of definitions, and who makes them. */
+const definitionEntries = () =>
+  definitionsInC.flatMap((definition) => {
+    const { name, doc, made, maker, members } = definitionStruct(definition);
+    const fields = members.map(({ code, about, count }) => ({ name: code.split(' ').at(-1), type: code.slice(0, code.lastIndexOf(' ')), doc: about, ...(count ? { count } : {}) }));
+    const struct = { list: 'structs', entry: { name, kind: 'struct', doc, fields } };
+    return made === '' ? [struct] : [struct, functionOf(maker, name, [], made)];
+  });
 
 function entriesOfHeader(header) {
   if (header === 'generated/enumerations') return enumerationEntries();
   if (header === 'generated/command_bodies') return commandEntries();
-  const declared = apiHeaders.find(({ name }) => name === header);
-  return declared ? declared.declarations.flatMap(entriesOf) : readHeader(header);
+  if (header === 'generated/definition_structs') return definitionEntries();
+  return apiHeaders.find(({ name }) => name === header).declarations.flatMap(entriesOf);
 }
 
 /** Handles, and who makes structs that have a version. */

@@ -3,13 +3,10 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { apiStructs } from './api.mjs';
 import { memberOf } from './cpp.mjs';
-import { commands, enumerations, folder } from './read.mjs';
-import { readCppHeader } from './read_cpp_header.mjs';
+import { definitionMember } from './definitions_cpp.mjs';
+import { commands, definitions, enumerations, formerCommands, folder } from './read.mjs';
 import { lowerFirst, withUnit } from './text.mjs';
 import { initialOf, typeOf } from './views.mjs';
-
-/** The headers of definitions, which are not declared here yet. */
-const kDefinitionHeaders = ['generated/ground_definitions', 'generated/people_definitions', 'generated/orders_definitions', 'ground', 'order', 'generated/world_definitions'];
 
 /** Structs that have a Python class of their own, or none. */
 const kLeftOut = new Set(['CharactersView', 'GroupView', 'ObstacleView', 'PatchView', 'AreaView', 'TakeFrame']);
@@ -41,6 +38,12 @@ const structOfCommand = (command) => ({
   fields: command.fields.map((field) => ({ ...memberOf(field), doc: withUnit(field) })),
 });
 
+const structOfDefinition = (definition) => ({
+  name: definition.cpp,
+  doc: definition.sentences.filter((sentence) => sentence !== '').join(' '),
+  fields: definition.fields.map((field) => ({ ...definitionMember(field), doc: withUnit(field) })),
+});
+
 const structOfApi = (struct) => ({
   name: struct.cpp,
   doc: struct.sentence,
@@ -51,15 +54,16 @@ const structOfApi = (struct) => ({
 /** All structs, each after those that it is made of: {name, doc, fields: [{type, name, initial, doc}]}. */
 function allStructs() {
   const found = [
-    ...kDefinitionHeaders.flatMap(readCppHeader),
+    ...definitions.map(structOfDefinition),
     ...commands.map(structOfCommand),
+    ...formerCommands.map(structOfCommand),
     ...apiStructs.filter(({ cpp }) => cpp && !kLeftOut.has(cpp)).map(structOfApi),
   ];
   const byName = new Map(found.map((struct) => [struct.name, struct]));
   const ordered = new Map();
   const add = (struct) => {
     for (const { type } of struct.fields) {
-      const parts = type === 'CommandBody' ? commands.map(({ name }) => name) : type.match(/\w+/g);
+      const parts = type === 'CommandBody' ? [...commands, ...formerCommands].map(({ name }) => name) : type.match(/\w+/g);
       for (const part of parts) if (byName.has(part) && !ordered.has(part)) add(byName.get(part));
     }
     ordered.set(struct.name, struct);
@@ -166,7 +170,7 @@ Vec2 = tuple[float, float]
 Box = tuple[Vec2, Vec2]
 `;
 
-const kBody = () => `CommandBody = Union[\n${commands.map(({ name }) => `    ${name},`).join('\n')}\n]`;
+const kBody = () => `CommandBody = Union[\n${[...commands, ...formerCommands].map(({ name }) => `    ${name},`).join('\n')}\n]`;
 
 function types(structs) {
   const names = [...enumerations, ...structs].map(({ name }) => name).concat('CommandBody', 'Vec2', 'Box').sort();

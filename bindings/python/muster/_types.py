@@ -19,8 +19,12 @@ Box = tuple[Vec2, Vec2]
 
 __all__ = [
     "AddCharacters",
+    "AddCheckpoint",
     "AddControl",
     "AddGroup",
+    "AddItem",
+    "AddObstacle",
+    "AddPatch",
     "AreaCount",
     "AreaDef",
     "AreaKind",
@@ -28,6 +32,10 @@ __all__ = [
     "Body",
     "BodyBuild",
     "Box",
+    "ChangeCheckpoint",
+    "ChangeItem",
+    "ChangeObstacle",
+    "ChangePatch",
     "Checkpoint",
     "CheckpointTrigger",
     "ClipFacts",
@@ -73,14 +81,20 @@ __all__ = [
     "PinControl",
     "PlaceGroup",
     "PolygonWithHoles",
+    "PutArea",
     "PutThing",
     "QueueEdit",
     "QueueMode",
     "QueuedOrder",
     "ReleaseClient",
+    "RemoveArea",
     "RemoveCharacters",
+    "RemoveCheckpoint",
     "RemoveControl",
     "RemoveGroup",
+    "RemoveItem",
+    "RemoveObstacle",
+    "RemovePatch",
     "RemoveThing",
     "ReplayReport",
     "ReverseQueue",
@@ -779,11 +793,13 @@ class Distribution:
 
 @dataclass(slots=True)
 class PeopleDef:
-    """Each new person of a group is drawn: those who are there when the group is made, those whom SetCount or
-        AddCharacters without bodies adds, and those who come by a source. Bodies that AddCharacters or SetBodies give
-        are as given. Of those who are there when the group is made so many are of each sort as its share says, by
-        largest remainders, at random ranks; who comes later is of a sort at random, by its share. Each number depends
-        on the seed of the world, the id of the person and which number it is, and on nothing else.
+    """One sort of persons in a group. What is constantly 0 is not drawn: it is that of GroupDef.bodies, or of the
+        parameters where that is 0, too. Each new person of a group is drawn: those who are there when the group is
+        made, those whom SetCount or AddCharacters without bodies adds, and those who come by a source. Bodies that
+        AddCharacters or SetBodies give are as given. Of those who are there when the group is made so many are of
+        each sort as its share says, by largest remainders, at random ranks; who comes later is of a sort at random,
+        by its share. Each number depends on the seed of the world, the id of the person and which number it is, and
+        on nothing else.
 
     Attributes:
         name: Name for display: "Women over 50".
@@ -978,36 +994,6 @@ class Conduct:
     cohesion: float = 0.0
     squeeze: float = 1.0
     avoids: bool = False
-
-
-@dataclass(slots=True)
-class AreaCount:
-    """What an area has seen.
-
-    Attributes:
-        passed: People who have left by an exit, or come by a source.
-        waiting: People of a source for whom there is no room yet.
-    """
-
-    passed: int = 0
-    waiting: int = 0
-
-
-@dataclass(slots=True)
-class OrderForecast:
-    """What would come of an order.
-
-    Attributes:
-        arrives: True where the target can be reached.
-        way: The way of the formation's centre, both ends included [m].
-        end: Where the formation would stand: the target, or the nearest ground to it [m].
-        seconds: Time until it would arrive [s]; infinite where it never does.
-    """
-
-    arrives: bool = False
-    way: list[Vec2] = field(default_factory=list)
-    end: Vec2 = (0.0, 0.0)
-    seconds: float = 0.0
 
 
 @dataclass(slots=True)
@@ -1621,6 +1607,193 @@ class ReverseQueue:
     group: int = 0
 
 
+@dataclass(slots=True)
+class AddObstacle:
+    """Adds an obstacle.
+
+    Attributes:
+        obstacle: Its definition.
+    """
+
+    obstacle: ObstacleDef = field(default_factory=ObstacleDef)
+
+
+@dataclass(slots=True)
+class ChangeObstacle:
+    """Changes shape, position, path or field of an obstacle.
+
+    Attributes:
+        id: Its id.
+        obstacle: Its new definition.
+    """
+
+    id: int = 0
+    obstacle: ObstacleDef = field(default_factory=ObstacleDef)
+
+
+@dataclass(slots=True)
+class RemoveObstacle:
+    """Removes an obstacle.
+
+    Attributes:
+        id: Its id.
+    """
+
+    id: int = 0
+
+
+@dataclass(slots=True)
+class AddPatch:
+    """Adds a patch.
+
+    Attributes:
+        patch: Its definition.
+    """
+
+    patch: PatchDef = field(default_factory=PatchDef)
+
+
+@dataclass(slots=True)
+class ChangePatch:
+    """Changes shape, position, path or motion of a patch.
+
+    Attributes:
+        id: Its id.
+        patch: Its new definition.
+    """
+
+    id: int = 0
+    patch: PatchDef = field(default_factory=PatchDef)
+
+
+@dataclass(slots=True)
+class RemovePatch:
+    """Removes a patch.
+
+    Attributes:
+        id: Its id.
+    """
+
+    id: int = 0
+
+
+@dataclass(slots=True)
+class AddItem:
+    """Adds an item to collect.
+
+    Attributes:
+        item: Its definition.
+    """
+
+    item: ItemDef = field(default_factory=ItemDef)
+
+
+@dataclass(slots=True)
+class ChangeItem:
+    """Moves an item or changes its radius. Whether it is collected stays.
+
+    Attributes:
+        id: Its id.
+        item: Its new definition.
+    """
+
+    id: int = 0
+    item: ItemDef = field(default_factory=ItemDef)
+
+
+@dataclass(slots=True)
+class RemoveItem:
+    """Removes an item.
+
+    Attributes:
+        id: Its id.
+    """
+
+    id: int = 0
+
+
+@dataclass(slots=True)
+class AddCheckpoint:
+    """Adds a formation checkpoint (SPEC M7), which nobody has passed yet.
+
+    Attributes:
+        checkpoint: Its definition; its `group` is not read.
+        group: Group that it concerns; none for any group.
+    """
+
+    checkpoint: FormationCheckpointDef = field(default_factory=FormationCheckpointDef)
+    group: int = 0
+
+
+@dataclass(slots=True)
+class ChangeCheckpoint:
+    """Changes a formation checkpoint. It stays passed by the groups that have passed it.
+
+    Attributes:
+        id: Its id.
+        checkpoint: Its new definition; its `group` is not read.
+        group: Group that it concerns; none for any group.
+    """
+
+    id: int = 0
+    checkpoint: FormationCheckpointDef = field(default_factory=FormationCheckpointDef)
+    group: int = 0
+
+
+@dataclass(slots=True)
+class RemoveCheckpoint:
+    """Removes a formation checkpoint.
+
+    Attributes:
+        id: Its id.
+    """
+
+    id: int = 0
+
+
+@dataclass(slots=True)
+class PutArea:
+    """Adds an area, or changes one.
+
+    Attributes:
+        id: The area that is changed; none to add one.
+        area: Its definition; its `group` is not read.
+        group: For Source: the group that its people join.
+    """
+
+    id: int = 0
+    area: AreaDef = field(default_factory=AreaDef)
+    group: int = 0
+
+
+@dataclass(slots=True)
+class RemoveArea:
+    """Removes an area. People on their way to it go to the other areas of their order, or stand.
+
+    Attributes:
+        id: Its id.
+    """
+
+    id: int = 0
+
+
+@dataclass(slots=True)
+class OrderForecast:
+    """What would come of an order.
+
+    Attributes:
+        arrives: True where the target can be reached.
+        way: The way of the formation's centre, both ends included [m].
+        end: Where the formation would stand: the target, or the nearest ground to it [m].
+        seconds: Time until it would arrive [s]; infinite where it never does.
+    """
+
+    arrives: bool = False
+    way: list[Vec2] = field(default_factory=list)
+    end: Vec2 = (0.0, 0.0)
+    seconds: float = 0.0
+
+
 CommandBody = Union[
     TouchDown,
     TouchMove,
@@ -1657,6 +1830,20 @@ CommandBody = Union[
     SetAppearance,
     SetPeople,
     ReverseQueue,
+    AddObstacle,
+    ChangeObstacle,
+    RemoveObstacle,
+    AddPatch,
+    ChangePatch,
+    RemovePatch,
+    AddItem,
+    ChangeItem,
+    RemoveItem,
+    AddCheckpoint,
+    ChangeCheckpoint,
+    RemoveCheckpoint,
+    PutArea,
+    RemoveArea,
 ]
 
 
@@ -1998,3 +2185,16 @@ class RunFigures:
     step_p95: float = 0.0
     step_max: float = 0.0
     stage_mean: dict[str, float] = field(default_factory=dict)
+
+
+@dataclass(slots=True)
+class AreaCount:
+    """What an area has seen.
+
+    Attributes:
+        passed: People who have left by an exit, or come by a source.
+        waiting: People of a source for whom there is no room yet.
+    """
+
+    passed: int = 0
+    waiting: int = 0

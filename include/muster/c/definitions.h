@@ -1,3 +1,4 @@
+/* Made by schema/generate.mjs from schema/api/definitions.txt: change these, not this file. */
 /* What is made of definitions, and of what they are made: paths, formations, maps, orders, people,
  * parameters. */
 #ifndef MUSTER_C_DEFINITIONS_H
@@ -60,9 +61,10 @@ typedef struct MusterForecast {
     uint32_t structVersion;  ///< Set by muster_default_forecast().
     bool arrives;            ///< True where the target can be reached.
     const MusterVec2* way;   ///< The way of the formation's centre, both ends included [m].
-    int32_t wayCount;        ///< Number of its points.
-    MusterVec2 end;  ///< Where the formation would stand: the target, or the nearest ground to it [m].
-    double seconds;  ///< Time until it would arrive [s]; infinite where it never does.
+    int32_t wayCount;        ///< Their number.
+    MusterVec2 end;          ///< Where the formation would stand: the target, or the nearest ground to it
+                             ///< [m].
+    double seconds;          ///< Time until it would arrive [s]; infinite where it never does.
 } MusterForecast;
 
 /// Nothing yet: to be filled by muster_world_forecast().
@@ -84,7 +86,7 @@ typedef struct MusterParameterInfo {
     const char* unit;         ///< "m", "s", "m/s", "1", "switch", "mode", "steps", "count"...
     double minimum;           ///< Smallest allowed value.
     double maximum;           ///< Largest allowed value.
-    double standard;          ///< Value of the preset "muster".
+    double standard;          ///< Value of the preset "units".
     bool whole;               ///< True where only whole numbers are valid: switches, modes, steps and counts.
     const char* description;  ///< One sentence.
 } MusterParameterInfo;

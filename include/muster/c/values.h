@@ -1,3 +1,4 @@
+/* Made by schema/generate.mjs from schema/api/values.txt: change these, not this file. */
 /* What definitions are made of: points, shapes, ids, maps, parameters. */
 #ifndef MUSTER_C_VALUES_H
 #define MUSTER_C_VALUES_H
@@ -53,15 +54,24 @@ typedef struct MusterPolygon {
 /// Index of a motion clip in the world's table of clips; 0 is running in the open.
 typedef int32_t MusterMotionIndex;
 
-typedef uint32_t MusterObstacleId;    ///< Names an obstacle of a world; 0 for none. It is not used again.
-typedef uint32_t MusterPatchId;       ///< Names a patch of a world; 0 for none.
-typedef uint32_t MusterGroupId;       ///< Names a group of a world; 0 for none.
-typedef uint32_t MusterItemId;        ///< Names an item of a world; 0 for none.
-typedef uint32_t MusterCheckpointId;  ///< Names a formation checkpoint of a world; 0 for none.
-typedef uint32_t MusterAreaId;        ///< Names an exit, a source or a waiting area; 0 for none.
-typedef uint32_t MusterControlId;     ///< Names a control of a world; 0 for none.
-typedef uint32_t MusterCharacterId;   ///< Names a character of a world; 0 for none.
-typedef uint32_t MusterOrderId;       ///< Names an order in a queue; 0 for none.
+/// Names an obstacle of a world; 0 for none. It is not used again.
+typedef uint32_t MusterObstacleId;
+/// Names a patch of a world; 0 for none.
+typedef uint32_t MusterPatchId;
+/// Names a group of a world; 0 for none.
+typedef uint32_t MusterGroupId;
+/// Names an item of a world; 0 for none.
+typedef uint32_t MusterItemId;
+/// Names a formation checkpoint of a world; 0 for none.
+typedef uint32_t MusterCheckpointId;
+/// Names an exit, a source or a waiting area; 0 for none.
+typedef uint32_t MusterAreaId;
+/// Names a control of a world; 0 for none.
+typedef uint32_t MusterControlId;
+/// Names a character of a world; 0 for none.
+typedef uint32_t MusterCharacterId;
+/// Names an order in a queue; 0 for none.
+typedef uint32_t MusterOrderId;
 
 /// A MovingAI grid map as ground.
 typedef struct MusterMapDef {
@@ -70,7 +80,7 @@ typedef struct MusterMapDef {
     int32_t height;          ///< Rows, 1 to 4096.
     const char* cells;       ///< One character per cell, row by row, the top row first.
     int32_t cellCount;       ///< Number of characters: width times height.
-    double metresPerCell;    ///< Edge of a map cell [m], above 0.
+    double metresPerCell;    ///< Edge of a map cell, above 0 [m].
     MusterVec2 origin;       ///< Lower left corner of the map [m].
     double swampSpeed;       ///< Travel speed on swamp cells `S` relative to running, above 0.
 } MusterMapDef;

@@ -5,12 +5,16 @@
 #include "bindings/c/c_world/struct_version.h"
 #include "muster/c/base.h"
 #include "muster/c/command.h"
+#include "muster/c/definitions.h"
+#include "muster/c/values.h"
 #include "muster/c/views.h"
 #include "muster/c/world.h"
 
 namespace muster::c_api {
 
 MUSTER_STRUCT_VERSION(MusterTaskRunner, 1, 1, "muster_default_task_runner");
+MUSTER_STRUCT_VERSION(MusterMapDef, 6, 1, "muster_default_map_def");
+MUSTER_STRUCT_VERSION(MusterForecast, 8, 1, "muster_default_forecast");
 MUSTER_STRUCT_VERSION(MusterCommand, 12, 2, "muster_default_command");
 MUSTER_STRUCT_VERSION(MusterCharacters, 13, 2, "muster_default_characters");
 MUSTER_STRUCT_VERSION(MusterGroup, 14, 1, "muster_default_group");

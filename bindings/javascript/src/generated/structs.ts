@@ -70,7 +70,7 @@ export interface MapDef {
   height: number;
   /** One character per cell, row by row, the top row first. */
   cells: string;
-  /** Edge of a map cell [m], above 0. */
+  /** Edge of a map cell, above 0 [m]. */
   metresPerCell: number;
   /** Lower left corner of the map [m]. */
   origin: Vec2;
@@ -86,7 +86,7 @@ export interface MapDefInit {
   readonly height?: number | undefined;
   /** One character per cell, row by row, the top row first. */
   readonly cells?: string | null | undefined;
-  /** Edge of a map cell [m], above 0. */
+  /** Edge of a map cell, above 0 [m]. */
   readonly metresPerCell?: number | undefined;
   /** Lower left corner of the map [m]. */
   readonly origin?: Vec2 | undefined;
@@ -894,7 +894,7 @@ export interface ParameterInfo {
   readonly minimum: number;
   /** Largest allowed value. */
   readonly maximum: number;
-  /** Value of the preset "muster". */
+  /** Value of the preset "units". */
   readonly standard: number;
   /** True where only whole numbers are valid: switches, modes, steps and counts. */
   readonly whole: boolean;
