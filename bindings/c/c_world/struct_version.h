@@ -24,8 +24,7 @@ constexpr std::uint32_t structVersion(std::uint32_t kind, std::uint32_t version)
         static constexpr const char* kMaker = maker;                          \
     }
 
-// Those of definitions and of what schema/api declares are generated.
-MUSTER_STRUCT_VERSION(MusterForecast, 8, 1, "muster_default_forecast");
+// The numbers themselves are generated, from schema/definitions.txt and schema/api.
 
 /// Fails where a struct that is to be filled is null or of another version.
 template <class T>

@@ -8,8 +8,6 @@
 
 namespace muster::c_api {
 
-MUSTER_STRUCT_VERSION(MusterMapDef, 6, 1, "muster_default_map_def");
-
 template <class M>
 void fields(M& m, C<M, MusterPolygon>& c, P<M, Polygon>& p) {
     m.list(c.points, c.pointCount, p, "points");
