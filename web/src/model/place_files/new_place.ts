@@ -1,5 +1,6 @@
 // Places made of outlines: a new one around them, or events that add them to the present one.
 
+import type { ObstacleDef } from '../../protocol/generated/definitions';
 import type { GroundPoint } from '../plane';
 import { startFor } from './free_ground';
 import { count, type LeftOut } from './left_out';
@@ -7,7 +8,6 @@ import {
   type Bounds,
   boundsOfOutlines,
   obstacleOf,
-  type ObstacleDefinition,
   type Outline,
   placedOutlines,
   type PlaceDefinition,
@@ -88,7 +88,7 @@ export function within(outlines: readonly Outline[], box: Bounds, left: LeftOut)
 }
 
 /** Messages that add obstacles; one undo takes all of them back. */
-export function additionOf(obstacles: readonly ObstacleDefinition[], label: string, gesture: number): EditMessage[] {
+export function additionOf(obstacles: readonly ObstacleDef[], label: string, gesture: number): EditMessage[] {
   const bytes = new TextEncoder();
   const messages: EditMessage[] = [];
   let events: string[] = [];

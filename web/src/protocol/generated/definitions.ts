@@ -1,13 +1,13 @@
 // Made by schema/generate.mjs from schema/definitions.txt: change these, not this file.
 // Definitions as scenario files have them (docs/scenario-format.md).
-/* prettier-ignore */
 
 import type { BodyBuildWord, MotionSetWord, OrderKindWord, MannerWord, TurnWord, StanceWord } from './commands';
 
 export type Point = readonly [x: number, y: number];
 
 /** The library of shapes. */
-export type FormationKindWord = 'square' | 'line' | 'column' | 'wedge' | 'ring' | 'circle' | 'crescent' | 'pacman' | 'outline' | 'points';
+export type FormationKindWord =
+  'square' | 'line' | 'column' | 'wedge' | 'ring' | 'circle' | 'crescent' | 'pacman' | 'outline' | 'points';
 
 /** What an area does. */
 export type AreaKindWord = 'exit' | 'source' | 'waiting';
