@@ -1,6 +1,7 @@
 // Places made of outlines: a new one around them, or commands that add them to the present one.
 
 import type { Command } from '../../protocol/generated/commands';
+import type { ObstacleDef } from '../../protocol/generated/definitions';
 import { sizeOf, type Edit } from '../../protocol/messages';
 import type { GroundPoint } from '../plane';
 import { startFor } from './free_ground';
@@ -9,7 +10,6 @@ import {
   type Bounds,
   boundsOfOutlines,
   obstacleOf,
-  type ObstacleDefinition,
   type Outline,
   placedOutlines,
   type PlaceDefinition,
@@ -83,7 +83,7 @@ export function within(outlines: readonly Outline[], box: Bounds, left: LeftOut)
 }
 
 /** Messages that add obstacles; one undo takes all of them back. */
-export function additionOf(obstacles: readonly ObstacleDefinition[], label: string, gesture: number): Edit[] {
+export function additionOf(obstacles: readonly ObstacleDef[], label: string, gesture: number): Edit[] {
   const messages: Edit[] = [];
   let commands: Command[] = [];
   let size = 0;
