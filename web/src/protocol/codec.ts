@@ -35,17 +35,17 @@ export class Codecs {
     return codec;
   }
 
-  /** What is one of several, which its first byte and its `kind` say. */
-  addUnion(type: string, layouts: readonly (readonly [string, string])[]): void {
+  /** What is one of several, which its first byte and its field `tag` say. */
+  addUnion(type: string, tag: string, layouts: readonly (readonly [string, string])[]): void {
     const kinds = layouts.map(([kind]) => kind);
     const codecs = layouts.map(([, layout]) => this.struct(layout));
     this.made_.set(type, {
       read: (r) => {
         const number = r.choice(kinds.length);
-        return Object.assign({ kind: kinds[number] }, codecs[number]!.read(r));
+        return Object.assign({ [tag]: kinds[number] }, codecs[number]!.read(r));
       },
       write: (w, value) => {
-        const number = kinds.indexOf((value as { kind: string }).kind);
+        const number = kinds.indexOf((value as Fields)[tag] as string);
         w.u8(number);
         codecs[number]!.write(w, value);
       },

@@ -1,6 +1,7 @@
 // Places to begin with.
 
-import type { FormationKindWord, GroupDef, ObstacleDef, Point } from '../../protocol/generated/definitions';
+import type { GroupDef, ObstacleDef, Point } from '../../protocol/generated/definitions';
+import type { FormationKindWord } from '../../protocol/generated/words';
 import type { PlaceDefinition } from './place';
 
 const box = (left: number, bottom: number, right: number, top: number): Point[] => [
