@@ -4,7 +4,7 @@ import { expect, it } from 'vitest';
 import { ByteReader, ByteWriter } from './bytes';
 import { kCommandLayouts } from './generated/command_layouts';
 import type { Command } from './generated/commands';
-import { codecs, encodeClient, filled, sizeOf } from './messages';
+import { codecs, encodeClient, filled, sizeOf } from './encoding';
 
 /** Random commands of every kind, which the tests in C++ keep fresh (tests/studio/session/commands_test.cpp). */
 function golden(): Uint8Array {

@@ -2,7 +2,8 @@
 
 import type { Command } from '../../protocol/generated/commands';
 import type { ObstacleDef } from '../../protocol/generated/definitions';
-import { sizeOf, type Edit } from '../../protocol/messages';
+import { sizeOf } from '../../protocol/encoding';
+import type { Edit } from '../../protocol/messages';
 import type { GroundPoint } from '../plane';
 import { startFor } from './free_ground';
 import { count, type LeftOut } from './left_out';
