@@ -48,13 +48,16 @@ function structure({ name, sentences, fields }) {
 }
 
 const used = enumerations.filter(({ name }) => inFiles.some(({ fields }) => fields.some(({ type }) => type === name)));
-const word = ({ name, sentence, values }) =>
-  `/** ${sentence} */\nexport type ${name}Word = ${values.map((value) => `'${lowerFirst(value.name)}'`).join(' | ')};`;
+/** A type of words; those that are too many for a line go on below. */
+function word({ name, sentence, values }) {
+  const head = `export type ${name}Word =`;
+  const list = values.map((value) => `'${lowerFirst(value.name)}'`).join(' | ');
+  return [`/** ${sentence} */`, `${head}${head.length + list.length + 2 > 120 ? '\n ' : ''} ${list};`].join('\n');
+}
 
 /** Words that commands have, too, are declared with these. */
 export const definitionTypescriptFiles = (inCommands) => ({
   'web/src/protocol/generated/definitions.ts': `${kDefinitionsBanner}// Definitions as scenario files have them (docs/scenario-format.md).
-/* prettier-ignore */
 
 import type { ${used.filter(inCommands).map(({ name }) => `${name}Word`).join(', ')} } from './words';
 

@@ -85,19 +85,25 @@ ${union('Client', page)}
 ${union('Server', server)}
 `;
 
-const names = (entries) => `[${entries.map(({ name }) => `'${name}'`).join(', ')}]`;
+const numbered = (entries) => entries.map((entry) => `  ['${entry.name}', '${layoutOf(entry)}'],`).join('\n');
 
 const layoutFile = () => `${kBanner}// prettier-ignore
-/** The fields of parts and messages: name and type (codec.ts). */
-export const kMessageLayouts: Readonly<Record<string, string>> = {
-${[...parts, ...page, ...server].map((entry) => `  ${entry.name}: '${layoutOf(entry)}',`).join('\n')}
+/** The fields of parts: name and type (codec.ts). */
+export const kPartLayouts: Readonly<Record<string, string>> = {
+${parts.map((entry) => `  ${entry.name}: '${layoutOf(entry)}',`).join('\n')}
 };
 
-/** By number. */
 // prettier-ignore
-export const kClientNames = ${names(page)};
+/** Messages of the page in the order of their numbers: name and fields. */
+export const kClientLayouts: readonly (readonly [string, string])[] = [
+${numbered(page)}
+];
+
 // prettier-ignore
-export const kServerNames = ${names(server)};
+/** Messages of the server. */
+export const kServerLayouts: readonly (readonly [string, string])[] = [
+${numbered(server)}
+];
 `;
 
 export const messageTypescriptFiles = () => ({

@@ -144,9 +144,13 @@ ${used.map(({ name, fields }) => `  ${name}: '${layoutOf(fields)}',`).join('\n')
 };
 
 // prettier-ignore
-/** Commands: number in bytes, kind and fields. */
-export const kCommandLayouts: readonly (readonly [number, string, string])[] = [
-${commands.map(({ number, file, fields }) => `  [${number}, '${file}', '${layoutOf(fields)}'],`).join('\n')}
+/** What bytes call the kinds of commands, in the order of kCommandLayouts. */
+export const kCommandNumbers: readonly number[] = [${commands.map(({ number }) => number).join(', ')}];
+
+// prettier-ignore
+/** Commands: kind and fields. */
+export const kCommandLayouts: readonly (readonly [string, string])[] = [
+${commands.map(({ file, fields }) => `  ['${file}', '${layoutOf(fields)}'],`).join('\n')}
 ];
 `;
 

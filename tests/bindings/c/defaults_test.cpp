@@ -6,6 +6,7 @@
 
 #include "bindings/c/both_worlds.h"
 #include "muster/ground.h"
+#include "muster/parameter_table.h"
 
 using namespace muster;
 

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "bindings/c/both_worlds.h"
+#include "muster/parameter_table.h"
 
 using namespace muster;
 

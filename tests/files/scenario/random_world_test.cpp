@@ -24,7 +24,7 @@ WorldDef randomWorld(DefinitionDraw& draw) {
     return def;
 }
 
-std::vector<std::uint8_t> bytesOf(WorldDef& def) {
+std::vector<std::uint8_t> bytesOfDefinitions(WorldDef& def) {
     Writer writer;
     writer(def.obstacles, def.patches, def.groups, def.checkpoints, def.items, def.areas);
     return writer.take();
@@ -38,7 +38,7 @@ TEST_CASE("random definitions are the same after a file, bit by bit") {
         WorldDef def = randomWorld(draw);
         auto read = parseScenario(writeScenario(def), "random", "");
         REQUIRE_MESSAGE(read.ok(), read.status().message());
-        CHECK(bytesOf(*read) == bytesOf(def));
+        CHECK(bytesOfDefinitions(*read) == bytesOfDefinitions(def));
     }
 }
 
@@ -46,12 +46,12 @@ TEST_CASE("random definitions are the same after their bytes") {
     DefinitionDraw draw(6);
     for (int k = 0; k < 40; ++k) {
         WorldDef def = randomWorld(draw), read;
-        const std::vector<std::uint8_t> bytes = bytesOf(def);
+        const std::vector<std::uint8_t> bytes = bytesOfDefinitions(def);
         Reader reader(bytes);
         reader(read.obstacles, read.patches, read.groups, read.checkpoints, read.items, read.areas);
         CHECK(reader.ok());
         CHECK(reader.remaining() == 0);
-        CHECK(bytesOf(read) == bytes);
+        CHECK(bytesOfDefinitions(read) == bytes);
     }
 }
 

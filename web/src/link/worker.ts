@@ -1,6 +1,7 @@
 // The worker owns the connection: it decodes, acknowledges, and hands the newest frame to the page.
 
-import { SUBPROTOCOL, decodeServer, encodeClient, type ClientMessage, type Frame } from '../protocol/messages';
+import { decodeServer, encodeClient } from '../protocol/encoding';
+import { SUBPROTOCOL, type ClientMessage, type Frame } from '../protocol/messages';
 import { problem } from '../protocol/problem';
 import { Connection, type Socket, type Timers } from './connection';
 import { PortSocket } from './engine/port_socket';

@@ -1,6 +1,6 @@
 // Queues as they were and as they shall be: the commands that lead from one to the other.
 
-import type { EditQueueCommand, GiveOrderCommand, Order } from '../protocol/generated/commands';
+import type { EditQueueCommand, Given, GiveOrderCommand, Order } from '../protocol/generated/commands';
 import { queueCommand } from './commands';
 import type { QueueOrder } from './queue_order';
 
@@ -19,7 +19,7 @@ export interface QueueChange {
 }
 
 /** Gives an order again, before that of an index. */
-export function insertCommand(group: number, order: Order, index: number): GiveOrderCommand {
+export function insertCommand(group: number, order: Given<Order>, index: number): GiveOrderCommand {
   return { kind: 'order', group, mode: 'insert', index, order };
 }
 

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { FormationDef, Vec2 } from '../protocol/generated/commands';
 import type { FormationKindWord } from '../protocol/generated/words';
-import { filled } from '../protocol/messages';
+import { filled } from '../protocol/encoding';
 import { dotsOf, dotsOfFormation } from './formation_dots';
 import type { GroundPoint } from './plane';
 import { targetOf, type QueueOrder } from './queue_order';

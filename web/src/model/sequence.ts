@@ -1,14 +1,12 @@
 // A sequence of formations that a group takes up one after another along its way (SPEC M7). An order takes up its
 // formation when it begins, so a way with a formation in its middle is two orders: one to a joint, one on from there.
 
-import type { FormationDef, Given, Order, Vec2 } from '../protocol/generated/commands';
+import type { Vec2 } from '../protocol/generated/commands';
 import { kFormationKindWords, type FormationKindWord } from '../protocol/generated/words';
-import { filled } from '../protocol/messages';
 import { distance, type GroundPoint } from './plane';
-import { targetOf, type QueueOrder } from './queue_order';
+import { targetOf, type FormationWords, type QueueOrder } from './queue_order';
 
-/** A formation, as far as it is not what formations are anyway. */
-export type FormationWords = Given<FormationDef> & Pick<FormationDef, 'kind'>;
+export type { FormationWords } from './queue_order';
 
 /** The shape of that name; a square where there is none. */
 export function formationKind(name: string): FormationKindWord {
@@ -130,11 +128,6 @@ function routeBetween(points: readonly GroundPoint[], from: number, to: number):
   });
 }
 
-/** The formation with all that it leaves out. */
-function whole(formation: FormationWords | null): FormationDef | null {
-  return formation && filled<FormationDef>('FormationDef', formation);
-}
-
 /** A leg in pieces: `cuts` are distances along it, `formations` those that its pieces begin with. */
 function pieces(
   { order, points, joined }: WayLeg,
@@ -143,13 +136,13 @@ function pieces(
   id: () => number,
 ): QueueOrder[] {
   const ends = [...cuts, lengthOf(points)];
-  const first = whole(formations[0] ?? null);
+  const first = formations[0] ?? null;
   const same = JSON.stringify(order.formation) === JSON.stringify(first);
   if (cuts.length === 0 && same && !joined && !isJointShare(order.share)) return [order];
   const isDrawn = order.route.length > 0;
   return ends.map((end, k) => {
     const last = k === ends.length - 1;
-    const formation = whole(formations[k] ?? null);
+    const formation = formations[k] ?? null;
     const at = last ? targetOf(order) : alongWay(points, end);
     return {
       ...order,
@@ -163,7 +156,7 @@ function pieces(
 }
 
 /** Share and width at the end of a leg; shapes that are not of ranks have no width to give. */
-function arrival({ share, width }: QueueOrder, formation: FormationDef | null): Pick<QueueOrder, 'share' | 'width'> {
+function arrival({ share, width }: QueueOrder, formation: FormationWords | null): Pick<QueueOrder, 'share' | 'width'> {
   const isRanked = formation === null || formation.kind === 'square';
   return { share: isJointShare(share) ? kUsualShare : share, width: isRanked ? width : 0 };
 }
@@ -190,9 +183,10 @@ export function withStations(legs: readonly WayLeg[], stations: readonly Station
   return orders;
 }
 
+/** Whom an order is about, and where from: nobody, for a move. */
+const kNobody = { group: 0, character: 0, offset: [0, 0], halfSize: [0, 0] } as const;
+
 /** The formation that is taken up where the way ends. */
 function endOf(order: QueueOrder, formation: FormationWords, id: number): QueueOrder {
-  const { target, facing, manner, turn } = order;
-  const move = { kind: 'move', target, facing, manner, turn, formation } as const;
-  return { id, ...filled<Order>('Order', move) };
+  return { ...order, ...kNobody, id, kind: 'move', formation, route: [], width: 0, share: kUsualShare };
 }

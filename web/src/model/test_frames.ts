@@ -2,7 +2,7 @@
 
 import { kRowFloats, rowsLength } from './studio_frame';
 import type { Given, Order } from '../protocol/generated/commands';
-import { filled } from '../protocol/messages';
+import { filled } from '../protocol/encoding';
 import type { QueueOrder } from './queue_order';
 import type { ControlView, FrameView, GroupView } from './frame_view';
 

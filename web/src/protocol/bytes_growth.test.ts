@@ -1,5 +1,6 @@
 import { expect, it } from 'vitest';
-import { decodeClient, encodeClient, type ClientMessage } from './messages';
+import { decodeClient, encodeClient } from './encoding';
+import type { ClientMessage } from './messages';
 
 it('writes messages that outgrow the first buffer at any field', () => {
   for (let count = 0; count < 40; ++count) {

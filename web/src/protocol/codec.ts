@@ -35,18 +35,22 @@ export class Codecs {
     return codec;
   }
 
-  /** What is one of several, which its first byte and its `kind` say. */
-  addUnion(type: string, layouts: readonly (readonly [number, string, string])[]): void {
-    const numbers = layouts.map(([number]) => number);
-    const kinds = layouts.map(([, kind]) => kind);
-    const codecs = layouts.map(([, , layout]) => this.struct(layout));
+  /** What is one of several, which its first byte, a number of `numbers`, and its field `tag` say. */
+  addUnion(
+    type: string,
+    tag: string,
+    layouts: readonly (readonly [string, string])[],
+    numbers: readonly number[] = layouts.map((_, at) => at),
+  ): void {
+    const kinds = layouts.map(([kind]) => kind);
+    const codecs = layouts.map(([, layout]) => this.struct(layout));
     this.made_.set(type, {
       read: (r) => {
         const at = r.among(numbers);
-        return Object.assign({ kind: kinds[at] }, codecs[at]!.read(r));
+        return Object.assign({ [tag]: kinds[at] }, codecs[at]!.read(r));
       },
       write: (w, value) => {
-        const at = kinds.indexOf((value as { kind: string }).kind);
+        const at = kinds.indexOf((value as Fields)[tag] as string);
         w.u8(numbers[at]!);
         codecs[at]!.write(w, value);
       },

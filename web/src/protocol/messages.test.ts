@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
 import { ByteReader, ByteWriter, ProtocolError } from './bytes';
+import { decodeClient, decodeServer, encodeClient, encodeServer } from './encoding';
 import {
   ControlKind,
   MovingKind,
@@ -9,10 +10,6 @@ import {
   TouchPhase,
   PlaybackAction,
   VERSION,
-  decodeClient,
-  decodeServer,
-  encodeClient,
-  encodeServer,
   Stance,
   type ClientMessage,
   type Frame,

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { encodeClient } from '../../protocol/messages';
+import { encodeClient } from '../../protocol/encoding';
 import { insidePolygon } from '../plane';
 import { largestRegion, roomOf, startFor } from './free_ground';
 import { placeOfMap, readGridMap } from './grid_map';

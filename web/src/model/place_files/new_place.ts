@@ -1,7 +1,9 @@
 // Places made of outlines: a new one around them, or commands that add them to the present one.
 
 import type { Command } from '../../protocol/generated/commands';
-import { sizeOf, type Edit } from '../../protocol/messages';
+import type { ObstacleDef } from '../../protocol/generated/definitions';
+import { sizeOf } from '../../protocol/encoding';
+import type { Edit } from '../../protocol/messages';
 import type { GroundPoint } from '../plane';
 import { startFor } from './free_ground';
 import { count, type LeftOut } from './left_out';
@@ -9,7 +11,6 @@ import {
   type Bounds,
   boundsOfOutlines,
   obstacleOf,
-  type ObstacleDefinition,
   type Outline,
   placedOutlines,
   type PlaceDefinition,
@@ -83,7 +84,7 @@ export function within(outlines: readonly Outline[], box: Bounds, left: LeftOut)
 }
 
 /** Messages that add obstacles; one undo takes all of them back. */
-export function additionOf(obstacles: readonly ObstacleDefinition[], label: string, gesture: number): Edit[] {
+export function additionOf(obstacles: readonly ObstacleDef[], label: string, gesture: number): Edit[] {
   const messages: Edit[] = [];
   let commands: Command[] = [];
   let size = 0;

@@ -1,82 +1,14 @@
 // What a place is made of, as scenario files say it (docs/scenario-format.md), and what was read from other files.
 
+import type { ObstacleDef, Point, WorldDef } from '../../protocol/generated/definitions';
 import type { GroundPoint } from '../plane';
 
-export type Pair = readonly [x: number, y: number];
-
-/** A polygon, or a disc where it has a radius. */
-export interface ObstacleDefinition {
-  readonly name: string;
-  readonly polygon?: readonly Pair[];
-  readonly centre?: Pair;
-  readonly radius?: number;
-  readonly height?: number;
-  /** Moves it: offsets from where it is defined. */
-  readonly path?: { readonly waypoints: readonly Waypoint[]; readonly loop: boolean };
-}
-
-export interface Waypoint {
-  /** [s] */
-  readonly t: number;
-  readonly x: number;
-  readonly y: number;
-}
-
-export interface PatchDefinition {
-  readonly name: string;
-  readonly polygon: readonly Pair[];
-  readonly motion: string | number;
-}
-
-/** Where people leave, come, or wait; see docs/scenario-format.md. */
-export interface AreaDefinition {
-  readonly kind: 'exit' | 'source' | 'waiting';
-  readonly name?: string;
-  readonly polygon: readonly Pair[];
-  /** Of a source: index of the group whom its people join, and how many come [1/s]. */
-  readonly group?: number;
-  readonly rate?: number;
-}
-
-export interface GroupDefinition {
-  readonly name?: string;
-  /** `#rrggbb`; left out: the accent's. */
-  readonly colour?: string;
-  readonly count: number;
-  readonly formation?: string | { readonly kind: string; readonly spacing?: number };
-  readonly position?: Pair;
-  /** [rad] */
-  readonly angle?: number;
-  /** Sorts of persons, or the word for adults. */
-  readonly people?: unknown;
-  readonly orders?: readonly Readonly<Record<string, unknown>>[];
-}
-
-export interface MapDefinition {
-  readonly rows?: readonly string[];
-  readonly metresPerCell?: number;
-  readonly origin?: Pair;
-}
-
-/** So much of a scenario as the page reads and writes. */
-export interface PlaceDefinition {
+/** A scenario that has a name. */
+export type PlaceDefinition = WorldDef & {
   readonly format: 'muster-scenario';
   readonly version: 1;
   readonly name: string;
-  readonly description?: string;
-  readonly credit?: string;
-  readonly map?: MapDefinition;
-  /** Lower left and upper right corner. */
-  readonly box?: readonly [Pair, Pair];
-  /** Edge of a ground cell [m]. */
-  readonly cell?: number;
-  readonly obstacles?: readonly ObstacleDefinition[];
-  readonly patches?: readonly PatchDefinition[];
-  readonly groups?: readonly GroupDefinition[];
-  readonly areas?: readonly AreaDefinition[];
-  /** The left and the right side of the box are joined. */
-  readonly ring?: boolean;
-}
+};
 
 /** The ground that something takes [m], counter-clockwise. */
 export interface Outline {
@@ -104,7 +36,7 @@ export class FileProblem extends Error {
 
 export const toMillimetre = (value: number): number => Math.round(value * kDigits) / kDigits;
 
-export const pairOf = ({ x, y }: GroundPoint): Pair => [toMillimetre(x), toMillimetre(y)];
+export const pairOf = ({ x, y }: GroundPoint): Point => [toMillimetre(x), toMillimetre(y)];
 
 /** Null where there are no points. */
 export function boundsOf(points: Iterable<GroundPoint>): Bounds | null {
@@ -124,7 +56,7 @@ export function boundsOfOutlines(outlines: readonly Outline[]): Bounds | null {
   );
 }
 
-export function obstacleOf({ name, height, corners }: Outline): ObstacleDefinition {
+export function obstacleOf({ name, height, corners }: Outline): ObstacleDef {
   return {
     name: [...name].slice(0, 80).join(''),
     polygon: corners.map(pairOf),

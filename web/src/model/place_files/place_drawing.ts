@@ -1,8 +1,9 @@
 // A place seen from above, as paths of an SVG whose y grows downwards.
 
+import type { GroupDef, ObstacleDef, Point } from '../../protocol/generated/definitions';
 import { colourNumber } from '../accent';
 import { kGroupRoom } from './group_room';
-import { boundsOf, type GroupDefinition, type ObstacleDefinition, type Pair, type PlaceDefinition } from './place';
+import { boundsOf, type PlaceDefinition } from './place';
 
 export interface PlaceDrawing {
   /** Left, top, width, height [m]. */
@@ -19,16 +20,16 @@ export interface PlaceDrawing {
 /** A number that takes few letters. */
 const short = (value: number): string => String(Math.round(value * 100) / 100);
 
-function polygonPath(points: readonly Pair[]): string {
+function polygonPath(points: readonly Point[]): string {
   return `M${points.map(([x, y]) => `${short(x)} ${short(-y)}`).join('L')}Z`;
 }
 
-function discPath([x, y]: Pair, radius: number): string {
+function discPath([x, y]: Point, radius: number): string {
   const r = short(radius);
   return `M${short(x - radius)} ${short(-y)}a${r} ${r} 0 1 0 ${short(2 * radius)} 0a${r} ${r} 0 1 0 ${short(-2 * radius)} 0Z`;
 }
 
-export function obstaclePath({ polygon, centre = [0, 0], radius = 0 }: ObstacleDefinition): string {
+export function obstaclePath({ polygon, centre = [0, 0], radius = 0 }: ObstacleDef): string {
   return polygon && polygon.length >= 3 ? polygonPath(polygon) : radius > 0 ? discPath(centre, radius) : '';
 }
 
@@ -49,19 +50,22 @@ function mapPath({ map }: PlaceDefinition): string {
   return strips.join('');
 }
 
+/** Of a group whose count a scenario leaves out. */
+const kUsualCount = 36;
+
 /** About as large as the group stands. */
-function groupPath(group: GroupDefinition): string {
+function groupPath(group: GroupDef): string {
   const [x, y] = group.position ?? [0, 0];
   const formation = group.formation ?? 'square';
   const [kind, spacing] = typeof formation === 'string' ? [formation, 1] : [formation.kind, formation.spacing ?? 1];
-  const [ahead, aside] = (kGroupRoom[kind] ?? kGroupRoom['square']!)(group.count);
+  const [ahead, aside] = (kGroupRoom[kind ?? 'square'] ?? kGroupRoom['square']!)(group.count ?? kUsualCount);
   const [c, s] = [Math.cos(group.angle ?? 0), Math.sin(group.angle ?? 0)];
   const corners = [
     [1, 1],
     [-1, 1],
     [-1, -1],
     [1, -1],
-  ].map(([a, b]): Pair => {
+  ].map(([a, b]): Point => {
     const [u, v] = [(a! * ahead * spacing) / 2, (b! * aside * spacing) / 2];
     return [x + c * u - s * v, y + s * u + c * v];
   });
@@ -69,7 +73,7 @@ function groupPath(group: GroupDefinition): string {
 }
 
 /** The place's box, else its map's, else what stands in it. */
-export function boxOf(place: PlaceDefinition): readonly [Pair, Pair] {
+export function boxOf(place: PlaceDefinition): readonly [Point, Point] {
   if (place.box) return place.box;
   const { rows, metresPerCell = 1, origin = [0, 0] } = place.map ?? {};
   if (rows?.length)
@@ -104,7 +108,7 @@ export function factsOf(place: PlaceDefinition): string {
   const metres = (value: number): string => Math.round(value).toLocaleString('en');
   const number = (value: number, one: string, more: string): string =>
     `${value.toLocaleString('en')} ${value === 1 ? one : more}`;
-  const people = (place.groups ?? []).reduce((sum, { count }) => sum + count, 0);
+  const people = (place.groups ?? []).reduce((sum, { count = kUsualCount }) => sum + count, 0);
   const parts = [`${metres(right - left)} × ${metres(top - bottom)} m`];
   const obstacles = place.obstacles?.length ?? 0;
   if (obstacles > 0) parts.push(number(obstacles, 'obstacle', 'obstacles'));

@@ -1,8 +1,9 @@
 // Imported models that are shown where they stand; the server knows their footprints alone.
 
+import type { ObstacleDef, Point } from '../../protocol/generated/definitions';
 import type { GroundPoint } from '../plane';
 import type { ModelMesh } from './mesh';
-import { boundsOf, type Pair } from './place';
+import { boundsOf } from './place';
 
 /** One model, ready to be drawn: triangles by their three corners. */
 export interface SceneryModel {
@@ -25,7 +26,7 @@ export interface SceneryObstacle {
 /** What an obstacle may be off and still be the same [m]. */
 const kSame = 0.05;
 
-export function middleOfBox(polygon: readonly Pair[]): GroundPoint {
+export function middleOfBox(polygon: readonly Point[]): GroundPoint {
   const bounds = boundsOf(polygon.map(([x, y]) => ({ x, y })));
   if (!bounds) return { x: NaN, y: NaN };
   return { x: (bounds.min.x + bounds.max.x) / 2, y: (bounds.min.y + bounds.max.y) / 2 };
@@ -36,7 +37,7 @@ export function sceneryOf(
   name: string,
   meshes: readonly ModelMesh[],
   at: GroundPoint,
-  obstacles: readonly { readonly name: string; readonly polygon?: readonly Pair[] }[],
+  obstacles: readonly Pick<ObstacleDef, 'name' | 'polygon'>[],
 ): SceneryModel {
   const triangles = meshes.reduce((sum, mesh) => sum + mesh.triangles.length / 3, 0);
   const positions = new Float32Array(9 * triangles);
@@ -55,18 +56,16 @@ export function sceneryOf(
     name,
     positions,
     colours,
-    obstacles: obstacles.map(({ name: own, polygon = [] }) => ({ name: own, ...middleOfBox(polygon) })),
+    obstacles: obstacles.map(({ name: own = '', polygon = [] }) => ({ name: own, ...middleOfBox(polygon) })),
   };
 }
 
 /** Tells whether an obstacle is shown by one of these models. */
-export function shownBy(
-  models: readonly SceneryModel[],
-): (obstacle: { readonly name: string; readonly polygon?: readonly Pair[] }) => boolean {
+export function shownBy(models: readonly SceneryModel[]): (obstacle: Pick<ObstacleDef, 'name' | 'polygon'>) => boolean {
   const known = new Map<string, SceneryObstacle[]>();
   for (const { obstacles } of models)
     for (const one of obstacles) known.set(one.name, [...(known.get(one.name) ?? []), one]);
-  return ({ name, polygon }) => {
+  return ({ name = '', polygon }) => {
     const same = known.get(name);
     if (!same || !polygon) return false;
     const { x, y } = middleOfBox(polygon);

@@ -1,21 +1,29 @@
 // Places to begin with.
 
-import type { GroupDefinition, ObstacleDefinition, Pair, PlaceDefinition } from './place';
+import type { GroupDef, ObstacleDef, Point } from '../../protocol/generated/definitions';
+import type { FormationKindWord } from '../../protocol/generated/words';
+import type { PlaceDefinition } from './place';
 
-const box = (left: number, bottom: number, right: number, top: number): Pair[] => [
+const box = (left: number, bottom: number, right: number, top: number): Point[] => [
   [left, bottom],
   [right, bottom],
   [right, top],
   [left, top],
 ];
 
-const wall = (name: string, corners: readonly Pair[], height = 3): ObstacleDefinition => ({
+const wall = (name: string, corners: readonly Point[], height = 3): ObstacleDef => ({
   name,
   polygon: corners,
   height,
 });
 
-const crowd = (name: string, count: number, position: Pair, angle = 0, formation = 'square'): GroupDefinition => ({
+const crowd = (
+  name: string,
+  count: number,
+  position: Point,
+  angle = 0,
+  formation: FormationKindWord = 'square',
+): GroupDef => ({
   name,
   count,
   formation,
@@ -47,7 +55,7 @@ function emptySquare(): PlaceDefinition {
 }
 
 /** A car comes along the street, and goes back outside of the place. `late`: it begins so far on its round [s]. */
-function car(name: string, y: number, way: 1 | -1, late: number): ObstacleDefinition {
+function car(name: string, y: number, way: 1 | -1, late: number): ObstacleDef {
   const [far, out] = [32, -46 * Math.sign(y)];
   const round = [
     { t: 0, x: -far * way, y: 0 },
@@ -142,7 +150,7 @@ function hedges(): PlaceDefinition {
   const [columns, rows, size, half] = [7, 5, 4, 0.4];
   const { east, north } = maze(columns, rows);
   const [left, bottom] = [(-columns * size) / 2, (-rows * size) / 2];
-  const list: ObstacleDefinition[] = [];
+  const list: ObstacleDef[] = [];
   const hedge = (x0: number, y0: number, x1: number, y1: number): void => {
     list.push(
       wall(
@@ -190,7 +198,7 @@ function course(): PlaceDefinition {
 }
 
 function funnel(): PlaceDefinition {
-  const side = (s: 1 | -1): ObstacleDefinition[] => [
+  const side = (s: 1 | -1): ObstacleDef[] => [
     wall(
       'Stand',
       [
@@ -223,7 +231,7 @@ function funnel(): PlaceDefinition {
 
 function hall(): PlaceDefinition {
   const [w, h, t] = [12, 8, 0.4];
-  const leaves = { people: 'adults', orders: [{ kind: 'leave' }] };
+  const leaves = { people: 'adults', orders: [{ kind: 'leave' }] } as const;
   return place(40, 24, {
     name: 'Hall with exits',
     description: 'Guests leave a hall by the exit where they have left soonest, while others come by the stop.',
@@ -248,7 +256,7 @@ function hall(): PlaceDefinition {
 }
 
 function corridor(): PlaceDefinition {
-  const people = (name: string, x: number, facing: number): GroupDefinition => ({
+  const people = (name: string, x: number, facing: number): GroupDef => ({
     ...crowd(name, 30, [x, 0], facing),
     people: 'adults',
     orders: [{ kind: 'walk', facing }],

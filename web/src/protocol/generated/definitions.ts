@@ -1,6 +1,5 @@
 // Made by schema/generate.mjs from schema/definitions.txt: change these, not this file.
 // Definitions as scenario files have them (docs/scenario-format.md).
-/* prettier-ignore */
 
 import type { FormationKindWord, BodyBuildWord, MotionSetWord, AreaKindWord, CheckpointTriggerWord, SpreadWord, RoleAreaWord, OrderKindWord, ExitChoiceWord, MannerWord, TurnWord, StanceWord } from './words';
 
