@@ -1,7 +1,7 @@
 // Visitors for file objects. One description of each object serves loading, saving and the schema.
 //
-// The describe functions (described_definitions.h) call the same methods on three visitors: FieldReader reads values from
-// JSON, FieldWriter writes them, and FieldSchema writes the JSON schema.
+// The functions describe() (described_definitions.h) call the same methods on three visitors: FieldReader
+// reads values from JSON, FieldWriter writes them, and FieldSchema writes the JSON schema.
 #pragma once
 
 #include <cstdint>
