@@ -7,7 +7,7 @@
 namespace muster {
 namespace {
 
-// Counts the versions of the ground.
+// Counts an edit of the ground that has succeeded; returns its status.
 Status edited(WorldState& state, Status status) {
     state.groundEdits += status.ok() ? 1 : 0;
     return status;

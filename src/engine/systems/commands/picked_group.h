@@ -1,4 +1,4 @@
-// Which group a finger picks that comes down somewhere.
+// The group that a finger picks where it comes down.
 #pragma once
 
 #include "engine/state/world_state.h"

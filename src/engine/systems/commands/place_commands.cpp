@@ -28,7 +28,7 @@ Status groupIsThere(WorldState& state, GroupId group) {
     return !group || state.findGroup(group) != nullptr ? Status{} : noGroup(group);
 }
 
-/// Gives the marks of groups at checkpoints a column more at the end, or takes one column out.
+/// Adds a column to the marks of groups at checkpoints, or takes the column `without` out.
 void changeColumns(WorldState& state, std::size_t before, std::size_t now, std::size_t without) {
     std::vector<std::uint8_t> marks;
     for (std::size_t g = 0; g < state.groups.size(); ++g) {
