@@ -1,4 +1,4 @@
-// Motion ids: which clip each character plays on its ground (paper sections 6.2.2 and 6.2.3, SPEC C1, C3,
+// Motion ids: the clip that each character plays on its ground (paper sections 6.2.2 and 6.2.3, SPEC C1, C3,
 // C4).
 #pragma once
 

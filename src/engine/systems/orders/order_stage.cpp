@@ -23,7 +23,7 @@ constexpr std::int32_t kCellsPerStep = 2000;     // Cells that searches for rout
 constexpr std::int64_t kFlowOperations = 60000;  // Operations that plans of marches may take in a step.
 // Groups and characters that beginning orders may look at in a step.
 constexpr std::size_t kMostLookedAt = 2'000'000;
-// Time without 1 m of net movement after which a member is not waited for [s].
+// Time within kCampReach after which a member is not waited for [s].
 constexpr double kCampWait = 20.0;
 
 /// True while fingers hold the mesh, or their trajectories are followed.

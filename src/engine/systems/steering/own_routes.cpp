@@ -11,7 +11,7 @@
 namespace muster {
 namespace {
 
-constexpr double kCampTime = 6.0;    // Time without 1 m of net movement before an own route is searched [s].
+constexpr double kCampTime = 6.0;    // Time within kCampReach after which an agent searches an own route [s].
 constexpr double kRouteTime = 30.0;  // Greatest time for which a route is followed [s].
 constexpr double kPlaceMove = 0.5;   // Movement of a place after which its route is searched again [m].
 // Cost by which a place with a route counts as nearer, so that the agent keeps it [m].
