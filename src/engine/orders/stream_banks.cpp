@@ -30,7 +30,7 @@ void StreamBanks::load(const StreamPaths& paths, const StreamCourse& course) {
     }
 }
 
-// The banks of a course: those of its runs, which open and close at most as steeply as banks may.
+// Finds the banks of a course: those of its runs, opening and closing at most as steeply as banks may.
 void StreamBanks::bound(const StreamRuns& runs, std::span<const std::int32_t> path,
                         const StreamCourse& course) {
     const std::int32_t a = course.first, b = course.last;
@@ -53,7 +53,7 @@ void StreamBanks::raise(std::int32_t from, std::int32_t to, double slope) {
     for (std::int32_t k = from; k < to; ++k) bankRise_[k] = std::max(bankRise_[k], slope * step_);
 }
 
-// Who stands aside at its start or end is within the banks there.
+// Lets a place that stands aside at its start or end be within the banks there.
 void StreamBanks::steepen(const StreamRuns& runs, const StreamPaths& paths, const StreamCourse& course) {
     if (course.rows() == 0) return;
     bound(runs, paths.of(course), course);

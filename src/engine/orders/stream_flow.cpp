@@ -7,10 +7,10 @@ namespace muster {
 namespace {
 
 constexpr double kPiece = 4.0;       // Least width of the pieces into which runs are cut [m].
-constexpr double kPieces = 6.0;      // Pieces, at most, of a row that is as wide as the formation.
-constexpr double kLeak = 1e-9;       // Conductance of dead ends to nowhere, so that all potentials exist.
-constexpr double kBeyondAll = 1e9;   // Beyond all ordinates [m].
-constexpr double kLeastFlux = 1e-6;  // A row with less carries nothing.
+constexpr double kPieces = 6.0;      // Greatest number of pieces of a row that is as wide as the formation.
+constexpr double kLeak = 1e-9;       // Conductance from dead ends to nowhere, so that all potentials exist.
+constexpr double kBeyondAll = 1e9;   // An ordinate beyond all others [m].
+constexpr double kLeastFlux = 1e-6;  // Flux below which a row carries nothing.
 
 }  // namespace
 
@@ -94,7 +94,7 @@ void StreamFlow::cut(const StreamRuns& runs, std::int32_t k) {
     width_ = std::max(width_, static_cast<std::int32_t>(pieces_.size()) - before);
 }
 
-// Between pieces of rows that follow each other; 0 where they do not meet.
+// Conductance between pieces of adjacent rows; 0 where they do not meet.
 double StreamFlow::conductance(std::int32_t a, std::int32_t b) const {
     const Piece &p = pieces_[a], &q = pieces_[b];
     const double overlap = std::min(p.high, q.high) - std::max(p.low, q.low);
@@ -134,7 +134,7 @@ std::int32_t StreamFlow::joinRow(const StreamRuns& runs, std::int32_t k) {
     return work;
 }
 
-// One row of a square-root-free Cholesky decomposition in a band, and of the forward substitution.
+// Factors one row of a square-root-free Cholesky decomposition in a band, with the forward substitution.
 std::int32_t StreamFlow::factor(std::int32_t i) {
     const std::int32_t begin = std::max(0, i - width_);
     double diagonal = entry(i, i), right = level_[i];
@@ -166,7 +166,7 @@ std::int32_t StreamFlow::substitute(std::int32_t i) {
     return 1 + width_ / 8;
 }
 
-// Where nothing flows a run has the ordinates that lie nearest to it.
+// Gives a run without flow the ordinates that lie nearest to it.
 void StreamFlow::shareByPlace(const StreamRuns& runs, std::int32_t k) {
     const std::span<const StreamRun> row = runs.row(k);
     for (std::size_t r = 0; r < row.size(); ++r) {
