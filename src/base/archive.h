@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/as_mutable.h"
 #include "base/hash.h"
 #include "muster/vec2.h"
 
@@ -211,7 +212,7 @@ void Writer::write(T& value) {
         raw(&present, 1);
         if (value) write(*value);
     } else {
-        const_cast<Plain&>(value).visit(*this);
+        asMutable(value).visit(*this);
     }
 }
 
@@ -272,7 +273,7 @@ void Hasher::add(T& value) {  // In the order of Writer::write().
         hash_.add(value.has_value());
         if (value) add(*value);
     } else {
-        const_cast<Plain&>(value).visit(*this);
+        asMutable(value).visit(*this);
     }
 }
 

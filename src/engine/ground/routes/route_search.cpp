@@ -118,16 +118,21 @@ void RouteSearch::changeTiles(std::span<const ClosedLine> closed, bool moving) {
     movingGround_ = closed.empty() ? ground : MovingGround{};
 }
 
-const RouteSearch::OwnTile* RouteSearch::ownTile(std::int32_t tile) const {
-    if (ownCount_ == 0) return nullptr;
+std::ptrdiff_t RouteSearch::ownIndex(std::int32_t tile) const {
     const auto end = ownTiles_.begin() + static_cast<std::ptrdiff_t>(ownCount_);
     const auto at = std::lower_bound(ownTiles_.begin(), end, tile,
                                      [](const OwnTile& own, std::int32_t t) { return own.tile < t; });
-    return at != end && at->tile == tile ? &*at : nullptr;
+    return at != end && at->tile == tile ? at - ownTiles_.begin() : -1;
+}
+
+const RouteSearch::OwnTile* RouteSearch::ownTile(std::int32_t tile) const {
+    const std::ptrdiff_t at = ownIndex(tile);
+    return at >= 0 ? &ownTiles_[at] : nullptr;
 }
 
 RouteSearch::OwnTile* RouteSearch::ownTile(std::int32_t tile) {
-    return const_cast<OwnTile*>(std::as_const(*this).ownTile(tile));
+    const std::ptrdiff_t at = ownIndex(tile);
+    return at >= 0 ? &ownTiles_[at] : nullptr;
 }
 
 BorderTile RouteSearch::borderTile(std::int32_t tile) const {

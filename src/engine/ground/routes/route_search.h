@@ -71,6 +71,7 @@ private:
     static constexpr std::int32_t kGoal = 0, kStart = 1;  // Nodes.
 
     BorderTile borderTile(std::int32_t tile) const override;
+    std::ptrdiff_t ownIndex(std::int32_t tile) const;
     const OwnTile* ownTile(std::int32_t tile) const;
     OwnTile* ownTile(std::int32_t tile);
     const RouteGround& groundOf(std::int32_t tile) const;

@@ -30,8 +30,9 @@ Status eachSet(WorldState& state, std::uint32_t touch, Change change) {
 }  // namespace
 
 Status apply(CommandContext& context, const TouchDown& touch) {
-    Group* group = touch.group ? context.state.findGroup(touch.group)
-                               : pickedGroup(context.state, touch.position);
+    WorldState& state = context.state;
+    const auto picked = touch.group ? std::nullopt : pickedGroup(state, touch.position);
+    Group* const group = picked ? &state.groups[*picked] : state.findGroup(touch.group);
     if (touch.group && group == nullptr) return notFound("group", touch.group.value);
     if (group == nullptr)
         return invalidArgument("touch " + std::to_string(touch.touch) + " begins on no formation");
