@@ -35,8 +35,8 @@ public:
     static constexpr bool kReading = false;  ///< Types may branch on this.
 
     Writer() = default;
-    /// `forHash`: the bytes are to be hashed, not to be read. As in a Hasher, what optionalSince() lacks is
-    /// left out.
+    /// `forHash`: the bytes are to be hashed, not to be read. As in a Hasher, missing values of
+    /// optionalSince() are left out.
     explicit Writer(bool forHash) : forHash_(forHash) {}
 
     /// Writes each value in turn.
@@ -254,7 +254,7 @@ void Reader::read(T& value) {  // The inverse of Writer::write().
 }
 
 template <class T>
-void Hasher::add(T& value) {  // In the order of Writer::write().
+void Hasher::add(T& value) {  // The order is that of Writer::write().
     using Plain = std::remove_const_t<T>;
     if constexpr (std::is_same_v<Plain, bool> || std::is_same_v<Plain, double> ||
                   std::is_same_v<Plain, float> || std::is_same_v<Plain, std::string>) {

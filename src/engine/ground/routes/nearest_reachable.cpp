@@ -1,4 +1,4 @@
-// The ground of a region that is nearest to a point: rings of tiles, and the cells of those that may hold it.
+// The ground of a region that is nearest to a point: rings of tiles, and the cells of tiles that may hold it.
 #include "engine/ground/routes/nearest_reachable.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ public:
         const Cell first{start.x / kTileCells, start.y / kTileCells};
         const double tileEdge = kTileCells * grid_.cell;
         for (std::int32_t k = 0; k <= std::max(tiles.width, tiles.height); ++k) {
-            // Tiles of this ring lie at least so far away.
+            // Distance from which on tiles of this ring lie.
             const double bound = (k - 1) * tileEdge;
             if (k > 1 && bound * bound > least_) break;
             for (std::int32_t x = first.x - k; x <= first.x + k; ++x) {
