@@ -10,9 +10,10 @@ namespace muster {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kStandReach = 0.1;  // Of "stood" [m].
+// Distance to the place within which a character counts as standing on it [m].
+constexpr double kStoodReach = 0.1;
 
-/// The moment at which `share` of all had arrived; NaN where they have not.
+/// The time at which `share` of all had arrived; NaN where they have not.
 double quantile(std::vector<double> moments, double share) {
     std::sort(moments.begin(), moments.end());
     const double rank = std::ceil(share * static_cast<double>(moments.size()) - 1e-9);
@@ -63,7 +64,7 @@ void ChangeWatch::observe(const World& world) {
         const auto place = static_cast<std::size_t>(c.place[i]);
         const double away = c.place[i] < 0 ? kInfinity : distance(c.position[i], group.placePositions[place]);
         reachedAt_[k] = away > kArrivedReach ? kInfinity : std::min(reachedAt_[k], world.time());
-        stoodAt_[k] = away > kStandReach ? kInfinity : std::min(stoodAt_[k], world.time());
+        stoodAt_[k] = away > kStoodReach ? kInfinity : std::min(stoodAt_[k], world.time());
         if (distance(c.position[i], spot_[k]) >= kStuckMove) {
             spot_[k] = c.position[i];
             movedAt_[k] = world.time();
