@@ -8,7 +8,7 @@
 
 #include "base/neighbour_list.h"
 #include "engine/ground/environment/environment.h"
-#include "engine/steering/characters.h"
+#include "engine/steering/character_arrays.h"
 #include "engine/steering/crowd_bodies.h"
 
 namespace muster {

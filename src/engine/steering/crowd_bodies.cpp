@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "engine/steering/characters.h"
+#include "engine/steering/character_arrays.h"
 
 namespace muster {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "engine/ground/environment/obstacle_piece.h"
-#include "engine/steering/characters.h"
+#include "engine/steering/character_arrays.h"
 
 namespace muster {
 namespace {

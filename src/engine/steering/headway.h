@@ -10,7 +10,7 @@
 
 #include "base/neighbour_list.h"
 #include "engine/ground/environment/environment.h"
-#include "engine/steering/characters.h"
+#include "engine/steering/character_arrays.h"
 #include "engine/steering/crowd_bodies.h"
 #include "engine/steering/right_of_way.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/ground/environment/environment.h"
-#include "engine/steering/characters.h"
+#include "engine/steering/character_arrays.h"
 #include "engine/steering/claim.h"
 #include "engine/steering/crowd_bodies.h"
 #include "engine/steering/near_rows.h"

@@ -8,7 +8,7 @@
 #include "base/parallel.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/steering/body_axes.h"
-#include "engine/steering/characters.h"
+#include "engine/steering/character_arrays.h"
 #include "engine/steering/crowd_bodies.h"
 #include "engine/steering/give_way.h"
 #include "engine/steering/go_past.h"

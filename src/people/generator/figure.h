@@ -4,7 +4,7 @@
 #include <array>
 
 #include "muster/clip.h"
-#include "people/generator/body.h"
+#include "people/generator/channels.h"
 
 namespace muster::generator {
 

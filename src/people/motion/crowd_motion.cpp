@@ -5,11 +5,11 @@
 
 #include "engine/formation/places/place_tracker.h"
 #include "engine/ground/environment/environment.h"
-#include "engine/steering/characters.h"
+#include "engine/steering/character_arrays.h"
 #include "engine/world/inspect.h"
-#include "people/motion/body.h"
 #include "people/motion/crowd_view.h"
 #include "people/motion/player.h"
+#include "people/motion/posed_body.h"
 
 namespace muster {
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "engine/ground/environment/environment.h"
-#include "engine/steering/characters.h"
+#include "engine/steering/character_arrays.h"
 #include "muster/motion.h"
 #include "muster/parameters.h"
 

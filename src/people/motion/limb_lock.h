@@ -2,7 +2,7 @@
 #pragma once
 
 #include "muster/quat.h"
-#include "people/motion/body.h"
+#include "people/motion/posed_body.h"
 
 namespace muster {
 

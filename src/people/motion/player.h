@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/ground/environment/environment.h"
-#include "engine/steering/characters.h"
+#include "engine/steering/character_arrays.h"
 #include "muster/motion.h"
 #include "people/motion/clip_table.h"
 #include "people/motion/crowd_view.h"

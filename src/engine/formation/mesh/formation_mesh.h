@@ -8,7 +8,7 @@
 
 #include "engine/formation/control/control_set.h"
 #include "engine/formation/mesh/arap.h"
-#include "engine/formation/shapes/formation.h"
+#include "engine/formation/shapes/make_formation.h"
 #include "engine/ground/environment/environment.h"
 #include "muster/parameters.h"
 

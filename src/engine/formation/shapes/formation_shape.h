@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "engine/formation/shapes/formation.h"
+#include "engine/formation/shapes/make_formation.h"
 
 namespace muster {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "base/maths.h"
-#include "engine/formation/shapes/formation.h"
+#include "engine/formation/shapes/make_formation.h"
 #include "engine/state/bare_groups.h"
 #include "engine/state/group_edits.h"
 #include "engine/state/validation.h"

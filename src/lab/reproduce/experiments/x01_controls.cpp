@@ -9,7 +9,7 @@
 #include "engine/world/inspect.h"
 #include "lab/reproduce/experiments/distortion.h"
 #include "lab/reproduce/experiments/experiment.h"
-#include "lab/reproduce/experiments/trial.h"
+#include "lab/reproduce/experiments/experiment_trial.h"
 
 namespace muster {
 namespace {

@@ -8,7 +8,7 @@
 #include "lab/reproduce/experiments/car_watch.h"
 #include "lab/reproduce/experiments/encounter_watch.h"
 #include "lab/reproduce/experiments/experiment.h"
-#include "lab/reproduce/experiments/trial.h"
+#include "lab/reproduce/experiments/experiment_trial.h"
 
 namespace muster {
 namespace {

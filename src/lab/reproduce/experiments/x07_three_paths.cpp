@@ -5,9 +5,9 @@
 #include "engine/formation/places/place_tracker.h"
 #include "engine/world/inspect.h"
 #include "lab/reproduce/experiments/experiment.h"
+#include "lab/reproduce/experiments/experiment_trial.h"
 #include "lab/reproduce/experiments/ground_watch.h"
 #include "lab/reproduce/experiments/lane_watch.h"
-#include "lab/reproduce/experiments/trial.h"
 
 namespace muster {
 namespace {

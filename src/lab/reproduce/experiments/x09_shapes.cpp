@@ -6,8 +6,8 @@
 #include "base/random.h"
 #include "lab/reproduce/experiments/change_watch.h"
 #include "lab/reproduce/experiments/experiment.h"
+#include "lab/reproduce/experiments/experiment_trial.h"
 #include "lab/reproduce/experiments/samples.h"
-#include "lab/reproduce/experiments/trial.h"
 
 namespace muster {
 namespace {

@@ -8,8 +8,8 @@
 #include "engine/formation/mesh/formation_mesh.h"
 #include "engine/world/inspect.h"
 #include "lab/reproduce/experiments/experiment.h"
+#include "lab/reproduce/experiments/experiment_trial.h"
 #include "lab/reproduce/experiments/mouth.h"
-#include "lab/reproduce/experiments/trial.h"
 
 namespace muster {
 namespace {

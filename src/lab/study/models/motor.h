@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lab/study/models/chance.h"
-#include "lab/study/models/parameters.h"
+#include "lab/study/models/operator_parameters.h"
 
 namespace muster {
 

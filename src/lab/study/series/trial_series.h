@@ -19,7 +19,7 @@ struct SeriesDef {
     std::int32_t seeds = 50;                ///< Number of seeds, which are 1 to this, [1, kMostSeriesSeeds].
     std::vector<std::string> environments;  ///< Names of environments; empty for all.
     std::vector<std::string> schemes;       ///< Names of schemes; empty for all.
-    std::vector<std::string> settings{"default"};  ///< Settings of the operators (parameters.h).
+    std::vector<std::string> settings{"default"};  ///< Settings of the operators (operator_parameters.h).
     std::int32_t crowd = 36;                       ///< Number of characters.
     bool tuning = false;       ///< Whether seeds begin at kFirstTuningSeed, whose trials are never kept.
     std::int32_t shard = 0;    ///< Number of the part of the trials that is run, [0, shards).

@@ -1,4 +1,4 @@
-#include "lab/reproduce/experiments/trial.h"
+#include "lab/reproduce/experiments/experiment_trial.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "people/motion/body.h"
+#include "people/motion/posed_body.h"
 
 #include <algorithm>
 
