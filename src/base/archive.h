@@ -150,8 +150,8 @@ public:
     void since(std::uint32_t /*version*/, T&... values) {
         (add(values), ...);
     }
-    /// Adds a value that the format has since a version. None adds nothing, so that hashes stay those of
-    /// before.
+    /// Adds a value that the format has since a version. An empty one adds nothing, so that the hash is the
+    /// same as without the value.
     template <class T>
     void optionalSince(std::uint32_t /*version*/, std::optional<T>& value) {
         if (value) add(value);

@@ -1,4 +1,4 @@
-// How a stream divides round islands: a potential flow over the runs of its rows.
+// Division of a stream round islands: a potential flow over the runs of its rows.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// How a stream lengthens where it narrows: the coordinate along it in which a march is a translation.
+// Stretch of a stream that narrows: the coordinate along it in which a march is a translation.
 #pragma once
 
 #include <algorithm>

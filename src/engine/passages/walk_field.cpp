@@ -14,7 +14,7 @@ namespace {
 enum Edge : std::uint8_t { kEast = 1, kNorth = 2, kWest = 4, kSouth = 8 };
 
 constexpr double kExactSide = 3.0;   // Distance to a passage within which its line tells the side [cells].
-constexpr double kExactReach = 2.0;  // The same distance [m].
+constexpr double kExactReach = 2.0;  // That distance in metres [m].
 constexpr double kSeedReach = 1.5;   // Distance to a passage at which the front starts [cells].
 // Length by which a closed passage reaches into the walls beside it [cells].
 constexpr double kClosedBeyond = 0.75;

@@ -100,7 +100,7 @@ Gait jogGait();
 Gait runGait();
 Gait sprintGait();
 Gait duckGait();
-/// The same gait along an arc of that radius [m]; a positive radius turns to the left.
+/// A gait along an arc of that radius [m]; a positive radius turns to the left.
 Gait bent(Gait gait, double radius);
 
 }  // namespace muster::generator

@@ -10,7 +10,7 @@
 
 namespace muster {
 
-/// How the player uses a clip.
+/// The use of a clip by the player.
 enum class ClipUse : std::uint8_t {
     Locomotion,  ///< Motion matching chooses its frames.
     Cycle,       ///< It repeats while its patch lasts: duck, crawl, swim.

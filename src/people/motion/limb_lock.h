@@ -20,7 +20,7 @@ inline constexpr float kFixedHeight = 0.3f;
 struct BodyFrame {
     Vec2 position;      ///< Position of the origin [m].
     Rotation facing;    ///< Rotation from the body axes to the world.
-    Quat rotation;      ///< The same as `facing`.
+    Quat rotation;      ///< Rotation `facing` as a quaternion.
     float size = 1.0f;  ///< Size of the body relative to the skeleton.
 
     explicit BodyFrame(const Mover& mover);

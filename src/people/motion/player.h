@@ -73,9 +73,9 @@ public:
     const std::vector<Mover>& movers() const { return movers_; }
 
 private:
-    /// How the player plays one motion id of the world.
+    /// The clips that play one motion id of the world.
     struct Motion {
-        ClipUse use = ClipUse::Locomotion;  ///< How the clip is played.
+        ClipUse use = ClipUse::Locomotion;  ///< Use of the clip.
         std::int32_t clip = -1;             ///< Clip on a patch that never moves, -1 for none.
         std::int32_t movingClip = -1;       ///< Clip on a patch that moves, -1 for none.
         double transition = 0.0;            ///< Duration of its transitions [s].

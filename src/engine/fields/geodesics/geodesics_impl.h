@@ -51,8 +51,8 @@ struct Geodesics::Impl {
     static constexpr std::size_t kFewPlaces = 500;
     /// Distance from which on known far fields are read first, whether or not there is a line of sight [m].
     static constexpr double kFarDistance = 20.0;
-    /// The same distance on ground where far fields cover a box: many walk there with many walls between
-    /// them.
+    /// That distance on ground where far fields cover a box: many walk there with many walls between them
+    /// [m].
     static constexpr double kFarDistanceInBox = 10.0;
 
     GeodesicsDef def;

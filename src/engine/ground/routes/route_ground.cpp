@@ -14,7 +14,7 @@ constexpr double kContactTolerance = 1e-7;  // Tolerance of the distance of a po
 constexpr int kPushes = 12;                 // Number of pushes of a blocked centre out of obstacles.
 // Room of the centre of a cell beyond the radius from which on a disc stands there [cells].
 constexpr double kRoom = 0.25;
-constexpr double kRoomShare = 0.25;  // The same room as a share of the radius; the smaller counts.
+constexpr double kRoomShare = 0.25;  // That room as a share of the radius; the smaller counts.
 // Greatest distance of a stand point from the centre of its cell, along each axis [cells].
 constexpr double kCellReach = 0.65;
 

@@ -1,4 +1,4 @@
-// What a command may read and change while it is applied.
+// The state that a command may read and change while it is applied.
 #pragma once
 
 #include <vector>

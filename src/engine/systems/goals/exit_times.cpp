@@ -43,7 +43,7 @@ void ExitTimes::serveExit(std::size_t e, const Parameters::Character& usual, con
     const double measured = (kLawTime * byWidth(0.0) + area.exit.served) / (kLawTime + area.exit.queued);
     const double whole = area.def.rate > 0.0 ? std::min(area.def.rate, measured) : measured;
     area.exit.isQueued = waits_.isQueued(e, whole);
-    // Of a service under way only the rest counts.
+    // Only the rest of a service that has begun counts.
     const double begins = area.def.rate > 0.0 ? (1.0 - area.exit.credit) / area.def.rate : 0.0;
     waits_.serve(e, begins,
                  [&](double walk) { return std::max(kLeastFlow, std::min(whole, byWidth(walk))); });

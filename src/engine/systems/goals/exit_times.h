@@ -68,7 +68,7 @@ private:
         }
         return best;
     }
-    // When a person who comes to a door at a time has passed it.
+    // Time at which a person who comes to a door at a time has passed it [s].
     double passes(std::int32_t way, double at, bool isCounted = false) const;
     void serveExit(std::size_t exit, const Parameters::Character& usual, const GoalField& field);
 

@@ -1,5 +1,5 @@
-// How long people will wait at doors and before exits: people come to each in the order of the times of their
-// walks, are served one after the other (Lindley 1952), and walk on to the next (docs/method/goals.md).
+// Waits of people at doors and before exits: people come to each in the order of the times of their walks,
+// are served one after the other (Lindley 1952), and walk on to the next (docs/method/goals.md).
 #pragma once
 
 #include <cstddef>
@@ -34,14 +34,14 @@ public:
     /// True where people queue before an exit that lets `flow` people a second through: some are there, and
     /// more come within a while than it lets through by then. Call after serveWays().
     bool isQueued(std::size_t exit, double flow) const;
-    /// Finds when people will have left the ways, and sends them to the next nodes. `flow(way)` is the number
-    /// of people a second that get through, `hop(way, exit, time)` the next node of people who leave by an
-    /// exit.
+    /// Finds the times at which people will have left the ways, and sends them to the next nodes. `flow(way)`
+    /// is the number of people a second that get through, `hop(way, exit, time)` the next node of people who
+    /// leave by an exit.
     template <class Flow, class NextHop>
     void serveWays(const Flow& flow, const NextHop& hop);
-    /// Finds when people will have left by an exit, after serveWays(). The first one is let out after
-    /// `begins` [s], the rest of a service under way. `capacity(walk)` is the number of people a second that
-    /// get through on a route of `walk` [s].
+    /// Finds the times at which people will have left by an exit, after serveWays(). The first one is let out
+    /// after `begins` [s], the rest of a service that has begun. `capacity(walk)` is the number of people a
+    /// second that get through on a route of `walk` [s].
     template <class Capacity>
     void serve(std::size_t exit, double begins, const Capacity& capacity) {
         begins_[exit] = begins;
@@ -57,15 +57,15 @@ public:
         }
         left_[exit] = left;
     }
-    /// When a person whose walk to a node takes `walk` [s] will have passed it [s]; a person who has been
-    /// counted there does not wait for itself.
+    /// Time at which a person whose walk to a node takes `walk` [s] will have passed it [s]; a person who has
+    /// been counted there does not wait for itself.
     double leaves(std::size_t node, double walk, bool isCounted) const;
-    /// When a person in the line before an exit will have left, behind `ahead` others [s].
+    /// Time at which a person in the line before an exit will have left, behind `ahead` others [s].
     double leavesLine(std::size_t exit, std::int32_t ahead, double walk) const;
     /// Time that one person takes at a node [s].
     double perPerson(std::size_t node) const { return perNode_[node]; }
-    /// When a person who comes to a way at a time will have passed it, as far as is known while the people of
-    /// `now` are served [s]; for serveWays().
+    /// Time at which a person who comes to a way at a time will have passed it, as far as is known while the
+    /// people of `now` are served [s]; for serveWays().
     double passes(std::int32_t way, double now, double at) const;
 
 private:

@@ -31,7 +31,7 @@ public:
     const GoalField& toQueue(const Area& area, std::int32_t groundClass);
     /// The field of people who walk on towards a heading [rad].
     const GoalField& towards(double heading, std::int32_t groundClass);
-    /// The same fields, if they were asked for in this step; calls may come from several threads.
+    /// The field of toArea(), if it was asked for in this step; calls may come from several threads.
     const GoalField& solvedArea(const Area& area, std::int32_t groundClass) const {
         return solved({Kind::Area, area.id.value, 0.0, groundClass});
     }

@@ -18,7 +18,7 @@ public:
     /// Counts a person at `p` who goes to an exit.
     void add(Vec2 p, std::size_t exit);
 
-    /// What a person at a point sees of the others.
+    /// The people in sight of a person at a point.
     class Sight {
     public:
         /// Looks round from `p` for a person who goes to exit `own`, -1 for none.

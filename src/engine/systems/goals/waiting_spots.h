@@ -1,4 +1,4 @@
-// Where people stand in waiting areas: free spots a body apart; a person takes the one farthest from where it
+// Spots of people in waiting areas: free spots a body apart; a person takes the one farthest from where it
 // comes in (docs/method/goals.md).
 #pragma once
 

@@ -1,4 +1,4 @@
-// How the crossers of a passage use its width.
+// Use of a passage's width by its crossers.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ private:
     /// Mean begin and end of the crossers of a passage.
     struct Approach {
         Vec2 from, to;  // [m]
-        // Where the straight lines between them cross the passage, as a share of its width.
+        // Point at which the straight lines between them cross the passage, as a share of its width.
         double share = 0.0;
     };
 

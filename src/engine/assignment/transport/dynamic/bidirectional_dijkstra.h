@@ -9,7 +9,7 @@
 
 namespace muster {
 
-/// How a search ended.
+/// The end of a search.
 enum class SearchResult : std::uint8_t {
     Cycle,         ///< A cycle of negative cost through the arc was found; see BidirectionalDijkstra::cycle.
     NoCycle,       ///< The graph has none: the duals can be changed so that the arc is no longer violated.
