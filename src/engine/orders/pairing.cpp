@@ -122,7 +122,7 @@ std::span<const std::int32_t> Pairing::pair(std::span<const Vec2> from, std::spa
         const std::size_t count = std::min(fromOrder_.size(), toOrder_.size());
         fromOrder_.resize(count);
         toOrder_.resize(count);
-        if (count <= kExact) {
+        if (count <= kMostExactPairs) {
             solve();
             continue;
         }

@@ -16,12 +16,12 @@ namespace muster {
 class Pairing {
 public:
     /// Greatest number of points of a class that are paired by least squares.
-    static constexpr std::size_t kExact = 120;
+    static constexpr std::size_t kMostExactPairs = 120;
 
     /// For each of `from` the index in `to` that it goes to. Only points of one class are paired; both
     /// classes are empty for none, else each class must be as large on both sides. Displacements are
     /// monotone, as those of least squares are: two points that go straight at the same time keep 0.707 of
-    /// their least distance. Exact for up to kExact points of a class, nearly so for more: n log n
+    /// their least distance. Exact for up to kMostExactPairs points of a class, nearly so for more: n log n
     /// operations.
     std::span<const std::int32_t> pair(std::span<const Vec2> from, std::span<const Vec2> to,
                                        std::span<const std::uint8_t> fromClass = {},

@@ -11,8 +11,8 @@ void StreamBanks::start(const StreamRuns& runs, double step, std::int32_t entrie
     for (std::int32_t k = 0; k < runs.rows(); ++k)
         for (std::size_t r = 0; r < runs.row(k).size(); ++r)
             loads_[runs.first(k) + r].room = runs.row(k)[r].high - runs.row(k)[r].low;
-    bankRise_.assign(runs.rows(), kGentle * step);
-    placeRise_.assign(runs.rows(), kSteep * step);
+    bankRise_.assign(runs.rows(), kGentleSlope * step);
+    placeRise_.assign(runs.rows(), kSteepSlope * step);
     near_.resize(runs.rows());
     for (auto* list : {&up_, &down_, &least_, &most_}) list->resize(runs.rows());
     left_.resize(entries);

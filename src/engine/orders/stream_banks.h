@@ -53,9 +53,9 @@ public:
     std::span<const StreamLoad> loads() const { return loads_; }  ///< Loads by run.
 
 private:
-    static constexpr double kGentle = 0.35;  // Slope of banks and places, where there is room for it...
+    static constexpr double kGentleSlope = 0.35;  // Slope of banks and places, where there is room for it...
     // ... and of places where they keep apart, or where runs require it.
-    static constexpr double kSteep = 0.7;
+    static constexpr double kSteepSlope = 0.7;
 
     struct Bank {
         double value = 0.0;     // Offset to the left [m].

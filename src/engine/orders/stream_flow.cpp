@@ -6,9 +6,10 @@
 namespace muster {
 namespace {
 
-constexpr double kPiece = 4.0;       // Least width of the pieces into which runs are cut [m].
-constexpr double kPieces = 6.0;      // Greatest number of pieces of a row that is as wide as the formation.
-constexpr double kLeak = 1e-9;       // Conductance from dead ends to nowhere, so that all potentials exist.
+constexpr double kLeastPieceWidth = 4.0;  // Least width of the pieces into which runs are cut [m].
+constexpr double kMostPieces = 6.0;  // Greatest number of pieces of a row that is as wide as the formation.
+// Conductance from dead ends to nowhere, so that all potentials exist.
+constexpr double kLeakConductance = 1e-9;
 constexpr double kBeyondAll = 1e9;   // An ordinate beyond all others [m].
 constexpr double kLeastFlux = 1e-6;  // Flux below which a row carries nothing.
 
@@ -23,7 +24,7 @@ void StreamFlow::start(const StreamRuns& runs, double step, std::int32_t from, s
     low_ = low;
     high_ = high;
     spacing_ = spacing;
-    cut_ = std::max(kPiece, (high - low + spacing) / kPieces);
+    cut_ = std::max(kLeastPieceWidth, (high - low + spacing) / kMostPieces);
     width_ = 1;
     pieces_.clear();
     firstPiece_.assign(1, 0);
@@ -116,7 +117,7 @@ std::int32_t StreamFlow::joinRow(const StreamRuns& runs, std::int32_t k) {
     const std::int32_t row = k - from_, first = firstPiece_[row], last = firstPiece_[row + 1];
     std::int32_t work = 1;
     for (std::int32_t a = first; a < last; ++a, ++work) {
-        entry(a, a) += kLeak;
+        entry(a, a) += kLeakConductance;
         if (a + 1 < last && pieces_[a].run == pieces_[a + 1].run)
             add(a, a + 1, 2.0 * step_ / (pieces_[a + 1].high - pieces_[a].low + 0.1));
         const double inside = std::min(pieces_[a].high, high_) - std::max(pieces_[a].low, low_) + spacing_;

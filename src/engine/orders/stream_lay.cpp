@@ -76,7 +76,7 @@ void StreamBanks::lay(const StreamRuns& runs, const StreamPaths& paths, const St
     const std::span<const std::int32_t> path = paths.of(course);
     bound(runs, path, course);
     aim(path, course);
-    even(runs, path, course, kGentle);
+    even(runs, path, course, kGentleSlope);
 }
 
 void StreamBanks::smooth(const StreamRuns& runs, const StreamPaths& paths, const StreamCourse& course) {
@@ -87,7 +87,7 @@ void StreamBanks::smooth(const StreamRuns& runs, const StreamPaths& paths, const
         least_[k] = -kNoBank;
         most_[k] = kNoBank;
     }
-    even(runs, path, course, kSteep);
+    even(runs, path, course, kSteepSlope);
     for (std::int32_t k = course.first; k <= course.last; ++k) {
         StreamLoad& load = loads_[path[k - course.first]];
         load.right = std::min(load.right, left_[course.entry + k - course.first]);

@@ -6,9 +6,9 @@
 namespace muster {
 namespace {
 
-constexpr double kLeastProbe = 0.2;  // Length below which a blocked stretch of a row may be missed [m].
-constexpr double kEdge = 1e-3;       // Accuracy of the ends of runs [m].
-constexpr double kSkin = 0.03;       // Distance that runs keep from walls, where they have room [m].
+constexpr double kLeastProbe = 0.2;        // Length below which a blocked stretch of a row may be missed [m].
+constexpr double kRunEndTolerance = 1e-3;  // Accuracy of the ends of runs [m].
+constexpr double kSkin = 0.03;             // Distance that runs keep from walls, where they have room [m].
 
 }  // namespace
 
@@ -38,7 +38,7 @@ std::int32_t StreamRuns::probe(const StreamLine& line, StreamGround ground) {
 
 double StreamRuns::edge(const StreamRow& row, double free, double blocked, StreamGround ground,
                         std::int32_t& asked) const {
-    while (std::fabs(blocked - free) > kEdge) {
+    while (std::fabs(blocked - free) > kRunEndTolerance) {
         const double middle = 0.5 * (free + blocked);
         ++asked;
         (ground(row.centre + row.across * middle) >= radius_ ? free : blocked) = middle;

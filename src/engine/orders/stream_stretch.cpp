@@ -7,8 +7,8 @@
 namespace muster {
 namespace {
 
-constexpr double kSingle = 0.4;  // Stretch from which on rows are in single order.
-constexpr double kBins = 4.0;    // Bins of xi per row.
+constexpr double kSingleOrderStretch = 0.4;  // Stretch from which on rows are in single order.
+constexpr double kBins = 4.0;                // Bins of xi per row.
 }  // namespace
 
 void StreamStretch::start(const StreamLine& line, double spacing, double closest) {
@@ -66,7 +66,7 @@ void StreamStretch::blend(double shift) {
     if (most_ <= 1.0) return;
     for (std::size_t k = 0; k < xi_.size(); ++k) {
         double& sample = single_[static_cast<std::size_t>(xi_[k] / kSample)];
-        sample = std::max(sample, std::min(1.0, (narrow_[k] - 1.0) / kSingle));
+        sample = std::max(sample, std::min(1.0, (narrow_[k] - 1.0) / kSingleOrderStretch));
     }
     for (std::int32_t k = 0; k < n; ++k)
         for (std::int32_t j = std::max(0, k - reach); j <= std::min(n - 1, k + reach); ++j)

@@ -11,8 +11,8 @@ constexpr double kMostCells = 64e3;  // Approximate number of coarse cells.
 constexpr double kExactReach = 2.9;  // Distance up to which the ground's own distances are used [m].
 constexpr float kNoDistance = 1e6f;  // A distance beyond all others [m].
 // Two chamfer steps, scaled so that the error is below 5 % to both sides...
-constexpr float kStraight = 0.955f;
-constexpr float kDiagonal = 1.351f;  // ... (Borgefors 1986).
+constexpr float kStraightLength = 0.955f;
+constexpr float kDiagonalLength = 1.351f;  // ... (Borgefors 1986).
 
 }  // namespace
 
@@ -65,8 +65,8 @@ void WayGround::distances(std::span<const float> near) {
         const float value = near[fine_.index(middle)];
         distance_[c] = value < kExactReach ? value : kNoDistance;
     }
-    const auto straight = static_cast<float>(kStraight * grid_.cell);
-    const auto diagonal = static_cast<float>(kDiagonal * grid_.cell);
+    const auto straight = static_cast<float>(kStraightLength * grid_.cell);
+    const auto diagonal = static_cast<float>(kDiagonalLength * grid_.cell);
     const auto lower = [&](std::int32_t x, std::int32_t y, std::int32_t dx, std::int32_t dy) {
         if (!grid_.contains({x + dx, y + dy})) return;
         float& value = distance_[grid_.index({x, y})];
@@ -110,7 +110,8 @@ void WayGround::spreadSlow() {
     const auto take = [&](std::int32_t x, std::int32_t y, Cell d) {
         if (!grid_.contains({x + d.x, y + d.y})) return;
         const std::int32_t to = grid_.index({x, y}), from = grid_.index({x + d.x, y + d.y});
-        const float away = toSlower_[from] + edge * (d.x != 0 && d.y != 0 ? kDiagonal : kStraight);
+        const float away = toSlower_[from] +
+                           edge * (d.x != 0 && d.y != 0 ? kDiagonalLength : kStraightLength);
         if (away >= toSlower_[to]) return;
         toSlower_[to] = away;
         slower_[to] = slower_[from];

@@ -12,14 +12,15 @@ constexpr double kEnd = 0.06;           // Length by which an axis ends before h
 constexpr double kFollowingGap = 0.03;
 constexpr double kFileWidth = 0.32;    // Sideways distance beyond which a body is not ahead [m].
 constexpr double kClosingTime = 0.25;  // Time in which a gap is closed [s].
-constexpr double kSameWay = 0.5;       // Cosine of the largest angle between two bodies that go the same way.
-constexpr double kPatchAhead = 0.6;    // Distance to a patch below which a character is about to lie [m].
+// Cosine of the largest angle between two bodies that go the same way.
+constexpr double kSameWayCosine = 0.5;
+constexpr double kPatchAhead = 0.6;     // Distance to a patch below which a character is about to lie [m].
 constexpr double kSettledReach = 0.35;  // Distance to its place below which a character has settled [m].
 constexpr double kPairReach = 1.5;      // Distance beyond which two bodies do not matter to each other [m].
 // Distance along the heading below which neither of two bodies is behind [m].
-constexpr double kAbreast = 0.3;
+constexpr double kAbreastDistance = 0.3;
 // Inverse of the share of a transition after which a body lies at full length.
-constexpr double kLieDown = 1.6;
+constexpr double kLieDownFactor = 1.6;
 constexpr double kParallelCosine = 0.95;  // Cosine of the largest angle between two parallel axes.
 constexpr double kStandingSpeed = 0.15;   // Speed below which a character stands [m/s].
 constexpr double kPassSpeed = 0.14;       // Sideways speed at which a character passes one that stands [m/s].
@@ -36,7 +37,7 @@ bool isUpright(const BodyReach& reach) {
 double lyingShare(const ClipFacts& clip, MotionPhase phase, double time) {
     if (phase != MotionPhase::Entering && phase != MotionPhase::Leaving) return 1.0;
     const double share = clip.transitionTime > 0.0 ? std::min(1.0, time / clip.transitionTime) : 1.0;
-    return std::min(1.0, kLieDown * (phase == MotionPhase::Entering ? share : 1.0 - share));
+    return std::min(1.0, kLieDownFactor * (phase == MotionPhase::Entering ? share : 1.0 - share));
 }
 
 // The vector between the nearest points of two segments, from the first segment to the second.
@@ -112,7 +113,7 @@ void BodyAxes::keepDistance(const CrowdBodies& bodies, const Characters& now,
                             std::span<Vec2> preferred) const {
     for (const NeighbourPair pair : pairs_.pairs()) {
         const Member *rear = &members_[pair.low], *front = &members_[pair.high];
-        if (dot(rear->heading, front->heading) < kSameWay) continue;
+        if (dot(rear->heading, front->heading) < kSameWayCosine) continue;
         const Vec2 along = normalized(rear->heading + front->heading, rear->heading);
         if (dot(now.position[front->character] - now.position[rear->character], along) < 0.0)
             std::swap(rear, front);
@@ -154,7 +155,7 @@ BodyAxes::Overlap BodyAxes::axesOverlap(const Member& a, const Member& b,
                                         std::span<const Vec2> positions) const {
     const Vec2 p = positions[a.character], q = positions[b.character];
     const double cosine = dot(a.heading, b.heading);
-    const Vec2 along = cosine > kSameWay ? normalized(a.heading + b.heading, a.heading) : Vec2{};
+    const Vec2 along = cosine > kSameWayCosine ? normalized(a.heading + b.heading, a.heading) : Vec2{};
     if (cosine < kParallelCosine) {
         const auto end = [](const Member& m, Vec2 at, double reach) {
             return at + m.heading * (reach > 0.0 ? std::max(0.0, reach - kEnd) : std::min(0.0, reach + kEnd));
@@ -163,7 +164,7 @@ BodyAxes::Overlap BodyAxes::axesOverlap(const Member& a, const Member& b,
                                             end(b, q, -b.reach.behind), end(b, q, b.reach.ahead));
         const double apart = length(nearest), ahead = dot(q - p, along);
         if (apart >= kAxisDistance) return {};
-        const double share = std::fabs(ahead) <= kAbreast ? 0.5 : ahead > 0.0 ? 1.0 : 0.0;
+        const double share = std::fabs(ahead) <= kAbreastDistance ? 0.5 : ahead > 0.0 ? 1.0 : 0.0;
         return {apart > 1e-9 ? nearest / apart : normalized(q - p, {1.0, 0.0}), kAxisDistance - apart, share};
     }
     const bool aBehind = dot(q - p, along) >= 0.0;
@@ -174,7 +175,7 @@ BodyAxes::Overlap BodyAxes::axesOverlap(const Member& a, const Member& b,
     const double back = std::sqrt(kAxisDistance * kAxisDistance - aside * aside) - file.gap;
     const double sideways = std::sqrt(kAxisDistance * kAxisDistance - gap * gap) - aside;
     // The body behind falls back; where neither is behind, both go aside.
-    if (back <= sideways || std::fabs(dot(q - p, along)) > kAbreast)
+    if (back <= sideways || std::fabs(dot(q - p, along)) > kAbreastDistance)
         return {aBehind ? along : along * -1.0, back, aBehind ? 1.0 : 0.0};
     const bool left = (file.aside >= 0.0) == aBehind;
     return {left ? perpendicular(along) : perpendicular(along) * -1.0, sideways, 0.5};

@@ -13,7 +13,7 @@ struct Characters;
 
 /// Factor of the slowest member's speed up to which members behind walk; their own top speed still bounds
 /// them.
-inline constexpr double kCatchUp = 1.15;
+inline constexpr double kCatchUpFactor = 1.15;
 /// Least share of the slowest member's pace for a member far ahead.
 inline constexpr double kLeastPace = 0.45;
 /// Change of that share per metre ahead of the last members [1/m].

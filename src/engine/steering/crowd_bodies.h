@@ -15,7 +15,7 @@ namespace muster {
 struct Characters;
 
 /// Share of its acceleration with which a character brakes.
-inline constexpr double kBrakes = 0.8;
+inline constexpr double kBrakingShare = 0.8;
 
 /// The radius of a body [m].
 inline double radiusOf(const Parameters::Character& def, const Body& body) {
@@ -101,11 +101,11 @@ public:
 
 private:
     // Time within which two characters that can reach each other are near [s].
-    static constexpr double kNear = 0.5;
+    static constexpr double kNearTime = 0.5;
 
     double ownShare(std::size_t a, std::size_t b) const;
     double nearTime(double headway, double braking) const {
-        return braking > def_.foresight ? 2.0 * braking : std::max(kNear, headway);
+        return braking > def_.foresight ? 2.0 * braking : std::max(kNearTime, headway);
     }
 
     Parameters::Character def_;

@@ -13,17 +13,17 @@ namespace {
 constexpr double kRestReach = 0.15;  // Distance to its place below which a character rests [m].
 constexpr float kSettleTime = 1.0f;  // Time without coming nearer after which a character settles [s].
 // Distance to its place above which a resting character was moved aside [m].
-constexpr double kMovedAside = 0.3;
+constexpr double kMovedAsideDistance = 0.3;
 constexpr double kPlaceMoved = 0.5;  // Distance that a place moves before it counts as another one [m].
 constexpr double
     // Speed below which a place stands; a mesh in a door may tremble by a millimetre [m/s].
     kPlaceSpeed = 0.1;
-constexpr double kSmoothingTime = 0.3;  // Time over which progress is smoothed [s].
-constexpr double kFileCosine = 0.7;     // Cosine from which on one agent follows another.
-constexpr double kFileGap = 1.0;        // Gap within which a file follows its head [m].
-constexpr double kAskGap = 0.6;         // Gap within which an agent in the way is asked [m].
-constexpr float kAskResting = 0.2f;     // Time without getting on after which a resting agent is asked [s],
-constexpr float kAskWalking = 3.0f;     // and after which a walking agent is asked [s].
+constexpr double kSmoothingTime = 0.3;   // Time over which progress is smoothed [s].
+constexpr double kFileCosine = 0.7;      // Cosine from which on one agent follows another.
+constexpr double kFileGap = 1.0;         // Gap within which a file follows its head [m].
+constexpr double kAskGap = 0.6;          // Gap within which an agent in the way is asked [m].
+constexpr float kAskResting = 0.2f;      // Time without getting on after which a resting agent is asked [s],
+constexpr float kAskWalkingTime = 3.0f;  // and after which a walking agent is asked [s].
 // Time of asking in vain after which an agent becomes the last, for the same time [s].
 constexpr float kHandOnTime = 5.0f;
 constexpr float kLendTime = 0.6f;        // Time for which a walking agent lends its way [s],
@@ -66,7 +66,7 @@ bool RightOfWay::count(const ClaimInput& input, const Characters& characters, st
         // An agent that was moved aside and cannot return walks again; one that asks in vain hands its turn
         // on.
         claim.settled = claim.settled && left <= reach;
-        if (claim.rests && !claim.settled && left > kMovedAside && claim.stuck > kHandOnTime &&
+        if (claim.rests && !claim.settled && left > kMovedAsideDistance && claim.stuck > kHandOnTime &&
             claim.lends == 0.0f) {
             claim.rests = false;
             claim.since = input.step;
@@ -106,7 +106,7 @@ void RightOfWay::sort(const CrowdBodies& bodies, const Characters& now, std::spa
     for (std::size_t i = 0; i < count; ++i) {
         const Claim& claim = claims[i];
         const bool aside = now.place[i] >= 0 && !claim.settled &&
-                           distance(claim.spot, now.position[i]) > kMovedAside;
+                           distance(claim.spot, now.position[i]) > kMovedAsideDistance;
         const bool leaves = !leaving.empty() && !(leaving[i] == Vec2{});
         class_[i] = leaves              ? kLeaves
                     : claim.stays       ? kStays
@@ -225,7 +225,7 @@ void RightOfWay::askFrom(std::int32_t first, const CrowdBodies& bodies, const En
                 continue;
             const bool resting = claims[b].rests;
             const bool lower = resting || class_[b] > class_[a];
-            const float patience = !claims[a].rests && lower ? kAskResting : kAskWalking;
+            const float patience = !claims[a].rests && lower ? kAskResting : kAskWalkingTime;
             if (!lends && claim.stuck <= patience) continue;
             const bool same = !resting && !lends && class_[a] == class_[b] &&
                               (characters.group[a] == characters.group[b] ||

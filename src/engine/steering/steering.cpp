@@ -44,7 +44,7 @@ Vec2 preferredVelocity(const Parameters::Character& def, const Characters& now, 
     if (placed && left < 1e-6) return clampLength(input.placeVelocity[i], topSpeed);
     // A character comes to its place by its own brakes; from afar, and where they are weak, also while the
     // place brakes.
-    const double stops = 2.0 * kBrakes * brakes * left;
+    const double stops = 2.0 * kBrakingShare * brakes * left;
     const bool weak = topSpeed > 2.0 * def.foresight * brakes;
     if (placed && left < def.directReach && dot(direction, toPlace) > 0.999 * left) {
         const double ahead = weak ? std::max(0.0, dot(input.placeVelocity[i], toPlace) / left) : 0.0;

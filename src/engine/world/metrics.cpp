@@ -135,7 +135,7 @@ void RunMetrics::observe(const World& world) {
 
 bool RunMetrics::hasArrived(const World& world, std::size_t character) const {
     const std::uint32_t at = reachedAt_[character];
-    return at != kNever && (world.stepCount() - at) * world.parameters().stepTime >= kArrivedFor - 1e-9;
+    return at != kNever && (world.stepCount() - at) * world.parameters().stepTime >= kArrivedTime - 1e-9;
 }
 
 std::int32_t RunMetrics::notArrived(const World& world) const {
@@ -158,7 +158,7 @@ void RunMetrics::arrivals(const World& world, RunFigures& figures) const {
         if (arrived || trailSamples_ < trail_[i].size()) continue;
         double moved = 0.0;
         for (Vec2 p : trail_[i]) moved = std::max(moved, length(ring.between(p, last_[i])));
-        if (moved < kStuckMove) ++figures.stuck;
+        if (moved < kStuckDistance) ++figures.stuck;
     }
     if (DepartureWatch::moreMayCome(world)) return;
     const auto finite = [](double moment) { return std::isfinite(moment) ? moment : -1.0; };

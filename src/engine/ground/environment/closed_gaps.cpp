@@ -102,8 +102,8 @@ bool Environment::stepIsFree(Vec2 a, Vec2 b, double radius) const {
     if (s.stillDistanceLowerBound(a) >= radius + half && s.stillDistanceLowerBound(b) >= radius + half)
         return true;
     // One side of a gap that the step crosses is nearer than a diameter to the step.
-    constexpr std::size_t kMost = 32;
-    std::int32_t near[kMost];
+    constexpr std::size_t kMostNearPieces = 32;
+    std::int32_t near[kMostNearPieces];
     std::size_t count = 0;
     bool free = true;
     const auto look = [&](std::int32_t number) {
@@ -119,7 +119,7 @@ bool Environment::stepIsFree(Vec2 a, Vec2 b, double radius) const {
             const auto gap = gapBetween(s.pieces[near[k]], piece, diameter);
             free = !gap || !crosses(*gap, a, b);
         }
-        if (count < kMost) near[count++] = number;
+        if (count < kMostNearPieces) near[count++] = number;
     };
     if (half + diameter <= Impl::kReach && s.inBox(middle)) {
         s.index.forPiecesAt(middle, look);

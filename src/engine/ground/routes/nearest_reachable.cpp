@@ -8,7 +8,7 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kEntries = 4096;
+constexpr std::size_t kMostEntries = 4096;  // Number of points whose cells are remembered.
 
 // The cell of a region whose centre is nearest to a point, the lowest index among equals.
 class NearestCell {
@@ -93,7 +93,7 @@ Vec2 NearestReachable::find(const RouteGraph& graph, Vec2 p, std::int32_t region
     const Environment& environment = graph.environment();
     if (instance_ != environment.instance() || version_ != environment.staticVersion() ||
         radius_ != graph.radius()) {
-        entries_.assign(kEntries, {});
+        entries_.assign(kMostEntries, {});
         instance_ = environment.instance();
         version_ = environment.staticVersion();
         radius_ = graph.radius();

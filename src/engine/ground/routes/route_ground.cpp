@@ -13,7 +13,7 @@ constexpr double kRoundingError = 1e-5;     // Rounding error of clearances, whi
 constexpr double kContactTolerance = 1e-7;  // Tolerance of the distance of a point to obstacles [m].
 constexpr int kPushes = 12;                 // Number of pushes of a blocked centre out of obstacles.
 // Room of the centre of a cell beyond the radius from which on a disc stands there [cells].
-constexpr double kRoom = 0.25;
+constexpr double kRoomCells = 0.25;
 constexpr double kRoomShare = 0.25;  // That room as a share of the radius; the smaller counts.
 // Greatest distance of a stand point from the centre of its cell, along each axis [cells].
 constexpr double kCellReach = 0.65;
@@ -38,7 +38,7 @@ RouteGround::RouteGround(const Environment& environment, double radius, std::spa
       grid_(environment.grid()),
       radius_(radius - std::fmin(kRadiusSlack, kRadiusShare * radius)),
       halfDiagonal_(kCellReach * std::sqrt(2.0) * grid_.cell + kRoundingError),
-      freeClearance_(radius_ + std::fmin(kRoom * grid_.cell, kRoomShare * radius_)),
+      freeClearance_(radius_ + std::fmin(kRoomCells * grid_.cell, kRoomShare * radius_)),
       straightSum_(2.0 * (radius_ + kRoundingError) + grid_.cell),
       diagonalSum_(2.0 * (radius_ + kRoundingError) + std::sqrt(2.0) * grid_.cell),
       closed_(closed),

@@ -88,7 +88,7 @@ void raiseArrival(const WorldState& state, Group& group, std::vector<Event>& eve
     if (order.arrival == ArrivalWatch::Raised) return;
     // A group that cannot come where its order leads does not arrive.
     if (group.orders.begun && !group.orders.reachable) return;
-    const std::uint32_t second = stepsIn(state, kArrivedFor);
+    const std::uint32_t second = stepsIn(state, kArrivedTime);
     std::uint32_t matched = 0;
     bool allNear = true, allLong = true;
     for (const std::int32_t i : group.members) {
@@ -190,12 +190,12 @@ void measureLags(WorldState& state) {
 void EventStage::watchWalks(WorldState& state) {
     shared_.find(state);
     Characters& c = state.characters;
-    const std::uint32_t stayed = stepsIn(state, kStayedFor);
+    const std::uint32_t stayed = stepsIn(state, kStayedTime);
     for (std::size_t i = 0; i < c.size(); ++i) {
         WalkProgress& walk = c.walk[i];
         // A character that has not set out yet counts as one that has just moved.
         const bool stays = !c.hasSetOut(i, state.stepCount);
-        if (stays || distance(c.position[i], walk.anchor) >= kStuckMove) {
+        if (stays || distance(c.position[i], walk.anchor) >= kStuckDistance) {
             walk.anchor = c.position[i];
             walk.movedAt = state.stepCount;
             walk.stuckRaised = false;

@@ -29,7 +29,7 @@ void Standstill::reserve(const Characters& characters) {
 }
 
 bool Standstill::movedLately(const WorldState& state, std::int32_t i) const {
-    return state.stepCount - state.characters.walk[i].movedAt < stepsIn(state, kStuckFor);
+    return state.stepCount - state.characters.walk[i].movedAt < stepsIn(state, kStuckTime);
 }
 
 // True where character j stands before i on the route to the place of i.
@@ -79,7 +79,7 @@ void Standstill::raise(WorldState& state, std::vector<Event>& events) {
     const auto stands = [&](std::int32_t i) {
         const WalkProgress& walk = c.walk[i];
         return !walk.stuckRaised && !walk.within && c.place[i] >= 0 && !movedLately(state, i) &&
-               state.stepCount - walk.since >= stepsIn(state, kStuckFor);
+               state.stepCount - walk.since >= stepsIn(state, kStuckTime);
     };
     bool marked = false;
     for (std::int32_t i = 0; i < std::ssize(c.id); ++i) {

@@ -17,7 +17,7 @@ namespace muster {
 namespace {
 
 constexpr double kExitReach = 1.0;        // Cost to its exit up to which an agent may be in the exit [m].
-constexpr double kEntryApart = 1.02;      // Least distance of a person who comes in to others [sum of radii].
+constexpr double kEntryDistance = 1.02;   // Least distance of a person who comes in to others [sum of radii].
 constexpr std::int32_t kEntryTries = 24;  // Points at which room for a person is looked for.
 constexpr double kLatestEntry = 1e10;     // Latest time at which a source lets the next person in [s].
 
@@ -109,12 +109,12 @@ bool AreaStage::findRoom(WorldState& state, Area& area, double radius, Vec2& spo
     if (!sorted_) {
         largest_ = radius;
         for (const Body& body : c.body) largest_ = std::max(largest_, radiusOf(usual, body));
-        cells_.sort(c.position, 2.0 * kEntryApart * std::max(largest_, usual.radius));
+        cells_.sort(c.position, 2.0 * kEntryDistance * std::max(largest_, usual.radius));
     }
     sorted_ = true;
     const Box box = boundsOf(area.def.polygon);
     const auto isNear = [&](std::int32_t i, Vec2 p) {
-        return distance(c.position[i], p) < kEntryApart * (radius + radiusOf(usual, c.body[i]));
+        return distance(c.position[i], p) < kEntryDistance * (radius + radiusOf(usual, c.body[i]));
     };
     // The body is larger than all so far: look for others from farther away.
     const bool beyond = radius > largest_;

@@ -51,7 +51,7 @@ public:
             const std::size_t at = k * nodes() + exit;
             before_[at] = static_cast<float>(left);
             if (!(all_.count[at] > 0.0f)) continue;
-            const double walk = static_cast<double>(k) * kBin;
+            const double walk = static_cast<double>(k) * kBinTime;
             perPerson_[at] = static_cast<float>(1.0 / capacity(walk));
             left = timeAfter(left, walk, all_.count[at], perPerson_[at]);
         }
@@ -69,11 +69,12 @@ public:
     double passes(std::int32_t way, double now, double at) const;
 
 private:
-    static constexpr double kNear = 3.0;  // Time of a walk below which a person is before the exit [s].
-    // Share of the flow in kNear above which people count as a queue.
+    // Time of a walk below which a person is before the exit [s].
+    static constexpr double kBeforeExitTime = 3.0;
+    // Share of the flow in kBeforeExitTime above which people count as a queue.
     static constexpr double kQueueShare = 0.5;
-    static constexpr double kSoon = 15.0;         // Time of a walk below which a person comes soon [s].
-    static constexpr double kBin = 0.5;           // Length of a bin [s].
+    static constexpr double kSoonTime = 15.0;     // Time of a walk below which a person comes soon [s].
+    static constexpr double kBinTime = 0.5;       // Length of a bin [s].
     static constexpr std::size_t kBins = 1024;    // Number of bins; longer walks count in the last one.
     static constexpr double kLeastPeople = 1e-3;  // Number of people below which a bin counts as empty.
 
@@ -95,7 +96,7 @@ private:
         return (bin * ways_ + node - exits_) * exits_ + exit;
     }
     static std::size_t binOf(double walk) {
-        const double bin = walk / kBin;
+        const double bin = walk / kBinTime;
         return bin < static_cast<double>(kBins - 1) ? static_cast<std::size_t>(bin > 0.0 ? bin : 0.0)
                                                     : kBins - 1;
     }
@@ -130,7 +131,7 @@ void ExitWaits::serveWays(const Flow& flow, const NextHop& hop) {
     for (std::size_t way = 0; way < ways_; ++way)
         perNode_[exits_ + way] = 1.0 / flow(static_cast<std::int32_t>(way));
     for (std::size_t k = 0; k < kBins && ways_ > 0; ++k) {
-        const double now = static_cast<double>(k) * kBin;
+        const double now = static_cast<double>(k) * kBinTime;
         bool isOver = k >= all_.bins;
         if (isOver) addBin();
         for (std::size_t way = 0; way < ways_; ++way) {
@@ -141,7 +142,7 @@ void ExitWaits::serveWays(const Flow& flow, const NextHop& hop) {
             isOver = false;
             perPerson_[at] = static_cast<float>(perNode_[node]);
             if (people > 0.0) left_[node] = timeAfter(left_[node], now, people, perNode_[node]);
-            const double most = kBin / perNode_[node], sum = people + waiting_[way];
+            const double most = kBinTime / perNode_[node], sum = people + waiting_[way];
             const double share = sum > most ? most / sum : 1.0;
             waiting_[way] = 0.0;
             for (std::size_t e = 0; e < exits_; ++e) {

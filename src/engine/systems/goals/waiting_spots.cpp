@@ -10,9 +10,9 @@
 namespace muster {
 namespace {
 
-constexpr double kSpotsApart = 1.2;   // Least distance of spots [diameters].
-constexpr double kSpotsAtMost = 3.0;  // Greatest distance of spots [diameters].
-constexpr double kSpotsFill = 0.75;   // Share of the area that the squares of all who wait fill.
+constexpr double kLeastSpotDistance = 1.2;  // Least distance of spots [diameters].
+constexpr double kMostSpotDistance = 3.0;   // Greatest distance of spots [diameters].
+constexpr double kSpotsFill = 0.75;         // Share of the area that the squares of all who wait fill.
 // Step of the grid that finds room for most spots, in their least distance.
 constexpr double kFineStep = 0.25;
 constexpr double kSpotReach = 1.0;  // Distance to the area at which a person gets a spot [m].
@@ -21,7 +21,7 @@ constexpr double kFullAreaTime = 1.5;
 
 // The least distance of spots [m] for people whose largest radius is `radius` [m].
 double leastApart(double radius) {
-    return kSpotsApart * 2.0 * radius * (1.0 - 1e-9);
+    return kLeastSpotDistance * 2.0 * radius * (1.0 - 1e-9);
 }
 
 /// The nodes of a grid in the middle of a box, and which of them are too near others.
@@ -107,7 +107,7 @@ void WaitingSpots::lay(const WorldState& state, const Polygon& polygon, double r
 // people who still come, as beside others who stand wider, it lays as many as there is room for.
 void WaitingSpots::listFree(const WorldState& state, const Area& area, const Crowd& crowd) {
     const Polygon& polygon = area.def.polygon;
-    const double diameter = 2.0 * crowd.radius, least = kSpotsApart * diameter;
+    const double diameter = 2.0 * crowd.radius, least = kLeastSpotDistance * diameter;
     const double people = std::max<double>(1.0, static_cast<double>(crowd.people));
     const double wide = std::sqrt(kSpotsFill * std::fabs(signedArea(polygon)) / people);
     const Box near = boundsOf(polygon).grown(least);
@@ -115,7 +115,7 @@ void WaitingSpots::listFree(const WorldState& state, const Area& area, const Cro
     for (const Gathering& other : state.continuum.gatherings)
         for (const StandingSpot& spot : other.spots)
             if (near.contains(spot.spot)) taken_.push_back(spot.spot);
-    lay(state, polygon, crowd.radius, std::clamp(wide, least, kSpotsAtMost * diameter));
+    lay(state, polygon, crowd.radius, std::clamp(wide, least, kMostSpotDistance * diameter));
     if (free_.size() < crowd.without) lay(state, polygon, crowd.radius, kFineStep * least);
 }
 

@@ -19,7 +19,7 @@ constexpr double kMostPlaceShift = 1.5;
 double MarchPace::of(const WorldState& state, const Group& group) {
     if (!state.parameters.opposing.enabled) return 1.0;
     const Characters& c = state.characters;
-    const std::uint32_t patience = stepsIn(state, kStuckFor);
+    const std::uint32_t patience = stepsIn(state, kStuckTime);
     lags_.clear();
     for (const std::int32_t i : group.members) {
         if (c.place[i] < 0 || c.driver[i] != Driver::Muster || !c.hasSetOut(i, state.stepCount)) continue;

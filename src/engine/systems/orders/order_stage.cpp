@@ -85,7 +85,7 @@ bool isOver(const WorldState& state, Group& group, std::uint32_t least, const Th
     const double share = queue.orders.front().order.share * static_cast<double>(awaited);
     const std::uint32_t quiet = state.stepCount - queue.stoodAt;
     if (quiet >= least && arrived >= static_cast<std::int32_t>(std::ceil(share - 1e-9))) return true;
-    return stuck && quiet >= stepsIn(state, kStuckFor);
+    return stuck && quiet >= stepsIn(state, kStuckTime);
 }
 
 /// After members have joined or left, the middle of the formation follows the route.
@@ -344,7 +344,7 @@ bool OrderStage::isDone(const WorldState& state, Group& group) {
         return false;
     }
     const Characters& c = state.characters;
-    const std::uint32_t patience = stepsIn(state, kStuckFor), longest = stepsIn(state, kCampWait);
+    const std::uint32_t patience = stepsIn(state, kStuckTime), longest = stepsIn(state, kCampWait);
     shared_.find(state, group);
     const auto isThere = [&](std::int32_t i) {
         const std::int32_t place = c.place[i];
@@ -398,7 +398,7 @@ OrderStage::Outcome OrderStage::gather(WorldState& state, Group& group) {
     gathering = state.continuum.find(group.id);
     const Characters& c = state.characters;
     const double reach = gatheringReach(group.members.size(), state.parameters.character.radius);
-    const std::uint32_t patience = stepsIn(state, kStuckFor);
+    const std::uint32_t patience = stepsIn(state, kStuckTime);
     const auto isThere = [&](std::int32_t i) {
         return distance(c.position[i], queue.target) <= reach || gathering->hasArrived(c.id[i]);
     };

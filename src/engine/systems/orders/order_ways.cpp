@@ -94,7 +94,7 @@ MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& or
     def.speed = kMarchSpeedShare * slowest;
     if (order.pace > 0.0) def.speed = std::min(def.speed, order.pace);
     def.acceleration = std::min(kMostAcceleration, least);
-    def.brakes = std::min(kMostAcceleration, kBrakes * least);
+    def.brakes = std::min(kMostAcceleration, kBrakingShare * least);
     def.reach = std::max(extent.reach, 0.5);
     return def;
 }

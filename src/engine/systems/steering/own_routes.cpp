@@ -120,7 +120,7 @@ void OwnRoutes::dropEnded(WorldState& state) {
         const std::int32_t i = c.indexOf(routes[k].character);
         const bool known = i >= 0;
         const bool arrived = known && c.walk[i].within &&
-                             (state.stepCount - c.walk[i].since) * state.parameters.stepTime >= kStayedFor;
+                             (state.stepCount - c.walk[i].since) * state.parameters.stepTime >= kStayedTime;
         const bool late = (state.stepCount - routes[k].since) * state.parameters.stepTime > kRouteTime;
         if (!known || arrived || late || c.place[i] < 0 || c.chosen[i].way >= 0) {
             spare_.push_back(std::move(routes[k].path));

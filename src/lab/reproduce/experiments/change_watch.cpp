@@ -65,7 +65,7 @@ void ChangeWatch::observe(const World& world) {
         const double away = c.place[i] < 0 ? kInfinity : distance(c.position[i], group.placePositions[place]);
         reachedAt_[k] = away > kArrivedReach ? kInfinity : std::min(reachedAt_[k], world.time());
         stoodAt_[k] = away > kStoodReach ? kInfinity : std::min(stoodAt_[k], world.time());
-        if (distance(c.position[i], spot_[k]) >= kStuckMove) {
+        if (distance(c.position[i], spot_[k]) >= kStuckDistance) {
             spot_[k] = c.position[i];
             movedAt_[k] = world.time();
         }
@@ -80,12 +80,12 @@ FormationChangeRecord ChangeWatch::judged() const {
     const auto moments = [&](const std::vector<double>& since) {
         std::vector<double> found;
         for (const double at : since)
-            found.push_back(lastTime_ - at >= kArrivedFor - 1e-9 ? at - record.time : kInfinity);
+            found.push_back(lastTime_ - at >= kArrivedTime - 1e-9 ? at - record.time : kInfinity);
         return found;
     };
     const std::vector<double> arrived = moments(reachedAt_);
     for (std::size_t k = 0; k < arrived.size(); ++k)
-        if (arrived[k] == kInfinity && lastTime_ - movedAt_[k] >= kStuckFor) ++record.stuck;
+        if (arrived[k] == kInfinity && lastTime_ - movedAt_[k] >= kStuckTime) ++record.stuck;
     record.arrived95 = quantile(arrived, 0.95);
     record.arrived100 = quantile(arrived, 1.0);
     record.stood95 = quantile(moments(stoodAt_), 0.95);
