@@ -8,7 +8,8 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kMostEntries = 4096;  // Number of points whose cells are remembered.
+constexpr std::size_t
+    kTableEntries = 4096;  // Number of entries of the table: the shift below leaves 12 bits.
 
 // The cell of a region whose centre is nearest to a point, the lowest index among equals.
 class NearestCell {
@@ -93,7 +94,7 @@ Vec2 NearestReachable::find(const RouteGraph& graph, Vec2 p, std::int32_t region
     const Environment& environment = graph.environment();
     if (instance_ != environment.instance() || version_ != environment.staticVersion() ||
         radius_ != graph.radius()) {
-        entries_.assign(kMostEntries, {});
+        entries_.assign(kTableEntries, {});
         instance_ = environment.instance();
         version_ = environment.staticVersion();
         radius_ = graph.radius();
