@@ -79,7 +79,7 @@ void PassageSurvey::begin(const StaticGround& ground, const SurveyState& state) 
     begun_ = true;
 }
 
-// The greatest cost that matters: dearer walks count as none.
+// The greatest cost that matters: costlier walks count as none.
 double PassageSurvey::costliest(const SurveyState& state) const {
     double most = state.shortest + mostDetour(state);
     for (const double cost : state.openCost)

@@ -85,7 +85,7 @@ public:
     void begin(const UnitCost& ground, const WalkEdges& edges, Vec2 source, WalkField& field);
     /// Lets the march end when WalkField::at() holds for this point, and for all others given after begin().
     void stopAt(Vec2 p, const WalkField& field);
-    /// Lets the march end at this cost. Dearer walks are then unknown or too dear.
+    /// Lets the march end at this cost. Costlier walks are then unknown or too costly.
     void stopBeyond(double cost) { most_ = static_cast<float>(cost); }
     /// Solves up to `cells` cells and subtracts the number from `cells`. True once the march has ended. The
     /// ground and the field must be those of begin().

@@ -28,7 +28,7 @@ public:
     /// Appends the gaps whose bounding boxes meet `box`, in a fixed order.
     void within(const Box& box, std::vector<ClosedGap>& gaps) const;
 
-    static constexpr double kReach = 1.0;  ///< Greatest distance of a gap from the point asked for [m].
+    static constexpr double kReach = 1.0;  ///< Greatest distance of a gap from the point of a query [m].
 
 private:
     double width_ = 0.0;           // Width below which a gap is closed [m].

@@ -17,8 +17,8 @@ constexpr float kAxisSlope = 1e-3f;
 constexpr float kSharpDistance = 0.01f;
 // Distance up to which two pseudo-sources lie at one corner [cells, Manhattan distance].
 constexpr float kSameCorner = 2.5f;
-// Distance from a pseudo-source from which on a cell may rely on the sight of others at the same corner
-// [cells].
+// Distance from a pseudo-source from which on a cell may rely on the lines of sight of others at the same
+// corner [cells].
 constexpr float kFarFromSource = 6.0f;
 // Distance from an occluder within which corners are searched [cells].
 constexpr std::int32_t kOccluderReach = 2;

@@ -60,7 +60,7 @@ bool TargetUpdate::restingHold() {
     return environment.movingObstacleAreas().empty();
 }
 
-// Proposes anew, or recalls the last proposal: that of a resting target does not change while nothing does.
+// Proposes again, or recalls the last proposal: that of a resting target does not change while nothing does.
 void TargetUpdate::proposeOrRecall(std::int32_t k, Vec2 target, bool recalls) {
     RestingProposals::Proposal& last = m_.resting.proposals[k];
     m_.inWall[k] = s_.reachable[k] != s_.target[k] && !space_.contains(target) ? 1 : 0;
@@ -73,7 +73,7 @@ void TargetUpdate::proposeOrRecall(std::int32_t k, Vec2 target, bool recalls) {
         return;
     }
     propose(k, target);
-    // A fixed point is proposed anew in each step, since an obstacle may have come over it.
+    // A fixed point is proposed again in each step, since an obstacle may have come over it.
     last.known = rests && m_.level[k] != Fixed;
     if (last.known)
         last = {s_.reachable[k], target, m_.advected[k], m_.next[k], m_.level[k], m_.exact[k], true};

@@ -8,8 +8,7 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t
-    kTableEntries = 4096;  // Number of entries of the table: the shift below leaves 12 bits.
+constexpr std::size_t kTableEntries = 4096;  // Number of entries: the shift below leaves 12 bits.
 
 // The cell of a region whose centre is nearest to a point, the lowest index among equals.
 class NearestCell {

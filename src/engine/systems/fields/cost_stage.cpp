@@ -6,7 +6,7 @@ namespace muster {
 namespace {
 
 // Steps for which the unit cost is still updated after it was last read: to update what one step has changed
-// costs far less than to build it anew.
+// costs far less than to build it again.
 constexpr std::int32_t kUnreadSteps = 60;
 
 }  // namespace

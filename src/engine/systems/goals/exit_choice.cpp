@@ -261,7 +261,7 @@ void ExitChooser::choose(WorldState& state, std::span<const Leavers> leavers,
     for (std::size_t k = 0; k < count; ++k) {
         const std::int32_t i = list[from + k * stride].character;
         const std::uint32_t goal = chosen_[k].exit < 0 ? 0 : ids_[chosen_[k].exit];
-        // The character's direction is found anew.
+        // The character's direction is found again.
         if (goal != c.goal[i] || chosen_[k].way != wayOf(i) || hasPassed(i)) c.direction[i] = {};
         c.goal[i] = goal;
         // A character that has not set out has not turned.

@@ -15,7 +15,7 @@
 namespace muster {
 namespace {
 
-constexpr double kMostOffShare = 0.25;  // Share of places off the mesh above which they are laid out anew.
+constexpr double kMostOffShare = 0.25;  // Share of places off the mesh above which they are laid out again.
 // Steps between two looks whether other groups stand where a mesh rests.
 constexpr std::uint32_t kLookSteps = 30;
 // Distance to a wall below which a place counts as built on [radii of a place].

@@ -21,7 +21,7 @@ public:
     /// Begins a step, in which plans may take about `operations` operations.
     void begin(std::int64_t operations) { budget_ = operations; }
     /// Begins a march of the group to `end` along a route [m], which begins and ends at about its middle; a
-    /// `drawn` route is kept to. Places are paired with their ends anew, so that no two agents cross.
+    /// `drawn` route is kept to. Places are paired with their ends again, so that no two agents cross.
     void start(WorldState& state, Group& group, const Pose& end, std::span<const Vec2> way,
                bool drawn = false);
     /// Begins a march in one piece, in which every member keeps its place. Where the ground has no room for
@@ -33,7 +33,7 @@ public:
     /// Puts the places of the group at once where it is to stand, at the pose of its mesh; plans then decide
     /// who goes to which place by real walks.
     void stand(WorldState& state, Group& group);
-    /// Lays places out anew where the mesh of a group rests on ground that many of them cannot reach, or on
+    /// Lays places out again where the mesh of a group rests on ground that many of them cannot reach, or on
     /// the ground of groups with precedence. After a stop, places come to members that stand beside them.
     void settle(WorldState& state, Group& group);
     /// One step: plans, or moves places at most at `def.speed` times the speed of the ground, `offCourse` [m]

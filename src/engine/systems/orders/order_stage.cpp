@@ -266,7 +266,7 @@ void OrderStage::restart(WorldState& state, Group& group) {
 }
 
 // Searches the route of a group. One group searches at a time until its route is found, since a search that
-// another one interrupts starts anew.
+// another one interrupts starts again.
 bool OrderStage::searchWay(WorldState& state, Group& group, bool drawn) {
     if (budget_ <= 0) return false;
     const std::int32_t region = regionOf(state, group);
@@ -496,7 +496,7 @@ void OrderStage::runQueue(WorldState& state, Group& group, ThreadPool& pool, std
     OrderQueue& queue = group.orders;
     const bool led = group.flow.version != group.formationVersion || isHandled(group) ||
                      !(queue.march.last == group.mesh.pose());
-    // On changed ground the places of a standing group are laid out anew, except after an order to stop.
+    // On changed ground the places of a standing group are laid out again, except after an order to stop.
     const bool stale = queue.orders.empty() && group.flow.ground != state.groundEdits;
     if (group.flow.leads() && (led || (stale && !group.flow.isStop()))) group.flow.end();
     if (queue.orders.empty()) {

@@ -158,7 +158,7 @@ bool WayFinder::advance(WorldState& state, RouteGraph& routes, std::int32_t regi
             if (busy) return false;
             march.query = {from, to, needs};
         }
-        // A search on changed ground begins anew.
+        // A search on changed ground begins again.
         const std::int32_t before = march.ground == state.groundEdits ? march.searched : 0;
         const WayStatus status = searches_.advance(ground_, march.query, before, budget);
         march.ground = state.groundEdits;

@@ -67,7 +67,7 @@ public:
 
 private:
     static std::int32_t rankOf(const PlanDef& def) { return std::clamp(def.firstPlanRank, 0, 200); }
-    // True in the step of a group's turn: groups are served in rounds.
+    // True in the step in which a round serves the group.
     static bool isRound(const PlanDef& def, std::int32_t stepsLeft) {
         return stepsLeft % std::max(1, def.firstPlans) == rankOf(def);
     }
