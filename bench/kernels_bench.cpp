@@ -18,7 +18,7 @@
 #include "engine/fields/cost/unit_cost_builder.h"
 #include "engine/fields/eikonal/eikonal_solver.h"
 #include "engine/formation/mesh/arap.h"
-#include "engine/formation/shapes/formation.h"
+#include "engine/formation/shapes/make_formation.h"
 
 namespace {
 

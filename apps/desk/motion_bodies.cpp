@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "base/output_file.h"
-#include "people/bodies/body.h"
+#include "people/bodies/body_mesh.h"
 
 namespace muster {
 

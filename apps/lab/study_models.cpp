@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "base/text_file.h"
-#include "lab/study/series/series.h"
+#include "lab/study/series/trial_series.h"
 #include "lab/study/statistics/describe.h"
 #include "lab_commands.h"
 #include "lab_commands_list.h"

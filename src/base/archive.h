@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/as_mutable.h"
 #include "base/hash.h"
 #include "muster/vec2.h"
 
@@ -34,8 +35,8 @@ public:
     static constexpr bool kReading = false;  ///< Types may branch on this.
 
     Writer() = default;
-    /// `forHash`: the bytes are to be hashed, not to be read. As in a Hasher, what optionalSince() lacks is
-    /// left out.
+    /// `forHash`: the bytes are to be hashed, not to be read. As in a Hasher, missing values of
+    /// optionalSince() are left out.
     explicit Writer(bool forHash) : forHash_(forHash) {}
 
     /// Writes each value in turn.
@@ -149,8 +150,8 @@ public:
     void since(std::uint32_t /*version*/, T&... values) {
         (add(values), ...);
     }
-    /// Adds a value that the format has since a version. None adds nothing, so that hashes stay those of
-    /// before.
+    /// Adds a value that the format has since a version. An empty one adds nothing, so that the hash is the
+    /// same as without the value.
     template <class T>
     void optionalSince(std::uint32_t /*version*/, std::optional<T>& value) {
         if (value) add(value);
@@ -211,7 +212,7 @@ void Writer::write(T& value) {
         raw(&present, 1);
         if (value) write(*value);
     } else {
-        const_cast<Plain&>(value).visit(*this);
+        asMutable(value).visit(*this);
     }
 }
 
@@ -253,7 +254,7 @@ void Reader::read(T& value) {  // The inverse of Writer::write().
 }
 
 template <class T>
-void Hasher::add(T& value) {  // In the order of Writer::write().
+void Hasher::add(T& value) {  // The order is that of Writer::write().
     using Plain = std::remove_const_t<T>;
     if constexpr (std::is_same_v<Plain, bool> || std::is_same_v<Plain, double> ||
                   std::is_same_v<Plain, float> || std::is_same_v<Plain, std::string>) {
@@ -272,7 +273,7 @@ void Hasher::add(T& value) {  // In the order of Writer::write().
         hash_.add(value.has_value());
         if (value) add(*value);
     } else {
-        const_cast<Plain&>(value).visit(*this);
+        asMutable(value).visit(*this);
     }
 }
 

@@ -32,13 +32,13 @@ inline BilinearPoint bilinearPoint(double x, double y, Vec2 most, Cell last) {
     return {low, u - low.x, v - low.y};
 }
 
-/// The same on a grid of at least one cell.
+/// Locates a point on a grid of at least one cell.
 inline BilinearPoint bilinearPoint(const Grid& grid, double x, double y) {
     return bilinearPoint(x, y, {grid.width - 1.0, grid.height - 1.0},
                          {std::max(0, grid.width - 2), std::max(0, grid.height - 2)});
 }
 
-/// The same for a point in metres.
+/// Locates a point given in metres.
 inline BilinearPoint bilinearPoint(const Grid& grid, Vec2 p) {
     return bilinearPoint(grid, (p.x - grid.origin.x) / grid.cell, (p.y - grid.origin.y) / grid.cell);
 }
@@ -73,7 +73,7 @@ public:
         float fy;          ///< Fraction of the way to the next row [0 to 1].
     };
 
-    BilinearLocator() = default;  ///< Of no grid: assign one before the first query.
+    BilinearLocator() = default;  ///< A locator of no grid: assign one before the first query.
     /// Prepares the constants of a grid of at least one cell.
     explicit BilinearLocator(const Grid& grid)
         : origin_(grid.origin),
@@ -90,7 +90,7 @@ public:
         return {found.low.y * width_ + found.low.x, static_cast<float>(found.fx),
                 static_cast<float>(found.fy)};
     }
-    /// The same by column and row.
+    /// Locates a point [m] by column and row.
     BilinearPoint point(Vec2 p) const {
         return bilinearPoint((p.x - origin_.x) * perMetre_, (p.y - origin_.y) * perMetre_, most_, last_);
     }

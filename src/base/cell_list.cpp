@@ -34,7 +34,7 @@ void CellList::sort(std::span<const Vec2> points, double minEdge) {
     }
     std::int32_t sum = 0;
     for (std::int32_t& s : start_) s = sum += s;
-    // From the last point on, so that the points of one cell end in ascending order.
+    // Points are placed from the last one on, so that the points of one cell end in ascending order.
     sorted_.resize(points.size());
     for (std::size_t k = points.size(); k-- > 0;) {
         const std::int32_t at = --start_[cellOf_[k]];

@@ -18,7 +18,8 @@ public:
     /// cells than points.
     void sort(std::span<const Vec2> points, double minEdge);
 
-    const Grid& grid() const { return grid_; }  ///< Covers the points; without cells where there are none.
+    /// The grid that covers the points; without cells where there are none.
+    const Grid& grid() const { return grid_; }
     /// Index of the cell of a point.
     std::int32_t cellOf(std::size_t point) const { return cellOf_[point]; }
     /// Calls `visit(i, j)`, i < j, once for every pair of points nearer to each other than `reach` [m], in a
@@ -75,7 +76,7 @@ private:
         }
     }
 
-    // Finds the points of a range that are near a point. Which are is as good as random, so there is no
+    // Finds the points of a range that are near a point. The outcome is as good as random, so there is no
     // branch.
     template <class Visit>
     void find(std::int32_t u, std::int32_t from, std::int32_t to, double reach2, Found& found,

@@ -32,7 +32,7 @@ public:
     bool contains(std::int32_t cell) const { return flags_[cell] != 0; }  ///< True for a member.
     bool empty() const { return members_.empty(); }                       ///< True without members.
     std::size_t capacity() const { return flags_.size(); }                ///< The count given to reset().
-    std::span<const std::int32_t> members() const { return members_; }    ///< In order of insertion.
+    std::span<const std::int32_t> members() const { return members_; }    ///< Members in order of insertion.
     /// Per cell: 1 for a member, 0 otherwise.
     const std::vector<std::uint8_t>& flags() const { return flags_; }
 

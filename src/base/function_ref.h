@@ -4,6 +4,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/as_mutable.h"
+
 namespace muster {
 
 template <class Signature>
@@ -18,8 +20,7 @@ public:
     requires(!std::is_same_v<std::remove_cvref_t<Callable>, FunctionRef> &&
              std::is_invocable_r_v<Result, Callable&, Arguments...>)
         FunctionRef(Callable&& callable)  // NOLINT: implicit, so that lambdas can be passed.
-        : object_(const_cast<void*>(static_cast<const void*>(&callable))),
-          call_([](void* object, Arguments... arguments) -> Result {
+        : object_(&asMutable(callable)), call_([](void* object, Arguments... arguments) -> Result {
               return (*static_cast<std::remove_reference_t<Callable>*>(object))(
                   std::forward<Arguments>(arguments)...);
           }) {}

@@ -16,7 +16,7 @@ namespace muster {
 constexpr Vec3 gltfAxes(Vec3 v) {
     return {v.y, v.z, v.x};
 }
-/// The same for a rotation.
+/// A rotation in the axes of glTF.
 constexpr Quat gltfAxes(Quat q) {
     return {q.y, q.z, q.x, q.w};
 }
@@ -30,15 +30,15 @@ enum class GltfNumber : std::uint16_t {
     Float = 5126
 };
 
-/// What a view holds, as glTF numbers it; None for neither.
+/// Contents of a view, as glTF numbers them; None for neither.
 enum class GltfTarget : std::uint16_t { None = 0, Vertices = 34962, Indices = 34963 };
 
-/// How the values of an accessor are laid out.
+/// Layout of the values of an accessor.
 struct GltfValues {
     GltfNumber number = GltfNumber::Float;  ///< Type of each component.
     const char* type = "SCALAR";            ///< Components of a value: "SCALAR", "VEC3", "VEC4", "MAT4".
-    std::uint64_t count = 0;                ///< Values.
-    bool normalized = false;                ///< Whole numbers that stand for -1 to 1.
+    std::uint64_t count = 0;                ///< Number of values.
+    bool normalized = false;                ///< True for whole numbers that stand for -1 to 1.
     std::string least = {}, most = {};      ///< Bounds as JSON arrays, where glTF requires them; else empty.
 };
 
@@ -54,12 +54,12 @@ std::string_view bytesOf(const Numbers& numbers) {
     return {reinterpret_cast<const char*>(view.data()), view.size_bytes()};
 }
 
-/// Bytes up to the next multiple of 4: chunks and views have such sizes.
+/// The number of bytes rounded up to a multiple of 4: chunks and views have such sizes.
 constexpr std::uint64_t gltfPadded(std::uint64_t bytes) {
     return (bytes + 3) / 4 * 4;
 }
 
-/// Bytes of a GLB file whose JSON and buffer have these sizes.
+/// Size of a GLB file whose JSON and buffer have these sizes [bytes].
 std::uint64_t glbSize(std::uint64_t jsonBytes, std::uint64_t bufferBytes);
 /// A GLB file up to its buffer, whose bytes follow; their number is a multiple of 4. The file must be below 4
 /// GiB.

@@ -11,8 +11,9 @@
 
 namespace muster {
 
-/// The cell whose centre is nearest to `p` among those for which `accept(index)` is true; of several equally
-/// near ones that of the lowest index. Searches square rings round `p` until no nearer cell is possible.
+/// The cell whose centre is nearest to `p` among the cells for which `accept(index)` is true; of several
+/// equally near cells the one of the lowest index. Searches square rings round `p` until no nearer cell is
+/// possible.
 template <class Accept>
 std::optional<Cell> nearestCellWhere(const Grid& grid, Vec2 p, const Accept& accept) {
     const Cell start = grid.nearestCell(p);

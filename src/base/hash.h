@@ -43,7 +43,8 @@ public:
         return h ^ (h >> 33);
     }
 
-    /// That as a random number in (0, 1), 53 bits: what was added has it for ever, whatever else is drawn.
+    /// The hash as a random number in (0, 1), of 53 bits: the same values give the same number, whatever else
+    /// is drawn.
     double randomShare() const {
         constexpr double kBits = 1.0 / 9007199254740992.0;  // 2 to the power -53.
         return (static_cast<double>(value() >> 11) + 0.5) * kBits;

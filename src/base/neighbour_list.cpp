@@ -6,12 +6,13 @@ namespace muster {
 namespace {
 
 constexpr Vec2 kNowhere{1e300, 1e300};
-// All points are listed again where more than one in this many has moved too far.
+// Inverse share of points that have moved too far above which all points are listed again.
 constexpr std::size_t kStrayShare = 32;
-// All points are listed again where the overflow chains have more than one link per this many points.
+// Number of points per link of the overflow chains below which all points are listed again.
 constexpr std::size_t kLinkShare = 4;
-// Memory is reserved so that it need not grow later: points that keep the reach from each other have at most
-// 6 neighbours each within a skin of 0.8, and few points are listed again one by one.
+// Number of pairs and links per point for which memory is reserved, so that it need not grow later: points
+// that keep the reach from each other have at most 6 neighbours each within a skin of 0.8, and few points are
+// listed again one by one.
 constexpr std::size_t kPairsPerPoint = 7;
 constexpr std::size_t kLinksPerPoint = 2;
 
@@ -153,8 +154,7 @@ void NeighbourList::prepend(std::int32_t& chain, std::int32_t point) {
     chain = static_cast<std::int32_t>(overflow_.size()) - 1;
 }
 
-// Lists one point as being at `at`, drift taken out. Its old entries stay, which costs time but changes
-// nothing.
+// Lists one point at `at`, without the drift. Its old entries stay, which costs time but changes nothing.
 void NeighbourList::relist(std::int32_t point, Vec2 at) {
     if (listedAt_[point] == kNowhere) listed_.push_back(point);
     listedAt_[point] = at;

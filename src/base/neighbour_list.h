@@ -30,10 +30,10 @@ public:
     /// of the reach, 0 or more.
     /// On a `ring` pairs are listed across its joint, too.
     void build(std::span<const Vec2> points, double reach, double skin = 0.0, const Ring& ring = {});
-    /// Does nothing where the list is valid for these points; else as build().
+    /// Builds the list unless it is valid for these points.
     void update(std::span<const Vec2> points, double reach, double skin);
-    /// Drops listed pairs for which `drops(pair)` is true; it must hold as long as the list is valid. Which
-    /// are dropped is as good as random, so there is no branch.
+    /// Drops listed pairs for which `drops(pair)` is true; it must hold as long as the list is valid. The
+    /// outcome is as good as random, so there is no branch.
     template <class Drops>
     void dropPairs(const Drops& drops) {
         std::size_t kept = 0;
@@ -58,7 +58,8 @@ public:
     bool holdsFor(std::span<const Vec2> points, std::int32_t i, double distance) const {
         return lengthSquared(points[i] - listedAt_[i]) <= distance * distance;
     }
-    /// The same for all points.
+    /// True where the list is of as many points, and all are at most `distance` [m] from where they were
+    /// listed.
     bool holdsFor(std::span<const Vec2> points, double distance) const;
 
     /// Updates a list with rows. `active` marks points that take part. Pairs nearer than `reach` are listed
@@ -98,28 +99,29 @@ private:
     template <class Visit>
     bool anyInCellsAround(Vec2 p, const Visit& visit) const;
 
-    double reach_ = 0.0;        // Without skin [m].
-    double skin_ = 0.0;         // Share of the reach.
-    double listedReach_ = 0.0;  // With skin [m].
+    double reach_ = 0.0;        // Reach without skin [m].
+    double skin_ = 0.0;         // Skin as a share of the reach.
+    double listedReach_ = 0.0;  // Reach with skin [m].
     CellList cells_;
     std::vector<NeighbourPair> pairs_;
     std::vector<std::int32_t> atLeft_, atRight_;  // Points near the joint of a ring, by ascending y.
     std::vector<Vec2>
-        listedAt_;  // Of each point, where it was listed [m]; far away for points that were not.
+        listedAt_;  // Listed position of each point [m]; far away for points that were not listed.
 
-    // Of lists with rows.
+    // Members of lists with rows.
     Vec2 drift_;                        // Mean displacement of the listed points since buildRows() [m].
     std::vector<std::int32_t> listed_;  // Points in the order of cells_, then points that were listed later.
     std::vector<Vec2> cellPoints_;      // Positions of the points that buildRows() listed [m].
-    std::vector<std::int32_t> rowStart_;  // Of each point, the first of its neighbours in row_; and the end.
+    std::vector<std::int32_t> rowStart_;  // Index of the first neighbour of each point in row_; and the end.
     std::vector<std::int32_t> row_;       // Neighbours, row by row.
     std::vector<std::int32_t> strays_;    // Points that updateRows() lists again.
     std::vector<Link> overflow_;          // Neighbours and points that relist() added.
-    std::vector<std::int32_t> overflowOfRow_;   // Of each point, its chain of further neighbours.
-    std::vector<std::int32_t> overflowOfCell_;  // Of each cell, its chain of further points.
+    std::vector<std::int32_t> overflowOfRow_;   // Chain of further neighbours of each point.
+    std::vector<std::int32_t> overflowOfCell_;  // Chain of further points of each cell.
 };
 
-// A point is within half the skin of where it was listed, drift taken out, so the nine cells around suffice.
+// A point is within half the skin of its listed position, without the drift, so the nine cells around
+// suffice.
 template <class Visit>
 bool NeighbourList::anyInCellsAround(Vec2 p, const Visit& visit) const {
     const Grid& grid = cells_.grid();

@@ -1,4 +1,4 @@
-// Files that are there as a whole or not at all.
+// Files that exist as a whole or not at all.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@
 
 namespace muster {
 
-/// Is written beside its place, as PATH.part, and moved there by commit(); else removed. Never overwrites
-/// before that.
+/// A file that is written beside its place, as PATH.part, and moved there by commit(); else removed. Never
+/// overwrites before that.
 class OutputFile {
 public:
-    OutputFile();  ///< Nothing is open.
+    OutputFile();  ///< A file that is not open.
     ~OutputFile();
-    OutputFile(OutputFile&&) noexcept;             ///< Moves.
-    OutputFile& operator=(OutputFile&&) noexcept;  ///< Moves; removes what was here.
+    OutputFile(OutputFile&&) noexcept;             ///< Moves the file.
+    OutputFile& operator=(OutputFile&&) noexcept;  ///< Moves the file; removes the one that was here.
 
     /// Begins to write. Fails with IoError, naming the path, where that cannot be or `path` is a folder.
     Status open(const std::string& path);
@@ -28,7 +28,7 @@ public:
     Status rewrite(std::uint64_t offset, std::string_view bytes);
     /// Bytes written so far.
     std::uint64_t size() const { return size_; }
-    /// Where it is written until commit(); for libraries that write by name.
+    /// The path to which it is written until commit(); for libraries that write by name.
     std::string partPath() const { return path_ + ".part"; }
     /// Closes it and puts it in its place. Fails with IoError.
     Status commit();

@@ -58,14 +58,15 @@ struct ThreadPool::Impl {
     const TaskRef* work = nullptr;
     std::uint32_t count = 0;
     std::atomic<std::uint64_t> round{0};
-    std::atomic<std::uint32_t> done{0};  // Items reported.
+    std::atomic<std::uint32_t> done{0};  // Number of items reported.
     std::atomic<std::int32_t> sleepers{0};
     std::atomic<bool> callerSleeps{false};
     std::atomic<Background> background{Background::None};
-    void (*backgroundWork)(void* context) = nullptr;  // Read only by the thread that takes it.
+    // Function of the background work; read only by the thread that takes it.
+    void (*backgroundWork)(void* context) = nullptr;
     void* backgroundContext = nullptr;
     std::atomic<bool> stopping{false};
-    std::mutex mutex;  // Held only to fall asleep and to wake others.
+    std::mutex mutex;  // Mutex that is held only to fall asleep and to wake others.
     std::condition_variable wake;
     std::condition_variable finished;
     std::atomic<std::int32_t> users{1};  // The pool and its detached workers: the last one deletes this.
@@ -161,7 +162,7 @@ ThreadPool::ThreadPool(std::int32_t threads) : impl_(std::make_unique<Impl>()) {
     const auto cores = static_cast<std::int32_t>(std::thread::hardware_concurrency());
     if (threads <= 0) threads = cores;
     threads = std::clamp(threads, 1, 256);
-    // Where threads share cores, polling would keep the awaited threads from working.
+    // If threads share cores, polling would keep the awaited threads from working.
     impl_->spins = threads <= cores ? kSpins : 0;
     for (std::int32_t i = 1; i < threads; ++i) {
         impl_->users.fetch_add(1);

@@ -46,7 +46,7 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-/// Calls in an item of forChunks() where nothing speaks for another number.
+/// Default number of calls in an item of forChunks().
 inline constexpr std::size_t kPerTask = 256;
 
 /// Calls `each(i)` for all i in [0, count), in items of `chunk` calls; in the calling thread where `pool` is

@@ -7,10 +7,10 @@ namespace muster {
 
 /// A ring along x, or open ground.
 struct Ring {
-    double left = 0.0;    ///< x of the left side [m].
-    double length = 0.0;  ///< From the left side to the right one [m]; 0 for open ground.
+    double left = 0.0;    ///< Coordinate x of the left side [m].
+    double length = 0.0;  ///< Distance from the left side to the right one [m]; 0 for open ground.
 
-    /// From one point to the nearest image of another [m].
+    /// The vector from one point to the nearest image of another [m].
     Vec2 between(Vec2 from, Vec2 to) const {
         Vec2 way = to - from;
         if (length > 0.0) {
@@ -19,7 +19,7 @@ struct Ring {
         }
         return way;
     }
-    /// By how much a point that has walked out moves to come in on the other side [m].
+    /// The shift in x by which a point that has walked out comes in on the other side [m].
     double shiftOf(double x) const {
         if (length <= 0.0) return 0.0;
         return x >= left + length ? -length : x < left ? length : 0.0;

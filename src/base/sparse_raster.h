@@ -1,4 +1,4 @@
-// Rasters of which few cells differ from zero.
+// Rasters with few cells that differ from zero.
 #pragma once
 
 #include <algorithm>
@@ -55,12 +55,12 @@ public:
         }
         return {{(*this)[low], (*this)[{high.x, low.y}], (*this)[{low.x, high.y}], (*this)[high]}};
     }
-    /// Number of tiles in memory, that of zeros included.
+    /// Number of tiles in memory, with the tile of zeros.
     std::size_t tiles() const { return values_.size() / kCells; }
 
 private:
-    static constexpr std::int32_t kShift = 5;           // Cells to tiles.
-    static constexpr std::int32_t kEdge = 1 << kShift;  // Of a tile [cells].
+    static constexpr std::int32_t kShift = 5;           // Shift from cells to tiles.
+    static constexpr std::int32_t kEdge = 1 << kShift;  // Edge of a tile [cells].
     static constexpr std::size_t kCells = static_cast<std::size_t>(kEdge) * kEdge;
 
     std::size_t tileNumber(Cell c) const {
@@ -75,7 +75,7 @@ private:
 
     std::int32_t tilesAcross_ = 0;
     std::vector<std::int32_t> tile_;  // Per tile of the grid: its number in memory, 0 for zeros.
-    std::vector<Value> values_;       // Tile by tile; those beyond the used ones hold zeros.
+    std::vector<Value> values_;       // Values tile by tile; tiles beyond the used ones hold zeros.
     std::vector<std::int32_t> used_;  // Tiles of the grid that have memory, in the order of their numbers.
 };
 

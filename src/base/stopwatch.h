@@ -18,7 +18,7 @@ public:
     void restart() { start_ = now(); }
 
 private:
-    // [ms]
+    // The time of a clock [ms].
     static double now() {
 #ifdef __EMSCRIPTEN__
         return emscripten_get_now();  // The clocks of its C++ library take several times as long.

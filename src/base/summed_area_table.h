@@ -11,8 +11,8 @@
 
 namespace muster {
 
-/// Tells in constant time whether a rectangle of cells holds a member of a set. Covers the bounding rectangle
-/// of the members only.
+/// Answers in constant time whether a rectangle of cells holds a member of a set. Covers the bounding
+/// rectangle of the members only.
 class SummedAreaTable {
 public:
     /// Sums up the members of `cells`, which are cells of `grid`.

@@ -1,4 +1,4 @@
-// How often something may happen.
+// A limit of the rate of messages or other events.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@ namespace muster {
 /// Lets through `rate` tokens a second on average, and `burst` at once. Time is given, never read.
 class TokenBucket {
 public:
-    /// Full at first. `rate` [1/s] > 0, `burst` >= 1.
+    /// A bucket that is full at first. `rate` [1/s] > 0, `burst` >= 1.
     TokenBucket(double rate, double burst) : rate_(rate), burst_(burst), tokens_(burst) {}
 
     /// Takes `tokens` at time `now` [s, never falling]; false, taking none, where there are fewer.

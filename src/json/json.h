@@ -17,7 +17,7 @@ namespace muster {
 class Json {
 public:
     struct Member;
-    /// What a value is. Whole numbers keep all 64 bits.
+    /// Kinds of values. Whole numbers keep all 64 bits.
     enum class Kind : std::uint8_t { Null, Boolean, Integer, Unsigned, Real, Text, Array, Object };
 
     Json() noexcept {}
@@ -46,10 +46,10 @@ public:
     Json& operator=(Json other) noexcept;
     ~Json();
 
-    static Json array() { return array({}); }                               ///< An empty array.
-    static Json array(std::initializer_list<Json> list);                    ///< An array of these.
+    static Json array() { return array({}); }             ///< An empty array.
+    static Json array(std::initializer_list<Json> list);  ///< An array of the values of a list.
     static Json object() { return Json(std::initializer_list<Member>{}); }  ///< An empty object.
-    /// An array of what a range holds.
+    /// An array of the values of a range.
     template <class Range>
     static Json arrayOf(const Range& range) {
         Json list = array();
@@ -79,17 +79,17 @@ public:
     std::size_t size() const;
     bool empty() const { return size() == 0; }
 
-    const std::vector<Json>& elements() const;  ///< Of an array.
+    const std::vector<Json>& elements() const;  ///< The elements of an array.
     const Json& operator[](std::size_t index) const { return elements()[index]; }
     Json& operator[](std::size_t index);
-    /// Appends to an array, which null becomes. The reference holds until the next one.
+    /// Appends to an array; null becomes one. The reference holds until the next call.
     Json& push(Json value);
 
-    const std::vector<Member>& members() const;  ///< Of an object.
-    /// The value of that key; nullptr where there is none, and for what is no object.
+    const std::vector<Member>& members() const;  ///< The members of an object.
+    /// The value of a key; nullptr where there is none, and for values that are no object.
     const Json* find(std::string_view key) const;
     bool contains(std::string_view key) const { return find(key) != nullptr; }
-    /// The value of a key of an object, which null becomes; null where it is new.
+    /// The value of a key of an object, null where the key is new; null becomes an object.
     Json& operator[](std::string_view key);
     /// Removes a key.
     void erase(std::string_view key);
@@ -120,17 +120,18 @@ Result<Json> parseJson(std::string_view text, const std::string& sourceName);
 /// Readable text: short arrays and objects on one line, two spaces per level, at most about 110 columns.
 /// Numbers are the shortest that read back to the same bits.
 std::string printJson(const Json& value);
-/// Every value on a line of its own, `indent` spaces per level.
+/// Text with every value on a line of its own, `indent` spaces per level.
 std::string indentedJson(const Json& value, int indent);
-/// Without any blanks.
+/// Text without any blanks.
 std::string compactJson(const Json& value);
-/// Text in quotes. What is no UTF-8 is replaced by U+FFFD, here as in the other functions.
+/// Text in quotes. Bytes that are no UTF-8 are replaced by U+FFFD, here as in the other functions.
 std::string jsonText(std::string_view text);
 
-/// What a value is, for messages: `the text "abc"`, `the number 3`, `an array of 4`, `an object`...
+/// A description of a value for messages: `the text "abc"`, `the number 3`, `an array of 4`, `an object`...
 std::string describeJson(const Json& value);
 
-/// The shortest text that reads back to the same bits; "null" for what is not finite, which JSON cannot hold.
+/// The shortest text that reads back to the same bits; "null" for numbers that are not finite, which JSON
+/// cannot hold.
 std::string jsonRealText(double value);
 
 }  // namespace muster

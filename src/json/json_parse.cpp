@@ -11,7 +11,8 @@ namespace muster {
 namespace {
 
 constexpr std::size_t kMaxDepth = 64;
-constexpr std::size_t kMaxKeys = 1000;  // Of one object: keys are looked up one by one.
+// Greatest number of keys of one object: keys are looked up one by one.
+constexpr std::size_t kMaxKeys = 1000;
 
 /// Line and column of a byte offset, both from 1.
 std::string lineAndColumn(std::string_view text, std::size_t offset) {

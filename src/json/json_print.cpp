@@ -28,7 +28,7 @@ void appendScalar(const Json& value, std::string& out) {
     }
 }
 
-/// Calls `append(key or nullptr, value)` for what an array or object holds.
+/// Calls `append(key or nullptr, value)` for the values of an array or object.
 template <class Append>
 void forEach(const Json& value, const Append& append) {
     if (value.isArray())
@@ -41,11 +41,11 @@ bool isStructured(const Json& value) {
     return value.isArray() || value.isObject();
 }
 
-/// How values are set apart.
+/// Layout of values.
 struct Spacing {
     int indent = 0;       ///< Spaces per level; only where `lines`.
-    bool lines = false;   ///< Each value on a line of its own.
-    bool blanks = false;  ///< A blank after each colon, and after each comma unless `lines`.
+    bool lines = false;   ///< True if each value has a line of its own.
+    bool blanks = false;  ///< True for a blank after each colon, and after each comma unless `lines`.
 };
 
 void append(const Json& value, const Spacing& spacing, int level, std::string& out) {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "engine/passages/way_number.h"
-#include "engine/steering/characters.h"
+#include "engine/steering/character_arrays.h"
 #include "engine/world/inspect.h"
 #include "engine/world/world_engine.h"
 #include "folders.h"

@@ -46,8 +46,8 @@ std::int32_t BowyerWatson::newFace(std::array<std::int32_t, 3> vertex) {
     return index;
 }
 
-// True where p lies inside the face's circumcircle. That of a ghost is the half plane beyond its hull edge,
-// with the edge itself.
+// True where p lies inside the face's circumcircle. The circumcircle of a ghost is the half plane beyond its
+// hull edge, with the edge itself.
 bool BowyerWatson::conflicts(const Face& face, Vec2 p) const {
     for (std::size_t i = 0; i < 3; ++i) {
         if (face.vertex[i] != kGhost) continue;

@@ -8,8 +8,8 @@
 namespace muster {
 namespace {
 
-constexpr double kSameCorner = 1e-9;    // [m] Corners nearer than this count as one.
-constexpr double kSmallestArea = 1e-9;  // [m^2]
+constexpr double kSameCorner = 1e-9;  // Distance below which two corners count as one [m].
+constexpr double kLeastArea = 1e-9;   // Least area of a polygon [m^2].
 
 // Drops corners that repeat the one before. `from` receives the original index of each corner left.
 void dropRepeats(std::span<const Vec2> polygon, Polygon& corners, std::vector<std::size_t>& from) {
@@ -66,7 +66,7 @@ Result<Polygon> cleanPolygon(std::span<const Vec2> polygon) {
     }
     if (Status status = checkCrossings(corners, from); !status.ok()) return status;
     const double area = signedArea(corners);
-    if (std::fabs(area) < kSmallestArea)
+    if (std::fabs(area) < kLeastArea)
         return invalidArgument("the polygon's area is under 1e-9 square metres");
     // The first corner stays the first.
     if (area < 0.0) std::reverse(corners.begin() + 1, corners.end());

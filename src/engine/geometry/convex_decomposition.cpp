@@ -60,7 +60,8 @@ private:
         return true;
     }
 
-    // The ear with the shortest diagonal, since these keep the parts compact; the first of equal ones.
+    // The ear with the shortest diagonal, since short diagonals keep the parts compact; the first of equal
+    // ones.
     std::size_t bestEar() {
         order_.clear();
         for (std::size_t i = 0; i < rest_.size(); ++i) {
@@ -156,7 +157,7 @@ Result<std::vector<Polygon>> decomposeConvex(std::span<const Vec2> polygon) {
     if (isConvex(corners)) return std::vector<Polygon>{corners};
     EarClipper clipper(corners);
     clipper.run();
-    // Long diagonals first: what remains are compact parts.
+    // Long diagonals go first, so that compact parts remain.
     std::stable_sort(clipper.diagonals.begin(), clipper.diagonals.end(), [&](Diagonal a, Diagonal b) {
         return lengthSquared(corners[a.to] - corners[a.from]) >
                lengthSquared(corners[b.to] - corners[b.from]);

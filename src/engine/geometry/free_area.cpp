@@ -1,5 +1,5 @@
-// Every edge of a polygon is cut by all other polygons (Cyrus and Beck 1978); what is left of it outside of
-// them is a piece of the boundary of the free area, which lies to its right. The pieces are joined to rings.
+// Every edge of a polygon is cut by all other polygons (Cyrus and Beck 1978); the rest of it outside of them
+// is a piece of the boundary of the free area, which lies to its right. The pieces are joined to rings.
 #include "engine/geometry/free_area.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ bool before(Vec2 a, Vec2 b) {
 }
 
 /// The part of the edge from `a` to `b` that another polygon takes away, as shares of its length. Of two
-/// edges that coincide and face the same side the one of the polygon that comes first stays.
+/// edges that coincide and face the same side the edge of the polygon that comes first stays.
 std::optional<Interval> takenBy(const Polygon& other, bool otherIsFirst, Vec2 a, Vec2 b) {
     double low = 0.0, high = 1.0;
     for (std::size_t k = 0; k < other.size(); ++k) {
@@ -81,7 +81,7 @@ private:
         polygons_.push_back(std::move(polygon));
     }
 
-    // Adds what is left of the edge of a polygon.
+    // Adds the remaining parts of the edge of a polygon.
     void cut(std::size_t polygon, Vec2 a, Vec2 b, std::vector<Piece>& pieces) {
         taken_.clear();
         const Box edge = boundsOf(std::array{a, b});
@@ -106,7 +106,7 @@ private:
         return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
     }
 
-    Box inner_;  // Beyond it lie the far sides of the frame.
+    Box inner_;  // Box beyond which the far sides of the frame lie.
     std::vector<Polygon> polygons_;
     std::vector<Box> bounds_;
     std::vector<Interval> taken_;

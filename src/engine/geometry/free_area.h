@@ -1,4 +1,4 @@
-// What convex obstacles leave free of a box: the complement of a union of convex polygons.
+// The area of a box that convex obstacles leave free: the complement of a union of convex polygons.
 #pragma once
 
 #include <span>

@@ -36,7 +36,7 @@ std::int32_t MeshLocator::cellOf(double along, double low, double size) {
     return static_cast<std::int32_t>(std::clamp((along - low) / size * kCells, 0.0, kCells - 1.0));
 }
 
-// A little more on each side, so that rounding cannot lose a triangle.
+// Cells are enlarged slightly on each side, so that rounding cannot lose a triangle.
 MeshLocator::Cells MeshLocator::cellsOf(const Triangle& triangle) const {
     const std::array<Vec2, 3> corner{vertices_[triangle[0]], vertices_[triangle[1]], vertices_[triangle[2]]};
     const Box bounds = boundsOf(corner);

@@ -12,7 +12,7 @@ namespace muster {
 /// Finds the triangles of points by a grid over the mesh. Its answers are those of locate().
 class MeshLocator {
 public:
-    /// Both must outlive it.
+    /// Builds the grid; both lists must outlive it.
     MeshLocator(const std::vector<Triangle>& triangles, const std::vector<Vec2>& vertices);
     /// The point of the mesh that is nearest to `p` [m]; of several triangles that hold it, the first.
     MeshPoint locate(Vec2 p) const;
@@ -35,7 +35,7 @@ private:
 
     const std::vector<Triangle>& triangles_;
     const std::vector<Vec2>& vertices_;
-    Vec2 low_, size_;                    // Of the box of all vertices [m].
+    Vec2 low_, size_;                    // Corner and size of the box of all vertices [m].
     std::vector<std::int32_t> inCell_;   // Triangles, cell by cell, ascending in each.
     std::vector<std::int32_t> cellEnd_;  // Per cell: its end in inCell_.
 };

@@ -69,9 +69,10 @@ double nearestOnBoundary(const std::array<Vec2, 3>& corner, Vec2 p, std::array<d
     return best;
 }
 
-// Weights of points on the boundary are not less than this, but for rounding.
+// Weight below which a point is surely outside: on the boundary only rounding makes weights negative.
 constexpr double kSurelyOutside = -1e-3;
-constexpr double kThin = 1e-4;  // Twice the area of a thin triangle, in squares of its longest side.
+// Twice the area below which a triangle is thin, in squares of its longest side.
+constexpr double kThin = 1e-4;
 
 }  // namespace
 

@@ -29,7 +29,7 @@ bool crossesOddly(std::span<const Vec2> polygon, Vec2 p) {
 
 double signedArea(std::span<const Vec2> polygon) {
     if (polygon.size() < 3) return 0.0;
-    // Relative to the first corner, so that polygons far from the origin lose no digits.
+    // Summed relative to the first corner, so that polygons far from the origin lose no digits.
     double twice = 0.0;
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
         twice += cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);

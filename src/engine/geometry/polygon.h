@@ -15,8 +15,8 @@ namespace muster {
 
 /// The point of a boundary that is nearest to a query point.
 struct ClosestPoint {
-    Vec2 point;             ///< On the boundary [m].
-    double distance = 0.0;  ///< From the query point [m], >= 0.
+    Vec2 point;             ///< Nearest point on the boundary [m].
+    double distance = 0.0;  ///< Distance from the query point [m], >= 0.
 };
 
 /// Area [m^2], positive where the corners run counter-clockwise.

@@ -27,7 +27,7 @@ public:
 
 private:
     std::size_t size_ = 0;
-    std::array<double, most> part_;  // Only the first `size_` have values.
+    std::array<double, most> part_;  // Parts, of which only the first `size_` have values.
 };
 
 struct Pair {

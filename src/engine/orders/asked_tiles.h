@@ -1,4 +1,4 @@
-// Where on the ground a plan has looked, so that edits elsewhere leave it as it is.
+// The ground that a plan has read, so that edits elsewhere leave the plan as it is.
 #pragma once
 
 #include <algorithm>
@@ -35,14 +35,14 @@ public:
         return std::any_of(rows_.begin() + (cells.low.y >> shift_),
                            rows_.begin() + (cells.high.y >> shift_) + 1, isAsked);
     }
-    /// True where it fits a ground of that many cells; for what was read from a file.
+    /// True where it fits a ground of that many cells; for tiles read from a file.
     bool fits(const Grid& grid) const {
         AskedTiles fresh;
         fresh.reset(grid);
         return grid_ == grid && shift_ == fresh.shift_ && rows_.size() == fresh.rows_.size();
     }
 
-    /// Lets an archive read or write it.
+    /// Lets an archive read or write the tiles.
     template <class Archive>
     void visit(Archive& archive) {
         archive(grid_, shift_, rows_);

@@ -19,7 +19,7 @@ public:
           beside_(def.offCourse) {
         course_.clear();
     }
-    /// Goes on at a velocity along the way, and at a speed to the left [m/s], until a time [s].
+    /// Goes on at a velocity along the route and a speed to the left [m/s], until a time [s].
     void go(Vec2 velocity, double sideways, double end) {
         end = std::min(end, until_);
         if (end <= now_) return;
@@ -33,14 +33,14 @@ public:
         beside_ += sideways * (end - now_);
         now_ = end;
     }
-    /// Waits, and starts again. A change of speed counts as half of it at the one speed, half at the other.
+    /// Waits, and starts again. During a change of speed half of the time counts at each speed.
     void wait(double seconds) {
         const Vec2 along = normalized(def_.ahead.front() - on_);
         const double half = 0.5 / def_.acceleration, speed = seconds > 0.0 ? 0.0 : def_.speed;
         if (seconds > 0.0) go(along * def_.speed, 0.0, half * def_.speed);
         go(along * speed, 0.0, seconds + half * std::max(0.0, def_.cruise - speed));
     }
-    /// Goes to a corner; to one side until `shifted` [s].
+    /// Goes to a corner; sideways until `shifted` [s].
     void follow(Vec2 corner, double sideways, double shifted) {
         if (now_ < shifted) {
             const Vec2 along = normalized(corner - on_) * (kOnwardShare * def_.cruise);
@@ -57,7 +57,7 @@ private:
     const CourseDef& def_;
     double until_;
     Course& course_;
-    Vec2 on_;  // On its way.
+    Vec2 on_;  // Point on the route.
     double beside_;
     double now_ = 0.0;
 };
@@ -87,7 +87,7 @@ double firstContact(std::span<const MovingBox> course, std::span<const MovingBox
 }
 
 double timeLost(const CourseDef& def, const Manoeuvre& manoeuvre) {
-    // It goes aside, and back.
+    // The formation goes aside, and back.
     const double offCourse = std::fabs(manoeuvre.offCourse - def.offCourse) + std::fabs(manoeuvre.offCourse);
     return manoeuvre.wait + offCourse * (1.0 - kOnwardShare) / (kSideShare * def.cruise);
 }

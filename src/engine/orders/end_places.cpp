@@ -6,17 +6,19 @@
 namespace muster {
 namespace {
 
-constexpr double kPoseStep = 0.5;     // Between poses that are tried [m]...
-constexpr double kPoseGrowth = 0.02;  // ... or so much of how far they are, where that is more.
-constexpr double kFarthest = 1.0;     // A pose is moved by so many reaches of the formation at most.
-// Tangents of the angles to its own way at which a formation comes to stand beside others.
+constexpr double kPoseStep = 0.5;     // Distance between poses that are tried [m]...
+constexpr double kPoseGrowth = 0.02;  // ... or the same as a share of their distance, where that is more.
+// Greatest distance of a pose from the target, in reaches of the formation.
+constexpr double kMostPoseReach = 1.0;
+// Tangents of the angles to its own route at which a formation may stand beside others.
 constexpr double kSlopes[] = {0.0, -0.2, 0.2, -0.4, 0.4, -0.6, 0.6, -0.8,
                               0.8, -1.0, 1.0, -1.3, 1.3, -1.6, 1.6};
-constexpr double kJoined = 2.5;        // Places so near, in spacings, are joined where the line is clear.
-constexpr double kTighter = 0.85;      // Of the spacing, where there is too little room.
-constexpr double kMostInWalls = 0.25;  // Share of places that may have to leave the formation.
+// Distance up to which places with a clear line between them are joined [spacings].
+constexpr double kJoinedSpacings = 2.5;
+constexpr double kTighterSpacing = 0.85;  // Factor of the spacing where there is too little room.
+constexpr double kMostInWalls = 0.25;     // Share of places that may have to leave the formation.
 
-// Sixteen directions; unit vectors of the exact circle are not needed.
+// Sixteen directions; exact unit vectors are not needed.
 constexpr Vec2 kAround[16] = {{1, 0},  {.924, .383},   {.707, .707},   {.383, .924},
                               {0, 1},  {-.383, .924},  {-.707, .707},  {-.924, .383},
                               {-1, 0}, {-.924, -.383}, {-.707, -.707}, {-.383, -.924},
@@ -24,13 +26,13 @@ constexpr Vec2 kAround[16] = {{1, 0},  {.924, .383},   {.707, .707},   {.383, .9
 
 }  // namespace
 
-// True where somebody else stands or will stand.
+// True for a point where another agent stands or will stand.
 bool EndPlaces::isTaken(Vec2 p) const {
     const auto isNear = [&](std::int32_t k) { return lengthSquared(takenAt_[k] - p) < apart_ * apart_; };
     return !takenAt_.empty() && taken_.anyBeside(p, isNear);
 }
 
-// `beside`: whether what others have taken counts.
+// True where every place of the formation is free at a point; `beside`: points taken by others count.
 bool EndPlaces::fits(const EndDef& def, const FreeSpace& space, Vec2 at, bool beside) const {
     const Pose pose{at, def.pose.rotation};
     return std::all_of(def.offsets.begin(), def.offsets.end(), [&](Vec2 offset) {
@@ -39,7 +41,7 @@ bool EndPlaces::fits(const EndDef& def, const FreeSpace& space, Vec2 at, bool be
     });
 }
 
-// The nearest pose at which every place is free, seen from the target.
+// Finds the nearest pose at which every place is free, seen from the target.
 bool EndPlaces::findFit(const EndDef& def, const FreeSpace& space, double farthest, bool beside,
                         Vec2& at) const {
     const Environment& environment = space.routes().environment();
@@ -58,7 +60,7 @@ bool EndPlaces::findFit(const EndDef& def, const FreeSpace& space, double farthe
     return false;
 }
 
-// True where nothing but people is between two poses: each place sees where it is in the other.
+// True where only people stand between two poses: each place has a clear line to its position in the other.
 bool EndPlaces::isBeside(const EndDef& def, const FreeSpace& space, Vec2 a, Vec2 b) {
     return std::all_of(def.offsets.begin(), def.offsets.end(), [&](Vec2 offset) {
         const Vec2 arm = def.pose.rotation.apply(offset);
@@ -66,11 +68,11 @@ bool EndPlaces::isBeside(const EndDef& def, const FreeSpace& space, Vec2 a, Vec2
     });
 }
 
-// True where one comes from each place to every other by clear lines between neighbours.
+// True where all places are joined by clear lines between neighbours.
 bool EndPlaces::isJoined(const FreeSpace& space, double spacing, std::span<const Vec2> ends, Vec2 middle) {
     const Environment& environment = space.routes().environment();
     const std::size_t n = ends.size();
-    const double reach = kJoined * spacing;
+    const double reach = kJoinedSpacings * spacing;
     std::size_t first = 0;
     for (std::size_t i = 1; i < n; ++i)
         if (lengthSquared(ends[i] - middle) < lengthSquared(ends[first] - middle)) first = i;
@@ -90,7 +92,7 @@ bool EndPlaces::isJoined(const FreeSpace& space, double spacing, std::span<const
     return queue_.size() == n;
 }
 
-// True where nobody stands on the line from where the formation comes to a point.
+// True where no agent stands on the line from where the formation comes to a point.
 bool EndPlaces::isOpenTo(const EndDef& def, Vec2 at) const {
     const Vec2 back = normalized(def.from - at);
     const double whole = distance(at, def.from);
@@ -99,9 +101,9 @@ bool EndPlaces::isOpenTo(const EndDef& def, Vec2 at) const {
     return true;
 }
 
-// Where the formation stands beside those who have taken its target: on its own side of them, so that it need
+// Finds a pose beside agents that have taken the target: on the formation's own side of them, so that it need
 // not cross them, with no wall between. Poses are tried along circles through the target whose diameters lie
-// on its own way, so that the farther aside one is the nearer it must be.
+// on the formation's route: the farther aside a pose is, the nearer it must be.
 bool EndPlaces::findBeside(const EndDef& def, const FreeSpace& space, Vec2 there, Vec2& at) const {
     const Vec2 back = normalized(def.from - there), side = perpendicular(back);
     const double whole = distance(there, def.from);
@@ -116,8 +118,8 @@ bool EndPlaces::findBeside(const EndDef& def, const FreeSpace& space, Vec2 there
     return false;
 }
 
-// True where a point taken lately is nearer than that: the flood comes to what is close together at about the
-// same time.
+// True where one of the last points is nearer than `distance`: the flood comes to neighbouring points at
+// about the same time.
 bool EndPlaces::isNearLast(Vec2 p, double distance) const {
     const std::size_t n = points_.size();
     const auto last = static_cast<std::size_t>(8.0 * std::sqrt(static_cast<double>(n))) + 64;
@@ -126,18 +128,19 @@ bool EndPlaces::isNearLast(Vec2 p, double distance) const {
     return false;
 }
 
-// The free points nearest to the target by the ground's own distance; who stands where in the formation goes
-// to a like side.
+// Lays the places on the free points nearest to the target by the ground's own distance; the sides of the
+// formation stay together.
 bool EndPlaces::layOut(const EndDef& def, const FreeSpace& space, double apart, std::vector<Vec2>& ends) {
     const std::size_t n = def.offsets.size();
     const Vec2 from = space.nearest(def.pose.position);
-    const double least = kSiteSpacing * apart / kTighter;
-    for (double spacing = std::max(def.spacing, least);; spacing = std::max(least, kTighter * spacing)) {
+    const double least = kSiteSpacing * apart / kTighterSpacing;
+    for (double spacing = std::max(def.spacing, least);;
+         spacing = std::max(least, kTighterSpacing * spacing)) {
         points_.clear();
         flood_.begin(space.routes(), space.region(), spacing);
         for (std::size_t i = 0; i < n; ++i) flood_.add(static_cast<std::int32_t>(i), from);
         flood_.run(1, [&](std::int32_t, Vec2 p) {
-            if (!space.contains(p) || isTaken(p) || isNearLast(p, kTighter * spacing)) return false;
+            if (!space.contains(p) || isTaken(p) || isNearLast(p, kTighterSpacing * spacing)) return false;
             points_.push_back(p);
             return true;
         });
@@ -157,18 +160,18 @@ void EndPlaces::find(const EndDef& def, const FreeSpace& space, double apart, st
     const std::size_t n = def.offsets.size();
     ends.resize(n);
     takenAt_ = def.taken;
-    apart_ = std::max(apart, kTighter * def.spacing);
+    apart_ = std::max(apart, kTighterSpacing * def.spacing);
     if (!takenAt_.empty()) taken_.sort(takenAt_, apart_);
-    const double near = kFarthest * def.reach + kPoseStep;
+    const double near = kMostPoseReach * def.reach + kPoseStep;
     bool fits = def.moves && findFit(def, space, near, true, pose.position);
-    // Others are gone round, walls are not.
+    // The formation goes round other agents, but not round walls.
     const bool crowded = def.moves && !fits && !takenAt_.empty() &&
                          findFit(def, space, near, false, pose.position);
     EndDef beside = def;
     if (crowded) {
         const Vec2 there = pose.position;
         fits = findBeside(def, space, there, pose.position);
-        // Else it gathers round them.
+        // Otherwise the formation gathers round them.
         if (!fits) beside.pose.position = pose.position = there;
     }
     std::size_t inWalls = 0;

@@ -1,5 +1,5 @@
-// Where the places of a formation come to stand: as ordered, moved to where the formation fits, or laid out
-// on the ground round the target where it fits nowhere near.
+// The ends of a formation's places: as ordered, moved to where the formation fits, or laid out on the ground
+// round the target where it fits nowhere near.
 #pragma once
 
 #include <span>
@@ -12,15 +12,15 @@
 
 namespace muster {
 
-/// Where a formation is to stand.
+/// The end of a formation.
 struct EndDef {
-    std::span<const Vec2> offsets;     ///< Of the places, in the frame of the formation [m].
-    double spacing = 1.0;              ///< Of the formation [m], above 0.
-    double reach = 1.0;                ///< From its middle to the farthest place [m].
-    Pose pose;                         ///< As ordered.
-    bool moves = true;                 ///< The whole may stand beside the pose, where it fits.
-    std::span<const Vec2> taken = {};  ///< Where others stand or will stand [m].
-    Vec2 from;                         ///< Where the formation comes from [m].
+    std::span<const Vec2> offsets;  ///< Offsets of the places in the frame of the formation [m].
+    double spacing = 1.0;           ///< Spacing of the formation [m], above 0.
+    double reach = 1.0;             ///< Distance from its middle to the farthest place [m].
+    Pose pose;                      ///< Pose that was ordered.
+    bool moves = true;              ///< True if the whole formation may stand beside the pose, where it fits.
+    std::span<const Vec2> taken = {};  ///< Points where other agents stand or will stand [m].
+    Vec2 from;                         ///< Point from which the formation comes [m].
 };
 
 /// Finds the places of one formation at a time. Memory is reused.
@@ -43,7 +43,7 @@ private:
 
     CellList taken_;
     std::span<const Vec2> takenAt_;
-    double apart_ = 0.5;  // From what is taken [m].
+    double apart_ = 0.5;  // Least distance to taken points [m].
     SeparationMemory separation_;
     SiteFlood flood_;
     Pairing pairing_;

@@ -1,4 +1,4 @@
-// Ground on which somebody stands who holds it: others go round.
+// Ground of an agent that holds its ground: others go round it.
 #pragma once
 
 #include <algorithm>
@@ -11,15 +11,15 @@
 
 namespace muster {
 
-/// Who goes past somebody that holds its ground keeps so far from it [m].
+/// Distance that an agent keeps when it passes one that holds its ground [m].
 inline constexpr double kHeldMargin = 0.12;
 
-/// One who holds its ground.
+/// An agent that holds its ground.
 struct HeldSpot {
     Vec2 position;        ///< [m]
-    double radius = 0.0;  ///< Of the body, and what is kept from it [m].
+    double radius = 0.0;  ///< Radius of the body and the distance kept to it [m].
 
-    /// Lets an archive read or write it.
+    /// Lets an archive read or write the spot.
     template <class Archive>
     void visit(Archive& archive) {
         archive(position, radius);
@@ -27,7 +27,8 @@ struct HeldSpot {
     friend bool operator==(const HeldSpot&, const HeldSpot&) = default;
 };
 
-/// True where a body of `radius` [m] goes from `a` to `b` [m] without touching those who hold.
+/// True where a body of `radius` [m] goes from `a` to `b` [m] without touching an agent that holds its
+/// ground.
 inline bool clearOf(std::span<const HeldSpot> held, Vec2 a, Vec2 b, double radius) {
     return std::none_of(held.begin(), held.end(), [&](const HeldSpot& spot) {
         const double apart = spot.radius + radius;
@@ -35,7 +36,7 @@ inline bool clearOf(std::span<const HeldSpot> held, Vec2 a, Vec2 b, double radiu
     });
 }
 
-/// Those who hold their ground, by where they are. Owns its memory and uses it again.
+/// Agents that hold their ground, by position. Owns its memory and reuses it.
 class HeldGround {
 public:
     /// Refers to `held` from now on. `most` is the largest clearance that will be asked for [m].
@@ -50,10 +51,10 @@ public:
         reach_ = reach;
         cells_.sort(centres_, reach);
     }
-    /// The room at `p`, which is `clearance` without those who hold [m].
+    /// The room at `p`, where `clearance` is the room without agents that hold their ground [m].
     double clearanceAt(Vec2 p, double clearance) const {
         if (held_.empty() || !cells_.grid().box().grown(reach_).contains(p)) return clearance;
-        constexpr double kRounding = 1e-9;  // [m]
+        constexpr double kRounding = 1e-9;  // Rounding error of a distance [m].
         cells_.anyBeside(p, [&](std::int32_t i) {
             const HeldSpot& spot = held_[static_cast<std::size_t>(i)];
             const double reach = std::max(0.0, clearance + spot.radius + kRounding);
@@ -66,7 +67,7 @@ public:
 
 private:
     std::span<const HeldSpot> held_;
-    double reach_ = 0.0;  // [m]
+    double reach_ = 0.0;  // Reach of the cells [m].
     std::vector<Vec2> centres_;
     CellList cells_;
 };

@@ -1,4 +1,4 @@
-// A march: how far a group is with going where an order leads, and within which bounds it goes.
+// A march: the progress of a group to where its order leads, and the bounds of its movement.
 #pragma once
 
 #include <cstdint>
@@ -11,35 +11,34 @@
 
 namespace muster {
 
-/// What a group does about its order.
+/// Phase of a group's order.
 enum class MarchPhase : std::uint8_t {
-    Idle,    ///< Nothing yet.
-    Search,  ///< Its way is searched.
-    Go,      ///< It goes along its way.
-    Stand,   ///< Its places are where the order wants them.
+    Idle,    ///< Nothing has begun.
+    Search,  ///< The route is searched.
+    Go,      ///< The group goes along its route.
+    Stand,   ///< Its places are at the end of the order.
 };
 
 /// A march, as a world's state holds it.
 struct March {
     MarchPhase phase = MarchPhase::Idle;
-    std::vector<Vec2> way;   ///< Corners of the way, where it began and its end included [m].
-    std::uint32_t next = 0;  ///< Index of the corner that it heads for.
-    std::vector<Vec2>
-        legs;  ///< While it is searched: points that it leads through and that are still ahead [m].
-    bool reversed = false;      ///< True: the rear of the formation is its front.
-    Pose last;                  ///< Of the mesh, as it was last set.
-    WayQuery query;             ///< Of the present search.
-    std::int32_t searched = 0;  ///< Cells that the search has come to; 0 where it has not begun.
-    std::uint32_t ground = 0;   ///< Version of the ground for which it began.
+    std::vector<Vec2> way;      ///< Corners of the route, its begin and end included [m].
+    std::uint32_t next = 0;     ///< Index of the corner for which it heads.
+    std::vector<Vec2> legs;     ///< While the route is searched: the points ahead through which it leads [m].
+    bool reversed = false;      ///< True if the rear of the formation is its front.
+    Pose last;                  ///< Pose of the mesh, as it was last set.
+    WayQuery query;             ///< The present search.
+    std::int32_t searched = 0;  ///< Cells that the search has visited; 0 before it begins.
+    std::uint32_t ground = 0;   ///< Version of the ground for which the search began.
 
-    /// Corners still ahead [m].
+    /// Corners of the route that are still ahead [m].
     std::span<const Vec2> ahead() const {
         return phase == MarchPhase::Go ? std::span<const Vec2>(way).subspan(next) : std::span<const Vec2>();
     }
-    /// Direction of its front at a pose, of unit length.
+    /// Direction of its front at a pose, a unit vector.
     Vec2 front(const Pose& pose) const { return pose.rotation.apply({reversed ? -1.0 : 1.0, 0.0}); }
 
-    /// Lets an archive read or write it.
+    /// Lets an archive read or write the march.
     template <class Archive>
     void visit(Archive& archive) {
         archive(phase, way, next, legs, reversed, last, query, searched, ground);
@@ -48,15 +47,15 @@ struct March {
 
 /// Bounds of a march.
 struct MarchDef {
-    Turn turn = Turn::Flow;     ///< How it takes its turns.
+    Turn turn = Turn::Flow;     ///< Manner in which it turns.
     double speed = 1.9;         ///< Top speed of every place [m/s], above 0.
     double acceleration = 3.0;  ///< Top acceleration of every place [m/s^2], above 0.
     double brakes = 3.0;        ///< Acceleration by which every place stops [m/s^2], above 0.
-    double reach = 1.0;         ///< From the middle to the farthest place [m], above 0.
-    double pace = 1.0;          ///< Share of its speed: less where somebody falls behind, [0, 1].
+    double reach = 1.0;         ///< Distance from the middle to the farthest place [m], above 0.
+    double pace = 1.0;          ///< Share of its speed: less where members fall behind, [0, 1].
 };
 
-/// Time that a march along a way takes from standing to standing, about [s].
+/// Approximate time that a march along a route takes from standing to standing [s].
 double marchTime(const MarchDef& def, std::span<const Vec2> way, Vec2 front, std::optional<double> facing);
 
 }  // namespace muster

@@ -5,7 +5,7 @@
 
 namespace muster {
 
-// The present plan becomes the one that was made from the same, or a new one.
+// Takes the kept plan with the same input as the present one, or begins a new one.
 void MarchPlans::start(const StreamDef& def, std::span<const HeldSpot> held, GroundVersion ground,
                        const Grid& cells) {
     wanted_.offsets.assign(def.offsets.begin(), def.offsets.end());
@@ -64,7 +64,7 @@ StreamStatus MarchPlans::advance(StreamGround room, std::int64_t operations) {
             spent_ = known->to;
             return spent_ < plan.ways.operations() ? StreamStatus::Planning : plan.ways.status();
         }
-        // Another budget than before.
+        // The budget differs from that of the earlier run.
         std::erase_if(plan.turns, [&](const Turn& turn) { return turn.from >= spent_; });
         plan.ways.start(plan.input.def());
         if (spent_ > 0) plan.advance(room, spent_);

@@ -8,14 +8,14 @@ namespace {
 
 constexpr TimeSpan kNoSpan{1.0, 0.0};
 
-/// While |offset + velocity t| is at most `reach`.
+/// The time while |offset + velocity t| is at most `reach`.
 TimeSpan within(double offset, double velocity, double reach, TimeSpan span) {
     if (std::fabs(velocity) < 1e-12) return std::fabs(offset) <= reach ? span : kNoSpan;
     const double a = (-reach - offset) / velocity, b = (reach - offset) / velocity;
     return {std::max(span.from, std::min(a, b)), std::min(span.to, std::max(a, b))};
 }
 
-/// While two circles meet.
+/// The time while two circles meet.
 TimeSpan within(Vec2 offset, Vec2 velocity, double reach, TimeSpan span) {
     const double speed2 = lengthSquared(velocity);
     const double outside = lengthSquared(offset) - reach * reach;

@@ -8,10 +8,10 @@
 namespace muster {
 namespace {
 
-constexpr double kPairReach = 2.5;  // Those so many spacings apart are compared with each other...
-constexpr int kPairPasses = 12;     // ... and so often at most.
+constexpr double kPairReach = 2.5;  // Distance up to which points are compared with each other [spacings]...
+constexpr int kPairPasses = 12;     // ... and greatest number of passes.
 
-// Whole millimetres about the mean: so two sets that differ by a shift are split alike.
+// Rounds to whole millimetres about the mean, so that two sets that differ by a shift are split equally.
 void centre(std::span<const Vec2> points, std::vector<Vec2>& centred) {
     const Vec2 mean = meanOf(points);
     centred.clear();
@@ -30,7 +30,7 @@ void sortAlong(bool x, const std::vector<Vec2>& points, std::int32_t* begin, std
     });
 }
 
-// About how far points that fill their box, or a line along it, are from each other.
+// Approximate distance between points that fill their box, or a line along it.
 double meanSpacing(std::span<const Vec2> points) {
     const Box box = boundsOf(points);
     const auto n = static_cast<double>(points.size());
@@ -40,7 +40,7 @@ double meanSpacing(std::span<const Vec2> points) {
 
 }  // namespace
 
-// Halves both sets along the longer side of what they cover, and so on: who is on one side goes to that side.
+// Halves both sets along the longer side of their box, and so on: points on one side go to that side.
 void Pairing::split(std::size_t begin, std::size_t end) {
     if (end - begin < 2) return;
     Vec2 low{1e300, 1e300}, high{-1e300, -1e300};
@@ -62,7 +62,7 @@ void Pairing::split(std::size_t begin, std::size_t end) {
     split(middle, end);
 }
 
-// Least squares about the means: a shift of the whole changes no choice.
+// Solves by least squares about the means: a shift of the whole changes no choice.
 void Pairing::solve() {
     const auto n = static_cast<std::int32_t>(fromOrder_.size());
     cost_.clear();
@@ -72,7 +72,7 @@ void Pairing::solve() {
     for (std::int32_t k = 0; k < n; ++k) result_[fromOrder_[k]] = toOrder_[solver_.columnOf()[k]];
 }
 
-// Exchanges where two would cross who are near each other before or behind. Each exchange lowers the sum.
+// Exchanges the ends of two points near each other where they would cross. Each exchange lowers the sum.
 void Pairing::improve() {
     const std::size_t n = fromOrder_.size();
     fromAt_.clear();
@@ -122,7 +122,7 @@ std::span<const std::int32_t> Pairing::pair(std::span<const Vec2> from, std::spa
         const std::size_t count = std::min(fromOrder_.size(), toOrder_.size());
         fromOrder_.resize(count);
         toOrder_.resize(count);
-        if (count <= kExact) {
+        if (count <= kMostExactPairs) {
             solve();
             continue;
         }

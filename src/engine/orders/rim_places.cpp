@@ -24,12 +24,12 @@ Vec2 onRim(Vec2 half, double at) {
 std::vector<Vec2> rimPlaces(std::int32_t count, Vec2 half, double spacing) {
     std::vector<Vec2> places;
     if (count == 1 && std::max(half.x, half.y) <= 0.0) return {Vec2{}};
-    // The two sides of a line would lie on each other.
+    // Otherwise the two sides of a line would lie on each other.
     half = {std::max(half.x, 0.75 * spacing), std::max(half.y, 0.75 * spacing)};
     while (std::ssize(places) < count) {
         const double rim = 4.0 * (half.x + half.y);
         const auto left = static_cast<std::int32_t>(count - std::ssize(places));
-        // Places round a corner are nearer than along the rim.
+        // Places round a corner are nearer to each other than along the rim.
         const double room = std::floor(rim / (1.5 * spacing));
         const std::int32_t here = std::min(left, std::max(1, static_cast<std::int32_t>(std::min(room, 1e6))));
         for (std::int32_t k = 0; k < here; ++k) places.push_back(onRim(half, rim * k / here));

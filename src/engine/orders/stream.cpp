@@ -1,4 +1,4 @@
-// Where the places of a planned march are, and how fast they get on.
+// Positions of the places of a planned march, and their progress.
 #include "engine/orders/stream.h"
 
 #include <algorithm>
@@ -7,9 +7,9 @@
 namespace muster {
 namespace {
 
-constexpr std::int32_t kMostTries = 12;  // Of a step; one is the rule.
-constexpr double kClose = 0.95;          // A step that uses so much of the top speed is good enough,
-constexpr double kAim = 0.997;           // and so much is aimed at.
+constexpr std::int32_t kMostTries = 12;     // Greatest number of tries in a step; one is the rule.
+constexpr double kLeastSpeedShare = 0.95;   // Share of the top speed that a step must reach,
+constexpr double kAimedSpeedShare = 0.997;  // and share at which it aims.
 
 double faded(double q, double share) {
     return std::max(0.0, 1.0 - q / share);
@@ -17,7 +17,8 @@ double faded(double q, double share) {
 
 }  // namespace
 
-// How far ahead of the whole formation its depths are: rows that are less full than wide are stretched less.
+// Writes how far ahead of the whole formation its depths are: rows that are less full than wide are stretched
+// less.
 void Stream::closeUp(double q, Depths& ahead) const {
     double xi = nominalFront_ + q * travel_;
     const double ordered = std::min(1.0, std::min(q, 1.0 - q) * orderRate_);
@@ -38,7 +39,7 @@ Vec2 Stream::raw(std::size_t i, double q, const Depths& ahead) const {
         const double lead = leg.nominalXi + q * travel_;
         xi = lead + (leg.fromXi - leg.nominalXi) * off + (leg.toXi - leg.nominalXi - travel_) * on;
     }
-    // As they stand and as they end they are in no single order; it takes some metres.
+    // Single order comes and goes over some metres, since starts and ends are not in it.
     const double ordered = std::min(1.0, std::min(q, 1.0 - q) * orderRate_);
     const double turn = stretch_.single(xi) * ordered * leg.shift;
     xi -= turn;
@@ -51,12 +52,12 @@ Vec2 Stream::raw(std::size_t i, double q, const Depths& ahead) const {
     return line_.point({s, banks_.left(course, s)});
 }
 
-// Where a place is that does not flow, in one piece with the others at a pose.
+// The position of a place that does not flow, in one piece with the others at a pose.
 Vec2 Stream::straight(std::size_t i, double q, const Pose& pose) const {
     return piece_.empty() ? lerp(starts_[i], ends_[i], q) : pose.apply(offsets_[i]) + miss(i, q);
 }
 
-// What coordinates miss of starts and ends.
+// The difference between starts or ends and the points of their coordinates.
 Vec2 Stream::miss(std::size_t i, double q) const {
     return legs_[i].missFrom * faded(q, kFade) + legs_[i].missTo * faded(1.0 - q, kFade);
 }
@@ -76,8 +77,8 @@ void Stream::at(double q, std::span<Vec2> places) const {
     }
 }
 
-// The largest move of a place as a share of what it may move, but for the one in ten that moves most: where a
-// few have to go far aside, all others need not wait for them.
+// The largest move of a place as a share of what it may move, except for the tenth that moves most: where a
+// few have to go far aside, the others need not wait for them.
 double Stream::overshoot(std::span<const Vec2> from, std::span<const Vec2> to, double reach,
                          std::span<const double> speeds) {
     moves_.resize(from.size());
@@ -105,14 +106,14 @@ double Stream::next(double q, double dt, std::span<const double> speeds, std::sp
             const double less = (1.0 - 1e-3 * (k + 1)) / share;
             step = (next - q) * (k < kMostTries / 2 ? less : std::min(0.5, less));
             grown = true;
-        } else if (share > kClose || grown || next == 1.0) {
+        } else if (share > kLeastSpeedShare || grown || next == 1.0) {
             break;
         } else {
             step *= std::min(4.0, 0.999 / std::max(share, 0.01));
             grown = true;
         }
     }
-    rate = (next - q) / way * std::clamp(kAim / std::max(share, 1e-9), 0.5, 2.0);
+    rate = (next - q) / way * std::clamp(kAimedSpeedShare / std::max(share, 1e-9), 0.5, 2.0);
     std::copy(moved_.begin(), moved_.end(), places.begin());
     return next;
 }

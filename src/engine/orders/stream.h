@@ -1,4 +1,4 @@
-// A march that flows: the places of a formation are led along a way as an incompressible stream.
+// A march that flows: the places of a formation are led along a route as an incompressible stream.
 #pragma once
 
 #include <array>
@@ -16,59 +16,58 @@
 
 namespace muster {
 
-/// One in so many may fall behind a march: of its places, and of those who go to these.
+/// The reciprocal of the share of places, and of their holders, that may fall behind a march.
 inline constexpr std::size_t kStragglers = 10;
 
-/// What a march is to do. All lists of places have the same length; place i starts at starts[i], stands at
+/// Input of a march. All lists of places have the same length; place i starts at starts[i], stands at
 /// offsets[i] while the ground is open, and ends at ends[i].
 struct StreamDef {
-    std::span<const Vec2> offsets;  ///< In the frame of the formation: x forward, y left [m].
-    std::span<const Vec2> starts;   ///< Where they are now [m].
-    std::span<const Vec2> ends;     ///< Where they end, on free ground [m].
-    std::span<const Vec2>
-        way;               ///< From the middle of the starts to that of the ends, two points or more [m].
-    double spacing = 1.0;  ///< Of the formation [m], above 0.
-    double radius = 0.25;  ///< Of bodies [m], above 0.
-    double closest = 1e9;  ///< So near places may come to each other in narrow ground [m], above 0; the
-                           ///< spacing where that is less.
-    bool drawn = false;    ///< True where the way is kept to also where the ground between is free.
-    std::span<const Pose> poses = {};  ///< Of a march in one piece; none for one that may flow.
-    bool measured = false;             ///< True where length() will be asked for.
+    std::span<const Vec2> offsets;  ///< Offsets in the frame of the formation: x forward, y left [m].
+    std::span<const Vec2> starts;   ///< Present positions [m].
+    std::span<const Vec2> ends;     ///< Ends, on free ground [m].
+    /// The route from the middle of the starts to that of the ends, two points or more [m].
+    std::span<const Vec2> way;
+    double spacing = 1.0;  ///< Spacing of the formation [m], above 0.
+    double radius = 0.25;  ///< Radius of bodies [m], above 0.
+    /// Least distance of places in narrow ground [m], above 0; the spacing where that is less.
+    double closest = 1e9;
+    bool drawn = false;  ///< True if the route is kept to even where the ground between is free.
+    std::span<const Pose> poses = {};  ///< Poses of a march in one piece; none for one that may flow.
+    bool measured = false;             ///< True if length() will be asked for.
 };
 
-/// What a plan has come to.
+/// Status of a plan.
 enum class StreamStatus : std::uint8_t {
-    Planning,  ///< It goes on.
+    Planning,  ///< The plan goes on.
     Straight,  ///< Every place goes straight from its start to its end, or all go in one piece.
-    Flowing,   ///< They go along the way.
-    Blocked,   ///< The way is blocked, or the definition is bad: there is no march.
+    Flowing,   ///< The places go along the route.
+    Blocked,   ///< The route is blocked, or the definition is bad: there is no march.
 };
 
-/// Plans a march, and says where its places are as a function of one number q from 0 (start) to 1 (end).
-/// Owns its memory and uses it again.
+/// Plans a march, and gives the positions of its places as a function of one number q from 0 (start) to 1
+/// (end). Owns its memory and reuses it.
 class Stream {
 public:
-    /// Begins a plan; what the definition refers to is copied.
+    /// Begins a plan from a copy of the definition.
     void start(const StreamDef& def);
-    /// Goes on for about so many operations (of about 20 ns). The ground must stay as it is until the plan is
-    /// done.
+    /// Goes on for about `operations` operations (of about 20 ns). The ground must stay as it is until the
+    /// plan is done.
     StreamStatus advance(StreamGround ground, std::int64_t operations);
 
-    StreamStatus status() const { return status_; }        ///< Of the plan.
-    std::int64_t operations() const { return spent_; }     ///< Since the start of the plan.
+    StreamStatus status() const { return status_; }        ///< Status of the plan.
+    std::int64_t operations() const { return spent_; }     ///< Operations since the start of the plan.
     std::size_t places() const { return starts_.size(); }  ///< Number of places.
-    /// How far the slowest of nine in ten places goes, whichever that is, in metres of good ground: at a
-    /// speed they arrive after length() / speed. Of a march that flows only where its definition wants it
-    /// measured, else 0.
+    /// Length of the slowest of nine in ten places, in metres of good ground: at a speed they arrive after
+    /// length() / speed. For a march that flows 0 unless its definition asks for it.
     double length() const { return length_; }
 
     /// The pose at `q` of a march in one piece.
     Pose pieceAt(double q) const { return piece_.empty() ? Pose{} : piece_.at(q); }
-    /// Where the places are at `q`, exactly their starts at 0 and their ends at 1. Only once planned.
+    /// The positions of the places at `q`, exactly their starts at 0 and their ends at 1. Only once planned.
     void at(double q, std::span<Vec2> places) const;
-    /// The next q, `dt` [s] > 0 later, such that nine in ten places go no faster than their `speeds` [m/s]
-    /// above 0. `places` are those at `q`, and then those at the next. `rate` is how much q grows while the
-    /// fastest of nine in ten goes a metre, as it was found by the last call, or 0; with it one try is the
+    /// The q after `dt` [s] > 0 at which nine in ten places have gone no faster than their `speeds` [m/s]
+    /// above 0. `places` are those at `q`, and afterwards those at the result. `rate` is the growth of q per
+    /// metre of the fastest of nine in ten places, as found by the last call, or 0; with it one try is the
     /// rule.
     double next(double q, double dt, std::span<const double> speeds, std::span<Vec2> places, double& rate);
 
@@ -87,12 +86,12 @@ private:
         Finish,
         Measure
     };
-    /// What a place needs to be found fast.
+    /// Coordinates of a place that are computed once.
     struct Leg {
-        double fromXi = 0.0, toXi = 0.0;  // Of start and end [m].
-        double nominalXi = 0.0;           // In the formation, at q = 0 [m].
-        double shift = 0.0;               // Backwards in single order [m].
-        Vec2 missFrom, missTo;            // What is missing at start and end [m].
+        double fromXi = 0.0, toXi = 0.0;  // Xi of start and end [m].
+        double nominalXi = 0.0;           // Xi in the formation, at q = 0 [m].
+        double shift = 0.0;               // Shift backwards in single order [m].
+        Vec2 missFrom, missTo;            // Offsets of start and end from their coordinates [m].
     };
 
     void step(StreamGround ground);
@@ -113,8 +112,8 @@ private:
     void finish();
     bool formUp();
     void measure(StreamGround ground);
-    static constexpr double kFade = 0.125;       // Share of the way in which order can be made.
-    static constexpr std::int32_t kDepths = 64;  // Of samples along the depth of the formation.
+    static constexpr double kFade = 0.125;       // Share of the route over which order can be made.
+    static constexpr std::int32_t kDepths = 64;  // Number of samples along the depth of the formation.
     using Depths = std::array<double, kDepths + 1>;
 
     void fillDepths();
@@ -124,22 +123,23 @@ private:
                      std::span<const double> speeds);
 
     StreamStatus status_ = StreamStatus::Blocked;
-    bool flows_ = false;  // False where every place goes straight on, or all in one piece.
+    bool flows_ = false;  // False where every place goes straight on, or all go in one piece.
     Stage stage_ = Stage::Straight;
     std::size_t next_ = 0;
     std::int64_t spent_ = 0;
     double length_ = 0.0;
     std::vector<Vec2> offsets_, starts_, ends_, way_, moved_, last_;
-    std::vector<double> moves_;   // Of places in a step, squared.
-    std::vector<double> speeds_;  // On the ground where they are.
+    std::vector<double> moves_;   // Moves of places in a step, squared.
+    std::vector<double> speeds_;  // Speeds on the ground under the places.
     double spacing_ = 1.0, radius_ = 0.25, closest_ = 1.0;
     double back_ = 0.0, fore_ = 0.0, startReach_ = 0.0,
-           endReach_ = 0.0;                   // How far starts and ends reach [m].
-    double fadeStart_ = 1.0, fadeEnd_ = 1.0;  // Shares of the way by which the formation is made and left.
-    double orderRate_ = 1.0;                  // By which single order comes and goes at start and end.
-    bool hollow_ = false;        // True where some rows of the formation are less full than wide.
+           endReach_ = 0.0;  // Greatest distance of starts and ends from the ends of the route [m].
+    // Shares of the route over which the formation is made and left.
+    double fadeStart_ = 1.0, fadeEnd_ = 1.0;
+    double orderRate_ = 1.0;     // Rate at which single order comes and goes at start and end.
+    bool hollow_ = false;        // True if some rows of the formation are less full than wide.
     double nominalFront_ = 0.0;  // Xi of its front at q = 0 [m].
-    double depthStep_ = 1.0;     // Between samples of its depth [m].
+    double depthStep_ = 1.0;     // Distance between samples of its depth [m].
     Depths full_{};              // Share of its width that is full, by depth.
     bool centred_ = false, formed_ = false, measured_ = false;
     double startS_ = 0.0, endS_ = 0.0, low_ = 0.0, high_ = 0.0, travel_ = 0.0, most_ = 0.0;
@@ -154,8 +154,8 @@ private:
     StreamStretch stretch_;
     std::vector<StreamCourse> courses_;
     std::vector<Leg> legs_;
-    std::vector<std::uint32_t> beside_;  // By ordinate in a row.
-    std::vector<std::uint32_t> rank_;    // By row of the formation.
+    std::vector<std::uint32_t> beside_;  // Indices by ordinate in a row.
+    std::vector<std::uint32_t> rank_;    // Indices by row of the formation.
 };
 
 }  // namespace muster

@@ -11,8 +11,8 @@ void StreamBanks::start(const StreamRuns& runs, double step, std::int32_t entrie
     for (std::int32_t k = 0; k < runs.rows(); ++k)
         for (std::size_t r = 0; r < runs.row(k).size(); ++r)
             loads_[runs.first(k) + r].room = runs.row(k)[r].high - runs.row(k)[r].low;
-    bankRise_.assign(runs.rows(), kGentle * step);
-    placeRise_.assign(runs.rows(), kSteep * step);
+    bankRise_.assign(runs.rows(), kGentleSlope * step);
+    placeRise_.assign(runs.rows(), kSteepSlope * step);
     near_.resize(runs.rows());
     for (auto* list : {&up_, &down_, &least_, &most_}) list->resize(runs.rows());
     left_.resize(entries);
@@ -30,7 +30,7 @@ void StreamBanks::load(const StreamPaths& paths, const StreamCourse& course) {
     }
 }
 
-// The banks of a course: those of its runs, which open and close at most as steeply as banks may.
+// Finds the banks of a course: those of its runs, opening and closing at most as steeply as banks may.
 void StreamBanks::bound(const StreamRuns& runs, std::span<const std::int32_t> path,
                         const StreamCourse& course) {
     const std::int32_t a = course.first, b = course.last;
@@ -53,7 +53,7 @@ void StreamBanks::raise(std::int32_t from, std::int32_t to, double slope) {
     for (std::int32_t k = from; k < to; ++k) bankRise_[k] = std::max(bankRise_[k], slope * step_);
 }
 
-// Who stands aside at its start or end is within the banks there.
+// Lets a place that stands aside at its start or end be within the banks there.
 void StreamBanks::steepen(const StreamRuns& runs, const StreamPaths& paths, const StreamCourse& course) {
     if (course.rows() == 0) return;
     bound(runs, paths.of(course), course);

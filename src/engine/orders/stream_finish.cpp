@@ -1,4 +1,4 @@
-// The plan of a march that flows: the order of its rows, its ends, and what its places need to be found fast.
+// The plan of a march that flows: the order of its rows, its ends, and the coordinates of its places.
 #include <algorithm>
 #include <cmath>
 
@@ -9,16 +9,17 @@ namespace {
 
 constexpr double kGolden = 0.61803398874989485;  // The golden ratio, less 1.
 
-constexpr std::size_t kMeasures = 32;  // Looks by which the length of a march is known...
-constexpr double kMeasured = 1e-3;     // ... each over so much of q.
-constexpr double kFuller = 2.0;        // Rows count as so many times fuller, so that they keep apart.
-constexpr double kNearlyThere = 0.25;  // Rows are as full as the fullest so many spacings before and behind.
-constexpr double kHollow = 0.95;       // Less full than that share of its width a row is hollow.
+constexpr std::size_t kMeasures = 32;    // Number of samples by which the length of a march is measured...
+constexpr double kMeasureStep = 1e-3;    // ... and the length of q of each.
+constexpr double kFullnessFactor = 2.0;  // Factor by which rows count as fuller, so that they keep apart.
+// Distance before and behind a row over which the fullest row counts [spacings].
+constexpr double kFullnessReach = 0.25;
+constexpr double kHollowShare = 0.95;  // Share of its width below which a row counts as hollow.
 
 }  // namespace
 
-// Rows of the formation in single order: who is farther ahead first, those beside each other by the golden
-// ratio, so that no squeeze brings two together.
+// Brings the rows of the formation into single order: places farther ahead first, places beside each other by
+// the golden ratio, so that no squeeze brings two together.
 void Stream::orderRows() {
     const std::size_t n = offsets_.size();
     legs_.assign(n, {});
@@ -53,7 +54,7 @@ void Stream::orderRows() {
     }
 }
 
-// How full the rows of the formation are, by depth.
+// Finds how full the rows of the formation are, by depth.
 void Stream::fillDepths() {
     double depth = 0.0;
     for (const Vec2 p : offsets_) depth = std::max(depth, p.x);
@@ -64,17 +65,17 @@ void Stream::fillDepths() {
         const auto to = static_cast<std::int32_t>(std::floor((p.x + 0.5 * spacing_) / depthStep_ - 1e-6));
         for (std::int32_t k = std::max(0, from); k <= std::min(kDepths, to); ++k) count[k] += spacing_;
     }
-    const auto near = static_cast<std::int32_t>(kNearlyThere * spacing_ / depthStep_);
+    const auto near = static_cast<std::int32_t>(kFullnessReach * spacing_ / depthStep_);
     hollow_ = false;
     for (std::int32_t k = 0; k <= kDepths; ++k) {
         double most = spacing_;
         for (std::int32_t j = std::max(0, k - near); j <= std::min(kDepths, k + near); ++j)
             most = std::max(most, count[j]);
-        full_[k] = std::min(1.0, kFuller * most / (high_ - low_ + spacing_));
-        hollow_ = hollow_ || full_[k] < kHollow;
+        full_[k] = std::min(1.0, kFullnessFactor * most / (high_ - low_ + spacing_));
+        hollow_ = hollow_ || full_[k] < kHollowShare;
     }
     hollow_ = hollow_ && stretch_.most() > 1.0;
-    // Where few are beside each other they need less of a turn.
+    // Rows with few places beside each other need less of a turn.
     for (std::size_t i = 0; hollow_ && i < legs_.size(); ++i)
         legs_[i]
             .shift *= full_[static_cast<std::size_t>(std::min(offsets_[i].x / depthStep_, kDepths + 0.0))];
@@ -97,7 +98,7 @@ void Stream::finish() {
     travel_ = (to - from) / static_cast<double>(n);
     for (std::size_t i = 0; i < n; ++i) legs_[i].nominalXi = from / static_cast<double>(n) - offsets_[i].x;
     nominalFront_ = from / static_cast<double>(n);
-    // By then the ground is not stretched yet.
+    // While the formation is made and left the ground is not stretched.
     const double longer = (endS_ - startS_) / std::max(travel_, 1e-9);
     if (fadeStart_ < 1.0) fadeStart_ = std::min(1.0, fadeStart_ * longer);
     if (fadeEnd_ < 1.0) fadeEnd_ = std::min(1.0, fadeEnd_ * longer);
@@ -113,15 +114,15 @@ void Stream::finish() {
     enter(Stage::Measure);
 }
 
-// One look a time: how fast the fastest place is, by q, as its ground counts.
+// Takes one sample: the speed of the fastest place, by q, weighted by its ground.
 void Stream::measure(StreamGround ground) {
     const double q = (static_cast<double>(next_) + 0.5) / kMeasures;
     at(q, last_);
-    at(q + kMeasured, moved_);
+    at(q + kMeasureStep, moved_);
     speeds_.clear();
     for (std::size_t i = 0; i < last_.size() && ground.uneven(); ++i)
         speeds_.push_back(ground.speed(last_[i]));
-    length_ += overshoot(last_, moved_, kMeasured * kMeasures, speeds_);
+    length_ += overshoot(last_, moved_, kMeasureStep * kMeasures, speeds_);
     spent_ += 3 * static_cast<std::int64_t>(moved_.size());
     if (++next_ == kMeasures) status_ = flows_ ? StreamStatus::Flowing : StreamStatus::Straight;
 }

@@ -6,11 +6,12 @@
 namespace muster {
 namespace {
 
-constexpr double kPiece = 4.0;       // Least width of the pieces into which runs are cut [m].
-constexpr double kPieces = 6.0;      // Pieces, at most, of a row that is as wide as the formation.
-constexpr double kLeak = 1e-9;       // Conductance of dead ends to nowhere, so that all potentials exist.
-constexpr double kBeyondAll = 1e9;   // Beyond all ordinates [m].
-constexpr double kLeastFlux = 1e-6;  // A row with less carries nothing.
+constexpr double kLeastPieceWidth = 4.0;  // Least width of the pieces into which runs are cut [m].
+constexpr double kMostPieces = 6.0;  // Greatest number of pieces of a row that is as wide as the formation.
+// Conductance from dead ends to nowhere, so that all potentials exist.
+constexpr double kLeakConductance = 1e-9;
+constexpr double kBeyondAll = 1e9;   // An ordinate beyond all others [m].
+constexpr double kLeastFlux = 1e-6;  // Flux below which a row carries nothing.
 
 }  // namespace
 
@@ -23,7 +24,7 @@ void StreamFlow::start(const StreamRuns& runs, double step, std::int32_t from, s
     low_ = low;
     high_ = high;
     spacing_ = spacing;
-    cut_ = std::max(kPiece, (high - low + spacing) / kPieces);
+    cut_ = std::max(kLeastPieceWidth, (high - low + spacing) / kMostPieces);
     width_ = 1;
     pieces_.clear();
     firstPiece_.assign(1, 0);
@@ -94,7 +95,7 @@ void StreamFlow::cut(const StreamRuns& runs, std::int32_t k) {
     width_ = std::max(width_, static_cast<std::int32_t>(pieces_.size()) - before);
 }
 
-// Between pieces of rows that follow each other; 0 where they do not meet.
+// Conductance between pieces of adjacent rows; 0 where they do not meet.
 double StreamFlow::conductance(std::int32_t a, std::int32_t b) const {
     const Piece &p = pieces_[a], &q = pieces_[b];
     const double overlap = std::min(p.high, q.high) - std::max(p.low, q.low);
@@ -116,7 +117,7 @@ std::int32_t StreamFlow::joinRow(const StreamRuns& runs, std::int32_t k) {
     const std::int32_t row = k - from_, first = firstPiece_[row], last = firstPiece_[row + 1];
     std::int32_t work = 1;
     for (std::int32_t a = first; a < last; ++a, ++work) {
-        entry(a, a) += kLeak;
+        entry(a, a) += kLeakConductance;
         if (a + 1 < last && pieces_[a].run == pieces_[a + 1].run)
             add(a, a + 1, 2.0 * step_ / (pieces_[a + 1].high - pieces_[a].low + 0.1));
         const double inside = std::min(pieces_[a].high, high_) - std::max(pieces_[a].low, low_) + spacing_;
@@ -134,7 +135,7 @@ std::int32_t StreamFlow::joinRow(const StreamRuns& runs, std::int32_t k) {
     return work;
 }
 
-// One row of a square-root-free Cholesky decomposition in a band, and of the forward substitution.
+// Factors one row of a square-root-free Cholesky decomposition in a band, with the forward substitution.
 std::int32_t StreamFlow::factor(std::int32_t i) {
     const std::int32_t begin = std::max(0, i - width_);
     double diagonal = entry(i, i), right = level_[i];
@@ -166,7 +167,7 @@ std::int32_t StreamFlow::substitute(std::int32_t i) {
     return 1 + width_ / 8;
 }
 
-// Where nothing flows a run has the ordinates that lie nearest to it.
+// Gives a run without flow the ordinates that lie nearest to it.
 void StreamFlow::shareByPlace(const StreamRuns& runs, std::int32_t k) {
     const std::span<const StreamRun> row = runs.row(k);
     for (std::size_t r = 0; r < row.size(); ++r) {

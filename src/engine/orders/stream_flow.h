@@ -1,4 +1,4 @@
-// How a stream parts round islands: a potential flow over the runs of its rows.
+// Division of a stream round islands: a potential flow over the runs of its rows.
 #pragma once
 
 #include <cstdint>
@@ -9,25 +9,26 @@
 
 namespace muster {
 
-/// Which ordinates of the formation pass through a run.
+/// The ordinates of the formation that pass through a run.
 struct StreamShare {
-    double low = 0.0;   ///< [m]
-    double high = 0.0;  ///< [m]
+    double low = 0.0;   ///< Least ordinate [m].
+    double high = 0.0;  ///< Greatest ordinate [m].
     bool
-        flows = false;  ///< True where they follow from the flow: those of the formation; else those nearest.
-    /// How far outside `y` is [m], 0 inside.
+        /// True if they follow from the flow, as ordinates of the formation; else they are the nearest ones.
+        flows = false;
+    /// The distance of `y` outside the share [m], 0 inside.
     double outside(double y) const { return y < low ? low - y : (y > high ? y - high : 0.0); }
 };
 
-/// Solves for the flux through each run. Wide runs are cut into pieces, so that what flows beside each other
-/// does not mix at once. Owns its memory and uses it again.
+/// Solves for the flux through each run. Wide runs are cut into pieces, so that neighbouring parts of the
+/// flow do not mix at once. Owns its memory and reuses it.
 class StreamFlow {
 public:
-    /// Begins: the flow comes in at row `from` between `low` and `high` [m] and goes out at row `to`. These
+    /// Begins: the flow comes in at row `from` between `low` and `high` [m] and goes out at row `to`. Both
     /// are also the ordinates of the formation.
     void start(const StreamRuns& runs, double step, std::int32_t from, std::int32_t to, double low,
                double high, double spacing);
-    /// Goes on by some operations; returns how many it took.
+    /// Goes on by some operations; returns their number.
     std::int32_t advance(const StreamRuns& runs);
     /// True once the shares are known.
     bool done() const { return stage_ == Stage::Done; }
@@ -58,9 +59,9 @@ private:
     std::int32_t from_ = 0, to_ = 0, next_ = 0, width_ = 0;
     double step_ = 0.5, low_ = 0.0, high_ = 0.0, spacing_ = 1.0, cut_ = 1.0;
     std::vector<Piece> pieces_;
-    std::vector<std::int32_t> firstPiece_;  // Of the rows from `from_` to `to_`.
+    std::vector<std::int32_t> firstPiece_;  // First pieces of the rows from `from_` to `to_`.
     std::vector<double> band_, level_;      // Lower half of the matrix; right side, then potential.
-    std::vector<double> flux_;              // Of the runs of a row.
+    std::vector<double> flux_;              // Flux through the runs of a row.
     std::vector<StreamShare> shares_;
 };
 

@@ -8,25 +8,29 @@
 namespace muster {
 namespace {
 
-constexpr double kBeyond = 2.0;      // The line goes on so far beyond starts and ends [m].
-constexpr double kMostRound = 12.0;  // Bends are as long as the formation is wide, but no longer [m].
-constexpr double kLeastAside = 2.0;  // So far outside its own width a stream may turn aside at least [m].
-constexpr double kFelt = 0.1;        // Longer by less than that share, the outside of a bend is as good.
-constexpr double kComeBack = 0.2;    // Slope by which the line leaves the middle of a street.
-constexpr double kNarrow = 1.2;      // So much narrower than the formation makes a row narrow.
-constexpr double kTouch = 1e-3;      // So much nearer to a wall is not felt [m].
-constexpr double kLeastLook = 0.05;  // Between looks along a straight way [m].
+constexpr double kLineBeyond = 2.0;  // Length of the line beyond starts and ends [m].
+// Greatest length of a bend; bends are as long as the formation is wide [m].
+constexpr double kMostBend = 12.0;
+// Least distance outside its own width to which a stream may turn aside [m].
+constexpr double kLeastAside = 2.0;
+// Share of length up to which the outside of a bend is as good as its middle.
+constexpr double kBendTolerance = 0.1;
+constexpr double kCentringSlope = 0.2;  // Slope at which the line leaves the middle of a street.
+// Ratio of the formation's width to the room above which a row is narrow.
+constexpr double kNarrowRatio = 1.2;
+constexpr double kWallTolerance = 1e-3;  // Difference of distance to a wall that does not matter [m].
+constexpr double kLeastLook = 0.05;      // Least distance between looks along a straight route [m].
 
 }  // namespace
 
-// One place a time: whether the straight way, or that of the whole in one piece, is free. Who starts or ends
-// near a wall may be as near there.
+// Tests one place at a time: whether the straight line, or that of the whole in one piece, is free. A place
+// that starts or ends near a wall may be as near there.
 void Stream::checkStraight(StreamGround ground) {
     const Vec2 a = starts_[next_], b = ends_[next_];
     const double whole = piece_.empty() ? distance(a, b) : most_, atA = ground(a), atB = ground(b);
     for (double s = 0.0; s < whole;) {
         const double room = ground(straight(next_, s / whole, pieceAt(s / whole)));
-        const double gap = room - std::min({radius_, atA + s, atB + whole - s}) + kTouch;
+        const double gap = room - std::min({radius_, atA + s, atB + whole - s}) + kWallTolerance;
         ++spent_;
         if (gap < 0.0) {
             if (!piece_.empty()) status_ = StreamStatus::Blocked;
@@ -49,7 +53,7 @@ void Stream::makeLine() {
     const auto [least, most] = boundsOf(offsets_);
     const Vec2 middle = (least + most) * 0.5;
     for (Vec2& p : offsets_)
-        p = {most.x - p.x, p.y - middle.y};  // From here on x is how far behind the front.
+        p = {most.x - p.x, p.y - middle.y};  // From here on x is the distance behind the front.
     low_ = least.y - middle.y;
     high_ = most.y - middle.y;
     const std::size_t n = way_.size();
@@ -61,22 +65,22 @@ void Stream::makeLine() {
         startReach_ = std::max(startReach_, distance(starts_[i], way_[0]));
         endReach_ = std::max(endReach_, distance(ends_[i], way_[n - 1]));
     }
-    back_ += kBeyond;
-    fore_ += kBeyond;
-    line_.make(way_, back_, fore_, std::min(high_ - low_ + spacing_, kMostRound));
+    back_ += kLineBeyond;
+    fore_ += kLineBeyond;
+    line_.make(way_, back_, fore_, std::min(high_ - low_ + spacing_, kMostBend));
     centred_ = formed_ = false;
     fadeStart_ = fadeEnd_ = 1.0;
     placeOnLine();
 }
 
-// Where starts and ends are on the line, and how far its rows reach.
+// Locates starts and ends on the line, and finds the reach of its rows.
 void Stream::placeOnLine() {
     const double whole = (line_.rows() - 1) * line_.step();
     const auto near = [&](Vec2 p, double s, double reach) {
         return line_.locate(p, std::clamp(s - reach, 0.0, whole), std::clamp(s + reach, 0.0, whole));
     };
-    startS_ = near(way_.front(), back_, kBeyond).s;
-    endS_ = near(way_.back(), whole - fore_, kBeyond).s;
+    startS_ = near(way_.front(), back_, kLineBeyond).s;
+    endS_ = near(way_.back(), whole - fore_, kLineBeyond).s;
     courses_.resize(starts_.size());
     for (std::size_t i = 0; i < starts_.size(); ++i) {
         courses_[i] = {};
@@ -90,7 +94,7 @@ void Stream::placeOnLine() {
     enter(Stage::Rows);
 }
 
-// True where somebody would have to pass the row that was looked at last, and nobody can.
+// True where a course must pass the last row, and that has no run.
 bool Stream::isWalledOff() const {
     const std::int32_t k = runs_.known() - 1;
     if (k < 0 || !runs_.row(k).empty()) return false;
@@ -100,7 +104,8 @@ bool Stream::isWalledOff() const {
     });
 }
 
-// In bends of streets the line is moved to their middle, or all would go by the outside. True where it was.
+// Moves the line to the middle of streets in their bends, where all would go by the outside. True if it
+// moved.
 bool Stream::centre() {
     if (centred_) return false;
     centred_ = true;
@@ -112,14 +117,14 @@ bool Stream::centre() {
         const double s = k * line_.step();
         if (row.size() != 1 || row[0].high - row[0].low > high_ - low_ || s < startS_ || s > endS_) continue;
         const double middle = 0.5 * (row[0].low + row[0].high);
-        if (line_.row(k).bend * middle > -kFelt) continue;
+        if (line_.row(k).bend * middle > -kBendTolerance) continue;
         street_[k] = 1;
         shift_[k] = middle;
         moves = true;
     }
     if (!moves) return false;
-    // Behind and ahead of the street it comes back little by little.
-    const double back = kComeBack * line_.step();
+    // Behind and ahead of a street the line comes back gradually.
+    const double back = kCentringSlope * line_.step();
     const auto follow = [&](std::size_t k, std::size_t from) {
         if (shift_[from] - back > shift_[k] && shift_[k] >= 0.0 && !street_[k])
             shift_[k] = shift_[from] - back;
@@ -128,19 +133,19 @@ bool Stream::centre() {
     };
     for (std::size_t k = 1; k < shift_.size(); ++k) follow(k, k - 1);
     for (std::size_t k = shift_.size() - 1; k-- > 0;) follow(k, k + 1);
-    line_.shift(shift_, std::min(high_ - low_ + spacing_, kMostRound));
+    line_.shift(shift_, std::min(high_ - low_ + spacing_, kMostBend));
     placeOnLine();
     return true;
 }
 
-// The formation is made before the first row that is narrower than it and left behind the last one: there
-// everybody keeps the own turn. False where there is none: all go straight from start to end.
+// Makes the formation before the first row that is narrower than it, and leaves it behind the last one:
+// between them every place keeps its turn. False where there is none: all go straight from start to end.
 bool Stream::formUp() {
     double first = 1e9, last = -1e9;
     for (std::int32_t k = 0; k < line_.rows(); ++k)
         for (std::int32_t r = runs_.first(k); r < runs_.first(k + 1); ++r) {
             const StreamLoad& load = banks_.loads()[r];
-            if (load.high - load.low + spacing_ <= kNarrow * (load.room + spacing_)) continue;
+            if (load.high - load.low + spacing_ <= kNarrowRatio * (load.room + spacing_)) continue;
             first = std::min(first, k * line_.step());
             last = k * line_.step();
         }
@@ -149,7 +154,7 @@ bool Stream::formUp() {
     formed_ = true;
     double meanX = 0.0, front = -1e9, rear = 1e9;
     for (const Vec2 p : offsets_) meanX += p.x / static_cast<double>(offsets_.size());
-    // Out of the formation, at the start and at the end.
+    // Greatest offsets from the formation, at the start and at the end.
     const auto off = [&] {
         Vec2 most;
         for (std::size_t i = 0; i < courses_.size(); ++i) {
@@ -182,7 +187,8 @@ void Stream::startFlow() {
     enter(Stage::Flow);
 }
 
-// How far the rows reach: as the formation, some more to turn aside, and as far as starts and ends.
+// Sets the reach of the rows: the width of the formation, some room to turn aside, and the reach of starts
+// and ends.
 void Stream::reachOut() {
     const double aside = std::max(kLeastAside, 0.5 * (high_ - low_));
     half_.assign(line_.rows(), std::max(high_, -low_) + aside);

@@ -1,4 +1,4 @@
-// How courses are laid between the banks of a stream, and kept apart.
+// Lays courses between the banks of a stream, and keeps them apart.
 #include "engine/orders/stream_banks.h"
 
 #include <algorithm>
@@ -7,9 +7,9 @@
 namespace muster {
 namespace {
 
-constexpr double kNoBank = 1e9;  // Beyond all banks [m].
+constexpr double kNoBank = 1e9;  // An offset beyond all banks [m].
 
-/// How far to the left the straight stretch between two points is at `s` [m].
+/// The offset to the left at `s` [m] of the straight line between two points.
 double between(StreamPoint p, StreamPoint q, double s) {
     const double whole = q.s - p.s;
     return p.d + (q.d - p.d) * (std::fabs(whole) > 1e-9 ? std::clamp((s - p.s) / whole, 0.0, 1.0) : 1.0);
@@ -17,8 +17,8 @@ double between(StreamPoint p, StreamPoint q, double s) {
 
 }  // namespace
 
-// Where the course would be by its banks alone: between them those beside each other keep their distances, or
-// are squeezed evenly.
+// Finds the offsets of a course by its banks alone: between banks neighbouring courses keep their distances,
+// or are squeezed evenly.
 void StreamBanks::aim(std::span<const std::int32_t> path, const StreamCourse& course) {
     for (std::int32_t k = course.first; k <= course.last; ++k) {
         const Banks& banks = near_[k];
@@ -37,7 +37,8 @@ void StreamBanks::aim(std::span<const std::int32_t> path, const StreamCourse& co
     }
 }
 
-// No steeper than places may turn aside, within its runs, and exactly from its start to its end.
+// Evens a course: no steeper than places may turn aside, within its runs, and exactly from its start to its
+// end.
 void StreamBanks::even(const StreamRuns& runs, std::span<const std::int32_t> path, const StreamCourse& course,
                        double slope) {
     const std::int32_t a = course.first, b = course.last;
@@ -75,7 +76,7 @@ void StreamBanks::lay(const StreamRuns& runs, const StreamPaths& paths, const St
     const std::span<const std::int32_t> path = paths.of(course);
     bound(runs, path, course);
     aim(path, course);
-    even(runs, path, course, kGentle);
+    even(runs, path, course, kGentleSlope);
 }
 
 void StreamBanks::smooth(const StreamRuns& runs, const StreamPaths& paths, const StreamCourse& course) {
@@ -86,7 +87,7 @@ void StreamBanks::smooth(const StreamRuns& runs, const StreamPaths& paths, const
         least_[k] = -kNoBank;
         most_[k] = kNoBank;
     }
-    even(runs, path, course, kSteep);
+    even(runs, path, course, kSteepSlope);
     for (std::int32_t k = course.first; k <= course.last; ++k) {
         StreamLoad& load = loads_[path[k - course.first]];
         load.right = std::min(load.right, left_[course.entry + k - course.first]);
@@ -126,7 +127,7 @@ std::int32_t StreamBanks::part(const StreamRuns& runs, const StreamPaths& paths,
     return work;
 }
 
-// The nearest positions, by least squares, that keep the distances: pool adjacent violators.
+// Finds the nearest offsets, by least squares, that keep the distances: pool adjacent violators.
 void StreamBanks::partRun(std::span<const StreamCourse> courses, std::int32_t k, const StreamRun& run) {
     const std::size_t n = inRun_.size();
     const auto entry = [&](std::size_t j) { return courses[inRun_[j]].entry + k - courses[inRun_[j]].first; };

@@ -6,9 +6,9 @@
 namespace muster {
 namespace {
 
-constexpr double kRowStep = 0.5;          // Between rows [m].
-constexpr std::int32_t kMostRows = 2000;  // Longer ways have rows farther apart.
-constexpr double kFineStep = 0.25;        // Of the line while its corners are rounded [m].
+constexpr double kRowStep = 0.5;          // Distance between rows [m].
+constexpr std::int32_t kMostRows = 2000;  // Greatest number of rows; longer routes have rows farther apart.
+constexpr double kFineStep = 0.25;        // Step of the line while its corners are rounded [m].
 constexpr double kLeastFold = 0.2;        // Share of its length that a line keeps on the inside of a bend.
 
 }  // namespace
@@ -34,7 +34,8 @@ void StreamLine::resample(const std::vector<Vec2>& from, double step, std::vecto
     to.push_back(from.back());
 }
 
-// The mean over `width`: a corner becomes a bend of that length. Beyond its ends the line goes straight on.
+// Takes the mean over `width`: a corner becomes a bend of that length. Beyond its ends the line goes straight
+// on.
 void StreamLine::round(double width) {
     const auto n = static_cast<std::int32_t>(fine_.size());
     const double step = distance(fine_[0], fine_[1]);
@@ -67,7 +68,7 @@ void StreamLine::make(std::span<const Vec2> way, double back, double fore, doubl
     takeRows(whole);
 }
 
-// Rows at even distances along the line in `scratch_`.
+// Makes rows at even distances along the line in `scratch_`.
 void StreamLine::takeRows(double whole) {
     resample(scratch_, std::max(kRowStep, whole / kMostRows), fine_);
     const auto count = static_cast<std::int32_t>(fine_.size());
@@ -90,7 +91,7 @@ void StreamLine::takeRows(double whole) {
 
 void StreamLine::shift(std::vector<double>& left, double round) {
     const auto half = static_cast<std::int32_t>(0.5 * round / step_);
-    // Twice the mean: no kinks.
+    // The mean is taken twice, which leaves no kinks.
     for (std::int32_t turn = 0; turn < 2; ++turn) {
         const auto at = [&](std::int32_t k) { return left[std::clamp(k, 0, rows() - 1)]; };
         means_.resize(rows());

@@ -1,4 +1,4 @@
-// The middle line of a stream: rows across a way at even distances, and coordinates along and across it.
+// The middle line of a stream: rows across a route at even distances, and coordinates along and across it.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace muster {
 
-/// On the inside of a bend rows are never nearer to each other than by that share.
+/// Least share of the distance between rows on the inside of a bend.
 inline constexpr double kLeastBend = 0.45;
 
 /// Calls `set(k, mean)` for all k in [0, n) with the mean of at(k - half) to at(k + half).
@@ -23,36 +23,37 @@ void runningMeans(std::int32_t n, std::int32_t half, const At& at, const Set& se
     }
 }
 
-/// A row across the way.
+/// A row across the route.
 struct StreamRow {
-    Vec2 centre;        ///< On the middle line [m].
-    Vec2 along;         ///< Unit vector along the way.
+    Vec2 centre;        ///< Point on the middle line [m].
+    Vec2 along;         ///< Unit vector along the route.
     Vec2 across;        ///< Unit vector to the left.
     double bend = 0.0;  ///< Curvature, positive to the left [1/m].
 };
 
-/// Along and across.
+/// Coordinates along and across the line.
 struct StreamPoint {
-    double s = 0.0;  ///< Along the middle line, from its first row on [m].
-    double d = 0.0;  ///< To the left of it [m].
+    double s = 0.0;  ///< Distance along the middle line, from its first row on [m].
+    double d = 0.0;  ///< Distance to the left of the line [m].
 };
 
-/// A way as a line of rows. Owns its memory and uses it again.
+/// A route as a line of rows. Owns its memory and reuses it.
 class StreamLine {
 public:
-    /// Takes a polyline of two points or more, longer by `back` and `fore` [m] at its ends. Corners are
-    /// rounded over `round` [m] of the way.
+    /// Takes a polyline of two points or more, lengthened by `back` and `fore` [m] at its ends. Corners are
+    /// rounded over `round` [m] of the line.
     void make(std::span<const Vec2> way, double back, double fore, double round);
 
     /// Moves each row to the left by `left` [m], evened over `round` [m], and takes even distances again.
     void shift(std::vector<double>& left, double round);
 
-    std::int32_t rows() const { return static_cast<std::int32_t>(rows_.size()); }  ///< At least 2.
-    const StreamRow& row(std::int32_t k) const { return rows_[k]; }                ///< The k-th.
-    double step() const { return step_; }                                          ///< Between rows [m].
-    /// The geometry at `s` [m]: between rows both ends of a row are interpolated.
+    /// Number of rows, at least 2.
+    std::int32_t rows() const { return static_cast<std::int32_t>(rows_.size()); }
+    const StreamRow& row(std::int32_t k) const { return rows_[k]; }  ///< The row k.
+    double step() const { return step_; }                            ///< Distance between rows [m].
+    /// The geometry at `s` [m]; between rows both ends of a row are interpolated.
     StreamRow at(double s) const;
-    /// The point of the ground. Beyond the line it goes straight on.
+    /// The point of the ground at coordinates. Beyond its ends the line goes straight on.
     Vec2 point(StreamPoint p) const;
     /// Coordinates of a point of the ground, by the nearest of the rows from `first` to `last` [m].
     StreamPoint locate(Vec2 p, double first, double last) const;

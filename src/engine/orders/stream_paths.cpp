@@ -37,7 +37,7 @@ void StreamPaths::start(const StreamRuns& runs, double step) {
 
 std::int32_t StreamPaths::choose(const StreamRuns& runs, std::span<const StreamShare> shares,
                                  StreamCourse& course) {
-    // Rows that lie half a step within its way: those know the ground a quarter of a metre farther.
+    // The rows that lie half a step within its ends, where the ground is known a quarter of a metre farther.
     course.first = std::max(0, static_cast<std::int32_t>(std::ceil(course.a().s / step_ + 0.5)));
     course.last = std::min(runs.rows() - 1,
                            static_cast<std::int32_t>(std::floor(course.b().s / step_ - 0.5)));
@@ -56,7 +56,7 @@ std::int32_t StreamPaths::choose(const StreamRuns& runs, std::span<const StreamS
     return work;
 }
 
-// The runs that have its ordinate, where they lead from each to the next.
+// Follows the runs that hold the ordinate of a course; false where one does not lead to the next.
 bool StreamPaths::follow(const StreamRuns& runs, std::span<const StreamShare> shares,
                          const StreamCourse& course, std::int32_t from, std::int32_t to) {
     std::int32_t at = from;
@@ -79,7 +79,7 @@ bool StreamPaths::follow(const StreamRuns& runs, std::span<const StreamShare> sh
     }
 }
 
-// The runs that are least far from its ordinate, row by row.
+// Searches the runs that are least far from the ordinate of a course, row by row. Returns the operations.
 std::int32_t StreamPaths::search(const StreamRuns& runs, std::span<const StreamShare> shares,
                                  const StreamCourse& course, std::int32_t from, std::int32_t to) {
     std::int32_t work = 0;

@@ -8,9 +8,9 @@
 namespace muster {
 namespace {
 
-constexpr double kPoseEvery = 0.5;  // Between poses of a formation that turns, in its reaches.
+constexpr double kPoseInterval = 0.5;  // Distance between poses of a formation that turns, in its reaches.
 
-/// The point of a way that is so far from its begin [m].
+/// The point of a route at a distance from its begin [m].
 Vec2 pointAt(std::span<const Vec2> way, double far) {
     for (std::size_t k = 1; k < way.size(); ++k) {
         const double part = distance(way[k - 1], way[k]);
@@ -27,12 +27,12 @@ public:
         : at_(from), turn_(turn), reversed_(reversed), poses_(poses) {
         poses_.assign(1, from);
     }
-    /// It comes to a point as it is.
+    /// Moves the formation to a point without turning it.
     void go(Vec2 to) {
         at_.position = to;
         poses_.push_back(at_);
     }
-    /// Its front turns to a direction, or its rear where that is nearer and may become its front.
+    /// Turns its front to a direction, or its rear where that is nearer and may become its front.
     void face(Vec2 front) {
         const Rotation ahead{front.x, front.y}, back{-front.x, -front.y};
         const Rotation& now = reversed_ ? back : ahead;
@@ -90,9 +90,9 @@ void listPoses(const PieceDef& def, bool& reversed, std::vector<Pose>& poses) {
     } else {
         double whole = 0.0;
         for (std::size_t k = 1; k < def.way.size(); ++k) whole += distance(def.way[k - 1], def.way[k]);
-        // It faces along the chord of what is as near as it reaches.
-        const double reach = std::max(def.reach, kPoseEvery);
-        const auto parts = static_cast<std::int32_t>(std::ceil(whole / (kPoseEvery * reach)));
+        // The formation faces along the chord of the part of the route within its reach.
+        const double reach = std::max(def.reach, kPoseInterval);
+        const auto parts = static_cast<std::int32_t>(std::ceil(whole / (kPoseInterval * reach)));
         for (std::int32_t k = 0; parts > 0 && k <= parts; ++k) {
             const double far = whole * k / parts;
             const Vec2 chord = pointAt(def.way, far + reach) - pointAt(def.way, std::max(0.0, far - reach));

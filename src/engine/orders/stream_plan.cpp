@@ -42,7 +42,7 @@ void Stream::start(const StreamDef& def) {
     enter(def.drawn && piece_.empty() ? Stage::Line : Stage::Straight);
 }
 
-// In one piece: what starts and ends are off the formation fades.
+// Starts a march in one piece: the offsets of starts and ends from the formation fade.
 void Stream::startPiece(std::span<const Pose> poses) {
     double reach = 0.0;
     for (const Vec2 offset : offsets_) reach = std::max(reach, distance(offset, {}));
@@ -110,7 +110,7 @@ void Stream::step(StreamGround ground) {
     }
 }
 
-// One course a time, through all of them in each stage.
+// Treats one course at a time, all of them in each stage.
 void Stream::stepCourses() {
     StreamCourse& course = courses_[next_];
     if (stage_ == Stage::Paths) {

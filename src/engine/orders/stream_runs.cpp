@@ -6,9 +6,9 @@
 namespace muster {
 namespace {
 
-constexpr double kLeastProbe = 0.2;  // Blocked stretches of a row that are shorter may be missed [m].
-constexpr double kEdge = 1e-3;       // Ends of runs are exact to that [m].
-constexpr double kSkin = 0.03;       // Runs keep so much farther from walls, where they have room [m].
+constexpr double kLeastProbe = 0.2;        // Length below which a blocked stretch of a row may be missed [m].
+constexpr double kRunEndTolerance = 1e-3;  // Accuracy of the ends of runs [m].
+constexpr double kSkin = 0.03;             // Distance that runs keep from walls, where they have room [m].
 
 }  // namespace
 
@@ -30,7 +30,7 @@ std::int32_t StreamRuns::probe(const StreamLine& line, StreamGround ground) {
     const std::int32_t asked = trace(line.at(0.5 * next_ * line.step()), half, ground);
     partOf_.push_back(static_cast<std::int32_t>(parts_.size()));
     ++next_;
-    // A row is known as soon as those behind and ahead of it are.
+    // A row is known as soon as its neighbours behind and ahead are.
     if (!between && k > 0) joinRow(k - 1);
     if (k == rowCount_ - 1) joinRow(k);
     return asked;
@@ -38,7 +38,7 @@ std::int32_t StreamRuns::probe(const StreamLine& line, StreamGround ground) {
 
 double StreamRuns::edge(const StreamRow& row, double free, double blocked, StreamGround ground,
                         std::int32_t& asked) const {
-    while (std::fabs(blocked - free) > kEdge) {
+    while (std::fabs(blocked - free) > kRunEndTolerance) {
         const double middle = 0.5 * (free + blocked);
         ++asked;
         (ground(row.centre + row.across * middle) >= radius_ ? free : blocked) = middle;
@@ -93,7 +93,7 @@ bool StreamRuns::joinFar(const StreamRun& run, std::int32_t side, std::int32_t h
     return any;
 }
 
-// The runs of row k: what is free in it, half a row and a row behind and ahead.
+// Finds the runs of row k: ground that is free in it and half a row and a row behind and ahead.
 void StreamRuns::joinRow(std::int32_t k) {
     const std::int32_t m = 2 * k, last = 2 * (rowCount_ - 1);
     const std::int32_t behind = std::max(m - 1, 0), ahead = std::min(m + 1, last);

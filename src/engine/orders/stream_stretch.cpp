@@ -7,8 +7,8 @@
 namespace muster {
 namespace {
 
-constexpr double kSingle = 0.4;  // From that stretch more on rows are in single order.
-constexpr double kBins = 4.0;    // Of xi, per row.
+constexpr double kSingleOrderStretch = 0.4;  // Stretch from which on rows are in single order.
+constexpr double kBins = 4.0;                // Bins of xi per row.
 }  // namespace
 
 void StreamStretch::start(const StreamLine& line, double spacing, double closest) {
@@ -37,7 +37,7 @@ void StreamStretch::settle(double shift) {
     xi_.resize(sigma_.size());
     xi_[0] = 0.0;
     for (std::size_t k = 1; k < sigma_.size(); ++k) {
-        // Unstretched, xi is s to the bit.
+        // On unstretched ground xi is s to the bit.
         const bool open = sigma_[k] == 1.0 && sigma_[k - 1] == 1.0;
         xi_[k] = xi_[k - 1] + (open ? step_ : 0.5 * step_ * (1.0 / sigma_[k - 1] + 1.0 / sigma_[k]));
     }
@@ -57,7 +57,7 @@ void StreamStretch::index() {
     }
 }
 
-// The single order by stretch; the most within reach, then the mean over it.
+// Computes the single order from the stretch: the most within reach, then the mean over it.
 void StreamStretch::blend(double shift) {
     const auto n = static_cast<std::int32_t>(xi_.back() / kSample) + 2;
     const auto reach = static_cast<std::int32_t>(orderRoom(shift) / (2.0 * kSample)) + 1;
@@ -66,7 +66,7 @@ void StreamStretch::blend(double shift) {
     if (most_ <= 1.0) return;
     for (std::size_t k = 0; k < xi_.size(); ++k) {
         double& sample = single_[static_cast<std::size_t>(xi_[k] / kSample)];
-        sample = std::max(sample, std::min(1.0, (narrow_[k] - 1.0) / kSingle));
+        sample = std::max(sample, std::min(1.0, (narrow_[k] - 1.0) / kSingleOrderStretch));
     }
     for (std::int32_t k = 0; k < n; ++k)
         for (std::int32_t j = std::max(0, k - reach); j <= std::min(n - 1, k + reach); ++j)

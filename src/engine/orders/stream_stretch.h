@@ -1,4 +1,4 @@
-// How a stream lengthens where it narrows: the coordinate along it in which a march is a translation.
+// Stretch of a stream that narrows: the coordinate along it in which a march is a translation.
 #pragma once
 
 #include <algorithm>
@@ -10,22 +10,21 @@
 
 namespace muster {
 
-/// Per row how narrow it is, own width over the width that is left, 1 or more; the stretch sigma, which is
-/// less by as much as places may come nearer to each other, but 1 or more; and xi, the integral of ds /
-/// sigma.
+/// Per row its narrowness, own width over the width that is left, 1 or more; the stretch sigma, which is less
+/// by as much as places may come nearer to each other, but 1 or more; and xi, the integral of ds / sigma.
 class StreamStretch {
 public:
-    /// Begins: no row is stretched. Places that are `spacing` apart in the formation may come as near to each
-    /// other as `closest`, which is no more [m].
+    /// Begins with unstretched rows. Places that are `spacing` apart in the formation may come as near to
+    /// each other as `closest`, which is no more [m].
     void start(const StreamLine& line, double spacing, double closest);
     /// Stretches rows whose runs are too narrow.
     void widen(const StreamRuns& runs, const StreamBanks& banks);
-    /// Sums up. `shift` is by how much at most the single order moves a place along [m].
+    /// Sums up. `shift` is the greatest length by which the single order moves a place [m].
     void settle(double shift);
 
-    double xi(double s) const;  ///< At `s` [m]; goes on beyond the line.
-    double s(double xi) const;  ///< The other way round.
-    /// At `xi`, between rows linear.
+    double xi(double s) const;  ///< Xi at `s` [m]; goes on beyond the line.
+    double s(double xi) const;  ///< The coordinate s at `xi`.
+    /// The stretch at `xi`, between rows linear.
     double sigmaAt(double xi) const {
         const auto last = static_cast<std::int32_t>(sigma_.size()) - 1;
         const double x = s(xi) / step_;
@@ -34,10 +33,10 @@ public:
         const auto k = static_cast<std::int32_t>(x);
         return sigma_[k] + (sigma_[k + 1] - sigma_[k]) * (x - k);
     }
-    /// Single order that moves places by `shift` [m] along comes, and goes, over so much [m].
+    /// The length over which single order that moves places by `shift` [m] comes, and goes [m].
     static double orderRoom(double shift) { return 1.5 * std::max(1.0, shift); }
-    double most() const { return most_; }  ///< How narrow the narrowest row is.
-    /// How far rows are in single order, [0, 1]: 1 where they are narrow. Changes slowly along xi.
+    double most() const { return most_; }  ///< Narrowness of the narrowest row.
+    /// Degree of single order, [0, 1]: 1 where rows are narrow. Changes slowly along xi.
     double single(double xi) const {
         if (most_ <= 1.0) return 0.0;
         const double x = (xi < 0.0 ? 0.0 : xi) / kSample;
@@ -47,7 +46,7 @@ public:
     }
 
 private:
-    static constexpr double kSample = 0.25;  // Between samples of the single order [m].
+    static constexpr double kSample = 0.25;  // Distance between samples of the single order [m].
 
     void index();
     void blend(double shift);

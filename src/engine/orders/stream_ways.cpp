@@ -5,7 +5,7 @@
 namespace muster {
 namespace {
 
-constexpr double kLook = 0.5;  // Between looks at the ground along a way [m].
+constexpr double kLook = 0.5;  // Distance between looks at the ground along a route [m].
 
 }  // namespace
 

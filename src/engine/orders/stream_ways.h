@@ -1,4 +1,4 @@
-// A march that flows along the better of two ways.
+// A march that flows along the better of two routes.
 #pragma once
 
 #include <array>
@@ -10,20 +10,19 @@
 
 namespace muster {
 
-/// Plans a march straight on, where the stream parts round what stands between, and along its way, where it
-/// goes round together; the one that arrives first is marched. The way is not tried where nobody could arrive
-/// earlier on it. Owns its memory and uses it again.
+/// Plans a march straight on, where the stream divides round obstacles, and along its route, where it goes
+/// round together; the group marches on the one that arrives first. The route is not tried where it could not
+/// be quicker. Owns its memory and reuses it.
 class StreamWays {
 public:
-    /// Begins a plan; what the definition refers to is copied. A drawn way is the only one.
+    /// Begins a plan from a copy of the definition. A drawn route is the only one.
     void start(const StreamDef& def);
-    /// Goes on for about so many operations.
+    /// Goes on for about `operations` operations.
     StreamStatus advance(StreamGround ground, std::int64_t operations);
 
-    StreamStatus status() const { return status_; }  ///< Of the plan.
-    std::int64_t operations() const {
-        return plans_[0].operations() + plans_[1].operations();
-    }                                                          ///< Since the start.
+    StreamStatus status() const { return status_; }  ///< Status of the plan.
+    /// Operations since the start.
+    std::int64_t operations() const { return plans_[0].operations() + plans_[1].operations(); }
     std::size_t places() const { return plans_[0].places(); }  ///< Number of places.
     /// The march that arrives first. Only once planned.
     Stream& best() { return plans_[best_]; }
@@ -32,11 +31,11 @@ private:
     void compare();
     void measureWay(StreamGround ground);
 
-    std::array<Stream, 2> plans_;  // Straight on, and along the way.
+    std::array<Stream, 2> plans_;  // Plans straight on, and along the route.
     std::size_t best_ = 0;
-    bool other_ = false;        // True where there is another way than straight on.
-    std::vector<Vec2> points_;  // Of it [m].
-    double way_ = 0.0;          // Its length in metres of good ground.
+    bool other_ = false;        // True if there is another route than straight on.
+    std::vector<Vec2> points_;  // Points of that route [m].
+    double way_ = 0.0;          // Length of that route in metres of good ground.
     StreamStatus status_ = StreamStatus::Blocked;
 };
 

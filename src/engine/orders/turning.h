@@ -16,7 +16,7 @@ inline double angleBetween(const Rotation& from, const Rotation& to) {
 }
 /// A rotation turned by an angle [rad].
 Rotation turned(Rotation r, double angle);
-/// A share of the way from one pose to another, straight on and by the smaller turn.
+/// The pose at a share of the path from one pose to another, straight on and by the smaller turn.
 Pose between(const Pose& from, const Pose& to, double share);
 
 }  // namespace muster

@@ -6,13 +6,13 @@
 namespace muster {
 namespace {
 
-constexpr double kLeastCell = 1.0;   // Edge of a coarse cell [m].
-constexpr double kMostCells = 64e3;  // Coarse cells, about.
-constexpr double kNear = 2.9;        // Nearer distances are those of the ground itself [m].
-constexpr float kFar = 1e6f;         // No distance [m].
-constexpr float
-    kStraight = 0.955f;  // Two chamfer steps, scaled so that the error is below 5 % to both sides...
-constexpr float kDiagonal = 1.351f;  // ... (Borgefors 1986).
+constexpr double kLeastCell = 1.0;   // Least edge of a coarse cell [m].
+constexpr double kMostCells = 64e3;  // Approximate number of coarse cells.
+constexpr double kExactReach = 2.9;  // Distance up to which the ground's own distances are used [m].
+constexpr float kNoDistance = 1e6f;  // A distance beyond all others [m].
+// Two chamfer steps, scaled so that the error is below 5 % to both sides...
+constexpr float kStraightLength = 0.955f;
+constexpr float kDiagonalLength = 1.351f;  // ... (Borgefors 1986).
 
 }  // namespace
 
@@ -33,11 +33,11 @@ void WayGround::update(const Environment& environment) {
     roomOf(environment.staticClearance());
     distances(environment.staticClearance());
     for (std::int32_t c = 0; c < grid_.count(); ++c)
-        if (clearance_[c] >= kNear) clearance_[c] = std::max(clearance_[c], distance_[c]);
+        if (clearance_[c] >= kExactReach) clearance_[c] = std::max(clearance_[c], distance_[c]);
     findSlow(environment);
 }
 
-// The point with most room in each coarse cell: its middle, where that has as much as any other.
+// Finds the point with most room in each coarse cell: its middle, where that has as much as any other.
 void WayGround::roomOf(std::span<const float> near) {
     point_.resize(grid_.count());
     clearance_.resize(grid_.count());
@@ -47,7 +47,7 @@ void WayGround::roomOf(std::span<const float> near) {
             const std::int32_t y1 = std::min((y + 1) * factor_, fine_.height);
             std::int32_t best = fine_.index({std::min(x * factor_ + factor_ / 2, fine_.width - 1),
                                              std::min(y * factor_ + factor_ / 2, fine_.height - 1)});
-            for (std::int32_t fy = y * factor_; fy < y1 && near[best] < kNear; ++fy)
+            for (std::int32_t fy = y * factor_; fy < y1 && near[best] < kExactReach; ++fy)
                 for (std::int32_t fx = x * factor_; fx < x1; ++fx)
                     if (near[fine_.index({fx, fy})] > near[best]) best = fine_.index({fx, fy});
             const std::int32_t cell = grid_.index({x, y});
@@ -56,17 +56,17 @@ void WayGround::roomOf(std::span<const float> near) {
         }
 }
 
-// A chamfer distance from where the ground knows its own.
+// Spreads a chamfer distance from cells where the ground knows its own distance.
 void WayGround::distances(std::span<const float> near) {
     const std::int32_t width = grid_.width, height = grid_.height;
     distance_.resize(grid_.count());
     for (std::int32_t c = 0; c < grid_.count(); ++c) {
         const Cell middle = fine_.nearestCell(grid_.centre(grid_.at(c)));
         const float value = near[fine_.index(middle)];
-        distance_[c] = value < kNear ? value : kFar;
+        distance_[c] = value < kExactReach ? value : kNoDistance;
     }
-    const auto straight = static_cast<float>(kStraight * grid_.cell);
-    const auto diagonal = static_cast<float>(kDiagonal * grid_.cell);
+    const auto straight = static_cast<float>(kStraightLength * grid_.cell);
+    const auto diagonal = static_cast<float>(kDiagonalLength * grid_.cell);
     const auto lower = [&](std::int32_t x, std::int32_t y, std::int32_t dx, std::int32_t dy) {
         if (!grid_.contains({x + dx, y + dy})) return;
         float& value = distance_[grid_.index({x, y})];
@@ -100,16 +100,18 @@ void WayGround::findSlow(const Environment& environment) {
         spreadSlow();
 }
 
-// A chamfer distance to ground that is slower than the best.
+// Spreads a chamfer distance from ground that is slower than the best.
 void WayGround::spreadSlow() {
     slower_ = slowness_;
     toSlower_.resize(grid_.count());
-    for (std::int32_t c = 0; c < grid_.count(); ++c) toSlower_[c] = slowness_[c] > least_ ? 0.0f : kFar;
+    for (std::int32_t c = 0; c < grid_.count(); ++c)
+        toSlower_[c] = slowness_[c] > least_ ? 0.0f : kNoDistance;
     const auto edge = static_cast<float>(grid_.cell);
     const auto take = [&](std::int32_t x, std::int32_t y, Cell d) {
         if (!grid_.contains({x + d.x, y + d.y})) return;
         const std::int32_t to = grid_.index({x, y}), from = grid_.index({x + d.x, y + d.y});
-        const float away = toSlower_[from] + edge * (d.x != 0 && d.y != 0 ? kDiagonal : kStraight);
+        const float away = toSlower_[from] +
+                           edge * (d.x != 0 && d.y != 0 ? kDiagonalLength : kStraightLength);
         if (away >= toSlower_[to]) return;
         toSlower_[to] = away;
         slower_[to] = slower_[from];
@@ -125,7 +127,7 @@ void WayGround::spreadSlow() {
 
 double WayGround::clearanceAt(Vec2 p) const {
     const float near = environment_->staticClearance()[fine_.index(fine_.nearestCell(p))];
-    if (near < kNear) return near;
+    if (near < kExactReach) return near;
     const double u = Grid::bounded((p.x - grid_.origin.x) / grid_.cell - 0.5, 0.0, grid_.width - 1.0);
     const double v = Grid::bounded((p.y - grid_.origin.y) / grid_.cell - 0.5, 0.0, grid_.height - 1.0);
     const std::int32_t x = std::min(static_cast<std::int32_t>(u), std::max(0, grid_.width - 2));
@@ -135,7 +137,7 @@ double WayGround::clearanceAt(Vec2 p) const {
                          distance_[grid_.index({x1, y})] * (u - x);
     const double above = distance_[grid_.index({x, y1})] * (1.0 - (u - x)) +
                          distance_[grid_.index({x1, y1})] * (u - x);
-    return std::max(kNear, below * (1.0 - (v - y)) + above * (v - y));
+    return std::max(kExactReach, below * (1.0 - (v - y)) + above * (v - y));
 }
 
 }  // namespace muster

@@ -1,4 +1,4 @@
-// What a formation needs of its way, and what a metre of a way costs it.
+// Requirements of a formation on its route, and the cost of a metre of a route.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,18 @@ namespace muster {
 
 /// The room that a formation needs.
 struct WayNeeds {
-    double half = 0.0;           ///< Half its width [m].
-    double margin = 0.0;         ///< Keeps so much farther from obstacles where that costs little [m].
-    double least = 0.0;          ///< Share of its width below which it does not narrow, [0, 1].
-    double radius = 0.25;        ///< Radius of bodies [m].
-    bool flows = false;          ///< Places flow where it is narrower: that costs no more than a margin.
-    std::vector<HeldSpot> held;  ///< Those through whom nobody goes.
+    double half = 0.0;     ///< Half its width [m].
+    double margin = 0.0;   ///< Further distance to obstacles that it keeps where that costs little [m].
+    double least = 0.0;    ///< Share of its width below which it does not narrow, [0, 1].
+    double radius = 0.25;  ///< Radius of bodies [m].
+    /// True if places flow through narrow ground, which then costs no more than a margin.
+    bool flows = false;
+    std::vector<HeldSpot> held;  ///< Agents that hold their ground, through which nobody goes.
 
-    /// Cost of a metre of a way with so much room to both sides [m]; infinite where nobody passes.
+    /// Cost of a metre of a route with this room to both sides [m]; infinite where nobody passes.
     double cost(double clearance) const;
 
-    /// Lets an archive read or write it.
+    /// Lets an archive read or write the needs.
     template <class Archive>
     void visit(Archive& archive) {
         archive(half, margin, least, radius, flows, held);
@@ -29,13 +30,13 @@ struct WayNeeds {
     friend bool operator==(const WayNeeds&, const WayNeeds&) = default;
 };
 
-/// A search for a way from one point to another.
+/// A search for a route from one point to another.
 struct WayQuery {
     Vec2 from;       ///< [m]
     Vec2 to;         ///< [m]
-    WayNeeds needs;  ///< Of the formation.
+    WayNeeds needs;  ///< Needs of the formation.
 
-    /// Lets an archive read or write it.
+    /// Lets an archive read or write the query.
     template <class Archive>
     void visit(Archive& archive) {
         archive(from, to, needs);

@@ -10,11 +10,12 @@
 namespace muster {
 namespace {
 
-constexpr double kSlack = 0.05;        // Narrower by so much is not felt [m].
-constexpr double kMarginCost = 0.35;   // More for a metre beside an obstacle, where it is wide enough.
-constexpr double kNarrowCost = 1.0;    // More for a metre that is narrower than the formation...
-constexpr double kNarrower = 3.0;      // ... and still more by the share that is missing.
-constexpr double kForbidden = 1000.0;  // More for a metre where it may not narrow so far.
+constexpr double kRoomTolerance = 0.05;  // Lack of room that does not matter [m].
+constexpr double kMarginCost = 0.35;  // Extra cost of a metre beside an obstacle, where there is enough room.
+constexpr double kNarrowCost = 1.0;   // Extra cost of a metre that is narrower than the formation...
+constexpr double kMissingCost = 3.0;  // ... and further cost by the share that is missing.
+// Extra cost of a metre where the formation may not narrow that far.
+constexpr double kForbiddenCost = 1000.0;
 constexpr std::array<Cell, 8> kSteps{{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
 }  // namespace
@@ -22,11 +23,11 @@ constexpr std::array<Cell, 8> kSteps{{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, 
 double WayNeeds::cost(double clearance) const {
     if (clearance < radius) return kInfiniteCost;
     if (clearance >= half + margin) return 1.0;
-    if (flows || clearance >= half - kSlack)
+    if (flows || clearance >= half - kRoomTolerance)
         return 1.0 + kMarginCost * std::min(1.0, (half + margin - clearance) / std::max(margin, 1e-9));
     const double missing = 1.0 - clearance / half;
-    const double narrow = 1.0 + kMarginCost + kNarrowCost + kNarrower * missing;
-    return clearance < least * half - kSlack ? narrow + kForbidden : narrow;
+    const double narrow = 1.0 + kMarginCost + kNarrowCost + kMissingCost * missing;
+    return clearance < least * half - kRoomTolerance ? narrow + kForbiddenCost : narrow;
 }
 
 double stretchCost(const WayGround& ground, const WayNeeds& needs, Vec2 a, Vec2 b) {
@@ -51,7 +52,7 @@ namespace {
 /// Leaves out corners where the straight stretch costs no more.
 void skip(const WayGround& ground, const WayNeeds& needs, std::vector<Vec2>& points,
           std::vector<double>& prefix) {
-    constexpr double kMore = 1.002;  // Costs that count as equal.
+    constexpr double kMore = 1.002;  // Factor up to which costs count as equal.
     prefix.assign(1, 0.0);
     for (std::size_t k = 1; k < points.size(); ++k)
         prefix.push_back(prefix.back() + stretchCost(ground, needs, points[k - 1], points[k]));
@@ -115,7 +116,7 @@ void pullWay(const WayGround& ground, const WayNeeds& needs, std::vector<Vec2>& 
     }
 }
 
-// The cell at `p` or beside it to whose point the line is clear, the nearest; -1 for none.
+// The nearest cell, at `p` or beside it, with a clear line to its point; -1 for none.
 std::int32_t WaySearch::cellNear(const WayGround& ground, Vec2 p) const {
     const Grid& grid = ground.grid();
     const Cell middle = grid.nearestCell(p);
@@ -171,7 +172,7 @@ void WaySearch::reach(std::int32_t cell, std::int32_t from, double cost, double 
     std::push_heap(open_.begin(), open_.end());
 }
 
-// A step leads two cells along each axis at most.
+// Marks cells near holders. A step leads at most two cells along each axis.
 void WaySearch::markHeld(const WayGround& ground) {
     const Grid& grid = ground.grid();
     for (const HeldSpot& spot : query_.needs.held) {
@@ -183,8 +184,8 @@ void WaySearch::markHeld(const WayGround& ground) {
     }
 }
 
-// A step between the points of neighbouring cells is clear where their discs overlap, else by exact geometry,
-// which is asked last because it is costly.
+// Expands a cell. A step between the points of neighbouring cells is clear where their discs overlap, else by
+// exact geometry, which comes last because it is costly.
 void WaySearch::expand(const WayGround& ground, std::int32_t cell) {
     const Grid& grid = ground.grid();
     const WayNeeds& needs = query_.needs;

@@ -1,5 +1,5 @@
-// A search for the way of a formation: A* (Hart, Nilsson and Raphael 1968) over coarse cells, whose cost
-// rises where there is less room than the formation needs; then the way is pulled taut at no higher cost.
+// A search for the route of a formation: A* (Hart, Nilsson and Raphael 1968) over coarse cells, whose cost
+// rises where there is less room than the formation needs; then the route is pulled taut at no higher cost.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@
 
 namespace muster {
 
-/// What a search has come to.
+/// Status of a search.
 enum class WayStatus : std::uint8_t {
-    Searching,  ///< It goes on.
-    Found,      ///< There is a way.
-    None,       ///< There is none over the cells.
+    Searching,  ///< The search goes on.
+    Found,      ///< There is a route.
+    None,       ///< There is no route over the cells.
 };
 
 /// One search at a time, which may take several steps. Memory is reused.
@@ -22,13 +22,14 @@ class WaySearch {
 public:
     /// Begins a search. The ground must stay as it is until the search has ended.
     void start(const WayGround& ground, const WayQuery& query);
-    /// Goes on for so many cells at most.
+    /// Goes on for at most `cells` cells.
     WayStatus advance(const WayGround& ground, std::int32_t cells);
 
-    WayStatus status() const { return status_; }             ///< After the last start() or advance().
-    const WayQuery& query() const { return query_; }         ///< Of the last start().
-    std::int32_t expanded() const { return expanded_; }      ///< Cells since the start.
-    const std::vector<Vec2>& path() const { return path_; }  ///< Once found, both ends included [m].
+    WayStatus status() const { return status_; }         ///< Status after the last start() or advance().
+    const WayQuery& query() const { return query_; }     ///< Query of the last start().
+    std::int32_t expanded() const { return expanded_; }  ///< Number of cells expanded since the start.
+    /// The route once found, both ends included [m].
+    const std::vector<Vec2>& path() const { return path_; }
 
 private:
     struct Open {
@@ -49,14 +50,14 @@ private:
     WayStatus status_ = WayStatus::None;
     std::int32_t expanded_ = 0;
     std::int32_t goal_ = -1;
-    std::uint32_t mark_ = 0;           // Cells of this search have it.
-    std::vector<std::uint32_t> seen_;  // Per cell.
-    std::vector<std::uint32_t>
-        held_;                  // Per cell: mark_ where somebody who holds may be in the way of a step.
-    std::vector<double> cost_;  // From the start.
+    std::uint32_t mark_ = 0;           // Mark of the cells of this search.
+    std::vector<std::uint32_t> seen_;  // Marks by cell.
+    // Per cell: mark_ where an agent that holds its ground may block a step.
+    std::vector<std::uint32_t> held_;
+    std::vector<double> cost_;  // Costs from the start.
     std::vector<std::int32_t> parent_;
     std::vector<std::uint8_t> closed_;
-    std::vector<Open> open_;  // A heap.
+    std::vector<Open> open_;  // Heap of open cells.
     std::vector<Vec2> path_, scratch_;
     std::vector<double> prefix_;
 };

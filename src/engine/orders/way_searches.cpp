@@ -13,7 +13,7 @@ const WaySearches::Known* WaySearches::find(const WayGround& ground, const WayQu
     return at == known_.end() ? nullptr : &*at;
 }
 
-// Searches until so many cells are done; null where that does not end the search.
+// Searches until `until` cells are done; null where that does not end the search.
 const WaySearches::Known* WaySearches::search(const WayGround& ground, const WayQuery& query,
                                               std::int32_t until) {
     if (!(search_.query() == query) || ground_ != ground.version()) search_.start(ground, query);

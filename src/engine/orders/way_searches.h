@@ -1,4 +1,4 @@
-// Searches for the ways of formations that may be asked for again.
+// Searches for the routes of formations that may be asked for again.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace muster {
 
-/// One search at a time, of which the results of the last ones are known. What is known counts as if it were
-/// searched for, so that a world which was rewound goes on as it did. All of it is a cache.
+/// One search at a time; the results of the last ones are known. A known result counts as if it were searched
+/// for, so that a rewound world goes on as it did. All of it is a cache.
 class WaySearches {
 public:
     /// Goes on with a search of which `searched` cells are done, for at most `cells` more. The ground must
@@ -18,11 +18,12 @@ public:
     WayStatus advance(const WayGround& ground, const WayQuery& query, std::int32_t searched,
                       std::int32_t cells);
 
-    std::int32_t searched() const { return searched_; }       ///< Cells, after the last advance().
-    const std::vector<Vec2>& path() const { return *path_; }  ///< Once found, both ends included [m].
+    std::int32_t searched() const { return searched_; }  ///< Number of cells, after the last advance().
+    /// The route once found, both ends included [m].
+    const std::vector<Vec2>& path() const { return *path_; }
 
 private:
-    /// What a search came to.
+    /// Result of a search.
     struct Known {
         WayQuery query;
         GroundVersion ground;
@@ -34,12 +35,12 @@ private:
     const Known* find(const WayGround& ground, const WayQuery& query) const;
     const Known* search(const WayGround& ground, const WayQuery& query, std::int32_t until);
 
-    WaySearch search_;      // It may be further than the world that asks.
-    GroundVersion ground_;  // Of the search.
+    WaySearch search_;      // The search; it may be ahead of the world that asks.
+    GroundVersion ground_;  // Ground of the search.
     std::int32_t searched_ = 0;
     const std::vector<Vec2>* path_ = nullptr;
     std::array<Known, 16> known_;
-    std::size_t next_ = 0;  // Of known_, the one to be forgotten.
+    std::size_t next_ = 0;  // Index in known_ of the entry that is replaced next.
 };
 
 }  // namespace muster

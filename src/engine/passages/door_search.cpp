@@ -10,12 +10,16 @@
 namespace muster {
 namespace {
 
-constexpr double kWider = 1.5;        // Rooms on both sides of a door are so many times as wide, at least.
-constexpr double kSameDoor = 1.5;     // Basins that meet straight before a door, so near, meet in it [m].
-constexpr std::int32_t kClimb = 4;    // Cells to either side of where two basins meet that are looked at.
-constexpr double kFilePace = 0.75;    // Share of the flow where two bodies do not fit side by side.
-constexpr double kExitHeight = 1e6;   // Of cells in exits [m].
-constexpr double kBesideReach = 2.0;  // Cells from a door in which the rooms beside it are looked for.
+// Ratio of the width of the rooms on both sides to the width of a door, at least.
+constexpr double kRoomRatio = 1.5;
+// Distance straight before a door within which basins that meet belong to it [m].
+constexpr double kDoorReach = 1.5;
+// Cells to either side of the meeting point of two basins that are looked at.
+constexpr std::int32_t kClimbCells = 4;
+constexpr double kFilePace = 0.75;   // Share of the flow where two bodies do not fit side by side.
+constexpr double kExitHeight = 1e6;  // Height of cells in exits [m].
+// Distance to a door within which the rooms beside it are looked for [cells].
+constexpr double kBesideReach = 2.0;
 constexpr std::size_t kMostDoors = 64;
 
 struct DoorStep {
@@ -28,7 +32,7 @@ constexpr DoorStep kDoorSteps[] = {{1, 1, 0}, {2, 0, 1}, {4, -1, 0}, {8, 0, -1}}
 bool isBefore(const Passage& door, Vec2 p) {
     const Vec2 along = (door.b - door.a) / door.width();
     return std::fabs(dot(p - door.middle(), along)) <= 0.5 * door.width() &&
-           std::fabs(cross(p - door.middle(), along)) < kSameDoor;
+           std::fabs(cross(p - door.middle(), along)) < kDoorReach;
 }
 
 double awayFrom(const Passage& door, Vec2 p) {
@@ -58,7 +62,7 @@ void DoorSearch::findHeights(const StaticGround& ground, const UnitCost& unitCos
                 for (std::int32_t x = low.x; x <= high.x; ++x) {
                     const std::int32_t k = grid_.index({x, y});
                     if (height_[k] < 0.0) continue;
-                    // An exit that holds the centre of no cell is come to from those that it touches.
+                    // An exit that holds the centre of no cell is entered from the cells that it touches.
                     if (beside || containsPoint(exits[e], grid_.centre({x, y}))) exitCells_[e].push_back(k);
                 }
             if (!exitCells_[e].empty()) break;
@@ -72,10 +76,10 @@ std::int32_t DoorSearch::rootOf(std::int32_t cell) {
     return cell;
 }
 
-// The way from a cell to wider ground.
+// Lists the path from a cell to wider ground.
 void DoorSearch::climb(std::int32_t cell, const DoorPlan& plan, std::vector<Vec2>& path) const {
     path.clear();
-    for (std::int32_t k = 0; k < kClimb; ++k) {
+    for (std::int32_t k = 0; k < kClimbCells; ++k) {
         path.push_back(grid_.centre(grid_.at(cell)));
         std::int32_t next = cell;
         for (const DoorStep& step : kDoorSteps) {
@@ -89,7 +93,7 @@ void DoorSearch::climb(std::int32_t cell, const DoorPlan& plan, std::vector<Vec2
     }
 }
 
-// Two basins meet: they are one unless they are clearly wider than the gap in which they do.
+// Joins two basins that meet, unless both are clearly wider than the gap between them.
 void DoorSearch::meet(const Environment& environment, std::int32_t cell, std::int32_t other, DoorPlan& plan) {
     const std::int32_t a = rootOf(cell), b = rootOf(other);
     if (a == b) return;
@@ -99,7 +103,7 @@ void DoorSearch::meet(const Environment& environment, std::int32_t cell, std::in
         parent_[a] = parent_[b] = root;
     };
     const double lower = std::min(peak_[a], peak_[b]);
-    if (lower <= kWider * height_[cell]) return join();
+    if (lower <= kRoomRatio * height_[cell]) return join();
     const Vec2 at = grid_.centre(grid_.at(cell));
     for (const Passage& door : plan.doors)
         if (isBefore(door, at)) return;
@@ -108,8 +112,9 @@ void DoorSearch::meet(const Environment& environment, std::int32_t cell, std::in
     climb(other, plan, part_);
     way_.insert(way_.end(), part_.begin(), part_.end());
     std::optional<Passage> gap = narrowestPassage(environment, way_, true);
-    // Exits count as wide, but make no door of a wide opening.
-    if (!gap || std::min(lower, Environment::kClearanceLimit) < kWider * 0.5 * gap->width()) return join();
+    // Exits count as wide, but a wide opening does not become a door by an exit.
+    if (!gap || std::min(lower, Environment::kClearanceLimit) < kRoomRatio * 0.5 * gap->width())
+        return join();
     for (const Passage& door : plan.doors)
         if (isBefore(door, gap->middle())) return;
     if (gap->width() < 4.0 * radius_) gap->pace = kFilePace;
@@ -125,7 +130,7 @@ void DoorSearch::flood(const Environment& environment, DoorPlan& plan) {
     parent_.assign(grid_.count(), -1);
     peak_.assign(grid_.count(), 0.0);
     for (const SortKey& key : order_) {
-        const std::int32_t cell = key.who;
+        const std::int32_t cell = key.index;
         parent_[cell] = cell;
         peak_[cell] = height_[cell];
         for (const DoorStep& step : kDoorSteps) {
@@ -200,19 +205,19 @@ void DoorSearch::findExitRooms(DoorPlan& plan) const {
 }
 
 // True where nobody waits between a door and an exit of the room behind it, or where there is no other exit:
-// what the exit lets through tells then what the door does.
+// then the exit's flow is that of the door as well.
 bool DoorSearch::isOfExit(const Passage& door, std::int32_t room, const DoorPlan& plan) const {
     for (std::size_t e = 0; e < exitCells_.size(); ++e) {
         if (!std::binary_search(plan.exitRooms[e].begin(), plan.exitRooms[e].end(), room)) continue;
         if (exitCells_.size() == 1) return true;
         for (const std::int32_t cell : exitCells_[e])
-            if (awayFrom(door, grid_.centre(grid_.at(cell))) < kSameDoor) return true;
+            if (awayFrom(door, grid_.centre(grid_.at(cell))) < kDoorReach) return true;
     }
     return false;
 }
 
-// Leaves out doors at which nobody has a choice; true where there were any. They part nothing, or lead only
-// to an exit; with `deadEnds` also those of rooms that have no other one.
+// Leaves out doors at which nobody has a choice; true where there were any. Such a door parts nothing, or
+// leads only to an exit; with `deadEnds` also the only doors of rooms are left out.
 bool DoorSearch::drop(DoorPlan& plan, bool deadEnds) {
     std::vector<std::int32_t> doorsOf(plan.rooms, 0);
     for (const auto& [right, left] : plan.beside)
@@ -245,7 +250,7 @@ void DoorSearch::find(const Environment& environment, const StaticGround& ground
         if (plan.doors.empty()) break;
         if (drop(plan, deadEnds)) continue;
         if (plan.doors.size() <= kMostDoors) break;
-        // More than can be chosen among, as in a wood.
+        // There are more doors than people can choose among, as in a wood.
         if (deadEnds) plan.doors.clear();
         deadEnds = true;
     }

@@ -1,4 +1,4 @@
-// Finds the doors of a building: where the free ground is narrow between two wider rooms
+// Finds the doors of a building: narrow places of the free ground between two wider rooms
 // (docs/method/goals.md).
 #pragma once
 
@@ -15,23 +15,24 @@
 
 namespace muster {
 
-/// The doors of the ground at which somebody has a choice, and the rooms between them.
+/// The doors of the ground at which people have a choice, and the rooms between them.
 struct DoorPlan {
     std::vector<Passage> doors;
-    std::vector<std::array<std::int32_t, 2>> beside;   ///< The rooms on the right and on the left of each.
-    std::vector<std::int32_t> room;                    ///< Of each cell; -1 for walls.
+    /// The rooms on the right and on the left of each door.
+    std::vector<std::array<std::int32_t, 2>> beside;
+    std::vector<std::int32_t> room;                    ///< Room of each cell; -1 for walls.
     std::vector<std::vector<std::int32_t>> exitRooms;  ///< The rooms into which each exit reaches, ascending.
-    std::int32_t rooms = 0;                            ///< How many there are.
-    WalkEdges edges;                                   ///< With all doors closed.
+    std::int32_t rooms = 0;                            ///< Number of rooms.
+    WalkEdges edges;                                   ///< Edges between cells, with all doors closed.
 };
 
-/// Divides the free ground into the basins of its clearance (a watershed; Beucher and Lantuejoul 1979), of
-/// which those are joined that no narrower place parts. Owns the working memory.
+/// Divides the free ground into the basins of its clearance (a watershed; Beucher and Lantuejoul 1979), and
+/// joins basins that no narrower place parts. Owns the working memory.
 class DoorSearch {
 public:
-    /// Finds the doors of a ground whose cells have this unit cost. An exit is a room that nobody has to wait
-    /// in, however narrow it is. The only door of a room belongs to an exit just behind it, or to the
-    /// only exit, and is left out.
+    /// Finds the doors of a ground whose cells have this unit cost. An exit is a room in which nobody has to
+    /// wait, however narrow it is. The only door of a room is left out where it belongs to an exit just
+    /// behind it, or to the only exit.
     void find(const Environment& environment, const StaticGround& ground, const UnitCost& unitCost,
               std::span<const Polygon> exits, DoorPlan& plan);
 
@@ -48,7 +49,7 @@ private:
     bool isOfExit(const Passage& door, std::int32_t room, const DoorPlan& plan) const;
     bool drop(DoorPlan& plan, bool deadEnds);
 
-    double radius_ = 0.0;  // Of a usual body [m].
+    double radius_ = 0.0;  // Radius of a body of the usual size [m].
     Grid grid_;
     std::vector<double> height_;        // Clearance of each cell [m]; very large in exits, below 0 in walls.
     std::vector<SortKey> order_;        // Cells, the widest first.

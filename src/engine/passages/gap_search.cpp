@@ -9,19 +9,20 @@
 namespace muster {
 namespace {
 
-constexpr double kNearlyEqual = 0.98;   // Share of the least capacity that another must undercut.
-constexpr double kNearest = 1e-4;       // Least step of a ray [m].
-constexpr double kMaxProjections = 64;  // Between two surfaces.
-constexpr double kWall = 0.2;           // Beside a wall of the narrows [m].
-constexpr double kDepthStep = 0.125;    // [m]
-constexpr double kDeepest = 8.0;        // Of narrows [m].
+constexpr double kNearlyEqual = 0.98;   // Share of the least capacity that another passage must undercut.
+constexpr double kLeastRayStep = 1e-4;  // Least step of a ray [m].
+constexpr double kMaxProjections = 64;  // Greatest number of projections between two surfaces.
+// Distance from a wall of the narrows at which their depth is measured [m].
+constexpr double kWallOffset = 0.2;
+constexpr double kDepthStep = 0.125;  // Step of the measured depth [m].
+constexpr double kMostDepth = 8.0;    // Greatest depth of narrows [m].
 constexpr std::int32_t kMaxRaySteps = 400;
 
-/// A surface: of a piece, or a side of the world where there is no piece.
+/// The surface of a piece, or a side of the world where there is no piece.
 struct Surface {
     const ObstaclePiece* piece = nullptr;
     int side = 0;  // 0 to 3: least x, greatest x, least y, greatest y.
-    Vec2 point;    // Of the surface, nearest to where one looked from [m].
+    Vec2 point;    // Point of the surface nearest to where the search began [m].
     double distance = kInfiniteCost;
 };
 
@@ -55,9 +56,10 @@ Surface nearestSurface(const Environment& environment, Vec2 p) {
 Surface firstSurface(const Environment& environment, Vec2 p, Vec2 direction, Surface nearest) {
     double along = 0.0;
     for (std::int32_t k = 0; k < kMaxRaySteps; ++k) {
-        along += std::max(kNearest, std::min(nearest.distance, Environment::kClearanceLimit));
+        along += std::max(kLeastRayStep, std::min(nearest.distance, Environment::kClearanceLimit));
         nearest = nearestSurface(environment, p + direction * along);
-        if (nearest.distance <= kNearest || !environment.def().box.contains(p + direction * along)) break;
+        if (nearest.distance <= kLeastRayStep || !environment.def().box.contains(p + direction * along))
+            break;
     }
     return nearest;
 }
@@ -83,12 +85,12 @@ void tighten(const Environment& environment, const Surface& one, const Surface& 
     }
 }
 
-// How far a passage goes on in a direction before it widens.
+// The depth of a passage in a direction: the distance before it widens.
 double depth(const Environment& environment, const Passage& passage, Vec2 direction) {
     const Vec2 along = (passage.b - passage.a) / passage.width();
-    const Vec2 inward = along * std::min(kWall, 0.25 * passage.width());
+    const Vec2 inward = along * std::min(kWallOffset, 0.25 * passage.width());
     double reached = 0.0;
-    for (double d = kDepthStep; d < kDeepest; d += kDepthStep) {
+    for (double d = kDepthStep; d < kMostDepth; d += kDepthStep) {
         const Vec2 shift = direction * d;
         const double beside = std::min(environment.distanceToObstacle(passage.a + inward + shift),
                                        environment.distanceToObstacle(passage.b - inward + shift));
@@ -98,7 +100,7 @@ double depth(const Environment& environment, const Passage& passage, Vec2 direct
     return reached;
 }
 
-// The gap to the nearest surface on the other side of the way, which a ray passes by where walls are thin.
+// The gap to the nearest surface on the other side of the path, which a ray may miss where walls are thin.
 std::optional<Passage> gapAcross(const Environment& environment, std::span<const Vec2> way, Vec2 p,
                                  const Surface& one) {
     Surface other;
@@ -126,10 +128,10 @@ std::optional<Passage> gapAcross(const Environment& environment, std::span<const
 }
 
 std::optional<Passage> gapAt(const Environment& environment, std::span<const Vec2> way, Vec2 p, bool thin) {
-    // The cells of a way may reach beyond the edge of the world.
+    // The cells of a path may reach beyond the edge of the world.
     if (!environment.def().box.contains(p)) return {};
     const Surface one = nearestSurface(environment, p);
-    if (!(one.distance < Environment::kClearanceLimit) || one.distance <= kNearest) return {};
+    if (!(one.distance < Environment::kClearanceLimit) || one.distance <= kLeastRayStep) return {};
     const Vec2 direction = (p - one.point) / one.distance;
     const Surface other = firstSurface(environment, p, direction, one);
     Passage passage{one.point, other.point, 1.0};
@@ -145,12 +147,12 @@ std::optional<Passage> gapAt(const Environment& environment, std::span<const Vec
     return passage;
 }
 
-// A way on wide cells may cut the corner of an obstacle: the gap beside it, where `p` lies in one.
+// The gap beside `p` where it lies in an obstacle: a path on wide cells may cut the corner of one.
 std::optional<Passage> gapBeside(const Environment& environment, std::span<const Vec2> way, Vec2 p,
                                  bool thin) {
-    if (!(environment.distanceToObstacle(p) < -kNearest)) return {};
+    if (!(environment.distanceToObstacle(p) < -kLeastRayStep)) return {};
     const Vec2 out = nearestSurface(environment, p).point - p;
-    return gapAt(environment, way, p + out + normalized(out) * kWall, thin);
+    return gapAt(environment, way, p + out + normalized(out) * kWallOffset, thin);
 }
 
 }  // namespace
@@ -159,7 +161,7 @@ std::optional<Passage> narrowestPassage(const Environment& environment, std::spa
                                         bool thin) {
     std::optional<Passage> best;
     for (std::size_t k = 0; k < way.size(); ++k) {
-        // Only the way near by counts: another part of it may cross the same gap.
+        // Only the near part of the path counts: another part of it may cross the same gap.
         const std::size_t from = k > 8 ? k - 8 : 0, to = std::min(way.size(), k + 9);
         const std::optional<Passage> gap = gapAt(environment, way.subspan(from, to - from), way[k], thin);
         if (gap && (!best || gap->throughput() < kNearlyEqual * best->throughput())) best = gap;

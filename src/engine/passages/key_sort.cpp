@@ -8,12 +8,12 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kFew = 128;    // So many are sorted by comparisons.
-constexpr std::size_t kMany = 4000;  // From so many on digits are larger.
-constexpr int kMostBits = 11;        // Of a digit.
-constexpr int kLessBits = 8;         // Of a digit where there are few.
+constexpr std::size_t kFewKeys = 128;    // Number of keys up to which comparisons sort them.
+constexpr std::size_t kManyKeys = 4000;  // Number of keys from which on digits are larger.
+constexpr int kLargeDigitBits = 11;      // Bits of a digit.
+constexpr int kSmallDigitBits = 8;       // Bits of a digit where there are few keys.
 
-/// Bits that are in the order of the keys, but for keys that are equal as a float.
+/// Bits in the order of the keys, up to keys that are equal as a float.
 std::uint32_t orderedBits(double key) {
     // Zeros have one sign.
     const auto bits = bitCast<std::uint32_t>(static_cast<float>(key) + 0.0f);
@@ -23,10 +23,10 @@ std::uint32_t orderedBits(double key) {
 }  // namespace
 
 void KeySort::sortDigits() {
-    const int bits = digits_.size() < kMany ? kLessBits : kMostBits;
+    const int bits = digits_.size() < kManyKeys ? kSmallDigitBits : kLargeDigitBits;
     const std::uint32_t mask = (1u << bits) - 1;
     other_.resize(digits_.size());
-    std::array<std::uint32_t, 1u << kMostBits> end;
+    std::array<std::uint32_t, 1u << kLargeDigitBits> end;
     for (int shift = 0; shift < 32; shift += bits) {
         std::fill_n(end.begin(), mask + 1, 0u);
         for (const Digits& d : digits_) ++end[d.bits >> shift & mask];
@@ -41,7 +41,7 @@ void KeySort::sortDigits() {
 }
 
 void KeySort::sort(std::vector<SortKey>& keys) {
-    if (keys.size() < kFew) {
+    if (keys.size() < kFewKeys) {
         std::sort(keys.begin(), keys.end());
         return;
     }
@@ -51,7 +51,7 @@ void KeySort::sort(std::vector<SortKey>& keys) {
     sortDigits();
     before_.assign(keys.begin(), keys.end());
     for (std::size_t k = 0; k < keys.size(); ++k) keys[k] = before_[digits_[k].at];
-    // Those that are equal as a float.
+    // Sorts keys that are equal as a float.
     for (std::size_t first = 0, end = 0; first < keys.size(); first = end) {
         for (end = first + 1; end < keys.size() && digits_[end].bits == digits_[first].bits;) ++end;
         const auto from = keys.begin() + static_cast<std::ptrdiff_t>(first);

@@ -6,21 +6,21 @@
 
 namespace muster {
 
-/// A number to sort by, and whose it is.
+/// A number to sort by, and the index that it belongs to.
 struct SortKey {
     double key = 0.0;
-    std::int32_t who = 0;
+    std::int32_t index = 0;
 
-    /// By key, then by whose it is.
+    /// Orders by key, then by index.
     friend bool operator<(const SortKey& x, const SortKey& y) {
-        return x.key < y.key || (x.key == y.key && x.who < y.who);
+        return x.key < y.key || (x.key == y.key && x.index < y.index);
     }
 };
 
 /// Sorts keys in linear time (radix sort, least significant digit first). Owns the working memory.
 class KeySort {
 public:
-    /// Sorts by key, then by whose it is. Keys are finite.
+    /// Sorts by key, then by index. Keys are finite.
     void sort(std::vector<SortKey>& keys);
 
 private:

@@ -9,14 +9,15 @@
 namespace muster {
 namespace {
 
-constexpr double kNoWait = 2.0;              // Who waits less needs no other way [s].
-constexpr double kDetour = 12.0;             // A way with less detour belongs to the choice [m].
-constexpr std::uint32_t kMostTogether = 6;   // Passages between which is chosen.
-constexpr double kSameNarrows = 3.0;         // Gaps so near to each other along a way may be one passage [m].
-constexpr double kParallel = 0.9;            // Cosine of the angle between gaps of one passage, at least.
+constexpr double kLeastWait = 2.0;          // Time of waiting below which people need no other route [s].
+constexpr double kLeastDetour = 12.0;       // Detour up to which a route belongs to the choice [m].
+constexpr std::uint32_t kMostTogether = 6;  // Greatest number of passages in one choice.
+// Distance between gaps along a path within which they may be one passage [m].
+constexpr double kSameNarrows = 3.0;
+constexpr double kGapCosine = 0.9;           // Least cosine of the angle between gaps of one passage.
 constexpr double kSingleFile = 0.75;         // Share of the flow where two bodies do not fit side by side.
-constexpr std::int64_t kSearchCells = 1000;  // What beginning a search takes, in solved cells...
-constexpr std::int64_t kPointCells = 5;      // ... and looking for a gap at a point of a way.
+constexpr std::int64_t kSearchCells = 1000;  // Solved cells for which the beginning of a search counts...
+constexpr std::int64_t kPointCells = 5;  // ... and for which a look for a gap at a point of a path counts.
 
 // True for two gaps of one passage, such as the two ends of a corridor.
 bool isSame(const Passage& one, const Passage& other) {
@@ -24,19 +25,20 @@ bool isSame(const Passage& one, const Passage& other) {
     const Vec2 apart = other.middle() - one.middle();
     return std::fabs(dot(apart, along)) < 0.5 * std::min(one.width(), other.width()) &&
            std::fabs(cross(apart, along)) < kSameNarrows &&
-           std::fabs(dot(along, other.b - other.a)) > kParallel * other.width();
+           std::fabs(dot(along, other.b - other.a)) > kGapCosine * other.width();
 }
 
-/// The greatest detour of a way that belongs to the choice [m].
+/// The greatest detour of a route that belongs to the choice [m].
 double mostDetour(const SurveyState& state) {
     const SurveyDef& def = state.orders.front();
-    return state.capacity > 0.0 ? std::max({kDetour, state.shortest, def.people / state.capacity * def.speed})
-                                : kInfiniteCost;
+    return state.capacity > 0.0
+               ? std::max({kLeastDetour, state.shortest, def.people / state.capacity * def.speed})
+               : kInfiniteCost;
 }
 
-/// From which cost on a walk is much longer than one of this cost.
+/// The cost from which on a walk is much longer than one of `cost`.
 double muchLonger(double cost) {
-    return cost + std::max(kDetour, cost);
+    return cost + std::max(kLeastDetour, cost);
 }
 
 }  // namespace
@@ -77,7 +79,7 @@ void PassageSurvey::begin(const StaticGround& ground, const SurveyState& state) 
     begun_ = true;
 }
 
-// Walks that cost more are as good as none.
+// The greatest cost that matters: costlier walks count as none.
 double PassageSurvey::costliest(const SurveyState& state) const {
     double most = state.shortest + mostDetour(state);
     for (const double cost : state.openCost)
@@ -85,7 +87,7 @@ double PassageSurvey::costliest(const SurveyState& state) const {
     return most;
 }
 
-// What the search that has ended tells.
+// The verdict of the search that has ended.
 PassageSurvey::Verdict PassageSurvey::conclude(const Environment& environment, const StaticGround& ground,
                                                SurveyState& state) {
     const SurveyDef& def = state.orders.front();
@@ -99,7 +101,8 @@ PassageSurvey::Verdict PassageSurvey::conclude(const Environment& environment, c
                                                                             : Verdict::GoOn;
 }
 
-// More passages may help than can be chosen among, as in a wood.
+// Adds the narrowest gap of the path found. TooMany: more passages may help than people can choose among, as
+// in a wood.
 PassageSurvey::Verdict PassageSurvey::addGap(const Environment& environment, const StaticGround& ground,
                                              SurveyState& state) {
     const double cost = field_.at(state.orders.front().from).cost, flow = state.orders.front().flow;
@@ -108,12 +111,12 @@ PassageSurvey::Verdict PassageSurvey::addGap(const Environment& environment, con
     if (state.capacity > 0.0 && detour > mostDetour(state)) return Verdict::Enough;
     auto gap = narrowestPassage(environment, way_);
     if (gap && gap->width() < 4.0 * ground.coarse().radius) gap->pace = kSingleFile;
-    if (!gap || (state.capacity == 0.0 && state.orders.front().people / gap->capacity(flow) < kNoWait))
+    if (!gap || (state.capacity == 0.0 && state.orders.front().people / gap->capacity(flow) < kLeastWait))
         return Verdict::TooMany;
-    // Between cells a way may lead past the end of a closed passage, round all others.
+    // Between cells a path may lead past the end of a closed passage, round all others.
     for (const Passage& known : state.passages)
         if (isSame(known, *gap))
-            return detour > std::max(kDetour, state.shortest) ? Verdict::Enough : Verdict::TooMany;
+            return detour > std::max(kLeastDetour, state.shortest) ? Verdict::Enough : Verdict::TooMany;
     state.capacity += gap->capacity(flow);
     state.passages.push_back(*gap);
     return Verdict::GoOn;
@@ -136,8 +139,7 @@ void PassageSurvey::readCosts(const SurveyState& state, std::vector<double>& cos
     for (const Vec2 p : state.presentCrowd()) costs.push_back(field_.at(p).cost);
 }
 
-// True where most of the crowd has to go through the passages: where they are closed, its ways are much
-// longer.
+// True where most of the crowd has to go through the passages: with these closed, its routes are much longer.
 bool PassageSurvey::partsCrowd(const SurveyState& state) {
     readCosts(state, closedCost_);
     std::size_t parted = 0;

@@ -1,4 +1,4 @@
-// Finds the passages through which a crowd can go, the shortest way first.
+// Finds the passages through which a crowd can go, the shortest route first.
 #pragma once
 
 #include <vector>
@@ -9,22 +9,22 @@
 
 namespace muster {
 
-/// Looks for alternatives: the way is searched again with the passages closed that are known already. It goes
-/// on over several steps.
+/// Looks for alternatives: the route is searched again with the known passages closed. A survey goes on over
+/// several steps.
 class PassageSurvey {
 public:
-    /// At most so many passages are known at a time.
+    /// `most`: the greatest number of passages known at a time.
     explicit PassageSurvey(std::size_t most) : most_(most) {}
 
-    /// Goes on with the first of `state.orders`, and those after it, for `cells` cells, about, which it takes
-    /// off. True when all are done. Appends passages to `state.passages` for as long as another could help:
-    /// nothing where the first one lets everybody through within two seconds, none that costs more detour
-    /// than all need to go through those that are nearer. Where more than six could help, one passage is all
-    /// there is, or many of the crowd need none of them, nothing is appended: then nobody has to choose. The
-    /// ground must be the same until all are done.
+    /// Goes on with the first of `state.orders`, and then the others, for about `cells` cells, from which it
+    /// subtracts the cells used. True when all are done. Appends passages to `state.passages` for as long as
+    /// another could help: none where the first one lets all people through within two seconds, and none with
+    /// a greater detour than the nearer passages would cost by waiting. Where more than six could help, where
+    /// there is only one passage, or where many of the crowd need none of them, nothing is appended: then
+    /// nobody has to choose. The ground must be the same until all are done.
     bool advance(const Environment& environment, const StaticGround& ground, SurveyState& state,
                  std::int64_t& cells);
-    /// The next advance() repeats the present search up to where it was: after loading.
+    /// Makes the next advance() repeat the present search up to where it was: after loading.
     void forget() { begun_ = false; }
 
 private:
@@ -39,8 +39,8 @@ private:
     bool partsCrowd(const SurveyState& state);
 
     std::size_t most_;
-    bool begun_ = false;              // The present search is in `solver_`.
-    std::vector<double> closedCost_;  // From the crowd, with the passages closed [m].
+    bool begun_ = false;              // True if the present search is in `solver_`.
+    std::vector<double> closedCost_;  // Costs from the crowd, with the passages closed [m].
     WalkEdges edges_;
     WalkSolver solver_;
     WalkField field_;

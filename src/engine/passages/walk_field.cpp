@@ -13,11 +13,12 @@ namespace {
 
 enum Edge : std::uint8_t { kEast = 1, kNorth = 2, kWest = 4, kSouth = 8 };
 
-constexpr double kExactSide = 3.0;        // Cells from a passage within which its line tells the side.
-constexpr double kExactReach = 2.0;       // ... and [m] within which it does.
-constexpr double kSeedReach = 1.5;        // Cells from a passage where the front starts.
-constexpr double kClosedBeyond = 0.75;    // Cells by which a closed passage reaches into the walls beside it.
-constexpr std::int32_t kReachedRing = 3;  // Rings of cells in which a reached one is looked for.
+constexpr double kExactSide = 3.0;   // Distance to a passage within which its line tells the side [cells].
+constexpr double kExactReach = 2.0;  // That distance in metres [m].
+constexpr double kSeedReach = 1.5;   // Distance to a passage at which the front starts [cells].
+// Length by which a closed passage reaches into the walls beside it [cells].
+constexpr double kClosedBeyond = 0.75;
+constexpr std::int32_t kReachedRing = 3;  // Rings of cells in which a reached cell is looked for.
 
 double edgeCost(const CellCost& cost, Edge edge) {
     return edge == kEast ? cost.east : edge == kNorth ? cost.north : edge == kWest ? cost.west : cost.south;
@@ -31,14 +32,14 @@ constexpr Step kSteps[] = {{kEast, 1, 0}, {kNorth, 0, 1}, {kWest, -1, 0}, {kSout
 
 enum Mark : std::uint8_t { kSolved = 1, kWanted = 2 };
 
-/// The value of the nearer neighbour on an axis, and the cost of the step from there.
+/// The value of the nearer neighbour on an axis, and the cost of the step from it.
 struct AxisValue {
     double value = kInfiniteCost;
     double edge = kInfiniteCost;
 };
 
 /// True where one of two points on the line of a passage lies in it and the other beyond its end. Cells on
-/// the line belong to one side of the passage, but those along the wall beside it to the room before the
+/// the line belong to one side of the passage, but cells along the wall beside it to the room before the
 /// wall.
 bool leavesAlongLine(const Passage& passage, Vec2 p, Vec2 q) {
     const double width = passage.width();
@@ -50,14 +51,14 @@ bool leavesAlongLine(const Passage& passage, Vec2 p, Vec2 q) {
     return onLine(p) && onLine(q) && inside(p) != inside(q);
 }
 
-/// Holds all points at which the line of the passage tells the side.
+/// The box of all points at which the line of the passage tells the side.
 Box boxRound(const Passage& passage) {
     const Vec2 reach{kExactReach, kExactReach};
     return {Vec2{std::min(passage.a.x, passage.b.x), std::min(passage.a.y, passage.b.y)} - reach,
             Vec2{std::max(passage.a.x, passage.b.x), std::max(passage.a.y, passage.b.y)} + reach};
 }
 
-/// The value that the two axes give together: the root of sum ((T - v) / e)^2 = 1.
+/// The value from both axes: the root of sum ((T - v) / e)^2 = 1.
 double upwind(const AxisValue& x, const AxisValue& y) {
     const double vx = x.value, ex = x.edge, vy = y.value, ey = y.edge;
     const double one = std::min(vx + ex, vy + ey);
@@ -82,7 +83,7 @@ bool WalkField::isCutOff(std::int32_t cell) const {
 
 std::int32_t WalkField::reachedCell(Vec2 p) const {
     const Cell centre = grid_.nearestCell(p);
-    // Reached cells near by serve for a cell in a wall, not for one behind a closed passage.
+    // For a cell in a wall, a reached cell near it serves; not for a cell behind a closed passage.
     if (isCutOff(grid_.index(centre))) return -1;
     for (std::int32_t ring = 0; ring <= kReachedRing; ++ring) {
         std::int32_t best = -1;
@@ -130,7 +131,7 @@ Walk WalkField::atSpot(const WalkSpot& spot) const {
     return walk;
 }
 
-// The neighbour of least cost over an open edge; diagonally where both ways round are open.
+// The neighbour of least cost over an open edge; diagonally where both routes round the corner are open.
 std::int32_t WalkField::nextCell(std::int32_t cell) const {
     std::int32_t best = cell;
     const auto offer = [&](std::int32_t other) {

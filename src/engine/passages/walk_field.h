@@ -1,4 +1,4 @@
-// Costs of walks between a passage, or a point, and everywhere else, on the coarse ground.
+// Costs of walks between a passage, or a point, and all other points, on the coarse ground.
 #pragma once
 
 #include <cstdint>
@@ -11,36 +11,35 @@
 
 namespace muster {
 
-/// What a walk field knows of one point.
+/// The walk from one point.
 struct Walk {
-    double cost = 0.0;  ///< Cost of the walk [m of open ground]; infinite where there is none.
-    std::int32_t
-        side = 0;  ///< 1 where it ends on the left side of the passage, -1 on the right, 0 for neither.
+    double cost = 0.0;      ///< Cost of the walk [m of open ground]; infinite where there is none.
+    std::int32_t side = 0;  ///< Side of the passage on which it ends: 1 left, -1 right, 0 neither.
 };
 
-/// A point, located among the cells: the same for all fields on one ground.
+/// A point, located among the cells, for all fields on one ground.
 struct WalkSpot {
     Vec2 point;
     BilinearStencil stencil;
-    std::int32_t nearest = 0;  ///< Cell.
+    std::int32_t nearest = 0;  ///< Nearest cell.
 };
 
-/// The cost of the cheapest walk from every cell to a passage that nobody goes through, from whichever side.
+/// The cost of the cheapest walk from every cell to a passage that nobody goes through, from either side.
 class WalkField {
 public:
     /// Locates a point.
     WalkSpot spot(Vec2 p) const { return {p, bilinearStencil(grid_, p), grid_.index(grid_.nearestCell(p))}; }
     /// The walk from a spot on the same ground. Near the passage the side is exact.
     Walk atSpot(const WalkSpot& spot) const;
-    /// The same for a point.
+    /// The walk from a point.
     Walk at(Vec2 p) const { return atSpot(spot(p)); }
-    /// The same for the centre of a cell, which is unreached where it is in a wall.
+    /// The walk from the centre of a cell, which is unreached where it is in a wall.
     Walk ofCell(std::int32_t cell) const {
         const auto cost = static_cast<double>(cost_[cell]);
         return {cost, side_[cell]};
     }
-    /// The first cells, at most so many, of the cheapest walk from `p` to the source, as points [m]; empty
-    /// where there is none.
+    /// The first `most` cells of the cheapest walk from `p` to the source, as points [m]; empty where there
+    /// is none.
     void trace(Vec2 p, std::size_t most, std::vector<Vec2>& path) const;
 
 private:
@@ -50,14 +49,14 @@ private:
     std::int32_t nextCell(std::int32_t cell) const;
 
     Grid grid_;
-    Passage passage_;                 // Of two equal ends for a point.
-    Box near_;                        // Holds what is near the passage.
+    Passage passage_;                 // The passage; with two equal ends for a point.
+    Box near_;                        // Box of the points near the passage.
     std::vector<float> cost_;         // Per cell.
     std::vector<std::int8_t> side_;   // Per cell.
     std::vector<std::uint8_t> open_;  // Per cell: bits of its open edges, east, north, west, south.
 };
 
-/// The edges between cells that can be walked.
+/// The open edges between cells.
 class WalkEdges {
 public:
     /// Opens all edges of this ground.
@@ -75,22 +74,21 @@ private:
     std::vector<std::uint8_t> open_;  // Per cell, as in WalkField.
 };
 
-/// Solves one walk field at a time by fast marching (Sethian 1996) of first order, in as many pieces as its
-/// user likes. What a field holds after so many cells depends on nothing else, so that a march can be
-/// repeated up to where it was. Owns the working memory.
+/// Solves one walk field at a time by fast marching (Sethian 1996) of first order, in any number of pieces.
+/// After a number of cells a field depends on nothing else, so that a march can be repeated up to where it
+/// was. Owns the working memory.
 class WalkSolver {
 public:
     /// Begins from both sides of a passage, whose edges must be closed.
     void begin(const UnitCost& ground, const WalkEdges& edges, const Passage& passage, WalkField& field);
     /// Begins from a point.
     void begin(const UnitCost& ground, const WalkEdges& edges, Vec2 source, WalkField& field);
-    /// The march may end when WalkField::at() holds for this point, and all others that were given, after
-    /// begin().
+    /// Lets the march end when WalkField::at() holds for this point, and for all others given after begin().
     void stopAt(Vec2 p, const WalkField& field);
-    /// The march may end at this cost. Walks that cost more are then unknown or too costly.
+    /// Lets the march end at this cost. Costlier walks are then unknown or too costly.
     void stopBeyond(double cost) { most_ = static_cast<float>(cost); }
-    /// Solves up to `cells` cells and takes them off. True once the march has ended. The ground and the field
-    /// must be those of begin().
+    /// Solves up to `cells` cells and subtracts the number from `cells`. True once the march has ended. The
+    /// ground and the field must be those of begin().
     bool advance(const UnitCost& ground, WalkField& field, std::int64_t& cells);
 
 private:
@@ -103,7 +101,8 @@ private:
 
     std::vector<std::uint64_t> heap_;  // The front: cost, then cell; the least first.
     std::vector<std::uint8_t> mark_;   // Per cell: bit 0 solved, bit 1 wanted by stopAt().
-    std::int32_t wanted_ = -1;         // Wanted cells that are not solved yet; -1 where all are wanted.
+    // Number of wanted cells that are not solved yet; -1 where all cells are wanted.
+    std::int32_t wanted_ = -1;
     float most_ = 0.0f;
 };
 

@@ -8,19 +8,19 @@
 namespace muster {
 namespace {
 
-constexpr double kLeastGain = 0.02;  // Of a move, for those who have no passage yet [s].
+constexpr double kLeastGain = 0.02;  // Least gain of a move for agents without a passage [s].
 constexpr int kExchangeRounds = 4;
-// Who is moved to another passage comes late: of goals with about the same detour it takes the near ones. A
-// second nearer is worth so much detour [s].
-constexpr double kNearer = 0.1;
-constexpr std::int32_t kMostBatches = 500;  // A large crowd is moved by at least this part at a time.
-constexpr double kWorthTurning = 0.5;       // Of all changes of those who have one [s]...
-constexpr double kWorthShare = 0.05;        // ... and as a share of the time that is left.
-constexpr double kRounding = 1e-9;          // Of sums of detours, at most [s].
+// Detour for which a goal that is a second nearer makes up [s]. An agent that moves to another passage comes
+// late, so that of goals with about the same detour the near ones are moved.
+constexpr double kNearGoalShare = 0.1;
+constexpr std::int32_t kMostBatches = 500;  // Most parts in which a large crowd is moved.
+constexpr double kLeastTurnGain = 0.5;      // Least gain of all changes of agents that have a passage [s]...
+constexpr double kLeastTurnShare = 0.05;    // ... and as a share of the time that is left.
+constexpr double kRounding = 1e-9;          // Upper bound of the rounding of sums of detours [s].
 
 }  // namespace
 
-// Whoever has no passage, or one that is not open any more, takes the shortest way.
+// Gives an agent without an open passage the shortest route.
 void WayChoice::begin(std::span<const std::int32_t> way) {
     way_.assign(way.begin(), way.end());
     for (std::size_t i = 0; i < people_; ++i) {
@@ -37,8 +37,8 @@ void WayChoice::begin(std::span<const std::int32_t> way) {
     fillLines();
 }
 
-// Exchanges the passages of two of one pool for as long as that shortens both walks together; `free` may be
-// empty for all. True where any were exchanged.
+// Exchanges the passages of two agents of one pool for as long as that shortens both walks together; `free`
+// may be empty for all. True where any were exchanged.
 bool WayChoice::exchangeAll(std::span<const double> table, std::vector<std::int32_t>& way,
                             std::span<const std::uint8_t> free) {
     bool changed = false;
@@ -53,7 +53,7 @@ bool WayChoice::exchangeAll(std::span<const double> table, std::vector<std::int3
     return changed;
 }
 
-// The same for two passages.
+// Exchanges agents between two passages; true where any were exchanged.
 bool WayChoice::exchange(std::span<const double> table, std::vector<std::int32_t>& way,
                          std::span<const std::uint8_t> free, std::int32_t p, std::int32_t q) {
     there_.clear();
@@ -84,17 +84,17 @@ bool WayChoice::exchange(std::span<const double> table, std::vector<std::int32_t
     return any;
 }
 
-// Of those who may be exchanged, drops those who cannot gain by it. True where some are left on both sides.
+// Drops candidates that cannot gain by an exchange. True where some are left on both sides.
 bool WayChoice::keepWorthwhile() {
     leastThere_.assign(pools_, kInfiniteCost);
     leastBack_.assign(pools_, kInfiniteCost);
     for (const SortKey& k : there_)
-        leastThere_[input_.pool[k.who]] = std::min(leastThere_[input_.pool[k.who]], k.key);
+        leastThere_[input_.pool[k.index]] = std::min(leastThere_[input_.pool[k.index]], k.key);
     for (const SortKey& k : back_)
-        leastBack_[input_.pool[k.who]] = std::min(leastBack_[input_.pool[k.who]], k.key);
+        leastBack_[input_.pool[k.index]] = std::min(leastBack_[input_.pool[k.index]], k.key);
     const auto drop = [&](std::vector<SortKey>& keys, const std::vector<double>& other) {
         std::erase_if(keys, [&](const SortKey& k) {
-            return !(k.key + other[input_.pool[k.who]] < kRounding - kLeastGain);
+            return !(k.key + other[input_.pool[k.index]] < kRounding - kLeastGain);
         });
     };
     drop(there_, leastBack_);
@@ -103,20 +103,20 @@ bool WayChoice::keepWorthwhile() {
 }
 
 std::int32_t WayChoice::nextOf(const std::vector<SortKey>& order, std::size_t& at, std::int32_t pool) const {
-    while (at < order.size() && input_.pool[order[at].who] != pool) ++at;
-    return at < order.size() ? order[at].who : -1;
+    while (at < order.size() && input_.pool[order[at].index] != pool) ++at;
+    return at < order.size() ? order[at].index : -1;
 }
 
-// Those who may leave a passage for another one, the least detour first; some may have left already. The same
-// for goals, near ones first where the detour is equal.
+// Agents that may leave a passage for another one, the least detour first; some may have left already. With
+// `goals` the goals instead, near ones first where the detour is equal.
 const std::vector<SortKey>& WayChoice::leavers(bool goals, std::int32_t from, std::int32_t to) {
     Order& order = (goals ? goalLeavers_ : leavers_)[from * passages_ + to];
     if (order.known) return order.keys;
     order.keys.clear();
     for (const Turn& turn : goals ? lines_[from].goals : lines_[from].queue) {
-        const double there = cost(goals ? input_.onward : input_.arrival, turn.who, to);
-        if (!(there < kInfiniteCost) || (!goals && free_[turn.who] == 0)) continue;
-        order.keys.push_back({there - (goals ? 1.0 - kNearer : 1.0) * turn.time, turn.who});
+        const double there = cost(goals ? input_.onward : input_.arrival, turn.index, to);
+        if (!(there < kInfiniteCost) || (!goals && free_[turn.index] == 0)) continue;
+        order.keys.push_back({there - (goals ? 1.0 - kNearGoalShare : 1.0) * turn.time, turn.index});
     }
     sort_.sort(order.keys);
     order.known = true;
@@ -129,16 +129,16 @@ bool WayChoice::move(std::int32_t from, std::int32_t to, std::int32_t batch) {
     wanted_.assign(pools_, 0);
     for (const SortKey& k : leavers(false, from, to)) {
         if (std::ssize(movedPeople_) >= batch) break;
-        if (way_[k.who] != from) continue;
-        movedPeople_.push_back(k.who);
-        ++wanted_[input_.pool[k.who]];
+        if (way_[k.index] != from) continue;
+        movedPeople_.push_back(k.index);
+        ++wanted_[input_.pool[k.index]];
     }
     if (movedPeople_.empty()) return false;
     for (const SortKey& k : leavers(true, from, to)) {
         if (movedGoals_.size() >= movedPeople_.size()) break;
-        if (goalWay_[k.who] != from || wanted_[input_.pool[k.who]] == 0) continue;
-        movedGoals_.push_back(k.who);
-        --wanted_[input_.pool[k.who]];
+        if (goalWay_[k.index] != from || wanted_[input_.pool[k.index]] == 0) continue;
+        movedGoals_.push_back(k.index);
+        --wanted_[input_.pool[k.index]];
     }
     if (movedGoals_.size() < movedPeople_.size()) return false;
     for (const std::int32_t i : movedPeople_) way_[i] = to;
@@ -151,12 +151,12 @@ void WayChoice::takeBack(std::int32_t from) {
     for (const std::int32_t g : movedGoals_) goalWay_[g] = from;
 }
 
-// Moves so many to the passage where that makes the later of the two ends earliest.
+// Moves `batch` agents to the passage where that makes the later of the two ends earliest.
 bool WayChoice::improveFrom(std::int32_t from, std::int32_t batch) {
     std::int32_t best = -1;
     double least = last_[from] - kLeastGain;
     for (std::int32_t to = 0; std::cmp_less(to, passages_); ++to) {
-        // More people make no line shorter.
+        // More people never shorten a line.
         if (to == from || last_[to] >= least || !move(from, to, batch)) continue;
         double later = lastOf(from, nobody_, least, nullptr);
         if (later < least) {
@@ -175,8 +175,8 @@ bool WayChoice::improveFrom(std::int32_t from, std::int32_t batch) {
     return true;
 }
 
-// The passage where the last arrives latest gives characters away, in ever smaller numbers; when it cannot
-// gain any more, the next one does.
+// Moves agents away from the passage whose last agent arrives latest, in ever smaller numbers; when that
+// gains nothing more, from the next one.
 double WayChoice::improve() {
     if (exchangeAll(input_.arrival, way_, free_)) fillLines();
     for (Order& order : leavers_) order.known = false;
@@ -223,7 +223,7 @@ void WayChoice::readSlots(std::span<double> slot) {
     for (std::int32_t p = 0; std::cmp_less(p, passages_); ++p) lastOf(p, nobody_, kInfiniteCost, slot.data());
 }
 
-// Frees those of the movable who have a passage. True where there are any.
+// Frees movable agents that have a passage. True where there are any.
 bool WayChoice::freeOthers(std::span<const std::int32_t> way) {
     bool any = false;
     for (std::size_t i = 0; i < people_; ++i) {
@@ -237,7 +237,7 @@ bool WayChoice::freeOthers(std::span<const std::int32_t> way) {
 double WayChoice::choose(std::span<std::int32_t> way, std::span<double> slot) {
     if (people_ == 0 || passages_ == 0) return 0.0;
     begin(way);
-    // First the best for those who have none; then what turning others would gain.
+    // First the best for agents without a passage; then the gain of turning others.
     free_.resize(people_);
     for (std::size_t i = 0; i < people_; ++i) free_[i] = way_[i] != way[i] ? 1 : 0;
     double last = improve();
@@ -245,7 +245,7 @@ double WayChoice::choose(std::span<std::int32_t> way, std::span<double> slot) {
     beforeGoals_ = goalWay_;
     if (freeOthers(way)) {
         const double turned = improve();
-        if (turned < last - std::max(kWorthTurning, kWorthShare * last)) {
+        if (turned < last - std::max(kLeastTurnGain, kLeastTurnShare * last)) {
             last = turned;
         } else {
             way_ = before_;

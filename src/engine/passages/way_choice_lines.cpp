@@ -1,4 +1,4 @@
-// Those who go through each passage, and when the last of them is in place.
+// The agents that go through each passage, and the time when the last of them is in place.
 #include <algorithm>
 #include <utility>
 
@@ -28,36 +28,36 @@ void WayChoice::fillLines() {
         for (Order& order : *orders) order.known = false;
 }
 
-// Sorts both; the keys of goals are the negative walks.
+// Sorts people and goals; the keys of goals are the negative walks.
 void WayChoice::fill(Line& line, std::vector<SortKey>& people, std::vector<SortKey>& goals) {
     sort_.sort(people);
     sort_.sort(goals);
     line.queue.clear();
-    for (const SortKey& k : people) line.queue.push_back({k.key, k.who, input_.pool[k.who]});
+    for (const SortKey& k : people) line.queue.push_back({k.key, k.index, input_.pool[k.index]});
     line.poolEnd.assign(pools_, 0);
-    for (const SortKey& k : goals) ++line.poolEnd[input_.pool[k.who]];
+    for (const SortKey& k : goals) ++line.poolEnd[input_.pool[k.index]];
     std::int32_t sum = 0;
     for (std::int32_t& end : line.poolEnd) end = sum += end;
     line.goals.resize(goals.size());
     for (std::size_t k = goals.size(); k > 0; --k) {
-        const std::int32_t who = goals[k - 1].who, pool = input_.pool[who];
-        line.goals[--line.poolEnd[pool]] = {-goals[k - 1].key, who, pool};
+        const std::int32_t index = goals[k - 1].index, pool = input_.pool[index];
+        line.goals[--line.poolEnd[pool]] = {-goals[k - 1].key, index, pool};
     }
-    for (const SortKey& k : goals) ++line.poolEnd[input_.pool[k.who]];
+    for (const SortKey& k : goals) ++line.poolEnd[input_.pool[k.index]];
 }
 
-// The line of a passage without those who have another one now.
+// The line of a passage without agents that have another one now.
 void WayChoice::dropLeft(const Line& line, std::int32_t passage, Line& out) const {
     out.queue.clear();
     out.goals.clear();
     out.poolEnd = line.poolEnd;
     for (const Turn& turn : line.queue)
-        if (way_[turn.who] == passage) out.queue.push_back(turn);
+        if (way_[turn.index] == passage) out.queue.push_back(turn);
     std::int32_t dropped = 0;
     std::size_t k = 0;
     for (std::size_t pool = 0; pool < out.poolEnd.size(); ++pool) {
         for (; std::cmp_less(k, line.poolEnd[pool]); ++k) {
-            if (goalWay_[line.goals[k].who] == passage)
+            if (goalWay_[line.goals[k].index] == passage)
                 out.goals.push_back(line.goals[k]);
             else
                 ++dropped;
@@ -69,7 +69,7 @@ void WayChoice::dropLeft(const Line& line, std::int32_t passage, Line& out) cons
 void WayChoice::merge(const Line& one, const Line& other, Line& out) {
     const auto farther = [](const Turn& x, const Turn& y) {
         if (x.pool != y.pool) return x.pool < y.pool;
-        return x.time > y.time || (x.time == y.time && x.who < y.who);
+        return x.time > y.time || (x.time == y.time && x.index < y.index);
     };
     out.queue.resize(one.queue.size() + other.queue.size());
     std::merge(one.queue.begin(), one.queue.end(), other.queue.begin(), other.queue.end(), out.queue.begin(),
@@ -82,9 +82,9 @@ void WayChoice::merge(const Line& one, const Line& other, Line& out) {
         out.poolEnd[pool] = one.poolEnd[pool] + other.poolEnd[pool];
 }
 
-// Serves those who go through a passage, and who joins them, in the order of arrival; who is served first
-// gets the farthest of the goals. Writes when each is served, and returns when the last one is there [s];
-// from `limit` on the result may be too early.
+// Serves the agents of a passage, and those of `joining`, in the order of arrival; the first one served gets
+// the farthest goal. Writes when each is served, and returns when the last one is at its goal [s]; from
+// `limit` on the result may be too early.
 double WayChoice::lastOf(std::int32_t passage, const Line& joining, double limit, double* slot) {
     const Line& line = lines_[passage];
     const auto begin = [](const Line& of, std::vector<std::int32_t>& cursor) {
@@ -98,13 +98,13 @@ double WayChoice::lastOf(std::int32_t passage, const Line& joining, double limit
         const bool fromLine = m == joining.queue.size() ||
                               (k < line.queue.size() && isSooner(line.queue[k], joining.queue[m]));
         const Turn& turn = fromLine ? line.queue[k++] : joining.queue[m++];
-        if (way_[turn.who] != passage) continue;  // It has left.
+        if (way_[turn.index] != passage) continue;  // This agent has left the passage.
         const double served = std::max(turn.time, free);
         free = served + 1.0 / input_.capacity[passage];
-        if (slot != nullptr) slot[turn.who] = served;
+        if (slot != nullptr) slot[turn.index] = served;
         std::int32_t& at = cursor_[turn.pool];
         std::int32_t& joiningAt = joiningCursor_[turn.pool];
-        while (at < line.poolEnd[turn.pool] && goalWay_[line.goals[at].who] != passage) ++at;
+        while (at < line.poolEnd[turn.pool] && goalWay_[line.goals[at].index] != passage) ++at;
         const bool here = at < line.poolEnd[turn.pool], there = joiningAt < joining.poolEnd[turn.pool];
         if (!here && !there) continue;
         const bool farther = here && (!there || line.goals[at].time >= joining.goals[joiningAt].time);
@@ -114,7 +114,7 @@ double WayChoice::lastOf(std::int32_t passage, const Line& joining, double limit
     return last;
 }
 
-// Sorts those who have been moved to a passage.
+// Sorts agents that have been moved to a passage.
 void WayChoice::fillMoved(std::int32_t to) {
     std::vector<SortKey>& people = keys_.front();
     std::vector<SortKey>& goals = goalKeys_.front();
@@ -125,7 +125,7 @@ void WayChoice::fillMoved(std::int32_t to) {
     fill(moved_, people, goals);
 }
 
-// Makes a move hold.
+// Makes a move permanent.
 void WayChoice::keepMove(std::int32_t from, std::int32_t to) {
     dropLeft(lines_[from], from, other_);
     std::swap(lines_[from], other_);

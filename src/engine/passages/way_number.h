@@ -6,12 +6,12 @@
 
 namespace muster {
 
-/// The number of a way: twice that of the passage, plus 1 for the one that comes from its left side. `side`
-/// is that from which it comes, 1 for left and -1 for right, as in Walk::side.
+/// The number of a way: twice that of its passage, plus 1 for the way that comes from the left side. `side`
+/// is the side from which it comes, 1 for left and -1 for right, as in Walk::side.
 constexpr std::int32_t wayNumber(std::int32_t passage, std::int32_t side) {
     return 2 * passage + (side > 0 ? 1 : 0);
 }
-/// Ways through so many passages.
+/// Number of ways through a number of passages.
 constexpr std::size_t wayCount(std::size_t passages) {
     return 2 * passages;
 }

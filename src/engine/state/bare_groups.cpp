@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/formation/shapes/formation.h"
+#include "engine/formation/shapes/make_formation.h"
 #include "engine/state/group_edits.h"
 #include "engine/state/reform.h"
 

@@ -8,7 +8,7 @@
 #include "base/bounds.h"
 #include "base/maths.h"
 #include "base/neighbour_list.h"
-#include "engine/formation/shapes/formation.h"
+#include "engine/formation/shapes/make_formation.h"
 #include "engine/state/draw_person.h"
 #include "engine/state/ground_class.h"
 #include "engine/state/reform.h"

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/formation/shapes/formation.h"
+#include "engine/formation/shapes/make_formation.h"
 #include "muster/people.h"
 
 namespace muster {

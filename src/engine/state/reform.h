@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/formation/shapes/formation.h"
+#include "engine/formation/shapes/make_formation.h"
 #include "engine/state/world_state.h"
 #include "muster/status.h"
 #include "muster/vec2.h"

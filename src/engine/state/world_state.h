@@ -15,7 +15,7 @@
 #include "engine/state/continuum.h"
 #include "engine/state/group.h"
 #include "engine/state/own_route.h"
-#include "engine/steering/characters.h"
+#include "engine/steering/character_arrays.h"
 #include "muster/command.h"
 #include "muster/parameters.h"
 #include "muster/world_def.h"

@@ -6,20 +6,24 @@
 namespace muster {
 namespace {
 
-constexpr double kAside = 0.28;      // Axes side by side are at least so far apart [m].
-constexpr double kEnd = 0.06;        // Axes end this much before hips and head [m].
-constexpr double kGap = 0.03;        // Between those who follow each other, beyond the least distance [m].
-constexpr double kFileWidth = 0.32;  // Who is farther aside is not ahead [m].
-constexpr double kClosing = 0.25;    // A gap is closed in this time [s].
-constexpr double kSameWay = 0.5;     // Cosine of the largest angle between two who go the same way.
-constexpr double kLookAhead = 0.6;   // Who is so near a patch is about to lie [m].
-constexpr double kSettled = 0.35;    // Who is so near its place has settled [m].
-constexpr double kPairReach = 1.5;   // Who is farther apart does not matter to each other [m].
-constexpr double kAbreast = 0.3;     // Nobody is behind where two are nearer than this along their way [m].
-constexpr double kLieDown = 1.6;     // Whole lengths are reached after 1 / this of a transition.
-constexpr double kInFile = 0.95;     // Cosine of the largest angle between two whose axes count as parallel.
-constexpr double kStands = 0.15;     // Whoever is slower does not get on [m/s].
-constexpr double kPass = 0.14;       // At which those behind pass somebody who stands [m/s].
+constexpr double kAxisDistance = 0.28;  // Least distance between axes side by side [m].
+constexpr double kEnd = 0.06;           // Length by which an axis ends before hips and head [m].
+// Gap between bodies one behind the other, beyond the least distance [m].
+constexpr double kFollowingGap = 0.03;
+constexpr double kFileWidth = 0.32;    // Sideways distance beyond which a body is not ahead [m].
+constexpr double kClosingTime = 0.25;  // Time in which a gap is closed [s].
+// Cosine of the largest angle between two bodies that go the same way.
+constexpr double kSameWayCosine = 0.5;
+constexpr double kPatchAhead = 0.6;     // Distance to a patch below which a character is about to lie [m].
+constexpr double kSettledReach = 0.35;  // Distance to its place below which a character has settled [m].
+constexpr double kPairReach = 1.5;      // Distance beyond which two bodies do not matter to each other [m].
+// Distance along the heading below which neither of two bodies is behind [m].
+constexpr double kAbreastDistance = 0.3;
+// Inverse of the share of a transition after which a body lies at full length.
+constexpr double kLieDownFactor = 1.6;
+constexpr double kParallelCosine = 0.95;  // Cosine of the largest angle between two parallel axes.
+constexpr double kStandingSpeed = 0.15;   // Speed below which a character stands [m/s].
+constexpr double kPassSpeed = 0.14;       // Sideways speed at which a character passes one that stands [m/s].
 
 BodyReach reachOf(const ClipFacts& clip, double share) {
     return {clip.reachAhead * share, clip.reachBehind * share};
@@ -29,14 +33,14 @@ bool isUpright(const BodyReach& reach) {
     return reach.ahead + reach.behind <= 0.0;
 }
 
-// How much of its length a body lies now: transitions lie down and stand up evenly.
+// The share of its length at which a body lies now: transitions lie down and stand up evenly.
 double lyingShare(const ClipFacts& clip, MotionPhase phase, double time) {
     if (phase != MotionPhase::Entering && phase != MotionPhase::Leaving) return 1.0;
     const double share = clip.transitionTime > 0.0 ? std::min(1.0, time / clip.transitionTime) : 1.0;
-    return std::min(1.0, kLieDown * (phase == MotionPhase::Entering ? share : 1.0 - share));
+    return std::min(1.0, kLieDownFactor * (phase == MotionPhase::Entering ? share : 1.0 - share));
 }
 
-// The two points of two segments that are nearest to each other, from the first to the second.
+// The vector between the nearest points of two segments, from the first segment to the second.
 Vec2 nearestBetween(Vec2 a, Vec2 aEnd, Vec2 b, Vec2 bEnd) {
     const Vec2 da = aEnd - a, db = bEnd - b;
     const double crossing = cross(da, db);
@@ -59,11 +63,11 @@ Vec2 nearestBetween(Vec2 a, Vec2 aEnd, Vec2 b, Vec2 bEnd) {
     return nearest;
 }
 
-// Where one body is relative to another that goes the same way.
+// Position of a body relative to another one that goes the same way, one behind the other.
 struct File {
-    Vec2 along;          // Unit vector of both.
-    double aside = 0.0;  // Of the one ahead, to the left [m].
-    double gap = 0.0;    // Between the head behind and the hips ahead [m].
+    Vec2 along;          // Common heading of both, a unit vector.
+    double aside = 0.0;  // Distance of the body ahead to the left [m].
+    double gap = 0.0;    // Distance from the head behind to the hips ahead [m].
 };
 
 File fileOf(Vec2 rear, Vec2 front, Vec2 along, double rearAhead, double frontBehind) {
@@ -91,14 +95,14 @@ void BodyAxes::resolve(const Environment& environment, const Characters& now, st
         member.reach = reachOf(clip, lyingShare(clip, now.phase[i], now.motionTime[i]));
         member.lying = now.phase[i] == MotionPhase::Leaving ? member.reach : reachOf(clip, 1.0);
         if (isUpright(member.lying) && now.direction[i] != Vec2{}) {
-            const GroundSample ahead = environment.ground(now.position[i] + now.direction[i] * kLookAhead);
+            const GroundSample ahead = environment.ground(now.position[i] + now.direction[i] * kPatchAhead);
             member.lying = reachOf(clips[ahead.motion], 1.0);
         }
         if (isUpright(member.lying)) continue;
         if (now.phase[i] == MotionPhase::Locked)
             member.onward = now.direction[i] != Vec2{} ? now.direction[i] : now.heading[i];
-        member.settled = now.place[i] >= 0 && length(placeVelocity[i]) < kStands &&
-                         distance(now.position[i], place[i]) < kSettled;
+        member.settled = now.place[i] >= 0 && length(placeVelocity[i]) < kStandingSpeed &&
+                         distance(now.position[i], place[i]) < kSettledReach;
         members_.push_back(member);
         positions_.push_back(now.position[i]);
     }
@@ -109,7 +113,7 @@ void BodyAxes::keepDistance(const CrowdBodies& bodies, const Characters& now,
                             std::span<Vec2> preferred) const {
     for (const NeighbourPair pair : pairs_.pairs()) {
         const Member *rear = &members_[pair.low], *front = &members_[pair.high];
-        if (dot(rear->heading, front->heading) < kSameWay) continue;
+        if (dot(rear->heading, front->heading) < kSameWayCosine) continue;
         const Vec2 along = normalized(rear->heading + front->heading, rear->heading);
         if (dot(now.position[front->character] - now.position[rear->character], along) < 0.0)
             std::swap(rear, front);
@@ -118,20 +122,22 @@ void BodyAxes::keepDistance(const CrowdBodies& bodies, const Characters& now,
         const File file = fileOf(now.position[r], now.position[f], along, rear->lying.ahead,
                                  front->reach.behind);
         if (std::fabs(file.aside) > kFileWidth) continue;
-        const double least = std::sqrt(std::max(0.0, kAside * kAside - file.aside * file.aside)) + kGap;
+        const double least = std::sqrt(
+                                 std::max(0.0, kAxisDistance * kAxisDistance - file.aside * file.aside)) +
+                             kFollowingGap;
         const double ahead = std::max(0.0, dot(now.velocity[f], along));
-        const double most = std::max(0.0, ahead + (file.gap - least) / kClosing);
+        const double most = std::max(0.0, ahead + (file.gap - least) / kClosingTime);
         const double tooFast = dot(preferred[r], along) - most;
         if (tooFast <= 0.0) continue;
         preferred[r] -= along * tooFast;
-        if (ahead < kStands)
+        if (ahead < kStandingSpeed)
             preferred[r] += perpendicular(along) *
-                            (std::min(tooFast, kPass) * (file.aside > 0.0 ? -1.0 : 1.0));
+                            (std::min(tooFast, kPassSpeed) * (file.aside > 0.0 ? -1.0 : 1.0));
     }
 }
 
-// Who is within a single-step motion is pushed aside, but not back, because it would begin the motion again;
-// the other one makes room instead.
+// A character in a single-step motion may be pushed aside, but not back, where the motion would begin again;
+// the other character makes room instead.
 BodyAxes::Correction BodyAxes::correctionOf(NeighbourPair pair, std::span<const Vec2> positions) const {
     const Member &a = members_[pair.low], &b = members_[pair.high];
     if (isUpright(a.reach) || isUpright(b.reach) || (a.settled && b.settled)) return {};
@@ -144,32 +150,32 @@ BodyAxes::Correction BodyAxes::correctionOf(NeighbourPair pair, std::span<const 
             (overlap.away + b.onward * backB) * (overlap.depth * (shareB + leftA))};
 }
 
-// `a` and `b` both lie.
+// The overlap of `a` and `b`, which both lie.
 BodyAxes::Overlap BodyAxes::axesOverlap(const Member& a, const Member& b,
                                         std::span<const Vec2> positions) const {
     const Vec2 p = positions[a.character], q = positions[b.character];
     const double cosine = dot(a.heading, b.heading);
-    const Vec2 along = cosine > kSameWay ? normalized(a.heading + b.heading, a.heading) : Vec2{};
-    if (cosine < kInFile) {
+    const Vec2 along = cosine > kSameWayCosine ? normalized(a.heading + b.heading, a.heading) : Vec2{};
+    if (cosine < kParallelCosine) {
         const auto end = [](const Member& m, Vec2 at, double reach) {
             return at + m.heading * (reach > 0.0 ? std::max(0.0, reach - kEnd) : std::min(0.0, reach + kEnd));
         };
         const Vec2 nearest = nearestBetween(end(a, p, -a.reach.behind), end(a, p, a.reach.ahead),
                                             end(b, q, -b.reach.behind), end(b, q, b.reach.ahead));
         const double apart = length(nearest), ahead = dot(q - p, along);
-        if (apart >= kAside) return {};
-        const double share = std::fabs(ahead) <= kAbreast ? 0.5 : ahead > 0.0 ? 1.0 : 0.0;
-        return {apart > 1e-9 ? nearest / apart : normalized(q - p, {1.0, 0.0}), kAside - apart, share};
+        if (apart >= kAxisDistance) return {};
+        const double share = std::fabs(ahead) <= kAbreastDistance ? 0.5 : ahead > 0.0 ? 1.0 : 0.0;
+        return {apart > 1e-9 ? nearest / apart : normalized(q - p, {1.0, 0.0}), kAxisDistance - apart, share};
     }
     const bool aBehind = dot(q - p, along) >= 0.0;
     const File file = aBehind ? fileOf(p, q, along, a.reach.ahead, b.reach.behind)
                               : fileOf(q, p, along, b.reach.ahead, a.reach.behind);
     const double aside = std::fabs(file.aside), gap = std::max(0.0, file.gap);
-    if (aside * aside + gap * gap >= kAside * kAside) return {};
-    const double back = std::sqrt(kAside * kAside - aside * aside) - file.gap;
-    const double sideways = std::sqrt(kAside * kAside - gap * gap) - aside;
-    // The one behind falls back; both go aside where none is behind.
-    if (back <= sideways || std::fabs(dot(q - p, along)) > kAbreast)
+    if (aside * aside + gap * gap >= kAxisDistance * kAxisDistance) return {};
+    const double back = std::sqrt(kAxisDistance * kAxisDistance - aside * aside) - file.gap;
+    const double sideways = std::sqrt(kAxisDistance * kAxisDistance - gap * gap) - aside;
+    // The body behind falls back; where neither is behind, both go aside.
+    if (back <= sideways || std::fabs(dot(q - p, along)) > kAbreastDistance)
         return {aBehind ? along : along * -1.0, back, aBehind ? 1.0 : 0.0};
     const bool left = (file.aside >= 0.0) == aBehind;
     return {left ? perpendicular(along) : perpendicular(along) * -1.0, sideways, 0.5};

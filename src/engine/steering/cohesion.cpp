@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/steering/characters.h"
+#include "engine/steering/character_arrays.h"
 
 namespace muster {
 
@@ -27,7 +27,7 @@ void Cohesion::setPaces(double cohesion, const CrowdBodies& bodies, const Charac
     for (const std::int32_t i : members) {
         if (!counts(i)) continue;
         const double ahead = *last - now.cost[i], own = bodies.maxSpeed(i);
-        const double share = std::clamp(kCatchUp - kPacePerMetre * ahead, kLeastPace, kCatchUp);
+        const double share = std::clamp(kCatchUpFactor - kPacePerMetre * ahead, kLeastPace, kCatchUpFactor);
         pace[i] = 1.0 - cohesion + cohesion * std::min(1.0, slowest * share / own);
     }
 }

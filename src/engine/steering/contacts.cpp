@@ -7,23 +7,24 @@
 namespace muster {
 namespace {
 
-constexpr double kConverged = 1e-4;        // Corrections below this share of a diameter end the iteration.
-constexpr double kPairSkin = 0.2;          // Skin of the pair list, as a share of the diameter.
-constexpr double kReported = 0.1;          // Overlaps above this share of the diameter are counted.
-constexpr double kDeepest = 0.09;          // Overlaps above this share of the diameter are taken back.
-constexpr double kFreeTolerance = 1e-3;    // A character is free down to this depth in an obstacle [m].
-constexpr double kReachTolerance = 1.005;  // Sliding along an obstacle may exceed the reach by this factor.
-constexpr double kWedgeSlack = 0.9e-3;     // In a gap as wide as itself a body is thinner by this [m].
-constexpr double kWedgeReach = 0.02;       // Walls on either side within this of the body make a gap [m].
-constexpr double kWedgeCosine = -0.5;      // The directions of these walls differ by more than that.
-constexpr double kRounding = 1e-6;         // More than sums of positions are rounded by [m].
-constexpr std::size_t kClosePerCharacter = 4;  // Room that is kept for pairs that may touch.
-constexpr int kReachRounds = 4;                // Of projections between obstacle and reach.
-constexpr std::size_t kMarkedPerTask = 1024;   // Characters per task.
+constexpr double kConverged = 1e-4;      // Share of a diameter below which corrections end the iteration.
+constexpr double kPairSkin = 0.2;        // Skin of the pair list, as a share of the diameter.
+constexpr double kReported = 0.1;        // Share of the diameter above which overlaps are counted.
+constexpr double kDeepest = 0.09;        // Share of the diameter above which overlaps are taken back.
+constexpr double kFreeTolerance = 1e-3;  // Depth in an obstacle down to which a character is free [m].
+// Factor of the reach up to which sliding along an obstacle may go.
+constexpr double kReachTolerance = 1.005;
+constexpr double kWedgeSlack = 0.9e-3;  // Length by which a body is thinner in a gap as wide as itself [m].
+constexpr double kWedgeReach = 0.02;   // Distance to a body within which walls on either side make a gap [m].
+constexpr double kWedgeCosine = -0.5;  // Cosine below which two walls lie on different sides of a body.
+constexpr double kRounding = 1e-6;     // Upper bound of the rounding of sums of positions [m].
+constexpr std::size_t kClosePerCharacter = 4;  // Reserved number of pairs that may touch, per character.
+constexpr int kReachRounds = 4;                // Number of projections between obstacle and reach.
+constexpr std::size_t kMarkedPerTask = 1024;   // Number of characters per task.
 
 }  // namespace
 
-// The position, or where the way to it from the beginning of the step leaves the reach.
+// The position, or the point where the line to it from the beginning of the step leaves the reach.
 Vec2 Contacts::withinReach(std::size_t character, Vec2 position) const {
     if (bounds_.reach.empty()) return position;
     const Vec2 from = bounds_.from[character];
@@ -44,7 +45,7 @@ double Contacts::separatePairs(std::span<Vec2> positions) {
         if (d2 >= touching * touching) continue;
         const double d = std::sqrt(d2);
         const double depth = touching - d;
-        // Coincident characters separate along an axis that their indices choose.
+        // Coincident characters separate along an axis that follows from their indices.
         const Vec2 away = d > 1e-9 ? between / d
                                    : (((pair.low + pair.high) & 1) != 0 ? Vec2{1.0, 0.0} : Vec2{0.0, 1.0});
         const double shareA = kAlike ? 0.5 : bodies_->share(pair.low, pair.high);
@@ -58,7 +59,7 @@ double Contacts::separatePairs(std::span<Vec2> positions) {
     return worst;
 }
 
-// Those who lie keep apart by their length.
+// Bodies that lie keep apart by their length.
 double Contacts::separateAxes(std::span<Vec2> positions) {
     if (axes_ == nullptr) return 0.0;
     return axes_->forOverlaps(positions, [&](std::int32_t a, Vec2 moveA, std::int32_t b, Vec2 moveB) {
@@ -107,8 +108,9 @@ bool Contacts::isWedged(const Environment& environment, std::int32_t character) 
     return wedged;
 }
 
-// Where a character ends its step whose nearest free point is `free`. Out of an obstacle that was put on it,
-// it walks; a moving one pushes it. Where no free point is found in reach it stays where it was free.
+// The end of the step of a character whose nearest free point is `free`. A character walks out of an obstacle
+// that was put on it; a moving obstacle pushes it. Where no free point is within reach it stays where it
+// began.
 Vec2 Contacts::walkOut(double radius, const Environment& environment, std::size_t character,
                        Vec2 free) const {
     Vec2 end = withinReach(character, free);
@@ -131,7 +133,7 @@ Vec2 Contacts::walkOut(double radius, const Environment& environment, std::size_
     return from;
 }
 
-// Corrections of pairs may have moved characters into obstacles, which have priority.
+// Takes characters out of obstacles, which have priority over the corrections of pairs.
 void Contacts::leaveObstaclesFinally(const Environment& environment, std::span<Vec2> positions) {
     for (const ObstacleCandidate& candidate : obstacleCandidates_) {
         Vec2& p = positions[candidate.index];
@@ -146,7 +148,7 @@ void Contacts::leaveObstaclesFinally(const Environment& environment, std::span<V
     }
 }
 
-// Puts a character back where it began the step; false where it is there already, or an obstacle is.
+// Puts a character back where it began the step; false where it is there already, or where an obstacle is.
 bool Contacts::takeBackOne(const Environment& environment, std::int32_t character,
                            std::span<Vec2> positions) {
     const double radius = bodies_->radius(character);
@@ -158,9 +160,9 @@ bool Contacts::takeBackOne(const Environment& environment, std::int32_t characte
     return true;
 }
 
-// The iteration does not always converge in a dense crowd, but nobody was too deep when the step began: of
-// pairs that have become too deep, the one that has come nearer is put back, then the other, and so on with
-// those that came after them. Who gets away from a knot does so.
+// The iteration does not always converge in a dense crowd, but no pair was too deep when the step began. Of a
+// pair that has become too deep, the character that has come nearer is put back, then the other one, and so
+// on with characters that came after them. A character that gets out of the knot goes on.
 void Contacts::takeBack(const Environment& environment, std::span<Vec2> positions) {
     for (bool changed = true; changed;) {
         changed = false;
@@ -180,7 +182,7 @@ void Contacts::takeBack(const Environment& environment, std::span<Vec2> position
     }
 }
 
-// Finds pairs again where corrections may have brought together characters that were far apart before.
+// Finds pairs again, if corrections may have brought together characters that were far apart before.
 ContactReport Contacts::report(std::span<const Vec2> positions) {
     ContactReport result;
     if (outdatedByCorrections(positions)) findPairs(positions);
@@ -202,7 +204,7 @@ void Contacts::findPairs(std::span<const Vec2> positions) {
     findClose(positions);
 }
 
-// Within their reach most pairs cannot come to touch.
+// Keeps pairs that may touch: within their reach most pairs cannot.
 void Contacts::findClose(std::span<const Vec2> positions) {
     const std::span<const NeighbourPair> pairs = pairs_->pairs();
     if (bounds_.from.empty()) {
@@ -225,7 +227,7 @@ void Contacts::findClose(std::span<const Vec2> positions) {
     }
 }
 
-// Who was pushed by an obstacle may have got farther than others reach.
+// Adds pairs of characters that an obstacle has pushed farther than the reach of others.
 void Contacts::findCloseToPushed(std::span<const Vec2> positions) {
     const bool pushed = std::any_of(
         obstacleCandidates_.begin(), obstacleCandidates_.end(), [&](const ObstacleCandidate& candidate) {
@@ -234,8 +236,8 @@ void Contacts::findCloseToPushed(std::span<const Vec2> positions) {
     if (pushed) findClose(positions);
 }
 
-// Candidates are so near an obstacle or the edge of the world that nobody else reaches one while the pairs
-// are valid.
+// Candidates are near enough to an obstacle or the edge of the world that no other character reaches one
+// while the pairs are valid.
 void Contacts::findObstacleCandidates(const Environment& environment, std::span<const Vec2> positions,
                                       ThreadPool* pool) {
     nearObstacle_.resize(positions.size());
@@ -252,13 +254,13 @@ void Contacts::findObstacleCandidates(const Environment& environment, std::span<
             obstacleCandidates_.push_back({static_cast<std::int32_t>(i)});
 }
 
-// How far a character may be from where the pairs were found [m]: half the skin, and not so far that an
-// obstacle candidate is missed.
+// Distance from where the pairs were found that a character may have [m]: half the skin, and less than would
+// miss an obstacle candidate.
 double Contacts::slack() const {
     return std::clamp(0.5 * (pairs_->listedReach() - diameter_), 0.0, 0.5 * diameter_);
 }
 
-// True where a character has been corrected so far that pairs may be missing; only corrections count.
+// True where corrections have moved a character far enough that pairs may be missing.
 bool Contacts::outdatedByCorrections(std::span<const Vec2> positions) {
     if (!std::exchange(corrected_, false)) return false;
     const double most = slack();

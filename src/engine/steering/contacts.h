@@ -1,5 +1,5 @@
-// Contacts: nobody enters another or an obstacle (SPEC A6). Positions are corrected by projection, as in
-// position-based dynamics (Müller et al. 2007).
+// Contacts: no character enters another or an obstacle (SPEC A6). Positions are corrected by projection, as
+// in position-based dynamics (Müller et al. 2007).
 #pragma once
 
 #include <cstdint>
@@ -17,23 +17,24 @@
 
 namespace muster {
 
-/// Where the step began, and how far characters can walk in it, one entry per character; empty for no bounds.
+/// Positions at the beginning of the step and the reach in it, one entry per character; empty for no bounds.
 struct ContactBounds {
     std::span<const Vec2> from;     ///< [m]
     std::span<const double> reach;  ///< [m]
 };
 
 /// Corrects positions in place: in each iteration first pairs, in the order of the neighbour list
-/// (Gauss-Seidel), then obstacles. Two share a correction by their inverse masses, alike ones by halves.
+/// (Gauss-Seidel), then obstacles. Two characters share a correction by their inverse masses, equal ones by
+/// halves.
 class Contacts {
 public:
-    /// Moves `positions` apart and out of obstacles and reports what overlaps remain. Nobody gets out of the
-    /// reach of `bounds`, except who is pushed by a moving obstacle, and no pair gets deeper than 9 % of its
+    /// Moves `positions` apart and out of obstacles and reports the overlaps that remain. No character leaves
+    /// the reach of `bounds`, except where a moving obstacle pushes it. No pair gets deeper than 9 % of its
     /// mean diameter that was not before, except where an obstacle came over one of the two, or one is fixed.
     /// `neighbours`, if given, is used as long as it is valid, which saves a search; it must list pairs
-    /// nearer than the largest diameter or farther. `bodies`, if given, are those of all characters, who are
-    /// all alike by `usual` otherwise: who is fixed is not moved, not by obstacles either. `axes`, if given,
-    /// keep those who lie apart as well, as far as the rest allows.
+    /// nearer than the largest diameter or farther. `bodies`, if given, are those of all characters, which
+    /// are all equal to `usual` otherwise: a fixed character is not moved, not even by obstacles. `axes`, if
+    /// given, keep bodies that lie apart as well, as far as the rest allows.
     ContactReport resolve(const Parameters::Contact& def, const Parameters::Character& usual,
                           const Environment& environment, std::span<Vec2> positions,
                           const NeighbourList* neighbours = nullptr, ThreadPool* pool = nullptr,
@@ -44,7 +45,7 @@ private:
     // A character near an obstacle or the edge of the world.
     struct ObstacleCandidate {
         std::int32_t index;
-        // A position that is known to be free; NaN where none is.
+        // A position that is known to be free; NaN where none is known.
         Vec2 free{std::numeric_limits<double>::quiet_NaN(), 0.0};
     };
 
@@ -67,18 +68,19 @@ private:
     double slack() const;
     bool outdatedByCorrections(std::span<const Vec2> positions);
 
-    // Of the present call.
+    // Inputs of the present call.
     ContactBounds bounds_;
     CrowdBodies alike_;
-    const CrowdBodies* bodies_ = nullptr;  // Given by the caller, or alike_.
-    const BodyAxes* axes_ = nullptr;       // Given by the caller; null where nobody lies.
-    double diameter_ = 0.0;                // The largest [m].
+    const CrowdBodies* bodies_ = nullptr;  // Bodies given by the caller, or alike_.
+    const BodyAxes* axes_ = nullptr;       // Axes given by the caller; null where no body lies.
+    double diameter_ = 0.0;                // Largest diameter [m].
 
     NeighbourList ownPairs_;
-    const NeighbourList* pairs_ = nullptr;  // Given by the caller, or ownPairs_.
-    std::vector<NeighbourPair> close_;      // Those of pairs_ that may touch in this step, in their order.
-    double farthest_ = 0.0;                 // Nobody in close_ comes farther from where the step began [m].
-    bool corrected_ = false;  // True where a position was corrected since pairs_ was last checked.
+    const NeighbourList* pairs_ = nullptr;  // Pairs given by the caller, or ownPairs_.
+    std::vector<NeighbourPair> close_;      // Pairs that may touch in this step, in the order of pairs_.
+    // Distance from the beginning of the step that no character of close_ exceeds [m].
+    double farthest_ = 0.0;
+    bool corrected_ = false;  // True if a position was corrected since pairs_ was last checked.
     std::vector<ObstacleCandidate> obstacleCandidates_;
     std::vector<std::uint8_t> nearObstacle_;  // Per character, 1 for candidates.
 };

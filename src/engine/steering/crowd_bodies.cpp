@@ -2,12 +2,12 @@
 
 #include <functional>
 
-#include "engine/steering/characters.h"
+#include "engine/steering/character_arrays.h"
 
 namespace muster {
 namespace {
 
-// Who holds its ground gives way to others by this share of what its mass asks for.
+// Share of the correction by its mass with which a character that holds its ground gives way to others.
 constexpr double kFirmShare = 0.002;
 
 bool isUsual(const Body& body) {

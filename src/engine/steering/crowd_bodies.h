@@ -15,7 +15,7 @@ namespace muster {
 struct Characters;
 
 /// Share of its acceleration with which a character brakes.
-inline constexpr double kBrakes = 0.8;
+inline constexpr double kBrakingShare = 0.8;
 
 /// The radius of a body [m].
 inline double radiusOf(const Parameters::Character& def, const Body& body) {
@@ -25,7 +25,7 @@ inline double radiusOf(const Parameters::Character& def, const Body& body) {
 inline double maxSpeedOf(const Parameters::Character& def, const Body& body) {
     return body.maxSpeed > 0.0 ? body.maxSpeed : def.maxSpeed;
 }
-/// The time that a body keeps from who is ahead [s].
+/// The time that a body keeps from the agent ahead [s].
 inline double headwayOf(const Parameters::Character& def, const Body& body) {
     return body.headway > 0.0 ? body.headway : def.headway;
 }
@@ -34,29 +34,29 @@ inline double accelerationOf(const Parameters::Character& def, const Body& body)
     return body.acceleration > 0.0 ? body.acceleration : def.acceleration;
 }
 
-/// What each character of a crowd is in one step. Where nobody differs from the parameters no arrays are
-/// kept, and all take the short way.
+/// Bodies of all characters in one step. Where no character differs from the parameters no arrays are kept,
+/// and all take the fast path.
 class CrowdBodies {
 public:
-    /// Everybody is as the parameters say.
+    /// All characters have the bodies of the parameters.
     CrowdBodies() { reset({}); }
     explicit CrowdBodies(const Parameters::Character& def) { reset(def); }
-    /// Everybody is as the parameters say.
+    /// All characters have the bodies of the parameters.
     void reset(const Parameters::Character& def);
-    /// Reads what each is. `firmness` holds for each group how firmly it stands: of two of different groups
-    /// the firmer one gives way hardly at all. Empty for all alike.
+    /// Reads the bodies of characters. `firmness` holds for each group how firmly it stands: of two
+    /// characters of different groups the firmer one hardly gives way. Empty where all are equal.
     void resolve(const Parameters::Character& def, const Characters& now,
                  std::span<const std::uint8_t> firmness, const Ring& ring = {});
 
-    /// The way from one position to another, in a ring the shorter one [m].
+    /// The vector from one position to another, in a ring the shorter one [m].
     Vec2 between(Vec2 from, Vec2 to) const { return ring_.between(from, to); }
-    const Ring& ring() const { return ring_; }  ///< Ground that is joined, if any.
-    /// The time that it keeps from who is ahead [s].
+    const Ring& ring() const { return ring_; }  ///< Ring in which the ground is joined, if any.
+    /// The time that a character keeps from the agent ahead [s].
     double headway(std::size_t i) const { return alike() ? def_.headway : headway_[i]; }
-    bool alike() const { return radius_.empty(); }               ///< Nobody differs from the parameters.
-    double largestRadius() const { return largest_; }            ///< [m]
+    bool alike() const { return radius_.empty(); }  ///< True where no character differs from the parameters.
+    double largestRadius() const { return largest_; }            ///< Largest radius [m].
     double fastest() const { return fastest_; }                  ///< The highest top speed [m/s].
-    const Parameters::Character& usual() const { return def_; }  ///< Of who has no number of its own.
+    const Parameters::Character& usual() const { return def_; }  ///< Numbers of characters without their own.
 
     double radius(std::size_t i) const { return alike() ? def_.radius : radius_[i]; }  ///< [m]
     double maxSpeed(std::size_t i) const {                                             ///< [m/s]
@@ -65,55 +65,56 @@ public:
     double acceleration(std::size_t i) const {  ///< [m/s^2]
         return alike() ? def_.acceleration : acceleration_[i];
     }
-    /// The distance in which it brakes from its top speed, as a time at that speed [s].
+    /// Time in which a character would walk its braking distance at top speed [s].
     double brakingTime(std::size_t i) const { return 0.5 * maxSpeed(i) / acceleration(i); }
     /// The speed of a stream in which gaps are as long as a radius, by the law of headway: g / (T (1 - k)),
-    /// at most `topSpeed` [m/s]. Who walks as fast gets on.
+    /// at most `topSpeed` [m/s]. An agent at this speed gets on.
     double crowdedSpeed(std::size_t i, double topSpeed) const {
         const double slower = (1.0 - def_.inStep) * headway(i);
         return slower * topSpeed > radius(i) ? radius(i) / slower : topSpeed;
     }
-    double longestBraking() const { return longestBraking_; }  ///< Of all [s].
-    double longestHeadway() const { return longestHeadway_; }  ///< Of all [s].
-    /// The gap from which on two count as near [m]: what the faster one walks in its headway. Who cannot stop
-    /// within the foresight of others is near while both have to brake.
+    double longestBraking() const { return longestBraking_; }  ///< Longest braking time [s].
+    double longestHeadway() const { return longestHeadway_; }  ///< Longest headway [s].
+    /// The gap from which on two characters count as near [m]: the distance that the faster one walks in its
+    /// headway. A character that cannot stop within the foresight of others is near while both have to brake.
     double nearGap(std::size_t a, std::size_t b) const {
         return alike() ? farthestGap()
                        : std::max(maxSpeed_[a], maxSpeed_[b]) * std::max(nearTime_[a], nearTime_[b]);
     }
-    /// Of any two [m].
+    /// The largest near gap of any two [m].
     double farthestGap() const { return fastest_ * nearTime(longestHeadway_, longestBraking_); }
-    /// True where steering and contacts do not move it.
+    /// True for a character that steering and contacts do not move.
     bool isFixed(std::size_t i) const { return !alike() && inverseMass_[i] == 0.0; }
-    /// Distance at which two touch [m].
+    /// Distance between the centres of two characters that touch [m].
     double touching(std::size_t a, std::size_t b) const { return radius(a) + radius(b); }
-    /// The share of a correction between two that `a` takes; `b` takes the rest. Of two fixed ones none takes
-    /// any, and both answers are 0.
+    /// The share of a correction between two characters that `a` takes; `b` takes the rest. If both are
+    /// fixed, both answers are 0.
     double share(std::size_t a, std::size_t b) const { return alike() ? 0.5 : ownShare(a, b); }
-    /// True where `a` holds its ground against `b`, who is of another group, or `b` makes room.
+    /// True where `a` holds its ground against `b` of another group, or `b` makes room.
     bool isFirmer(std::size_t a, std::size_t b) const {
         return !alike() && group_[a] != group_[b] && firmness_[a] > firmness_[b];
     }
 
-    /// Drops from a list, which reaches beyond the largest diameter, the pairs that are farther beyond their
-    /// own touching distance than that.
+    /// Drops pairs from a list that reaches beyond the largest diameter: those that are farther beyond their
+    /// own touching distance than the list is.
     void shorten(std::span<const Vec2> positions, NeighbourList& neighbours) const;
 
 private:
-    static constexpr double kNear = 0.5;  // Who can reach each other within this time are near [s].
+    // Time within which two characters that can reach each other are near [s].
+    static constexpr double kNearTime = 0.5;
 
     double ownShare(std::size_t a, std::size_t b) const;
     double nearTime(double headway, double braking) const {
-        return braking > def_.foresight ? 2.0 * braking : std::max(kNear, headway);
+        return braking > def_.foresight ? 2.0 * braking : std::max(kNearTime, headway);
     }
 
     Parameters::Character def_;
     Ring ring_;
     double largest_ = 0.0, fastest_ = 0.0, longestBraking_ = 0.0, longestHeadway_ = 0.0;
     std::vector<double> radius_, maxSpeed_, acceleration_, headway_;
-    std::vector<double> nearTime_;        // At top speed, until it meets who counts as near [s].
-    std::vector<double> inverseMass_;     // 0 for who is fixed.
-    std::vector<std::uint8_t> firmness_;  // That of its group.
+    std::vector<double> nearTime_;        // Time at top speed to a near character [s].
+    std::vector<double> inverseMass_;     // Inverse mass; 0 for fixed characters.
+    std::vector<std::uint8_t> firmness_;  // Firmness of its group.
     std::vector<std::uint32_t> group_;
 };
 

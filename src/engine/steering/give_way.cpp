@@ -5,22 +5,22 @@
 #include <limits>
 
 #include "engine/ground/environment/obstacle_piece.h"
-#include "engine/steering/characters.h"
+#include "engine/steering/character_arrays.h"
 
 namespace muster {
 namespace {
 
-constexpr double kSlowest = 0.05;     // Slower obstacles are left to contacts [m/s].
-constexpr double kWayMargin = 0.3;    // Kept from the swept ground [m].
-constexpr double kHorizon = 4.0;      // How far ahead lanes reach [s].
-constexpr double kReaction = 1.0;     // Time that people keep in hand when they leave a lane [s],
-constexpr double kEffort = 2.0;       // and how much longer than alone they expect to take.
-constexpr double kCrossing = 0.6;     // Time that they keep in hand when they cross [s].
-constexpr double kWayStopping = 0.3;  // Time within which who must not enter stops [s].
-constexpr double kFollowGap = 0.15;   // Kept behind an obstacle [m].
-constexpr double kPressGap = 0.12;    // Who is nearer to somebody leaving makes room [m].
+constexpr double kLeastObstacleSpeed = 0.05;  // Speed below which obstacles are left to contacts [m/s].
+constexpr double kSweptMargin = 0.3;          // Distance to the swept ground [m].
+constexpr double kLaneHorizon = 4.0;          // Time for which lanes reach ahead [s].
+constexpr double kReactionTime = 1.0;         // Time that people keep in hand when they leave a lane [s],
+constexpr double kEffortFactor = 2.0;         // and factor of the time alone that they expect to take.
+constexpr double kCrossingTime = 0.6;         // Time that people keep in hand when they cross [s].
+constexpr double kStoppingTime = 0.3;         // Time in which a person stops that must not enter [s].
+constexpr double kFollowGap = 0.15;           // Distance behind an obstacle [m].
+constexpr double kPressGap = 0.12;  // Distance to a person that leaves below which others make room [m].
 constexpr double kPressCosine = 0.35;
-constexpr int kPasses = 16;  // How far making room is passed on, in people.
+constexpr int kPasses = 16;  // Number of people through which making room is passed on.
 
 }  // namespace
 
@@ -44,20 +44,20 @@ GiveWay::Lane GiveWay::laneOf(const ObstaclePiece& piece, double radius) {
             lane.left = std::max(lane.left, across);
         }
     }
-    lane.right -= radius + kWayMargin;
-    lane.left += radius + kWayMargin;
+    lane.right -= radius + kSweptMargin;
+    lane.left += radius + kSweptMargin;
     return lane;
 }
 
-// The lane for a body whose radius is larger than usual by so much.
+// The lane for a body whose radius is `by` [m] larger than the usual one.
 GiveWay::Lane GiveWay::widened(Lane lane, double by) {
     lane.right -= by;
     lane.left += by;
     return lane;
 }
 
-// Leaves a lane by the side that takes less time, or straight on if that is in time. A side behind a wall
-// comes last.
+// Leaves a lane by the side that takes less time, or straight on if that is in time. A side behind a wall is
+// the last choice.
 void GiveWay::leave(const Lane& lane, const Environment& environment, Vec2 position, double topSpeed,
                     double radius, std::size_t character, double timeLeft, Vec2 preferred) {
     const double across = dot(position - lane.centre, lane.across);
@@ -65,10 +65,10 @@ void GiveWay::leave(const Lane& lane, const Environment& environment, Vec2 posit
     const double drift = dot(preferred, lane.across);
     const double onward = drift > 0.0 ? toLeft : toRight;
     const bool crosses = std::fabs(drift) > 0.5 * topSpeed &&
-                         onward / std::fabs(drift) + kCrossing < timeLeft;
+                         onward / std::fabs(drift) + kCrossingTime < timeLeft;
     if (crosses) return;
     const double least = std::min(toLeft, toRight) / topSpeed;
-    if (timeLeft > kEffort * least + kReaction) return;
+    if (timeLeft > kEffortFactor * least + kReactionTime) return;
     bool left = toLeft < toRight;
     const auto isClear = [&](bool side) {
         const Vec2 out = position + lane.across * (side ? toLeft : -toRight);
@@ -81,11 +81,11 @@ void GiveWay::leave(const Lane& lane, const Environment& environment, Vec2 posit
     slack_[character] = slack;
 }
 
-// Behind the obstacle: does not run into it. `along` and `across` are those of the character's front.
+// Follows the obstacle without running into it. `along` and `across` are those of the character's front.
 void GiveWay::follow(const Lane& lane, double along, double across, Vec2& preferred) {
     if (across < lane.right || across > lane.left) return;
     const double closing = dot(preferred, lane.along) - lane.speed;
-    const double most = (lane.rear - kFollowGap - along) / kWayStopping;
+    const double most = (lane.rear - kFollowGap - along) / kStoppingTime;
     if (closing > most) preferred -= lane.along * (closing - most);
 }
 
@@ -95,19 +95,19 @@ void GiveWay::giveWay(const Lane& lane, const Environment& environment, Vec2 pos
     const double timeLeft = std::max(0.0, along - lane.front - radius) / lane.speed;
     const double across = dot(position - lane.centre, lane.across);
     if (along < lane.rear - radius) return follow(lane, along + radius, across, preferred);
-    if (timeLeft > kHorizon) return;
+    if (timeLeft > kLaneHorizon) return;
     if (across > lane.right && across < lane.left)
         return leave(lane, environment, position, topSpeed, radius, character, timeLeft, preferred);
-    // Beside the lane: enters only if there is time to cross.
+    // A character beside the lane enters only if there is time to cross.
     const double gap = across >= lane.left ? across - lane.left : lane.right - across;
     const Vec2 inward = across >= lane.left ? -lane.across : lane.across;
     const double entering = dot(preferred, inward);
-    if (entering * kWayStopping <= gap) return;
-    if ((gap + lane.left - lane.right) / entering + kCrossing < timeLeft) return;
-    preferred -= inward * (entering - gap / kWayStopping);
+    if (entering * kStoppingTime <= gap) return;
+    if ((gap + lane.left - lane.right) / entering + kCrossingTime < timeLeft) return;
+    preferred -= inward * (entering - gap / kStoppingTime);
 }
 
-// Who is touched by somebody leaving goes the same way, and so on.
+// A character that touches one that leaves goes the same direction, and so on.
 void GiveWay::passOn(const CrowdBodies& bodies, const Characters& now, const NeighbourList& neighbours) {
     leaves_.resize(leaving_.size());
     for (std::size_t i = 0; i < leaving_.size(); ++i) leaves_[i] = leaving_[i] == Vec2{} ? 0 : 1;
@@ -140,7 +140,7 @@ void GiveWay::run(const CrowdBodies& bodies, const Characters& now, const Enviro
     const Parameters::Character& def = bodies.usual();
     lanes_.clear();
     for (const ObstaclePiece& piece : environment.pieces())
-        if (piece.moving && lengthSquared(piece.velocity) > kSlowest * kSlowest)
+        if (piece.moving && lengthSquared(piece.velocity) > kLeastObstacleSpeed * kLeastObstacleSpeed)
             lanes_.push_back(laneOf(piece, def.radius));
     leaving_.assign(now.size(), {});
     slack_.assign(now.size(), 0.0);

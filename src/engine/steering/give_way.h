@@ -15,17 +15,16 @@ namespace muster {
 struct Characters;
 
 /// Changes preferred velocities before moving obstacles. The ground that a piece of an obstacle sweeps is
-/// taken as a lane along its velocity. Who stands in it leaves it by the side that is quicker to reach, in
-/// time; who is beside it enters only if there is time to cross. Those whom somebody leaving touches make
-/// room.
+/// taken as a lane along its velocity. A character in the lane leaves it by the quicker side, in time; one
+/// beside it enters only if there is time to cross. Characters that touch one that leaves make room.
 class GiveWay {
 public:
-    /// Overwrites `preferred` velocities [m/s] of those who give way. `topSpeed` is that of each character
-    /// [m/s]; `neighbours` lists all who nearly touch.
+    /// Overwrites `preferred` velocities [m/s] of characters that give way. `topSpeed` is that of each
+    /// character [m/s]; `neighbours` lists all pairs that nearly touch.
     void run(const CrowdBodies& bodies, const Characters& now, const Environment& environment,
              const NeighbourList& neighbours, std::span<const double> topSpeed, std::span<Vec2> preferred);
-    /// Of each character the velocity at which it left a lane in the last run [m/s], null for who did not;
-    /// empty where nobody did.
+    /// By character: the velocity at which it left a lane in the last run [m/s], null if it did not; empty
+    /// where no character did.
     std::span<const Vec2> leaving() const { return leaving_; }
 
 private:
@@ -33,8 +32,8 @@ private:
     struct Lane {
         Vec2 centre, along, across;
         double speed;
-        double rear, front;  // Of the piece, from its centre along the lane [m].
-        double right, left;  // Of the lane, for the centres of characters [m].
+        double rear, front;  // Rear and front of the piece, from its centre along the lane [m].
+        double right, left;  // Sides of the lane, for the centres of characters [m].
     };
 
     static Lane laneOf(const ObstaclePiece& piece, double radius);
@@ -47,9 +46,9 @@ private:
     void passOn(const CrowdBodies& bodies, const Characters& now, const NeighbourList& neighbours);
 
     std::vector<Lane> lanes_;
-    std::vector<Vec2> leaving_;  // Of each character, the velocity at which it leaves a lane; null for none.
-    std::vector<std::uint8_t> leaves_;  // 1 for those who leave one.
-    std::vector<double> slack_;         // Of those, the time that is left over [s].
+    std::vector<Vec2> leaving_;  // By character: the velocity at which it leaves a lane; null for none.
+    std::vector<std::uint8_t> leaves_;  // By character: 1 if it leaves a lane.
+    std::vector<double> slack_;         // By character that leaves a lane: time left over [s].
 };
 
 }  // namespace muster

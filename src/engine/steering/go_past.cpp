@@ -6,34 +6,34 @@
 namespace muster {
 namespace {
 
-constexpr double kBeside = 0.02;          // Kept from who stands [m].
+constexpr double kPastDistance = 0.02;    // Distance to a standing character [m].
 constexpr double kFarthestTurn = -0.2;    // Cosine of the largest turn.
-constexpr double kSameAngle = 1e-9;       // Of cosines and distances that differ by rounding.
-constexpr std::size_t kStandersEach = 8;  // Room that is kept for those near it.
+constexpr double kAngleRounding = 1e-9;   // Rounding of cosines and distances.
+constexpr std::size_t kStandersEach = 8;  // Reserved number of standing characters near a walker.
 
 }  // namespace
 
-// Those who stand before the place of a walker, not on it.
+// Lists standing characters before the place of a walker, not on it.
 void GoPast::list(const CrowdBodies& bodies, const Characters& now, std::int32_t walker, std::size_t first,
                   std::size_t end, Vec2 toPlace) {
     standers_.clear();
     for (std::size_t k = first; k < end; ++k) {
         const std::int32_t other = near_[k].second;
         const Vec2 to = bodies.between(now.position[walker], now.position[other]);
-        const double keep = bodies.touching(walker, other) + kBeside;
+        const double keep = bodies.touching(walker, other) + kPastDistance;
         const bool onPlace = lengthSquared(toPlace - to) < keep * keep;
         if (!onPlace && lengthSquared(to) < lengthSquared(toPlace)) standers_.push_back({to, keep});
     }
 }
 
-// Turns a direction to one side until nobody stands in it; false where it would lead back.
+// Turns a direction to one side until no standing character is in it; false where it would lead back.
 bool GoPast::turn(double side, Vec2& unit) const {
     const Vec2 straight = unit;
     for (std::size_t round = 0; round <= standers_.size(); ++round) {
         bool blocked = false;
         for (const Stander& stander : standers_) {
-            if (dot(stander.to, unit) <= kSameAngle ||
-                std::fabs(cross(unit, stander.to)) >= stander.keep - kSameAngle)
+            if (dot(stander.to, unit) <= kAngleRounding ||
+                std::fabs(cross(unit, stander.to)) >= stander.keep - kAngleRounding)
                 continue;
             const double away = length(stander.to), sine = std::min(1.0, stander.keep / away);
             unit = Rotation{std::sqrt(1.0 - sine * sine), side * sine}.apply(stander.to / away);
@@ -70,7 +70,7 @@ void GoPast::run(const CrowdBodies& bodies, const Characters& now, const Environ
                                                                 here, here + unit * reach, bodies.radius(i)));
         };
         const bool byLeft = open(1.0, left), byRight = open(-1.0, right);
-        if (byRight && (!byLeft || dot(right, straight) >= dot(left, straight) - kSameAngle))
+        if (byRight && (!byLeft || dot(right, straight) >= dot(left, straight) - kAngleRounding))
             wanted[i] = right * speed;
         else if (byLeft)
             wanted[i] = left * speed;

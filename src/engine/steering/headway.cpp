@@ -9,26 +9,29 @@
 namespace muster {
 namespace {
 
-constexpr double kFree = 0.6;         // Progress from which who meets takes its whole share.
-constexpr double kToTheRight = 0.25;  // Tangent by which who meet pass each other on the right.
-constexpr double kInFront = 0.5;      // Of two who go the same way one is ahead from twice this cosine.
-constexpr double kSlack = 0.3;        // A limit this far from being reached is left out [m/s]...
-constexpr double kSlackTime = 1.0;    // ... over so long [s].
-constexpr double kPenetration = 0.2;  // Share of an overlap that is taken back in a step.
-constexpr double kWallReach = 0.3;    // Walls beyond this gap are left out [m].
-constexpr std::size_t kPairsPerCharacter = 16;   // Room that is kept for them.
-constexpr std::size_t kLimitsPerCharacter = 16;  // Room that is kept for them.
+// Progress from which on an agent that meets another takes its whole share.
+constexpr double kFreeProgress = 0.6;
+constexpr double kRightTangent = 0.25;  // Tangent by which two agents that meet pass each other on the right.
+// Half the cosine from which on one of two agents that go the same way is ahead.
+constexpr double kFrontCosine = 0.5;
+// Distance of a velocity from a limit beyond which the limit is left out [m/s]...
+constexpr double kLimitSlack = 0.3;
+constexpr double kSlackTime = 1.0;               // ... for a time ahead up to this [s].
+constexpr double kPenetrationShare = 0.2;        // Share of an overlap that is taken back in a step.
+constexpr double kWallReach = 0.3;               // Gap beyond which walls are left out [m].
+constexpr std::size_t kPairsPerCharacter = 16;   // Reserved number of pairs per character.
+constexpr std::size_t kLimitsPerCharacter = 16;  // Reserved number of limits per character.
 constexpr int kSweeps = 8;
-constexpr double kSweptOut = 1e-3;  // A sweep that changes no limit by more is the last [m/s].
+constexpr double kSweepChange = 1e-3;  // Change of a limit below which a sweep is the last [m/s].
 
 double gapSpeed(double gap, double time, double dt) {
-    return gap > 0.0 ? gap / time : gap / dt * kPenetration;
+    return gap > 0.0 ? gap / time : gap / dt * kPenetrationShare;
 }
 
-// True where no limit of two for so long [s] is near, whatever the direction of their closing velocity. Who
-// is far apart is as good as random, so there is no branch.
+// True where no limit of two agents for `ahead` [s] is near, whatever the direction of their closing
+// velocity. The result is as good as random, so there is no branch.
 bool isApartFor(double ahead, double gap, Vec2 closing) {
-    const double near = gap - kSlack * kSlackTime;
+    const double near = gap - kLimitSlack * kSlackTime;
     return (static_cast<int>(near > 0.0) &
             static_cast<int>(near * near > ahead * ahead * lengthSquared(closing))) != 0;
 }
@@ -37,9 +40,9 @@ bool differ(Vec2 a, Vec2 b) {
     return dot(a, b) <= 0.0;
 }
 
-// The half-plane of closing velocities nearest to `closing` that keeps two clear of each other for the time
-// `ahead` [s] (optimal reciprocal collision avoidance, van den Berg et al. 2011), with a bias to pass on the
-// right. Who `turns` keeps clear by the side alone.
+// The half-plane of closing velocities nearest to `closing` that keeps two agents clear of each other for the
+// time `ahead` [s] (optimal reciprocal collision avoidance, van den Berg et al. 2011), with a bias to pass on
+// the right. If `turns`, the agents keep clear by the side alone.
 Tangent tangentOf(const Apart& two, Vec2 closing, double ahead, bool turns, double dt) {
     const double apart = two.distance, touching = two.touching;
     if (apart <= touching) return {two.towards, gapSpeed(apart - touching, ahead, dt)};
@@ -50,44 +53,47 @@ Tangent tangentOf(const Apart& two, Vec2 closing, double ahead, bool turns, doub
         return {n, (dot(n, two.between) - touching) / ahead};
     }
     const double tangent = std::sqrt(apart * apart - touching * touching);
-    const bool left = cross(two.between, beyond) > kToTheRight * apart * length(beyond);
+    const bool left = cross(two.between, beyond) > kRightTangent * apart * length(beyond);
     return {(two.towards * touching - perpendicular(two.towards) * (left ? tangent : -tangent)) / apart, 0.0};
 }
 
 }  // namespace
 
-// `queues`: both go the same way.
+// Limits the agent at the back by its headway; `queues`: both go the same way.
 void Headway::follow(std::int32_t back, std::int32_t front, Vec2 towards, double gap, bool queues,
                      std::span<const Vec2> velocity) {
     const double most = gapSpeed(gap, bodies_->headway(back), dt_), ahead = dot(velocity[front], towards);
     const double limit = most + (ahead > 0.0 ? inStep_ * ahead : ahead);
-    if (dot(velocity[back], towards) > limit - kSlack)
+    if (dot(velocity[back], towards) > limit - kLimitSlack)
         limits_.push_back({back, front, towards, most, 1.0, inStep_, queues});
 }
 
-// `ahead`: for how long they keep clear [s].
+// Adds a limit that both agents share; `ahead`: the time for which they keep clear [s].
 void Headway::share(NeighbourPair pair, double own, const Tangent& tangent, double ahead,
                     std::span<const Vec2> velocity) {
-    const double slack = kSlack * std::min(1.0, kSlackTime / ahead);
+    const double slack = kLimitSlack * std::min(1.0, kSlackTime / ahead);
     if (dot(velocity[pair.low] - velocity[pair.high], tangent.towards) > tangent.most - slack)
         limits_.push_back({pair.low, pair.high, tangent.towards, tangent.most, own, -1.0});
 }
 
-// The share of the first of two who meet: the less the one with the right of way gets on, the more the other
-// one takes.
+// The share of the first of two agents that meet: the less the agent with the right of way gets on, the more
+// the other one takes.
 double Headway::shareOf(NeighbourPair pair, const HeadwayInput& input) const {
     const bool lowStays = input.claims[pair.low].stays, highStays = input.claims[pair.high].stays;
-    if (lowStays != highStays) return lowStays ? 0.0 : 1.0;  // Who walks goes past who stays.
+    // The agent that walks goes past the one that stays.
+    if (lowStays != highStays) return lowStays ? 0.0 : 1.0;
     if (input.right == nullptr) return bodies_->share(pair.low, pair.high);
     const bool lowFirst = input.right->precedes(pair.low, pair.high);
     const std::int32_t first = lowFirst ? pair.low : pair.high, other = lowFirst ? pair.high : pair.low;
-    const double free = std::clamp(static_cast<double>(input.claims[first].progress) / kFree, 0.0, 1.0);
+    const double free = std::clamp(static_cast<double>(input.claims[first].progress) / kFreeProgress, 0.0,
+                                   1.0);
     const double own = free * bodies_->share(first, other);
     return lowFirst ? own : 1.0 - own;
 }
 
-// No limit of two is near unless they close their gap while any law looks ahead or, out of step, one of them
-// is too fast for it. Who is is as good as random, so they are noted without a branch.
+// Finds pairs that may come near a limit: they close their gap within the longest time that a law looks ahead
+// or, out of step, one of them is too fast for it. Which pairs do is as good as random, so they are noted
+// without a branch.
 std::span<const NeighbourPair> Headway::findMeetings(const Characters& now, const NeighbourList& neighbours,
                                                      std::span<const Vec2> velocity) {
     const CrowdBodies& bodies = *bodies_;
@@ -102,7 +108,7 @@ std::span<const NeighbourPair> Headway::findMeetings(const Characters& now, cons
         const Vec2 a = velocity[pair.low], b = velocity[pair.high];
         const Vec2 between = bodies.between(position[pair.low], position[pair.high]);
         const double apart = length(between), gap = apart - touching;
-        const double slow = gap - kSlack * headway;
+        const double slow = gap - kLimitSlack * headway;
         const double onto = std::max(dot(a, between), -dot(b, between));
         const bool apartForLong = static_cast<int>(isApartFor(ahead, gap, a - b)) &
                                   static_cast<int>(slow * apart >= headway * onto);
@@ -116,8 +122,8 @@ std::span<const NeighbourPair> Headway::findMeetings(const Characters& now, cons
     return {meetings_.data(), next};
 }
 
-// Those who do not go the same way. Who brakes slowly looks ahead as far as it needs to stop, and turns aside
-// rather than brake while both get on.
+// Adds the limit of two agents that do not go the same way. One that brakes slowly looks ahead as far as it
+// needs to stop, and turns aside rather than brake while both get on.
 void Headway::meet(NeighbourPair pair, const Apart& two, const HeadwayInput& input,
                    std::span<const Vec2> velocity) {
     const double foresight = bodies_->usual().foresight;
@@ -128,7 +134,8 @@ void Headway::meet(NeighbourPair pair, const Apart& two, const HeadwayInput& inp
     share(pair, shareOf(pair, input), tangentOf(two, closing, ahead, turns, dt_), ahead, velocity);
 }
 
-// Out of step the one behind keeps its headway in the lane of its heading, and off whom it touches.
+// Out of step the agent behind keeps its headway in the lane of its heading, and off an agent that it
+// touches.
 void Headway::keepBehind(const Apart& two, std::int32_t back, std::int32_t front, Vec2 heading,
                          std::span<const Vec2> velocity) {
     if (two.gap() <= 0.0 || heading == Vec2{})
@@ -138,13 +145,13 @@ void Headway::keepBehind(const Apart& two, std::int32_t back, std::int32_t front
         follow(back, front, two.towards, std::max(0.0, way) * dot(two.towards, heading), true, velocity);
 }
 
-// Those who go the same way. Out of step the one behind passes the other or keeps behind, and pushes nobody.
-// In step both keep clear, but nobody pushes one ahead that does not get on.
+// Adds the limits of two agents that go the same way. Out of step the one behind passes the other or keeps
+// behind, and pushes nobody. In step both keep clear, but nobody pushes an agent ahead that does not get on.
 void Headway::goTogether(const Characters& now, NeighbourPair pair, const Apart& two,
                          const HeadwayInput& input, std::span<const Vec2> velocity) {
     const std::int32_t a = pair.low, b = pair.high;
     const double lead = dot(two.towards, lead_[a] + lead_[b]);
-    const bool inFront = std::fabs(lead) > kInFront;
+    const bool inFront = std::fabs(lead) > kFrontCosine;
     const bool aFirst = inFront ? lead < 0.0 : now.cost[a] <= now.cost[b];
     const std::int32_t back = aFirst ? b : a, front = aFirst ? a : b;
     const Apart ahead = aFirst ? two.reversed() : two;
@@ -186,7 +193,7 @@ void Headway::addPair(const Characters& now, NeighbourPair pair, const HeadwayIn
     goTogether(now, pair, two, input, velocity);
 }
 
-// Pieces are listed in no certain order: the limits of a character are sorted.
+// Adds walls. Pieces are listed in no fixed order, so that the limits of a character are sorted.
 void Headway::addWalls(const Characters& now, const Environment& environment,
                        std::span<const Vec2> velocity) {
     const CrowdBodies& bodies = *bodies_;
@@ -201,7 +208,7 @@ void Headway::addWalls(const Characters& now, const Environment& environment,
         const auto add = [&](Vec2 towards, double apart, Vec2 wallVelocity) {
             const double gap = apart - radius;
             const double most = dot(wallVelocity, towards) + gapSpeed(gap, dt_, dt_);
-            if (dot(velocity[i], towards) > most - kSlack)
+            if (dot(velocity[i], towards) > most - kLimitSlack)
                 limits_.push_back({static_cast<std::int32_t>(i), -1, towards, most, 1.0, 0.0});
         };
         environment.forPiecesNear(here, reach, [&](const ObstaclePiece& piece) {
@@ -260,7 +267,7 @@ void Headway::run(const CrowdBodies& bodies, const Characters& now, const Enviro
         addPair(now, pair, input, velocity);
     addWalls(now, environment, velocity);
     for (int sweep = 0; sweep < kSweeps; ++sweep)
-        if (relax(velocity) < kSweptOut) break;
+        if (relax(velocity) < kSweepChange) break;
     findQueues(now.size());
     for (std::size_t i = 0; i < now.size(); ++i)
         if (!bodies.isFixed(i)) velocity[i] = clampLength(velocity[i], input.topSpeed[i]);

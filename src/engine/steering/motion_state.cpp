@@ -30,8 +30,8 @@ public:
 private:
     const ClipFacts& clip(std::int32_t motion) const { return environment_.def().clips[motion]; }
 
-    // The motion of the patch that it was in, even while a transition out of another still plays; 0 in the
-    // open.
+    // The motion of the patch that it was in, even while a transition out of another motion still plays; 0 in
+    // the open.
     std::int32_t groundMotion() const {
         if (characters_.patch[i_] == 0) return 0;
         if (characters_.phase[i_] != MotionPhase::Leaving) return characters_.motion[i_];

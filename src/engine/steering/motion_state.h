@@ -1,4 +1,4 @@
-// Motion ids: which clip each character plays on its ground (paper sections 6.2.2 and 6.2.3, SPEC C1, C3,
+// Motion ids: the clip that each character plays on its ground (paper sections 6.2.2 and 6.2.3, SPEC C1, C3,
 // C4).
 #pragma once
 
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/ground/environment/environment.h"
-#include "engine/steering/characters.h"
+#include "engine/steering/character_arrays.h"
 
 namespace muster {
 

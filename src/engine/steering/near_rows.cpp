@@ -6,7 +6,7 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kNearPerCharacter = 32;  // Room that is kept for them.
+constexpr std::size_t kNearPerCharacter = 32;  // Reserved number of neighbours per character.
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Who is near whom, as rows: for each character its neighbours, the way to them and the gap between bodies.
+// Neighbours as rows: for each character its neighbours, the direction to them and the gap between bodies.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace muster {
 struct Near {
     std::int32_t other = 0;  ///< Its index.
     Vec2 towards;            ///< Unit vector to it.
-    double gap = 0.0;        ///< Between the two bodies [m], negative where they overlap.
+    double gap = 0.0;        ///< Gap between the two bodies [m], negative where they overlap.
 };
 
 /// Rows of neighbours, made from a list of pairs. Memory is reused.
@@ -27,13 +27,14 @@ public:
     std::span<const std::int32_t> of(std::int32_t character) const {
         return std::span(other_).subspan(first_[character], first_[character + 1] - first_[character]);
     }
-    /// How a neighbour of a character stands to it.
+    /// Direction and gap of a neighbour of a character.
     Near near(std::int32_t character, std::int32_t other) const;
 
 private:
-    const CrowdBodies* bodies_ = nullptr;  // Those of the last build().
+    const CrowdBodies* bodies_ = nullptr;  // Bodies of the last build().
     std::span<const Vec2> positions_;
-    std::vector<std::size_t> first_;  // Per character its first in other_; and the end.
+    // Per character: index of its first neighbour in other_; at the end the number of all.
+    std::vector<std::size_t> first_;
     std::vector<std::int32_t> other_;
 };
 

@@ -9,17 +9,17 @@
 namespace muster {
 namespace {
 
-// By 0, 20, 40 and 60 degrees.
+// Rotations by 0, 20, 40 and 60 degrees.
 constexpr Rotation kTurn[kOvertakingTurns + 1] = {{1.0, 0.0},
                                                   {0.93969262078590838405, 0.34202014332566873304},
                                                   {0.76604444311897803520, 0.64278760968653932632},
                                                   {0.5, 0.86602540378443864676}};
-constexpr double kLookTime = 0.1;      // From one look to the next [s].
-constexpr double kGain = 0.02;         // Share of its speed by which it must get on better to turn.
-constexpr double kSlowed = 0.5;        // Who wants to walk at a smaller share of its top speed is arriving.
-constexpr double kBehind2 = 0.25;      // Who has a larger squared cosine backwards is behind.
-constexpr double kTight = 0.98;        // Share of its radius that must be clear of walls.
-constexpr std::size_t kNearEach = 32;  // Room that is kept for those near it.
+constexpr double kLookTime = 0.1;       // Time between two looks of a walker [s].
+constexpr double kTurnGain = 0.02;      // Share of its speed by which a walker must get on better to turn.
+constexpr double kArrivingShare = 0.5;  // Share of its top speed below which a walker is arriving.
+constexpr double kBehindCosineSquared = 0.25;  // Squared cosine backwards above which an agent is behind.
+constexpr double kWallShare = 0.98;            // Share of its radius that must be clear of walls.
+constexpr std::size_t kNearEach = 32;          // Reserved number of agents near a walker.
 
 Vec2 turned(Vec2 ahead, std::int8_t turn) {
     return turn < 0 ? kTurn[-turn].applyInverse(ahead) : kTurn[turn].apply(ahead);
@@ -27,7 +27,7 @@ Vec2 turned(Vec2 ahead, std::int8_t turn) {
 
 }  // namespace
 
-// Those who are not behind a walker, and not farther away than it walks in the time of its headway.
+// Lists agents that are not behind a walker, and no farther than it walks in the time of its headway.
 void Overtaking::list(const CrowdBodies& bodies, const Characters& now, std::span<const std::int32_t> near,
                       std::size_t self, const Walker& walker) {
     others_.clear();
@@ -36,13 +36,13 @@ void Overtaking::list(const CrowdBodies& bodies, const Characters& now, std::spa
         const double touching = bodies.touching(self, other),
                      reach = touching + walker.headway * walker.speed;
         const double apart2 = lengthSquared(between), along = dot(between, walker.ahead);
-        if (apart2 < reach * reach && (along > 0.0 || along * along < kBehind2 * apart2))
+        if (apart2 < reach * reach && (along > 0.0 || along * along < kBehindCosineSquared * apart2))
             others_.push_back({between, now.velocity[other], touching});
     }
 }
 
-// The speed that a walker will have along a heading after the time of foresight, and the way until it is past
-// who is ahead. It stops where the speed is no more than `least`.
+// The speed that a walker will have along a heading after the time of foresight, and the distance until it is
+// past the agent ahead. The search stops where the speed is at most `least`.
 Overtaking::Prospect Overtaking::prospect(Vec2 heading, const Walker& walker, double least) const {
     Prospect found{walker.speed, 0.0};
     for (const Other& other : others_) {
@@ -58,7 +58,7 @@ Overtaking::Prospect Overtaking::prospect(Vec2 heading, const Walker& walker, do
 
 std::int8_t Overtaking::turnOf(const Walker& walker, const Environment& environment) const {
     const Prospect straight = prospect(walker.ahead, walker, -std::numeric_limits<double>::infinity());
-    double best = straight.speed + kGain * walker.speed;
+    double best = straight.speed + kTurnGain * walker.speed;
     std::int8_t found = 0;
     for (std::int8_t turn = 1; turn <= kOvertakingTurns; ++turn) {
         const double cosine = kTurn[turn].c;
@@ -68,7 +68,7 @@ std::int8_t Overtaking::turnOf(const Walker& walker, const Environment& environm
             const double progress = cosine * prospect(heading, walker, best / cosine).speed;
             if (progress <= best) continue;
             const Vec2 past = walker.position + heading * straight.past;
-            if (!environment.clearStaticLine(walker.position, past, kTight * walker.radius)) continue;
+            if (!environment.clearStaticLine(walker.position, past, kWallShare * walker.radius)) continue;
             best = progress;
             found = side;
         }
@@ -84,7 +84,8 @@ void Overtaking::run(const CrowdBodies& bodies, const Environment& environment, 
     for (std::size_t i = 0; i < now.size(); ++i) {
         std::int8_t& turn = now.claim[i].turn;
         const double speed = length(wanted[i]);
-        if (speed <= kSlowed * topSpeed[i] || bodies.isFixed(i) || now.phase[i] == MotionPhase::Locked) {
+        if (speed <= kArrivingShare * topSpeed[i] || bodies.isFixed(i) ||
+            now.phase[i] == MotionPhase::Locked) {
             turn = 0;
             continue;
         }

@@ -1,5 +1,5 @@
-// Overtaking: who is slowed by somebody ahead looks for a heading in which it gets on better (after the first
-// heuristic of Moussaid, Helbing and Theraulaz 2011).
+// Overtaking: an agent that is slowed by another one ahead looks for a heading in which it gets on better
+// (after the first heuristic of Moussaid, Helbing and Theraulaz 2011).
 #pragma once
 
 #include <cstdint>
@@ -7,19 +7,19 @@
 #include <vector>
 
 #include "engine/ground/environment/environment.h"
-#include "engine/steering/characters.h"
+#include "engine/steering/character_arrays.h"
 #include "engine/steering/crowd_bodies.h"
 #include "engine/steering/near_rows.h"
 
 namespace muster {
 
-/// Turns the velocities of those who walk out of step.
+/// Turns the velocities of agents that walk out of step.
 class Overtaking {
 public:
-    /// Turns `wanted` [m/s] by 20, 40 or 60 degrees where the walker makes more way so, by the law of headway
-    /// and within the time of foresight, and no wall stands there; of two sides alike to the right.
-    /// Each looks again within 0.1 s, at a step of its own, and keeps its turn (Claim::turn) in between. `dt`
-    /// is the length of a step [s].
+    /// Turns `wanted` [m/s] by 20, 40 or 60 degrees where the walker gets farther that way, by the law of
+    /// headway and within the time of foresight, and no wall stands there; of two equal sides to the right.
+    /// Each walker looks again within 0.1 s, at a step of its own, and keeps its turn (Claim::turn) in
+    /// between. `dt` is the length of a step [s].
     void run(const CrowdBodies& bodies, const Environment& environment, const NearRows& rows,
              std::span<const double> topSpeed, std::uint32_t step, double dt, Characters& now,
              std::span<Vec2> wanted);
@@ -27,22 +27,22 @@ public:
 private:
     struct Walker {
         Vec2 position;     // [m]
-        Vec2 ahead;        // Unit vector along its own way.
-        double speed;      // That it wants [m/s].
+        Vec2 ahead;        // Unit vector along its own path.
+        double speed;      // Wanted speed [m/s].
         double radius;     // [m]
         double headway;    // [s]
         double foresight;  // [s]
     };
-    // Somebody near a walker.
+    // An agent near a walker.
     struct Other {
-        Vec2 between;     // From the walker to it [m].
+        Vec2 between;     // Vector from the walker to it [m].
         Vec2 velocity;    // [m/s]
         double touching;  // Distance at which the two touch [m].
     };
-    // What a heading promises.
+    // Result of a heading.
     struct Prospect {
         double speed;  // [m/s]
-        double past;   // Way until it is past who is ahead [m]; 0 for nobody.
+        double past;   // Distance until it is past the agent ahead [m]; 0 where there is none.
     };
 
     void list(const CrowdBodies& bodies, const Characters& now, std::span<const std::int32_t> near,
@@ -50,7 +50,7 @@ private:
     Prospect prospect(Vec2 heading, const Walker& walker, double least) const;
     std::int8_t turnOf(const Walker& walker, const Environment& environment) const;
 
-    std::vector<Other> others_;  // Of one walker.
+    std::vector<Other> others_;  // Agents near one walker.
 };
 
 }  // namespace muster

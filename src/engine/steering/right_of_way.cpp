@@ -10,29 +10,33 @@
 namespace muster {
 namespace {
 
-constexpr double kReached = 0.15;    // A cost below this is none: the character rests [m].
-constexpr float kSettles = 1.0f;     // Who comes no nearer for so long settles [s].
-constexpr double kMovedAside = 0.3;  // Who rests and is farther from its place was moved aside [m].
-constexpr double kPlaceMoved = 0.5;  // A place this far from where it was is another way [m].
+constexpr double kRestReach = 0.15;  // Distance to its place below which a character rests [m].
+constexpr float kSettleTime = 1.0f;  // Time without coming nearer after which a character settles [s].
+// Distance to its place above which a resting character was moved aside [m].
+constexpr double kMovedAsideDistance = 0.3;
+constexpr double kPlaceMoved = 0.5;  // Distance that a place moves before it counts as another one [m].
 constexpr double
-    kPlaceStands = 0.1;  // A slower place stands; a mesh in a door may tremble by a millimetre [m/s].
-constexpr double kSmoothing = 0.3;    // Of progress [s].
-constexpr double kFileCosine = 0.7;   // Cosine from which two follow each other.
-constexpr double kFileGap = 1.0;      // Gap within which a file follows its head [m].
-constexpr double kAskGap = 0.6;       // Gap within which who is in the way is asked [m].
-constexpr float kAskResting = 0.2f;   // Time after which somebody at rest is asked [s],
-constexpr float kAskWalking = 3.0f;   // and somebody who walks.
-constexpr float kHandOn = 5.0f;       // Who asked in vain for so long is the last for as long [s].
-constexpr float kLends = 0.6f;        // A way is lent for so long [s],
-constexpr float kLendsAtRest = 1.5f;  // by somebody at rest for so long.
-constexpr double kClear = 0.05;       // Kept beside who passes [m].
+    // Speed below which a place stands; a mesh in a door may tremble by a millimetre [m/s].
+    kPlaceSpeed = 0.1;
+constexpr double kSmoothingTime = 0.3;   // Time over which progress is smoothed [s].
+constexpr double kFileCosine = 0.7;      // Cosine from which on one agent follows another.
+constexpr double kFileGap = 1.0;         // Gap within which a file follows its head [m].
+constexpr double kAskGap = 0.6;          // Gap within which an agent in the way is asked [m].
+constexpr float kAskResting = 0.2f;      // Time without getting on after which a resting agent is asked [s],
+constexpr float kAskWalkingTime = 3.0f;  // and after which a walking agent is asked [s].
+// Time of asking in vain after which an agent becomes the last, for the same time [s].
+constexpr float kHandOnTime = 5.0f;
+constexpr float kLendTime = 0.6f;        // Time for which a walking agent lends its way [s],
+constexpr float kLendTimeAtRest = 1.5f;  // and for which a resting agent does [s].
+constexpr double kPassDistance = 0.05;   // Distance kept beside an agent that passes [m].
 
-// Who stays is first, since it takes no share of what keeps others clear of it.
+// Classes by rank. An agent that stays is first, since it takes no share of the change that keeps others
+// clear of it.
 enum : std::uint8_t { kStays, kLeaves, kWalks, kFollows, kMoved, kRests, kLast, kClasses };
 
 }  // namespace
 
-// So that nothing is allocated where somebody is blocked for the first time.
+// Reserves memory, so that nothing is allocated where an agent is blocked for the first time.
 void RightOfWay::reserve(std::size_t count) {
     for (auto* array : {&byAge_, &order_, &files_, &rank_, &stack_}) array->reserve(count);
     for (auto* array : {&class_, &done_, &open_}) array->reserve(count);
@@ -42,7 +46,7 @@ void RightOfWay::reserve(std::size_t count) {
 
 bool RightOfWay::count(const ClaimInput& input, const Characters& characters, std::span<Claim> claims) {
     const auto time = static_cast<float>(input.dt);
-    const auto share = static_cast<float>(std::min(1.0, input.dt / kSmoothing));
+    const auto share = static_cast<float>(std::min(1.0, input.dt / kSmoothingTime));
     MUSTER_ASSERT(claims.size() == characters.size());
     reserve(characters.size());
     bool any = false;
@@ -52,33 +56,34 @@ bool RightOfWay::count(const ClaimInput& input, const Characters& characters, st
         claim.last = std::max(0.0f, claim.last - time);
         const double left = distance(characters.position[i], input.place[i]);
         const double reach = kArrivedReach + (input.room.empty() ? 0.0 : input.room[i]);
-        const bool stands = lengthSquared(input.placeVelocity[i]) < kPlaceStands * kPlaceStands;
+        const bool stands = lengthSquared(input.placeVelocity[i]) < kPlaceSpeed * kPlaceSpeed;
         if (claim.rests && (!stands || distance(input.place[i], claim.spot) > kPlaceMoved)) {
             claim.rests = claim.settled = false;
             claim.since = input.groups.empty() ? input.step : input.groups[characters.group[i]].since;
         }
         claim.stays = !characters.hasSetOut(i, input.step);
         claim.follows = !input.groups.empty() && input.groups[characters.group[i]].follows;
-        // Who was moved aside and cannot return walks again; who asks in vain hands its turn on.
+        // An agent that was moved aside and cannot return walks again; one that asks in vain hands its turn
+        // on.
         claim.settled = claim.settled && left <= reach;
-        if (claim.rests && !claim.settled && left > kMovedAside && claim.stuck > kHandOn &&
+        if (claim.rests && !claim.settled && left > kMovedAsideDistance && claim.stuck > kHandOnTime &&
             claim.lends == 0.0f) {
             claim.rests = false;
             claim.since = input.step;
             claim.stuck = 0.0f;
         }
-        if (claim.asks && claim.stuck > kHandOn) {
+        if (claim.asks && claim.stuck > kHandOnTime) {
             claim.since = input.step;
             claim.stuck = 0.0f;
-            claim.last = kHandOn;
+            claim.last = kHandOnTime;
         }
         claim.asks = false;
-        if (!claim.rests && stands && left < kReached) {
+        if (!claim.rests && stands && left < kRestReach) {
             claim.rests = true;
             claim.spot = input.place[i];
         }
-        // Who is within reach of its place and comes no nearer has arrived.
-        if (stands && left < reach && claim.stuck > kSettles) {
+        // An agent within reach of its place that comes no nearer has arrived.
+        if (stands && left < reach && claim.stuck > kSettleTime) {
             claim.rests = claim.settled = true;
             claim.spot = input.place[i];
         }
@@ -86,7 +91,7 @@ bool RightOfWay::count(const ClaimInput& input, const Characters& characters, st
         const auto now = static_cast<float>(dot(characters.velocity[i], along) /
                                             std::max(input.bodies.crowdedSpeed(i, input.topSpeed[i]), 1e-9));
         claim.progress += (now - claim.progress) * share;
-        const bool waits = !getsOn(claim) && !claim.queues && left >= kReached && claim.lends == 0.0f &&
+        const bool waits = !getsOn(claim) && !claim.queues && left >= kRestReach && claim.lends == 0.0f &&
                            claim.last == 0.0f && !(along == Vec2{});
         claim.stuck = waits ? claim.stuck + time : 0.0f;
         any = any || waits || claim.lends > 0.0f;
@@ -101,7 +106,7 @@ void RightOfWay::sort(const CrowdBodies& bodies, const Characters& now, std::spa
     for (std::size_t i = 0; i < count; ++i) {
         const Claim& claim = claims[i];
         const bool aside = now.place[i] >= 0 && !claim.settled &&
-                           distance(claim.spot, now.position[i]) > kMovedAside;
+                           distance(claim.spot, now.position[i]) > kMovedAsideDistance;
         const bool leaves = !leaving.empty() && !(leaving[i] == Vec2{});
         class_[i] = leaves              ? kLeaves
                     : claim.stays       ? kStays
@@ -111,7 +116,7 @@ void RightOfWay::sort(const CrowdBodies& bodies, const Characters& now, std::spa
                                         : kRests;
     }
     sortByAge(bodies, claims);
-    // By class and within a class by age.
+    // Sorts by class, and within a class by age.
     std::array<std::int32_t, kClasses + 1> first{};
     for (const std::uint8_t c : class_) ++first[c + 1];
     for (std::size_t c = 1; c < first.size(); ++c) first[c] += first[c - 1];
@@ -119,8 +124,8 @@ void RightOfWay::sort(const CrowdBodies& bodies, const Characters& now, std::spa
     for (const std::int32_t i : byAge_) order_[first[class_[i]]++] = i;
 }
 
-// The larger first, then the elder, then the lower index. The last order is near to this one, which is
-// unique.
+// Sorts by size, the larger first, then by age, the elder first, then by index. The order is unique, and the
+// last one is near to it.
 void RightOfWay::sortByAge(const CrowdBodies& bodies, std::span<const Claim> claims) {
     const auto before = [&](std::int32_t a, std::int32_t b) {
         if (bodies.radius(a) != bodies.radius(b)) return bodies.radius(a) > bodies.radius(b);
@@ -135,7 +140,8 @@ void RightOfWay::sortByAge(const CrowdBodies& bodies, std::span<const Claim> cla
         std::sort(byAge_.begin(), byAge_.end(), before);
 }
 
-// Who follows close behind somebody, the same way, comes right after him: a file passes as one.
+// An agent that follows close behind another, the same way, comes right after it in rank: a file passes as
+// one.
 void RightOfWay::joinFiles(const Characters& now, const NearRows& rows, std::span<const Vec2> own) {
     open_.assign(class_.begin(), class_.end());
     files_.clear();
@@ -161,7 +167,7 @@ void RightOfWay::joinFiles(const Characters& now, const NearRows& rows, std::spa
     for (std::size_t k = 0; k < files_.size(); ++k) rank_[files_[k]] = static_cast<std::int32_t>(k);
 }
 
-// Who is asked goes aside where there is room, else along the way of who asks.
+// The asked agent goes aside where there is room, else along the direction of the asking one.
 void RightOfWay::lend(std::int32_t asker, const Near& near, Vec2 along, const CrowdBodies& bodies,
                       const Environment& environment, const NearRows& rows, double topSpeed,
                       const Characters& characters, Vec2& wanted) {
@@ -173,7 +179,7 @@ void RightOfWay::lend(std::int32_t asker, const Near& near, Vec2 along, const Cr
     double least = 1.2, speed = 1.0;
     lender_[b] = {asker, kAskGap};
     for (const double sign : {-1.0, 1.0}) {
-        const double need = std::max(0.0, bodies.touching(asker, b) + kClear - sign * beside);
+        const double need = std::max(0.0, bodies.touching(asker, b) + kPassDistance - sign * beside);
         const Vec2 here = characters.position[b], spot = here + side * (sign * need);
         const double radius = bodies.radius(b);
         if (!environment.def().sides().grown(-radius).contains(spot) ||
@@ -191,7 +197,7 @@ void RightOfWay::lend(std::int32_t asker, const Near& near, Vec2 along, const Cr
         least = cost;
         best = normalized(side * (sign * 0.9) + along * 0.4);
         speed = std::min(1.0, 5.0 * need / topSpeed);
-        lender_[b].need = need + kClear;
+        lender_[b].need = need + kPassDistance;
     }
     wanted = best * (speed * topSpeed);
 }
@@ -204,7 +210,7 @@ void RightOfWay::askFrom(std::int32_t first, const CrowdBodies& bodies, const En
         const std::int32_t a = stack_.back();
         stack_.pop_back();
         const Vec2 along = normalized(wanted[a]);
-        // Who leaves is made room for by giving way, and asks nobody.
+        // An agent that leaves a lane is made room for by giving way, and asks nobody.
         if (along == Vec2{} || class_[a] == kLeaves) continue;
         Claim& claim = claims[a];
         const bool lends = lender_[a].to >= 0;
@@ -219,13 +225,13 @@ void RightOfWay::askFrom(std::int32_t first, const CrowdBodies& bodies, const En
                 continue;
             const bool resting = claims[b].rests;
             const bool lower = resting || class_[b] > class_[a];
-            const float patience = !claims[a].rests && lower ? kAskResting : kAskWalking;
+            const float patience = !claims[a].rests && lower ? kAskResting : kAskWalkingTime;
             if (!lends && claim.stuck <= patience) continue;
             const bool same = !resting && !lends && class_[a] == class_[b] &&
                               (characters.group[a] == characters.group[b] ||
                                dot(normalized(own_[b]), along) > 0.5);
-            // Who stands in the way beside, the same way, as in an arch, steps back; ahead it takes over the
-            // rank only. Where there are no places whoever is in front is where all want to be.
+            // An agent beside or behind that blocks one of its own direction, as in an arch, steps back; an
+            // agent ahead takes over the rank only. Without places the front is where all agents want to be.
             const bool behind = dot(near.towards, own_[a] + own_[b]) <= 0.0 && characters.place[a] >= 0;
             if (same && !behind) {
                 if (!getsOn(claim)) {
@@ -236,7 +242,7 @@ void RightOfWay::askFrom(std::int32_t first, const CrowdBodies& bodies, const En
             }
             lend(a, near, along, bodies, environment, rows, topSpeed[b], characters, wanted[b]);
             if (same) wanted[b] = along * -topSpeed[b];
-            claims[b].lends = resting ? kLendsAtRest : kLends;
+            claims[b].lends = resting ? kLendTimeAtRest : kLendTime;
             done_[b] = 1;
             claim.asks = true;
             stack_.push_back(b);
@@ -258,7 +264,7 @@ void RightOfWay::run(const CrowdBodies& bodies, const Environment& environment, 
         if (done_[top]) continue;
         done_[top] = 1;
         if (claims[top].lends > 0.0f && class_[top] != kLeaves)
-            wanted[top] = {};  // Asked a moment ago, and not now: waits.
+            wanted[top] = {};  // It was asked a moment ago, and is not asked now: it waits.
         if (claims[top].stuck > kAskResting)
             askFrom(top, bodies, environment, rows, topSpeed, characters, claims, wanted);
     }

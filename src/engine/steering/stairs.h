@@ -6,8 +6,8 @@
 
 namespace muster {
 
-/// Travel speed of somebody on the ground that it is on, who goes in the direction of the unit vector `way`,
-/// or stands (null). On stairs its own shares go before theirs.
+/// Travel speed of a character on its ground, in the direction of the unit vector `way`, or standing (null).
+/// On stairs the shares of its body go before those of the ground.
 inline double travelSpeedOf(const GroundSample& ground, const Body& body, Vec2 way) {
     if (!ground.isStairs()) return ground.travelSpeed;
     GroundSample own = ground;

@@ -8,12 +8,14 @@
 namespace muster {
 namespace {
 
-// A character within a single-step motion deviates at most 20 degrees from its heading (cosine and sine).
+// Greatest deviation of a character within a single-step motion from its heading: 20 degrees (cosine and
+// sine).
 constexpr Rotation kLockedDeviation{0.93969262078590838405, 0.34202014332566873304};
-constexpr double kLockEnd = 0.6;        // Within this distance of its place the heading is not locked [m].
-constexpr double kHeadingRate = 8.0;    // Gain of the heading [1/s].
-constexpr double kLyingRate = 2.0;      // Gain of the heading of who leans or lies [1/s].
-constexpr double kWalkingSpeed = 0.15;  // A slower character stands and faces with the formation [m/s].
+constexpr double kLockEnd = 0.6;      // Distance to its place below which the heading is not locked [m].
+constexpr double kHeadingRate = 8.0;  // Gain of the heading [1/s].
+constexpr double kLyingRate = 2.0;    // Gain of the heading of a body that leans or lies [1/s].
+// Speed below which a character stands and faces with the formation [m/s].
+constexpr double kWalkingSpeed = 0.15;
 
 // The direction, or the nearest one that a locked heading allows.
 Vec2 limitDeviation(Vec2 direction, Vec2 heading) {
@@ -40,8 +42,9 @@ Vec2 preferredVelocity(const Parameters::Character& def, const Characters& now, 
                           lengthSquared(now.velocity[i]) > 0.01;
     if (crossing) return limitDeviation(direction, now.heading[i]) * topSpeed;
     if (placed && left < 1e-6) return clampLength(input.placeVelocity[i], topSpeed);
-    // It comes to its place by its own brakes; from afar, and where they are weak, also if that brakes now.
-    const double stops = 2.0 * kBrakes * brakes * left;
+    // A character comes to its place by its own brakes; from afar, and where they are weak, also while the
+    // place brakes.
+    const double stops = 2.0 * kBrakingShare * brakes * left;
     const bool weak = topSpeed > 2.0 * def.foresight * brakes;
     if (placed && left < def.directReach && dot(direction, toPlace) > 0.999 * left) {
         const double ahead = weak ? std::max(0.0, dot(input.placeVelocity[i], toPlace) / left) : 0.0;
@@ -58,10 +61,10 @@ Vec2 preferredVelocity(const Parameters::Character& def, const Characters& now, 
 struct StepGains {
     double velocityShare;  // Share of the velocity error that is corrected.
     double headingShare;   // Share of the heading error that is corrected.
-    double lyingShare;     // The same for who leans or lies.
+    double lyingShare;     // Share of the heading error that is corrected of a body that leans or lies.
 };
 
-// `most` bounds the change of velocity [m/s].
+// The velocity after a step; `most` bounds its change [m/s].
 Vec2 nextVelocity(double share, double most, Vec2 velocity, Vec2 preferred, double topSpeed) {
     const Vec2 desired = clampLength(preferred, topSpeed);
     const Vec2 change = clampLength((desired - velocity) * share, most);
@@ -70,7 +73,8 @@ Vec2 nextVelocity(double share, double most, Vec2 velocity, Vec2 preferred, doub
 
 }  // namespace
 
-// Who stays until its premovement time is over leaves its spot for nothing but what moves towards it.
+// A character that stays until its premovement time is over leaves its spot only for an obstacle that moves
+// towards it.
 void Steering::standStill(std::span<const Claim> claims) {
     standing_.reserve(claims.size());
     standing_.clear();

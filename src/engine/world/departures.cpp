@@ -8,7 +8,7 @@
 namespace muster {
 namespace {
 
-/// The figures of an area, made where there are none yet.
+/// The figures of an area; they are added if there are none yet.
 template <class Figures>
 Figures& of(std::vector<Figures>& all, std::uint32_t id) {
     const auto isBefore = [](const Figures& one, std::uint32_t other) { return one.id.value < other; };
@@ -31,7 +31,7 @@ void DepartureWatch::listAreas(const World& world) {
 }
 
 void DepartureWatch::observe(const World& world) {
-    // Only commands change areas; those of the last step have the number that the world had before it.
+    // Only commands change areas; the commands of the last step have the number that the world had before it.
     if (!listed_ || world.lastCommandStep() + 1 == world.stepCount()) listAreas(world);
     listed_ = true;
     for (const Event& event : world.events()) {

@@ -1,4 +1,4 @@
-// Who leaves a world by its exits, and who comes into it by its sources: figures of an evacuation.
+// People that leave a world by its exits or come into it by its sources: figures of an evacuation.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@
 
 namespace muster {
 
-/// Watches who leaves and comes.
+/// Watches people that leave and come.
 class DepartureWatch {
 public:
     /// Call before the first step and after every one.
     void observe(const World& world);
     /// The figures so far.
     DepartureFigures figures(const World& world) const;
-    /// In which step each of those who left did, ascending.
+    /// The step in which each person that left did, ascending.
     const std::vector<std::uint32_t>& leftAt() const { return leftAt_; }
     /// True while an open source may still send people to a group that is there.
     static bool moreMayCome(const World& world);
@@ -24,8 +24,8 @@ public:
 private:
     void listAreas(const World& world);
 
-    std::vector<ExitFigures> exits_;      // Of all that have been there, by ascending ids.
-    std::vector<SourceFigures> sources_;  // The same.
+    std::vector<ExitFigures> exits_;      // Figures of all exits that have been there, by ascending ids.
+    std::vector<SourceFigures> sources_;  // Figures of all sources that have been there, by ascending ids.
     std::vector<std::uint32_t> leftAt_;
     bool listed_ = false;
 };

@@ -33,26 +33,26 @@ const Characters& characters(const World& world);
 const DensityField& density(const World& world);
 /// Unit cost of the last step, made now where the step needed none; null before the first step.
 const UnitCost* unitCost(const World& world);
-/// Index of the group of that id; none where there is none.
+/// Index of the group with an id; none where there is no such group.
 std::optional<std::size_t> indexOfGroup(const World& world, GroupId id);
-/// Index of the group that a finger picks which comes down there [m]; none where it picks none.
+/// Index of the group that a finger picks where it comes down [m]; none where it picks none.
 std::optional<std::size_t> pickedGroup(const World& world, Vec2 p);
 /// Name, count and formation of a group.
 const GroupDef& groupDef(const World& world, std::size_t group);
-/// The formation that a group has, or takes up again after the order that it carries out.
+/// The formation of a group now, or the one that it takes up again after its present order.
 const FormationDef& ownFormation(const World& world, std::size_t group);
 /// Rest shape, Vu and Vf of a group.
 const FormationMesh& mesh(const World& world, std::size_t group);
 /// Travelling places of a group.
 const PlaceTracker& places(const World& world, std::size_t group);
-/// How far a character is from where it is to stand in the end [m]: from its place, and under an order from
-/// where that ends; infinite without a place, and while its formation is on its way. Without places: beyond
-/// the crowd round the target.
+/// Distance of a character from where it is to stand in the end [m]: from its place, and under an order from
+/// its place at the end of it; infinite without a place, and while its formation is marching. Without places:
+/// the distance beyond the crowd round the target.
 double distanceLeft(const World& world, std::size_t character);
-/// True for a character who is to leave the world by an exit.
+/// True for a character that is to leave the world by an exit.
 bool leaves(const World& world, std::size_t character);
-/// The number of the way through a door by which a character leaves who does not take the shortest; -1 for
-/// others.
+/// The number of the way through a door for a character that leaves and does not take the shortest route; -1
+/// for others.
 std::int32_t doorWay(const World& world, std::size_t character);
 /// True for an open source that may still send people to a group that is there.
 bool maySend(const World& world, std::size_t area);

@@ -10,7 +10,7 @@
 namespace muster {
 namespace {
 
-/// The same ground with obstacles only, so that a metre costs a metre everywhere.
+/// The ground with its obstacles only, so that a metre costs a metre everywhere.
 Result<Environment> withoutPatches(const Environment& environment) {
     auto bare = Environment::create(environment.def());
     if (!bare.ok()) return bare;

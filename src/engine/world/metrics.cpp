@@ -14,7 +14,8 @@ namespace muster {
 namespace {
 
 constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
-constexpr double kStill = 0.03;  // Places between a wall and each other tremble by less [m/s].
+// Speed below which places between a wall and each other only tremble [m/s].
+constexpr double kTrembleSpeed = 0.03;
 
 /// The smallest value that `share` of all do not exceed; -1 for none.
 double quantile(std::vector<double> values, double share) {
@@ -44,7 +45,7 @@ RunMetrics::RunMetrics(const World& world) {
     still_ = world.stepCount() == 0 && !anythingMoves(inspect::environment(world));
 }
 
-/// Keeps one entry per character: those that left drop out, those that joined begin here.
+/// Keeps one entry per character: characters that left drop out, characters that joined begin here.
 void RunMetrics::follow(const CharactersView& characters) {
     if (std::equal(ids_.begin(), ids_.end(), characters.id.begin(), characters.id.end())) return;
     const RunMetrics old = *this;
@@ -70,7 +71,7 @@ void RunMetrics::follow(const CharactersView& characters) {
 
 void RunMetrics::watchArrivals(const World& world) {
     for (std::size_t i = 0; i < ids_.size(); ++i) {
-        // Who leaves has arrived when it has left, not before the exit.
+        // A character that leaves by an exit has arrived when it has left, not before the exit.
         if (inspect::distanceLeft(world, i) > kArrivedReach || inspect::leaves(world, i)) {
             reachedAt_[i] = kNever;
         } else if (reachedAt_[i] == kNever) {
@@ -134,7 +135,7 @@ void RunMetrics::observe(const World& world) {
 
 bool RunMetrics::hasArrived(const World& world, std::size_t character) const {
     const std::uint32_t at = reachedAt_[character];
-    return at != kNever && (world.stepCount() - at) * world.parameters().stepTime >= kArrivedFor - 1e-9;
+    return at != kNever && (world.stepCount() - at) * world.parameters().stepTime >= kArrivedTime - 1e-9;
 }
 
 std::int32_t RunMetrics::notArrived(const World& world) const {
@@ -157,7 +158,7 @@ void RunMetrics::arrivals(const World& world, RunFigures& figures) const {
         if (arrived || trailSamples_ < trail_[i].size()) continue;
         double moved = 0.0;
         for (Vec2 p : trail_[i]) moved = std::max(moved, length(ring.between(p, last_[i])));
-        if (moved < kStuckMove) ++figures.stuck;
+        if (moved < kStuckDistance) ++figures.stuck;
     }
     if (DepartureWatch::moreMayCome(world)) return;
     const auto finite = [](double moment) { return std::isfinite(moment) ? moment : -1.0; };
@@ -234,7 +235,7 @@ bool RunMetrics::settled(const World& world) const {
             }
         }
         for (Vec2 v : world.group(g).placeVelocities) {
-            if (length(v) > kStill) return false;
+            if (length(v) > kTrembleSpeed) return false;
         }
     }
     RunFigures figures;

@@ -20,7 +20,7 @@ class Environment;
 /// Number of events by kind.
 using EventCounts = decltype(RunFigures::events);
 
-/// True for the kinds whose events are about so many characters of a group as `value` says.
+/// True for kinds whose events are about several characters of a group; `value` is their number.
 constexpr bool isAboutMany(EventKind kind) {
     return kind == EventKind::Arrived || kind == EventKind::Blocked || kind == EventKind::Free ||
            kind == EventKind::NoPath;
@@ -36,10 +36,10 @@ public:
     /// The figures so far. The path ratio needs one cost field per place, so it can be left out (-1).
     RunFigures figures(const World& world, bool withPathRatio = true) const;
 
-    /// True where nothing is left to do: no control still moves, places stand, all have arrived or left, no
-    /// group has further orders, and no source may still send anybody.
+    /// True where nothing is left to do: no control still moves, places stand, all characters have arrived or
+    /// left, no group has further orders, and no source may still send anybody.
     bool settled(const World& world) const;
-    /// Characters that are not arrived.
+    /// Number of characters that have not arrived.
     std::int32_t notArrived(const World& world) const;
 
 private:
@@ -52,18 +52,19 @@ private:
     double pathRatio(const World& world) const;
 
     std::vector<std::uint32_t> ids_;
-    std::vector<std::uint32_t> reachedAt_;  // Step at which it got within reach; kNever outside.
+    std::vector<std::uint32_t> reachedAt_;  // Step at which each character got within reach; kNever outside.
     std::vector<Vec2> start_;
     std::vector<Vec2> last_;
     std::vector<double> walked_;
     std::vector<std::array<Vec2, 6>> trail_;  // Positions by second, the newest first.
     std::uint32_t trailSamples_ = 0;
-    std::uint32_t samplePeriod_ = 60;  // Steps in a second.
-    bool still_ = true;                // Nothing moved on a path and no command was given.
+    std::uint32_t samplePeriod_ = 60;  // Number of steps in a second.
+    bool still_ = true;                // True while nothing moved on a path and no command was given.
     std::vector<float> stepTimes_;
     std::array<double, kStageCount> stageSum_{};
     EventCounts events_{};
-    std::map<std::pair<EventKind, std::uint32_t>, std::uint32_t> persons_;  // By kind and group, the most.
+    // Greatest number of characters, by kind and group.
+    std::map<std::pair<EventKind, std::uint32_t>, std::uint32_t> persons_;
     DepartureWatch departures_;
     double characterSeconds_ = 0.0;
     std::int32_t overlapPairsMax_ = 0;
@@ -72,7 +73,7 @@ private:
 };
 
 /// Least sum of geodesic lengths that takes every start to a place of its own [m], round obstacles and
-/// regardless of patches; -1 where somebody cannot get there.
+/// regardless of patches; -1 where a start has no path there.
 double leastWalk(const Environment& environment, double radius, std::span<const Vec2> starts,
                  std::span<const Vec2> places);
 

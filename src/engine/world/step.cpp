@@ -14,7 +14,7 @@ namespace {
 struct StageRow {
     StageInfo info;
     void (*run)(WorldEngine&);
-    bool everyMove = false;  ///< It runs once in every move of the step; such rows stand together.
+    bool everyMove = false;  ///< True if it runs once in every move of the step; such rows stand together.
 };
 
 // docs/architecture.md shows this table; a test compares them.

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/formation/shapes/formation.h"
+#include "engine/formation/shapes/make_formation.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/state/validation.h"
 #include "engine/world/world_engine.h"

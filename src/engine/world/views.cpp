@@ -1,4 +1,4 @@
-// The read-only views of a world, and what Muster's own code sees of its inside.
+// The read-only views of a world, and the access of Muster's own code to its inside.
 #include "muster/views.h"
 
 #include <algorithm>
@@ -253,10 +253,7 @@ bool maySend(const World& world, std::size_t area) {
     return source.def.kind == AreaKind::Source && source.def.open && isFor && maySend(source);
 }
 std::optional<std::size_t> pickedGroup(const World& world, Vec2 p) {
-    const WorldState& state = WorldAccess::of(world).state;
-    const Group* const group = muster::pickedGroup(state, p);
-    return group == nullptr ? std::nullopt
-                            : std::optional(static_cast<std::size_t>(group - state.groups.data()));
+    return muster::pickedGroup(WorldAccess::of(world).state, p);
 }
 const GroupDef& groupDef(const World& world, std::size_t group) {
     return WorldAccess::of(world).state.groups[group].def;

@@ -1,4 +1,4 @@
-// What stands behind World: its state, the memory of each stage, and the reports of the last step.
+// The engine behind World: its state, the memory of each stage, and the reports of the last step.
 #pragma once
 
 #include <memory>
@@ -20,15 +20,15 @@
 
 namespace muster {
 
-/// A world. Everything but `state` can be dropped without changing a later bit.
+/// A world. All members but `state` can be dropped without changing a later bit.
 struct WorldEngine {
     WorldState state;
 
-    std::vector<Event> events;          ///< Of the last step.
-    std::vector<Rejection> rejections;  ///< Of the last step.
-    ContactReport contactReport;        ///< After the last step.
-    StageTimes times;                   ///< Of the last step.
-    std::int32_t move = 0;              ///< Part of the step that is being made, from 0.
+    std::vector<Event> events;          ///< Events of the last step.
+    std::vector<Rejection> rejections;  ///< Rejections of the last step.
+    ContactReport contactReport;        ///< Contacts after the last step.
+    StageTimes times;                   ///< Times of the last step.
+    std::int32_t move = 0;              ///< Index of the move that is being made, from 0.
 
     AreaStage areas;
     OrderStage orders;
@@ -45,7 +45,7 @@ struct WorldEngine {
     /// Declared last: its destructor waits for background work, which reads the members above.
     std::unique_ptr<ThreadPool> pool;
 
-    /// One time step (step.cpp).
+    /// Makes one time step (step.cpp).
     void step();
     /// Length of the moves into which a step is divided [s].
     double moveTime() const {
@@ -70,7 +70,7 @@ struct WorldEngine {
 
 /// Lets Muster's own code into a world.
 struct WorldAccess {
-    static WorldEngine& of(const World& world) { return *world.engine_; }  ///< All of it.
+    static WorldEngine& of(const World& world) { return *world.engine_; }  ///< The whole engine of a world.
 };
 
 }  // namespace muster

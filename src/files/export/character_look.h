@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "muster/world.h"
-#include "people/bodies/body.h"
+#include "people/bodies/body_mesh.h"
 
 namespace muster {
 

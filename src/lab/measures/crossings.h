@@ -1,4 +1,4 @@
-// Who crosses a line, when and in which direction; N-t curves, flows and times of evacuation.
+// Crossings of a line by persons, with time and direction; N-t curves, flows and times of evacuation.
 #pragma once
 
 #include <cstdint>
@@ -17,11 +17,11 @@ struct Line {
 
 /// One crossing of a line.
 struct Crossing {
-    std::uint32_t id = 0;    ///< The person.
-    std::int32_t frame = 0;  ///< First frame after it, as PedPy counts.
-    double time = 0.0;       ///< By linear interpolation between the frames [s].
+    std::uint32_t id = 0;    ///< Id of the person.
+    std::int32_t frame = 0;  ///< Number of the first frame after the crossing, as PedPy counts.
+    double time = 0.0;       ///< Time of the crossing, by linear interpolation between the frames [s].
     int direction = 0;       ///< 1: to the right of the line, as seen from `a` to `b`; -1: to its left.
-    Vec2 point;              ///< Where [m].
+    Vec2 point;              ///< Point of the crossing [m].
 };
 
 /// All crossings by time, those at the same time by id. A movement that ends on the line does not cross it;
@@ -30,29 +30,30 @@ std::vector<Crossing> crossings(const Trajectories& trajectories, Line line);
 /// The first crossing of each person; `direction` 0 takes both.
 std::vector<Crossing> firstCrossings(std::span<const Crossing> all, int direction = 0);
 
-/// N-t: how many have crossed by each frame, from the first frame.
+/// N-t curve: the number of persons that have crossed by each frame, from the first frame.
 std::vector<std::int32_t> crossedByFrame(const Trajectories& trajectories, std::span<const Crossing> crossed);
 
 /// The flow in one stretch of time.
 struct FlowSample {
-    double from = 0.0;   ///< [s]
-    double to = 0.0;     ///< [s]
-    double flow = 0.0;   ///< Persons per second.
-    double speed = 0.0;  ///< Mean speed of those who cross in it [m/s]; NaN where there are no speeds.
+    double from = 0.0;  ///< Begin of the stretch [s].
+    double to = 0.0;    ///< End of the stretch [s].
+    double flow = 0.0;  ///< Flow [1/s].
+    /// Mean speed of the persons that cross in the stretch [m/s]; NaN where there are no speeds.
+    double speed = 0.0;
 };
-/// Flows over stretches of `frames` frames from the first crossing on, each up to the frame after the last
-/// crossing in it, so that none is cut within the gap between two crossings (PedPy). `speeds`: one per
-/// sighting, may be empty.
+/// Flows over stretches of `frames` frames from the first crossing on. A stretch lasts up to the frame after
+/// the last crossing in it, so that no stretch is cut within the gap between two crossings (PedPy). `speeds`:
+/// one per sighting, may be empty.
 std::vector<FlowSample> flowSamples(const Trajectories& trajectories, std::span<const Crossing> crossed,
                                     std::int32_t frames, std::span<const double> speeds = {});
 
 /// Flow between the crossings number `first` and `last`, counted from 0: (last - first) / time between them
-/// [1/s]; NaN where there are not so many or no time passes.
+/// [1/s]; NaN where there are not so many crossings or no time passes.
 double flowBetween(std::span<const Crossing> crossed, std::size_t first, std::size_t last);
-/// The same from the first to the last crossing.
+/// Flow from the first to the last crossing [1/s]; NaN where no time passes.
 double meanFlow(std::span<const Crossing> crossed);
 
-/// When each person is seen last [s], ascending: an evacuation curve where persons are taken out at exits.
+/// Time at which each person is seen last [s], ascending: an evacuation curve where exits take persons out.
 std::vector<double> lastSeen(const Trajectories& trajectories);
 
 }  // namespace muster

@@ -60,7 +60,7 @@ std::string lower(std::string_view text) {
     return low;
 }
 
-/// What comments say.
+/// The frame rate and the unit that the comments of a text name.
 struct TextHead {
     double frameRate = 0.0;
     double unit = 1.0;

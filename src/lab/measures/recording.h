@@ -10,7 +10,7 @@
 
 namespace muster {
 
-/// What a file of trajectories holds.
+/// The content of a file of trajectories.
 struct Recording {
     Trajectories trajectories;
     std::optional<Region> walkable;  ///< The ground, where the file has it (JuPedSim's SQLite).
@@ -24,7 +24,7 @@ struct Recording {
 /// `frameRate` stands for that of a text without one; 0 for none. Fails with IoError, ParseError naming the
 /// line, or Unsupported where this build has no SQLite.
 Result<Recording> readRecording(const std::string& path, double frameRate = 0.0);
-/// The same for the content of a text file.
+/// Reads the content of a text file, as readRecording() does.
 Result<Recording> parseRecording(std::string_view text, double frameRate = 0.0);
 
 }  // namespace muster

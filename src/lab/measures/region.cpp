@@ -10,8 +10,8 @@
 namespace muster {
 namespace {
 
-// Parts that meet in less than this are parts of their own [m].
-constexpr double kNoWidth = 1e-9;
+// Width of a contact below which two parts do not hang together [m].
+constexpr double kLeastContact = 1e-9;
 
 double yOf(const Polygon& polygon, bool highest) {
     double y = polygon[0].y;
@@ -23,7 +23,7 @@ double xAt(Vec2 a, Vec2 b, double y) {
     return a.y == b.y ? a.x : a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y));
 }
 
-/// Where a convex polygon meets the line y = const: from first to second, which is smaller where it does not.
+/// The chord of a convex polygon on the line y = const, from first to second; first >= second for none.
 std::pair<double, double> chord(const Polygon& convex, double y) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t i = 0; i < convex.size(); ++i) {
@@ -176,7 +176,7 @@ std::vector<Polygon> Region::partAround(const Polygon& convex, Vec2 p) const {
             const Trapezoid& z = trapezoids_[t];
             const double from = std::max({above ? z.leftLow : z.leftHigh, left, low});
             const double to = std::min({above ? z.rightLow : z.rightHigh, right, high});
-            if (to - from <= kNoWidth || std::find(seen.begin(), seen.end(), t) != seen.end()) continue;
+            if (to - from <= kLeastContact || std::find(seen.begin(), seen.end(), t) != seen.end()) continue;
             seen.push_back(t);
             todo.push_back(t);
         }

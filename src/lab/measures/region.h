@@ -1,4 +1,4 @@
-// Regions of the plane, cut into trapezoids, and what convex polygons share with them.
+// Regions of the plane, cut into trapezoids, and their common parts with convex polygons.
 #pragma once
 
 #include <cstddef>
@@ -22,12 +22,12 @@ public:
     /// Cuts the polygons along lines y = const through all corners. Fails with InvalidArgument where there is
     /// no polygon, one has fewer than three corners, or a coordinate is not finite.
     static Result<Region> create(std::span<const PolygonWithHoles> polygons);
-    /// The same for one simple polygon.
+    /// Cuts one simple polygon.
     static Result<Region> create(const Polygon& polygon);
     /// Reads well-known text: POLYGON, MULTIPOLYGON, or a GEOMETRYCOLLECTION of these. Fails with ParseError.
     static Result<Region> parse(std::string_view text);
 
-    double area() const { return area_; }  ///< [m^2]
+    double area() const { return area_; }  ///< Area of the region [m^2].
     const Box& box() const { return box_; }
     /// True where `p` lies inside; points of the outline may belong to either side.
     bool contains(Vec2 p) const;
@@ -40,7 +40,7 @@ public:
     const std::vector<Polygon>& rings() const { return rings_; }
 
 private:
-    // Between the lines y = low and y = high of its slab.
+    // A trapezoid between the lines y = low and y = high of its slab.
     struct Trapezoid {
         double leftLow, rightLow, leftHigh, rightHigh;
     };
@@ -54,7 +54,7 @@ private:
     std::vector<Polygon> rings_;
     std::vector<double> lines_;  // Ascending y; slab s lies between lines s and s + 1.
     std::vector<Trapezoid> trapezoids_;
-    std::vector<std::int32_t> slabEnd_;  // Per slab: its end in trapezoids_.
+    std::vector<std::int32_t> slabEnd_;  // By slab: the end of its range in trapezoids_.
     Box box_;
     double area_ = 0.0;
 };

@@ -7,7 +7,7 @@
 namespace muster {
 namespace {
 
-/// How many values to leave out at the beginning, at most a half.
+/// Number of values to leave out at the beginning, at most a half.
 std::size_t leftOut(std::span<const double> values) {
     const std::size_t count = values.size();
     std::size_t best = 0;
@@ -43,7 +43,7 @@ MeanAndDeviation meanOf(std::span<const double> values) {
 SteadyState steadyState(std::span<const double> values) {
     if (values.size() < 2) return {0, values.size(), meanOf(values).mean};
     std::size_t begin = 0, end = values.size(), before = 0;
-    // What is left out at one side changes what is best at the other.
+    // A cut at one side changes the best cut at the other side.
     do {
         before = end - begin;
         begin += leftOut(values.subspan(begin, end - begin));

@@ -6,7 +6,7 @@
 namespace muster {
 namespace {
 
-/// The sightings of one person, by frame.
+/// Sightings of one person, by frame.
 using Rows = std::span<const std::int32_t>;
 
 /// The index of a frame among the sightings of a person; their number where it is missing.

@@ -10,21 +10,21 @@
 
 namespace muster {
 
-/// What is done near the first and the last sighting of a person, where the frames before or after are
-/// missing.
+/// Treatment of the sightings near the first and the last one of a person, where the frames before or after
+/// are missing.
 enum class SpeedBorder : std::uint8_t {
-    Adaptive,     ///< As many frames on both sides as there are; none at the very first and last.
-    SingleSided,  ///< Only the side that is there.
-    Exclude,      ///< No speed.
+    Adaptive,     ///< Takes as many frames on both sides as there are; no speed at the very first and last.
+    SingleSided,  ///< Takes only the side with frames.
+    Exclude,      ///< Gives no speed.
 };
 
-/// How speeds are measured: |x(t + n) - x(t - n)| / 2 n frames.
+/// Definition of a speed: |x(t + n) - x(t - n)| / 2 n frames.
 struct SpeedDef {
     std::int32_t frameStep = 5;  ///< n, 1 or more.
     SpeedBorder border = SpeedBorder::Adaptive;
-    std::optional<Vec2>
-        direction;        ///< Speed along this direction, which may be negative; none for all of it.
-    double period = 0.0;  ///< Of ground that is joined in x [m]; 0 for none.
+    /// Speed along this direction, which may be negative; none for all of it.
+    std::optional<Vec2> direction;
+    double period = 0.0;  ///< Period of ground that is joined in x [m]; 0 for none.
 };
 
 /// One speed per sighting, in the order of all() [m/s]; NaN where there is none.
@@ -32,7 +32,7 @@ std::vector<double> personalSpeeds(const Trajectories& trajectories, const Speed
 
 /// Per frame: persons in the area / area [1/m^2].
 std::vector<double> classicDensity(const Trajectories& trajectories, const Region& area);
-/// Per frame: mean speed of those in the area [m/s]; 0 where there is nobody (PedPy).
+/// Per frame: mean speed of the persons in the area [m/s]; 0 where there is nobody (PedPy).
 std::vector<double> meanSpeed(const Trajectories& trajectories, const Region& area,
                               const std::vector<double>& speeds);
 

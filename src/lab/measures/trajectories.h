@@ -1,4 +1,4 @@
-// Trajectories: where persons were, frame by frame.
+// Trajectories: positions of persons, frame by frame.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@
 
 namespace muster {
 
-/// Stands where nothing could be measured.
+/// Stands for a value that could not be measured.
 inline constexpr double kUnmeasured = std::numeric_limits<double>::quiet_NaN();
 
-/// Where one person was in one frame.
+/// Position of one person in one frame.
 struct Sighting {
     std::int32_t frame = 0;  ///< Number of the frame.
     std::uint32_t id = 0;    ///< Id of the person.
-    Vec2 position;           ///< [m]
+    Vec2 position;           ///< Position [m].
 };
 
 /// All sightings of some persons at a constant frame rate, with access by frame and by person.
@@ -31,7 +31,7 @@ public:
     double frameRate() const { return frameRate_; }  ///< Frames per second.
     /// All sightings, by frame and, within a frame, by id.
     std::span<const Sighting> all() const { return sightings_; }
-    /// The frames from the first to the last, those without anybody included; 0 where there is nobody.
+    /// Number of frames from the first to the last, frames without anybody included; 0 where there is nobody.
     std::int32_t frameCount() const;
     /// Number of the first frame; 0 where there is nobody.
     std::int32_t firstFrame() const { return sightings_.empty() ? 0 : sightings_.front().frame; }
@@ -47,13 +47,13 @@ public:
 private:
     double frameRate_ = 1.0;
     std::vector<Sighting> sightings_;
-    std::vector<std::int32_t> frameEnd_;  // Per frame: its end in sightings_.
+    std::vector<std::int32_t> frameEnd_;  // By frame: the end of its range in sightings_.
     std::vector<std::uint32_t> persons_;
-    std::vector<std::int32_t> personEnd_;  // Per person: its end in byPerson_.
+    std::vector<std::int32_t> personEnd_;  // By person: the end of its range in byPerson_.
     std::vector<std::int32_t> byPerson_;
 };
 
-/// Persons on ground that is joined at two sides, seen on both sides of the seam: who is within `reach` [m]
+/// Persons on ground that is joined at two sides, seen on both sides of the seam: a person within `reach` [m]
 /// of one side, x = `left` or `left` + `period`, is also at the other, under its id plus `imageId`. So
 /// measures of the ground between need not know of the seam.
 Result<Trajectories> withImages(const Trajectories& ring, double left, double period, double reach,

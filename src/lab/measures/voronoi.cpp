@@ -31,8 +31,8 @@ double farthest(const Polygon& cell, Vec2 from) {
     return std::sqrt(most);
 }
 
-/// Cuts cells by the lines half way to others, who are looked at in the order of x, both ways from the
-/// person.
+/// Cuts cells by the lines half way to other persons, which are looked at in the order of x, both ways from
+/// the person of the cell.
 class CellCutter {
 public:
     explicit CellCutter(std::span<const Sighting> persons) : persons_(persons), order_(persons.size()) {

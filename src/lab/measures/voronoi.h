@@ -10,18 +10,18 @@
 
 namespace muster {
 
-/// How far a cell reaches.
+/// The limit of a cell.
 struct CutOff {
-    double radius = 0.0;            ///< Of the circle round each person that bounds its cell [m]; 0 for none.
-    std::int32_t quadSegments = 3;  ///< Edges by which a quarter of that circle is drawn, 1 to 100.
+    double radius = 0.0;  ///< Radius of the circle round each person that bounds its cell [m]; 0 for none.
+    std::int32_t quadSegments = 3;  ///< Number of edges by which a quarter of that circle is drawn, 1 to 100.
 };
 
 /// The cell of a person: the ground that is nearer to it than to anybody else, within its cut-off, as far as
 /// it hangs together with the person.
 struct VoronoiCell {
-    std::uint32_t id = 0;         ///< The person.
-    std::vector<Polygon> pieces;  ///< Convex parts, which do not overlap; none for who is off the ground.
-    double area = 0.0;            ///< [m^2]
+    std::uint32_t id = 0;         ///< Id of the person.
+    std::vector<Polygon> pieces;  ///< Convex parts, which do not overlap; none for a person off the ground.
+    double area = 0.0;            ///< Area of the cell [m^2].
 };
 
 /// The cells of one frame, in the order of the sightings. Persons on the same spot have the same cell.
@@ -30,7 +30,7 @@ std::vector<VoronoiCell> voronoiCells(std::span<const Sighting> persons, const R
 /// Area of a cell within a measurement area [m^2].
 double areaWithin(const VoronoiCell& cell, const Region& area);
 
-/// Per frame, from the first.
+/// Density and speed per frame, from the first frame on.
 struct VoronoiSeries {
     std::vector<double> density;  ///< Sum over the cells of (share of the cell in the area) / area [1/m^2].
     /// Sum over the cells of speed * (their part in the area) / area [m/s]: ground without anybody counts as

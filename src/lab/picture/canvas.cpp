@@ -121,7 +121,7 @@ void penLoop(Vec2 a, Vec2 b, double half, std::vector<std::vector<Vec2>>& loops)
         const Vec2 side = perpendicular(along) * half;
         loops.push_back({a - side, b - side, b + side, a + side});
     }
-    if (half < 0.4) return;  // Ends of hairlines are invisible.
+    if (half < 0.4) return;  // A hairline needs no round ends: they are invisible.
     loops.push_back(discLoop(a, half));
     loops.push_back(discLoop(b, half));
 }

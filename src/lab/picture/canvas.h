@@ -23,14 +23,14 @@ public:
     /// Blends one pixel.
     void blend(std::int32_t x, std::int32_t y, Colour colour, double coverage);
 
-    std::int32_t width() const { return width_; }    ///< [px]
-    std::int32_t height() const { return height_; }  ///< [px]
-    /// Red, green, blue, row by row.
+    std::int32_t width() const { return width_; }    ///< Width of the picture [px].
+    std::int32_t height() const { return height_; }  ///< Height of the picture [px].
+    /// All pixels, row by row, as red, green and blue.
     std::vector<std::uint8_t> bytes() const;
 
 private:
     struct Edge {
-        double x0, y0, x1, y1;  // y0 < y1
+        double x0, y0, x1, y1;  // Both ends, y0 < y1 [px].
         int winding;
     };
     struct Crossing {
@@ -42,7 +42,7 @@ private:
 
     std::int32_t width_;
     std::int32_t height_;
-    std::vector<float> pixels_;  // Three per pixel, 0 to 255.
+    std::vector<float> pixels_;  // Red, green and blue of each pixel, 0 to 255.
     std::vector<Edge> edges_;    // Working memory.
     std::vector<Crossing> crossings_;
     std::vector<double> coverage_;  // Coverage of one row.

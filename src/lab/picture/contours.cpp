@@ -18,7 +18,7 @@ std::vector<std::pair<Vec2, Vec2>> contourSegments(std::int32_t width, std::int3
             const double v[4] = {value(x, y), value(x + 1, y), value(x + 1, y + 1), value(x, y + 1)};
             if (!(std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]) && std::isfinite(v[3])))
                 continue;
-            std::vector<Vec2> hits;  // Around the square: two, or four at a saddle.
+            std::vector<Vec2> hits;  // Crossings of the square's edges in order: two, or four at a saddle.
             for (int k = 0; k < 4; ++k) {
                 const double a = v[k] - level, b = v[(k + 1) % 4] - level;
                 if ((a < 0.0) != (b < 0.0)) hits.push_back(lerp(corner[k], corner[(k + 1) % 4], a / (a - b)));

@@ -31,7 +31,7 @@ struct Colour {
 /// The style of a line; caps and joins are round.
 struct Stroke {
     Colour colour;
-    double width = 0.0;  ///< [px]; 0 draws nothing.
+    double width = 0.0;  ///< Width of the line [px]; 0 draws nothing.
     double dash = 0.0;   ///< Length of dashes and of gaps [px]; 0 for a solid line.
 };
 
@@ -74,7 +74,7 @@ public:
     void polygon(std::span<const Vec2> corners, Colour fill, const Stroke& stroke);
 };
 
-/// Draws into an SVG document of `width` pixels that shows `view` on a background of that colour.
+/// Draws into an SVG document of `width` pixels that shows `view` on a background of the colour `ground`.
 std::unique_ptr<DebugDraw> makeSvgDraw(const Box& view, std::int32_t width, Colour ground);
 /// Draws into a PNG picture with anti-aliasing.
 std::unique_ptr<DebugDraw> makePngDraw(const Box& view, std::int32_t width, Colour ground);

@@ -1,4 +1,4 @@
-// Coloured rasters: potential field, one place's cost field, density.
+// Coloured rasters: the potential field, the cost field of one place, the density.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -19,7 +19,7 @@ namespace {
 /// Samples of a field over the ground.
 struct Samples {
     Grid grid;
-    std::vector<double> values;  ///< Row-major from the lower left; not finite where unknown.
+    std::vector<double> values;  ///< Values in rows from the lower left; not finite where unknown.
 };
 
 Samples sample(const Pen& pen, const std::function<double(Vec2)>& value) {

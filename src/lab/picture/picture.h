@@ -34,7 +34,7 @@ std::vector<std::string> layerNames();
 /// Options of a picture.
 struct PictureDef {
     std::uint32_t layers = 0;   ///< Layer bits; 0 for all except the three coloured rasters.
-    std::int32_t width = 1280;  ///< [px] 64 to 8192.
+    std::int32_t width = 1280;  ///< Width of the picture [px], 64 to 8192.
     std::optional<Box> view;    ///< Visible area [m]; empty for the whole world.
     bool dark = false;          ///< Uses colours for a dark background.
     /// The place whose cost field is shown; -1 for that of the character with the most expensive path.

@@ -10,11 +10,11 @@
 namespace muster {
 namespace {
 
-constexpr double kAbove = 0.15;   // Margin of a row above the highest head [m].
-constexpr double kBelow = 0.45;   // Visible depth below the ground [m].
-constexpr double kDeep = 1.0;     // Visible depth below a pool's rim [m].
-constexpr double kTitle = 0.3;    // Height of the title [m].
-constexpr double kWater = -0.10;  // Height of the water [m].
+constexpr double kTopMargin = 0.15;     // Margin of a row above the highest head [m].
+constexpr double kGroundDepth = 0.45;   // Visible depth below the ground [m].
+constexpr double kPoolDepth = 1.0;      // Visible depth below a pool's rim [m].
+constexpr double kTitleHeight = 0.3;    // Height of the title [m].
+constexpr double kWaterHeight = -0.10;  // Height of the water [m].
 
 /// A parallel projection.
 struct View {
@@ -33,7 +33,7 @@ View viewFrom(double yaw, double rise) {
 /// A part of the body: a capsule with two radii.
 struct Part {
     Vec3 a, b;
-    float ra, rb;  // [m]
+    float ra, rb;  // Radii at both ends [m].
     Colour colour;
 };
 
@@ -184,7 +184,7 @@ private:
     void water(const Cell& cell) {
         if (!wet()) return;
         const double left = cell.origin.x - cell.half, right = cell.origin.x + cell.half,
-                     top = cell.origin.y + kWater;
+                     top = cell.origin.y + kWaterHeight;
         draw_.area({{std::vector<Vec2>{{left, top}, {right, top}, {right, top - 0.45}, {left, top - 0.45}}}},
                    Colour::of(0x4FA3C7, 0.28), {});
     }
@@ -234,16 +234,16 @@ std::string poseStrip(const Clip& clip, const PoseStripDef& def, bool png) {
     if (def.side) rows.push_back(viewFrom(-0.5 * kPi, 0.0));
     if (def.front) rows.push_back(viewFrom(0.0, 0.0));
     if (def.oblique) rows.push_back(viewFrom(-0.25 * kPi, 0.35));
-    const double width = def.poses * def.columnWidth, rowTop = std::max(0.5, topOf(clip)) + kAbove,
-                 row = rowTop + (clip.motion == "swim" ? kDeep : kBelow);
-    const Box view{{0.0, 0.0}, {width, kTitle + row * static_cast<double>(rows.size())}};
+    const double width = def.poses * def.columnWidth, rowTop = std::max(0.5, topOf(clip)) + kTopMargin,
+                 row = rowTop + (clip.motion == "swim" ? kPoolDepth : kGroundDepth);
+    const Box view{{0.0, 0.0}, {width, kTitleHeight + row * static_cast<double>(rows.size())}};
     const auto pixels = static_cast<std::int32_t>(width * def.pixelsPerMetre);
     const auto draw = png ? makePngDraw(view, pixels, Colour::of(0xF4F1EA))
                           : makeSvgDraw(view, pixels, Colour::of(0xF4F1EA));
     char title[160];
     std::snprintf(title, sizeof(title), "%s   %.2f s   %.2f m   %.2f m/s", clip.name.c_str(), clip.duration(),
                   clip.length(), clip.speed());
-    draw->text({0.1, view.max.y - 0.5 * kTitle}, title, 16.0, Colour::of(0x222222), TextAnchor::Left);
+    draw->text({0.1, view.max.y - 0.5 * kTitleHeight}, title, 16.0, Colour::of(0x222222), TextAnchor::Left);
     Strip strip(clip, *draw);
     const double step = 1.0 / std::max(1, clip.cyclic ? def.poses : def.poses - 1);
     for (std::int32_t column = 0; column < def.poses; ++column) {
@@ -251,7 +251,7 @@ std::string poseStrip(const Clip& clip, const PoseStripDef& def, bool png) {
                      time = share * clip.duration();
         const double x = (column + 0.5) * def.columnWidth;
         for (std::size_t r = 0; r < rows.size(); ++r) {
-            const double y = view.max.y - kTitle - row * static_cast<double>(r) - rowTop;
+            const double y = view.max.y - kTitleHeight - row * static_cast<double>(r) - rowTop;
             strip.cell({rows[r], {x, y}, 0.5 * def.columnWidth, clip.travelAt(time)}, time);
         }
         char label[32];

@@ -13,7 +13,7 @@ struct PoseStripDef {
     std::int32_t poses = 12;            ///< Number of columns, evenly distributed over the clip, 1 to 60.
     double begin = 0.0;                 ///< Begin of the strip as a share of the clip, 0 to 1.
     double end = 1.0;                   ///< End of the strip as a share of the clip, above `begin`.
-    std::int32_t pixelsPerMetre = 110;  ///< 20 to 1000.
+    std::int32_t pixelsPerMetre = 110;  ///< Scale of the picture [px/m], 20 to 1000.
     double columnWidth = 1.35;          ///< Width of a column [m], > 0.
     bool side = true;                   ///< Whether there is a row seen from the right.
     bool front = true;                  ///< Whether there is a row seen from the front.

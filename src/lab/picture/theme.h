@@ -31,11 +31,11 @@ struct Pen {
     const PictureDef& def;
     double unit = 1.0;  ///< Scale of sizes, which are for a picture of 1280 px.
 
-    /// A stroke of that many pixels.
+    /// A stroke of `width` pixels of a picture of 1280 px.
     Stroke stroke(Colour colour, double width, double dash = 0.0) const {
         return {colour, width * unit, dash * unit};
     }
-    /// The length of that many pixels [m].
+    /// Length of `pixels` pixels of a picture of 1280 px [m].
     double metres(double pixels) const { return pixels * unit * draw.pixel(); }
     /// The colour of a group.
     Colour accent(std::size_t group, double opacity = 1.0) const;
@@ -62,7 +62,8 @@ void drawPotentialField(const Pen& pen);
 void drawCostField(const Pen& pen);
 void drawDensity(const Pen& pen);
 
-/// How a chosen colour, 0xRRGGBB, looks on a dark background: the other of its pair; other colours stay.
+/// The colour for a dark background that belongs to a chosen colour, 0xRRGGBB: the other one of its pair; a
+/// colour without a pair stays.
 std::uint32_t darkSwatch(std::uint32_t colour);
 
 }  // namespace muster

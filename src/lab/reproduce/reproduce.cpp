@@ -95,7 +95,7 @@ private:
     const ReproduceDef& def_;
     const Progress& watch_;
     std::mutex mutex_;
-    std::vector<std::int32_t> done_;  // By experiment.
+    std::vector<std::int32_t> done_;  // Runs done, by experiment.
     std::int32_t doneInAll_ = 0;
     std::int32_t all_ = 0;
     std::atomic<bool> failed_ = false;

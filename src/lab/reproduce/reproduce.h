@@ -14,12 +14,12 @@ namespace muster {
 
 /// Options of a reproduction.
 struct ReproduceDef {
-    std::vector<std::string> experiments;  ///< "X4"...; empty for all.
-    std::int32_t seeds = 10;               ///< Runs of each arm, 1 to 1,000.
+    std::vector<std::string> experiments;  ///< Ids such as "X4"; empty for all.
+    std::int32_t seeds = 10;               ///< Number of runs of each arm, 1 to 1,000.
     /// Number of runs at the same time; 0 takes the number of processors. Changes no result.
     std::int32_t threads = 0;
-    std::string folder;  ///< Of the paper's scenarios.
-    /// Parameters by name; those that an arm sets stay.
+    std::string folder;  ///< Folder of the paper's scenarios.
+    /// Parameters by name; a parameter that an arm sets stays.
     std::vector<std::pair<std::string, double>> settings = {};
 };
 
@@ -36,27 +36,27 @@ struct ExperimentResult {
 /// Results of all experiments, in their order.
 struct Reproduction {
     std::vector<ExperimentResult> experiments;
-    std::int32_t seeds = 0;  ///< Of each arm.
-    double seconds = 0.0;    ///< Wall time it took [s].
-    std::string version;     ///< Of the program, for the report; left empty by reproduce().
-    std::string when;        ///< When it was run, for the report; left empty by reproduce().
+    std::int32_t seeds = 0;  ///< Number of runs of each arm.
+    double seconds = 0.0;    ///< Wall time of all runs [s].
+    std::string version;     ///< Version of the program, for the report; left empty by reproduce().
+    std::string when;        ///< Date of the runs, for the report; left empty by reproduce().
     /// True if no binding criterion failed.
     bool passed() const;
 };
 
 /// Progress, reported after each run.
 struct ReproduceProgress {
-    std::int32_t done = 0;            ///< Runs of all experiments.
-    std::int32_t of = 0;              ///< As many there are.
-    std::string experiment;           ///< "X4": whose run has just ended.
-    std::string title;                ///< Its title.
+    std::int32_t done = 0;            ///< Number of runs of all experiments that are done.
+    std::int32_t of = 0;              ///< Number of runs of all experiments.
+    std::string experiment;           ///< Id of the experiment whose run has just ended: "X4".
+    std::string title;                ///< Title of the experiment.
     std::string arm;                  ///< Title of the run's arm.
-    std::int32_t experimentDone = 0;  ///< Runs of this experiment.
-    std::int32_t experimentOf = 0;    ///< As many it has.
+    std::int32_t experimentDone = 0;  ///< Number of runs of this experiment that are done.
+    std::int32_t experimentOf = 0;    ///< Number of runs of this experiment.
 };
 
-/// Checks what can be checked before the first run. Fails naming an unknown experiment, the number of seeds,
-/// a missing folder or a missing scenario.
+/// Checks all that is known before the first run. Fails naming an unknown experiment, the number of seeds, a
+/// missing folder or a missing scenario.
 Status checkReproduce(const ReproduceDef& def);
 
 /// Runs the experiments. `progress` is called from one thread at a time. Fails as checkReproduce() does, or

@@ -9,22 +9,22 @@
 
 namespace muster {
 
-/// Whose a tolerance is.
+/// The source of a tolerance.
 enum class Whose : std::uint8_t {
-    Standard,  ///< The standard says so.
-    Own,       ///< No standard's: ours, or that of the project whose test is cited.
-    Data,      ///< It follows from measured data.
+    Standard,  ///< A standard that sets it.
+    Own,       ///< No standard: it is ours, or that of the project whose test is cited.
+    Data,      ///< Measured data from which it follows.
 };
 
 /// One thing that is judged: a value that is to lie between two limits, both included.
 struct VerifyCheck {
-    std::string what;    ///< "time for 40 m"
-    double value = 0.0;  ///< kUnmeasured fails.
-    double low = 0.0;    ///< -infinity for none.
-    double high = 0.0;   ///< infinity for none.
-    std::string unit;    ///< "s"
+    std::string what;    ///< Name such as "time for 40 m".
+    double value = 0.0;  ///< Measured value; kUnmeasured fails.
+    double low = 0.0;    ///< Lower limit; -infinity for none.
+    double high = 0.0;   ///< Upper limit; infinity for none.
+    std::string unit;    ///< Unit such as "s".
     Whose whose = Whose::Standard;
-    bool binding = true;  ///< False: shown for comparison.
+    bool binding = true;  ///< False for a value that is shown for comparison.
     /// True where the value lies between the limits.
     bool pass() const { return value >= low && value <= high; }
 };
@@ -36,42 +36,43 @@ struct PlotSeries {
     enum class Look : std::uint8_t { Line, Marks, Dots } look = Look::Line;
 };
 
-/// A plot: series over a band of what is expected.
+/// A plot: series over a band of expected values.
 struct VerifyPlot {
     std::string title, xTitle, yTitle;
     std::vector<PlotSeries> series;
-    std::vector<Vec2> bandLow, bandHigh;  ///< The same x in both; may be empty.
+    std::vector<Vec2> bandLow, bandHigh;  ///< Both borders of the band, with the same x; may be empty.
     std::string bandTitle;
 };
 
-/// What a judge says.
+/// The report of a judge.
 struct RowReport {
     std::vector<VerifyCheck> checks;
-    std::vector<std::string> notes;  ///< Sentences beside the checks.
+    std::vector<std::string> notes;  ///< Sentences that stand beside the checks.
     std::vector<VerifyPlot> plots;
 
     void atMost(const std::string& what, double value, double high, const std::string& unit, Whose whose);
     void atLeast(const std::string& what, double value, double low, const std::string& unit, Whose whose);
     void within(const std::string& what, double value, double low, double high, const std::string& unit,
                 Whose whose);
-    /// A value for comparison, which decides nothing.
+    /// Adds a value for comparison, which decides nothing.
     void shown(const std::string& what, double value, const std::string& unit);
     void note(const std::string& sentence) { notes.push_back(sentence); }
 };
 
-/// A test.
+/// Definition of a test.
 struct RowDef {
-    std::string id;        ///< "RiMEA 4"
-    std::string suite;     ///< "RiMEA", "IMO", "NIST", "ISO", "Data"
-    std::string title;     ///< "Fundamental diagram"
-    std::string source;    ///< Where the test is from.
-    std::string expected;  ///< What is expected, and why.
+    std::string id;        ///< Id such as "RiMEA 4".
+    std::string suite;     ///< Suite: "RiMEA", "IMO", "NIST", "ISO" or "Data".
+    std::string title;     ///< Title such as "Fundamental diagram".
+    std::string source;    ///< Source of the test.
+    std::string expected;  ///< Expected result, and the reason for it.
     std::string setup;     ///< Geometry and people.
     std::string scene;     ///< Id of the scene that it looks at; empty for a test that cannot be run.
     std::vector<std::string> variants;
-    std::int32_t seeds = 1;       ///< Runs of each variant.
-    std::int32_t briefSeeds = 0;  ///< The same in the short set; 0 where it is not part of it.
-    std::string missing;          ///< Why it cannot be run; empty where it can.
+    std::int32_t seeds = 1;  ///< Number of runs of each variant.
+    /// Number of runs of each variant in the short set; 0 where it is not part of it.
+    std::int32_t briefSeeds = 0;
+    std::string missing;  ///< Reason why it cannot be run; empty where it can.
     std::function<void(const VerifySamples&, RowReport&)> judge;
 };
 

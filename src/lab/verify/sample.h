@@ -1,4 +1,4 @@
-// What one run of a scene measures, and all runs of a scene.
+// Measurements of one run of a scene, and all runs of a scene.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 
 namespace muster {
 
-/// What one run measures.
+/// Measurements of one run.
 struct VerifySample {
-    std::map<std::string, double> figures;            ///< By name; kUnmeasured where a run has none.
-    std::map<std::string, std::vector<Vec2>> curves;  ///< By name, for judges and plots.
-    std::string picture;                              ///< An SVG document; of the first seed only.
-    std::uint64_t hash = 0;                           ///< Of the world at the end.
-    double seconds = 0.0;                             ///< Simulated [s].
+    std::map<std::string, double> figures;            ///< Figures by name; kUnmeasured where a run has none.
+    std::map<std::string, std::vector<Vec2>> curves;  ///< Curves by name, for judges and plots.
+    std::string picture;                              ///< Picture as an SVG document; of the first seed only.
+    std::uint64_t hash = 0;                           ///< State hash of the world at the end.
+    double seconds = 0.0;                             ///< Time simulated [s].
 };
 
 /// The runs of one scene, by variant and seed.
@@ -31,7 +31,7 @@ public:
     std::vector<double> values(const std::string& variant, const std::string& figure) const;
     /// Mean over the seeds; kUnmeasured where a run has no value, or none ran.
     double mean(const std::string& variant, const std::string& figure) const;
-    /// Smallest and largest of all seeds; kUnmeasured where a run has no value, or none ran.
+    /// Smallest and largest value of all seeds; kUnmeasured where a run has no value, or none ran.
     double least(const std::string& variant, const std::string& figure) const;
     double most(const std::string& variant, const std::string& figure) const;
     /// A curve of all runs of a variant, one after the other.

@@ -13,17 +13,17 @@ namespace muster {
 
 /// One run that is asked for.
 struct SceneRun {
-    std::string variant;     ///< One of the scene's.
-    std::uint64_t seed = 1;  ///< From 1.
-    bool picture = false;    ///< A picture is wanted.
+    std::string variant;     ///< Name of one of the scene's variants.
+    std::uint64_t seed = 1;  ///< Seed, from 1 on.
+    bool picture = false;    ///< Whether a picture is wanted.
 };
 
-/// A scene: what is simulated and measured in it.
+/// A scene: a simulation and its measurements.
 struct SceneDef {
-    std::string id;  ///< "corridor"
+    std::string id;  ///< Id such as "corridor".
     /// Builds, runs and measures. Called by several threads at the same time.
     std::function<Result<VerifySample>(const SceneRun&)> run;
-    double cost = 1.0;  ///< About how long a run takes beside others [s]: long ones begin first.
+    double cost = 1.0;  ///< Time that a run takes in relation to others [s]: long ones begin first.
 };
 
 /// All scenes.

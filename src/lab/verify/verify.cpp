@@ -14,9 +14,9 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kMostPictures = 6;  // Of a row.
+constexpr std::size_t kMostPictures = 6;  // Greatest number of pictures of a row.
 
-/// "RiMEA 4" as "rimea4".
+/// The id in plain letters: "RiMEA 4" becomes "rimea4".
 std::string plainId(const std::string& id) {
     std::string plain;
     for (const char c : lowerCase(id))
@@ -34,7 +34,7 @@ std::int32_t seedsOf(const RowDef& row, const VerifyDef& def) {
     return def.seeds > 0 ? def.seeds : def.brief ? row.briefSeeds : row.seeds;
 }
 
-/// Every run that some row looks at, once; long scenes first.
+/// All runs that some row looks at, each once; long scenes first.
 Result<std::vector<VerifyJob>> jobsFor(const std::vector<RowDef>& rows, const VerifyDef& def,
                                        const std::vector<SceneDef>& scenes) {
     std::map<std::pair<std::string, std::string>, std::int32_t> wanted;

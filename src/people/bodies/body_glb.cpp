@@ -1,6 +1,6 @@
 #include <numeric>
 
-#include "people/bodies/body.h"
+#include "people/bodies/body_mesh.h"
 #include "people/bodies/glb_file.h"
 
 namespace muster {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "people/bodies/body.h"
+#include "people/bodies/body_mesh.h"
 
 namespace muster::bodies {
 

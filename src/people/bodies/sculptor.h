@@ -34,8 +34,8 @@ inline constexpr Detail kFine{true, 16, 12, 8, 12}, kCoarse{false, 8, 6, 4, 6};
 
 /// Angle of vertex `k` of a ring [rad].
 double angleOf(std::size_t k, std::size_t corners);
-/// A polygon with vertices on an ellipse has less area than it; this factor scales rings to the ellipse's
-/// area.
+/// The factor that scales rings to the area of their ellipse: a polygon with vertices on an ellipse has less
+/// area than it.
 float widening(std::size_t corners);
 
 /// Builds one body. Legs and sleeves share vertices with the trunk, so that the surface bends without seams

@@ -14,10 +14,10 @@ namespace muster {
 namespace {
 
 constexpr double kTypicalExtent = 1.65;  // Largest extent of an adult with arms spread or down [m].
-// A body whose extent is off by more than this factor is not a person.
+// Factor by which the extent of a body may be off for it to be a person.
 constexpr double kFarFromTypical = 4.0;
 
-std::vector<Vec3> posedPlaces(std::span<const BvhJoint> joints, std::span<const Transform> frame) {
+std::vector<Vec3> posedPositions(std::span<const BvhJoint> joints, std::span<const Transform> frame) {
     std::vector<Transform> posed;
     std::vector<Vec3> positions;
     for (std::size_t j = 0; j < joints.size(); ++j) {
@@ -55,7 +55,7 @@ Vec3 leftward(const RoleJoints& roles, const std::vector<Vec3>& positions, Vec3 
 
 AxisMap guessAxes(std::span<const BvhJoint> joints, std::span<const Transform> frame) {
     const RoleJoints roles = findRoles(joints);
-    const std::vector<Vec3> rest = restPlaces(joints), posed = posedPlaces(joints, frame);
+    const std::vector<Vec3> rest = restPositions(joints), posed = posedPositions(joints, frame);
     const auto standing = [](Vec3 up) { return up.y > 0.5f || up.z > 0.5f; };
     Vec3 up = nearestAxis(upward(roles, rest)), left;
     if (standing(up)) left = leftward(roles, rest, up);
@@ -76,7 +76,7 @@ Result<double> guessUnit(std::span<const BvhJoint> joints) {
         low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
         high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     };
-    const std::vector<Vec3> positions = restPlaces(joints);
+    const std::vector<Vec3> positions = restPositions(joints);
     for (std::size_t j = 0; j < joints.size(); ++j) {
         if (joints[j].parent >= 0) include(positions[j]);
         for (const Vec3 end : joints[j].ends) include(positions[j] + end);

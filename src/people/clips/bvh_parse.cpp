@@ -12,9 +12,10 @@
 namespace muster {
 namespace {
 
-constexpr double kLargestOffset = 1e6;  // Largest offset, in units of the file.
-constexpr double kRateGrain = 2e-4;     // Relative rounding error of frame times: rates this near to a whole
-                                        // number are rounded to it.
+constexpr double kLargestOffset = 1e6;  // Largest offset [units of the file].
+// Relative rounding error of frame times, within which a rate is rounded to a whole number.
+constexpr double kRateGrain = 2e-4;
+// number are rounded to it.
 
 /// The channel of one column of the motion: position along x, y, z or rotation about x, y, z.
 using Channel = std::uint8_t;

@@ -10,10 +10,10 @@
 namespace muster {
 namespace {
 
-// Largest distance of the last frame from the first [share of the limbs' swing].
+// Largest distance of the last frame from the first, as a share of the limbs' swing.
 constexpr double kCloseGap = 0.55;
 constexpr double kSway = 0.17;       // Sine of half the yaw by which hips sway in a step.
-constexpr double kSeamMotion = 0.6;  // Least speed of the limbs at both ends [share of their mean speed].
+constexpr double kSeamMotion = 0.6;  // Least speed of the limbs at both ends, as a share of their mean speed.
 
 /// Positions of the joints relative to the hips in one frame, rotated back by `facing` [m].
 std::vector<Vec3> shapeOf(const BvhMotion& motion, std::size_t frame, const RoleJoints& roles,

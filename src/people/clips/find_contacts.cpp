@@ -9,21 +9,21 @@
 namespace muster {
 namespace {
 
-constexpr float kFootHeight = 0.05f;  // Largest height of a sole in contact [m].
-constexpr float kMostFloor = 0.07f;   // Largest floor height estimated for one foot [m].
-constexpr float kHandHeight = 0.09f;  // Largest height of a wrist in contact [m].
-constexpr float kKneeHeight = 0.12f;  // Largest height of a knee in contact [m].
-constexpr double kSlow = 0.5;         // Largest speed of a limb in contact [m/s].
-// The same in clips faster than kFast, in which feet roll faster [m/s].
-constexpr double kSlowWhenFast = 1.0;
-constexpr double kFast = 2.0;                   // [m/s]
-constexpr double kShortest = 0.05;              // Shorter gaps are closed and shorter contacts dropped [s].
+constexpr float kFootHeight = 0.05f;   // Largest height of a sole in contact [m].
+constexpr float kMostFloor = 0.07f;    // Largest floor height estimated for one foot [m].
+constexpr float kHandHeight = 0.09f;   // Largest height of a wrist in contact [m].
+constexpr float kKneeHeight = 0.12f;   // Largest height of a knee in contact [m].
+constexpr double kContactSpeed = 0.5;  // Largest speed of a limb in contact [m/s].
+// Largest speed of a limb in contact in clips faster than kFastClip, in which feet roll faster [m/s].
+constexpr double kFastContactSpeed = 1.0;
+constexpr double kFastClip = 2.0;        // Speed above which a clip is fast [m/s].
+constexpr double kLeastDuration = 0.05;  // Duration below which gaps are closed and contacts dropped [s].
 constexpr float kAnkle = 0.08f, kBall = 0.03f;  // Heights of ankle and ball above a flat sole [m].
 
 /// Speed below which a limb is in contact, in a clip of this speed [m/s]. Slow gaits swing their feet slowly
 /// too.
 double slowFor(double speed) {
-    return speed > kFast ? kSlowWhenFast : std::min(kSlow, 0.2 + 0.5 * speed);
+    return speed > kFastClip ? kFastContactSpeed : std::min(kContactSpeed, 0.2 + 0.5 * speed);
 }
 
 /// State of a limb in one frame.
@@ -106,7 +106,7 @@ private:
 
     /// Sets runs of frames that differ from `value` to it if they are too short.
     void fillShort(std::vector<char>& touch, char value) const {
-        const auto least = static_cast<std::size_t>(kShortest * clip_.rate);
+        const auto least = static_cast<std::size_t>(kLeastDuration * clip_.rate);
         for (std::size_t begin = 0; begin < touch.size();) {
             std::size_t end = begin;
             while (end < touch.size() && touch[end] == touch[begin]) ++end;
@@ -149,7 +149,7 @@ private:
         contact.begin = static_cast<double>(begin) / clip_.rate;
         contact.end = std::min(static_cast<double>(end + more) / clip_.rate,
                                clip_.duration() * (clip_.cyclic ? 2.0 : 1.0));
-        if (!(contact.end - contact.begin > kShortest)) return;
+        if (!(contact.end - contact.begin > kLeastDuration)) return;
         Vec3 sum;
         for (std::size_t f = begin; f < end; ++f) sum += flat(limb, f);
         contact.anchor = sum * (1.0f / static_cast<float>(end - begin));

@@ -19,7 +19,7 @@ inline void globalTransforms(const BvhMotion& motion, std::size_t frame, std::ve
 }
 
 /// Positions of all joints in the rest pose, with the root at its offset.
-inline std::vector<Vec3> restPlaces(std::span<const BvhJoint> joints) {
+inline std::vector<Vec3> restPositions(std::span<const BvhJoint> joints) {
     std::vector<Vec3> positions;
     for (const BvhJoint& joint : joints)
         positions.push_back(joint.parent < 0 ? joint.offset : positions[joint.parent] + joint.offset);

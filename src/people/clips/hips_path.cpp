@@ -8,11 +8,11 @@
 namespace muster {
 namespace {
 
-constexpr double kLeastTurn = 0.35;    // A cycle that turns by less travels straight [rad].
-constexpr double kLeastLength = 0.15;  // A shorter path has no direction [m].
+constexpr double kLeastTurn = 0.35;    // Angle below which a cycle that turns travels straight [rad].
+constexpr double kLeastLength = 0.15;  // Length below which a path has no direction [m].
 // Sine of half the rotation below which the chord does not determine the arc.
 constexpr double kLeastLever = 0.3;
-// Beyond this angle between facing and travel, the motion goes sideways [rad].
+// Angle between facing and travel beyond which the motion goes sideways [rad].
 constexpr double kMaxSidewaysAngle = 0.8;
 
 double wrapped(double angle) {

@@ -10,7 +10,7 @@ namespace muster {
 
 /// Position and facing of the hips on the ground plane in one frame.
 struct HipsAt {
-    double x = 0.0, y = 0.0;  ///< [m]
+    double x = 0.0, y = 0.0;  ///< Coordinates on the ground plane [m].
     double facing = 0.0;      ///< Yaw without jumps from frame to frame [rad].
 };
 

@@ -71,7 +71,7 @@ std::string lettersOf(std::string_view text) {
 
 struct Named {
     Part part = Part::None;
-    int side = 0;  ///< 1 for left, -1 for right, 0 for neither.
+    int side = 0;  ///< Side: 1 for left, -1 for right, 0 for neither.
 };
 
 bool takeOut(std::string& text, std::string_view what) {

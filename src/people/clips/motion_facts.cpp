@@ -8,10 +8,10 @@
 namespace muster {
 namespace {
 
-constexpr float kLeastMotion = 1e-6f;  // A joint whose positions differ by no more does not move [m].
+constexpr float kLeastMotion = 1e-6f;  // Difference of positions up to which a joint does not move [m].
 
 /// Global position of a joint in a frame.
-Vec3 placeOf(const BvhMotion& motion, std::size_t joint, std::size_t frame) {
+Vec3 positionOf(const BvhMotion& motion, std::size_t joint, std::size_t frame) {
     const auto local = motion.frame(frame);
     Vec3 position = local[joint].translation;
     for (std::int32_t up = motion.joints[joint].parent; up >= 0; up = motion.joints[up].parent)
@@ -35,7 +35,7 @@ std::size_t rootOf(const BvhMotion& motion) {
 
 RootPath rootPath(const BvhMotion& motion) {
     const std::size_t root = rootOf(motion);
-    const Vec3 displacement = placeOf(motion, root, motion.frames - 1) - placeOf(motion, root, 0);
+    const Vec3 displacement = positionOf(motion, root, motion.frames - 1) - positionOf(motion, root, 0);
     RootPath path;
     path.length = std::sqrt(static_cast<double>(displacement.x) * displacement.x +
                             static_cast<double>(displacement.y) * displacement.y);

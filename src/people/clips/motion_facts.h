@@ -20,7 +20,7 @@ struct MotionFacts {
     double length = 0.0;            ///< Net distance of one play, for the size of the file's body [m].
     double speed = 0.0;             ///< length / duration [m/s].
     bool cyclic = false;            ///< True if it repeats.
-    std::vector<Contact> contacts;  ///< Of hands, feet and knees; empty without a human skeleton.
+    std::vector<Contact> contacts;  ///< Contacts of hands, feet and knees; empty without a human skeleton.
 };
 
 /// Figures of a clip.
@@ -35,7 +35,7 @@ double speedRatio(double speed, double runSpeed);
 /// first joint whose position changes; in files of Muster's own skeleton, the first joint.
 struct RootPath {
     double length = 0.0;    ///< Net distance [m].
-    double duration = 0.0;  ///< [s]
+    double duration = 0.0;  ///< Duration [s].
 };
 RootPath rootPath(const BvhMotion& motion);  ///< The path of a motion's root.
 

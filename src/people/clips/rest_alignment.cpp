@@ -39,7 +39,7 @@ JointRole bodyEnd(JointRole role) {
 class Reference {
 public:
     Reference(const BvhMotion& motion, const RoleJoints& roles) : roles_(roles) {
-        for (const Vec3 position : restPlaces(motion.joints)) joints_.push_back({{}, position});
+        for (const Vec3 position : restPositions(motion.joints)) joints_.push_back({{}, position});
         rest_ = stands();
         if (!rest_) globalTransforms(motion, mostUpright(motion), joints_);
     }
@@ -163,7 +163,7 @@ RestAlignment restAlignment(const BvhMotion& motion, const RoleJoints& roles) {
 }
 
 float legScale(const BvhMotion& motion, const RoleJoints& roles) {
-    const std::vector<Vec3> rest = restPlaces(motion.joints);
+    const std::vector<Vec3> rest = restPositions(motion.joints);
     const auto at = [&](JointRole role) { return rest[roles[index(role)]]; };
     float theirs = 0.0f, ours = 0.0f;
     using enum JointRole;

@@ -8,14 +8,14 @@ namespace muster::generator {
 namespace {
 
 constexpr int kClimbFrames = 185;
-constexpr double kClimbEnd = kClimbFrames / kFrameRate;  // [s]
-constexpr double kLength = 0.39 * kClimbEnd;             // [m]
+constexpr double kClimbEnd = kClimbFrames / kFrameRate;  // Duration of the clip [s].
+constexpr double kLength = 0.39 * kClimbEnd;             // Distance that the clip travels [m].
 constexpr ClipObstacle kWall{1.3f, 0.4f};
-constexpr double kTouchDown = 2.50;  // When the right foot lands behind the wall [s].
+constexpr double kTouchDown = 2.50;  // Time at which the right foot lands behind the wall [s].
 
-// Each foot follows keys from its "Up" time to its "Down" time and stands otherwise [s].
+// Times between which each foot follows keys; it stands otherwise [s].
 constexpr double kLeftUp = 0.94, kRightUp = 0.74, kLeftDown = 2.58;
-constexpr double kLandingPitch = -24;  // Of the foot at landing [degrees]; negative lands on the toes.
+constexpr double kLandingPitch = -24;  // Pitch of the foot at landing [degrees]; negative lands on the toes.
 
 constexpr Vec3 kFaceFoot{0.275f, -0.16f, 0.49f};  // Right ankle while its sole presses against the wall [m].
 

@@ -22,8 +22,8 @@ struct ClipDef {
     /// Travelling frame by time [s]; it starts at the origin of the ground.
     std::function<Placement(double)> travel;
     std::vector<Contact> contacts;  ///< Contacts in any order.
-    double entryPhase = 0.0;        ///< As Clip::entryPhase.
-    double exitPhase = 0.0;         ///< As Clip::exitPhase.
+    double entryPhase = 0.0;        ///< Entry phase as in Clip::entryPhase.
+    double exitPhase = 0.0;         ///< Exit phase as in Clip::exitPhase.
     ClipObstacle obstacle;          ///< Obstacle that the clip crosses, if any.
 };
 

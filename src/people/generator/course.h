@@ -10,9 +10,9 @@ namespace muster::generator {
 
 /// The travelling frame on the ground [m, rad].
 struct Placement {
-    double x = 0.0;    ///< [m]
-    double y = 0.0;    ///< [m]
-    double yaw = 0.0;  ///< [rad]
+    double x = 0.0;    ///< Coordinate along x [m].
+    double y = 0.0;    ///< Coordinate along y [m].
+    double yaw = 0.0;  ///< Yaw [rad].
 };
 
 /// Transforms a point from the travelling frame at `place` to the ground frame, and back.
@@ -22,7 +22,7 @@ Vec3 fromGround(const Placement& place, Vec3 point);
 /// Travel and body as functions of time [s].
 struct Course {
     std::function<Placement(double)> travel;
-    std::function<ChannelValues(double)> body;  ///< ChannelValues in the travelling frame.
+    std::function<ChannelValues(double)> body;  ///< Channel values in the travelling frame.
 };
 
 /// A straight path along x, given as distance [m] by time.

@@ -13,12 +13,12 @@ constexpr double kKneeX = -0.36;       // Position of a knee in the middle of it
 constexpr double kKneeY = 0.10;
 constexpr double kHandX = 0.20;
 constexpr double kHandY = 0.17;
-constexpr double kHandLate = 0.04;  // A hand lands this share of the cycle after the opposite knee.
+constexpr double kHandLate = 0.04;  // Share of the cycle by which a hand lands after the opposite knee.
 
 /// Motion of a limb over one cycle: forward distance from the middle of the contact, and swing height.
 struct Stroke {
-    double along = 0.0;  // [m]
-    double lift = 0.0;   // 0 to 1
+    double along = 0.0;  // Forward distance from the middle of the contact [m].
+    double lift = 0.0;   // Swing height, 0 to 1.
 };
 
 Stroke crawlStroke(double phase) {

@@ -9,8 +9,8 @@ namespace muster::generator {
 /// frame is at the origin.
 class CrawlTrack {
 public:
-    static constexpr double kCycle = 64.0 / kFrameRate;  ///< [s]
-    static constexpr double kSpeed = 0.52;               ///< [m/s]
+    static constexpr double kCycle = 64.0 / kFrameRate;  ///< Duration of a cycle [s].
+    static constexpr double kSpeed = 0.52;               ///< Speed of crawling [m/s].
     static constexpr double kContact = 0.60;  ///< Share of the cycle in which a limb is in contact.
 
     explicit CrawlTrack(double start = 0.0);

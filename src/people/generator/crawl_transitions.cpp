@@ -8,7 +8,7 @@ namespace muster::generator {
 namespace {
 
 constexpr int kCrawlFrames = 60;
-constexpr double kCrawlEnd = kCrawlFrames / kFrameRate;  // [s]
+constexpr double kCrawlEnd = kCrawlFrames / kFrameRate;  // Duration of the clip [s].
 constexpr double kContactTime = CrawlTrack::kContact * CrawlTrack::kCycle;
 
 /// Adds the contact of a knee or hand, shifted by the distance that the clip has travelled.
@@ -20,11 +20,11 @@ void addStay(ClipDef& plan, Limb limb, Vec3 anchor, double shift, double begin, 
 /// From running to crawling: the right foot lunges, then the left knee lands first.
 namespace down {
 
-constexpr double kKnee = 0.56;      // The left knee lands, in phase with the crawl [s].
-constexpr double kLow = 0.60;       // The body crawls from this time on [s].
-constexpr double kRightLow = 0.92;  // The right leg crawls from this time on [s].
-constexpr double kLunge = 0.30;     // The right foot lands [s].
-constexpr double kLift = 0.66;      // The right foot lifts off [s].
+constexpr double kKnee = 0.56;      // Time at which the left knee lands, in phase with the crawl [s].
+constexpr double kLow = 0.60;       // Time from which on the body crawls [s].
+constexpr double kRightLow = 0.92;  // Time from which on the right leg crawls [s].
+constexpr double kLunge = 0.30;     // Time at which the right foot lands [s].
+constexpr double kLift = 0.66;      // Time at which the right foot lifts off [s].
 
 Course courseOf(const GaitTrack& jog, const CrawlTrack& crawl) {
     Course course;
@@ -108,10 +108,10 @@ Clip clip() {
 namespace up {
 
 constexpr double kPhase = 0.08;    // Phase of the crawl at the beginning of the clip.
-constexpr double kRightUp = 0.04;  // The right leg leaves the crawl [s].
-constexpr double kFoot = 0.36;     // The right foot stands [s].
-constexpr double kUp = 0.38;       // The left leg and the body leave the crawl [s].
-constexpr double kStrike = 0.80;   // The left foot lands [s].
+constexpr double kRightUp = 0.04;  // Time at which the right leg leaves the crawl [s].
+constexpr double kFoot = 0.36;     // Time at which the right foot stands [s].
+constexpr double kUp = 0.38;       // Time at which the left leg and the body leave the crawl [s].
+constexpr double kStrike = 0.80;   // Time at which the left foot lands [s].
 
 Course courseOf(const GaitTrack& jog, const CrawlTrack& crawl) {
     Course course;

@@ -8,7 +8,7 @@ namespace muster::generator {
 /// A value at a time.
 struct Key {
     double time = 0.0;
-    double value = 0.0;  ///< In the unit of the curve.
+    double value = 0.0;  ///< Value in the unit of the curve.
 };
 
 /// A piecewise cubic through keys in order of time; constant before the first key and after the last.

@@ -4,12 +4,12 @@
 #include <array>
 
 #include "muster/clip.h"
-#include "people/generator/body.h"
+#include "people/generator/channels.h"
 
 namespace muster::generator {
 
-inline constexpr double kThigh = 0.42;               ///< Hip to knee [m].
-inline constexpr double kShin = 0.41;                ///< Knee to ankle [m].
+inline constexpr double kThigh = 0.42;               ///< Length from hip to knee [m].
+inline constexpr double kShin = 0.41;                ///< Length from knee to ankle [m].
 inline constexpr double kAnkleHeight = 0.08;         ///< Height of the ankle of a flat foot [m].
 inline constexpr Vec3 kHeel{-0.06f, 0.0f, -0.08f};   ///< Rear end of the sole, from the ankle [m].
 inline constexpr Vec3 kBall{0.13f, 0.0f, -0.05f};    ///< Joint of the toes, from the ankle [m].
@@ -29,18 +29,18 @@ struct Leg {
 
 /// The target of an arm, blended with the arm given by the body's channels.
 struct Reach {
-    double weight = 0.0;             ///< 0: the channels decide; 1: the wrist is at `wrist`.
-    Vec3 wrist;                      ///< Target of the wrist [m].
-    Quat hand;                       ///< In the rest pose: fingers to the side, palm down.
+    double weight = 0.0;  ///< Weight: at 0 the channels decide, at 1 the wrist is at `wrist`.
+    Vec3 wrist;           ///< Target of the wrist [m].
+    Quat hand;            ///< Rotation of the hand; in the rest pose fingers to the side, palm down.
     Vec3 elbow{-1.0f, 0.0f, -0.3f};  ///< Direction in which the elbow points.
-    double follow = 0.0;             ///< 0: rotation `hand`; 1: the hand continues the forearm.
+    double follow = 0.0;  ///< Share by which the hand continues the forearm; at 0 it has the rotation `hand`.
 };
 
 /// All inputs of a pose, in one frame: the travelling frame or the ground frame.
 struct Figure {
-    ChannelValues body;          ///< Trunk, head and free arms.
-    std::array<Leg, 2> legs;     ///< Left, right.
-    std::array<Reach, 2> reach;  ///< Left, right.
+    ChannelValues body;          ///< Channels of trunk, head and free arms.
+    std::array<Leg, 2> legs;     ///< Left and right leg.
+    std::array<Reach, 2> reach;  ///< Left and right arm.
 };
 
 /// Orientation of a hand that lies flat, palm down, with its fingers towards `yaw` (0: forward), the fingers

@@ -9,7 +9,7 @@
 
 namespace muster::generator {
 
-inline constexpr double kGravity = 9.81;  ///< [m/s^2]
+inline constexpr double kGravity = 9.81;  ///< Acceleration of gravity [m/s^2].
 
 /// A sinusoidal swing about a mean angle, once per cycle.
 struct Wave {
@@ -20,13 +20,13 @@ struct Wave {
 
 /// Parameters of a gait. Angles are in radians, shares are of a cycle. At phase 0 the left foot lands.
 struct Gait {
-    double cycle = 1.0;    ///< [s]
-    double speed = 1.0;    ///< Along its path [m/s].
+    double cycle = 1.0;    ///< Duration of a cycle [s].
+    double speed = 1.0;    ///< Speed along its path [m/s].
     double contact = 0.6;  ///< Share of the cycle in which a foot stands, 0.2 to 0.7.
     double bend = 0.0;     ///< Curvature of its path, positive to the left [1/m].
 
-    double footForward = 0.0;  ///< Foot ahead of the hips in mid-contact [m].
-    double footOut = 0.06;     ///< Foot from the middle line [m].
+    double footForward = 0.0;  ///< Distance of the foot ahead of the hips in mid-contact [m].
+    double footOut = 0.06;     ///< Distance of the foot from the middle line [m].
     double toeOut = 0.1;       ///< Outward yaw of the feet.
     double strike = 0.3;       ///< Angle of the raised toes at landing.
     double flat = 0.08;        ///< Share of the cycle from landing until flat.
@@ -35,11 +35,11 @@ struct Gait {
     Swing swing;               ///< Angles of the leg between two steps.
 
     double height = 0.9;        ///< Mean height of the hips; running: at landing [m].
-    double lift = 0.0;          ///< Running: rise of the hips from landing to toe-off [m].
+    double lift = 0.0;          ///< Rise of the hips from landing to toe-off, in running [m].
     double bob = 0.025;         ///< Vertical swing of the hips, unused in running [m].
     double surge = 0.01;        ///< Forward swing of the hips relative to even travel [m].
     double sway = 0.02;         ///< Sideways swing of the hips towards the standing foot [m].
-    double forward = 0.0;       ///< Hips ahead of the travelling frame [m].
+    double forward = 0.0;       ///< Distance of the hips ahead of the travelling frame [m].
     double pelvisPitch = 0.05;  ///< Constant forward tilt of the pelvis.
     double pelvisYaw = 0.08;    ///< Amplitude of the pelvis' yaw.
     double pelvisRoll = 0.06;   ///< Amplitude of the pelvis' roll.
@@ -100,7 +100,7 @@ Gait jogGait();
 Gait runGait();
 Gait sprintGait();
 Gait duckGait();
-/// The same gait along an arc of that radius [m]; a positive radius turns to the left.
+/// A gait along an arc of that radius [m]; a positive radius turns to the left.
 Gait bent(Gait gait, double radius);
 
 }  // namespace muster::generator

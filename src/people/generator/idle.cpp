@@ -6,7 +6,8 @@
 namespace muster::generator {
 namespace {
 
-constexpr double kEver = 1000.0;  // [s]
+constexpr double kEver = 1000.0;  // Time before and after the clip at which a step of a foot that stays
+                                  // begins and ends [s].
 
 double idleWave(double cycles, double late) {
     return cosine(2.0 * kPi * (cycles - late));

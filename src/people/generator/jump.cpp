@@ -8,14 +8,15 @@ namespace muster::generator {
 namespace {
 
 constexpr int kJumpFrames = 61;
-constexpr double kJumpEnd = kJumpFrames / kFrameRate;  // [s]
-constexpr double kSpeed = 2.08;                        // [m/s] on average
-constexpr double kJumpMoment = 1e-3;                   // [s]
+constexpr double kJumpEnd = kJumpFrames / kFrameRate;  // Duration of the clip [s].
+constexpr double kSpeed = 2.08;                        // Mean speed [m/s].
+constexpr double kJumpMoment = 1e-3;                   // Time step of finite differences [s].
 
 /// Parameters of a jump. Times [s], heights of the hips [m].
 struct JumpShape {
     const char* name;
-    double plant, off, land;  ///< The left foot lands and leaves; the right foot lands.
+    /// Times at which the left foot lands and leaves, and at which the right foot lands [s].
+    double plant, off, land;
     double offHeight, landHeight;
     Swing lead, trail;  ///< Swings of the leading right leg and the trailing left leg.
     ClipObstacle obstacle;

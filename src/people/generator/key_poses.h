@@ -47,9 +47,9 @@ private:
 
 /// A time in which a hand rests on a surface, in the ground frame.
 struct HandContact {
-    double begin = 0.0;   ///< [s]
-    double end = 0.0;     ///< [s]
-    Vec3 wrist;           ///< [m]
+    double begin = 0.0;   ///< Begin of the contact [s].
+    double end = 0.0;     ///< End of the contact [s].
+    Vec3 wrist;           ///< Position of the wrist [m].
     double come = 0.25;   ///< Time before `begin` at which it leaves its free path [s].
     double go = 0.25;     ///< Time after `end` at which it is back on its free path [s].
     bool touches = true;  ///< False for a mere waypoint without contact.
@@ -57,7 +57,7 @@ struct HandContact {
 
 /// The target of the arm at a time, through its contacts one after the other.
 Reach reachAt(const std::vector<HandContact>& holds, std::size_t side, double time);
-/// Adds those that touch to the contacts of a clip.
+/// Adds the contacts that touch to those of a clip.
 void addContacts(std::vector<Contact>& contacts, std::size_t side, const std::vector<HandContact>& holds);
 
 /// The keys of a channel: times [s] and values [degrees; m for positions].

@@ -23,7 +23,7 @@ double pitchOf(const Step& step, double time) {
     return 0.0;
 }
 
-constexpr Vec3 kSole{0.0f, 0.0f, 0.03f};  // From the sole to the joint of the toes [m].
+constexpr Vec3 kSole{0.0f, 0.0f, 0.03f};  // Vector from the sole to the joint of the toes [m].
 
 /// Direction of a knee: perpendicular to the line from hip to ankle, forwards, rotated by `yaw`.
 Vec3 kneeAhead(Vec3 hip, Vec3 ankle, double yaw) {

@@ -11,9 +11,9 @@ namespace muster::generator {
 
 /// The swing of a leg between two steps: angles [rad] by the share of the swing, 0 to 1.
 struct Swing {
-    std::vector<Key> thigh;  ///< Angle forward of the vertical.
-    std::vector<Key> knee;   ///< Flexion.
-    std::vector<Key> ankle;  ///< Foot raised relative to the shin.
+    std::vector<Key> thigh;  ///< Angle of the thigh forward of the vertical.
+    std::vector<Key> knee;   ///< Flexion of the knee.
+    std::vector<Key> ankle;  ///< Angle of the foot raised relative to the shin.
 };
 
 /// A key of a swing by its share, 0 to 1, and angle [degrees].
@@ -24,8 +24,8 @@ inline Key swingKey(double share, double angle) {
 /// A foot's contact with the ground. It lands on the heel if `strike` > 0, then lies flat, and leaves over
 /// the ball.
 struct Step {
-    double begin = 0.0;   ///< [s]
-    double end = 0.0;     ///< [s]
+    double begin = 0.0;   ///< Begin of the step [s].
+    double end = 0.0;     ///< End of the step [s].
     Vec3 anchor;          ///< Ankle of the flat foot, in the ground frame [m].
     double yaw = 0.0;     ///< Yaw of the foot in the ground frame [rad].
     double strike = 0.0;  ///< Angle of the raised toes at landing [rad].
@@ -39,7 +39,7 @@ struct Step {
 struct LegShape {
     double thigh = 0.0;  ///< Angle forward of the vertical [rad].
     double knee = 0.0;   ///< Flexion [rad].
-    double ankle = 0.0;  ///< Foot raised relative to the shin [rad].
+    double ankle = 0.0;  ///< Angle of the foot raised relative to the shin [rad].
     double side = 0.0;   ///< Distance of the ankle to the left of the hip [m].
     double yaw = 0.0;    ///< Yaw of the foot [rad].
     double toe = 0.0;    ///< Flexion of the toes, downwards [rad].
@@ -69,7 +69,7 @@ public:
 
     /// The leg at a time, in the travelling frame.
     Leg at(double time) const;
-    /// The same without ground clearance, for swings below the ground's level, into water or next to a rim.
+    /// The leg without ground clearance, for swings below the ground's level, into water or next to a rim.
     Leg inAir(double time) const;
     /// The join at a time.
     LegJoin join(double time) const;

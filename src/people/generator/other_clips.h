@@ -10,7 +10,7 @@
 
 namespace muster::generator {
 
-inline constexpr double kIdleCycle = 4.0;  ///< [s]
+inline constexpr double kIdleCycle = 4.0;  ///< Duration of a cycle [s].
 
 /// Trunk, head and arms of a body that stands, breathes and shifts its weight; phase 0 at time `start`.
 ChannelValues idleBody(double time, double start = 0.0);
@@ -25,9 +25,9 @@ Clip climbClip();
 /// Adds "jump" (a running jump with tucked feet) and "jump-over" (over a low obstacle, one leg leading).
 void addJumps(std::vector<Clip>& clips);
 
-inline constexpr double kWaterLevel = -0.10;             ///< [m]
-inline constexpr double kSwimCycle = 96.0 / kFrameRate;  ///< One stroke of each arm [s].
-inline constexpr double kSwimSpeed = 0.78;               ///< [m/s]
+inline constexpr double kWaterLevel = -0.10;             ///< Height of the water [m].
+inline constexpr double kSwimCycle = 96.0 / kFrameRate;  ///< Duration of one stroke of each arm [s].
+inline constexpr double kSwimSpeed = 0.78;               ///< Speed of swimming [m/s].
 
 /// The figure at a time, in the travelling frame. At time `start` the phase is 0 (the left hand enters the
 /// water).

@@ -6,12 +6,12 @@ namespace muster::generator {
 namespace {
 
 constexpr int kSwimFrames = 48;
-constexpr double kSwimEnd = kSwimFrames / kFrameRate;  // [s]
+constexpr double kSwimEnd = kSwimFrames / kFrameRate;  // Duration of the clip [s].
 
 /// A shallow dive from the rim into the water; the left foot pushes off.
 namespace in {
 
-constexpr double kOff = 0.27;    // The left foot leaves the rim [s].
+constexpr double kOff = 0.27;    // Time at which the left foot leaves the rim [s].
 constexpr double kPhase = 0.10;  // Phase of swimming at the end of the clip.
 
 Figure swimming(double time) {
@@ -93,9 +93,9 @@ namespace out {
 
 constexpr double kPhase = 0.95;    // Phase of swimming at the beginning of the clip.
 constexpr double kEntry = 0.30;    // Phase of jogging at the end of the clip.
-constexpr double kGrip = 0.20;     // Both hands lie on the rim [s].
-constexpr double kRelease = 0.32;  // Both hands leave the rim [s].
-constexpr double kStep = 0.44;     // The left foot stands on the ground [s].
+constexpr double kGrip = 0.20;     // Time at which both hands lie on the rim [s].
+constexpr double kRelease = 0.32;  // Time at which both hands leave the rim [s].
+constexpr double kStep = 0.44;     // Time at which the left foot stands on the ground [s].
 
 Figure swimming(double time) {
     return swimFigure(time, -kPhase * kSwimCycle);

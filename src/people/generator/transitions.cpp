@@ -9,8 +9,8 @@
 namespace muster::generator {
 namespace {
 
-constexpr double kStandingSince = -1000.0;  // [s]
-constexpr double kStandingUntil = 1000.0;   // [s]
+constexpr double kStandingSince = -1000.0;  // Time from which a foot stands that never lands [s].
+constexpr double kStandingUntil = 1000.0;   // Time until which a foot stands that never leaves [s].
 
 double shareOfCycle(const GaitTrack& track, double time) {
     const double phase = (time - track.landing(0, 0)) / track.gait().cycle;

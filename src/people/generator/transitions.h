@@ -17,11 +17,11 @@ struct Transition {
     std::string motion = "run";        ///< Name of the clip's motion.
     int frames = 60;                   ///< Number of frame intervals.
     Course course;                     ///< Travel and body.
-    std::vector<Step> steps[2];        ///< Left, right.
+    std::vector<Step> steps[2];        ///< Steps of the left and the right foot.
     std::optional<LegJoin> before[2];  ///< Set if the leg is in mid-swing at the start.
     std::optional<LegJoin> after[2];   ///< Set if the leg is in mid-swing at the end.
-    double entryPhase = 0.0;           ///< As Clip::entryPhase.
-    double exitPhase = 0.0;            ///< As Clip::exitPhase.
+    double entryPhase = 0.0;           ///< Entry phase as in Clip::entryPhase.
+    double exitPhase = 0.0;            ///< Exit phase as in Clip::exitPhase.
     ClipObstacle obstacle;             ///< Obstacle that the clip crosses, if any.
 };
 
@@ -35,8 +35,8 @@ std::function<double(double)> changingSpeed(double from, double to, double begin
 /// Adds "start", "start-walk", "stop", "stop-walk", "turn-left", "turn-right", "duck-enter" and "duck-exit".
 void addTransitions(std::vector<Clip>& clips);
 
-/// The same step moved to `begin` [s], outside the clip, for a leg that comes from or goes to another motion
-/// than a step.
+/// A step moved to `begin` [s], outside the clip, for a leg that comes from or goes to another motion than a
+/// step.
 Step stepOutside(Step step, double begin);
 
 /// Adds "crawl-enter" and "crawl-exit".

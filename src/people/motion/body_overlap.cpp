@@ -5,13 +5,13 @@
 namespace muster {
 namespace {
 
-// Sizes of a person 1.75 m tall [m], as the bodies are sculpted (people/bodies/shape.cpp).
-constexpr float kTorsoRadius = 0.12f;  // Half the depth of the torso.
-constexpr float kTorsoAside = 0.05f;   // From its axis to those of its halves.
-constexpr float kShoulders = 0.14f;    // Upper end of the axis, above the joint of the chest.
-constexpr float kHeadRadius = 0.10f;   //
-constexpr float kHeadMiddle = 0.10f;   // Above the joint of the head.
-constexpr double kNear = 2.0;          // Who is farther away is not compared.
+// Sizes of a person 1.75 m tall, as the bodies are sculpted (people/bodies/shape.cpp).
+constexpr float kTorsoRadius = 0.12f;   // Half the depth of the torso [m].
+constexpr float kTorsoAside = 0.05f;    // Distance from the axis of the torso to those of its halves [m].
+constexpr float kShoulders = 0.14f;     // Height of the axis's upper end above the joint of the chest [m].
+constexpr float kHeadRadius = 0.10f;    // Radius of the sphere that stands for the head [m].
+constexpr float kHeadMiddle = 0.10f;    // Height of the middle of the head above its joint [m].
+constexpr double kComparedReach = 2.0;  // Distance beyond which two bodies are not compared [m].
 
 double clamp01(double v) {
     return std::clamp(v, 0.0, 1.0);
@@ -121,9 +121,10 @@ void BodyOverlapReport::observe(const World& world, const CrowdMotion& motion) {
               [](const Placed& a, const Placed& b) { return a.x != b.x ? a.x < b.x : a.near < b.near; });
     for (std::size_t i = 0; i < count; ++i) {
         const Vec2 from = motion.states()[motion.near()[placed_[i].near]].position;
-        for (std::size_t j = i + 1; j < count && placed_[j].x - placed_[i].x < kNear; ++j) {
+        for (std::size_t j = i + 1; j < count && placed_[j].x - placed_[i].x < kComparedReach; ++j) {
             const Vec2 to = motion.states()[motion.near()[placed_[j].near]].position;
-            if (distance(from, to) < kNear) observePair(world, motion, placed_[i].near, placed_[j].near);
+            if (distance(from, to) < kComparedReach)
+                observePair(world, motion, placed_[i].near, placed_[j].near);
         }
     }
 }

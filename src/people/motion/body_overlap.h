@@ -15,21 +15,21 @@ namespace muster {
 struct MotionOverlap {
     std::string motion;           ///< Motion of the clip: "crawl", "swim"...
     double deepest = 0.0;         ///< Largest overlap [m].
-    std::uint64_t pairSteps = 0;  ///< Pairs nearer than 2 m, summed over steps.
-    std::uint64_t deepSteps = 0;  ///< Those deeper than kDeepOverlap.
-    std::uint32_t first = 0;      ///< Id of one of the deepest pair.
-    std::uint32_t second = 0;     ///< Id of the other one.
-    std::string otherMotion;      ///< Motion of the other one.
-    double time = 0.0;            ///< When they were deepest [s].
+    std::uint64_t pairSteps = 0;  ///< Number of pairs nearer than 2 m, summed over steps.
+    std::uint64_t deepSteps = 0;  ///< Number of these pairs deeper than kDeepOverlap.
+    std::uint32_t first = 0;      ///< Id of one body of the deepest pair.
+    std::uint32_t second = 0;     ///< Id of the other body.
+    std::string otherMotion;      ///< Motion of the other body.
+    double time = 0.0;            ///< Time when they were deepest [s].
 };
 
-/// A deeper overlap of two bodies is seen at once [m].
+/// Overlap above which people see at once that two bodies overlap [m].
 inline constexpr double kDeepOverlap = 0.10;
 
 /// The solid parts of a drawn body: a torso of two capsules side by side, and a head.
 struct SolidBody {
     std::array<Vec3, 2> left;   ///< Ends of the axis of the left half of the torso [m].
-    std::array<Vec3, 2> right;  ///< Of the right half [m].
+    std::array<Vec3, 2> right;  ///< Ends of the axis of the right half [m].
     Vec3 head;                  ///< Middle of the head [m].
     float size = 1.0f;          ///< Factor of the skeleton.
 };
@@ -37,7 +37,7 @@ struct SolidBody {
 /// The solid parts of a body with those joints in the world.
 SolidBody solidBody(const JointTransforms& joints, float size);
 
-/// How deep two bodies lie in each other [m]; negative where they are apart.
+/// The depth of two bodies in each other [m]; negative where they are apart.
 double overlapOf(const SolidBody& a, const SolidBody& b);
 
 /// Observes the near characters of a crowd's motion step by step.
@@ -52,7 +52,7 @@ public:
 
 private:
     struct Placed {
-        double x = 0.0;        ///< Of the character's position [m].
+        double x = 0.0;        ///< Coordinate of the character's position [m].
         std::size_t near = 0;  ///< Index into CrowdMotion::near().
     };
 

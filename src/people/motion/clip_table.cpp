@@ -8,7 +8,7 @@
 namespace muster {
 namespace {
 
-constexpr float kStandingClip = 0.05f;  // A clip with a lower mean speed counts as standing [m/s].
+constexpr float kStandingClip = 0.05f;  // Mean speed below which a clip counts as standing [m/s].
 
 bool endsWith(std::string_view name, std::string_view end) {
     return name.size() > end.size() && name.substr(name.size() - end.size()) == end;
@@ -106,7 +106,7 @@ namespace {
 void plant(std::span<ContactFrame> frames) {
     for (std::size_t k = 1; k < frames.size(); ++k) {
         const ContactFrame& before = frames[k - 1];
-        // When the heel is raised, the foot rolls about the joint of the toes, which remain flat.
+        // While the heel is raised, the foot rolls about the joint of the toes, which remain flat.
         Vec3 point = touchingPoint(before.rotation);
         if (point.x > 0.0f) point = skeleton()[index(JointRole::LeftToeBase)].offset;
         const Vec3 spot = before.roll + rotate(before.rotation, point) - rotate(frames[k].rotation, point);

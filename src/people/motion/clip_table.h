@@ -10,12 +10,12 @@
 
 namespace muster {
 
-/// How the player uses a clip.
+/// The use of a clip by the player.
 enum class ClipUse : std::uint8_t {
-    Locomotion,  ///< Its frames are chosen by motion matching.
-    Cycle,       ///< Repeats while its patch lasts: duck, crawl, swim.
-    Transition,  ///< Leads into or out of a cycle.
-    Action,      ///< Played once over its patch: jump, climb.
+    Locomotion,  ///< Motion matching chooses its frames.
+    Cycle,       ///< It repeats while its patch lasts: duck, crawl, swim.
+    Transition,  ///< It leads into or out of a cycle.
+    Action,      ///< It is played once over its patch: jump, climb.
 };
 
 /// Limbs that are locked in contacts at run time.
@@ -26,15 +26,15 @@ inline constexpr std::size_t kLockableLimbCount = kLockableLimbs.size();
 /// The end of a limb in one frame of a contact, relative to the anchor, in the body axes at the begin of the
 /// contact.
 struct ContactFrame {
-    Vec3 roll;          ///< From the anchor to the joint [m].
+    Vec3 roll;          ///< Vector from the anchor to the joint [m].
     Quat rotation;      ///< Rotation of the joint.
     float turn = 0.0f;  ///< Yaw of the character since the contact began [rad].
 };
 
 /// A contact and its frames.
 struct ContactTrack {
-    float begin = 0.0f;           ///< [s]
-    float end = 0.0f;             ///< May exceed the duration of a cyclic clip [s].
+    float begin = 0.0f;           ///< Begin of the contact [s].
+    float end = 0.0f;             ///< End of the contact, which may exceed the duration of a cyclic clip [s].
     float height = 0.0f;          ///< Height of the anchor [m].
     std::int32_t firstFrame = 0;  ///< Clip frame of the first entry; may exceed the clip's last.
     std::uint32_t frames = 0;     ///< Index of the first entry in ClipEntry::frames.
@@ -44,21 +44,21 @@ struct ContactTrack {
 /// One clip.
 struct ClipEntry {
     const Clip* clip = nullptr;
-    ClipUse use = ClipUse::Locomotion;  ///< How it is played.
+    ClipUse use = ClipUse::Locomotion;  ///< Use of the clip.
     bool cyclic = true;                 ///< True if it repeats.
-    bool standing = false;              ///< It does not travel.
-    bool handsTouch = false;            ///< A hand has a contact.
-    bool feetTouch = false;             ///< A foot has a contact.
-    bool onFloor = false;               ///< No foot goes below the floor; false for swimming.
-    bool strides = false;               ///< Only feet touch, so its steps may be scaled.
-    float duration = 0.0f;              ///< [s]
-    float speed = 0.0f;                 ///< [m/s]
-    float length = 0.0f;                ///< [m]
+    bool standing = false;              ///< True if it does not travel.
+    bool handsTouch = false;            ///< True if a hand has a contact.
+    bool feetTouch = false;             ///< True if a foot has a contact.
+    bool onFloor = false;               ///< True if no foot goes below the floor; false for swimming.
+    bool strides = false;               ///< True if only feet touch, so that its steps may be scaled.
+    float duration = 0.0f;              ///< Duration [s].
+    float speed = 0.0f;                 ///< Mean speed [m/s].
+    float length = 0.0f;                ///< Length of the travel [m].
     std::int32_t enter = -1;            ///< Clip that leads into this cycle; -1 for none.
     std::int32_t exit = -1;             ///< Clip that leads out of it; -1 for none.
     std::array<Vec3, 2> stance;         ///< Mean position of each ankle in contact, in the body axes [m].
     std::vector<float> localSpeed;      ///< Speed of the travel, per frame [m/s].
-    /// By index of kLockableLimbs, in order of `begin`.
+    /// Contacts by index of kLockableLimbs, in order of `begin`.
     std::array<std::vector<ContactTrack>, kLockableLimbCount> contacts;
     std::vector<ContactFrame> frames;  ///< Frames of all contacts.
 };
@@ -70,7 +70,7 @@ public:
     explicit ClipTable(const ClipLibrary& library);
 
     std::size_t size() const { return entries_.size(); }                            ///< Number of clips.
-    const ClipEntry& operator[](std::size_t clip) const { return entries_[clip]; }  ///< One of them.
+    const ClipEntry& operator[](std::size_t clip) const { return entries_[clip]; }  ///< The entry of a clip.
     /// The clip of that name; -1 for none.
     std::int32_t find(std::string_view name) const { return library_->indexOf(name); }
     const ClipLibrary& library() const { return *library_; }  ///< The clips.

@@ -5,11 +5,11 @@
 
 #include "engine/formation/places/place_tracker.h"
 #include "engine/ground/environment/environment.h"
-#include "engine/steering/characters.h"
+#include "engine/steering/character_arrays.h"
 #include "engine/world/inspect.h"
-#include "people/motion/body.h"
 #include "people/motion/crowd_view.h"
 #include "people/motion/player.h"
+#include "people/motion/posed_body.h"
 
 namespace muster {
 
@@ -34,14 +34,14 @@ struct CrowdMotion::Impl {
     ClipTable table;
     Player player;
     std::vector<MotionState> states;
-    std::vector<std::uint32_t> wanted;   ///< Ids, ascending.
+    std::vector<std::uint32_t> wanted;   ///< Ids of wanted characters, ascending.
     bool named = false;                  ///< True after setNear().
-    std::vector<std::uint32_t> near;     ///< Indices, ascending.
-    std::vector<std::uint32_t> nearIds;  ///< Their ids.
-    std::vector<PosedBody> bodies;       ///< One per entry of `near`.
+    std::vector<std::uint32_t> near;     ///< Indices of near characters, ascending.
+    std::vector<std::uint32_t> nearIds;  ///< Ids of near characters.
+    std::vector<PosedBody> bodies;       ///< Bodies, one per entry of `near`.
     std::vector<PosedBody> spare;
-    std::vector<PlacesView> places;                    ///< By group.
-    std::vector<std::optional<MotionSet>> motionSets;  ///< By group.
+    std::vector<PlacesView> places;                    ///< Places by group.
+    std::vector<std::optional<MotionSet>> motionSets;  ///< Motion sets by group.
 };
 
 void CrowdMotion::Impl::findNear(const Characters& characters) {
@@ -58,7 +58,8 @@ void CrowdMotion::Impl::findNear(const Characters& characters) {
     }
 }
 
-// Bodies of characters that remain near continue; the others start fresh.
+// Matches bodies to the near characters: bodies of characters that remain near continue; the others start
+// fresh.
 void CrowdMotion::Impl::matchBodies() {
     bool same = bodies.size() == nearIds.size();
     for (std::size_t k = 0; same && k < bodies.size(); ++k) same = bodies[k].id == nearIds[k];

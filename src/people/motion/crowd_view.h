@@ -5,31 +5,31 @@
 #include <span>
 
 #include "engine/ground/environment/environment.h"
-#include "engine/steering/characters.h"
+#include "engine/steering/character_arrays.h"
 #include "muster/motion.h"
 #include "muster/parameters.h"
 
 namespace muster {
 
-/// A character that moves farther in one step was teleported [m].
+/// Distance in one step above which a character was teleported [m].
 inline constexpr double kPutElsewhere = 0.5;
 
 /// Places of one group, which the simulation moves.
 struct PlacesView {
-    std::span<const Vec2> positions;   ///< [m]
-    std::span<const Vec2> velocities;  ///< [m/s]
+    std::span<const Vec2> positions;   ///< Positions [m].
+    std::span<const Vec2> velocities;  ///< Velocities [m/s].
 };
 
 /// The data of a world that motion reads.
 struct CrowdView {
-    const Characters* characters = nullptr;  ///< In ascending order of ids.
+    const Characters* characters = nullptr;  ///< Characters in ascending order of ids.
     const Environment* environment = nullptr;
-    std::span<const PlacesView> places;  ///< By group; may be fewer than groups.
-    /// How each group walks; it may have fewer entries than there are groups.
+    std::span<const PlacesView> places;  ///< Places by group; may be fewer than groups.
+    /// Motion set of each group; it may have fewer entries than there are groups.
     std::span<const std::optional<MotionSet>> motionSets;
     double stepTime = Parameters{}.stepTime;             ///< Duration of a step [s] > 0.
-    double maxSpeed = Parameters::Character{}.maxSpeed;  ///< On open ground [m/s].
-    /// A character steers directly to a place nearer than this [m].
+    double maxSpeed = Parameters::Character{}.maxSpeed;  ///< Top speed on open ground [m/s].
+    /// Distance to a place below which a character steers directly to it [m].
     double directReach = Parameters::Character{}.directReach;
 };
 

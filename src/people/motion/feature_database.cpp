@@ -7,9 +7,10 @@
 namespace muster {
 namespace {
 
-constexpr float kRate = 30.0f;      // Rows per second.
-constexpr double kTail = 0.2;       // A search never leads into the end of a clip that is not cyclic [s].
-constexpr float kNowhere = 1.0e4f;  // Features of unused rows of a block.
+constexpr float kRowRate = 30.0f;  // Rows per second.
+// Length of the end of a clip that is not cyclic into which no search leads [s].
+constexpr double kTailTime = 0.2;
+constexpr float kNowhere = 1.0e4f;  // Value of the features of unused rows of a block.
 
 /// A group of features with one unit. They share one standard deviation, so that features that hardly vary
 /// are not amplified.
@@ -98,14 +99,14 @@ FeatureDatabase::FeatureDatabase(const ClipTable& table) {
 void FeatureDatabase::addClip(const ClipEntry& entry) {
     Range range;
     range.firstRow = static_cast<std::int32_t>(rows_.size());
-    range.rows = std::max(1, static_cast<std::int32_t>(entry.duration * kRate));
+    range.rows = std::max(1, static_cast<std::int32_t>(entry.duration * kRowRate));
     range.locomotion = entry.use == ClipUse::Locomotion;
     range.standing = entry.standing;
     range.ends = !entry.cyclic;
     range.set = entry.clip->set;
     if (range.set && range.gait()) hasGaits_[static_cast<std::size_t>(*range.set)] = true;
     for (std::int32_t r = 0; r < range.rows; ++r) {
-        const double time = static_cast<double>(r) / static_cast<double>(kRate);
+        const double time = static_cast<double>(r) / static_cast<double>(kRowRate);
         rows_.push_back(featuresAt(*entry.clip, time));
         clipOfRow_.push_back(static_cast<std::uint16_t>(ranges_.size()));
         timeOfRow_.push_back(static_cast<float>(time));
@@ -155,7 +156,8 @@ void FeatureDatabase::fillBlocks() {
     for (Range& range : ranges_) {
         range.firstBlock = static_cast<std::int32_t>(blocks_.size());
         if (!range.locomotion) continue;
-        const auto tail = range.ends ? static_cast<std::int32_t>(kTail * static_cast<double>(kRate)) : 0;
+        const auto tail = range.ends ? static_cast<std::int32_t>(kTailTime * static_cast<double>(kRowRate))
+                                     : 0;
         const std::int32_t sought = std::max(1, range.rows - tail);
         for (std::int32_t r = 0; r < sought; ++r) {
             const auto lane = static_cast<std::size_t>(r) % kRowsPerBlock;
@@ -172,7 +174,7 @@ void FeatureDatabase::fillBlocks() {
 
 std::int32_t FeatureDatabase::rowOf(std::size_t clip, float time) const {
     const Range& range = ranges_[clip];
-    const auto r = static_cast<std::int32_t>(std::max(0.0f, time * kRate + 0.5f));
+    const auto r = static_cast<std::int32_t>(std::max(0.0f, time * kRowRate + 0.5f));
     return range.firstRow + std::min(r, range.rows - 1);
 }
 

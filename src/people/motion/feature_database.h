@@ -14,7 +14,7 @@ namespace muster {
 inline constexpr std::size_t kTrajectoryCount = 12;  ///< Number of trajectory features.
 /// Number of pose features: positions and velocities of the feet, velocity of the hips, contacts of the feet.
 inline constexpr std::size_t kPoseCount = 17;
-inline constexpr std::size_t kFeatureCount = kTrajectoryCount + kPoseCount;  ///< 29.
+inline constexpr std::size_t kFeatureCount = kTrajectoryCount + kPoseCount;  ///< Number of all features, 29.
 inline constexpr std::array<float, 3> kHorizons{1.0f / 3.0f, 2.0f / 3.0f,
                                                 1.0f};  ///< Times of the prediction ahead of now [s].
 
@@ -33,7 +33,7 @@ enum class ClipFilter : std::uint8_t {
 
 /// The result of a search.
 struct Match {
-    std::int32_t row = -1;  ///< -1 for none.
+    std::int32_t row = -1;  ///< Row that was found, -1 for none.
     float cost = 0.0f;      ///< Squared distance of features.
 };
 
@@ -52,11 +52,10 @@ public:
     Features query(const Trajectory& trajectory, std::int32_t row) const;
     /// Squared distance of a row from a query.
     float cost(const Features& query, std::int32_t row) const;
-    /// The nearest row of locomotion whose cost is less than `below`, if any, for people who walk in that
-    /// manner.
+    /// The nearest row of locomotion whose cost is less than `below`, if any, for people of a motion set.
     Match search(const Features& query, ClipFilter filter, std::optional<MotionSet> set, float below) const;
-    /// True for clips that people play who walk in that manner: its own ones, and plain ones, but for gaits
-    /// where it has its own.
+    /// True for clips that people of a motion set play: its own clips, and plain ones except gaits, where it
+    /// has its own gaits.
     bool suits(std::size_t clip, std::optional<MotionSet> set) const { return suits(ranges_[clip], set); }
     /// The row of one clip with the nearest pose, regardless of the trajectory; -1 for a clip without frames.
     std::int32_t nearestPose(std::size_t clip, std::int32_t row) const;
@@ -74,7 +73,7 @@ private:
         bool locomotion = false;       ///< True for a locomotion clip.
         bool standing = false;         ///< True for a clip that does not travel.
         bool ends = false;             ///< True for a clip that is not cyclic.
-        std::optional<MotionSet> set;  ///< As Clip::set.
+        std::optional<MotionSet> set;  ///< Motion set as in Clip::set.
 
         /// True for a cycle that travels.
         bool gait() const { return locomotion && !standing && !ends; }
@@ -88,7 +87,7 @@ private:
     void searchBlocks(const Features& query, const Range& range, Match& best) const;
 
     std::vector<Range> ranges_;                         ///< Rows of each clip.
-    std::array<bool, kCountOf<MotionSet>> hasGaits_{};  ///< By motion set.
+    std::array<bool, kCountOf<MotionSet>> hasGaits_{};  ///< True by motion set.
     std::vector<Features> rows_;                        ///< Normalised, weighted features by row.
     std::vector<Block> blocks_;
     std::vector<std::uint16_t> clipOfRow_;

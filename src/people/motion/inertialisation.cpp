@@ -5,8 +5,8 @@
 namespace muster {
 namespace {
 
-constexpr float kGone = 2.0e-4f;       // Offsets below this end the blend.
-constexpr float kMostVelocity = 5.0f;  // Limit of the offset's velocity, against outliers [1/s].
+constexpr float kLeastOffset = 2.0e-4f;  // Offset below which the blend ends.
+constexpr float kMostVelocity = 5.0f;    // Limit of the offset's velocity, against outliers [1/s].
 
 // Vector part of the rotation from `a` to `b`: b = r * a.
 Vec3 difference(Quat b, Quat a) {
@@ -45,7 +45,7 @@ void Inertialisation::apply(float dt, float decay, BodyPose& pose) {
         velocity_[j] = (velocity_[j] - pull * (kInertialisationRate * dt)) * decay;
         most = std::max(most, lengthSquared(offset_[j]) + 0.01f * lengthSquared(velocity_[j]));
     }
-    active_ = most > kGone * kGone;
+    active_ = most > kLeastOffset * kLeastOffset;
     for (std::size_t j = 0; j < kJointCount; ++j) {
         const Vec3 v = offset_[j];
         const float l2 = std::min(0.99f, lengthSquared(v));

@@ -7,16 +7,18 @@
 namespace muster {
 namespace {
 
-constexpr float kReleaseDistance = 0.15f;  // A locked limb this far from its free target is released [m].
-constexpr float kReleaseStepping = 0.25f;  // The same for a foot while the other one steps [m].
+// Distance from its free target at which a locked limb is released [m].
+constexpr float kReleaseDistance = 0.15f;
+// Distance at which a locked foot is released while the other one steps [m].
+constexpr float kReleaseStepping = 0.25f;
 // Cosine of the rotation (0.6 rad) at which a standing foot is released.
 constexpr double kReleaseCosine = 0.82533561;
-constexpr float kReleaseTime = 0.2f;  // Fade time of the offset after a contact [s].
-constexpr float kLockTime = 0.08f;    // Fade time of height and rotation at touch-down [s].
-constexpr float kShortest = 0.08f;    // A contact with less time left is not locked [s].
-constexpr float kLockHeight = 0.05f;  // Largest height above its contact at which a limb is locked [m].
-constexpr float kStepTime = 0.26f;    // Duration of a correcting step [s].
-constexpr float kStepHeight = 0.05f;  // Lift of a correcting step [m].
+constexpr float kReleaseTime = 0.2f;     // Fade time of the offset after a contact [s].
+constexpr float kLockTime = 0.08f;       // Fade time of height and rotation at touch-down [s].
+constexpr float kLeastLockTime = 0.08f;  // Remaining time below which a contact is not locked [s].
+constexpr float kLockHeight = 0.05f;     // Largest height above its contact at which a limb is locked [m].
+constexpr float kStepTime = 0.26f;       // Duration of a correcting step [s].
+constexpr float kStepHeight = 0.05f;     // Lift of a correcting step [m].
 
 float smooth(float t) {
     return t * t * (3.0f - 2.0f * t);
@@ -31,8 +33,8 @@ Rotation between(Vec2 from, Vec2 to, const Rotation& otherwise) {
 
 /// Target of a joint in the world.
 struct JointTarget {
-    Vec2 position;        ///< [m]
-    float height = 0.0f;  ///< [m]
+    Vec2 position;        ///< Position on the ground [m].
+    float height = 0.0f;  ///< Height [m].
     Quat rotation;
 };
 
@@ -141,7 +143,7 @@ private:
     bool lasts() const {
         float time = mover_.time;
         if (time < contact_->begin) time += table_[mover_.clip].duration;
-        return contact_->end - time > kShortest;
+        return contact_->end - time > kLeastLockTime;
     }
 
     // True if the limb is low enough to be locked.

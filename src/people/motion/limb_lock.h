@@ -2,25 +2,25 @@
 #pragma once
 
 #include "muster/quat.h"
-#include "people/motion/body.h"
+#include "people/motion/posed_body.h"
 
 namespace muster {
 
-/// The lower one of heel and ball of a foot with this rotation, relative to the ankle in the foot's own frame
-/// [m].
+/// The lower point of heel and ball of a foot with this rotation, relative to the ankle in the foot's own
+/// frame [m].
 inline Vec3 touchingPoint(Quat rotation) {
     constexpr Vec3 kHeel{-0.05f, 0.0f, -0.08f}, kBall{0.13f, 0.0f, -0.08f};
     return rotate(rotation, kHeel).z < rotate(rotation, kBall).z - 0.002f ? kHeel : kBall;
 }
 
-/// Anchors higher than this lie on an obstacle, which does not scale with the body [m].
+/// Height above which anchors lie on an obstacle, which does not scale with the body [m].
 inline constexpr float kFixedHeight = 0.3f;
 
 /// The axes of a body of size 1 in the world: x forward, y left, z up, from the ground below it.
 struct BodyFrame {
     Vec2 position;      ///< Position of the origin [m].
-    Rotation facing;    ///< From the body axes to the world.
-    Quat rotation;      ///< The same as `facing`.
+    Rotation facing;    ///< Rotation from the body axes to the world.
+    Quat rotation;      ///< Rotation `facing` as a quaternion.
     float size = 1.0f;  ///< Size of the body relative to the skeleton.
 
     explicit BodyFrame(const Mover& mover);
@@ -35,7 +35,7 @@ Quat yawRotation(const Rotation& rotation);
 
 /// Target of a joint, in the body axes.
 struct LimbTarget {
-    Vec3 position;  ///< [m]
+    Vec3 position;  ///< Position [m].
     Quat rotation;  ///< Rotation of the joint.
 };
 

@@ -6,8 +6,8 @@
 namespace muster {
 namespace {
 
-constexpr float kLow = 0.02f;          // A sole lower than this is on the floor [m].
-constexpr float kFast = 0.5f;          // A sole on the floor that is faster slides [m/s].
+constexpr float kFloorHeight = 0.02f;  // Height below which a sole is on the floor [m].
+constexpr float kSlideSpeed = 0.5f;    // Speed above which a sole on the floor slides [m/s].
 constexpr float kAnkleHeight = 0.08f;  // Height of the ankle above the sole [m].
 
 // Points of the sole: heel, ball, tip of the toes.
@@ -119,7 +119,7 @@ void MotionReport::observeFeet(const JointTransforms& joints, const CrowdMotion&
             std::min_element(points.begin(), points.end(), [](Vec3 a, Vec3 b) { return a.z < b.z; }) -
             points.begin());
         const float moved = flatLength(points[lowest] - seen.soles[side][lowest]);
-        if (seen.onFloor && points[lowest].z < kLow && seen.soles[side][lowest].z < kLow)
+        if (seen.onFloor && points[lowest].z < kFloorHeight && seen.soles[side][lowest].z < kFloorHeight)
             lowSpeeds_.push_back(moved / dt);
         if (seen.onFloor && locked && seen.locked[side]) seen.slide[side] += static_cast<double>(moved);
         if (seen.locked[side] && !locked) slides_.push_back(static_cast<float>(seen.slide[side]));
@@ -152,7 +152,8 @@ MotionFigures MotionReport::figures() const {
     f.slideMedian = quantile(slides_, 0.5);
     f.slide95 = quantile(slides_, 0.95);
     f.slideMax = quantile(slides_, 1.0);
-    const auto fast = std::count_if(lowSpeeds_.begin(), lowSpeeds_.end(), [](float v) { return v > kFast; });
+    const auto fast = std::count_if(lowSpeeds_.begin(), lowSpeeds_.end(),
+                                    [](float v) { return v > kSlideSpeed; });
     if (!lowSpeeds_.empty()) f.lowFast = static_cast<double>(fast) / static_cast<double>(lowSpeeds_.size());
     f.lowSpeed95 = quantile(lowSpeeds_, 0.95);
     f.kneeMax = quantile(knees_, 1.0);

@@ -20,11 +20,11 @@ struct MotionFigures {
     double lowFast = 0.0;           ///< Share of soles lower than 2 cm that are faster than 0.5 m/s.
     double lowSpeed95 = 0.0;        ///< 95th percentile of the speed of soles lower than 2 cm [m/s].
     double kneeMax = 0.0;           ///< Largest angular speed of a knee [rad/s].
-    double knee999 = 0.0;           ///< 99.9th percentile [rad/s].
+    double knee999 = 0.0;           ///< 99.9th percentile of the speed of knees [rad/s].
     double penetration = 0.0;       ///< Largest depth below the floor, without swimmers [m].
-    double penetration999 = 0.0;    ///< 99.9th percentile [m].
+    double penetration999 = 0.0;    ///< 99.9th percentile of the depth [m].
     double accelerationMax = 0.0;   ///< Largest acceleration of a joint in the body axes [m/s^2].
-    double acceleration999 = 0.0;   ///< 99.9th percentile [m/s^2].
+    double acceleration999 = 0.0;   ///< 99.9th percentile of the acceleration [m/s^2].
     double rateLeast = 0.0;         ///< Lowest play rate of locomotion.
     double rateMost = 0.0;          ///< Highest play rate of locomotion.
     std::uint64_t switches = 0;     ///< Number of switches to another clip or another part of the same clip.
@@ -41,11 +41,11 @@ public:
     MotionFigures figures() const;
 
 private:
-    static constexpr std::size_t kSolePoints = 3;  // Heel, ball, toes.
+    static constexpr std::size_t kSolePoints = 3;  // Number of points of a sole: heel, ball, toes.
     /// State of a body one step ago.
     struct Seen {
         std::uint32_t id = 0;     ///< Id of the character.
-        Vec2 position;            ///< [m]
+        Vec2 position;            ///< Position of the character [m].
         std::uint32_t steps = 0;  ///< Number of steps observed without a gap, up to 2.
         bool onFloor = false;     ///< True if its soles were observed one step ago.
         std::uint16_t clip = 0;   ///< Clip that it played.
@@ -55,7 +55,7 @@ private:
         std::array<bool, 2> locked{};                          ///< True for a locked foot.
         std::array<double, 2> slide{};           ///< Slide of each foot in its present contact [m].
         std::array<Vec3, kJointCount> joints{};  ///< Positions of the joints in the body axes [m].
-        std::array<Vec3, kJointCount> before{};  ///< The same two steps ago.
+        std::array<Vec3, kJointCount> before{};  ///< Positions of the joints two steps ago.
     };
 
     void observeBody(const CrowdMotion& motion, std::size_t k, float dt, Seen& seen);

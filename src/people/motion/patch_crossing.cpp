@@ -8,7 +8,8 @@ namespace {
 
 // Share of the length spread evenly over time, so that shares rise strictly.
 constexpr float kEvenShare = 0.1f;
-constexpr double kStraightOn = 0.6427876;  // Cosine of 50 degrees.
+// Cosine of the angle, 50 degrees, within which a heading counts as straight on.
+constexpr double kStraightOn = 0.6427876;
 constexpr double kFit = 0.15;  // Largest relative difference of lengths at which a clip is stretched.
 
 Vec2 narrowest(const Polygon& polygon) {

@@ -26,11 +26,11 @@ private:
 struct PatchCrossing {
     std::uint32_t patch = 0;  ///< Patch crossed; 0 for none.
     std::int32_t clip = -1;   ///< Clip played.
-    bool timed = false;       ///< The patch moves, so the clip advances by time, not by distance.
-    Vec2 normal{1.0, 0.0};    ///< Direction of the crossing.
-    double begin = 0.0;       ///< Position along `normal` at which the clip begins [m].
-    double length = 1.0;      ///< Distance over which the clip is stretched [m] > 0.
-    double farthest = 0.0;    ///< Largest share of that distance covered to date.
+    bool timed = false;     ///< True if the patch moves, so that the clip advances by time, not by distance.
+    Vec2 normal{1.0, 0.0};  ///< Direction of the crossing.
+    double begin = 0.0;     ///< Position along `normal` at which the clip begins [m].
+    double length = 1.0;    ///< Distance over which the clip is stretched [m] > 0.
+    double farthest = 0.0;  ///< Largest share of that distance covered to date.
 };
 
 /// Computes the crossing of a patch by a character at `position` that moves along `heading`, with a clip of

@@ -169,7 +169,7 @@ void Player::playCycle(Mover& mover, const Step& step, std::int32_t clip) const 
         show(mover, static_cast<std::size_t>(clip), time);
     }
     const float raw = entry.speed > 0.0f ? step.speed / (entry.speed * mover.size) : 1.0f;
-    float wanted = std::min(raw, 1.5f);  // Crawling follows the speed by its play rate alone.
+    float wanted = std::min(raw, 1.5f);  // A crawler follows the speed by its play rate alone.
     if (!entry.feetTouch)
         wanted = std::clamp(raw * mover.cadence, 0.5f, 1.5f);  // Swimmers tread water when they stop.
     else if (!entry.handsTouch)

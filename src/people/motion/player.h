@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/ground/environment/environment.h"
-#include "engine/steering/characters.h"
+#include "engine/steering/character_arrays.h"
 #include "muster/motion.h"
 #include "people/motion/clip_table.h"
 #include "people/motion/crowd_view.h"
@@ -17,7 +17,7 @@ namespace muster {
 /// The motion state of one character.
 struct Mover {
     std::uint32_t id = 0;         ///< Id of the character.
-    bool fresh = true;            ///< True when it has just appeared.
+    bool fresh = true;            ///< True for a character that has just appeared.
     bool switched = false;        ///< True if this step switched to another clip or part of it.
     Vec2 position;                ///< Simulated position [m].
     Vec2 velocity;                ///< Smoothed velocity of the simulated position [m/s].
@@ -32,7 +32,7 @@ struct Mover {
     float strideX = 1.0f;         ///< Scale of steps relative to the clip: forward part.
     float strideY = 0.0f;         ///< Scale of steps relative to the clip: part to the left.
     float yaw = 0.0f;             ///< Facing [rad].
-    Rotation facing;              ///< The same as `yaw`.
+    Rotation facing;              ///< Facing as a rotation, the same as `yaw`.
     float shift = 0.0f;           ///< Yaw from the simulated heading towards a crossing [rad].
     PatchCrossing action;         ///< Crossing of a single-step patch; its patch is 0 for none.
     std::uint32_t donePatch = 0;  ///< Last completed single-step patch, until the simulation clears it.
@@ -41,10 +41,10 @@ struct Mover {
 /// The steering target of a character in the simulation.
 struct WalkTarget {
     Vec2 cruise;            ///< Velocity along the path [m/s].
-    bool arriving = false;  ///< The place is near, so the character steers directly to it.
+    bool arriving = false;  ///< True if the place is near, so that the character steers directly to it.
     Vec2 toPlace;           ///< Vector from the character to its place [m].
     Vec2 placeVelocity;     ///< Velocity of the place [m/s].
-    double topSpeed = 2.0;  ///< [m/s]
+    double topSpeed = 2.0;  ///< Top speed [m/s].
 };
 
 /// The predicted trajectory of a character with `velocity` [m/s] and direction `facing`, in its body axes,
@@ -61,22 +61,22 @@ public:
     void restart();
     /// Call after each step of the world.
     void update(const CrowdView& crowd);
-    /// Where it stands between two updates.
+    /// State of the player between two updates.
     struct Moment {
-        std::vector<Mover> movers;     ///< As movers().
+        std::vector<Mover> movers;     ///< The states of movers().
         std::uint32_t searchSlot = 0;  ///< Slot whose characters searched last.
     };
-    Moment moment() const { return {movers_, searchSlot_}; }  ///< To go back to.
+    Moment moment() const { return {movers_, searchSlot_}; }  ///< The present moment, to go back to.
     /// Goes back, or on, to a moment of a player with the same clips.
     void goBack(const Moment& moment) { movers_ = moment.movers, searchSlot_ = moment.searchSlot; }
     /// Motion states, one per character.
     const std::vector<Mover>& movers() const { return movers_; }
 
 private:
-    /// How the player plays one motion id of the world.
+    /// The clips that play one motion id of the world.
     struct Motion {
-        ClipUse use = ClipUse::Locomotion;  ///< How the clip is played.
-        std::int32_t clip = -1;             ///< Clip on a patch that stands still, -1 for none.
+        ClipUse use = ClipUse::Locomotion;  ///< Use of the clip.
+        std::int32_t clip = -1;             ///< Clip on a patch that never moves, -1 for none.
         std::int32_t movingClip = -1;       ///< Clip on a patch that moves, -1 for none.
         double transition = 0.0;            ///< Duration of its transitions [s].
     };
@@ -84,7 +84,7 @@ private:
     struct Step {
         const CrowdView* crowd;
         std::size_t i;  ///< Index of the character.
-        double dt;      ///< [s]
+        double dt;      ///< Duration of the step [s].
         float speed;    ///< Speed of travel [m/s].
     };
 
@@ -113,7 +113,7 @@ private:
 
     const ClipTable& table_;
     FeatureDatabase features_;
-    std::vector<TravelTimes> travelTimes_;  ///< By clip; unused for cyclic clips.
+    std::vector<TravelTimes> travelTimes_;  ///< Travel times by clip; unused for cyclic clips.
     std::vector<Motion> motions_;
     std::vector<std::string> motionNames_;
     std::vector<Mover> movers_;

@@ -11,9 +11,9 @@ namespace {
 
 constexpr std::uint32_t kSearchPeriod = 6;  // Steps between searches.
 constexpr float kClearlyBetter = 1.0f;      // Least gain in cost for a switch to another frame.
-constexpr float kGoingSpeed = 0.25f;        // At a higher speed standing clips are excluded [m/s].
-constexpr float kGoingReach = 0.3f;         // The same for a longer predicted distance in 1 s [m].
-// At a lower speed with a short predicted distance the character stands [m/s].
+constexpr float kGoingSpeed = 0.25f;        // Speed above which standing clips are excluded [m/s].
+constexpr float kGoingReach = 0.3f;  // Predicted distance in 1 s above which standing clips are excluded [m].
+// Speed below which the character stands if the predicted distance is short [m/s].
 constexpr float kStandingSpeed = 0.1f;
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 
@@ -21,7 +21,7 @@ constexpr float kInfinite = std::numeric_limits<float>::infinity();
 constexpr double kVelocityGain = Parameters::Character{}.velocityGain;
 constexpr double kAcceleration = Parameters::Character{}.acceleration;
 constexpr double kPositionGain = Parameters::Character{}.positionGain;
-constexpr double kTurnRate = 8.0;  // [1/s]
+constexpr double kTurnRate = 8.0;  // Rate of turning [1/s].
 
 float unevenness(std::uint32_t id, std::size_t feature) {
     std::uint32_t h = (id * 31u + static_cast<std::uint32_t>(feature)) * 0x9e3779b9u;
@@ -33,7 +33,7 @@ float unevenness(std::uint32_t id, std::size_t feature) {
 }  // namespace
 
 Trajectory predict(Vec2 velocity, const Rotation& facing, const WalkTarget& target, float size) {
-    constexpr int kSteps = 8;  // Integration steps per horizon.
+    constexpr int kSteps = 8;  // Number of integration steps per horizon.
     constexpr double dt = 1.0 / 24.0;
     Trajectory trajectory;
     Vec2 moved, v = velocity, face{facing.c, facing.s};

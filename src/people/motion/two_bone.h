@@ -16,8 +16,8 @@ struct TwoBones {
 
 /// Rotations that move the end of the limb to the target.
 struct TwoBoneRotation {
-    Quat upper;  ///< Multiplied to the left of the upper bone's rotation.
-    Quat lower;  ///< Multiplied to the left of the lower bone's rotation.
+    Quat upper;  ///< Rotation multiplied to the left of the upper bone's rotation.
+    Quat lower;  ///< Rotation multiplied to the left of the lower bone's rotation.
     Vec3 end;    ///< Position of the end: the target or the nearest reachable point [m].
 };
 

@@ -1,4 +1,4 @@
-#include "engine/formation/shapes/formation.h"
+#include "engine/formation/shapes/make_formation.h"
 
 #include <doctest.h>
 

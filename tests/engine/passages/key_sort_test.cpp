@@ -37,7 +37,7 @@ TEST_CASE("keys are sorted exactly, and equal ones by number") {
         sort.sort(keys);
         for (std::size_t k = 0; k < keys.size(); ++k) {
             REQUIRE(keys[k].key == expected[k].key);
-            REQUIRE(keys[k].who == expected[k].who);
+            REQUIRE(keys[k].index == expected[k].index);
         }
     }
 }

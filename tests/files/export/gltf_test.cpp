@@ -7,7 +7,7 @@
 #include "files/export/formats.h"
 #include "files/export/gltf_reader.h"
 #include "files/export/pretend_take.h"
-#include "people/bodies/body.h"
+#include "people/bodies/body_mesh.h"
 
 #if defined(__GLIBC__)
 #include <malloc.h>

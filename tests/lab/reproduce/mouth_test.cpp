@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/maths.h"
-#include "engine/formation/shapes/formation.h"
+#include "engine/formation/shapes/make_formation.h"
 
 using namespace muster;
 

@@ -7,8 +7,8 @@
 #include "engine/geometry/polygon.h"
 #include "lab/reproduce/experiments/car_watch.h"
 #include "lab/reproduce/experiments/encounter_watch.h"
+#include "lab/reproduce/experiments/experiment_trial.h"
 #include "lab/reproduce/experiments/ground_watch.h"
-#include "lab/reproduce/experiments/trial.h"
 
 using namespace muster;
 

@@ -1,5 +1,5 @@
-#include "people/bodies/body.h"
 #include "folders.h"
+#include "people/bodies/body_mesh.h"
 
 #include <doctest.h>
 #include <rapidcheck.h>

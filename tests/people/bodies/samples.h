@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/maths.h"
-#include "people/bodies/body.h"
+#include "people/bodies/body_mesh.h"
 
 namespace muster::testing {
 

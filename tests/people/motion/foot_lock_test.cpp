@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/maths.h"
-#include "people/motion/body.h"
 #include "people/motion/crowd_scene.h"
+#include "people/motion/posed_body.h"
 #include "people/motion/swinging_clips.h"
 
 using namespace muster;

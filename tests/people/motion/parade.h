@@ -6,7 +6,7 @@
 
 #include "base/maths.h"
 #include "engine/ground/environment/environment.h"
-#include "engine/steering/characters.h"
+#include "engine/steering/character_arrays.h"
 #include "muster/motion.h"
 #include "people/motion/crowd_view.h"
 

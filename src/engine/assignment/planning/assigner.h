@@ -1,4 +1,5 @@
-// Who goes where: the interface of assignments (SPEC A1). No cost field and no cost matrix crosses it.
+// The interface of assignments of characters to places (SPEC A1). No cost field and no cost matrix crosses
+// it.
 #pragma once
 
 #include <cstdint>
@@ -14,39 +15,41 @@
 
 namespace muster {
 
-/// What an assignment is made from. Spans stay valid during the call only; start() copies what it needs.
+/// Input of an assignment. Spans stay valid during the call only; start() copies what it needs.
 struct PlanInput {
-    std::span<const Vec2> characters;         ///< Positions [m].
+    std::span<const Vec2> characters;         ///< Positions of the characters [m].
     std::span<const double> supply;           ///< Units that each character supplies >= 0; empty for 1 each.
-    std::span<const Vec2> places;             ///< Positions [m].
+    std::span<const Vec2> places;             ///< Positions of the places [m].
     std::span<const double> demand;           ///< Units that each place demands >= 0; empty for 1 each.
     std::span<const std::uint8_t> usable;     ///< Per place, 0 for one that nobody may take; empty for all.
     std::span<const std::int32_t> incumbent;  ///< Current place of each character, -1 for none.
-    PlanCosts* costs = nullptr;               ///< Not null; outlives the plan.
-    std::uint32_t edits = 0;  ///< Changes when what stands still has changed: then known costs are forgotten.
+    PlanCosts* costs = nullptr;               ///< Costs of the step; not null; outlives the plan.
+    /// Version of the ground: where static obstacles have changed, known costs are forgotten.
+    std::uint32_t edits = 0;
     /// Per character, 0 where it is known to stand in another region than the places; empty for all 1.
     std::span<const std::uint8_t> connected = {};
-    /// Per character, what its incumbent place costs it [m] where that is known better than by fields, else
+    /// Per character, the cost of its incumbent place [m] where that is known better than by fields, else
     /// below 0; empty for none.
     std::span<const float> known = {};
     PlannedWays ways = {};  ///< Ways through passages before which many wait.
-    /// Per character, the factor above 0 by which a way costs it more than others, because it is slower;
+    /// Per character, the factor above 0 by which a path costs it more than others, because it is slower;
     /// empty for all 1.
     std::span<const float> slowness = {};
-    /// The class of each character and of each place: of all ways to send as many units as possible, one
-    /// counts that sends as many as possible within their classes, and then the least objective. Both empty
-    /// for none.
+    /// The class of each character and of each place: among all assignments that send as many units as
+    /// possible, the ones that send as many as possible within their classes come first, and then the least
+    /// objective. Both empty for none.
     std::span<const std::uint8_t> characterClass = {};
     std::span<const std::uint8_t> placeClass = {};
 };
 
-/// What an assignment returns.
+/// Result of an assignment.
 struct PlanResult {
-    std::vector<Flow> flows;   ///< Committed flows, ordered by character.
-    std::vector<double> cost;  ///< Cost of each character to its place [m]; infinite for the unmatched.
-    double objective = 0.0;    ///< Objective of the committed flows [cost^p].
-    /// Upper bound of the duality gap, the objective less a proven lower bound [cost^p]: what the commit
-    /// threshold dropped. It is the whole objective where PlanDef::reassign is false.
+    std::vector<Flow> flows;  ///< Committed flows, ordered by character.
+    /// Cost of each character to its place [m]; infinite for unmatched characters.
+    std::vector<double> cost;
+    double objective = 0.0;  ///< Objective of the committed flows [cost^p].
+    /// Upper bound of the duality gap, the objective less a proven lower bound [cost^p]: the gain that the
+    /// commit threshold dropped. It is the whole objective where PlanDef::reassign is false.
     double gapBound = 0.0;
     /// True where this is a first plan by rough costs, which will soon be made again.
     bool provisional = false;
@@ -58,8 +61,8 @@ struct PlanResult {
 };
 
 /// Assigns the characters of one group to its places. The work can be spread over several steps: start(),
-/// then advance() with all shares, then finish(). What advance() leaves may be done by workInBackground(),
-/// which another thread may call before finish().
+/// then advance() with all shares, then finish(). Work that advance() leaves may be done by
+/// workInBackground(), which another thread may call before finish().
 class Assigner {
 public:
     virtual ~Assigner() = default;
@@ -83,7 +86,7 @@ public:
     virtual void workInBackground() {}
 };
 
-/// Refuses what Assigner::start() must refuse, with InvalidArgument and the value that is wrong. The costs
+/// Refuses the input that Assigner::start() must refuse, with InvalidArgument and the wrong value. The costs
 /// are not looked at.
 Status validatePlan(const PlanDef& def, const PlanInput& input);
 /// Refuses a unit cost that does not fill its grid, with InvalidArgument.

@@ -10,7 +10,7 @@ constexpr double kNegligible = 1e-7;  // Share of the largest flow up to which a
 
 }  // namespace
 
-// With path halving.
+// Finds the representative of a node, with path halving.
 std::int32_t CommitRule::find(std::int32_t node) {
     while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
     return node;

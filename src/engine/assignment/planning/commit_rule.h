@@ -1,4 +1,4 @@
-// Commit rule: which exchanges between the incumbent and the optimal flows are made (SPEC A1: a threshold
+// Commit rule: the exchanges between the incumbent and the optimal flows that are made (SPEC A1: a threshold
 // against endless swapping).
 #pragma once
 
@@ -11,10 +11,10 @@
 
 namespace muster {
 
-/// What a unit of a flow costs.
+/// Cost of a unit of a flow.
 struct FlowCost {
-    double cost = 0.0;    ///< To the power of the objective, finite.
-    bool inClass = true;  ///< The character and the place are of one class.
+    double cost = 0.0;    ///< Cost to the power of the objective, finite.
+    bool inClass = true;  ///< True if the character and the place are of one class.
 };
 /// The cost of a unit from a character to a place.
 using FlowCostOf = FunctionRef<FlowCost(std::int32_t character, std::int32_t place)>;
@@ -25,8 +25,8 @@ using FlowCostOf = FunctionRef<FlowCost(std::int32_t character, std::int32_t pla
 /// whole, so that any choice is feasible. Owns its working memory.
 class CommitRule {
 public:
-    /// `costOf` is asked wherever something flows. Both lists of flows are ordered by character, then place.
-    /// Writes the flows to be committed in the same order.
+    /// `costOf` is asked for every flow. Both lists of flows are ordered by character, then place. Writes the
+    /// flows to be committed in the same order.
     void choose(const PlanDef& def, std::int32_t characters, std::int32_t places, FlowCostOf costOf,
                 std::span<const Flow> incumbent, std::span<const Flow> optimal, std::vector<Flow>& committed);
 
@@ -34,7 +34,7 @@ private:
     /// One component of the difference. Costs are to the power of the objective.
     struct Exchange {
         double moreMatched = 0.0;          // Amount that the optimal flows send beyond the incumbent ones.
-        double moreInClass = 0.0;          // The same within classes.
+        double moreInClass = 0.0;          // Amount beyond the incumbent flows within classes.
         double incumbentCost = 0.0;        // Sum over its incumbent flows.
         double optimalCost = 0.0;          // Sum over its optimal flows.
         double incumbentBottleneck = 0.0;  // Cost of its costliest incumbent pair.
@@ -48,7 +48,7 @@ private:
 
     double tolerance_ = 0.0;            // Amounts up to this count as zero.
     std::vector<std::int32_t> parent_;  // Union-find forest: characters, then places.
-    std::vector<Exchange> exchanges_;   // At the representative of each component.
+    std::vector<Exchange> exchanges_;   // Exchanges, at the representative of each component.
 };
 
 }  // namespace muster

@@ -6,12 +6,12 @@
 
 namespace muster {
 
-/// Hands out the parts it was given, which must outlive it. A plan may only ask for these.
+/// Hands out parts that it was given, which must outlive it. A plan may only ask for these.
 struct FixedCosts final : PlanCosts {
     const Environment* world = nullptr;     ///< Obstacles and patches.
     const UnitCost* unit = nullptr;         ///< Unit cost of all ground cells.
-    const StaticGround* still = nullptr;    ///< What stands still.
-    const DynamicCost* changing = nullptr;  ///< What crowd and moving things add.
+    const StaticGround* still = nullptr;    ///< Static ground.
+    const DynamicCost* changing = nullptr;  ///< Dynamic cost of crowd and moving things.
 
     const Environment& environment() const override { return given(world); }
     const UnitCost& unitCost() override { return given(unit); }

@@ -3,7 +3,7 @@
 namespace muster {
 namespace {
 
-constexpr double kNearly = 0.8;  // A place is kept while it gets this share of the largest flow.
+constexpr double kKeptShare = 0.8;  // Share of the largest flow down to which a place is kept.
 
 }  // namespace
 
@@ -20,7 +20,7 @@ void findMainPlaces(std::span<const Flow> flows, std::span<const std::int32_t> i
             most = flow.amount;
             place[i] = flow.place;
         }
-        if (kept > 0.0 && kept >= kNearly * most) place[i] = incumbent[i];
+        if (kept > 0.0 && kept >= kKeptShare * most) place[i] = incumbent[i];
     }
 }
 

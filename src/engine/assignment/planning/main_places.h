@@ -1,4 +1,4 @@
-// Where characters walk whose supply goes to several places (SPEC A1).
+// Main places of characters whose supply goes to several places (SPEC A1).
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,9 @@
 
 namespace muster {
 
-/// Writes the place to which each character walks: that of its largest flow, of equal ones the first. While
-/// the place that it has gets nearly as much it keeps that, so that it does not waver between two;
-/// -1 where nothing flows. `flows` are ordered by character; `incumbent` is the place of each one, -1 for
-/// none.
+/// Writes the place to which each character walks: that of its largest flow, of equal flows the first. While
+/// its present place gets nearly as much, the character keeps it, so that it does not waver between two; -1
+/// where nothing flows. `flows` are ordered by character; `incumbent` is the place of each one, -1 for none.
 void findMainPlaces(std::span<const Flow> flows, std::span<const std::int32_t> incumbent,
                     std::vector<std::int32_t>& place);
 

@@ -1,4 +1,4 @@
-// Which way to walk: the interface of guidance (SPEC A6).
+// The interface of guidance: the direction and the cost of each character's path (SPEC A6).
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,14 @@
 
 namespace muster {
 
-/// What the guidance of a step reads. Spans stay valid during the call only.
+/// Input of the guidance of a step. Spans stay valid during the call only.
 struct GuidanceInput {
-    std::span<const Vec2> characters;     ///< Positions [m].
-    std::span<const std::int32_t> place;  ///< Place of each character, -1 for the unmatched.
+    std::span<const Vec2> characters;     ///< Positions of the characters [m].
+    std::span<const std::int32_t> place;  ///< Place of each character, -1 for unmatched characters.
     std::span<const Vec2> places;         ///< Current positions [m].
-    PlanCosts* costs = nullptr;           ///< Not null.
-    /// Up to this distance a clear straight line to the place is followed instead of the cost field [m] >= 0.
+    PlanCosts* costs = nullptr;           ///< Costs of the step; not null.
+    /// Distance up to which a clear straight line to the place is followed instead of the cost field [m] >=
+    /// 0.
     double directReach = 0.0;
 };
 
@@ -25,8 +26,8 @@ public:
     virtual ~Navigator() = default;
 
     /// Writes the guidance of each character by the last finished plan: the unit vector of its desired
-    /// direction, and the remaining cost [m]; zero and infinite for the unmatched and where no path is known.
-    /// Where the line to the place is clear within GuidanceInput::directReach the cost is the straight
+    /// direction, and the remaining cost [m]; zero and infinite for unmatched characters and where no path is
+    /// known. Where the line to the place is clear within GuidanceInput::directReach the cost is the straight
     /// distance. Elsewhere a plan that keeps cost fields leads to the position that the place had at start();
     /// off the field it leads straight to the place if the line is clear, else back to the field.
     virtual void guide(const GuidanceInput& input, ThreadPool& pool, std::span<Vec2> direction,

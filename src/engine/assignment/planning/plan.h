@@ -10,7 +10,7 @@
 
 namespace muster {
 
-/// A plan of one group: who goes where, and which way to walk by the last finished assignment.
+/// A plan of one group: the assignment to places, and the guidance by the last finished assignment.
 class Plan : public Assigner, public Navigator {
 public:
     /// Name of the method: "exact" or "fast".
@@ -19,36 +19,36 @@ public:
     /// first start(); changes no result.
     virtual void reserve(std::size_t /*characters*/, std::size_t /*places*/, PlanCosts&) {}
 
-    /// Forgets pending and finished assignments, because characters or places have other numbers now. What
-    /// was computed of the ground stays.
+    /// Forgets pending and finished assignments, because characters or places have other numbers now. Results
+    /// that follow from the ground stay.
     virtual void forget() = 0;
 
     /// True while it goes on from places that it did not choose, after forget(); that takes some steps, and
     /// nobody changes places meanwhile.
     virtual bool starting() const { return false; }
 
-    /// Writes all that can influence later results: frozen inputs and progress, never the cost fields.
+    /// Writes all data that can influence later results: frozen inputs and progress, never the cost fields.
     virtual void save(Writer& archive) const = 0;
-    /// Reads what save() wrote, and solves the cost fields again. False where it does not fit.
+    /// Reads the data of save(), and solves the cost fields again. False where it does not fit.
     virtual bool load(Reader& archive, ThreadPool& pool) = 0;
     /// Takes over the fields of another plan of the same method that are still true. Call after load();
     /// changes no result. `before` becomes useless.
     virtual void keepFieldsOf(Plan& /*before*/) {}
-    /// Says on which ground the fields are that load() named: that of the archive, before any edit. Call
-    /// after load() and keepFieldsOf().
+    /// Sets the ground of the fields that load() named: that of the archive, before any edit. Call after
+    /// load() and keepFieldsOf().
     virtual void bind(PlanCosts& /*costs*/) {}
-    /// True where the pending and the last finished plan are for so many characters and places on this
-    /// ground.
+    /// True where the pending and the last finished plan are for these numbers of characters and places on
+    /// this ground.
     virtual bool suits(std::size_t characters, std::size_t places, const Grid& grid) const = 0;
-    /// Adds what save() writes to a hash, except the cells of unit costs, which follow from the state that
+    /// Adds the data of save() to a hash, except the cells of unit costs, which follow from the state that
     /// was hashed at the step of start().
     virtual void hash(Hasher& archive) const = 0;
 };
 
 /// The reference plan: one cost field per place, exact assignment (docs/method/exact-plan.md).
 std::unique_ptr<Plan> makeExactPlan();
-/// The same objective within a fraction of a percent, at a cost that grows about linearly with the crowd:
-/// geodesics interpolated between landmark fields, and dynamic assignment on a sparse graph
+/// A plan of the same objective within a fraction of a percent, at a cost that grows about linearly with the
+/// crowd: geodesics interpolated between landmark fields, and dynamic assignment on a sparse graph
 /// (docs/method/fast-plan.md). Supplies and demands other than one unit each are solved by a network simplex
 /// whose tree stays from step to step (docs/method/roles.md).
 std::unique_ptr<Plan> makeFastPlan();

@@ -1,12 +1,12 @@
-// What a plan minimises.
+// The objective of a plan.
 #pragma once
 
 #include "muster/parameters.h"
 
 namespace muster {
 
-/// The objective of a plan, and which exchanges are committed. Each plan freezes and archives its own, so
-/// that later changes of parameters do not reach it.
+/// The objective of a plan, and the rule by which exchanges are committed. Each plan freezes and archives its
+/// own, so that later changes of parameters do not reach it.
 struct PlanDef {
     /// Exponent p of the objective sum c^p f, in [1, 16].
     double exponent = Parameters::Plan{}.exponent;

@@ -1,4 +1,4 @@
-// What plans know of passages before which many wait: who goes through which one, and what that costs.
+// The passages before which many wait, as plans know them: the way of each character, and its cost.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,12 @@
 
 namespace muster {
 
-/// Ways of one group's characters. A way leads through one passage from one side. Nobody has one where nobody
-/// has to wait.
+/// Ways of one group's characters. A way leads through one passage from one side. No character has a way
+/// where nobody has to wait.
 struct PlannedWays {
-    std::span<const std::int32_t> way;  ///< Of each character, -1 for none; empty where nobody has one.
-    std::span<const float> reach;  ///< Of each character: cost until it is let through [m], waits counted.
+    /// Way of each character, -1 for none; empty where no character has one.
+    std::span<const std::int32_t> way;
+    std::span<const float> reach;  ///< Cost of each character until it is let through [m], with waits.
     /// Cost from a passage to each place [m], places of way 0 first; infinite for places on the side from
     /// which the way comes.
     std::span<const float> onward;

@@ -14,7 +14,7 @@ namespace muster {
 /// Density [characters per m^2] and average velocity of the crowd on a grid of its own.
 class DensityField {
 public:
-    DensityField() = default;  ///< Empty.
+    DensityField() = default;  ///< An empty field.
     /// An empty field over `box`.
     DensityField(const Box& box, const Parameters::Density& def);
 
@@ -24,8 +24,8 @@ public:
     /// Characters outside the box, and positions or velocities that are not finite, are left out.
     void splat(std::span<const Vec2> positions, std::span<const Vec2> velocities);
 
-    const Grid& grid() const { return grid_; }                      ///< The density cells.
-    const std::vector<float>& density() const { return density_; }  ///< Per cell [1/m^2].
+    const Grid& grid() const { return grid_; }                      ///< The cells of the density.
+    const std::vector<float>& density() const { return density_; }  ///< Density per cell [1/m^2].
     /// Average velocity along x, per cell [m/s]; 0 where the density is 0.
     const std::vector<float>& velocityX() const { return velocityX_; }
     /// Average velocity along y, per cell [m/s]; 0 where the density is 0.
@@ -42,8 +42,8 @@ private:
     // the grid, where cells stand for their missing neighbours, so that the whole character counts.
     struct SplatStencil {
         Cell low;   // The lower left cell; may have column or row -1.
-        double dx;  // From the centre of that cell [cells], 0 to 1.
-        double dy;  // From the centre of that cell [cells], 0 to 1.
+        double dx;  // Distance from the centre of that cell along x [cells], 0 to 1.
+        double dy;  // Distance from the centre of that cell along y [cells], 0 to 1.
     };
     SplatStencil splatStencil(Vec2 position) const;
     std::array<std::int32_t, 4> cellsOf(Cell lowerLeft) const;
@@ -56,7 +56,7 @@ private:
     std::vector<float> velocityX_;
     std::vector<float> velocityY_;
     std::vector<std::int32_t> occupied_;
-    std::vector<std::uint64_t> touched_;  // A bit per cell: it got a share since it was listed.
+    std::vector<std::uint64_t> touched_;  // A bit per cell, set if it has got a share since it was listed.
 };
 
 }  // namespace muster

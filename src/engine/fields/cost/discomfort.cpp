@@ -6,14 +6,14 @@
 namespace muster {
 namespace {
 
-// Obstacles slower than this cause no discomfort [m/s].
-constexpr double kLeastSpeed = 1e-3;
+// Speed below which an obstacle causes no discomfort [m/s].
+constexpr double kDiscomfortSpeed = 1e-3;
 constexpr int kMaxIterations = 48;
 
 // The feature of a piece that is nearest to a point: a side or a corner, or the centre of a disc.
 struct Nearest {
-    bool inside = false;      // Whether the point lies inside the piece.
-    bool isSide = false;      // Whether the feature is a side.
+    bool inside = false;      // True if the point lies inside the piece.
+    bool isSide = false;      // True if the feature is a side.
     std::int32_t index = -1;  // Index of the side or corner.
     double distance = 0.0;    // Distance from the piece [m].
     Vec2 normal;              // Outward unit normal of a side.
@@ -38,7 +38,7 @@ Nearest nearestTo(const ObstaclePiece& piece, Vec2 p) {
         const Vec2 a = piece.corners[k];
         const Vec2 edge = piece.corners[k + 1 < count ? k + 1 : 0] - a;
         const Vec2 off = p - a;
-        const double beyond = -cross(edge, off);  // Times the side's length; positive outside.
+        const double beyond = -cross(edge, off);  // Distance times the side's length; positive outside.
         if (beyond > 0.0) best.inside = false;
         const double along = dot(off, edge);
         const double squared = lengthSquared(edge);
@@ -154,7 +154,7 @@ private:
 
 double discomfortAt(const Parameters::Discomfort& def, const ObstaclePiece& piece, Vec2 p, double precision) {
     const double speed = length(piece.velocity);
-    if (speed < kLeastSpeed || !(def.time > 0.0)) return 0.0;
+    if (speed < kDiscomfortSpeed || !(def.time > 0.0)) return 0.0;
     // The times at which the circumcircle of the piece is within the range.
     const Vec2 ahead = piece.velocity / speed;
     const double along = dot(p - piece.centre, ahead);
@@ -170,7 +170,7 @@ double discomfortAt(const Parameters::Discomfort& def, const ObstaclePiece& piec
 
 void addDiscomfort(const Parameters::Discomfort& def, const ObstaclePiece& piece, const Grid& grid,
                    std::vector<float>& discomfort, std::vector<std::int32_t>& cells) {
-    if (!piece.moving || length(piece.velocity) < kLeastSpeed || !(def.time > 0.0)) return;
+    if (!piece.moving || length(piece.velocity) < kDiscomfortSpeed || !(def.time > 0.0)) return;
     const Vec2 end = piece.centre + piece.velocity * def.time;
     const double reach = piece.radius + def.range;
     const Vec2 least{std::min(piece.centre.x, end.x) - reach, std::min(piece.centre.y, end.y) - reach};

@@ -9,11 +9,11 @@
 namespace muster {
 namespace {
 
-// Clearances below this are not capped [m].
-constexpr float kCapped = static_cast<float>(Environment::kClearanceLimit) - 1e-4f;
-// Points of two blocks are nearer to each other than the blocks' distance by at most the diagonal of a block,
-// which holds the distances from cells to their centres too [blocks].
-constexpr float kSlack = 1.5f;
+// Clearance from which on a value is capped [m].
+constexpr float kLeastCapped = static_cast<float>(Environment::kClearanceLimit) - 1e-4f;
+// Difference between the distance of two blocks and the distance of their nearest points: at most the
+// diagonal of a block, which holds the distances from cells to their centres too [blocks].
+constexpr float kBlockDiagonal = 1.5f;
 
 CellRect grown(const CellRect& rect, std::int32_t x, std::int32_t y, const Grid& grid) {
     const CellRect whole{{0, 0}, {grid.width - 1, grid.height - 1}};
@@ -45,12 +45,12 @@ void DistantClearance::findOccupied(std::span<const float> clearance, const Cell
         const std::int32_t top = std::min((by + 1) * kBlock, cells_.height);
         for (std::int32_t bx = blocks.low.x; bx <= blocks.high.x; ++bx) {
             const std::int32_t right = std::min((bx + 1) * kBlock, cells_.width);
-            float least = kCapped;
+            float least = kLeastCapped;
             for (std::int32_t y = by * kBlock; y < top; ++y) {
                 const float* row = clearance.data() + cells_.index({0, y});
                 for (std::int32_t x = bx * kBlock; x < right; ++x) least = std::min(least, row[x]);
             }
-            occupied_[blocks_.index({bx, by})] = least < kCapped ? 1 : 0;
+            occupied_[blocks_.index({bx, by})] = least < kLeastCapped ? 1 : 0;
         }
     }
 }
@@ -76,7 +76,7 @@ void DistantClearance::transformRows(const CellRect& blocks) {
 void DistantClearance::transformColumns(const CellRect& blocks) {
     std::array<float, kReach * kReach + 1> metres;
     for (std::size_t k = 0; k < metres.size(); ++k)
-        metres[k] = std::max(0.0f, std::sqrt(static_cast<float>(k)) - kSlack) *
+        metres[k] = std::max(0.0f, std::sqrt(static_cast<float>(k)) - kBlockDiagonal) *
                     static_cast<float>(blocks_.cell);
     for (std::int32_t y = blocks.low.y; y <= blocks.high.y; ++y)
         for (std::int32_t x = blocks.low.x; x <= blocks.high.x; ++x) {

@@ -11,7 +11,8 @@ namespace {
 // Relative precision of the time at which the discomfort of a moving obstacle peaks.
 constexpr double kPeakPrecision = 0.02;
 
-constexpr std::int64_t kMostWindow = 1 << 14;  // Cells that are copied for reading in each step.
+// Greatest number of cells that are copied for reading in each step.
+constexpr std::int64_t kMostWindow = 1 << 14;
 
 bool isZero(const CellCost& c) {
     return c.east == 0.0f && c.north == 0.0f && c.west == 0.0f && c.south == 0.0f;

@@ -1,5 +1,5 @@
-// Dynamic cost: what the crowd and moving obstacles add to the unit cost of the static ground (SPEC A4, A5;
-// Treuille, Cooper and Popovic 2006, section 4.1), for line integrals along paths.
+// Dynamic cost: the part of the unit cost that crowd and moving obstacles add to the static ground (SPEC A4,
+// A5; Treuille, Cooper and Popovic 2006, section 4.1), for line integrals along paths.
 #pragma once
 
 #include <cstdint>
@@ -34,23 +34,23 @@ public:
     /// Integral of the relative cost along the straight line from `a` to `b` [m]. Multiplied by a uniform
     /// unit cost of the static ground it is a cost.
     double relativeAlong(Vec2 a, Vec2 b) const { return relativeAlong(a, b, distance(a, b)); }
-    /// The same where the length of the line [m] is known.
+    /// Integral of the relative cost where the length of the line [m] is known.
     double relativeAlong(Vec2 a, Vec2 b, double length) const;
     /// Integral of the dynamic cost along the straight line from `a` to `b`, over static ground whose unit
     /// cost may vary.
     double costAlong(const StaticGround& ground, Vec2 a, Vec2 b) const {
         return costAlong(ground, a, b, distance(a, b));
     }
-    /// The same where the length of the line [m] is known.
+    /// Integral of the dynamic cost where the length of the line [m] is known.
     double costAlong(const StaticGround& ground, Vec2 a, Vec2 b, double length) const {
         return costAndCentroid(ground, a, b, length).cost;
     }
     /// A cost along a line, and where on the line things move.
     struct LineCost {
-        double cost;      ///< As by costAlong() [m].
-        double centroid;  ///< As by movingCostCentroid().
+        double cost;      ///< The cost by costAlong() [m].
+        double centroid;  ///< The centroid by movingCostCentroid().
     };
-    /// Both at once.
+    /// Cost and centroid at once.
     LineCost costAndCentroid(const StaticGround& ground, Vec2 a, Vec2 b, double length) const;
     /// Centroid of the moving cost along the line from `a` to `b` of this length [m], as a fraction of the
     /// line; negative where there is none.
@@ -104,7 +104,7 @@ public:
     };
 
 private:
-    /// The two sides of a cell that a direction leads through.
+    /// The two sides of a cell that a direction crosses.
     struct Direction;
     struct Centroid;
     void clear();
@@ -137,36 +137,37 @@ private:
     BilinearLocator locator_;
     float lengthShare_ = 0.0f;         // alpha / (alpha + beta)
     float timeShare_ = 1.0f;           // beta / (alpha + beta)
-    std::vector<CellCost> crowdCost_;  // Relative, of leaving a cell through its four sides.
+    std::vector<CellCost> crowdCost_;  // Relative cost of leaving a cell through its four sides.
     std::vector<float> staticUnit_;    // Unit cost of the static ground at the centres of evaluated_ cells.
     std::vector<std::int32_t> crowdCells_;  // Cells whose crowd cost is not zero.
     CellSet evaluated_;                     // Cells for which the crowd cost was computed.
     CellSet nearCrowd_;                     // Cells of crowdCells_ and their eight neighbours.
     SummedAreaTable nearCrowdSums_;
-    Bounds crowdBounds_;  // Round crowdCells_.
+    Bounds crowdBounds_;  // Bounds of crowdCells_.
 
     // Moving layer.
     Grid movingGrid_;
     BilinearLocator movingLocator_;
     SparseRaster<float> movingCost_;
     std::vector<Cell> movingCells_;          // Cells whose moving cost is not zero.
-    SparseRaster<std::uint8_t> patchCells_;  // 1 for cells under moving patches that are done.
-    bool negative_ = false;                  // Some moving cost is negative.
-    // The same costs row by row in a box round movingCells_, where that is not too large: faster to read.
+    SparseRaster<std::uint8_t> patchCells_;  // 1 for cells under moving patches that are done already.
+    bool negative_ = false;                  // True if some moving cost is negative.
+    // A copy of these costs row by row in a box round movingCells_, where that is not too large: faster to
+    // read.
     CellRect windowCells_{{0, 0}, {-1, -1}};
     std::int32_t windowWidth_ = 0;
     std::vector<float> window_;
-    Bounds movingBounds_;  // Round movingCells_ and blocked_.
+    Bounds movingBounds_;  // Bounds of movingCells_ and blocked_.
     Grid ground_;
-    SparseRaster<std::uint8_t>
-        blocked_;                     // 1 for ground cells where a character would overlap a moving obstacle.
-    std::vector<Cell> blockedCells_;  // These cells.
+    // 1 for ground cells where a character would overlap a moving obstacle.
+    SparseRaster<std::uint8_t> blocked_;
+    std::vector<Cell> blockedCells_;  // The cells set in blocked_.
     Bounds blockedBounds_;
 };
 
 /// Discomfort g of one obstacle piece at one point: gain (1 - t / time) (1 - d(t) / range), the maximum over
 /// the predicted times t, with d the distance to the piece moved by t; 0 where d exceeds the range at all
-/// times. `precision` is that of the time of the maximum, relative to the time predicted.
+/// times. `precision` is the precision of the time of the maximum, relative to the time predicted.
 double discomfortAt(const Parameters::Discomfort& def, const ObstaclePiece& piece, Vec2 p,
                     double precision = 1e-9);
 

@@ -11,9 +11,9 @@ namespace {
 constexpr double kMovingStep = 0.5;
 // Largest number of samples along a line.
 constexpr std::int32_t kMaxSamples = 16;
-// Unit costs that differ relatively by less are of the same ground.
+// Relative difference of unit costs up to which two cells are of the same ground.
 constexpr float kSameUnit = 0.01f;
-// Cells on the same ground that have less than this weight together are too few for an interpolation.
+// Weight of the cells on the same ground below which they are too few for an interpolation.
 constexpr float kLeastWeight = 0.02f;
 
 std::int32_t samplesAlong(double length, double step) {
@@ -21,10 +21,10 @@ std::int32_t samplesAlong(double length, double step) {
 }
 
 // Narrows a range of samples to those that may lie between two bounds along one axis, where a line begins at
-// `from` and leads so far in all. A sample more at either end makes up for rounding.
+// `from` and has the extent `line`. A further sample at either end makes up for rounding.
 void narrow(double min, double max, double from, double line, std::int32_t samples, double& first,
             double& last) {
-    constexpr double kAlong = 1e-6;  // A line that leads less far stays where it is [m].
+    constexpr double kAlong = 1e-6;  // Extent below which a line stays where it is [m].
     if (std::fabs(line) < kAlong) return;
     const double perMetre = samples / line;
     const double one = (min - from) * perMetre - 0.5, other = (max - from) * perMetre - 0.5;
@@ -58,7 +58,7 @@ struct DynamicCost::Direction {
           sideY(unitVector.y > 0.0 ? &CellCost::north : &CellCost::south),
           x(static_cast<float>(unitVector.x)),
           y(static_cast<float>(unitVector.y)) {}
-    // The relative cost of this direction where crossing the sides costs so much relative to empty ground.
+    // The relative cost of this direction, from the costs of crossing the sides relative to empty ground.
     double relativeCost(float costX, float costY) const {
         const float alongX = x * costX;
         const float alongY = y * costY;
@@ -81,9 +81,9 @@ inline double DynamicCost::crowdCost(Vec2 p, const Direction& direction) const {
     return direction.relativeCost(read(direction.sideX), read(direction.sideY));
 }
 
-// The same at a point on ground of this unit cost, from those of the four cells around that lie on the same
-// ground: at the edge of a patch the same flow is fast relative to the one ground and slow relative to the
-// other. Here speeds are interpolated instead of costs, which gives least weight to single slow cells.
+// Relative crowd cost at a point on ground of one unit cost, from those of the four cells around that lie on
+// the same ground: at the edge of a patch the same flow is fast relative to one side and slow relative to the
+// other. Speeds are interpolated here instead of costs, which gives least weight to single slow cells.
 inline double DynamicCost::crowdCostOnGround(Vec2 p, const Direction& direction, float unitCost) const {
     const BilinearLocator::Location at = locator_.at(p);
     const std::int32_t opposite = at.low + locator_.right() + locator_.up();
@@ -124,7 +124,7 @@ bool DynamicCost::crowdMeets(Vec2 a, Vec2 b) const {
         {{std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x) + 1, std::max(p.y, q.y) + 1}});
 }
 
-/// The centroid of what is positive of the moving cost along a line.
+/// The centroid of the positive part of the moving cost along a line.
 struct DynamicCost::Centroid {
     double sum = 0.0;
     double moment = 0.0;
@@ -173,7 +173,7 @@ inline double DynamicCost::crowdAlong(Vec2 a, Vec2 b, double length) const {
     return sum * share;
 }
 
-// Crowd and moving cost with spacings of their own.
+// Crowd and moving cost along a line, with spacings of their own.
 inline double DynamicCost::sumAlong(Vec2 a, Vec2 b, double length, Centroid& centroid) const {
     const bool crowd = crowdMeets(a, b);
     const bool moving = movingCostMeets(a, b);
@@ -189,7 +189,7 @@ double DynamicCost::relativeAlong(Vec2 a, Vec2 b, double length) const {
     return sumAlong(a, b, length, centroid);
 }
 
-// Over ground of several unit costs.
+// Sums the dynamic cost along a line over ground of several unit costs.
 double DynamicCost::sumOnGround(const StaticGround& ground, Vec2 a, Vec2 b, double length,
                                 Centroid& centroid) const {
     const bool crowd = crowdMeets(a, b);

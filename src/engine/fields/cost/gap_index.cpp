@@ -27,7 +27,7 @@ void GapIndex::reset(const Environment& environment, double width) {
     grid_.reset(environment.def().box);
 }
 
-// A gap belongs to where its middle is.
+// A gap belongs to the cell that holds its middle.
 void GapIndex::update(const Environment& environment, const CellRect& area) {
     if (area.empty()) return;
     const Grid& grid = environment.grid();

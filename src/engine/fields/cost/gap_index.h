@@ -1,4 +1,4 @@
-// Gaps of the ground that are too narrow for characters of one radius, found by where they are.
+// Gaps of the ground that are too narrow for characters of one radius, found by position.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace muster {
 
-/// All closed gaps between things that stand still. A raster of clearances at cell centres does not show
-/// them: one may lie between two free centres. Paths are kept out of them by their segments.
+/// All closed gaps between static obstacles. A raster of clearances at cell centres does not show them: one
+/// may lie between two free centres. Paths are kept out of them by their segments.
 class GapIndex {
 public:
     /// Empties it, for gaps narrower than `width` [m]; update() of the whole world must follow.
@@ -28,12 +28,12 @@ public:
     /// Appends the gaps whose bounding boxes meet `box`, in a fixed order.
     void within(const Box& box, std::vector<ClosedGap>& gaps) const;
 
-    static constexpr double kReach = 1.0;  ///< [m]
+    static constexpr double kReach = 1.0;  ///< Greatest distance of a gap from the point of a query [m].
 
 private:
-    double width_ = 0.0;           // [m]
-    std::vector<ClosedGap> gaps_;  // Sorted, so that their history does not show.
-    std::vector<Box> boxes_;       // Of the gaps, grown by kReach [m].
+    double width_ = 0.0;           // Width below which a gap is closed [m].
+    std::vector<ClosedGap> gaps_;  // Gaps, sorted so that their history does not show.
+    std::vector<Box> boxes_;       // Bounding boxes of the gaps, grown by kReach [m].
     std::vector<std::int32_t> numbers_;
     BoxGrid grid_;
 };

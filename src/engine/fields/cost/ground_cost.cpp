@@ -11,7 +11,7 @@ namespace {
 
 // Least length of the edge between two wall nodes [cells].
 constexpr double kLeastEdge = 0.1;
-// What open_ holds: all edges may be open, and the mark of a narrow cell.
+// Bits of open_: all edges are open, and the cell is narrow.
 constexpr std::uint8_t kEdgesOpen = 0x0f, kNarrow = 0x10;
 
 float edgeCost(const GroundNode& from, const GroundNode& to, float x, float y, float unit) {
@@ -74,7 +74,7 @@ void GroundCostCrop::findNodes(const GroundRasters& ground, double radius, const
     const GroundNodeFinder finder(ground, radius);
     const CellRect whole{{0, 0}, {ground.grid.width - 1, ground.grid.height - 1}};
     nodes_.assign(ground.grid.count(), {});
-    // Cells far from walls need none.
+    // Cells far from walls need no search.
     const CellRect around = whole.common(
         {{area.low.x - 1, area.low.y - 1}, {area.high.x + 1, area.high.y + 1}});
     for (std::int32_t y = around.low.y; y <= around.high.y; ++y)
@@ -108,8 +108,8 @@ void GroundCostCrop::openNarrow(const Grid& grid, std::span<const NarrowCell> na
     }
 }
 
-// Closes the edges of a cell over which no walk leads from or to a narrow one. True where there is any such
-// cell here or next to.
+// Closes the edges of a cell over which no walk leads from or to a narrow one. True where this cell or one
+// next to it is narrow.
 bool GroundCostCrop::closeEdges(const Grid& grid, Cell cell, CellCost& cost) const {
     if (open_.empty()) return false;
     const std::uint8_t here = open_[grid.index(cell)];
@@ -145,7 +145,7 @@ void GroundCostCrop::compute(const GroundRasters& ground, double radius, double 
             const std::int32_t to = cost.grid.index({x + shift.x, y + shift.y});
             CellCost& out = cost.cells[to];
             out = {unit, unit, unit, unit};
-            if (finder.farFromWalls({x, y})) continue;  // And from gaps.
+            if (finder.farFromWalls({x, y})) continue;  // Such a cell is far from gaps too.
             out = edgesOf(here, nodeAt(x + 1, y), nodeAt(x, y + 1), nodeAt(x - 1, y), nodeAt(x, y - 1), unit);
             if (closeEdges(grid, {x, y}, out) || !isOpen(out, unit))
                 cost.nodes.push_back({to, here.x, here.y, here.normalX, here.normalY, unit});

@@ -16,10 +16,10 @@ namespace muster {
 
 /// Distance at which a change of the clearance can still change the cost of a cell [cells].
 inline constexpr std::int32_t kGroundReach = 2;
-/// Clearances beyond the radius plus or minus this all give the same cost [cells].
+/// Difference from the radius beyond which all clearances give the same cost [cells].
 inline constexpr double kGroundBand = 3.0;
 
-/// Where the ground cost is written.
+/// Arrays to which the ground cost is written.
 struct GroundCosts {
     std::vector<CellCost>& cells;  ///< Unit cost times the length of the edge to the neighbour in cells.
     std::vector<float>& unit;      ///< Cost of a true metre in each cell; infinite in walls.
@@ -31,7 +31,7 @@ struct GroundCosts {
 /// from wall node to wall node and hold their true length.
 void computeGroundCost(const GroundRasters& ground, double radius, double openCost, std::int32_t first,
                        std::int32_t last, const GroundCosts& costs);
-/// The same for the listed cells.
+/// Computes the ground cost of the listed cells.
 void computeGroundCost(const GroundRasters& ground, double radius, double openCost,
                        std::span<const std::int32_t> cells, const GroundCosts& costs);
 
@@ -52,8 +52,9 @@ private:
     void openNarrow(const Grid& grid, std::span<const NarrowCell> narrow);
     bool closeEdges(const Grid& grid, Cell cell, CellCost& cost) const;
 
-    std::vector<GroundNode> nodes_;   // Per cell of the rasters.
-    std::vector<std::uint8_t> open_;  // The same: open edges by NarrowCell, and kNarrow; empty without them.
+    std::vector<GroundNode> nodes_;  // Nodes per cell of the rasters.
+    // Open edges per cell of the rasters, by NarrowCell, and kNarrow; empty without narrow cells.
+    std::vector<std::uint8_t> open_;
 };
 
 }  // namespace muster

@@ -10,7 +10,7 @@ GroundLevel::GroundLevel(const StaticGround& ground, std::int32_t ratio)
     if (ratio == 2) grid_ = {grid_.origin, 2.0 * grid_.cell, (grid_.width + 1) / 2, (grid_.height + 1) / 2};
 }
 
-// Of the four ground cells under a wider cell; at the edge of the ground some count twice.
+// Mean clearance of the four ground cells under a wider cell; at the edge of the ground some count twice.
 float GroundLevel::meanClearance(Cell cell) const {
     const Grid& ground = ground_->grid();
     const std::span<const float> clearance = ground_->rawClearance();
@@ -97,7 +97,7 @@ void GroundLevel::unitCost(const CellRect& area, Scratch& scratch, UnitCost& cos
         {low.x - area.low.x, low.y - area.low.y}, scratch.gaps, scratch.narrow, cost);
 }
 
-// The narrow cells of the ground that lie in a crop of it, numbered as there. Wider cells have none.
+// Finds the narrow cells of the ground that lie in a crop of it, numbered by the crop. Wider cells have none.
 void GroundLevel::findNarrow(const CellRect& cells, const Grid& crop, std::vector<NarrowCell>& narrow) const {
     narrow.clear();
     if (ratio_ != 1) return;

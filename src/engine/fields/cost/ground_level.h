@@ -39,16 +39,16 @@ public:
         std::vector<NarrowCell> narrow;
         GroundCostCrop crop;
     };
-    /// Computes the unit cost of the cells in `area`, of which some may lie off the ground: these are walls.
+    /// Computes the unit cost of the cells in `area`; cells off the ground are walls.
     void unitCost(const CellRect& area, Scratch& scratch, UnitCost& cost) const;
-    /// The same of all cells.
+    /// Computes the unit cost of all cells.
     UnitCost unitCost() const;
     /// True where all ground has one unit cost.
     bool uniform() const { return ground_->uniform(); }
     /// The version of the ground.
     std::uint32_t version() const { return ground_->version(); }
     /// Appends to `areas` the cells of this level whose unit cost may have changed since the version was
-    /// `version`; false where that may be all. Some areas reach beyond the ground.
+    /// `version`; false where all cells may have. Some areas reach beyond the ground.
     bool changesSince(std::uint32_t version, std::vector<CellRect>& areas) const;
 
 private:

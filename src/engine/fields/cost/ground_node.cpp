@@ -16,7 +16,7 @@ double risingSlope(double here, double after, double before) {
     return after >= before ? after - here : here - before;
 }
 
-// The same on the side where the clearance falls more; 0 at a minimum.
+// One-sided difference along an axis, on the side where the clearance falls more; 0 at a minimum.
 double fallingSlope(double here, double after, double before) {
     if (after >= here && before >= here) return 0.0;
     return after <= before ? after - here : here - before;

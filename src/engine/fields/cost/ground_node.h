@@ -1,4 +1,4 @@
-// The point of a cell that a cost field holds the value of, found from the clearance around it
+// The point of a cell whose value a cost field holds, found from the clearance around it
 // (docs/method/unit-cost.md); and walls thinner than a cell.
 #pragma once
 
@@ -10,18 +10,18 @@
 
 namespace muster {
 
-/// What the ground cost depends on, one value per cell.
+/// Inputs of the ground cost, one value per cell.
 struct GroundRasters {
     const Grid& grid;
     std::span<const float> clearance;  ///< Distance from the cell's centre to the nearest obstacle [m].
     RasterView travelSpeed;            ///< Speed relative to running, > 0.
 };
 
-/// The point of a cell that a cost field holds the value of: the centre, or the wall node.
+/// The point of a cell whose value a cost field holds: the centre, or the wall node.
 struct GroundNode {
-    bool free = false;     ///< Whether a character can be there.
-    float x = 0.0f;        ///< From the cell's centre [cells].
-    float y = 0.0f;        ///< From the cell's centre [cells].
+    bool free = false;     ///< True if a character can be there.
+    float x = 0.0f;        ///< Distance from the cell's centre along x [cells].
+    float y = 0.0f;        ///< Distance from the cell's centre along y [cells].
     float normalX = 0.0f;  ///< Unit vector away from the wall; null where the node is the centre.
     float normalY = 0.0f;  ///< Unit vector away from the wall; null where the node is the centre.
 };
@@ -29,7 +29,7 @@ struct GroundNode {
 /// Finds the nodes of cells from the clearance around them.
 class GroundNodeFinder {
 public:
-    /// For characters of `radius` [m]; the rasters must outlive it.
+    /// A finder for characters of `radius` [m]; the rasters must outlive it.
     GroundNodeFinder(const GroundRasters& ground, double radius) : ground_(ground), radius_(radius) {}
     /// The node of a cell; not free off the grid.
     GroundNode find(Cell cell) const;
@@ -44,14 +44,15 @@ public:
 private:
     // Estimates of the clearance's slope along one axis [cells per cell].
     struct Slope {
-        double wall = 0.0;         // One-sided, before a straight wall: the clearance is linear.
-        double corner = 0.0;       // One-sided, round a corner: the clearance squared is quadratic.
-        double central = 0.0;      // Exact for both where both neighbours lie outside obstacles.
-        bool bothOutside = false;  // Whether both neighbours do.
+        double wall = 0.0;    // Slope on one side, before a straight wall: the clearance is linear.
+        double corner = 0.0;  // Slope on one side, round a corner: the clearance squared is quadratic.
+        // Central slope, exact in both cases where both neighbours lie outside obstacles.
+        double central = 0.0;
+        bool bothOutside = false;  // True if both neighbours lie outside obstacles.
         std::int32_t outer = 0;    // The side, 1 or -1, on which the clearance is higher.
     };
 
-    // The clearance of a cell; beyond the grid's edge that of the nearest cell.
+    // The clearance of a cell; beyond the grid's edge the clearance of the nearest cell.
     double at(std::int32_t x, std::int32_t y) const {
         return ground_.clearance[ground_.grid.index(
             {std::clamp(x, 0, ground_.grid.width - 1), std::clamp(y, 0, ground_.grid.height - 1)})];
@@ -65,8 +66,8 @@ private:
 };
 
 /// True where the line from one point at a wall to another crosses a thin wall: the points lie on its two
-/// sides, so that the line (dx, dy) enters the wall of the one and leaves that of the other. Normals are unit
-/// vectors away from the walls, null for points that are not at a wall.
+/// sides, so that the line (dx, dy) enters the wall of one point and leaves the wall of the other. Normals
+/// are unit vectors away from the walls, null for points that are not at a wall.
 template <class From, class To>
 bool crossesThinWall(const From& from, const To& to, float dx, float dy) {
     // The normals are more than 120 degrees apart, and the line meets both walls at more than 30 degrees.

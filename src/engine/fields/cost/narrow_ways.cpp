@@ -12,28 +12,30 @@
 namespace muster {
 namespace {
 
-// From the centre of a cell to its corner [cells].
+// Distance from the centre of a cell to its corner [cells].
 constexpr double kToCorner = 0.70710678118654752;
-// A point where one stands in a cell is no farther from its centre than this [cells].
+// Greatest distance of the point where a body stands in a cell from its centre [cells].
 constexpr double kToPoint = 1.0;
-// Surfaces within this beyond the radius are walls of a narrow way [cells]: wider ways show in the raster.
+// Distance beyond the radius within which surfaces are walls of a narrow way [cells]: wider ways show in the
+// raster.
 constexpr double kWallReach = 1.0;
-// Two walls face each other where the cosine of the angle between the ways to them is below this.
-constexpr double kFacing = -0.1;
-// Between the node of a free cell and the point where one stands in it there is no wall if a disc of this
-// share of the radius passes: nodes lie on the forbidden zone's border only approximately.
+// Cosine of the angle between the directions to two walls below which they face each other.
+constexpr double kFacingCosine = -0.1;
+// Share of the radius: between the node of a free cell and the point where a body stands in it there is no
+// wall if a disc of this share passes, since nodes lie on the forbidden zone's border only approximately.
 constexpr double kThinShare = 0.5;
-// From the centre of a cell to where the search for a point begins: one may be pushed out of the way [cells].
+// Starts of the search for a point, from the centre of a cell: a point may be pushed out of the narrow way
+// [cells].
 constexpr Vec2 kStarts[] = {{0.0, 0.0}, {0.3, 0.3}, {-0.3, 0.3}, {-0.3, -0.3}, {0.3, -0.3}};
-// A node of the raster may lie so deep in the forbidden zone [cells].
-constexpr double kMisfit = 0.05;
-// A step from cell to cell is halved so many times, at points where it may bend.
+// Depth in the forbidden zone that a node of the raster may have [cells].
+constexpr double kNodeDepth = 0.05;
+// Number of times that a step from cell to cell is halved, at points where it may bend.
 constexpr int kHalvings = 2;
-// Normals of nodes on one side of a wall have a dot product above this.
+// Dot product of the normals of two nodes above which they are on one side of a wall.
 constexpr float kSameSide = 0.5f;
 constexpr std::uint8_t kAllOpen = 0x0f;
-// A point that would lie on the centre is put so far off it [cells].
-constexpr float kOffset = 1e-4f;
+// Offset of a point that would lie on the centre [cells].
+constexpr float kCentreOffset = 1e-4f;
 
 /// Finds the narrow cells of an area.
 class Finder {
@@ -61,7 +63,7 @@ public:
 private:
     static constexpr float kSpeed = 1.0f;
 
-    // Calls `visit(way)` with the shortest way to each surface, and side of the world, within `reach`.
+    // Calls `visit(way)` with the vector to each surface, and side of the world, within `reach`.
     template <class Visit>
     void forWalls(Vec2 p, double reach, const Visit& visit) const {
         environment_.forPiecesNear(p, reach, [&](const ObstaclePiece& piece) {
@@ -82,7 +84,7 @@ private:
         bool facing = false;
         forWalls(p, radius_ + kWallReach * grid_.cell, [&](Vec2 way) {
             const Vec2 unit = normalized(way);
-            for (std::size_t k = 0; k < count; ++k) facing = facing || dot(ways[k], unit) < kFacing;
+            for (std::size_t k = 0; k < count; ++k) facing = facing || dot(ways[k], unit) < kFacingCosine;
             if (count < ways.size()) ways[count++] = unit;
         });
         return facing;
@@ -112,7 +114,7 @@ private:
     // True where the raster gives a cell a node at which a body can be.
     bool hasNode(Cell c) const {
         const GroundNode node = nodes_.find(c);
-        const double least = radius_ - kMisfit * grid_.cell;
+        const double least = radius_ - kNodeDepth * grid_.cell;
         return node.free && environment_.distanceToObstacle(pointOf(c, node)) >= least;
     }
 
@@ -122,7 +124,7 @@ private:
         return point.has_value();
     }
 
-    // Closes the edges from a free cell to those beyond a thin wall.
+    // Closes the edges from a free cell to cells beyond a thin wall.
     void addNextToWall(Cell c, std::vector<NarrowCell>& found) const {
         const float here = clearance_[grid_.index(c)];
         std::uint8_t open = kAllOpen;
@@ -150,7 +152,7 @@ private:
         return !environment_.clearStaticLine(pointOf(a, nodeA), pointOf(b, nodeB), 0.0);
     }
 
-    // Where one stands in a neighbour of a narrow cell, if it is one or is free.
+    // The point where a body stands in a neighbour of a narrow cell, if that is narrow or free.
     std::optional<Vec2> pointNextTo(Cell c) const {
         if (const std::optional<Vec2> point = pointOf(c)) return point;
         const GroundNode node = nodes_.find(c);
@@ -179,7 +181,7 @@ private:
     NarrowCell narrowCell(Cell c, Vec2 point) const {
         const Vec2 offset = (point - grid_.centre(c)) * (1.0 / grid_.cell);
         NarrowCell cell{grid_.index(c), static_cast<float>(offset.x), static_cast<float>(offset.y), 0};
-        if (cell.x == 0.0f && cell.y == 0.0f) cell.x = kOffset;
+        if (cell.x == 0.0f && cell.y == 0.0f) cell.x = kCentreOffset;
         for (std::size_t k = 0; k < std::size(kNarrowSteps); ++k) {
             const Cell other{c.x + kNarrowSteps[k].x, c.y + kNarrowSteps[k].y};
             if (!grid_.contains(other)) continue;

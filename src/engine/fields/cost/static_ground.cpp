@@ -7,13 +7,13 @@
 namespace muster {
 namespace {
 
-constexpr double kHalfDiagonal = 0.70710678118654752;  // Of a cell of edge 1.
-constexpr float kFarAway = 1e6f;                       // More cells than any distance on a grid.
-// With more changed areas than this all counts as changed, whether or not they are known.
+constexpr double kHalfDiagonal = 0.70710678118654752;  // Half of the diagonal of a cell of edge 1.
+constexpr float kFarAway = 1e6f;                       // A distance beyond all others on a grid [cells].
+// Number of changed areas above which the whole ground counts as changed.
 constexpr std::size_t kMaxAreas = 64;
-// Gaps narrower than a diameter by less than twice this are open [m].
-constexpr double kContactTolerance = 1e-7;
-constexpr std::size_t kMaxChanges = 256;  // That are remembered.
+// Half of the width by which a gap may be narrower than a diameter and still be open [m].
+constexpr double kGapTolerance = 1e-7;
+constexpr std::size_t kMaxChanges = 256;  // Number of changes that are remembered.
 
 }  // namespace
 
@@ -41,7 +41,7 @@ void StaticGround::update(const Environment& environment, double openCost, doubl
     noteChanges(!local || lowest != lowest_);
     if (!local) {
         distant_.reset(grid_);
-        gaps_.reset(environment, 2.0 * (radius - kContactTolerance));
+        gaps_.reset(environment, 2.0 * (radius - kGapTolerance));
         narrow_.reset(radius);
         resetCoarse();
     }
@@ -81,8 +81,8 @@ bool StaticGround::changesSince(std::uint32_t version, std::vector<CellRect>& ar
     return true;
 }
 
-// The unit cost, its lowest value, and the distance to the nearest cell with a neighbour of another unit
-// cost.
+// Computes the unit cost, its lowest value, and the distance to the nearest cell with a neighbour of another
+// unit cost.
 void StaticGround::updatePatches() {
     const std::int32_t count = grid_.count();
     unit_.clear();

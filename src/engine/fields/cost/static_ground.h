@@ -1,4 +1,4 @@
-// The static ground: obstacles and patches that stand still, prepared for many queries about paths.
+// The static ground: static obstacles and patches, prepared for many queries about paths.
 #pragma once
 
 #include <cstdint>
@@ -26,13 +26,13 @@ public:
     /// not on that of the ground. Between an edit and this call nothing else may be called.
     void update(const Environment& environment, double openCost, double radius);
 
-    /// Grows by one with every change.
+    /// Version of the ground; grows by one with every change.
     std::uint32_t version() const { return version_; }
     /// Appends to `areas` the ground cells that have changed since version() was `version`; false where all
-    /// may have.
+    /// cells may have.
     bool changesSince(std::uint32_t version, std::vector<CellRect>& areas) const;
     const Grid& grid() const { return grid_; }     ///< The ground cells.
-    double radius() const { return radius_; }      ///< Of the characters [m].
+    double radius() const { return radius_; }      ///< Radius of the characters [m].
     double openCost() const { return openCost_; }  ///< Unit cost of open ground.
     /// Lower bound of the unit cost.
     float lowestUnitCost() const { return lowest_; }
@@ -47,7 +47,7 @@ public:
     bool hasCoarse() const {
         return !coarse_.cells.empty() && std::cmp_less_equal(coarse_.cells.size(), kMaxCoarseCells);
     }
-    /// True where coarse() is there, but too large for that.
+    /// True where coarse() is there, but too large for fields over all of it.
     bool hasWideCoarse() const { return std::cmp_greater(coarse_.cells.size(), kMaxCoarseCells); }
     /// A cell of coarse() whose centre is in a wall, and the neighbour from which its free side is reached.
     struct PartiallyBlockedCell {
@@ -55,10 +55,10 @@ public:
         Cell neighbour;  ///< The neighbour.
         float cost;      ///< Cost from the neighbour to the cell.
     };
-    /// All such cells. Cost fields on coarse() have no values for them, or only those of paths from the other
-    /// side, though characters can stand there.
+    /// All such cells. Cost fields on coarse() have no values for them, or only values of paths from the
+    /// other side, though characters can stand there.
     std::span<const PartiallyBlockedCell> partiallyBlockedCells() const { return partiallyBlocked_; }
-    /// Those in the rows from `first` to `last` of coarse().
+    /// Partially blocked cells in the rows from `first` to `last` of coarse().
     std::span<const PartiallyBlockedCell> partiallyBlockedCellsIn(std::int32_t first,
                                                                   std::int32_t last) const;
     /// True where the unit cost is the same everywhere.
@@ -74,7 +74,7 @@ public:
     /// Lower bound of the distance from the centre of a cell to the nearest wall or ground of another unit
     /// cost, less the radius for walls [m]; beyond the environment's limit too.
     float uniformClearanceOf(Cell c) const { return uniformClearanceOf(c, grid_.index(c)); }
-    /// The same where the index of the cell is known.
+    /// Lower bound of the uniform clearance where the index of the cell is known.
     float uniformClearanceOf(Cell c, std::int32_t cell) const {
         const float walls = extendedClearance(c, cell);
         return uniform() || walls < toOtherGround_[cell] ? walls : toOtherGround_[cell];
@@ -85,7 +85,7 @@ public:
         const Vec2 at = inCells(p);
         return holds(at) ? static_cast<double>(uniformClearanceOf(cellAt(at))) - halfDiagonal_ : -1.0;
     }
-    /// The same, interpolated between cells: more precise, but no bound.
+    /// The uniform clearance interpolated between cells: more precise, but no bound.
     double interpolatedClearance(Vec2 p) const;
     /// Unit cost at `p`, walls ignored.
     float unitCost(Vec2 p) const {
@@ -104,9 +104,9 @@ public:
     /// The cells of ways too narrow for the raster to show.
     const NarrowWays& narrowWays() const { return narrow_; }
     /// True where the straight line from `a` to `b` is free, but for rounding, and no other path is cheaper.
-    /// May be false on slow ground where that is so. Never true through a gap that is too narrow.
+    /// May be false for such a line on slow ground. Never true through a gap that is too narrow.
     bool lineOfSight(Vec2 a, Vec2 b) const { return lineOfSight(a, b, distance(a, b)); }
-    /// The same where the distance [m] is known.
+    /// Tests the line of sight where the distance [m] is known.
     bool lineOfSight(Vec2 a, Vec2 b, double length) const;
     /// True where no wall is between `a` and `b`, whatever the unit cost.
     bool collisionFree(Vec2 a, Vec2 b) const;
@@ -125,7 +125,7 @@ private:
     static Cell cellAt(Vec2 inCells) {
         return {static_cast<std::int32_t>(inCells.x), static_cast<std::int32_t>(inCells.y)};
     }
-    // Clearance less the radius, also beyond the environment's limit.
+    // Clearance less the radius, continued beyond the environment's limit.
     float extendedClearance(Cell c, std::int32_t cell) const {
         const float raw = clearance_[cell] - floatRadius_;
         return raw < capped_ ? raw : raw + distant_.beyond(c);
@@ -141,7 +141,7 @@ private:
     void resetCoarse();
     void updateCoarse(const CellRect& area);
     void updateCoarseEdges(const CellRect& cells, std::int32_t ratio);
-    // For segments of at most a metre.
+    // Tests a segment of at most a metre for a closed gap.
     bool crossesGap(Vec2 a, Vec2 b) const { return !gaps_.empty() && gaps_.crossed(a, b, 0.5 * (a + b)); }
     int coarseState(Cell middle, std::int32_t ratio) const;
     float coarseEdge(Cell from, Cell step, std::int32_t ratio) const;
@@ -149,8 +149,8 @@ private:
     void findPartiallyBlocked(const CellRect& cells, std::int32_t ratio);
 
     Grid grid_;
-    double radius_ = -1.0;       // [m]
-    float floatRadius_ = -1.0f;  // [m]
+    double radius_ = -1.0;       // Radius of the characters [m].
+    float floatRadius_ = -1.0f;  // Radius of the characters [m].
     double openCost_ = -1.0;     // Unit cost of open ground.
     // The environment's instance and versions that this was computed from.
     std::uint64_t instance_ = 0;
@@ -159,11 +159,11 @@ private:
     std::uint32_t version_ = 0;
     bool open_ = true;
     double perCell_ = 1.0;              // Cells per metre [1/m].
-    double halfDiagonal_ = 0.0;         // From the centre of a cell to its corner [m].
-    float capped_ = 0.0f;               // Clearances from here on are at the environment's limit [m].
+    double halfDiagonal_ = 0.0;         // Distance from the centre of a cell to its corner [m].
+    float capped_ = 0.0f;               // Clearance from which on values are at the environment's limit [m].
     float lowest_ = 1.0f;               // Lowest unit cost.
-    std::span<const float> clearance_;  // The environment's.
-    RasterView patchSpeed_{nullptr};    // The environment's.
+    std::span<const float> clearance_;  // The clearance of the environment.
+    RasterView patchSpeed_{nullptr};    // The speeds of the environment's patches.
     DistantClearance distant_;
     GapIndex gaps_;
     NarrowWays narrow_;
@@ -171,7 +171,8 @@ private:
     std::vector<float> unit_;           // Unit cost, in walls too.
     std::vector<float> toOtherGround_;  // Lower bound of the distance to ground of another unit cost [m].
     UnitCost coarse_;
-    std::vector<PartiallyBlockedCell> partiallyBlocked_;  // In the order of their cells.
+    // Partially blocked cells, in the order of their cells.
+    std::vector<PartiallyBlockedCell> partiallyBlocked_;
     /// Ground cells that changed with a version.
     struct Change {
         std::uint32_t version = 0;
@@ -179,7 +180,7 @@ private:
     };
     std::vector<Change> changes_;
     std::uint32_t changesFrom_ = 0;  // The version from which `changes_` lead to the present one.
-    std::vector<CellRect> areas_;    // Of the present update.
+    std::vector<CellRect> areas_;    // Changed areas of the present update.
 };
 
 }  // namespace muster

@@ -6,8 +6,8 @@
 
 namespace muster {
 
-// What the clearance of one ground cell tells of all within a coarse cell's edge of it: 1 where they are
-// free, -1 where they are blocked, 0 where it does not tell.
+// The state of all cells within a coarse cell's edge of a ground cell, from its clearance: 1 where they are
+// free, -1 where they are blocked, 0 where it is unknown.
 int StaticGround::coarseState(Cell middle, std::int32_t ratio) const {
     if (!grid_.contains(middle)) return 0;
     const float here = clearance(grid_.index(middle));
@@ -155,8 +155,8 @@ void StaticGround::updateCoarseEdges(const CellRect& cells, std::int32_t ratio) 
         }
 }
 
-// Updates what depends on the ground cells in `area`. An edge reads the ground of its two cells, a partially
-// blocked cell that of its neighbours too.
+// Updates the coarse cells that depend on the ground cells in `area`. An edge reads the ground of its two
+// cells, a partially blocked cell that of its neighbours too.
 void StaticGround::updateCoarse(const CellRect& area) {
     coarse_.lowest = lowest_;
     if (coarse_.cells.empty() || area.empty()) return;

@@ -8,19 +8,19 @@
 namespace muster {
 namespace {
 
-// Lines of sight may enter walls by this much, because of rounding [m].
-constexpr double kPenetration = 0.02;
+// Depth to which a line of sight may enter walls, because of rounding [m].
+constexpr double kSightPenetration = 0.02;
 // Least step of sphere tracing [m].
 constexpr double kLeastStep = 0.12;
-// Clearances below this are interpolated, which is slower but more precise [m].
-constexpr double kInterpolated = 0.75;
-static_assert(kInterpolated + kLeastStep < GapIndex::kReach);
+// Clearance below which values are interpolated, which is slower but more precise [m].
+constexpr double kInterpolatedClearance = 0.75;
+static_assert(kInterpolatedClearance + kLeastStep < GapIndex::kReach);
 
 }  // namespace
 
-// What the squares of four neighbouring cells are like, prepared for many readings.
+// Bounds and steps of the squares of four neighbouring cells, prepared for many readings.
 struct StaticGround::Squares {
-    Vec2 most;  // As bilinearPoint() takes them.
+    Vec2 most;  // Bounds as bilinearPoint() takes them.
     Cell last;
     std::int32_t right, up;  // Steps to the next column and row; 0 where there is none.
 
@@ -75,8 +75,8 @@ bool StaticGround::collisionFree(Vec2 a, Vec2 b) const {
 // Sphere tracing (Hart 1996): steps along the line as far as the clearance at each point reaches.
 template <class Clearance>
 bool StaticGround::traceSpheres(Vec2 a, Vec2 b, double length, const Clearance& clearance) const {
-    // No wall fits between two points so near to each other. They may stand in a door so narrow that no cell
-    // of it is free.
+    // No wall fits between two points that are so near to each other. They may stand in a door so narrow that
+    // none of its cells is free.
     if (length <= radius_) return gaps_.empty() || !grid_.box().contains(a) || !gaps_.crossed(a, b, a);
     const Vec2 from = inCells(a), to = inCells(b);
     const auto lowerBound = [&](Vec2 at) {
@@ -87,19 +87,20 @@ bool StaticGround::traceSpheres(Vec2 a, Vec2 b, double length, const Clearance& 
     // The disc round the end needs no steps.
     const double last = length - std::max(lowerBound(to), 0.0);
     double free = lowerBound(from);
-    if (free >= kInterpolated && free >= last) return true;
+    if (free >= kInterpolatedClearance && free >= last) return true;
     const Vec2 direction = (b - a) / length;
     const Squares squares(grid_);
     for (double at = 0.0; at < last;) {
         const Vec2 p = inCells(a + direction * at);
         free = lowerBound(p);
-        if (free < kInterpolated) {
+        if (free < kInterpolatedClearance) {
             if (!holds(p)) return false;
             free = interpolate(squares, p, clearance);
-            // A step leads at most kInterpolated onward, and no gap is nearer to where a larger one begins.
+            // A step leads at most kInterpolatedClearance onward, and no gap is nearer to where a larger one
+            // begins.
             if (!gaps_.empty() && gaps_.crossed(a, b, a + direction * at)) return false;
         }
-        if (free < -kPenetration) return false;
+        if (free < -kSightPenetration) return false;
         at += std::max(free, kLeastStep);
     }
     return true;

@@ -12,16 +12,16 @@
 
 namespace muster {
 
-/// Cost of what cannot be reached or entered.
+/// Cost of a point or cell that cannot be reached or entered.
 inline constexpr float kUnreachableCost = std::numeric_limits<float>::infinity();
 
 /// Unit cost of leaving a cell in each of the four directions [cost per metre]; infinite in walls and towards
 /// walls.
 struct CellCost {
-    float east = 1.0f;   ///< Towards the next column.
-    float north = 1.0f;  ///< Towards the next row.
-    float west = 1.0f;   ///< Towards the previous column.
-    float south = 1.0f;  ///< Towards the previous row.
+    float east = 1.0f;   ///< Cost towards the next column.
+    float north = 1.0f;  ///< Cost towards the next row.
+    float west = 1.0f;   ///< Cost towards the previous column.
+    float south = 1.0f;  ///< Cost towards the previous row.
 
     /// Lets an archive read or write the cost.
     template <class Archive>
@@ -35,8 +35,8 @@ struct CellCost {
 /// and round corners have their true length.
 struct WallNode {
     std::int32_t cell = 0;  ///< Row-major index of the cell.
-    float x = 0.0f;         ///< The point, from the cell's centre [cells].
-    float y = 0.0f;         ///< The point, from the cell's centre [cells].
+    float x = 0.0f;         ///< Point along x, from the cell's centre [cells].
+    float y = 0.0f;         ///< Point along y, from the cell's centre [cells].
     float normalX = 0.0f;   ///< Unit vector away from the wall; null where the point is the cell's centre.
     float normalY = 0.0f;   ///< Unit vector away from the wall; null where the point is the cell's centre.
     float unit = 0.0f;      ///< Unit cost, the same in all directions; 0 where directions differ.
@@ -55,7 +55,7 @@ struct WallNode {
 struct UnitCost {
     Grid grid;                    ///< The cells.
     double radius = 0.25;         ///< Radius of the characters [m].
-    std::vector<CellCost> cells;  ///< One per cell, row-major.
+    std::vector<CellCost> cells;  ///< Costs per cell, row-major.
     std::vector<WallNode> nodes;  ///< Wall nodes in ascending order of their cells; may be empty.
     /// Lower bound of the cost of a true metre. Edges to wall nodes may hold less, since they are shorter
     /// than a cell.

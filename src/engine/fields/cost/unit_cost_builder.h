@@ -13,21 +13,21 @@
 
 namespace muster {
 
-/// Builds unit costs. It keeps what did not change since its last call as a cache: the result is the same,
-/// bit for bit, as that of a new builder. The time of a call grows with what crowd, discomfort and ground
-/// changed, not with the size of the ground.
+/// Builds unit costs. It keeps values that did not change since its last call as a cache: the result is the
+/// same, bit for bit, as that of a new builder. The time of a call grows with the changes of crowd,
+/// discomfort and ground, not with the size of the ground.
 class UnitCostBuilder {
 public:
     /// Brings cost() up to date for characters of `radius` [m] in this environment and crowd.
     void update(const Parameters& parameters, const Environment& environment, const DensityField& density,
                 double radius);
-    /// The same, copied to `cost`.
+    /// Updates and copies the unit cost to `cost`.
     void build(const Parameters& parameters, const Environment& environment, const DensityField& density,
                double radius, UnitCost& cost);
 
     /// The unit cost of the last call.
     const UnitCost& cost() const { return cost_; }
-    /// The ground cost: the same without crowd and discomfort. Differs from cost() in dynamicCells() only.
+    /// The ground cost, without crowd and discomfort. Differs from cost() in dynamicCells() only.
     const std::vector<CellCost>& groundCost() const { return ground_; }
     /// The cells whose ground cost the last call computed again, ascending.
     std::span<const std::int32_t> groundChanges() const { return changes_; }
@@ -64,8 +64,8 @@ private:
     UnitCost cost_;
     // The ground cost and the rasters it was computed from.
     std::vector<CellCost> ground_;
-    std::vector<float> clearance_;    // [m]
-    std::vector<float> travelSpeed_;  // Relative to running.
+    std::vector<float> clearance_;    // Clearance of the ground cells [m].
+    std::vector<float> travelSpeed_;  // Travel speed relative to running.
     std::vector<float> unit_;         // Cost of a true metre per cell; infinite in walls.
     std::int32_t lowestCount_ = 0;    // Number of cells with the lowest unit cost.
     double openCost_ = -1.0;          // Unit cost of open ground, alpha + beta.
@@ -77,12 +77,12 @@ private:
     std::vector<std::uint8_t> changed_;  // Per cell: 1 while it is in changes_.
     std::vector<WallNode> newNodes_;
     std::vector<WallNode> mergedNodes_;
-    // Where the last call departed from the ground cost.
+    // Cells in which the last call departed from the ground cost.
     std::vector<std::int32_t> dynamicCells_;
     std::vector<ClearedNode> clearedNodes_;
     std::vector<float> discomfort_;
     std::vector<std::int32_t> discomfortCells_;  // Ground cells with discomfort.
-    CellSet crowdCells_;                         // Density cells on whose ground the crowd can slow somebody.
+    CellSet crowdCells_;  // Density cells on whose ground the crowd can slow a character.
 };
 
 }  // namespace muster

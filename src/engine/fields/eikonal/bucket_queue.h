@@ -120,7 +120,7 @@ private:
     std::vector<std::vector<FrontCell>> buckets_;
     std::uint64_t used_[kRing / 64] = {};  // One bit per bucket of the ring: whether it holds cells.
     std::vector<Overflow> overflow_;       // Cells beyond the ring.
-    float inverseWidth_ = 1.0f;            // [buckets per key]
+    float inverseWidth_ = 1.0f;            // Inverse width of a bucket [buckets per key].
     std::int32_t current_ = 0;
     std::int32_t lowestOverflow_ = kLargest;  // Lowest bucket number in overflow_.
 };

@@ -10,11 +10,11 @@
 
 namespace muster {
 
-/// What a field says at a point.
+/// The cost and direction of a field at a point.
 struct FieldWay {
-    double cost = 0.0;      ///< Of the cheapest path from there.
+    double cost = 0.0;      ///< Cost of the cheapest path from the point.
     Vec2 direction;         ///< Unit vector along it; null where there is none.
-    bool straight = false;  ///< It is known to be a straight line up to a source.
+    bool straight = false;  ///< True if the path is known to be a straight line up to a source.
 };
 
 /// The result of EikonalSolver::solve(), stored for the bounding rectangle of the cells that were reached.
@@ -27,7 +27,7 @@ public:
     /// Where none of the four cells around `p` is reached, it points to a reached cell near by; null where
     /// there is none.
     Vec2 direction(Vec2 p) const;
-    /// Both at once.
+    /// Cost and direction at `p` at once.
     FieldWay way(Vec2 p) const;
     /// Value of a cell; infinite where not reached.
     float value(Cell cell) const;
@@ -48,7 +48,7 @@ public:
     const Grid& grid() const { return grid_; }
     /// Number of cells with a finite value.
     std::int32_t acceptedCount() const { return acceptedCount_; }
-    /// Allocates for so many cells and pseudo-sources, so that solves need not.
+    /// Allocates for `cells` cells and `pseudoSources` pseudo-sources, so that solves need not.
     void reserve(std::size_t cells, std::size_t pseudoSources) {
         values_.reserve(cells);
         sourceOf_.reserve(cells);
@@ -93,10 +93,10 @@ private:
     }
 
     static constexpr unsigned kAllCorners = 15;
-    /// Where one stands in a cell beside a wall.
+    /// The point where a body stands in a cell beside a wall.
     struct CutNode {
-        std::int32_t cell = 0;     // Of the grid.
-        float x = 0.0f, y = 0.0f;  // From its centre [cells].
+        std::int32_t cell = 0;     // Index of the cell in the grid.
+        float x = 0.0f, y = 0.0f;  // Distance from its centre [cells].
     };
 
     Grid grid_;
@@ -106,15 +106,15 @@ private:
     std::int32_t width_ = 0;
     std::int32_t height_ = 0;
     std::int32_t acceptedCount_ = 0;
-    double uniformRadius_ = 0.0;           // Within it all ground costs what the source's cell does [m].
-    CellCost sourceCost_;                  // Unit cost of the source's cell.
-    std::vector<float> values_;            // Per stored cell.
+    double uniformRadius_ = 0.0;  // Radius within which all ground costs the same as the source's cell [m].
+    CellCost sourceCost_;         // Unit cost of the source's cell.
+    std::vector<float> values_;   // Values per stored cell.
     std::vector<std::uint16_t> sourceOf_;  // Per stored cell: index of its pseudo-source, 0 for none.
-    std::vector<PseudoSource> sources_;    // Index 0 is none.
+    std::vector<PseudoSource> sources_;    // Pseudo-sources by index; index 0 is none.
     // Per stored cell: whether a wall parts it from the next one. Empty where none does, and in fields that
     // have one source.
     std::vector<std::uint8_t> cuts_;
-    std::vector<CutNode> cutNodes_;  // Ascending; empty with cuts_.
+    std::vector<CutNode> cutNodes_;  // Nodes in ascending order of cells; empty with cuts_.
 };
 
 /// Traces the path from `from` to the field's source in steps of `step` [m], > 0, and writes its points, both

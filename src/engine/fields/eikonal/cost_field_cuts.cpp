@@ -6,13 +6,14 @@
 namespace muster {
 namespace {
 
-constexpr std::uint8_t kCutEast = 1, kCutNorth = 2;  // Bits of cuts_.
+// Bits of cuts_: a wall towards the next column, towards the next row.
+constexpr std::uint8_t kCutEast = 1, kCutNorth = 2;
 // The pairs of neighbours among the corners of a square.
 constexpr int kSquareEdges[4][2] = {{0, 1}, {2, 3}, {0, 2}, {1, 3}};
 
 }  // namespace
 
-// Notes the walls that part two neighbouring cells of which both are reached.
+// Notes the walls that part two neighbouring cells which are both reached.
 void CostField::findCuts(const UnitCost& cost) {
     cuts_.clear();
     cutNodes_.clear();
@@ -39,7 +40,7 @@ void CostField::findCuts(const UnitCost& cost) {
         if (node.x != 0.0f || node.y != 0.0f) cutNodes_.push_back({node.cell, node.x, node.y});
 }
 
-// Where one stands in a cell [m].
+// The point where a body stands in a cell [m].
 Vec2 CostField::nodeOf(Cell c) const {
     const std::int32_t cell = grid_.index(c);
     const auto node = std::lower_bound(cutNodes_.begin(), cutNodes_.end(), cell,
@@ -50,7 +51,7 @@ Vec2 CostField::nodeOf(Cell c) const {
 }
 
 // The corners of the square of centres above and right of `low` that lie on the same side of all walls as
-// `p`, a bit for each. Bodies keep so far from walls that the nearest cell is on their side.
+// `p`, a bit for each. Bodies keep far enough from walls that the nearest cell is on their side.
 unsigned CostField::sameSide(Cell low, Vec2 p) const {
     if (cuts_.empty()) return kAllCorners;
     bool cut[4] = {};

@@ -9,11 +9,11 @@
 namespace muster {
 namespace {
 
-// Nearer to a pseudo-source than this the gradient leads round it [cells, squared].
-constexpr double kNearSource = 0.1;
-// A slope that is less than this share of the slope at right angles counts as zero.
-constexpr double kFlat = 0.05;
-// Reached cells are searched within this many cells of a point.
+// Squared distance to a pseudo-source below which the gradient leads round it [cells^2].
+constexpr double kNearSourceSquared = 0.1;
+// Share of the slope at right angles below which a slope counts as zero.
+constexpr double kFlatShare = 0.05;
+// Distance of a point within which reached cells are searched [cells].
 constexpr std::int32_t kSearchReach = 3;
 
 // Mean slope of the square of centres along two parallel edges, from `a` to `b` and from `c` to `d`, of which
@@ -41,7 +41,7 @@ Vec2 CostField::direction(Vec2 p) const {
     const unsigned side = sameSide(at.low, p);
     for (int k = 0; k < 4; ++k) allReached = allReached && valueOf(at.low, k, side) < kUnreachableCost;
     Vec2 towards;
-    if (allReached && exactCost(p, towards) < kUnreachableCost && lengthSquared(towards) > kNearSource)
+    if (allReached && exactCost(p, towards) < kUnreachableCost && lengthSquared(towards) > kNearSourceSquared)
         return normalized(towards);
     const Vec2 down = descent(p);
     return down == Vec2{} ? towardsReached(p) : down;
@@ -51,7 +51,8 @@ FieldWay CostField::way(Vec2 p) const {
     Vec2 towards;
     std::int32_t over = 0;
     const double exact = isFinite(p) && !values_.empty() ? exactCost(p, towards, over) : kUnreachableCost;
-    if (!(exact < kUnreachableCost) || lengthSquared(towards) <= kNearSource) return {cost(p), direction(p)};
+    if (!(exact < kUnreachableCost) || lengthSquared(towards) <= kNearSourceSquared)
+        return {cost(p), direction(p)};
     const BilinearPoint at = bilinearPoint(grid_, p);
     const unsigned side = sameSide(at.low, p);
     for (int k = 0; k < 4; ++k)
@@ -80,8 +81,8 @@ Vec2 CostField::descent(Vec2 p) const {
     const bool stoppedY = (down.y < 0.0 && !below) || (down.y > 0.0 && !above);
     // On a ridge, exactly before a wall or expensive ground where both paths round it cost the same, the
     // gradient points at the obstacle: one of the two paths is chosen.
-    const bool flatX = std::fabs(down.x) < kFlat * std::fabs(down.y);
-    const bool flatY = std::fabs(down.y) < kFlat * std::fabs(down.x);
+    const bool flatX = std::fabs(down.x) < kFlatShare * std::fabs(down.y);
+    const bool flatY = std::fabs(down.y) < kFlatShare * std::fabs(down.x);
     if (flatY && (stoppedX || risesBeyond(at.low, down.x, {1, 0})))
         down.y = std::fabs(down.x) * cheaperSide(at.low, {0, 1});
     if (flatX && (stoppedY || risesBeyond(at.low, down.y, {0, 1})))
@@ -121,7 +122,7 @@ double CostField::cheaperSide(Cell low, Cell axis) const {
     return ahead <= behind ? 1.0 : -1.0;
 }
 
-// Direction to a reached cell near by: the nearer the better, of equally near ones the cheaper.
+// Direction to a reached cell near by: the nearer the better, of equally near cells the cheaper one.
 Vec2 CostField::towardsReached(Vec2 p) const {
     const Cell middle = grid_.nearestCell(p);
     double best = std::numeric_limits<double>::infinity();

@@ -7,8 +7,8 @@
 namespace muster {
 namespace {
 
-// Nearer to a pseudo-source than this its parent is visible too [cells, squared].
-constexpr double kAtSource = 1.0;
+// Squared distance to a pseudo-source below which its parent is visible too [cells^2].
+constexpr double kAtSourceSquared = 1.0;
 
 // True where the path from the pseudo-source `parent` to a point bends at `corner`: the point lies beyond the
 // corner on the side of its wall.
@@ -41,8 +41,8 @@ CostField::SourceSet CostField::pseudoSourcesAround(Vec2 p) const {
     return sources;
 }
 
-// Of the pseudo-sources on the path from `first` to `last`, the first from which the path to a point does not
-// bend at the next one.
+// The first pseudo-source on the path from `first` to `last` from which the path to a point does not bend at
+// the next one.
 std::int32_t CostField::visibleSource(std::int32_t first, std::int32_t last, Vec2 at) const {
     std::int32_t visible = last;
     for (std::int32_t corner = last; corner != first; corner = sources_[corner].parent) {
@@ -76,7 +76,7 @@ double CostField::exactCost(Vec2 p, Vec2& towards, std::int32_t& over) const {
         if (isAncestor[k]) continue;
         const std::int32_t last = around.index[k];
         const PseudoSource& own = sources_[last];
-        const bool atSource = lengthSquared(at - Vec2{own.x, own.y}) < kAtSource;
+        const bool atSource = lengthSquared(at - Vec2{own.x, own.y}) < kAtSourceSquared;
         if (first[k] == last && own.parent > 0 && atSource) first[k] = own.parent;
         const std::int32_t visible = visibleSource(first[k], last, at);
         const PseudoSource& source = sources_[visible];

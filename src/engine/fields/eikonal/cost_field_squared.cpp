@@ -7,8 +7,8 @@
 namespace muster {
 namespace {
 
-// Interpolates between those corners of a unit square (lower left, lower right, upper left, upper right) that
-// are known. Where one is missing it lies on the plane through the others.
+// Interpolates between the known corners of a unit square (lower left, lower right, upper left, upper right).
+// A missing corner lies on the plane through the others.
 double interpolateKnown(const double* v, const bool* known, double fx, double fy) {
     double w[4] = {(1 - fx) * (1 - fy), fx * (1 - fy), (1 - fx) * fy, fx * fy};
     const int count = known[0] + known[1] + known[2] + known[3];
@@ -53,7 +53,7 @@ double CostField::squaredCost(Vec2 p) const {
                                at.fy);
 }
 
-// The same where not all four cells may be reached; `low` is the lower left one.
+// The squared cost where not all four cells may be reached; `low` is the lower left one.
 double CostField::squaredCostOfReached(Cell low, double fx, double fy) const {
     double v[4];
     bool known[4];

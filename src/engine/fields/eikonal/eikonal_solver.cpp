@@ -117,7 +117,7 @@ void EikonalSolver::solve(const UnitCost& cost, std::span<const FieldSeed> seeds
     Impl& work = *impl_;
     const Grid& grid = cost.grid;
     field.grid_ = grid;
-    // No single point is the source: none counts as near.
+    // No single point is the source, so that no point counts as near it.
     field.source_ = grid.origin - Vec2{grid.box().width(), grid.box().height()};
     field.uniformRadius_ = 0.0;
     work.front.resize(grid);
@@ -135,7 +135,7 @@ void EikonalSolver::solve(const UnitCost& cost, std::span<const FieldSeed> seeds
     field.findCuts(cost);
 }
 
-// Copies what was reached to the field.
+// Copies the reached cells to the field.
 void EikonalSolver::Impl::finish(const UnitCost& cost, CostField& field) {
     Cell high;
     const Cell low = reachedBounds(cost.grid, high);

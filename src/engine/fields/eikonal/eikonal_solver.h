@@ -20,22 +20,22 @@ struct EikonalDef {
 
 /// A cell from which a field begins.
 struct FieldSeed {
-    /// What the field does there.
+    /// Behaviour of the field at the cell.
     enum class Kind : std::uint8_t {
         Fixed,   ///< The cell keeps its cost.
-        Source,  ///< Who sees the cell goes straight to it.
+        Source,  ///< Every point that sees the cell goes straight to it.
         Front,   ///< The front goes on from it along the gradient of its neighbours' costs.
     };
-    Cell cell;                 ///< Which; none of a wall.
-    double cost = 0.0;         ///< Of the way from there on, >= 0.
-    Kind kind = Kind::Source;  ///< How.
+    Cell cell;                 ///< Index of the cell; no seed in a wall.
+    double cost = 0.0;         ///< Cost of the path from the cell on, >= 0.
+    Kind kind = Kind::Source;  ///< Kind of the seed.
 };
 
 /// Computes cost fields. Owns the working memory: use one per thread. Repeated solves do not allocate once
 /// warm.
 class EikonalSolver {
 public:
-    explicit EikonalSolver(const EikonalDef& def = {});  ///< The parameters hold for its life.
+    explicit EikonalSolver(const EikonalDef& def = {});  ///< A solver with these parameters for its life.
     ~EikonalSolver();
     EikonalSolver(EikonalSolver&&) noexcept;
     EikonalSolver& operator=(EikonalSolver&&) noexcept;

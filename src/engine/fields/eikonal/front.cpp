@@ -5,13 +5,13 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kReservedSources = 1024;  // Pseudo-sources with memory from the start.
+constexpr std::size_t kReservedSources = 1024;  // Number of pseudo-sources with memory from the start.
 
 // Width of a bucket in units of the lowest unit cost. Cells of one bucket are visited in order of arrival,
 // and again where that order was wrong: a smaller width saves visits, a larger one saves empty buckets.
 constexpr float kBucketWidth = 0.125f;
-// Second-order differences need evenly spaced values: they are used where the costs of two steps differ
-// relatively by less.
+// Relative difference between the costs of two steps up to which second-order differences are used: they need
+// evenly spaced values.
 constexpr float kMaxStepDifference = 0.2f;
 
 // The upwind solution t of ((t - a) / ca)^2 + ((t - b) / cb)^2 = 1 for the values a and b of two neighbours
@@ -106,7 +106,7 @@ inline float Front::towards(const CellCost& c) {
 }
 
 // Updates the neighbour from which `from` lies on side kSide with the new value of `from`. Only solutions
-// through `from` are considered: those through the opposite neighbour were when that one was accepted.
+// through `from` are considered: solutions through the opposite neighbour were, when that was accepted.
 template <Front::Side kSide>
 inline void Front::relax(FrontCell from, const FrontNode* here, const CellCost* fromCost) {
     constexpr bool kAlong = kSide == Side::East || kSide == Side::West;

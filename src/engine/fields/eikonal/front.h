@@ -13,7 +13,7 @@
 namespace muster {
 
 /// Error that a value from upwind differences may have against one from a pseudo-source [cells]: where both
-/// meet, the former wins only if it is lower by more than this, and gives way if it is lower by less.
+/// meet, the former wins only if it is lower by more than this error, and gives way if it is lower by less.
 inline constexpr float kDifferenceError = 0.1f;
 /// In place of a pseudo-source: the value was given and stays.
 inline constexpr std::int32_t kFixedValue = -1;
@@ -25,7 +25,7 @@ inline constexpr std::int32_t kFromCheaperGround = -2;
 struct FrontNode {
     float accepted = kUnreachableCost;   ///< The value that neighbours have been updated from.
     float tentative = kUnreachableCost;  ///< The lowest value found so far.
-    /// Where the value comes from: index of a pseudo-source, > 0; 0 for upwind differences; kFixedValue or
+    /// Origin of the value: index of a pseudo-source, > 0; 0 for upwind differences; kFixedValue or
     /// kFromCheaperGround.
     std::int32_t source = 0;
     /// Index of the pseudo-source last found to be occluded from this cell by a wall; 0 for none.
@@ -48,14 +48,15 @@ public:
     bool fillVisible(Cell home, std::int32_t source, float limit);
     /// Gives a cell a value that the march may still lower. `source` is as in FrontNode.
     void seed(Cell cell, float value, std::int32_t source);
-    /// Gives a cell a value, and makes it a pseudo-source of that cost: who sees it goes straight to it.
+    /// Gives a cell a value, and makes it a pseudo-source of that cost: every point that sees it goes
+    /// straight to it.
     void seedSource(Cell cell, float value);
-    /// What lies between a cell and a pseudo-source; `value` becomes the cost of the straight path where that
-    /// is clear.
+    /// The obstruction between a cell and a pseudo-source; `value` becomes the cost of the straight path
+    /// where that is clear.
     Visibility visibility(Cell cell, std::int32_t source, float& value) const;
     /// Empties one bucket of the queue; false where nothing is left. level() is its lowest value then.
     bool step();
-    /// All values below it are final.
+    /// Level below which all values are final.
     float level() const { return static_cast<float>(queue_.current() - 1) * bucketWidth_; }
     /// Value at the centre of a cell with a wall node, whose own value is that of the wall node.
     float centreValue(const WallNode& wallNode) const;
@@ -73,7 +74,7 @@ public:
     std::int32_t node(std::int32_t x, std::int32_t y) const { return (y + 2) * stride_ + x + 1; }
     /// Both indices of a cell.
     FrontCell at(Cell c) const { return {grid_.index(c), node(c.x, c.y)}; }
-    /// Ends the solve and resets what it wrote. Accepted values lie between `low` and `high` only.
+    /// Ends the solve and resets the written cells. Accepted values lie between `low` and `high` only.
     void end(Cell low, Cell high);
 
 private:
@@ -82,7 +83,7 @@ private:
     // The cheapest corners to go round an occluder by, in ascending order of cost.
     struct Corners {
         static constexpr int kMax = 3;
-        float cost[kMax];         // Of the path over the corner.
+        float cost[kMax];         // Cost of the path over the corner.
         std::int32_t cell[kMax];  // Cell of the corner's wall node.
         int count = 0;
 
@@ -91,7 +92,7 @@ private:
 
     // A row of fillVisible(), in columns from the source's.
     struct RowSpan {
-        std::int32_t width;    // As far as the grid goes.
+        std::int32_t width;    // Number of columns up to the edge of the grid.
         std::int32_t visible;  // Last visible column of the row before.
     };
 
@@ -135,12 +136,12 @@ private:
     }
 
     Grid grid_;
-    std::int32_t stride_ = 0;  // From row to row of nodes_.
+    std::int32_t stride_ = 0;  // Step from row to row of nodes_.
     const CellCost* cells_ = nullptr;
     float maxStepDifference_ = 0.0f;  // See kMaxStepDifference.
     float bucketWidth_ = 1.0f;        // Range of values in one bucket.
-    float tolerance_ = 0.0f;          // Smaller improvements are not worth a visit.
-    std::vector<FrontNode> nodes_;    // Padded.
+    float tolerance_ = 0.0f;          // Improvement below which a visit is not worth it.
+    std::vector<FrontNode> nodes_;    // Nodes of all cells, padded.
     BucketQueue queue_;
     LineOfSight lineOfSight_;
     std::vector<PseudoSource> sources_;

@@ -10,18 +10,19 @@
 namespace muster {
 namespace {
 
-// A line of sight this near to a row or column of cells leaves a cell through one neighbour only [slope].
-constexpr float kAlongAxis = 1e-3f;
-// Arcs that come nearer than this to the corner of their tangents count as sharp corners [cells].
-constexpr float kSharp = 0.01f;
-// Pseudo-sources this near to each other lie at one corner [cells, Manhattan distance].
+// Slope up to which a line of sight counts as along a row or column, and leaves a cell through one neighbour
+// only.
+constexpr float kAxisSlope = 1e-3f;
+// Distance from the corner of its tangents below which an arc counts as a sharp corner [cells].
+constexpr float kSharpDistance = 0.01f;
+// Distance up to which two pseudo-sources lie at one corner [cells, Manhattan distance].
 constexpr float kSameCorner = 2.5f;
-// Cells at least this far from a pseudo-source may rely on what others at the same corner see [cells].
-constexpr float kFar = 6.0f;
-// Corners are searched within this distance of an occluder [cells].
+// Distance from a pseudo-source from which on a cell may rely on the lines of sight of others at the same
+// corner [cells].
+constexpr float kFarFromSource = 6.0f;
+// Distance from an occluder within which corners are searched [cells].
 constexpr std::int32_t kOccluderReach = 2;
-// Only this length of the line from a corner is traced: beyond, the line is next to one found to be clear
-// [cells].
+// Length of the line from a corner that is traced: beyond, the line is next to one found to be clear [cells].
 constexpr float kTracedLength = 6.0f;
 
 // Makes the pseudo-source in the middle of a rounded corner between two wall nodes, `from` at node `a` and
@@ -63,7 +64,7 @@ bool middleOfArc(const WallNode& a, const WallNode& b, const PseudoSource& from,
     const float s2 = sine * sine;
     const float angle = sine * (1.0f + s2 * (1.0f / 6.0f + s2 * (0.075f + s2 * 0.0446f)));
     middle.cost = from.cost + from.unit * (before - tangent + radius * angle);
-    return inward > kSharp;
+    return inward > kSharpDistance;
 }
 
 }  // namespace
@@ -79,8 +80,8 @@ inline bool Front::isCorner(std::int32_t cell) const {
            (c.north == kUnreachableCost && c.south == kUnreachableCost);
 }
 
-// True where a node is known to see a pseudo-source: its value comes from there. Far from the pseudo-source
-// its value may also come from another one at the same corner or from the parent, as it does at the border
+// True where a node is known to see a pseudo-source: its value comes from it. Far from the pseudo-source its
+// value may also come from another one at the same corner or from the parent, as it does at the border
 // between the regions that these see.
 inline bool Front::seesSource(std::int32_t node, std::int32_t source, bool far) const {
     const std::int32_t own = nodes_[node].source;
@@ -91,8 +92,9 @@ inline bool Front::seesSource(std::int32_t node, std::int32_t source, bool far) 
     return own == b.parent || std::fabs(a.x - b.x) + std::fabs(a.y - b.y) < kSameCorner;
 }
 
-// What lies between a cell and a pseudo-source. The line is clear where both cells see the pseudo-source
-// between which the line leaves the cell, and no wall at the cell occludes it. Otherwise the line is traced.
+// The obstruction between a cell and a pseudo-source. The line is clear where both cells between which the
+// line leaves the cell see the pseudo-source, and no wall at the cell occludes it. Otherwise the line is
+// traced.
 Visibility Front::findVisibility(FrontCell to, float x, float y, std::int32_t source) {
     occluder_ = -1;
     if (nodes_[to.node].occluded == source) {
@@ -114,8 +116,8 @@ Visibility Front::findVisibility(FrontCell to, float x, float y, std::int32_t so
         if (elevation < kOccludedElevation) occluder_ = to.cell;
         return Visibility::Wall;
     }
-    const bool alongAxis = std::min(ax, ay) <= kAlongAxis * std::max(ax, ay);
-    const bool far = originElevation >= 0.0f && originElevation < 1.0f && ax + ay > kFar;
+    const bool alongAxis = std::min(ax, ay) <= kAxisSlope * std::max(ax, ay);
+    const bool far = originElevation >= 0.0f && originElevation < 1.0f && ax + ay > kFarFromSource;
     const std::int32_t up = dy > 0.0f ? -grid_.width : grid_.width;
     const bool narrow = lineOfSight_.narrow(to.cell + (ax >= ay ? alongX : up)) ||
                         lineOfSight_.narrow(to.cell + alongX + up);
@@ -144,7 +146,7 @@ bool Front::relaxFromSource(FrontCell from, FrontCell to, float old) {
     const PseudoSource& origin = sources_[source];
     if (!lineOfSight_.uniform(to.cell, origin.unit)) return false;
     const FrontNode& there = nodes_[to.node];
-    // A path to or from a narrow cell bends there, and where it goes on.
+    // A path to or from a narrow cell bends there, and at the next cell.
     if (lineOfSight_.narrow(from.cell) || lineOfSight_.narrow(to.cell)) {
         relaxFromWall(from, to, old);
         return true;
@@ -174,7 +176,7 @@ bool Front::relaxFromSource(FrontCell from, FrontCell to, float old) {
     return true;
 }
 
-// Keeps the cheapest corners; of several at equal cost the first.
+// Keeps the cheapest corners; of several at equal cost the first one.
 void Front::Corners::insert(float pathCost, std::int32_t atCell) {
     int k = count;
     while (k > 0 && cost[k - 1] > pathCost) --k;

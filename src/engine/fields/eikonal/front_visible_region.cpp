@@ -68,9 +68,9 @@ void Front::fillQuadrant(Cell home, std::int32_t right, std::int32_t up, std::in
     }
 }
 
-// Fills one row of a quadrant from the axis on. A cell is visible where both cells are between which its line
-// of sight leaves it; where one of them is, the line is traced. Returns the last visible column, counted from
-// the axis; -1 for none.
+// Fills one row of a quadrant from the axis on. A cell is visible where both cells between which its line of
+// sight leaves it are; where one of them is, the line is traced. Returns the last visible column, counted
+// from the axis; -1 for none.
 std::int32_t Front::fillRow(Cell axis, Cell side, RowSpan span, std::int32_t source) {
     const PseudoSource origin = sources_[source];
     const std::int32_t right = side.x;
@@ -128,8 +128,8 @@ bool Front::fillCell(FrontCell cell, bool certain, std::int32_t source) {
     return true;
 }
 
-// Queues the visible cells from which the march goes on: those with a neighbour that is not visible, and
-// those at walls, where shortest paths may bend.
+// Queues the visible cells from which the march goes on: cells with a neighbour that is not visible, and
+// cells at walls, where shortest paths may bend.
 void Front::queueBorder(std::int32_t source) {
     for (std::int32_t y = visibleLow_.y; y <= visibleHigh_.y; ++y) {
         FrontCell cell = at({visibleLow_.x, y});

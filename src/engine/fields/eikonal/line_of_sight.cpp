@@ -5,9 +5,9 @@
 namespace muster {
 namespace {
 
-// A line may enter the forbidden zone at a wall by this much, so that polylines can follow round obstacles
+// Depth to which a line may enter the forbidden zone at a wall, so that polylines can follow round obstacles
 // [cells].
-constexpr float kPenetration = 0.05f;
+constexpr float kZonePenetration = 0.05f;
 
 }  // namespace
 
@@ -27,7 +27,7 @@ void LineOfSight::end() {
     cost_ = nullptr;
 }
 
-// What lies at one point, which is in `cell`; `nearWall` is false where the cell is open.
+// The obstruction at one point, which is in `cell`; `nearWall` is false where the cell is open.
 inline Visibility LineOfSight::sample(float px, float py, float unit, bool& nearWall,
                                       std::int32_t& cell) const {
     // A wall node of a cell at the edge may lie outside the grid, and so may the middle of an arc.
@@ -47,7 +47,7 @@ inline Visibility LineOfSight::sample(float px, float py, float unit, bool& near
     const float outX = px - static_cast<float>(column) - wallNode.x;
     const float outY = py - static_cast<float>(row) - wallNode.y;
     const float depth = outX * wallNode.normalX + outY * wallNode.normalY;
-    return depth < -kPenetration ? Visibility::Wall : Visibility::Clear;
+    return depth < -kZonePenetration ? Visibility::Wall : Visibility::Clear;
 }
 
 Visibility LineOfSight::trace(float x, float y, const PseudoSource& source, std::int32_t& stop) const {

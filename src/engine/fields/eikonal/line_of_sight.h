@@ -12,13 +12,12 @@
 
 namespace muster {
 
-/// A wall never occludes a pseudo-source whose elevation above the tangent of the wall is at least this
-/// [sine].
+/// Elevation of a pseudo-source above the tangent of a wall from which on the wall never occludes it [sine].
 inline constexpr float kVisibleElevation = -1e-3f;
-/// A wall always occludes a pseudo-source whose elevation is below this [sine].
+/// Elevation of a pseudo-source below which a wall always occludes it [sine].
 inline constexpr float kOccludedElevation = -0.35f;
 
-/// What a straight line meets.
+/// The obstruction that a straight line meets.
 enum class Visibility {
     Clear,        ///< Free and uniform ground only.
     Wall,         ///< A wall.
@@ -39,12 +38,12 @@ public:
         return hasNarrow_ && static_cast<std::size_t>(cell) < wall_.size() && wall_[cell] != 0 &&
                node(wall_[cell]).narrow();
     }
-    /// The wall node of such a number.
+    /// The wall node of a number from wall().
     const WallNode& node(std::int32_t number) const { return cost_->nodes[number - 1]; }
     /// True where a cell can be left in all directions at the cost `unit`.
     bool open(std::int32_t cell, float unit) const {
-        // Costs are positive, so that equal ones have equal bits: two comparisons of integers replace four of
-        // floats.
+        // Costs are positive, so that equal costs have equal bits: two comparisons of integers replace four
+        // of floats.
         struct Pairs {
             std::uint64_t first, second;
         };
@@ -80,7 +79,7 @@ private:
 
     const UnitCost* cost_ = nullptr;
     bool hasNarrow_ = false;
-    std::vector<std::int32_t> wall_;  // wall() per cell.
+    std::vector<std::int32_t> wall_;  // Values of wall() per cell.
 };
 
 }  // namespace muster

@@ -8,10 +8,11 @@ namespace {
 
 // Least radius() of a source on ground that is not uniform [cells].
 constexpr double kLeastUniformRadius = 0.5;
-// The cost of the straight line stands nearer to the source than this, where differences are poor [cells].
-constexpr double kSingular = 1.6;
-// It also stands where no other path can be cheaper by a larger factor.
-constexpr double kGoodEnough = 1.25;
+// Distance to the source below which the cost of the straight line stands, as differences are poor there
+// [cells].
+constexpr double kSingularDistance = 1.6;
+// Factor by which another path would have to be cheaper for the straight line not to stand.
+constexpr double kStraightFactor = 1.25;
 
 // True where all open directions of a cell cost `unit`, and one is open.
 bool costsUniformly(const CellCost& c, float unit) {
@@ -112,7 +113,8 @@ void SourceInitialiser::startOnVaryingGround(const UnitCost& cost, Vec2 source, 
             if (visibility == Visibility::OtherGround) {
                 const double straight = straightLineCost(cost, centre, source);
                 const double away = distance(centre, source);
-                const bool fixed = away < kSingular * grid.cell || straight <= kGoodEnough * away * least;
+                const bool fixed = away < kSingularDistance * grid.cell ||
+                                   straight <= kStraightFactor * away * least;
                 front.seed({x, y}, static_cast<float>(straight / grid.cell), fixed ? kFixedValue : 0);
             }
         }
@@ -123,7 +125,7 @@ void SourceInitialiser::startFromWall(const UnitCost& cost, Vec2 source, Front& 
     const Grid& grid = cost.grid;
     const Cell middle = grid.nearestCell(source);
     double nearest = 1e300;
-    // Visits a square ring of cells: finds the nearest free cell, or seeds those about as near.
+    // Visits a square ring of cells: finds the nearest free cell, or seeds cells about as near.
     const auto visit = [&](bool find, std::int32_t ring) {
         for (std::int32_t y = std::max(0, middle.y - ring); y <= std::min(grid.height - 1, middle.y + ring);
              ++y) {

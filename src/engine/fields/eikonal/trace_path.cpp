@@ -13,11 +13,11 @@ bool tracePath(const CostField& field, Vec2 from, double step, std::vector<Vec2>
     if (!std::isfinite(best)) return false;
     path.push_back(from);
     Vec2 p = from;
-    // The cost has to reach a new minimum within so many steps; otherwise the path circles.
-    constexpr int kMaxIdle = 16;
+    // Number of steps within which the cost has to reach a new minimum; otherwise the path circles.
+    constexpr int kMaxIdleSteps = 16;
     int idle = 0;
     const double most = 1000.0 + 4.0 * field.acceptedCount() * (1.0 + field.grid().cell / step);
-    while (idle < kMaxIdle && static_cast<double>(path.size()) < most) {
+    while (idle < kMaxIdleSteps && static_cast<double>(path.size()) < most) {
         if (distance(p, field.source()) <= step) {
             path.push_back(field.source());
             return true;

@@ -10,18 +10,19 @@
 namespace muster {
 namespace {
 
-constexpr double kGuessFactor = 1.3;        // Times the straight line's cost: a path that no field knows.
-constexpr double kRefractedDistance = 8.0;  // Refracted paths are searched up to this distance [m].
-// From this cost of a local path on, as a multiple of the straight line's, one that leaves the local field
+constexpr double kGuessFactor = 1.3;  // Factor of the straight line's cost for a path that no field knows.
+constexpr double kRefractedDistance = 8.0;  // Distance up to which refracted paths are searched [m].
+// Cost of a local path, as a multiple of the straight line's, from which on one that leaves the local field
 // may be cheaper.
 constexpr double kDetourFactor = 1.6;
-constexpr double
-    kMinFarDistance = 5.0;  // Refracted paths shorter than this are not compared with far fields [m].
-// A far field must tell less than this times the local cost, since it is off by up to a tenth near slow
+// Length below which refracted paths are not compared with far fields [m].
+constexpr double kMinFarDistance = 5.0;
+// Factor of the local cost below which a far field must be, since it is off by up to a tenth near slow
 // ground.
 constexpr double kFarFactor = 0.6;
-constexpr double kWayReach = 10.0;  // Ways serve those who are at most so far from them [m].
-constexpr double kEndLength = 3.0;  // Of the straight line, at either end of a path of unknown course [m].
+constexpr double kRouteReach = 10.0;  // Distance within which a route serves other characters [m].
+// Length of the straight line at either end of a path of unknown course [m].
+constexpr double kEndLength = 3.0;
 
 }  // namespace
 
@@ -58,8 +59,8 @@ float Geodesics::Impl::cost(Vec2 from, std::int32_t place) const {
     return static_cast<float>(estimate(query(from, place, false)).cost);
 }
 
-// The chain of sources: the first that knows answers. Refracted paths and fields compete, and far fields
-// correct both.
+// Walks down the chain of sources: the first that knows the cost answers. Refracted paths and fields compete,
+// and far fields correct both.
 CostEstimate Geodesics::Impl::estimate(const CostQuery& q) const {
     bool hidden = false;
     if (const auto found = byDistantFields(q, hidden)) return *found;
@@ -76,9 +77,9 @@ CostEstimate Geodesics::Impl::estimate(const CostQuery& q) const {
     return better ? orByFarFields(*refracted, q) : byFields;
 }
 
-// The finest fields that know the path.
+// The estimate of the finest fields that know the path.
 CostEstimate Geodesics::Impl::estimateByFields(const CostQuery& q) const {
-    bool missing = false;  // Local fields that will tell are requested.
+    bool missing = false;  // Local fields that will know the path are requested.
     if (const auto found = byLocalFields(fine, CostSource::FineFields, q, missing))
         return orByFarFields(*found, q);
     if (const auto found = byLocalFields(middle, CostSource::MiddleFields, q, missing))
@@ -92,9 +93,9 @@ CostEstimate Geodesics::Impl::estimateByFields(const CostQuery& q) const {
     return guess(q);
 }
 
-// Over long distances far fields are read, which is cheaper than a line of sight and tells the same. Where
-// there is none yet a line of sight is looked for first, since a field costs more than many of them. The
-// dynamic cost is left out.
+// Over long distances far fields are read, which is cheaper than a line of sight and gives the same cost.
+// Where there is no field yet a line of sight is looked for first, since a field costs more than many of
+// them. The dynamic cost is left out.
 std::optional<CostEstimate> Geodesics::Impl::byDistantFields(const CostQuery& q, bool& hidden) const {
     if (goesByRoutes(*ground, places.size()) || ground->open() || q.line < farDistance()) return {};
     const double cost = farCost(q);
@@ -114,7 +115,8 @@ std::optional<CostEstimate> Geodesics::Impl::byLineOfSight(const CostQuery& q) c
     return CostEstimate{cost, CostSource::LineOfSight};
 }
 
-// On ground of several unit costs, over short distances and without a wall in between.
+// The estimate of a refracted path: on ground of several unit costs, over short distances and without a wall
+// in between.
 std::optional<CostEstimate> Geodesics::Impl::byRefractedPath(const CostQuery& q) const {
     if (ground->uniform() || q.line > kRefractedDistance || !ground->collisionFree(q.from, q.to)) return {};
     const RefractedPath refracted = refractedPath(*ground, q.from, q.to);
@@ -141,9 +143,9 @@ std::optional<CostEstimate> Geodesics::Impl::byFarFields(const CostQuery& q) con
     return CostEstimate{cost + dynamicCostAtEnds(q.from, q.to, q.line), CostSource::FarFields};
 }
 
-// Along a way that passes near both ends.
+// The estimate along a known route that passes near both ends.
 std::optional<CostEstimate> Geodesics::Impl::byRoute(const CostQuery& q) const {
-    const double length = ways.lengthAlong(q.from, q.to, kWayReach);
+    const double length = ways.lengthAlong(q.from, q.to, kRouteReach);
     if (!(length < kInfiniteCost)) return {};
     return CostEstimate{ground->lowestUnitCost() * length + dynamicCostAtEnds(q.from, q.to, q.line),
                         CostSource::Route};
@@ -176,7 +178,7 @@ CostEstimate Geodesics::Impl::orByFarFields(const CostEstimate& local, const Cos
     return cost < kFarFactor * local.cost ? CostEstimate{cost, CostSource::FarFields} : local;
 }
 
-// The course of a far path is unknown: what moving obstacles add near its ends, as if it led straight there.
+// The dynamic cost near both ends of a far path, as if it led straight there, since its course is unknown.
 double Geodesics::Impl::dynamicCostAtEnds(Vec2 from, Vec2 to, double line) const {
     const double fraction = std::min(1.0, kEndLength / line);
     const auto hasMovingCost = [&](Vec2 end, Vec2 onward) {

@@ -7,13 +7,13 @@ namespace {
 
 // Relative dynamic cost along the straight line from which a detour is sought [m].
 constexpr double kDetourThreshold = 0.25;
-constexpr double kDetourOffsets[] = {0.4, 0.8, 1.2,
-                                     1.7, 2.3, 3.0};  // Of the vertex from the line, to either side [m].
+// Distances of the vertex from the line, to either side [m].
+constexpr double kDetourOffsets[] = {0.4, 0.8, 1.2, 1.7, 2.3, 3.0};
 
 /// A path over one vertex.
 struct Detour {
-    Vec2 vertex;         // [m]
-    double extra = 0.0;  // How much longer it is than the straight line [m].
+    Vec2 vertex;         // Vertex of the path [m].
+    double extra = 0.0;  // Length beyond the straight line [m].
 };
 
 // The most promising vertex next to `middle`, if the dynamic cost fell everywhere as it does there. It stays

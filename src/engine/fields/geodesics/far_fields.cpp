@@ -9,12 +9,14 @@
 namespace muster {
 namespace {
 
-constexpr std::int32_t kCapacity = 1024;                             // Fields.
-constexpr std::size_t kReservedFields = 64, kReservedSources = 512;  // For which there is memory at first.
-constexpr double kMinSpacing = 4.0;                                  // Between landmarks [m].
-constexpr double kMaxLandmarks = 100.0;  // Over a formation of one place per square metre, about.
-// The path from a landmark to a place is nearly straight where it costs at most this times the straight line,
-// and kSlackCells cells more. Only such landmarks are interpolated.
+constexpr std::int32_t kCapacity = 1024;  // Greatest number of fields.
+// Number of fields and pseudo-sources for which there is memory at first.
+constexpr std::size_t kReservedFields = 64, kReservedSources = 512;
+constexpr double kMinSpacing = 4.0;  // Least distance between landmarks [m].
+// Approximate number of landmarks over a formation of one place per square metre.
+constexpr double kMaxLandmarks = 100.0;
+// Ratio to the straight line up to which the path from a landmark to a place is nearly straight, with
+// kSlackCells cells more. Only such landmarks are interpolated.
 constexpr double kNearlyStraight = 1.15;
 constexpr double kSlackCells = 1.5;
 

@@ -20,22 +20,23 @@ class FarFields {
 public:
     FarFields();  ///< Has no fields yet.
 
-    /// Begins a step on this ground for so many places; drops the fields that a change of the ground or of
-    /// the lattice has made wrong, and says whether there was one. The ground must outlive the next call.
+    /// Begins a step on this ground for a number of places; drops the fields that a change of the ground or
+    /// of the lattice has made wrong, and returns true if there was one. The ground must outlive the next
+    /// call.
     bool beginStep(const StaticGround& ground, std::size_t places);
     /// Allocates memory for the fields that a moving crowd needs on this ground.
     void reserve(const StaticGround& ground);
-    /// Solves at most `most` of the requested fields, or takes them from those that groups share, where these
-    /// are given; returns their number.
+    /// Solves at most `most` of the requested fields, or takes them from the fields that groups share, where
+    /// these are given; returns their number.
     std::int32_t solveRequested(std::int32_t most, ThreadPool& pool, SharedFarFields* shared = nullptr);
     /// Takes over the fields of `before` that an archive named. Call after reading it.
     void keepFieldsOf(FarFields& before);
-    /// Says on which ground the fields are that an archive named: that of the archive. Call after
-    /// keepFieldsOf(), before the first step.
+    /// Sets the ground of the fields that an archive named: that of the archive. Call after keepFieldsOf(),
+    /// before the first step.
     void bind(const StaticGround& ground);
     /// Solves the fields that an archive named and keepFieldsOf() did not bring.
     void solveMissing(ThreadPool& pool);
-    /// The stencil of a place from the fields there are; requests those that are missing.
+    /// The stencil of a place from the existing fields; requests missing ones.
     InterpolationStencil stencil(Vec2 place);
     /// The squared cost from `from` by a stencil [m^2]; infinite where the place cannot be reached, and
     /// outside the box of one of its fields.
@@ -56,8 +57,8 @@ public:
 private:
     /// Points of the coarse grid at a spacing.
     struct LandmarkLattice {
-        std::int32_t spacing = 0;  // [cells]
-        std::int32_t width = 0;    // Points in a row.
+        std::int32_t spacing = 0;  // Distance between points [cells].
+        std::int32_t width = 0;    // Number of points in a row.
         // The landmark of each point: a coarse cell, -1 for none, -2 for not searched yet.
         std::vector<std::int32_t> landmark;
 
@@ -81,13 +82,13 @@ private:
 
     FieldCache cache_;
     const StaticGround* ground_ = nullptr;
-    std::uint32_t version_ = 0;  // Of the ground.
-    bool kept_ = false;          // keepFieldsOf() was called and bind() not yet.
-    std::int32_t spacing_ = 0;   // Of lattice_ [cells].
+    std::uint32_t version_ = 0;  // Version of the ground.
+    bool kept_ = false;          // True after keepFieldsOf() and before bind().
+    std::int32_t spacing_ = 0;   // Distance between the points of lattice_ [cells].
     LandmarkLattice lattice_;
-    LandmarkLattice slowLattice_;    // For places on slow ground.
-    std::vector<Worker> workers_;    // One per thread.
-    std::vector<CellRect> changes_;  // Of the ground since the last step [ground cells].
+    LandmarkLattice slowLattice_;    // Lattice for places on slow ground.
+    std::vector<Worker> workers_;    // Workers, one per thread.
+    std::vector<CellRect> changes_;  // Changes of the ground since the last step [ground cells].
 };
 
 }  // namespace muster

@@ -7,11 +7,13 @@
 namespace muster {
 namespace {
 
-constexpr std::uint32_t kIdleSteps = 240;   // A field unused for more steps may be evicted.
-constexpr std::size_t kMaxRequests = 8192;  // Requests between two calls of solveRequested().
-constexpr std::size_t kMostAdmitted = 64;   // Fields solved in a step for which there is memory at first.
-constexpr std::int32_t kGiven = -2;         // In place of a landmark: another cache has the field.
-constexpr std::size_t kFilterSize = 4096;   // Entries of the filter against double requests.
+constexpr std::uint32_t kIdleSteps = 240;  // Number of unused steps after which a field may be evicted.
+// Greatest number of requests between two calls of solveRequested().
+constexpr std::size_t kMaxRequests = 8192;
+// Number of fields solved in a step for which there is memory at first.
+constexpr std::size_t kMostAdmitted = 64;
+constexpr std::int32_t kGiven = -2;        // Value in place of a landmark: another cache has the field.
+constexpr std::size_t kFilterSize = 4096;  // Entries of the filter against double requests.
 
 }  // namespace
 
@@ -95,16 +97,16 @@ void FieldCache::keepFieldsOf(FieldCache& before) {
         *known = kGiven;
         return true;
     });
-    // Later steps may ask for the others, else their memory serves.
+    // Later steps may ask for the other fields, else their memory serves.
     for (std::size_t k = 0; k < before.fields_.size(); ++k) {
         if (before.holds_[k] == kGiven) continue;
         fields_.push_back(std::move(before.fields_[k]));
-        // Of a cache that had not begun nobody knows the ground.
+        // The ground of a cache that had not begun is unknown.
         holds_.push_back(begun() ? before.holds_[k] : -1);
     }
 }
 
-// Brings the field of its landmark to a slot, where it lies beyond those in use.
+// Brings the field of its landmark to a slot, where it lies beyond the slots in use.
 void FieldCache::takeKnown(std::int32_t slot) {
     const auto known = std::find(holds_.begin() + slot, holds_.end(), landmark_[slot]);
     if (known != holds_.end()) swapFields(slot, known - holds_.begin());

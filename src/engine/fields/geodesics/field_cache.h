@@ -22,7 +22,8 @@ public:
     explicit FieldCache(std::int32_t capacity);
     /// Drops all fields and requests.
     void clear();
-    /// Allocates memory for so many fields, at most the capacity, of so many cells and pseudo-sources each.
+    /// Allocates memory for `fields` fields, at most the capacity, of `cells` cells and `pseudoSources`
+    /// pseudo-sources each.
     void reserve(std::size_t fields, std::size_t cells, std::size_t pseudoSources);
     /// Drops the fields and requests of landmarks for which `isBad(landmark)`.
     template <class IsBad>
@@ -63,14 +64,14 @@ public:
                  [&](std::int32_t item, std::int32_t worker) { solveSlot(missing_[item], worker, solve); });
         missing_.clear();
     }
-    /// Takes from `before` the fields of the landmarks that an archive named, and what else it has for later;
+    /// Takes from `before` the fields of the landmarks that an archive named, and its other fields for later;
     /// both are of one ground.
     void keepFieldsOf(FieldCache& before);
-    /// The fields of landmarks for which `isLost(landmark)` are missing, whatever was kept: the ground is
-    /// another.
+    /// Marks the fields of landmarks for which `isLost(landmark)` as missing, whatever was kept: the ground
+    /// is another.
     template <class IsLost>
     void loseFields(const IsLost& isLost) {
-        std::size_t next = 0;  // Of missing_, whose slots ascend.
+        std::size_t next = 0;  // Index in missing_, whose slots ascend.
         const std::vector<std::int32_t> before = std::exchange(missing_, {});
         for (std::int32_t slot = 0; slot < count_; ++slot) {
             const bool missing = next < before.size() && before[next] == slot;
@@ -112,7 +113,8 @@ private:
     template <class Keeps>
     void keepWhere(const Keeps& keeps) {
         std::int32_t remaining = 0;
-        std::size_t next = 0, missing = 0;  // Of missing_, whose slots ascend: the next, and those that stay.
+        // Indices in missing_, whose slots ascend: the next slot, and the slots that stay.
+        std::size_t next = 0, missing = 0;
         for (std::int32_t slot = 0; slot < count_; ++slot) {
             const bool isMissing = next < missing_.size() && missing_[next] == slot;
             next += isMissing ? 1 : 0;
@@ -160,11 +162,12 @@ private:
     std::uint32_t clock_ = 0;  // Number of the step.
     std::uint32_t generation_ = 0;
     std::int32_t count_ = 0;
-    std::vector<std::int32_t> landmark_;  // Of each slot.
-    std::vector<std::uint32_t> lastUse_;  // Of each slot: the step in which it was last used.
-    std::vector<CostField> fields_;  // Of each slot; fields beyond `count_` keep their memory for later ones.
-    std::vector<std::int32_t> holds_;     // The landmark that each of fields_ is of on this ground; -1: none.
-    std::vector<std::int32_t> table_;     // Hash table: slots by landmark, -1 for none.
+    std::vector<std::int32_t> landmark_;  // Landmark of each slot.
+    std::vector<std::uint32_t> lastUse_;  // Step in which each slot was last used.
+    // Field of each slot; fields beyond `count_` keep their memory for later ones.
+    std::vector<CostField> fields_;
+    std::vector<std::int32_t> holds_;  // Landmark to which each of fields_ belongs on this ground; -1: none.
+    std::vector<std::int32_t> table_;  // Hash table: slots by landmark, -1 for none.
     std::vector<std::int32_t> requests_;  // Landmarks, in the order of the requests.
     std::vector<std::int32_t> filter_;   // Last request of each hash, so that few landmarks are listed twice.
     std::vector<std::int32_t> missing_;  // Slots whose fields an archive named and nobody solved since.

@@ -24,7 +24,7 @@ void storeRelaxed(T& variable, T value) {
 /// repeated for kLifetime steps.
 class FieldRequests {
 public:
-    static constexpr std::uint8_t kLifetime = 60;  ///< [steps]
+    static constexpr std::uint8_t kLifetime = 60;  ///< Steps until a request expires.
 
     /// Sets the number of places; places that are added have no request.
     void resize(std::size_t places) { stepsLeft_.resize(places, 0); }

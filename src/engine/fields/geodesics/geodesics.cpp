@@ -10,12 +10,12 @@
 namespace muster {
 namespace {
 
-constexpr std::int32_t kFineHalfWidth = 16;    // Of local fields on the ground cells [cells].
-constexpr std::int32_t kMiddleHalfWidth = 18;  // Of local fields on cells twice as wide [cells].
-constexpr std::uint32_t
-    kFarStencilPeriod = 8;  // Steps between two searches for the far landmarks of a place.
-constexpr std::int32_t
-    kPrefetchFactor = 16;                    // Budget of local fields before a first plan, in steps' budgets.
+constexpr std::int32_t kFineHalfWidth = 16;    // Half width of local fields on the ground cells [cells].
+constexpr std::int32_t kMiddleHalfWidth = 18;  // Half width of local fields on cells twice as wide [cells].
+// Steps between two searches for the far landmarks of a place.
+constexpr std::uint32_t kFarStencilPeriod = 8;
+// Budget of local fields before a first plan, in steps' budgets.
+constexpr std::int32_t kPrefetchFactor = 16;
 constexpr std::uint32_t kUnknownPeriod = 4;  // Steps of a first plan between two looks for unknown costs.
 constexpr std::int64_t kLocalCells = 2000;   // Cells of a far field that cost as much as a local field.
 
@@ -86,7 +86,7 @@ bool Geodesics::Impl::solveRequested(ThreadPool& pool) {
     return solved > 0;
 }
 
-// The update phase: drains the requests of the last step.
+// Runs the update phase: drains the requests of the last step.
 void Geodesics::Impl::updateFields(ThreadPool& pool) {
     ++step;
     const bool farSolved = solveRequested(pool);
@@ -95,12 +95,12 @@ void Geodesics::Impl::updateFields(ThreadPool& pool) {
     updateFarStencils(farSolved);
 }
 
-// Places move little from step to step, so their far landmarks are searched for in turn.
+// True where the far landmarks of a place are searched; places move little, so that they take turns.
 bool Geodesics::Impl::farStencilIsDue(std::size_t place) const {
     return farStencilKnown[place] == 0 || (step + place) % kFarStencilPeriod == 0;
 }
 
-// They refer to slots of fields that are no more.
+// Drops the far stencils, which refer to slots of fields that are gone.
 void Geodesics::Impl::dropFarStencils() {
     std::fill(farStencilKnown.begin(), farStencilKnown.end(), std::uint8_t{0});
     for (InterpolationStencil& stencil : farStencil) stencil.count = 0;
@@ -131,8 +131,8 @@ void Geodesics::Impl::requestFields(Vec2 from, std::int32_t place) {
         farRequests.add(place);
 }
 
-// Far fields have to serve where walls keep local fields from telling, or their budget was too small. All
-// pairs are looked at, because queries also request what else they lack.
+// Far fields have to serve where walls keep local fields from knowing the cost, or their budget was too
+// small. All pairs are looked at, because queries also request further fields that they lack.
 void Geodesics::Impl::requestFarWhereUnknown(std::span<const Vec2> from) {
     if (goesByRoutes(*ground, places.size())) return;
     const auto count = static_cast<std::int32_t>(places.size());

@@ -17,7 +17,7 @@
 
 namespace muster {
 
-/// Capacities of the field caches, and how many fields are solved in a step.
+/// Capacities of the field caches, and numbers of fields solved in a step.
 struct GeodesicsDef {
     std::int32_t fineFields = 6144;    ///< Capacity for local fields on the ground cells >= 1.
     std::int32_t middleFields = 2048;  ///< Capacity for local fields on cells twice as wide >= 1.
@@ -25,34 +25,34 @@ struct GeodesicsDef {
     /// Groups with fewer places share this budget among the fields of all kinds; below 500 places it is one
     /// field.
     std::int32_t finePerStep = 2;
-    /// The same for local fields on cells twice as wide; groups of fewer places solve them in every other
-    /// step.
+    /// Local fields on cells twice as wide solved in a step, at most; groups of fewer places solve them in
+    /// every other step.
     std::int32_t middlePerStep = 1;
     /// Far fields solved in a step, at most; groups of fewer than 2,500 places solve them in every other
     /// step.
     std::int32_t farPerStep = 1;
 };
 
-/// Desired direction of a character (Helbing and Molnár 1995), and what its path costs.
+/// Desired direction of a character (Helbing and Molnár 1995), and the cost of its path.
 struct Guidance {
     Vec2 direction;     ///< Unit vector; zero where no path is known.
     float cost = 0.0f;  ///< Cost of the path to the place [m].
 
-    /// Lets an archive read or write it.
+    /// Lets an archive read or write the guidance.
     template <class Archive>
     void visit(Archive& archive) {
         archive(direction, cost);
     }
 };
 
-/// Whether a route serves a character whom no field leads.
+/// Use of a route for a character that no field leads.
 enum class RouteUse : std::uint8_t {
-    None,    ///< It needs none.
+    None,    ///< The character needs none.
     Wanted,  ///< Geodesics::findRoutes() finds one.
     Known,   ///< The target is the next corner of its route.
 };
 
-/// What a character heads for on a long path, remembered for several steps: the farthest point of the path in
+/// The target of a character on a long path, remembered for several steps: the farthest point of the path in
 /// line of sight, or, where none is, the local field of a landmark behind the next corner.
 struct SteeringTarget {
     Vec2 point;                       ///< Point on the path [m].
@@ -60,12 +60,12 @@ struct SteeringTarget {
     std::int32_t steps = 0;           ///< Steps for which the target remains valid.
     std::int32_t landmark = -1;       ///< Landmark of the local field: a ground cell; -1 for none.
     bool inSight = false;             ///< True where `point` is the target; false where the local field is.
-    RouteUse route = RouteUse::None;  ///< Whether the target is that of a route.
-    bool seen = false;                ///< True where that was in sight when the route was found,
+    RouteUse route = RouteUse::None;  ///< Use of a route: Known if the target is that of a route.
+    bool seen = false;                ///< True if the corner was in sight when the route was found,
     Vec2 after;                       ///< the corner after it, itself where it is the last [m],
-    Vec2 end;                         ///< and where the place was then [m].
+    Vec2 end;                         ///< and the position of the place at that time [m].
 
-    /// Lets an archive read or write it.
+    /// Lets an archive read or write the target.
     template <class Archive>
     void visit(Archive& archive) {
         archive(point, place, steps, landmark, inSight, route, seen, after, end);
@@ -80,24 +80,24 @@ class Geodesics {
 public:
     explicit Geodesics(const GeodesicsDef& def = {});  ///< Has no fields yet.
     ~Geodesics();
-    Geodesics(Geodesics&&) noexcept;  ///< Moves.
+    Geodesics(Geodesics&&) noexcept;  ///< Moves the oracle.
     Geodesics& operator=(Geodesics&&) noexcept;
 
-    /// Allocates memory for the fields that so many places may need on this ground, where routes are found or
-    /// not. Changes no result.
+    /// Allocates memory for the fields that a number of places may need on this ground, with or without
+    /// routes. Changes no result.
     void reserve(const StaticGround& ground, std::size_t places, bool routes = false);
     /// Takes the places of this step, and solves some of the fields that were requested in the last. `ground`
     /// and `dynamicCost` must outlive the next call.
     void update(const StaticGround& ground, const DynamicCost& dynamicCost, std::span<const Vec2> places,
                 ThreadPool& pool);
-    /// From the next update on fields are solved in one step out of `period`, 1 or more; `rank` says in
-    /// which. So several geodesics share a budget, and the far fields, where these are given. Where `routes`
-    /// are found in every step, small groups on large ground go by these alone.
+    /// Sets that fields are solved in one step out of `period`, 1 or more, from the next update on; `rank` is
+    /// the step's turn. So several geodesics share a budget, and the far fields, where these are given. Where
+    /// `routes` are found in every step, small groups on large ground use these alone.
     void shareSteps(std::int32_t period, std::int32_t rank, SharedFarFields* fields, bool routes);
-    /// Solves fields that queries from these points would request, for a first plan: local ones, then far
-    /// ones, with at most `cells` cells in all (local fields count more), which are taken off. True where no
-    /// far field is missing any more. Only a `thorough` call looks for all that is missing; others do so in
-    /// one step of four.
+    /// Solves fields that queries from these points would request, for a first plan: local fields, then far
+    /// fields, with at most `cells` cells in all (local fields count more), which are subtracted. True where
+    /// no far field is missing any more. Only a `thorough` call looks for all missing fields; other calls do
+    /// so in one step of four.
     bool prefetch(std::span<const Vec2> from, bool thorough, std::int64_t& cells, ThreadPool& pool);
     /// Finds routes for characters `from` [m] whose targets want one, at least one in a step. After update(),
     /// before guidance().
@@ -112,26 +112,26 @@ public:
     /// The cost with the direction to walk; `target` belongs to the character. May be called from several
     /// threads.
     Guidance guidance(Vec2 from, std::int32_t place, SteeringTarget& target) const;
-    /// Marks the local fields of these targets as used, and requests those that are missing. Must be called
-    /// after all calls of guidance() in a step.
+    /// Marks the local fields of these targets as used, and requests missing ones. Must be called after all
+    /// calls of guidance() in a step.
     void retainFields(std::span<const SteeringTarget> targets);
-    /// Lower bound of the cost without what moving patches save [m]: the straight line, with the unit cost of
-    /// its ends as far as their uniform clearance reaches.
+    /// Lower bound of the cost without the savings of moving patches [m]: the straight line, with the unit
+    /// cost of its ends as far as their uniform clearance reaches.
     double lowerBound(Vec2 from, std::int32_t place) const;
     /// True where the cost is that of the straight line.
     bool lineOfSight(Vec2 from, std::int32_t place) const;
 
-    /// Writes all that can influence later results, except what follows from the ground.
+    /// Writes all that can influence later results, except values that follow from the ground.
     void save(Writer& archive) const;
-    /// Reads what save() wrote; fields are solved again by the next update(). False where it does not fit.
+    /// Reads the data of save(); fields are solved again by the next update(). False where it does not fit.
     bool load(Reader& archive);
     /// Takes over the fields of `before` that load() named, where the ground is the same: the next update()
     /// solves only the others. Call after load(), and then bind(). `before` becomes useless.
     void keepFieldsOf(Geodesics& before);
-    /// Says on which ground the fields are that load() named: that of the archive, before any edit. Call
-    /// after load().
+    /// Sets the ground of the fields that load() named: that of the archive, before any edit. Call after
+    /// load().
     void bind(const StaticGround& ground);
-    /// Adds what save() writes to a hash.
+    /// Adds the data of save() to a hash.
     void hash(Hasher& archive) const;
 
 private:

@@ -16,14 +16,14 @@
 
 namespace muster {
 
-/// Where a cost comes from: the links of the chain of sources.
+/// Source of a cost: the links of the chain of sources.
 enum class CostSource {
     LineOfSight,    ///< The straight line.
     FineFields,     ///< Local fields on the ground cells.
     MiddleFields,   ///< Local fields on cells twice as wide.
     FarFields,      ///< Far fields on the coarse ground.
     RefractedPath,  ///< A path over ground of several unit costs without a wall.
-    Route,          ///< A way that somebody near by has found in the graph of routes.
+    Route,          ///< A route that another character near by has found in the graph of routes.
     Guess,          ///< A multiple of the straight line's cost, until fields are there.
 };
 
@@ -33,46 +33,47 @@ struct CostQuery {
     Vec2 to;             ///< Position of the place [m].
     std::int32_t place;  ///< The place.
     double line;         ///< Straight distance [m].
-    bool byAssignee;     ///< The place is that of the character who asks.
+    bool byAssignee;     ///< True if the place belongs to the character that asks.
 };
 
-/// A cost with its source, and where its path leads first.
+/// A cost with its source, and the begin of its path.
 struct CostEstimate {
-    double cost;         ///< [m]
-    CostSource source;   ///< Where the cost comes from.
+    double cost;         ///< Cost of the path [m].
+    CostSource source;   ///< Source of the cost.
     Vec2 firstVertex{};  ///< First vertex of a RefractedPath [m].
 };
 
 struct Geodesics::Impl {
-    /// From this many places on the budgets of fields hold for each kind, and grow in proportion to the
+    /// Number of places from which on the budgets of fields hold for each kind, and grow in proportion to the
     /// places.
     static constexpr std::int64_t kManyPlaces = 2500;
-    /// Below, one field is solved in a step.
+    /// Number of places below which one field is solved in a step.
     static constexpr std::size_t kFewPlaces = 500;
-    /// From this distance on far fields that are known are read first, whether or not there is a line of
-    /// sight [m].
+    /// Distance from which on known far fields are read first, whether or not there is a line of sight [m].
     static constexpr double kFarDistance = 20.0;
-    /// The same on ground where far fields cover a box: many walk there with many walls between them.
+    /// That distance on ground where far fields cover a box: many walk there with many walls between them
+    /// [m].
     static constexpr double kFarDistanceInBox = 10.0;
 
     GeodesicsDef def;
     const StaticGround* ground = nullptr;
     const DynamicCost* dynamicCost = nullptr;
-    std::vector<Vec2> places;           // Of this step [m].
-    LocalCosts fine;                    // Some metres round places, on the ground cells.
-    LocalCosts middle;                  // Twice as far, on cells twice as wide.
-    mutable FieldRequests farRequests;  // Added to by const queries, drained by updateFarStencils().
-    std::vector<InterpolationStencil> farStencil;  // Per place.
+    std::vector<Vec2> places;           // Positions of the places in this step [m].
+    LocalCosts fine;                    // Costs within some metres of places, on the ground cells.
+    LocalCosts middle;                  // Costs twice as far, on cells twice as wide.
+    mutable FieldRequests farRequests;  // Requests from const queries, drained by updateFarStencils().
+    std::vector<InterpolationStencil> farStencil;  // Far stencil per place.
     FarFields far;
     // Per place: 1 where its stencil was made since it was requested.
     std::vector<std::uint8_t> farStencilKnown;
     std::uint32_t step = 0;
-    std::uint32_t sharePeriod = 1, shareRank = 0;  // Fields are solved in one step out of so many.
-    SharedFarFields* sharedFar = nullptr;          // Of all groups; null for none.
-    bool hasRoutes = false;                        // Routes are found in every step.
-    SharedWays ways;                               // Found by findRoutes().
-    std::uint32_t nextRoute = 0;                   // Character at which the round robin of routes begins.
-    bool loaded = false;                           // An archive was read whose fields are not solved yet.
+    // Number of steps in one of which fields are solved, and the step's turn.
+    std::uint32_t sharePeriod = 1, shareRank = 0;
+    SharedFarFields* sharedFar = nullptr;  // Far fields of all groups; null for none.
+    bool hasRoutes = false;                // True if routes are found in every step.
+    SharedWays ways;                       // Routes found by findRoutes().
+    std::uint32_t nextRoute = 0;           // Character at which the round robin of routes begins.
+    bool loaded = false;                   // True if an archive was read whose fields are not solved yet.
 
     explicit Impl(const GeodesicsDef& d);
 
@@ -105,9 +106,8 @@ struct Geodesics::Impl {
     void requestFields(Vec2 from, std::int32_t place);
     void requestFarWhereUnknown(std::span<const Vec2> from);
 
-    // Routes (route_guidance.cpp).
-    // Small groups on large ground read the box of a far field so seldom, until an edit in it drops it, that
-    // their routes cost less. These know no unit costs.
+    // Routes (route_guidance.cpp). Small groups on large ground read the box of a far field so seldom, until
+    // an edit in it drops it, that routes cost less. These know no unit costs.
     bool goesByRoutes(const StaticGround& on, std::size_t count) const {
         return hasRoutes && count < kFewPlaces && on.hasWideCoarse() && on.uniform();
     }
@@ -150,7 +150,7 @@ struct Geodesics::Impl {
 
     // Working memory.
     RouteSearch routeSearch;
-    std::vector<Vec2> path;  // [m]
+    std::vector<Vec2> path;  // Working memory of a path [m].
 };
 
 }  // namespace muster

@@ -8,20 +8,21 @@
 namespace muster {
 namespace {
 
-constexpr std::int32_t kTraceSteps = 10;  // Steps along a far path in search of its visible points.
-constexpr double kTraceStep = 1.0;        // Length of each [m].
-constexpr std::int32_t
-    kLandmarkSteps = 3;  // Of these steps, those in which a landmark behind a corner is searched.
-constexpr std::int32_t kMaxHidden = 5;      // Successive hidden points after which tracing stops.
-constexpr double kMinTargetDistance = 0.9;  // Visible points nearer than this are no target [m].
+constexpr std::int32_t kTraceSteps = 10;  // Number of steps along a far path in search of its visible points.
+constexpr double kTraceStep = 1.0;        // Length of each step [m].
+// Number of these steps in which a landmark behind a corner is searched.
+constexpr std::int32_t kLandmarkSteps = 3;
+constexpr std::int32_t kMaxHidden = 5;      // Number of successive hidden points after which tracing stops.
+constexpr double kMinTargetDistance = 0.9;  // Distance below which a visible point is no target [m].
 constexpr double kWallTouch = 0.1;          // Clearance of a character that walks along a wall [m].
-constexpr std::uint32_t kTargetSteps = 8;   // Steps for which a target serves, and up to as many more.
-constexpr std::int32_t kSightPeriod = 4;    // Line of sight to the target is re-checked every so many steps.
-constexpr double kTargetReached = 0.6;      // [m]
-constexpr double kLookAhead = 2.0;          // Length over which headings in a dense crowd are compared [m].
-constexpr double kDenseCrowd = 0.05;  // Relative dynamic cost ahead from which other headings are tried.
-constexpr double kMinGain = 0.02;     // Another heading must save more than this [m of open ground].
-constexpr double kBoundSlack = 1.0 - 1e-5;  // Costs are rounded.
+// Number of steps for which a target serves, and up to as many more.
+constexpr std::uint32_t kTargetSteps = 8;
+constexpr std::int32_t kSightPeriod = 4;  // Steps between two tests of the line of sight to a target.
+constexpr double kTargetReached = 0.6;    // Distance at which a target is reached [m].
+constexpr double kLookAhead = 2.0;        // Length over which headings in a dense crowd are compared [m].
+constexpr double kDenseCrowd = 0.05;      // Relative dynamic cost ahead from which other headings are tried.
+constexpr double kMinGain = 0.02;         // Cost that another heading must save [m of open ground].
+constexpr double kBoundSlack = 1.0 - 1e-5;  // Factor that allows for rounded costs.
 // Other headings in a dense crowd: 25, 50 and 75 degrees to either side.
 constexpr Rotation kHeadings[] = {{0.90630778703664996, 0.42261826174069944},
                                   {0.64278760968653933, 0.76604444311897804},
@@ -71,7 +72,7 @@ Guidance Geodesics::Impl::staticGuidance(Vec2 from, std::int32_t place, Steering
             break;
         case CostSource::Route:
         case CostSource::Guess:
-            // A character waits for this, so whichever field comes first will do.
+            // Whichever field comes first will do, since a character waits for it.
             if (!goesByRoutes(*ground, places.size())) farRequests.add(place);
             result.direction = directionByRoute(query(from, place, true), target);
             break;
@@ -102,8 +103,8 @@ bool Geodesics::Impl::traceVisiblePoint(const CostField& field, Vec2 from, Steer
     return found;
 }
 
-// Paths down a landmark's field end at the landmark, so that all paths to places round it would coincide. Of
-// points turned to either side, the one from which the place itself is nearest replaces the target.
+// Paths down a landmark's field end at the landmark, so that all paths to places round it would coincide. The
+// point, turned to either side, from which the place itself is nearest replaces the target.
 Vec2 Geodesics::Impl::refinedTarget(Vec2 from, std::int32_t place, Vec2 point) const {
     const auto costFrom = [&](Vec2 p) { return farCost(query(p, place, false)); };
     Vec2 best = point;
@@ -118,12 +119,12 @@ Vec2 Geodesics::Impl::refinedTarget(Vec2 from, std::int32_t place, Vec2 point) c
     return best;
 }
 
-// Towards the visible point of the path; where there is none, down the local field of a landmark behind the
-// corner.
+// The direction to the visible point of the path; where there is none, down the local field of a landmark
+// behind the corner.
 Vec2 Geodesics::Impl::directionToTarget(const CostField& field, std::int32_t place, Vec2 from,
                                         SteeringTarget& target) const {
-    target.steps = std::min(
-        target.steps, 2 * static_cast<std::int32_t>(kTargetSteps));  // That of a route serves for longer.
+    // The target of a route serves for longer.
+    target.steps = std::min(target.steps, 2 * static_cast<std::int32_t>(kTargetSteps));
     const bool checksSight = target.steps % kSightPeriod == 0;
     const bool valid = target.inSight && distance(from, target.point) > kTargetReached &&
                        (!checksSight || ground->lineOfSight(from, target.point));
@@ -156,13 +157,13 @@ Vec2 Geodesics::Impl::slideAlongWall(Vec2 from, Vec2 direction) const {
     return into < 0.0 ? normalized(direction - normal * into, perpendicular(normal)) : direction;
 }
 
-// Where the crowd ahead is dense, the best of a few headings: what the first metres cost, and the path on
-// from there.
+// Where the crowd ahead is dense, takes the best of a few headings: by the cost of the first metres, and of
+// the path on from there.
 Vec2 Geodesics::Impl::avoidDenseCrowd(Vec2 from, std::int32_t place, const Guidance& guidance) const {
     const Vec2 direction = guidance.direction;
     if (dynamicCost->empty() || direction == Vec2{} || guidance.cost < 2.0 * kLookAhead) return direction;
     const double unitCost = ground->unitCost(from);
-    // Infinite where it cannot be less than `most`.
+    // The cost by a heading; infinite where it cannot be less than `most`.
     const auto costBy = [&](Vec2 heading, double most) {
         const Vec2 next = from + heading * kLookAhead;
         const double onward = dynamicCost->hasNegativeCost()

@@ -21,7 +21,7 @@ void bilinearWeights(std::span<const Landmark> corners, Vec2 place, double (&wei
     weight[3] = fx * fy;
 }
 
-// Adds to equal weights what moves their mean to the place: the ridge regression of the offset on the
+// Changes equal weights so that their mean lies at the place: the ridge regression of the offset on the
 // landmarks.
 void ridgeWeights(std::span<const Landmark> landmarks, double share, Vec2 place, double (&weight)[4]) {
     Vec2 mean;

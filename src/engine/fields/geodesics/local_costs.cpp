@@ -10,7 +10,7 @@ namespace muster {
 namespace {
 
 constexpr std::uint32_t kLandmarkPeriod = 4;  // Steps between two searches for the landmarks of a place.
-constexpr std::int32_t kMaxCorners = 8;       // Of a path through a local field.
+constexpr std::int32_t kMaxCorners = 8;       // Greatest number of corners of a path through a local field.
 
 }  // namespace
 
@@ -28,7 +28,8 @@ void LocalCosts::beginStep(const StaticGround& ground, const GroundLevel& level,
     if (!ground.open()) fields_.reserve(places.size());
 }
 
-// Places move little from step to step, so those with landmarks search for them in turn only.
+// True where the landmarks of a place are searched: places move little, so that places with landmarks take
+// turns.
 bool LocalCosts::isDue(std::size_t place) const {
     return visible_[place].count == 0 || (stencilRequests_.active(place) && stencil_[place].count < 4) ||
            (step_ + place) % kLandmarkPeriod == 0;
@@ -52,7 +53,7 @@ void LocalCosts::updateLandmarks(bool countsAsStep) {
     if (countsAsStep) ++step_;
     const bool fieldsMoved = generation_ != fields_.generation();
     generation_ = fields_.generation();
-    // Fields are solved in the order of their requests: those for assignees come first.
+    // Fields are solved in the order of their requests: fields for assignees come first.
     bool others = false;
     for (std::size_t j = 0; j < places_.size(); ++j) {
         if (!requests_.active(j))
@@ -95,7 +96,7 @@ const CostField& LocalCosts::field(std::int32_t place) const {
     return fields_.field(visible_[place].slot[0]);
 }
 
-// Along the corners of the path through the field, and on to the place.
+// The dynamic cost along the corners of the path through the field, and on to the place.
 double LocalCosts::dynamicCostAlong(const CostField& field, Vec2 from, Vec2 to) const {
     if (dynamicCost_->empty()) return 0.0;
     Vec2 corners[kMaxCorners];
@@ -158,8 +159,8 @@ double LocalCosts::lengthAroundCorner(Vec2 from, Vec2 landmark, Vec2 to) const {
     return distance(from, bend) + distance(bend, to);
 }
 
-// The path to the landmark, but from its last corner on to the place. Infinite where the corners are not
-// known, and on slow ground.
+// The cost of the path to the landmark, but from its last corner on to the place. Infinite where the corners
+// are not known, and on slow ground.
 double LocalCosts::costByCorners(const CostField& field, Vec2 from, Vec2 to) const {
     Vec2 corners[kMaxCorners];
     const std::int32_t count = field.pathCorners(from, corners);
@@ -188,8 +189,8 @@ double LocalCosts::interpolatedCost(Vec2 from, std::int32_t place) const {
 }
 
 Vec2 LocalCosts::direction(Vec2 from, std::int32_t place) const {
-    // Closer to the landmark than this times its distance to the place, the path to it says nothing of that
-    // to the place.
+    // Ratio of the distance to the landmark and its distance to the place below which the path to it says
+    // nothing of the path to the place.
     constexpr double kNearLandmark = 1.5;
     const CostField& down = field(place);
     const Vec2 to = places_[place];

@@ -12,9 +12,9 @@
 
 namespace muster {
 
-/// The local fields on one level of the ground, and for each requested place the landmarks that it is read
-/// from. Queries are const and may run in several threads; what they lack they add to request buffers, which
-/// the update phase of the next step drains.
+/// The local fields on one level of the ground, and for each requested place the landmarks from which its
+/// cost is read. Queries are const and may run in several threads; they add requests for missing fields to
+/// buffers, which the update phase of the next step drains.
 class LocalCosts {
 public:
     explicit LocalCosts(const LocalFieldsDef& def) : fields_(def) {}  ///< Has no fields yet.
@@ -30,14 +30,14 @@ public:
     void keepFieldsOf(LocalCosts& before) { fields_.keepFieldsOf(before.fields_); }
     /// Solves the fields that an archive named and keepFieldsOf() did not bring.
     void solveMissing(ThreadPool& pool) { fields_.solveMissing(pool); }
-    /// Finds the landmarks of the requested places, and requests the fields that are missing. `countsAsStep`
-    /// ages the requests of places.
+    /// Finds the landmarks of the requested places, and requests missing fields. `countsAsStep` ages the
+    /// requests of places.
     void updateLandmarks(bool countsAsStep);
 
     /// True where `from` lies in the local fields of a place, if there are any.
     bool covers(Vec2 from, std::int32_t place) const;
-    /// Requests the local fields of a place for some steps. Those of places whose assignee asks are solved
-    /// first. May be called from several threads.
+    /// Requests the local fields of a place for some steps. Places whose assignee asks come first. May be
+    /// called from several threads.
     void request(std::int32_t place, bool byAssignee) const;
     /// True where the request of a place has not expired.
     bool requested(std::int32_t place) const { return requests_.active(place); }
@@ -55,7 +55,7 @@ public:
     LocalFields& fields() { return fields_; }
     const LocalFields& fields() const { return fields_; }
 
-    /// Lets an archive read or write all that influences later steps.
+    /// Lets an archive read or write all data that influences later steps.
     template <class Archive>
     void visit(Archive& archive) {
         archive(step_, generation_, requests_, assigneeRequests_, stencilRequests_, visible_, stencil_,
@@ -67,7 +67,7 @@ public:
                 archive.fail();
         }
     }
-    /// Number of places, also of those that an archive named.
+    /// Number of places, including places that an archive named.
     std::size_t places() const { return requests_.size(); }
 
 private:
@@ -87,14 +87,14 @@ private:
     const DynamicCost* dynamicCost_ = nullptr;
     std::span<const Vec2> places_;
     std::uint32_t step_ = 0;
-    std::uint32_t generation_ = 0;  // Of fields_, to which slots refer.
+    std::uint32_t generation_ = 0;  // Generation of fields_, to which slots refer.
     // Request buffers: added to by const queries, drained by updateLandmarks().
     mutable FieldRequests requests_;
-    mutable FieldRequests assigneeRequests_;  // Those made for the assignee of the place.
-    mutable FieldRequests
-        stencilRequests_;  // Places that need a stencil, as paths to them cross several unit costs.
-    std::vector<VisibleLandmarks> visible_;      // Per place.
-    std::vector<InterpolationStencil> stencil_;  // Per place.
+    mutable FieldRequests assigneeRequests_;  // Requests for the assignee of the place.
+    // Places that need a stencil, as paths to them cross several unit costs.
+    mutable FieldRequests stencilRequests_;
+    std::vector<VisibleLandmarks> visible_;      // Landmarks per place.
+    std::vector<InterpolationStencil> stencil_;  // Stencil per place.
 };
 
 }  // namespace muster

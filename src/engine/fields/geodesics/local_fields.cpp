@@ -13,10 +13,10 @@ namespace {
 // Clearance that landmarks need per spacing, with kClearanceMargin more, to see each other past convex
 // corners.
 constexpr float kClearancePerSpacing = 1.45f;
-constexpr float kClearanceMargin = 0.7f;     // [cells]
-constexpr std::size_t kMinReserved = 96;     // Fields with memory from the start.
-constexpr std::size_t kPlacesPerField = 2;   // One more field has memory for so many places.
-constexpr std::size_t kMaxReserved = 1024;   // Most fields with memory from the start.
+constexpr float kClearanceMargin = 0.7f;     // Clearance that landmarks need beyond that [cells].
+constexpr std::size_t kMinReserved = 96;     // Number of fields with memory from the start.
+constexpr std::size_t kPlacesPerField = 2;   // Number of places for which one more field has memory.
+constexpr std::size_t kMaxReserved = 1024;   // Greatest number of fields with memory from the start.
 constexpr std::size_t kPseudoSources = 256;  // Pseudo-sources in most local fields on uniform ground.
 
 }  // namespace

@@ -13,7 +13,7 @@
 
 namespace muster {
 
-/// How many local fields there may be, and how large they are.
+/// Number and size of local fields.
 struct LocalFieldsDef {
     std::int32_t capacity = 6144;  ///< Most fields at a time >= 1.
     std::int32_t halfWidth = 16;   ///< Cells from a landmark to the edge of its field >= 5.
@@ -24,7 +24,7 @@ struct VisibleLandmarks {
     std::array<std::int32_t, 4> slot = {};  ///< Slots of their fields, the nearest landmark first.
     std::int32_t count = 0;                 ///< Number of them.
 
-    /// Lets an archive read or write them.
+    /// Lets an archive read or write the landmarks.
     template <class Archive>
     void visit(Archive& archive) {
         archive(slot, count);
@@ -32,7 +32,7 @@ struct VisibleLandmarks {
 };
 
 /// Landmarks are centres of cells of one level of the ground, 4, 2 or 1 cells apart: the smaller the
-/// clearance, the closer, so that those round a place are in line of sight of each other.
+/// clearance, the closer, so that landmarks round a place are in line of sight of each other.
 class LocalFields {
 public:
     explicit LocalFields(const LocalFieldsDef& def);  ///< Has no fields yet.
@@ -42,22 +42,21 @@ public:
     void beginStep(const GroundLevel& level);
     /// Allocates working memory for fields on this level.
     void warmUp(const GroundLevel& level);
-    /// Allocates memory for the fields that so many places may need while they move.
+    /// Allocates memory for the fields that a number of places may need while they move.
     void reserve(std::size_t places);
     /// Solves at most `most` of the requested fields; returns their number.
     std::int32_t solveRequested(std::int32_t most, ThreadPool& pool);
     /// Takes over the fields of `before` that an archive named. Call after reading it.
     void keepFieldsOf(LocalFields& before);
-    /// Says on which ground the fields are that an archive named: that of the archive. Call after
-    /// keepFieldsOf(), before the first step.
+    /// Sets the ground of the fields that an archive named: that of the archive. Call after keepFieldsOf(),
+    /// before the first step.
     void bind(const GroundLevel& level);
     /// Solves the fields that an archive named and keepFieldsOf() did not bring.
     void solveMissing(ThreadPool& pool);
     /// The landmarks in line of sight of a place whose fields are there; requests the field of the nearest
     /// landmark.
     VisibleLandmarks visibleLandmarks(const StaticGround& ground, Vec2 place);
-    /// The stencil of a place on ground of this unit cost, from the fields there are; requests those that are
-    /// missing.
+    /// The stencil of a place on ground of this unit cost, from the existing fields; requests missing ones.
     InterpolationStencil stencil(Vec2 place, float unitCost);
     /// The squared cost from `from` by a stencil [m^2]; infinite where `from` lies outside one of its fields.
     double squaredCost(const InterpolationStencil& stencil, Vec2 from) const;
@@ -77,7 +76,7 @@ public:
     std::uint32_t generation() const { return cache_.generation(); }
     /// The level of the ground in this step.
     const GroundLevel& level() const { return *level_; }
-    /// A point at most so far from a place, along each axis, lies in the fields of all landmarks round it
+    /// Distance along each axis up to which a point near a place lies in the fields of all landmarks round it
     /// [m].
     double reach() const { return (def_.halfWidth - kWidestSpacing - 0.5) * level_->grid().cell; }
 
@@ -102,16 +101,16 @@ private:
     void dropChanged();
     bool isChanged(std::int32_t landmark) const;
 
-    static constexpr std::int32_t kWidestSpacing = 4;  // Between landmarks [cells].
+    static constexpr std::int32_t kWidestSpacing = 4;  // Greatest distance between landmarks [cells].
 
     LocalFieldsDef def_;
     FieldCache cache_;
     std::optional<GroundLevel> level_;
-    std::uint32_t version_ = 0;  // Of the ground.
-    bool kept_ = false;          // keepFieldsOf() was called and bind() not yet.
+    std::uint32_t version_ = 0;  // Version of the ground.
+    bool kept_ = false;          // True after keepFieldsOf() and before bind().
     std::vector<Worker> workers_;
-    bool slow_ = false;              // Some ground was slow when memory was reserved.
-    std::vector<CellRect> changes_;  // Of the ground since the last step.
+    bool slow_ = false;              // True if some ground was slow when memory was reserved.
+    std::vector<CellRect> changes_;  // Changes of the ground since the last step.
 };
 
 }  // namespace muster

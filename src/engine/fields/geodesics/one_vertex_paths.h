@@ -1,5 +1,5 @@
 // Paths with at most one vertex: over ground of several unit costs with no wall in between (SPEC A3; Mitchell
-// and Papadimitriou 1991), and around what crowd and moving obstacles add (SPEC A4, A5).
+// and Papadimitriou 1991), and around crowd and moving obstacles (SPEC A4, A5).
 #pragma once
 
 #include "engine/fields/cost/dynamic_cost.h"
@@ -20,8 +20,8 @@ struct RefractedPath {
 RefractedPath refractedPath(const StaticGround& ground, Vec2 from, Vec2 to);
 
 /// The dynamic cost between two points [m of open ground]: along the straight line of this length, or, where
-/// that is cheaper, along a path with one vertex next to moving obstacles, including what the path is longer
-/// than the line. An upper bound of that of the cheapest path.
+/// that is cheaper, along a path with one vertex next to moving obstacles, including the length by which the
+/// path exceeds the line. An upper bound for the cheapest path.
 double dynamicCostBetween(const StaticGround& ground, const DynamicCost& dynamicCost, Vec2 a, Vec2 b,
                           double length);
 inline double dynamicCostBetween(const StaticGround& ground, const DynamicCost& dynamicCost, Vec2 a, Vec2 b) {

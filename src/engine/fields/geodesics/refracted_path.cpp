@@ -8,15 +8,16 @@
 namespace muster {
 namespace {
 
-constexpr double kSampleSpacing = 0.25;   // Between two samples of the ground along a line [m].
-constexpr std::int32_t kMaxSamples = 32;  // Of one line.
-constexpr std::int32_t kBisections = 3;   // Locate a change of the ground between two samples.
-constexpr double kRefractionOffsets[] = {0.3, 0.7, 1.3,
-                                         2.2};  // Of the vertex from the line, to either side [m].
+constexpr double kSampleSpacing = 0.25;   // Distance between two samples of the ground along a line [m].
+constexpr std::int32_t kMaxSamples = 32;  // Greatest number of samples of one line.
+// Number of bisections that locate a change of the ground between two samples.
+constexpr std::int32_t kBisections = 3;
+// Distances of the vertex from the line, to either side [m].
+constexpr double kRefractionOffsets[] = {0.3, 0.7, 1.3, 2.2};
 
 /// The cost along a line, and where the ground changes.
 struct LineCost {
-    double cost = 0.0;  // [m]
+    double cost = 0.0;  // Cost along the line [m].
     // Fraction of the line at which the unit cost changes most; negative where it does not change.
     double largestChange = -1.0;
 };

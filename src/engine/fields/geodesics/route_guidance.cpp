@@ -1,5 +1,5 @@
 // Directions by routes, where no field leads: each character heads for the next corner of its route.
-// Characters who go the same way share routes.
+// Characters that go the same way share routes.
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -9,14 +9,17 @@
 namespace muster {
 namespace {
 
-constexpr std::int64_t kWorkPerStep = 12000;  // Operations for routes in a step, of 10 to 100 ns each,
-constexpr std::int64_t kWorkOfAll = 24000;    // and of all who share steps together, about.
-constexpr double kCornerReached = 0.15;       // [m]
-constexpr std::int32_t kRouteSteps = 48;      // Steps for which the corner of a route serves,
-constexpr std::uint32_t kMoreSteps = 32;      // and fewer than so many more.
-constexpr std::int32_t kRetrySteps = 12;      // Steps until one is searched again where there was none.
-constexpr std::int32_t kLookPeriod = 4;       // Steps between two looks for the corner and the one after it.
-constexpr double kPlaceMoved = 0.1;           // By so much of its distance a place may move meanwhile.
+// Number of operations for routes in a step, of 10 to 100 ns each,
+constexpr std::int64_t kRouteOperations = 12000;
+// and the approximate number for all groups that share steps together.
+constexpr std::int64_t kSharedRouteOperations = 24000;
+constexpr double kCornerReached = 0.15;      // Distance at which a corner is reached [m].
+constexpr std::int32_t kRouteSteps = 48;     // Number of steps for which the corner of a route serves,
+constexpr std::uint32_t kFurtherSteps = 32;  // and upper bound of the random number of further steps.
+constexpr std::int32_t kRetrySteps = 12;     // Number of steps until a missing route is searched again.
+// Number of steps between two looks for the corner and the one after it.
+constexpr std::int32_t kLookPeriod = 4;
+constexpr double kPlaceMoved = 0.1;  // Share of its distance by which a place may move meanwhile.
 
 }  // namespace
 
@@ -26,7 +29,7 @@ void Geodesics::findRoutes(RouteGraph& routes, std::span<const Vec2> from,
     s.ways.age();
     const std::size_t n = targets.size();
     if (n == 0 || from.size() != n) return;
-    std::int64_t left = std::min(kWorkPerStep, kWorkOfAll / s.sharePeriod);
+    std::int64_t left = std::min(kRouteOperations, kSharedRouteOperations / s.sharePeriod);
     const std::size_t first = s.nextRoute % n;
     for (std::size_t k = 0; k < n && left > 0; ++k) {
         const std::size_t i = (first + k) % n;
@@ -39,7 +42,7 @@ void Geodesics::findRoutes(RouteGraph& routes, std::span<const Vec2> from,
     }
 }
 
-// Returns the operations used.
+// Finds a route for a character; returns the operations used.
 std::int64_t Geodesics::Impl::findRoute(RouteGraph& routes, Vec2 from, SteeringTarget& target) {
     std::int64_t work = 1;
     const Vec2 to = places[target.place];
@@ -57,7 +60,7 @@ std::int64_t Geodesics::Impl::findRoute(RouteGraph& routes, Vec2 from, SteeringT
         target.steps = kRetrySteps + static_cast<std::int32_t>(spread) % kRetrySteps;
         return work;
     }
-    target.steps = kRouteSteps + static_cast<std::int32_t>(spread % kMoreSteps);
+    target.steps = kRouteSteps + static_cast<std::int32_t>(spread % kFurtherSteps);
     std::size_t corner = 1;
     // A route begins in the cell where the graph is entered, which may lie behind; it is left out where the
     // next corner is in sight, or a character that searches again on its way would turn back each time.
@@ -85,7 +88,7 @@ bool Geodesics::Impl::routeServes(const CostQuery& q, SteeringTarget& target) co
     return !passed && (!target.seen || ground->lineOfSight(q.from, target.point));
 }
 
-// Towards the corner; until there is one straight on, as far as walls allow.
+// The direction to the corner; until there is one straight on, as far as walls allow.
 Vec2 Geodesics::Impl::directionByRoute(const CostQuery& q, SteeringTarget& target) const {
     if (routeServes(q, target)) return normalized(target.point - q.from);
     const bool known = target.route == RouteUse::Known;

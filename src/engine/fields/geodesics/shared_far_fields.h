@@ -9,13 +9,14 @@
 
 namespace muster {
 
-/// From a landmark to the edge of its far field, where that does not cover all ground [coarse cells].
+/// Distance from a landmark to the edge of its far field, where that does not cover all ground [coarse
+/// cells].
 inline constexpr std::int32_t kFarFieldHalfWidth = 64;
 
 /// The cells of the coarse ground that the far field of a landmark covers, where it does not cover all.
 CellRect farFieldBox(const StaticGround& ground, std::int32_t landmark);
-/// Drops those far fields from a cache that changes of the ground since a version have made wrong. `changes`
-/// is working memory.
+/// Drops the far fields from a cache that changes of the ground since a version have made wrong. `changes` is
+/// working memory.
 void dropChangedFarFields(const StaticGround& ground, std::uint32_t since, std::vector<CellRect>& changes,
                           FieldCache& cache);
 
@@ -25,7 +26,7 @@ class SharedFarFields {
 public:
     /// Begins a step of the world.
     void beginStep() { cache_.beginStep(); }
-    /// Follows the ground: always the same one.
+    /// Takes over the ground: always the same one.
     void update(const StaticGround& ground);
     /// The field of a landmark, null for none. Several threads may ask at once.
     const CostField* find(std::int32_t landmark) const;
@@ -36,7 +37,7 @@ private:
     static constexpr std::int32_t kCapacity = 384;
 
     FieldCache cache_{kCapacity};
-    std::uint32_t version_ = 0;  // Of the ground.
+    std::uint32_t version_ = 0;  // Version of the ground.
     std::vector<CellRect> changes_;
 };
 

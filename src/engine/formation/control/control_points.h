@@ -1,4 +1,4 @@
-// Points of controls (paper sections 4.1 and 4.2, SPEC U4, U5): supplementary ones of lines and areas, and
+// Points of controls (paper sections 4.1 and 4.2, SPEC U4, U5): supplementary points of lines and areas, and
 // drawn trajectories, cut into checkpoints and followed by a clock.
 #pragma once
 
@@ -7,7 +7,8 @@
 namespace muster {
 
 inline constexpr std::size_t
-    kMaxCheckpoints = 4096;  ///< Per trajectory; of a longer one every second is dropped.
+    /// Greatest number of checkpoints of a trajectory; of a longer one every second is dropped.
+    kMaxCheckpoints = 4096;
 
 /// Adds the finger's newest point, drawn at `time` [s]. At each full `spacing` [m] a checkpoint with
 /// interpolated time is fixed; the last element is always the newest point.

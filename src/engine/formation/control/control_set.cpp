@@ -9,10 +9,11 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kMaxControls = 64;           // On one mesh.
-constexpr double kMaxDelay = 0.5;                  // Touches arrive at most this long after their stamps [s].
-constexpr std::int32_t kMaxFingersPerClient = 32;  // Down at once on one mesh.
-constexpr double kSupplementarySpacing = 1.0;      // Distance between supplementary points [m].
+constexpr std::size_t kMaxControls = 64;  // Greatest number of controls on one mesh.
+constexpr double kMaxDelay = 0.5;         // Greatest delay of a touch after its stamp [s].
+// Greatest number of fingers of a client that are down at once on one mesh.
+constexpr std::int32_t kMaxFingersPerClient = 32;
+constexpr double kSupplementarySpacing = 1.0;  // Distance between supplementary points [m].
 
 ControlKind kindFor(std::size_t points) {
     return points == 1 ? ControlKind::Point : points == 2 ? ControlKind::Line : ControlKind::Area;

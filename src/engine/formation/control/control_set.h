@@ -70,7 +70,7 @@ public:
 
 private:
     std::vector<Control> controls_;
-    std::uint32_t nextId_ = 1;  // Of the next control.
+    std::uint32_t nextId_ = 1;  // Id of the next control.
 };
 
 }  // namespace muster

@@ -9,8 +9,8 @@
 namespace muster {
 namespace {
 
-constexpr double kMaxPerLine = 64.0;  // Samples between two control points.
-constexpr double kMaxInside = 256.0;  // Samples inside an area.
+constexpr double kMaxPerLine = 64.0;  // Greatest number of samples between two control points.
+constexpr double kMaxInside = 256.0;  // Greatest number of samples inside an area.
 
 // Samples one control.
 class Sampler {
@@ -98,7 +98,7 @@ private:
 
     Control& control_;
     const TriangleMesh& rest_;
-    double spacing_;            // [m]
+    double spacing_;            // Distance between samples [m].
     double tolerance_ = 0.0;    // Distance within which a point counts as covered by the mesh [m].
     std::vector<Vec2> corner_;  // Control points in the rest shape [m].
     std::vector<double> row_;   // Weights of the current sample.

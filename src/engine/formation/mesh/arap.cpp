@@ -20,10 +20,10 @@ std::array<Vec2, 3> corners(const Triangle& t, std::span<const Vec2> vertices) {
     return {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
 }
 
-// What solutions need of a triangle at rest.
+// Constants of a triangle at rest.
 struct RestTriangle {
-    std::array<Vec2, 3> spoke;  // From the centre to each corner, conjugate.
-    std::array<Vec2, 3> edge;   // From each corner to the next.
+    std::array<Vec2, 3> spoke;  // Vectors from the centre to each corner, conjugate.
+    std::array<Vec2, 3> edge;   // Vectors from each corner to the next.
 };
 
 RestTriangle restTriangle(const std::array<Vec2, 3>& c) {
@@ -52,7 +52,7 @@ struct ArapSolver::Impl {
     struct Coupling {
         std::int32_t row;     // Index of the free vertex.
         std::int32_t column;  // Index of the hard constraint.
-        Vec2 factor;          // Complex.
+        Vec2 factor;          // Complex factor.
     };
     // A vertex of an underconstrained component.
     struct Pull {
@@ -67,7 +67,7 @@ struct ArapSolver::Impl {
     std::vector<SoftConstraint> soft;
     bool ready = false;
 
-    std::vector<std::int32_t> freeIndex;  // Of each vertex, its row; -1 - k for the k-th hard constraint.
+    std::vector<std::int32_t> freeIndex;  // Row of each vertex; -1 - k for the k-th hard constraint.
     std::int32_t freeCount = 0;
     std::vector<Pull> pulls;
     SparseLdlt similarity;
@@ -76,8 +76,8 @@ struct ArapSolver::Impl {
     std::vector<Coupling> edgesKnown;
     std::vector<SparseEntry> entries;
 
-    std::vector<Vec2> restPoints;   // Of hard, then soft constraints [m].
-    std::vector<Vec2> targets;      // Of hard, then soft constraints, relative to the first [m].
+    std::vector<Vec2> restPoints;   // Rest points of hard, then soft constraints [m].
+    std::vector<Vec2> targets;      // Targets of hard, then soft constraints, relative to the first [m].
     std::vector<double> right;      // Right side of step 1: x and y of each free vertex.
     std::vector<Vec2> rightPoints;  // Right side of step 2.
 
@@ -195,7 +195,7 @@ bool ArapSolver::Impl::factorise() {
     edgesKnown.clear();
     for (const Triangle& t : rest.triangles) {
         for (std::size_t k = 0; k < 3; ++k) {
-            // Corner c relative to the edge a b: c = (1 - z) a + z b, in complex numbers.
+            // The corner c relative to the edge a b: c = (1 - z) a + z b, in complex numbers.
             const std::array<std::int32_t, 3> v{t[(k + 1) % 3], t[(k + 2) % 3], t[k]};
             const Vec2 edge = rest.vertices[v[1]] - rest.vertices[v[0]];
             const Vec2 z = complexProduct(complexConjugate(edge), rest.vertices[v[2]] - rest.vertices[v[0]]) /

@@ -14,8 +14,8 @@ namespace muster {
 
 /// A soft constraint: a point of the mesh that is drawn towards a target.
 struct SoftConstraint {
-    MeshPoint point;      ///< Where on the mesh.
-    double weight = 1.0;  ///< Relative to the mesh's own stiffness, above 0.
+    MeshPoint point;      ///< Point of the mesh.
+    double weight = 1.0;  ///< Weight relative to the mesh's own stiffness, above 0.
 };
 
 /// Step 1 finds a shape that is free up to similarities; then each triangle is rotated to fit it best, and

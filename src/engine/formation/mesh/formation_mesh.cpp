@@ -121,7 +121,7 @@ void FormationMesh::recentre(Vec2 centre) {
     constraintHash_ = 0;
 }
 
-// 0 without constraints; never 0 with some.
+// The hash of the constraints: 0 without any; never 0 with some.
 std::uint64_t FormationMesh::hashOfConstraints() const {
     if (hard_.empty() && soft_.empty()) return 0;
     Hash digest;
@@ -160,7 +160,7 @@ Status FormationMesh::findGoal() {
     return {};
 }
 
-// Exponential decay, of which 2 % are left after relaxTime, between two bounds on the speed.
+// The exponential decay, of which 2 % are left after relaxTime, between two bounds on the speed.
 void FormationMesh::decayResidual(const Parameters::Mesh& mesh, double dt) {
     const double share = std::min(1.0, 4.0 * dt / std::max(mesh.relaxTime, 1e-9));
     for (Vec2& r : residual_) {

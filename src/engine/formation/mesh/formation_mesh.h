@@ -8,7 +8,7 @@
 
 #include "engine/formation/control/control_set.h"
 #include "engine/formation/mesh/arap.h"
-#include "engine/formation/shapes/formation.h"
+#include "engine/formation/shapes/make_formation.h"
 #include "engine/ground/environment/environment.h"
 #include "muster/parameters.h"
 
@@ -44,7 +44,7 @@ public:
     /// Computes Vf after `dt` [s]: the potential field displaces each vertex at bounded speed, and vertices
     /// inside obstacles are moved to the nearest surface.
     void applyEnvironment(const Parameters::Field& field, const Environment& environment, double dt);
-    /// Moves the final mesh along with the user mesh, as far displaced as it is.
+    /// Moves the final mesh along with the user mesh, with unchanged displacements.
     void keepDisplacement();
 
     const Formation& formation() const { return formation_; }      ///< Rest shape and places.
@@ -80,20 +80,20 @@ private:
     void decayResidual(const Parameters::Mesh& mesh, double dt);
 
     Formation formation_;
-    Pose pose_;                         // Of the rest shape.
+    Pose pose_;                         // Pose of the rest shape.
     std::vector<Vec2> user_;            // Vu [m].
     std::vector<Vec2> final_;           // Vf [m].
-    std::vector<Vec2> displacement_;    // Of each vertex by the environment [m].
+    std::vector<Vec2> displacement_;    // Displacement of each vertex by the environment [m].
     std::vector<Vec2> residual_;        // Vu minus the goal shape [m].
-    std::uint64_t constraintHash_ = 0;  // Of the set of constraints; 0 for none.
+    std::uint64_t constraintHash_ = 0;  // Hash of the set of constraints; 0 for none.
 
     // Caches and working memory.
     ArapSolver solver_;
     bool solverReady_ = false;  // True where the solver has the mesh.
     std::vector<std::int32_t> hard_;
-    std::vector<Vec2> hardTargets_;  // [m]
+    std::vector<Vec2> hardTargets_;  // Targets of hard constraints [m].
     std::vector<SoftConstraint> soft_;
-    std::vector<Vec2> softTargets_;  // [m]
+    std::vector<Vec2> softTargets_;  // Targets of soft constraints [m].
     std::vector<Vec2> goal_;         // Goal shape [m].
 };
 

@@ -37,7 +37,7 @@ struct ConstrainedPoints {
 MeshComponents::MeshComponents(const TriangleMesh& mesh) {
     const std::size_t n = mesh.triangles.size();
     std::vector<std::int32_t> parent(n);
-    std::vector<std::array<std::int32_t, 3>> sides;  // Both ends of an edge in ascending order, triangle.
+    std::vector<std::array<std::int32_t, 3>> sides;  // Edges: both ends in ascending order, and the triangle.
     sides.reserve(3 * n);
     for (std::size_t k = 0; k < n; ++k) {
         parent[k] = static_cast<std::int32_t>(k);

@@ -25,7 +25,7 @@ public:
                                                std::span<const SoftConstraint> soft) const;
 
 private:
-    std::vector<std::int32_t> component_;  // Of each triangle.
+    std::vector<std::int32_t> component_;  // Component of each triangle.
     std::int32_t count_ = 0;
 };
 

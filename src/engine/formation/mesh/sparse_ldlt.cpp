@@ -37,7 +37,8 @@ bool SparseLdlt::factorise(int size, const std::vector<SparseEntry>& entries) {
     return true;
 }
 
-// Where unknowns are coordinates most rows come as x and y of a point, which are substituted in pairs.
+// Finds pairs of rows. Where unknowns are coordinates most rows come as x and y of a point, which are
+// substituted in pairs.
 void SparseLdlt::findPairs() {
     paired_.clear();
     for (std::size_t j = 0; j < diagonal_.size(); ++j) {

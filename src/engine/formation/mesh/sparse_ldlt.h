@@ -15,12 +15,12 @@ using SparseEntry = Eigen::Triplet<double, int>;
 /// solve() allocates.
 class SparseLdlt {
 public:
-    /// Factorises the matrix given by its entries (both triangles; repeated ones add up).
-    /// False where it is not positive definite.
+    /// Factorises the matrix given by its entries (both triangles; repeated entries add up). False where it
+    /// is not positive definite.
     bool factorise(int size, const std::vector<SparseEntry>& entries);
     /// Replaces `values`, the right side, by the solution.
     void solve(std::vector<double>& values);
-    /// Two right sides at once, as x and y; each gets the same bits as alone.
+    /// Replaces two right sides at once, as x and y; each gets the same bits as alone.
     void solve(std::vector<Vec2>& values);
     /// Number of unknowns.
     int size() const { return static_cast<int>(diagonal_.size()); }
@@ -28,14 +28,14 @@ public:
 private:
     void findPairs();
 
-    std::vector<int> order_;     // Of each unknown, its position in the factor.
-    std::vector<int> start_;     // Of each column of L, its first entry; the unit diagonal is not stored.
-    std::vector<int> paired_;    // Of each column, its first entry from which rows come in consecutive pairs.
-    std::vector<int> row_;       // Of each entry.
-    std::vector<double> value_;  // Of each entry.
-    std::vector<double> diagonal_;  // D.
+    std::vector<int> order_;        // Position of each unknown in the factor.
+    std::vector<int> start_;        // First entry of each column of L; the unit diagonal is not stored.
+    std::vector<int> paired_;       // First entry of each column from which rows come in consecutive pairs.
+    std::vector<int> row_;          // Row of each entry.
+    std::vector<double> value_;     // Value of each entry.
+    std::vector<double> diagonal_;  // Diagonal D.
     std::vector<double> work_;      // Right side and solution in the factor's order.
-    std::vector<Vec2> workPoints_;  // The same for two right sides.
+    std::vector<Vec2> workPoints_;  // Right side and solution for two right sides.
 };
 
 }  // namespace muster

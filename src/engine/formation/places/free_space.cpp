@@ -5,7 +5,8 @@ namespace {
 
 // Distances are evaluated this much beyond the limit of interest [m].
 constexpr double kDistanceMargin = 1e-3;
-constexpr double kDeep = 1.0;  // From here on inside an obstacle a point is not projected out of it [m].
+// Depth inside an obstacle from which on a point is not projected out of it [m].
+constexpr double kDeepInside = 1.0;
 
 }  // namespace
 
@@ -35,7 +36,7 @@ bool FreeSpace::containsExactly(Vec2 p) const {
 Vec2 FreeSpace::nearest(Vec2 p) const {
     if (contains(p)) return p;
     // Deep inside obstacles a projection costs more than the remembered ground of the region.
-    if (region_ < 0 || clearanceAt(cellOf(p)) > -kDeep) {
+    if (region_ < 0 || clearanceAt(cellOf(p)) > -kDeepInside) {
         const Vec2 projected = environment_.projectToFreeSpace(p, clearRadius());
         if (inRegion(projected)) return projected;
     }

@@ -11,19 +11,19 @@
 
 namespace muster {
 
-/// How the places of one group travel. Radius and separation are those of its members, which no parameters
+/// Bounds of the places of one group. Radius and separation are those of its members, which no parameters
 /// hold.
 struct PlaceDef {
-    /// Of the characters [m], above 0.
+    /// Radius of the characters [m], above 0.
     double radius = Parameters::Character{}.radius;
     /// Distance kept from obstacles beyond the radius [m], 0 or more.
     double clearance = Parameters::Place{}.clearance;
-    /// Of places [m/s], above 0; multiplied by the ground's travel speed.
+    /// Top speed of places [m/s], above 0; multiplied by the ground's travel speed.
     double maxSpeed = Parameters::Place{}.speed;
     /// Least distance between reachable targets [m]; 0 for a diameter.
     double separation = 0.0;
 
-    /// As above, in metres.
+    /// The least distance between reachable targets in metres.
     double apart() const { return separation > 0.0 ? separation : 2.0 * radius; }
 };
 
@@ -31,7 +31,7 @@ struct PlaceDef {
 class FreeSpace {
 public:
     /// `region` is a label of RouteGraph::region(), or -1 for all regions; `routes` are those of the radius.
-    /// `nearest` must not be used by others meanwhile.
+    /// `nearest` must have no other user meanwhile.
     FreeSpace(const PlaceDef& def, const RouteGraph& routes, std::int32_t region, NearestReachable& nearest)
         : def_(def),
           environment_(routes.environment()),
@@ -44,8 +44,8 @@ public:
           clearanceError_(0.5 * std::sqrt(2.0) * grid_.cell + kRoundingError),
           undivided_(region < 0 || (region == 0 && routes.regionCount() == 1)) {}
 
-    const RouteGraph& routes() const { return routes_; }  ///< As given.
-    std::int32_t region() const { return region_; }       ///< As given.
+    const RouteGraph& routes() const { return routes_; }  ///< The given routes.
+    std::int32_t region() const { return region_; }       ///< The given region.
     /// Radius and clearance together [m].
     double clearRadius() const { return def_.radius + def_.clearance; }
     /// Index of the cell that holds `p`, or of the nearest to it.
@@ -101,7 +101,7 @@ private:
     std::int32_t region_;
     Box inner_;  // The box for characters with clearance [m].
     Grid grid_;
-    std::span<const float> clearance_;  // Of cell centres [m].
+    std::span<const float> clearance_;  // Clearance of cell centres [m].
     double clearanceError_;  // Most by which a point's clearance is below that of its cell's centre [m].
     bool undivided_;         // True where all cells with enough clearance are in the region.
 };

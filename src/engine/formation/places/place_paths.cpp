@@ -1,5 +1,5 @@
-// Paths of travelling places: a shared way where one leads there, else a route of its own; round obstacles
-// that move.
+// Paths of travelling places: a shared route where one leads there, else a route of its own; round moving
+// obstacles.
 #include <limits>
 
 #include "engine/formation/places/place_tracker.h"
@@ -7,15 +7,16 @@
 namespace muster {
 namespace {
 
-constexpr double kSampleSpacing = 0.5;       // Of points of a path tested against moving obstacles [m].
-constexpr std::int32_t kSamples = 30;        // So many from the start on.
-constexpr std::int32_t kSamplesPast = 2;     // A path round an obstacle ends so many samples past it.
+// Distance between samples of a path that are tested against moving obstacles [m].
+constexpr double kSampleSpacing = 0.5;
+constexpr std::int32_t kSamples = 30;     // Number of samples from the start on.
+constexpr std::int32_t kSamplesPast = 2;  // Number of samples past an obstacle at which a path round it ends.
 constexpr std::int64_t kDetourWork = 30000;  // Bound on the search round moving obstacles [operations].
 
-// Points along a path, from its start on.
+// Writes points along a path, from its start on.
 void samplePath(const std::vector<Vec2>& path, std::vector<Vec2>& samples) {
     samples.clear();
-    double past = 0.0;  // Of the present segment.
+    double past = 0.0;  // Length past the last sample on the present segment.
     for (std::size_t k = 1; k < path.size() && samples.size() < kSamples; ++k) {
         const double whole = distance(path[k - 1], path[k]);
         for (; past < whole && samples.size() < kSamples; past += kSampleSpacing)
@@ -27,7 +28,7 @@ void samplePath(const std::vector<Vec2>& path, std::vector<Vec2>& samples) {
 
 }  // namespace
 
-// Returns the operations used.
+// Finds a path for a place; returns the operations used.
 std::int64_t PlaceTracker::findPath(RouteGraph& routes, Vec2 from, Vec2 to, std::vector<Vec2>& path) {
     std::int64_t work = 1;
     if (!ways_.join(routes.ground(), from, to, path, work)) {
@@ -43,8 +44,8 @@ std::int64_t PlaceTracker::findPath(RouteGraph& routes, Vec2 from, Vec2 to, std:
     return work;
 }
 
-// Replaces the first metres of a path where an obstacle that moves lies on them now. Where there is no way
-// past it the path stays: the place waits.
+// Replaces the first metres of a path where a moving obstacle lies on them now. Where there is no path past
+// it the old path stays: the place waits.
 std::int64_t PlaceTracker::passMovingObstacles(RouteGraph& routes, std::vector<Vec2>& path) {
     const Environment& environment = routes.environment();
     const double radius = routes.ground().radius();

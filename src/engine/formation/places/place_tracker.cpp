@@ -10,27 +10,30 @@
 namespace muster {
 namespace {
 
-// Path searches go on in a step until they have used so many operations, of 10 to 100 ns each.
-constexpr std::int64_t kWorkPerStep = 15000;
-constexpr double kLeastProgress = 0.1;    // A place that moves by less than this share of a step is blocked.
-constexpr double kAttractionSpeed = 2.0;  // Of reachable targets to their targets, in top speeds of places.
-// A new path is searched when the goal has moved farther than this [m]
+// Operations after which path searches end in a step, of 10 to 100 ns each.
+constexpr std::int64_t kPathOperations = 15000;
+constexpr double kLeastProgress = 0.1;  // Share of a step below which a place that moves is blocked.
+// Speed of reachable targets towards their targets, in top speeds of places.
+constexpr double kAttractionSpeed = 2.0;
+// Distance that a goal moves before a new path is searched [m]
 constexpr double kReplanDistance = 1.0;
-constexpr std::size_t kReservedCorners = 64;  // For which a new path has memory.
-constexpr std::size_t kReservedPaths = 512;   // For which there is memory at first.
-constexpr double kGoalInSight = 20.0;  // On a long route the goal is looked for from this distance on [m].
-// Who is barred on its path by something that moves asks again in one step of so many.
+constexpr std::size_t kReservedCorners = 64;  // Number of corners for which a new path has memory.
+constexpr std::size_t kReservedPaths = 512;   // Number of paths for which there is memory at first.
+constexpr double kGoalInSight = 20.0;  // Distance from which on the goal is looked for on a long route [m].
+// Steps between two requests of a place that a moving obstacle bars on its path.
 constexpr std::uint32_t kBarredTurns = 8;
-constexpr double kReplanShare = 0.25;  // and than this share of the straight distance to it.
-// Of the line to a goal so many metres are tested in each step, the rest when the place has come so far.
-constexpr double kNearSight = 4.0;
+constexpr double kReplanShare = 0.25;  // and the same as a share of the straight distance to it.
+// Length of the line to a goal that is tested in each step; the rest is tested when the place has come that
+// far [m].
+constexpr double kTestedLength = 4.0;
 constexpr double kSightPeriod = 0.25;
-constexpr std::int32_t kMostOrdered = 20000;  // Cells over which places that jumped are put in order.
-constexpr std::size_t kRanks = 24;            // Ranks in which places may cross each other,
-constexpr int kRankPasses = 4;                // and how often these are looked through.
-constexpr double kStill = 5e-5;               // A target that moves less rests [m].
+// Greatest number of cells over which places that jumped are put in order.
+constexpr std::int32_t kMostOrdered = 20000;
+constexpr std::size_t kRanks = 24;        // Number of ranks in which places may cross each other,
+constexpr int kRankPasses = 4;            // and number of passes over them.
+constexpr double kTargetRestMove = 5e-5;  // Movement below which a target rests [m].
 
-// The detour of a place, or where it belongs among the others.
+// The index of the detour of a place, or of where it belongs in the list.
 template <class Detours>
 auto detourAt(Detours& detours, std::int32_t place) {
     return std::lower_bound(detours.begin(), detours.end(), place,
@@ -67,11 +70,12 @@ void PlaceTracker::readTargets(std::span<const Vec2> targets, const Environment&
     // The environment may keep pushing the mesh to and fro a little.
     const std::size_t known = std::min(wanted_.size(), targets_.target.size());
     for (std::size_t k = 0; k < known; ++k)
-        if (targets_.reachable[k] != targets_.target[k] && distance(wanted_[k], targets_.target[k]) < kStill)
+        if (targets_.reachable[k] != targets_.target[k] &&
+            distance(wanted_[k], targets_.target[k]) < kTargetRestMove)
             wanted_[k] = targets_.target[k];
 }
 
-// Targets on ground that is cut off move to the nearest ground of the region all alike, as far as the
+// Moves targets on ground that is cut off to the nearest ground of the region, all alike, as far as the
 // farthest of them has to, so that they keep their arrangement.
 void PlaceTracker::bringWithinReach(const FreeSpace& space) {
     asked_ = wanted_;
@@ -104,8 +108,8 @@ void PlaceTracker::separateAll(const PlaceDef& def, const RouteGraph& routes, st
                     separationMemory_);
 }
 
-// After targets have jumped: the points of those in walls are any free ones, and are given out in the order
-// in which the last ones were, so that places do not pass each other on their way.
+// Reassigns points after targets have jumped: targets in walls may have any free points; they get them in the
+// order of their last ones, so that places do not pass each other on their paths.
 void PlaceTracker::keepOrder(const FreeSpace& space) {
     displaced_.clear();
     points_.clear();
@@ -115,7 +119,7 @@ void PlaceTracker::keepOrder(const FreeSpace& space) {
             displaced_.push_back(static_cast<std::int32_t>(k));
             points_.push_back(targets_.reachable[k]);
         }
-    if (2 * displaced_.size() <= n) return;  // Single obstacles scatter nobody far.
+    if (2 * displaced_.size() <= n) return;  // Single obstacles scatter no place far.
     const auto count = static_cast<std::int32_t>(displaced_.size());
     order_.begin(space.routes(), space.region(), 1.0);
     for (std::int32_t k = 0; k < count; ++k) {
@@ -130,8 +134,8 @@ void PlaceTracker::keepOrder(const FreeSpace& space) {
         targets_.reachable[displaced_[inOrder_[k]]] = points_[inOrder_[count + k] - count];
 }
 
-// The order along the ground says little of that across it: points of near ranks are exchanged where places
-// would cross.
+// Exchanges points of near ranks where places would cross: the order along the ground says little of the
+// order across it.
 void PlaceTracker::keepRows(std::span<const std::int32_t> places, std::span<std::int32_t> points,
                             std::int32_t first) const {
     for (int pass = 0; pass < kRankPasses; ++pass)
@@ -208,8 +212,8 @@ private:
 
     // Long lines are costly, and mostly as clear as a step before.
     bool goesStraight(Vec2 from, Vec2 goal, double left, bool whole, bool onDetour) const {
-        if (whole || left <= kNearSight) return lineIsClear(from, goal, left);
-        return !onDetour && lineIsClear(from, stepTowards(from, goal, left, kNearSight), kNearSight);
+        if (whole || left <= kTestedLength) return lineIsClear(from, goal, left);
+        return !onDetour && lineIsClear(from, stepTowards(from, goal, left, kTestedLength), kTestedLength);
     }
 
     bool lineIsClear(Vec2 a, Vec2 b, double length) const {
@@ -275,8 +279,8 @@ private:
     const Environment& environment_;
     RasterView speed_;  // Travel speed per cell.
     FreeSpace space_;
-    double dt_;      // [s]
-    double radius_;  // For tests of lines [m].
+    double dt_;      // Time step [s].
+    double radius_;  // Radius for tests of lines [m].
 };
 
 // Removes detours and collects their memory.
@@ -405,7 +409,7 @@ std::int32_t firstSearching(const std::vector<Need>& needs, Need search, std::in
 void PlaceTracker::searchPaths(RouteGraph& routes) {
     const auto n = static_cast<std::int32_t>(position_.size());
     if (n == 0) return;
-    std::int64_t left = kWorkPerStep;
+    std::int64_t left = kPathOperations;
     const auto first = static_cast<std::int32_t>(nextPathSearch_ % static_cast<std::uint32_t>(n));
     nextPathSearch_ = static_cast<std::uint32_t>((first + 1) % n);
     const auto search = [&](std::int32_t place) {

@@ -31,26 +31,26 @@ public:
 
     /// Puts the places, of which there must be as many, where a march has led them in `dt` [s] > 0.
     void lead(std::span<const Vec2> positions, double dt);
-    /// Puts them where they are to stand.
+    /// Puts the places where they are to stand.
     void stand(std::span<const Vec2> positions);
 
-    /// Where a place of another arrangement begins.
+    /// The begin of a place of another arrangement.
     struct Origin {
-        const PlaceTracker* tracker = nullptr;  ///< Whose place it was; null for a new one.
-        std::int32_t place = -1;                ///< Its index there.
-        Vec2 position;                          ///< Where a new one begins [m].
+        const PlaceTracker* tracker = nullptr;  ///< Tracker of the place before; null for a new place.
+        std::int32_t place = -1;                ///< Its index in that tracker.
+        Vec2 position;                          ///< Begin of a new place [m].
     };
     /// Takes over places from trackers, of which this may be one, and new ones. They go on from where they
     /// are; reachable targets stay until the next advance().
     void assemble(std::span<const Origin> origins);
 
-    const std::vector<Vec2>& positions() const { return position_; }   ///< [m]
-    const std::vector<Vec2>& velocities() const { return velocity_; }  ///< [m/s]
+    const std::vector<Vec2>& positions() const { return position_; }   ///< Positions of the places [m].
+    const std::vector<Vec2>& velocities() const { return velocity_; }  ///< Velocities of the places [m/s].
     /// 1 where a character can stand, 0 where the place is unfit and stays unmatched.
     const std::vector<std::uint8_t>& fit() const { return targets_.fit; }
     /// Target of each place in the last reset() or advance(): a point of the final mesh [m].
     const std::vector<Vec2>& targets() const { return asked_; }
-    /// The same, with those that are cut off from the region brought within reach; state [m].
+    /// Targets, of which those that are cut off from the region are brought within reach; state [m].
     const std::vector<Vec2>& targetsWithinReach() const { return targets_.target; }
     /// Reachable target of each place after the last reset() or advance() [m].
     const std::vector<Vec2>& reachableTargets() const { return targets_.reachable; }
@@ -77,7 +77,7 @@ private:
         }
     };
 
-    // What a place needs after its step.
+    // The need of a place for a path after its step.
     enum class PathNeed : std::uint8_t { None, Search, KeepDetour };
 
     class Mover;
@@ -97,28 +97,28 @@ private:
     std::int64_t findPath(RouteGraph& routes, Vec2 from, Vec2 to, std::vector<Vec2>& path);
     std::int64_t passMovingObstacles(RouteGraph& routes, std::vector<Vec2>& path);
 
-    std::vector<Vec2> position_;  // [m]
-    std::vector<Vec2> velocity_;  // [m/s]
+    std::vector<Vec2> position_;  // Positions of the places [m].
+    std::vector<Vec2> velocity_;  // Velocities of the places [m/s].
     ReachableTargets targets_;
-    std::vector<Detour> detours_;       // In ascending order of places.
+    std::vector<Detour> detours_;       // Detours in ascending order of places.
     std::uint32_t nextPathSearch_ = 0;  // Place at which the round robin of path searches begins.
     SharedWays ways_;
 
     // Working memory and caches.
     std::vector<Vec2> wanted_;  // Targets, all finite [m].
-    std::vector<Vec2> asked_;   // The same before some were brought within reach [m].
-    /// What brought a target within reach, which holds while it rests on the same ground.
+    std::vector<Vec2> asked_;   // Targets before some were brought within reach [m].
+    /// The shift that brings a target within reach; it holds while the target rests on the same ground.
     struct Reach {
-        Vec2 target;  // [m]
-        Vec2 way;     // To the region [m].
+        Vec2 target;  // Target [m].
+        Vec2 way;     // Vector to the region [m].
         bool cutOff = false;
     };
-    std::vector<Reach> reach_;  // Per place, for the graph, its version and the region.
+    std::vector<Reach> reach_;  // Shifts per place, for the graph, its version and the region.
     const RouteGraph* reachGraph_ = nullptr;
     std::uint64_t reachVersion_ = 0;
     std::int32_t reachRegion_ = -1;
     std::vector<std::int32_t> cutOff_;  // Places whose targets are cut off.
-    std::vector<PathNeed> needs_;       // Of each place.
+    std::vector<PathNeed> needs_;       // Need of each place.
     TargetUpdateMemory updateMemory_;
     SeparationMemory separationMemory_;
     std::vector<std::vector<Vec2>> sparePaths_;  // Memory of paths that ended.
@@ -128,7 +128,7 @@ private:
     std::vector<std::int32_t> displaced_, inOrder_;  // Places whose targets lie in walls.
     std::vector<Vec2> points_;                       // Their reachable targets [m].
     RouteSearch search_;
-    std::vector<Vec2> samples_;  // Of a path [m].
+    std::vector<Vec2> samples_;  // Samples of a path [m].
 };
 
 }  // namespace muster

@@ -10,11 +10,12 @@
 namespace muster {
 namespace {
 
-constexpr double kBeyondRadii = 0.04;     // Between two bodies [m].
-constexpr double kLargeBody = 1.2;        // Of the least radius and more.
-constexpr std::size_t kFewLarge = 16;     // So many push single; more are taken together.
+constexpr double kBeyondRadii = 0.04;  // Distance between two bodies [m].
+constexpr double kLargeBody = 1.2;     // Ratio to the least radius from which on a body is large.
+// Number of large bodies up to which each pushes alone; more are taken together.
+constexpr std::size_t kFewLarge = 16;
 constexpr std::int32_t kRoomSweeps = 40;  // Most sweeps over pairs that are too close.
-constexpr double kRoomError = 1e-3;       // Pairs may remain too close by so much [m].
+constexpr double kRoomError = 1e-3;       // Distance by which pairs may remain too close [m].
 
 }  // namespace
 
@@ -38,7 +39,8 @@ bool RoomForBodies::isTight(std::span<const Vec2> places) {
     return tight;
 }
 
-// Points at distance d go to sqrt(d^2 + c^2): areas are kept, and the nearest one comes as far as it needs.
+// Pushes points at distance d to sqrt(d^2 + c^2): areas are kept, and the nearest point gets as far as it has
+// to.
 void RoomForBodies::push(std::span<Vec2> places, std::int32_t large) const {
     const double near = nearest(places, large);
     const double smallest = *std::min_element(radii_.begin(), radii_.end());
@@ -62,7 +64,7 @@ void RoomForBodies::findNearest(std::span<const Vec2> places) {
     });
 }
 
-// The disc round a cluster grows evenly by what its members lack; outside, areas are kept.
+// Grows the disc round a cluster evenly by the room that its members lack; outside, areas are kept.
 void RoomForBodies::growCluster(std::span<Vec2> places, std::span<const std::int32_t> cluster) const {
     Vec2 middle;
     for (const std::int32_t k : cluster) middle += places[k];
@@ -98,7 +100,7 @@ void RoomForBodies::grow(std::span<Vec2> places, std::span<std::int32_t> cluster
     grow(places, cluster.subspan(cluster.size() / 2), share);
 }
 
-// One sweep of projections, pair by pair. True once nobody was too close.
+// Makes one sweep of projections, pair by pair. True once no two were too close.
 bool RoomForBodies::separate(std::span<Vec2> places) {
     bool done = true;
     cells_.sort(places, reach_);

@@ -6,9 +6,10 @@
 namespace muster {
 namespace {
 
-constexpr double kRowShare = 0.87;  // Distance of rows of points, a little more than in a triangle.
-constexpr double kNarrow = 0.5;     // Centres of cells with less room than this are points too [spacings].
-static_assert(kTileCells == 32);    // A row of a tile is one word.
+// Distance of rows of points, in spacings; a little more than in a triangle.
+constexpr double kRowShare = 0.87;
+constexpr double kNarrowRoom = 0.5;  // Room below which centres of cells are points too [spacings].
+static_assert(kTileCells == 32);     // A row of a tile is one word.
 
 }  // namespace
 
@@ -52,7 +53,7 @@ bool SiteFlood::meetAll(std::int32_t start, std::int32_t most) {
     for (std::size_t head = 0; head < queue_.size() && std::cmp_less(head, most); ++head) {
         last_ = queue_[head];
         meet(last_);
-        // Who stands at a wall may do so in a cell whose centre is blocked.
+        // A place at a wall may lie in a cell whose centre is blocked.
         const Cell c = grid_.at(last_);
         for (const Cell step : kOffsets) {
             const Cell n{c.x + step.x, c.y + step.y};
@@ -70,7 +71,7 @@ bool SiteFlood::inRegion(Cell c) const {
     return component >= 0 && (region_ < 0 || routes_->regionOf(tile, component) == region_);
 }
 
-// All places whose cell this is wait for points from now on.
+// Lets all places in this cell wait for points from now on.
 void SiteFlood::meet(std::int32_t cell) {
     const auto before = [](const Seeker& seeker, std::int32_t c) { return seeker.cell < c; };
     for (auto at = std::lower_bound(seekers_.begin(), seekers_.end(), cell, before);
@@ -81,7 +82,8 @@ void SiteFlood::meet(std::int32_t cell) {
     }
 }
 
-// The points of a triangular lattice in the cell, and its centre where it is so narrow that they may miss it.
+// Lists the points of a triangular lattice in the cell, and its centre where it is so narrow that they may
+// miss it.
 void SiteFlood::listSites(std::int32_t cell) {
     sites_.clear();
     const Cell c = grid_.at(cell);
@@ -98,7 +100,7 @@ void SiteFlood::listSites(std::int32_t cell) {
         }
     }
     const double room = routes_->environment().staticClearance()[cell] - routes_->radius();
-    if (room < kNarrow * spacing_) sites_.push_back(grid_.centre(c));
+    if (room < kNarrowRoom * spacing_) sites_.push_back(grid_.centre(c));
 }
 
 void SiteFlood::visit(std::int32_t cell) {

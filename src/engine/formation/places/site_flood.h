@@ -19,12 +19,12 @@ public:
     void begin(const RouteGraph& routes, std::int32_t region, double spacing);
     /// Adds a place that wants a point near `p`, which lies in the region.
     void add(std::int32_t place, Vec2 p);
-    bool empty() const { return seekers_.empty(); }  ///< True where nobody wants one.
+    bool empty() const { return seekers_.empty(); }  ///< True where no place wants a point.
 
     /// Floods from the first place that was added, and goes on from the next one that no flood has met,
     /// `most` times in all. `accept(place, point)` takes a point for a place, or refuses it; a point is
-    /// offered only once, so its answer must not depend on the place. A flood ends once all that it has met
-    /// are served, or the region is at its end. True where all that were met are served.
+    /// offered only once, so its answer must not depend on the place. A flood ends once all places that it
+    /// has met are served, or the region is at its end. True where all places met are served.
     template <class Accept>
     bool run(std::int32_t most, const Accept& accept) {
         bool served = true;
@@ -39,14 +39,14 @@ public:
         return served;
     }
 
-    /// Lists the places that were added in the order in which the ground joins them, from one end of what
-    /// they cover to the other: that of a flood from the last one that a first flood comes to. False where
-    /// these would cover more than `most` cells, or do not come to all.
+    /// Lists the places that were added in the order in which the ground joins them, from one end of their
+    /// ground to the other: the order of a flood from the last place that a first flood comes to. False where
+    /// they would cover more than `most` cells, or the flood does not come to all.
     bool order(std::int32_t most, std::vector<std::int32_t>& places);
 
 private:
     struct Seeker {
-        std::int32_t cell;  // Where its flood would begin.
+        std::int32_t cell;  // Cell where its flood would begin.
         std::int32_t place;
 
         bool operator<(const Seeker& other) const {
@@ -83,16 +83,16 @@ private:
     const RouteGraph* routes_ = nullptr;
     Grid grid_;
     std::int32_t region_ = -1;
-    double spacing_ = 1.0;                 // [m]
-    std::vector<Seeker> seekers_, first_;  // By cell, and in the order in which they came.
-    std::vector<std::uint8_t> met_;        // Of seekers_.
+    double spacing_ = 1.0;                 // Distance between points [m].
+    std::vector<Seeker> seekers_, first_;  // Places by cell, and in the order in which they came.
+    std::vector<std::uint8_t> met_;        // By place: 1 if the flood has met it.
     std::vector<std::int32_t> waiting_;    // Places that the flood has met.
     std::vector<std::int32_t> queue_;      // Cells, in the order of the flood.
     std::int32_t last_ = 0;                // The last cell that meetAll() looked at.
-    std::vector<Vec2> sites_;              // Of a cell [m].
+    std::vector<Vec2> sites_;              // Points of a cell [m].
     // Visited cells: a bit each, in the tiles that the flood has come to.
     std::vector<std::int32_t> rowsOfTile_;  // Index of a tile's first row; -1 for none.
-    std::vector<std::int32_t> tiles_;       // Those with rows.
+    std::vector<std::int32_t> tiles_;       // Tiles with rows.
     std::vector<std::uint32_t> rows_;
 };
 

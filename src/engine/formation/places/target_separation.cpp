@@ -10,20 +10,21 @@
 namespace muster {
 namespace {
 
-constexpr int kIterations = 8;       // Of pushing targets apart.
-constexpr double kOvershoot = 1.02;  // Pairs are pushed this much too far, so that few iterations suffice.
-constexpr std::ptrdiff_t
-    kCrowd = 200;  // So many in walls need room to pass; fewer find their places without.
+constexpr int kIterations = 8;  // Number of iterations that push targets apart.
+// Factor by which pairs are pushed too far, so that few iterations suffice.
+constexpr double kPushFactor = 1.02;
+// Number of targets in walls from which on they need room to pass.
+constexpr std::ptrdiff_t kManyInWalls = 200;
 constexpr std::int32_t kSearchBudget = 10000;  // Points examined on rings for all relocated targets together.
 
-// One Jacobi iteration: pushes targets closer than `separation` apart, each by half of what is missing.
-// Examines only pairs with a target marked in `moved`, and then marks those that moved. False where no pair
-// was too close.
+// One Jacobi iteration: pushes targets closer than `separation` apart, each by half of the missing distance.
+// Examines only pairs with a target marked in `moved`, and then marks the targets that moved. False where no
+// pair was too close.
 bool pushApart(std::vector<Vec2>& targets, double separation, SeparationMemory& memory) {
     memory.neighbours.update(targets, separation, kTargetSkin);
     memory.push.assign(targets.size(), {});
     bool any = false;
-    const double wanted = separation * kOvershoot, least = separation * kSeparationTolerance;
+    const double wanted = separation * kPushFactor, least = separation * kSeparationTolerance;
     for (const auto [low, high] : memory.neighbours.pairs()) {
         const Vec2 between = targets[high] - targets[low];
         if (!(lengthSquared(between) < least * least)) continue;
@@ -60,7 +61,7 @@ void markConflicts(const std::vector<Vec2>& targets, double separation, Separati
     for (const NeighbourPair pair : memory.neighbours.pairs())
         if (lengthSquared(targets[pair.high] - targets[pair.low]) < least * least)
             memory.conflicts.push_back(pair);
-    // In ascending order of the higher index, so that the mark of the lower one is final.
+    // Sorted in ascending order of the higher index, so that the mark of the lower one is final.
     std::sort(memory.conflicts.begin(), memory.conflicts.end(), [](NeighbourPair a, NeighbourPair b) {
         return a.high != b.high ? a.high < b.high : a.low < b.low;
     });
@@ -103,7 +104,7 @@ private:
         return true;
     }
 
-    // For those that the rings did not serve.
+    // Floods for targets that the rings did not serve.
     void flood() {
         SiteFlood& flood = memory_.flood;
         flood.begin(space_.routes(), space_.region(), kSiteSpacing * separation_);
@@ -128,7 +129,7 @@ private:
     SeparationMemory& memory_;
 };
 
-// False where some found no point.
+// Separates targets; false where some found no point.
 bool separate(const FreeSpace& space, double separation, std::vector<Vec2>& targets,
               std::vector<std::uint8_t>& fit, SeparationMemory& memory) {
     fit.assign(targets.size(), 1);
@@ -152,7 +153,7 @@ void separateTargets(const FreeSpace& space, double separation, std::vector<Vec2
     const auto inWall = std::count_if(targets.begin(), targets.end(),
                                       [&](Vec2 target) { return !space.contains(target); });
     memory.asked = targets;
-    if (2 * inWall > std::ssize(targets) && inWall > kCrowd &&
+    if (2 * inWall > std::ssize(targets) && inWall > kManyInWalls &&
         separate(space, kLooseSpacing * separation, targets, fit, memory))
         return;
     targets = memory.asked;

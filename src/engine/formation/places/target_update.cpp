@@ -9,19 +9,22 @@
 namespace muster {
 namespace {
 
-// Most that a reachable target moves in a step, as a share of the separation.
+// Greatest movement of a reachable target in a step, as a share of the separation.
 constexpr double kMaxStep = 0.3;
-constexpr double kStray = 3.0;  // Times as far from its target as others are, a place in a wall leaps to it.
-// If more than one in this many targets jump, all are separated again.
+// Ratio to the distance of others from which on a place in a wall leaps to its target.
+constexpr double kStray = 3.0;
+// Inverse share of jumping targets above which all are separated again.
 constexpr std::size_t kDiscontinuousShare = 8;
-constexpr std::int32_t kBaseBudget = 400;   // Points examined per step by places that search,
-constexpr std::size_t kPlacesPerPoint = 5;  // plus one for so many places.
-// One in so many is reserved for places that have a point already.
+constexpr std::int32_t kBaseBudget = 400;   // Number of points examined per step by places that search,
+constexpr std::size_t kPlacesPerPoint = 5;  // and number of places for each of which one more is added.
+// Inverse share that is reserved for places that have a point already.
 constexpr std::int32_t kReservedShare = 4;
 constexpr std::int32_t kProjectionCost = 8;  // Cost of a projection onto the free space, in examined points.
-constexpr double kLeastGain = 2.0;           // A new point is nearer to the target by this, in separations.
-constexpr std::uint32_t kFloodPause = 120;   // Steps before the next flood where a region is full.
-// Where all places have searched in vain and nothing has moved since, they go on with this share of points.
+// Distance by which a new point must be nearer to the target, in separations.
+constexpr double kLeastGain = 2.0;
+constexpr std::uint32_t kFloodPause = 120;  // Steps before the next flood where a region is full.
+// Inverse share of points with which places go on where all have searched in vain and nothing has moved
+// since.
 constexpr std::int32_t kQuietShare = 16;
 
 }  // namespace
@@ -57,7 +60,7 @@ bool TargetUpdate::restingHold() {
     return environment.movingObstacleAreas().empty();
 }
 
-// What a target that rests proposes does not change while nothing does.
+// Proposes again, or recalls the last proposal: that of a resting target does not change while nothing does.
 void TargetUpdate::proposeOrRecall(std::int32_t k, Vec2 target, bool recalls) {
     RestingProposals::Proposal& last = m_.resting.proposals[k];
     m_.inWall[k] = s_.reachable[k] != s_.target[k] && !space_.contains(target) ? 1 : 0;
@@ -70,7 +73,7 @@ void TargetUpdate::proposeOrRecall(std::int32_t k, Vec2 target, bool recalls) {
         return;
     }
     propose(k, target);
-    // A point that an obstacle has come over is found out where it is fixed.
+    // A fixed point is proposed again in each step, since an obstacle may have come over it.
     last.known = rests && m_.level[k] != Fixed;
     if (last.known)
         last = {s_.reachable[k], target, m_.advected[k], m_.next[k], m_.level[k], m_.exact[k], true};
@@ -80,7 +83,7 @@ bool TargetUpdate::mostAreInWalls() const {
     return 2 * std::count(m_.inWall.begin(), m_.inWall.end(), std::uint8_t{1}) > std::ssize(m_.inWall);
 }
 
-// Of those that are listed.
+// True where none of the listed pairs is nearer than `distance`.
 bool TargetUpdate::nobodyIsNear(double distance) const {
     const double least = distance * kSeparationTolerance;
     const auto isNear = [&](NeighbourPair pair) {
@@ -91,7 +94,7 @@ bool TargetUpdate::nobodyIsNear(double distance) const {
     return std::none_of(pairs.begin(), pairs.end(), isNear);
 }
 
-// Once all are loose they stay so; a flood that finds no room ends that.
+// Once all targets are loose they stay so; a flood that finds no room ends that.
 void TargetUpdate::listNeighbours() {
     const double loose = kLooseSpacing * separation_;
     const bool wide = mostAreInWalls();
@@ -106,7 +109,7 @@ void TargetUpdate::propose(std::int32_t k, Vec2 target) {
     const bool exact = now == s_.target[k];
     const bool jumps = !(lengthSquared(displacement) <= most * most);
     const bool fit = s_.fit[k] != 0;
-    // Most are on their targets and move with them.
+    // Most reachable targets are on their targets and move with them.
     const bool free = fit && !jumps && space_.contains(exact ? target : now + displacement);
     const bool follows = exact && free;
     m_.advected[k] = m_.next[k] = follows ? target : now;
@@ -115,7 +118,7 @@ void TargetUpdate::propose(std::int32_t k, Vec2 target) {
     if (fit && !jumps && !follows) proposeAttracted(k, target, exact ? target : now + displacement, free);
 }
 
-// For those that are not on their targets.
+// Proposes for a point that is not on its target.
 void TargetUpdate::proposeAttracted(std::int32_t k, Vec2 target, Vec2 advected, bool free) {
     const Vec2 now = s_.reachable[k];
     if (free || correct(advected, now)) {
@@ -137,7 +140,8 @@ bool TargetUpdate::inConflict(std::int32_t a, std::int32_t b) const {
     return lengthSquared(m_.next[a] - m_.next[b]) < least * least && s_.fit[a] != 0 && s_.fit[b] != 0;
 }
 
-// Of two in conflict the one of higher level yields; at the same level those on their targets have priority.
+// Chooses which of two points in conflict yields: the one of higher level; at the same level points on their
+// targets have priority.
 void TargetUpdate::chooseYielding(std::int32_t a, std::int32_t b) {
     const auto rank = [&](std::int32_t k) {
         return 2 * m_.level[k] + (m_.level[k] != Fixed && m_.exact[k] == 0 ? 1 : 0);
@@ -209,7 +213,7 @@ bool TargetUpdate::relocate(std::int32_t k, Vec2 target, std::int32_t& budget) {
     return false;
 }
 
-// How far from its target a place must be to leave a wall for a point nearer to it.
+// Distance from its target at which a place leaves a wall for a point nearer to it.
 double TargetUpdate::strayDistance(std::span<const Vec2> targets) const {
     double sum = 0.0;
     std::size_t count = 0;
@@ -221,7 +225,7 @@ double TargetUpdate::strayDistance(std::span<const Vec2> targets) const {
     return count > 0 ? kStray * sum / static_cast<double>(count) : 0.0;
 }
 
-// First places without a point, then those that may find a better one.
+// Relocates first places without a point, then places that may find a better one.
 void TargetUpdate::relocateRoundRobin(std::span<const Vec2> targets, double tight) {
     m_.relocated.clear();
     const std::size_t n = targets.size();
@@ -244,7 +248,7 @@ void TargetUpdate::relocateRoundRobin(std::span<const Vec2> targets, double tigh
     if (separation_ <= tight && !flood()) s_.pause = kFloodPause;
 }
 
-// For places without a point, all that one flood meets. False where there is no room.
+// Floods once for the places without a point that it meets. False where there is no room.
 bool TargetUpdate::flood() {
     bool any = false;
     for (const std::int32_t k : m_.searching) {
@@ -259,7 +263,7 @@ bool TargetUpdate::flood() {
     return served;
 }
 
-// Places that are not on their targets, from `first` on and round.
+// Lists places that are not on their targets, from `first` on and round.
 void TargetUpdate::listSearching(std::span<const Vec2> targets, std::int32_t first) {
     m_.searching.clear();
     const auto list = [&](std::int32_t from, std::int32_t to) {

@@ -1,5 +1,5 @@
 // Reachable targets from step to step: they move along with their targets, conflicts are resolved, and single
-// ones are relocated.
+// targets are relocated.
 #pragma once
 
 #include <cstdint>
@@ -13,26 +13,25 @@
 
 namespace muster {
 
-/// Where the places of a group are bound for.
+/// Targets of the places of a group.
 struct ReachableTargets {
-    std::vector<Vec2> target;  ///< Targets of the last step: points of the final mesh [m].
-    std::vector<Vec2>
-        reachable;  ///< Of each target, the point of the free space that the place heads for [m].
+    std::vector<Vec2> target;       ///< Targets of the last step: points of the final mesh [m].
+    std::vector<Vec2> reachable;    ///< Point of the free space for which each place heads [m].
     std::vector<std::uint8_t> fit;  ///< 1 where a place has such a point, 0 where it stays unmatched.
     std::uint32_t nextSearch = 0;   ///< Index of the place whose search for a better point comes next.
     std::uint32_t quiet = 0;        ///< Searches without success since a reachable target moved.
     std::uint32_t pause = 0;        ///< Steps until a flood is tried again, after one that found no room.
 };
 
-/// Proposals of the last step for targets that rested. One holds while all that it was made from is the same.
+/// Proposals of the last step for targets that rested. One holds while all its inputs are the same.
 struct RestingProposals {
     struct Proposal {
-        Vec2 reachable, target;             ///< What it was made from [m].
-        Vec2 advected, next;                ///< What it says [m].
-        std::uint8_t level = 0, exact = 0;  ///< What it says.
-        bool known = false;                 ///< Only for places that were fit and at rest.
+        Vec2 reachable, target;             ///< Inputs of the proposal [m].
+        Vec2 advected, next;                ///< Proposed points [m].
+        std::uint8_t level = 0, exact = 0;  ///< Proposed level and state.
+        bool known = false;                 ///< True only for places that were fit and at rest.
     };
-    std::vector<Proposal> proposals;  ///< Per place.
+    std::vector<Proposal> proposals;  ///< Proposals per place.
     std::uint64_t instance = 0, version = 0;
     std::int32_t region = -1;
     double attraction = -1.0, separation = -1.0, clear = -1.0;
@@ -40,27 +39,27 @@ struct RestingProposals {
 
 /// Working memory of TargetUpdate. Only neighbour list and resting proposals outlive a step, as caches.
 struct TargetUpdateMemory {
-    NeighbourList neighbours;             ///< Of the reachable targets.
-    std::vector<Vec2> advected;           ///< Where each is if it moves along with its target [m].
-    std::vector<Vec2> next;               ///< Where each moves by its level [m].
-    std::vector<std::uint8_t> level;      ///< How each moves.
-    std::vector<std::uint8_t> exact;      ///< 1 for those that are on their targets.
-    std::vector<std::uint8_t> inWall;     ///< 1 for those that are not, because these are not free.
-    std::vector<std::uint8_t> yielding;   ///< 1 for those listed in `yields`.
-    std::vector<std::int32_t> yields;     ///< Those whose level is lowered next.
-    std::vector<std::int32_t> lowered;    ///< Those whose level was lowered last.
-    std::vector<std::int32_t> searching;  ///< Those that are not on their targets, round robin.
-    std::vector<std::int32_t> relocated;  ///< Those relocated in this step.
-    RestingProposals resting;             ///< Of the last step.
-    SiteFlood flood;                      ///< For places with no free point near by.
+    NeighbourList neighbours;             ///< Neighbours of the reachable targets.
+    std::vector<Vec2> advected;           ///< Point of each if it moves along with its target [m].
+    std::vector<Vec2> next;               ///< Point of each by its level [m].
+    std::vector<std::uint8_t> level;      ///< Level of movement of each.
+    std::vector<std::uint8_t> exact;      ///< 1 for points on their targets.
+    std::vector<std::uint8_t> inWall;     ///< 1 for points that are not, because their targets are not free.
+    std::vector<std::uint8_t> yielding;   ///< 1 for points listed in `yields`.
+    std::vector<std::int32_t> yields;     ///< Points whose level is lowered next.
+    std::vector<std::int32_t> lowered;    ///< Points whose level was lowered last.
+    std::vector<std::int32_t> searching;  ///< Points that are not on their targets, round robin.
+    std::vector<std::int32_t> relocated;  ///< Points relocated in this step.
+    RestingProposals resting;             ///< Resting proposals of the last step.
+    SiteFlood flood;                      ///< Flood for places with no free point near by.
 };
 
 /// One step of reachable targets. A reachable target that lies on its target moves with it. Others are
 /// advected by the displacement of their targets and attracted by them. Where two come too close, one gives
-/// up attraction first, then advection; where all keep their points nobody is too close. Where most targets
-/// lie in walls, and nobody is nearer yet, they stay kLooseSpacing separations apart. Those without a point,
-/// or not on their targets, search for a better one, round robin and within a budget. A flood over the region
-/// serves those without one that find none near by.
+/// up attraction first, then advection; where all keep their points none is too close. Where most targets lie
+/// in walls, and none is nearer yet, they stay kLooseSpacing separations apart. Places without a point, or
+/// not on their targets, search for a better one, round robin and within a budget. A flood over the region
+/// serves places without a point that find none near by.
 class TargetUpdate {
 public:
     /// Reachable targets stay `separation` [m] apart; attraction moves them by up to `attraction` [m] per
@@ -69,8 +68,8 @@ public:
                  TargetUpdateMemory& memory)
         : space_(space), separation_(separation), attraction_(attraction), s_(state), m_(memory) {}
 
-    /// Advances to `targets`. False, with nothing changed, where so many targets jumped that
-    /// separateTargets() suits better.
+    /// Advances to `targets`. False, with nothing changed, where more targets jumped than separateTargets()
+    /// suits better.
     bool run(std::span<const Vec2> targets, ThreadPool* pool);
 
 private:

@@ -17,7 +17,8 @@ Vec2 onCircle(double radius, double angle) {
 // Rounds quotas to whole numbers with the sum `count` (largest remainder method).
 std::vector<std::int32_t> apportion(const std::vector<double>& quotas, std::int32_t count) {
     std::vector<std::int32_t> counts;
-    std::vector<std::pair<double, std::size_t>> remainders;  // Negative, so that the largest comes first.
+    // Remainders, negative, so that the largest comes first.
+    std::vector<std::pair<double, std::size_t>> remainders;
     std::int32_t left = count;
     for (std::size_t k = 0; k < quotas.size(); ++k) {
         counts.push_back(static_cast<std::int32_t>(std::floor(quotas[k])));
@@ -43,8 +44,8 @@ const double kSag = 1.0 / 0.9978589232386035;
 
 // Concentric arcs, a spacing apart.
 struct Arcs {
-    double first = 0.0;                // Radius of the innermost arc, in spacings.
-    double angle = kFullAngle;         // Of each arc [rad]; circles are closed.
+    double first = 0.0;                // Radius of the innermost arc [spacings].
+    double angle = kFullAngle;         // Angle of each arc [rad]; circles are closed.
     std::vector<std::int32_t> counts;  // Places on each arc, from the inside out.
 
     double last() const { return first + static_cast<double>(counts.size()) - 1.0; }

@@ -3,17 +3,17 @@
 
 #include <vector>
 
-#include "engine/formation/shapes/formation.h"
+#include "engine/formation/shapes/make_formation.h"
 
 namespace muster {
 
-/// Where the places lie and what the mesh covers.
+/// The places of a shape and the outline of its mesh.
 struct FormationShape {
-    std::vector<Vec2> places;  ///< In any order [m].
-    PolygonWithHoles outline;  ///< Of the mesh [m]; empty for the box of the places.
+    std::vector<Vec2> places;  ///< Places in any order [m].
+    PolygonWithHoles outline;  ///< Outline of the mesh [m]; empty for the box of the places.
 };
 
-/// So many files, for 0 as many as ranks; a short rear rank is centred.
+/// A square of `files` files, for 0 as many as ranks; a short rear rank is centred.
 FormationShape squareShape(std::int32_t count, double spacing, std::int32_t files = 0);
 FormationShape lineShape(std::int32_t count, double spacing);    ///< Two ranks abreast.
 FormationShape columnShape(std::int32_t count, double spacing);  ///< Two files along the heading.

@@ -12,8 +12,8 @@ namespace {
 
 // A lattice point that a shape may use.
 struct LatticePoint {
-    double key = 0.0;  // Points with smaller keys are used first.
-    Vec2 position;     // In spacings.
+    double key = 0.0;  // Key; points with smaller keys are used first.
+    Vec2 position;     // Position [spacings].
 
     friend bool operator<(const LatticePoint& a, const LatticePoint& b) {
         if (a.key != b.key) return a.key < b.key;
@@ -22,8 +22,7 @@ struct LatticePoint {
     }
 };
 
-// Distance between rows of the triangular lattice, which lie along x, so that ranks are staggered; in
-// spacings.
+// Distance between rows of the triangular lattice [spacings]; rows lie along x, so that ranks are staggered.
 const double kRow = 0.86602540378443865;
 
 // The `count` lattice points nearest to the origin for which `accept(p)`; in spacings.
@@ -35,7 +34,7 @@ std::vector<Vec2> nearestLatticePoints(std::int32_t count, double reach, Accept 
     for (std::int32_t j = -rows; j <= rows; ++j) {
         for (std::int32_t i = -columns; i <= columns; ++i) {
             const Vec2 p{i + (j % 2 != 0 ? 0.5 : 0.0), j * kRow};
-            // Rounded, so that points at equal distances compare as equal on every machine.
+            // The key is rounded, so that points at equal distances compare as equal on every machine.
             if (length(p) <= reach && accept(p))
                 found.push_back({std::floor(lengthSquared(p) * 1024.0 + 0.5), p});
         }
@@ -256,7 +255,7 @@ Result<FormationShape> outlineShape(std::int32_t count, double spacing, const Po
     double area = signedArea(outline.outline);
     for (const Polygon& hole : outline.holes) area -= std::fabs(signedArea(hole));
     if (!(area > 1e-9)) return invalidArgument("the outline's holes leave no area");
-    // In spacings, with the area of one lattice cell per place.
+    // Size of the shape in spacings, with the area of one lattice cell per place.
     const double size = std::sqrt(count * kRow / area);
     for (const Vec2 p : outline.outline) unit.outline.push_back((p - middle) * size);
     for (const Polygon& hole : outline.holes) {

@@ -5,9 +5,10 @@
 namespace muster {
 namespace {
 
-constexpr double kCellEdge = 2.0;           // [m]
-constexpr double kMostCellsAcross = 512.0;  // Larger worlds get larger cells.
-constexpr std::int32_t kLeastCapacity = 4;  // Of a cell that an item is added to.
+constexpr double kCellEdge = 2.0;  // Least edge of a cell [m].
+// Greatest number of cells across; larger worlds get larger cells.
+constexpr double kMostCellsAcross = 512.0;
+constexpr std::int32_t kLeastCapacity = 4;  // Least capacity of a cell to which an item is added.
 
 }  // namespace
 

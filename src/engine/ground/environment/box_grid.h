@@ -42,7 +42,7 @@ private:
     void grow(std::int32_t cell);
 
     Grid grid_;
-    std::vector<Range> ranges_;        // Per cell.
+    std::vector<Range> ranges_;        // Range of each cell.
     std::vector<std::int32_t> used_;   // Cells whose capacity is above zero.
     std::vector<std::int32_t> items_;  // Ranges, and gaps where ranges have grown and moved away.
 };

@@ -66,7 +66,7 @@ bool crosses(const ClosedGap& gap, Vec2 a, Vec2 b) {
            ((from <= 0.0 && to >= 0.0) || (from >= 0.0 && to <= 0.0)) && !(atA == 0.0 && atB == 0.0);
 }
 
-// The pieces that stand still and act in a box, by the sweep of narrowGaps().
+// Finds gaps between static pieces that act in a box, by the sweep of narrowGaps().
 void Environment::closedGaps(const Box& area, double width, std::vector<ClosedGap>& gaps) const {
     impl_->ensure();
     const Impl& s = *impl_;
@@ -101,9 +101,9 @@ bool Environment::stepIsFree(Vec2 a, Vec2 b, double radius) const {
     // Where no surface is near, nothing can lie between the points.
     if (s.stillDistanceLowerBound(a) >= radius + half && s.stillDistanceLowerBound(b) >= radius + half)
         return true;
-    // Of a gap that the step crosses one side is nearer than a diameter to the step.
-    constexpr std::size_t kMost = 32;
-    std::int32_t near[kMost];
+    // One side of a gap that the step crosses is nearer than a diameter to the step.
+    constexpr std::size_t kMostNearPieces = 32;
+    std::int32_t near[kMostNearPieces];
     std::size_t count = 0;
     bool free = true;
     const auto look = [&](std::int32_t number) {
@@ -119,7 +119,7 @@ bool Environment::stepIsFree(Vec2 a, Vec2 b, double radius) const {
             const auto gap = gapBetween(s.pieces[near[k]], piece, diameter);
             free = !gap || !crosses(*gap, a, b);
         }
-        if (count < kMost) near[count++] = number;
+        if (count < kMostNearPieces) near[count++] = number;
     };
     if (half + diameter <= Impl::kReach && s.inBox(middle)) {
         s.index.forPiecesAt(middle, look);

@@ -20,7 +20,7 @@ bool isInRange(Vec2 p) {
     return isFinite(p) && std::fabs(p.x) <= kFarthest && std::fabs(p.y) <= kFarthest;
 }
 
-constexpr double kLargestCell = 100.0;  // [m], as in scenarios.
+constexpr double kLargestCell = 100.0;  // Greatest edge of a cell, as in scenarios [m].
 
 Status checkWorld(const EnvironmentDef& def) {
     if (!isInRange(def.box.min) || !isInRange(def.box.max) || !(def.box.width() > 0.0) ||
@@ -79,7 +79,7 @@ Result<ObstacleEntry> makeObstacle(const ObstacleDef& def, double time) {
     return entry;
 }
 
-// By the mean time for a metre.
+// The mean of two speeds, by the time for a metre.
 double meanSpeed(double up, double down) {
     return up == down ? up : 2.0 / (1.0 / up + 1.0 / down);
 }
@@ -201,7 +201,7 @@ void Environment::setFieldDefaults(double range, double strength) {
     if (range == s.def.defaultRange && strength == s.def.defaultStrength) return;
     s.def.defaultRange = range;
     s.def.defaultStrength = strength;
-    s.piecesStale = true;  // They carry both.
+    s.piecesStale = true;  // Both kinds of pieces carry these numbers.
     s.stale = true;
 }
 
@@ -386,7 +386,7 @@ RasterView Environment::travelSpeed() const {
 
 namespace {
 
-// One description for saving, loading and hashing; only loading copies the definitions.
+// One description serves saving, loading and hashing; only loading copies the definitions.
 template <class Archive, class Ids, class Entries, class Def>
 void visitThings(Archive& archive, Ids& ids, Entries& entries, std::vector<Def>& read) {
     archive(ids);

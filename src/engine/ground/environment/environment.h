@@ -17,23 +17,23 @@
 
 namespace muster {
 
-/// What never changes about an environment.
+/// Constants of an environment.
 struct EnvironmentDef {
     Box box{{-16, -16}, {16, 16}};  ///< The world [m]; characters and places stay inside.
     double cell = 0.25;             ///< Edge of a ground cell [m], above 0.
-    /// Range of obstacles that give none [m], 0 or more.
+    /// Range of obstacles that have no own one [m], 0 or more.
     double defaultRange = Parameters::Field{}.range;
-    /// Strength of obstacles that give none, 0 or more.
+    /// Strength of obstacles that have no own one, 0 or more.
     double defaultStrength = Parameters::Field{}.strength;
-    std::vector<ClipFacts> clips = defaultClipFacts();  ///< Indexed by MotionId.
-    bool ring = false;  ///< The left and the right side of the box are joined.
+    std::vector<ClipFacts> clips = defaultClipFacts();  ///< Facts of clips, indexed by MotionId.
+    bool ring = false;  ///< True if the left and the right side of the box are joined.
 
     /// The sides of the world that nobody passes: the box, in a ring without its left and right side.
     Box sides() const {
         constexpr double kFar = 1e7;
         return ring ? Box{{-kFar, box.min.y}, {kFar, box.max.y}} : box;
     }
-    /// How distances go.
+    /// The ring by which distances are measured.
     Ring joined() const { return ring ? Ring{box.min.x, box.width()} : Ring{}; }
 
     /// Lets an archive read or write the definition.
@@ -43,19 +43,20 @@ struct EnvironmentDef {
     }
 };
 
-/// What lies under one point.
+/// The ground under one point.
 struct GroundSample {
-    PatchId patch;             ///< The slowest patch here; none in the open.
-    MotionId motion = 0;       ///< Its motion.
-    double travelSpeed = 1.0;  ///< Relative to running, above 0; on stairs the mean of up and down.
-    Vec2 ascent;               ///< Unit vector up stairs or a ramp; null elsewhere.
-    double up = 1.0;           ///< Travel speed up them; elsewhere the same as travelSpeed,
-    double down = 1.0;         ///< and down, above 0.
+    PatchId patch;        ///< The slowest patch at the point; none in the open.
+    MotionId motion = 0;  ///< Its motion.
+    /// Travel speed relative to running, above 0; on stairs the mean of up and down.
+    double travelSpeed = 1.0;
+    Vec2 ascent;        ///< Unit vector up stairs or a ramp; null elsewhere.
+    double up = 1.0;    ///< Travel speed up the stairs; elsewhere the same as travelSpeed,
+    double down = 1.0;  ///< and down, above 0.
 
     /// True on stairs and ramps.
     bool isStairs() const { return !(ascent == Vec2{}); }
     /// Travel speed in the direction of a unit vector, or the mean for the null vector: on stairs the time
-    /// for a metre goes from that of going down to that of going up with the cosine of the direction.
+    /// for a metre changes from that of going down to that of going up with the cosine of the direction.
     double speedAlong(Vec2 way) const;
 };
 
@@ -66,32 +67,32 @@ struct NarrowGap {
     /// The other obstacle; the same for a slot within one obstacle, none for the edge of the world.
     ObstacleId b;
     Vec2 where;          ///< Midpoint of the gap [m].
-    double width = 0.0;  ///< [m]
+    double width = 0.0;  ///< Width of the gap [m].
 };
 
 /// The shortest segment between two surfaces that are too near for something to pass between them.
 struct ClosedGap {
-    Vec2 a;  ///< On one surface [m].
-    Vec2 b;  ///< On the other surface, or the edge of the world [m].
+    Vec2 a;  ///< End on one surface [m].
+    Vec2 b;  ///< End on the other surface, or the edge of the world [m].
 };
-/// True where the segment from `a` to `b` meets that of the gap.
+/// True where the segment from `a` to `b` meets the segment of the gap.
 bool crosses(const ClosedGap& gap, Vec2 a, Vec2 b);
 
-/// Owns obstacles, patches and the rasters made of them. Definitions, ids and the clock are state; everything
-/// else is a cache, so saving writes only the state.
+/// Owns obstacles, patches and their rasters. Definitions, ids and the clock are state; everything else is a
+/// cache, so saving writes only the state.
 class Environment {
 public:
     /// An empty world. Fails with InvalidArgument where the box is empty, the cell is not positive
     /// or there would be more than 16 million cells.
     static Result<Environment> create(const EnvironmentDef& def);
-    Environment();  ///< Empty.
+    Environment();  ///< An empty environment.
     ~Environment();
-    Environment(Environment&&) noexcept;  ///< Moves.
+    Environment(Environment&&) noexcept;  ///< Moves the environment.
     Environment& operator=(Environment&&) noexcept;
 
-    const EnvironmentDef& def() const;  ///< As made.
+    const EnvironmentDef& def() const;  ///< The definition.
     const Grid& grid() const;           ///< The ground cells.
-    double time() const;                ///< [s] The clock that moving things follow.
+    double time() const;                ///< The clock that moving things follow [s].
 
     /// Adds an obstacle. Fails, adding nothing, where its shape or path is bad.
     Result<ObstacleId> addObstacle(const ObstacleDef& def);
@@ -116,28 +117,28 @@ public:
     const PatchDef* patch(PatchId id) const;
     /// An obstacle's polygon where it stands now; empty for a disc and for an unknown id.
     Polygon obstaclePolygon(ObstacleId id) const;
-    /// Where an obstacle's centre of area, or the centre of a disc, is now [m].
+    /// The present centre of area of an obstacle, or the centre of a disc [m].
     Vec2 obstacleCentre(ObstacleId id) const;
     /// A patch's polygon where it stands now; empty for an unknown id.
     Polygon patchPolygon(PatchId id) const;
-    /// The same, into a polygon that may have memory already.
+    /// Writes a patch's polygon into one that may have memory already.
     void patchPolygon(PatchId id, Polygon& polygon) const;
 
-    /// Changes range [m] and strength of the field of obstacles that give none; ignores numbers that are
-    /// negative or not finite.
+    /// Changes range [m] and strength of the field of obstacles that have no own ones; ignores numbers that
+    /// are negative or not finite.
     void setFieldDefaults(double range, double strength);
 
     /// Puts moving things where they are at `time` [s] and brings the rasters up to date.
     void setTime(double time);
     /// Rises by one whenever the ground changes (an edit, or a moving thing moved).
     std::uint64_t groundVersion() const;
-    /// Rises by one whenever something that stands still is added, changed or removed.
+    /// Rises by one whenever a static obstacle or patch is added, changed or removed.
     std::uint64_t staticVersion() const;
-    /// Appends to `areas` the cells whose clearance or travel speed may have changed by things that stand
-    /// still since staticVersion() was `version`; some may overlap. False where that is not known any more,
+    /// Appends to `areas` the cells whose clearance or travel speed may have changed by static obstacles or
+    /// patches since staticVersion() was `version`; some may overlap. False where that is not known any more,
     /// so that all cells may have changed.
     bool staticChangesSince(std::uint64_t version, std::vector<CellRect>& areas) const;
-    /// The staticVersion() at which a patch that stands still was last added, changed or removed.
+    /// The staticVersion() at which a static patch was last added, changed or removed.
     std::uint64_t staticPatchVersion() const;
     /// Differs between any two environments of a program and after load(). With a version it identifies the
     /// ground that a cache was made from.
@@ -158,16 +159,16 @@ public:
     /// Distance from a cell's centre to the nearest obstacle surface or edge of the box [m], one value
     /// per cell: exact up to kClearanceLimit and capped there; 0 or less inside.
     std::span<const float> clearance() const;
-    /// Travel speed per cell, above 0: that of the slowest patch that shares area with the cell, else 1.
+    /// Travel speed per cell, above 0: the speed of the slowest patch that shares area with the cell, else 1.
     RasterView travelSpeed() const;
     /// clearance() without moving obstacles.
     std::span<const float> staticClearance() const;
-    /// Travel speed per cell of the slowest patch that stands still; infinite where there is none.
+    /// Travel speed per cell of the slowest static patch; infinite where there is none.
     RasterView staticPatchSpeed() const;
     /// clearance() is capped here [m].
     static constexpr double kClearanceLimit = 3.0;
 
-    /// What lies under `p` (exact polygons, not cells).
+    /// The ground under `p` (exact polygons, not cells).
     GroundSample ground(Vec2 p) const;
     /// Length of the straight line from `a` to `b` in metres of open ground, by travel speed.
     double travelLength(Vec2 a, Vec2 b) const;
@@ -184,16 +185,16 @@ public:
     /// True where a disc of `radius` can move straight from `a` to `b` without touching an obstacle
     /// and without leaving the box.
     bool clearLine(Vec2 a, Vec2 b, double radius) const;
-    /// The same where obstacles that may move do not count.
+    /// True where the line is clear of static obstacles; those that may move do not count.
     bool clearStaticLine(Vec2 a, Vec2 b, double radius) const;
-    /// True where a disc of `radius` can get from `a` to `b` near the straight line between them: no obstacle
-    /// that stands still lies between them, and no gap narrower than the disc (closedGaps()). Both points
-    /// must be free for the disc, and at most a diameter apart. The disc may have to go round a corner, so
-    /// clearLine() may be false. Cells of a raster cannot tell: a gap may lie between two centres.
+    /// True where a disc of `radius` can get from `a` to `b` near the straight line between them: no static
+    /// obstacle lies between them, and no gap narrower than the disc (closedGaps()). Both points must be free
+    /// for the disc, and at most a diameter apart. The disc may have to go round a corner, so clearLine() may
+    /// be false. Cells of a raster cannot tell: a gap may lie between two centres.
     bool stepIsFree(Vec2 a, Vec2 b, double radius) const;
-    /// Appends the gaps narrower than `width` [m] between two convex parts that stand still, or between one
-    /// and the edge of the world, whose parts may act in `area` (all of them where it is the world's box). A
-    /// disc of that diameter cannot cross their segments, wherever it comes from. In a fixed order.
+    /// Appends the gaps narrower than `width` [m] between two convex static parts, or between one and the
+    /// edge of the world, whose parts may act in `area` (all of them where it is the world's box). A disc of
+    /// that diameter cannot cross their segments, wherever it comes from. In a fixed order.
     void closedGaps(const Box& area, double width, std::vector<ClosedGap>& gaps) const;
     /// Projects `p` onto the free space: moves it out of every obstacle and into the box, so that a disc of
     /// `radius` [m] is free. Where projections do not converge it returns the centre of the nearest free
@@ -211,12 +212,13 @@ public:
 
     /// Writes the definitions, ids and clock.
     void save(class Writer& archive) const;
-    /// Reads what save() wrote; false where it does not fit.
+    /// Reads the data of save(); false where it does not fit.
     bool load(class Reader& archive);
     /// Takes over the rasters and versions of `before`, which becomes useless: they are edited where
-    /// obstacles or patches differ, or made again where the boxes differ or too much does. Call after load().
+    /// obstacles or patches differ, or made again where the boxes differ or there are too many differences.
+    /// Call after load().
     void keepCachesOf(Environment& before);
-    /// Adds what save() writes to a hash.
+    /// Adds the data of save() to a hash.
     void hash(class Hasher& archive) const;
 
 private:

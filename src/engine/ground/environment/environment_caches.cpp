@@ -8,7 +8,7 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kMaxStaticEdits = 256;  // Edits that are remembered.
+constexpr std::size_t kMaxStaticEdits = 256;  // Number of edits that are remembered.
 
 Box boundsOfEntry(const ObstacleEntry& entry) {
     if (entry.def.polygon.empty()) return Box{entry.def.centre, entry.def.centre}.grown(entry.def.radius);
@@ -122,7 +122,7 @@ void Environment::Impl::dropUnusedRasters() {
     travelSpeed = {};
 }
 
-// The distance to the border of the world, up to the limit.
+// Fills in the distance to the border of the world, up to the limit.
 void Environment::Impl::fillBorderClearance(const CellRect& area) {
     const Box box = def.sides();
     const auto distanceToBorder = [&](Cell c) {
@@ -215,7 +215,7 @@ void Environment::Impl::updateTravelSpeed(const CellRect& rect) {
     }
 }
 
-// Called before moving things move, and after.
+// Appends the areas of moving things; called before they move, and after.
 void Environment::Impl::appendMovingAreas() {
     for (const LayeredRaster* layer : {&clearance, &patchSpeed})
         changes.insert(changes.end(), layer->movingAreas().begin(), layer->movingAreas().end());

@@ -1,4 +1,4 @@
-// The implementation of Environment: definitions, which are state, and the caches made of them.
+// The implementation of Environment: definitions, which are state, and their caches.
 #pragma once
 
 #include <algorithm>
@@ -13,35 +13,35 @@
 
 namespace muster {
 
-/// Where a thing that may follow a path stands now.
+/// The present position of a thing that may follow a path.
 struct Placement {
     Vec2 pivot;                    ///< Defined point that it rotates about [m].
     Waypoint now;                  ///< Offset and rotation now.
-    Vec2 velocity;                 ///< [m/s]
-    double angularVelocity = 0.0;  ///< [rad/s]
-    Rotation rotation;             ///< Of now.angle.
+    Vec2 velocity;                 ///< Velocity [m/s].
+    double angularVelocity = 0.0;  ///< Angular velocity [rad/s].
+    Rotation rotation;             ///< Rotation by now.angle.
 
     /// Follows `path` to `time`; true where anything changed.
     bool follow(const TimedPath& path, double time);
-    /// Maps a defined point to where it is now.
+    /// Maps a defined point to its present position.
     Vec2 apply(Vec2 p) const { return pivot + rotation.apply(p - pivot) + now.position; }
 };
 
 /// An obstacle with its convex parts.
 struct ObstacleEntry {
-    ObstacleDef def;             ///< As given.
+    ObstacleDef def;             ///< The given definition.
     std::vector<Polygon> parts;  ///< Convex parts as defined [m]; empty for a disc.
     Placement placement;
 };
 
 /// A patch with its convex parts.
 struct PatchEntry {
-    PatchDef def;                ///< As given.
+    PatchDef def;                ///< The given definition.
     Polygon outline;             ///< The cleaned polygon as defined [m].
     std::vector<Polygon> parts;  ///< Convex parts as defined [m].
-    Placement placement;         ///< Where it stands now.
+    Placement placement;         ///< Present position of the patch.
     double speed = 1.0;          ///< Travel speed relative to running; on stairs the mean.
-    double up = 1.0;             ///< On stairs, travel speed up,
+    double up = 1.0;             ///< Travel speed up stairs,
     double down = 1.0;           ///< and down.
     Vec2 ascent;                 ///< Unit vector up stairs as defined; null elsewhere.
 };
@@ -49,18 +49,18 @@ struct PatchEntry {
 /// One convex part of a patch as it stands now.
 struct PatchPiece {
     Polygon corners;         ///< Counter-clockwise [m].
-    std::int32_t patch = 0;  ///< Index of its entry.
+    std::int32_t patch = 0;  ///< Index of the entry of its patch.
 };
 
-/// Broad phase over pieces: one grid of boxes for those that stand still, one for those that may move.
+/// Broad phase over pieces: one grid of boxes for static pieces, one for pieces that may move.
 struct PieceIndex {
-    std::vector<Box> bounds;           ///< Of each piece [m].
-    std::vector<Box> reach;            ///< Of each piece, grown by how far it acts [m].
-    std::vector<std::uint8_t> isBox;   ///< Of each piece: 1 where its bounds are the piece itself.
+    std::vector<Box> bounds;  ///< Bounds of each piece [m].
+    std::vector<Box> reach;  ///< Reach of each piece: its bounds, grown by the distance at which it acts [m].
+    std::vector<std::uint8_t> isBox;   ///< By piece: 1 where its bounds are the piece itself.
     std::vector<std::int32_t> fixed;   ///< Indices of pieces that never move.
     std::vector<std::int32_t> moving;  ///< Indices of pieces that may move.
-    BoxGrid fixedGrid;                 ///< Of the reach of fixed pieces.
-    BoxGrid movingGrid;                ///< Of the reach of moving pieces.
+    BoxGrid fixedGrid;                 ///< Grid of the reach of fixed pieces.
+    BoxGrid movingGrid;                ///< Grid of the reach of moving pieces.
 
     /// Calls `visit(piece)` in ascending order for all pieces that act at `p`, a point of the world.
     template <class Visit>
@@ -82,7 +82,7 @@ struct PieceIndex {
     }
 };
 
-/// Parts nearer to each other than this touch [m].
+/// Distance below which two parts touch [m].
 inline constexpr double kTouching = 1e-9;
 
 /// True where two boxes have a point in common.
@@ -101,9 +101,9 @@ struct Environment::Impl {
     Grid grid;
     double time = 0.0;
     std::vector<ObstacleId> obstacleIds;
-    std::vector<ObstacleEntry> obstacles;  // In the order of ids.
+    std::vector<ObstacleEntry> obstacles;  // Obstacles in the order of ids.
     std::vector<PatchId> patchIds;
-    std::vector<PatchEntry> patches;  // In the order of ids.
+    std::vector<PatchEntry> patches;  // Patches in the order of ids.
     std::uint32_t nextObstacle = 1;
     std::uint32_t nextPatch = 1;
     std::uint64_t groundVersion = 0;
@@ -116,12 +116,12 @@ struct Environment::Impl {
     std::vector<CellRect> changes;         // Cells that the last motion may have changed.
     std::atomic<bool> stale{true};
     std::mutex mutex;
-    bool freshRasters = true;         // The rasters and pieces hold nothing yet.
-    bool piecesStale = false;         // All pieces must be made again.
-    bool patchPiecesStale = false;    // The same for pieces of patches.
-    std::vector<Box> dirtyObstacles;  // Where obstacles that stand still changed since the last refresh.
-    std::vector<Box> dirtyPatches;    // The same for patches.
-    /// Cells that an edit of something that stands still may have changed, and the version that it led to.
+    bool freshRasters = true;         // True if the rasters and pieces hold nothing yet.
+    bool piecesStale = false;         // True if all pieces must be made again.
+    bool patchPiecesStale = false;    // True if the pieces of patches must be made again.
+    std::vector<Box> dirtyObstacles;  // Boxes where static obstacles changed since the last refresh.
+    std::vector<Box> dirtyPatches;    // Boxes where static patches changed since the last refresh.
+    /// Cells that an edit of a static obstacle or patch may have changed, and the version that it led to.
     struct StaticEdit {
         std::uint64_t version = 0;
         CellRect area;
@@ -130,24 +130,25 @@ struct Environment::Impl {
     std::uint64_t staticEditsFrom = 0;     // The version from which `staticEdits` lead to the present one.
     std::uint64_t staticPatchVersion = 0;  // The version of the last edit of a patch.
     std::vector<ObstaclePiece> pieces;
-    std::vector<std::int32_t> pieceEntry;  // Of each piece, index of its obstacle.
-    std::vector<std::int32_t> piecePart;   // Of each piece, index within its obstacle's parts.
+    std::vector<std::int32_t> pieceEntry;  // Index of the obstacle of each piece.
+    std::vector<std::int32_t> piecePart;   // Index of each piece within its obstacle's parts.
     PieceIndex index;
     std::vector<PatchPiece> patchPieces;
-    std::vector<std::int32_t> patchPart;  // Of each patch piece, index within its patch's parts.
+    std::vector<std::int32_t> patchPart;  // Index of each patch piece within its patch's parts.
     PieceIndex patchIndex;
-    LayeredRaster clearance;         // [m]
-    LayeredRaster patchSpeed;        // Travel speed of the slowest patch; kNoPatch where none lies.
-    std::vector<float> travelSpeed;  // As patchSpeed with moving patches; 1 where no patch lies. Empty
-                                     // without patches.
+    LayeredRaster clearance;   // Clearance [m].
+    LayeredRaster patchSpeed;  // Travel speed of the slowest patch; kNoPatch where none lies.
+    // Travel speed like patchSpeed with moving patches; 1 where no patch lies. Empty without patches.
+    std::vector<float> travelSpeed;
+    // without patches.
 
-    /// A piece acts at least this far beyond its box [m].
+    /// Distance beyond its box at which a piece acts at least [m].
     static constexpr double kReach = kClearanceLimit;
     /// Tolerance of contact tests: a disc set exactly against a surface counts as free [m].
     static constexpr double kContactTolerance = 1e-7;
     /// Bound on the rounding error of a clearance, which is kept as a float [m].
     static constexpr double kFloatError = 1e-6;
-    static constexpr double kReachSlack = 1e-6;  ///< Boxes are grown by this against rounding [m].
+    static constexpr double kReachSlack = 1e-6;  ///< Length by which boxes are grown against rounding [m].
     /// Value of patchSpeed where no patch lies.
     static constexpr float kNoPatch = std::numeric_limits<float>::infinity();
 
@@ -155,17 +156,17 @@ struct Environment::Impl {
     /// Reads or writes the definitions, ids and clock; only a reader fills the two lists.
     template <class Archive>
     void visit(Archive& archive, std::vector<ObstacleDef>& obstacleDefs, std::vector<PatchDef>& patchDefs);
-    /// Counts an edit; `still` where something that stands still is part of it.
+    /// Counts an edit; `still` if a static obstacle or patch is part of it.
     void countEdit(bool still) {
         ++groundVersion;
         if (still) ++staticVersion;
         changesFrom = kUnknown;
     }
-    /// Notes that an edit, counted next, changes what an entry covers.
+    /// Notes that an edit, counted next, changes the ground of an entry.
     void markDirty(const ObstacleEntry& entry);
     void markDirty(const PatchEntry& entry);
     void noteStaticEdit(const Box& box);
-    /// Replaces the pieces of an obstacle, of which there were `before`, by those that it has now; none and
+    /// Replaces the pieces of an obstacle, of which there were `before`, by its present ones; none and
     /// `removed` where it was erased. Does nothing before the first refresh().
     void replacePieces(std::size_t entry, std::size_t before, bool removed);
     void refresh();
@@ -197,8 +198,8 @@ struct Environment::Impl {
     void dropUnusedRasters();
 
     bool inBox(Vec2 p) const { return def.box.contains(p); }
-    /// The box for the centres of discs that lie in the world; a point or line where it is narrower than
-    /// they.
+    /// The box for the centres of discs that lie in the world; a point or line where the world is narrower
+    /// than a disc.
     Box centreBox(double radius) const;
     bool blockedLine(Vec2 a, Vec2 b, double radius, bool fixedOnly) const;
     /// Distance from `p` to the nearest surface [m], negative inside, `limit` where farther.
@@ -209,7 +210,7 @@ struct Environment::Impl {
     /// A lower bound of the distance from `p` to the nearest surface or edge of the world [m], from the
     /// raster; minus infinity off the grid.
     double distanceLowerBound(Vec2 p) const;
-    /// The same without moving obstacles.
+    /// A lower bound of the distance without moving obstacles.
     double stillDistanceLowerBound(Vec2 p) const;
     /// True where the raster proves that every surface is at least `limit` [m] away.
     bool isFarther(Vec2 p, double limit) const {

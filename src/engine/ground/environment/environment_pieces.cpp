@@ -59,7 +59,7 @@ void Environment::Impl::rebuildPieces() {
     index.movingGrid.fill(index.reach, index.moving);
 }
 
-// Makes room for `after` pieces instead of `before` from `first` on, and renumbers those behind them.
+// Makes room for `after` pieces instead of `before` from `first` on, and renumbers the pieces behind them.
 void Environment::Impl::resizePieces(std::size_t first, std::size_t before, std::size_t after) {
     const auto resize = [&](auto& list) {
         const auto at = list.begin() + static_cast<std::ptrdiff_t>(first);

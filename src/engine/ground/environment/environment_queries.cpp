@@ -9,7 +9,7 @@
 namespace muster {
 namespace {
 
-// Separation tests must pass by this margin, so that rounding cannot make them wrong [m].
+// Margin by which separation tests must pass, so that rounding cannot make them wrong [m].
 constexpr double kSeparationMargin = 1e-6;
 
 bool insideConvex(const Polygon& corners, Vec2 p) {

@@ -6,16 +6,16 @@
 namespace muster {
 namespace {
 
-// With more obstacles or patches that differ, all is made again.
+// Number of obstacles or patches that differ above which all is made again.
 constexpr std::int32_t kMostDifferences = 64;
 
-/// What differs between two lists of obstacles or patches.
+/// The differences of two lists of obstacles or patches.
 struct Differences {
     std::int32_t count = 0;
-    bool still = false;  ///< Something that stands still differs.
+    bool still = false;  ///< True if a static obstacle or patch differs.
 };
 
-/// Calls `visit(entry)` for the entries of both lists that the other does not have, or has with another
+/// Calls `visit(entry)` for the entries of both lists that the other list lacks, or has with another
 /// definition. Both ascend by ids.
 template <class Id, class Entry, class Visit>
 Differences forDifferences(const std::vector<Id>& idsA, const std::vector<Entry>& a,

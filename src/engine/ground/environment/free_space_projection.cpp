@@ -11,12 +11,12 @@
 namespace muster {
 namespace {
 
-constexpr double kTolerance = 1e-9;  // Of distances to constraints [m].
-constexpr int kMostRounds = 12;      // Of projection; two usually suffice.
+constexpr double kTolerance = 1e-9;  // Tolerance of distances to constraints [m].
+constexpr int kMostRounds = 12;      // Greatest number of rounds of projection; two usually suffice.
 constexpr std::size_t kMostHalfPlanes = 12;
 
-// Where the disc's centre may be for one near piece: dot(normal, x) >= offset. As pieces are convex, the line
-// through the nearest surface point keeps the disc off the whole piece.
+// The allowed half plane of the disc's centre for one near piece: dot(normal, x) >= offset. As pieces are
+// convex, the line through the nearest surface point keeps the disc off the whole piece.
 struct HalfPlane {
     Vec2 normal;
     double offset;

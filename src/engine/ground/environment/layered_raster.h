@@ -1,5 +1,5 @@
-// A raster in two layers: what stands still, and the same with moving things (layered costmaps, Lu,
-// Hershberger and Smart 2014).
+// A raster in two layers: static things, and the same with moving things (layered costmaps, Lu, Hershberger
+// and Smart 2014).
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace muster {
 
 /// One value per cell and layer. Values are only ever lowered to minima, so the order of things never
-/// matters. A layer takes memory only once it differs from what lies under it: the fixed one from a constant,
+/// matters. A layer takes memory only once it differs from the layer under it: the fixed one from a constant,
 /// the combined one from the fixed one.
 class LayeredRaster {
 public:
@@ -56,7 +56,7 @@ public:
                       combined_.begin() + grid_.index({rect.low.x, y}));
         }
     }
-    /// Takes all moving things off the combined layer; returns where they were, valid until the next call.
+    /// Takes all moving things off the combined layer; returns their areas, valid until the next call.
     std::span<const CellRect> removeMoving() {
         for (const CellRect& rect : moving_) restoreFixed(rect);
         removed_.swap(moving_);
@@ -65,7 +65,7 @@ public:
     }
     /// Frees the memory of the combined layer, off which all moving things must be.
     void dropCombined() { combined_ = {}; }
-    /// Where moving things lie.
+    /// Areas of moving things.
     std::span<const CellRect> movingAreas() const { return moving_; }
     /// Lowers the combined layer to `value(cell, value so far)`, until the next removeMoving().
     template <class Value>
@@ -78,13 +78,13 @@ public:
             combined_[i] = std::min(combined_[i], value(c, combined_[i]));
         });
     }
-    /// Without moving things; empty before allocate().
+    /// Values without moving things; empty before allocate().
     std::span<const float> fixed() const { return fixed_; }
-    /// With moving things; empty before allocate().
+    /// Values with moving things; empty before allocate().
     std::span<const float> combined() const { return combined_.empty() ? fixed_ : combined_; }
-    /// fixed(), also before allocate().
+    /// The view of fixed(), also before allocate().
     RasterView fixedView() const { return fixed_.empty() ? RasterView(&value_) : RasterView(fixed_); }
-    /// combined(), also before allocate().
+    /// The view of combined(), also before allocate().
     RasterView combinedView() const { return fixed_.empty() ? RasterView(&value_) : RasterView(combined()); }
 
 private:
@@ -100,9 +100,9 @@ private:
     Grid grid_;
     float value_ = 0.0f;
     std::vector<float> fixed_;
-    std::vector<float> combined_;    // Empty while it equals fixed_.
-    std::vector<CellRect> moving_;   // Where the layers differ.
-    std::vector<CellRect> removed_;  // What the last removeMoving() returned.
+    std::vector<float> combined_;    // Values with moving things; empty while they equal fixed_.
+    std::vector<CellRect> moving_;   // Areas in which the layers differ.
+    std::vector<CellRect> removed_;  // Areas returned by the last removeMoving().
 };
 
 }  // namespace muster

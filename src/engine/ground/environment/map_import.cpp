@@ -112,7 +112,7 @@ std::vector<CellBlock> coverOf(const MapGrid& map, std::string_view kinds) {
     return partitionIntoRectangles(wanted, map.width, map.height);
 }
 
-// All coordinates come from whole cell numbers, so rectangles that touch share them bit for bit.
+// All coordinates are computed from whole cell numbers, so rectangles that touch share them bit for bit.
 Polygon outlineOf(const CellBlock& block, const MapGrid& map, const MapDef& def) {
     const auto x = [&](std::int32_t column) { return def.origin.x + column * def.metresPerCell; };
     const auto y = [&](std::int32_t row) { return def.origin.y + (map.height - row) * def.metresPerCell; };

@@ -26,7 +26,8 @@ void offer(Span& span, Vec2 a, Vec2 b, double width) {
         span.last = middle;
 }
 
-// From the disc or the corners of `one` to the surface of `other`; `swapped` keeps a and b apart.
+// Offers distances from the disc or the corners of `one` to the surface of `other`; `swapped` keeps a and b
+// apart.
 void offerCorners(Span& span, const ObstaclePiece& one, const ObstaclePiece& other, bool swapped) {
     const auto look = [&](Vec2 p, double radius) {
         const double d = other.signedDistance(p) - radius;
@@ -73,7 +74,7 @@ Span spanToSide(const ObstaclePiece& piece, const Box& bounds, const Box& box, i
     return span;
 }
 
-// By obstacles, edges last, the narrowest first.
+// Orders gaps by obstacles, edges last, the narrowest first.
 bool comesFirst(const NarrowGap& x, const NarrowGap& y) {
     if (!x.b != !y.b) return static_cast<bool>(x.b);
     if (x.a != y.a) return x.a < y.a;
@@ -111,7 +112,7 @@ private:
     void add(ObstacleId a, ObstacleId b, const Span& span) {
         if (!(span.width < width_) || span.width <= kTouching) return;
         const Vec2 middle = span.middle();
-        // Where something else fills the space between, there is no gap.
+        // There is no gap where something else fills the space between.
         if (!environment_.def().box.contains(middle) ||
             environment_.distanceToObstacle(middle, width_) <= kTouching)
             return;

@@ -8,11 +8,12 @@ namespace muster {
 
 /// One convex part of an obstacle as it stands now: a polygon, or a disc where it has no corners.
 struct ObstaclePiece {
-    Polygon corners;        ///< Counter-clockwise [m]; empty for a disc.
-    Vec2 centre;            ///< Centre of area [m].
-    double radius = 0.0;    ///< Of the disc, or of the circle about the centre that holds all corners [m].
-    Vec2 velocity;          ///< Of the centre [m/s].
-    double range = 0.0;     ///< Of the potential field [m].
+    Polygon corners;  ///< Counter-clockwise [m]; empty for a disc.
+    Vec2 centre;      ///< Centre of area [m].
+    /// Radius of the disc, or of the circle about the centre that holds all corners [m].
+    double radius = 0.0;
+    Vec2 velocity;          ///< Velocity of the centre [m/s].
+    double range = 0.0;     ///< Range of the potential field [m].
     double strength = 0.0;  ///< Factor of the potential field.
     ObstacleId obstacle;    ///< The obstacle it is a part of.
     bool moving = false;    ///< True where the obstacle follows a path.
@@ -27,8 +28,8 @@ struct ObstaclePiece {
 
 /// The surface point of a piece nearest to a query point.
 struct SurfacePoint {
-    double distance = 0.0;  ///< From the query point [m], negative inside the piece.
-    Vec2 point;             ///< On the surface [m].
+    double distance = 0.0;  ///< Distance from the query point [m], negative inside the piece.
+    Vec2 point;             ///< Nearest point of the surface [m].
 };
 
 /// signedDistance() and closestSurface() of a piece at once.

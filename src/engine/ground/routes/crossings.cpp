@@ -6,8 +6,8 @@
 namespace muster {
 namespace {
 
-constexpr std::int32_t kSpacing = 8;   // About so many cells lie between the crossings of a long run.
-constexpr std::int32_t kShortRun = 3;  // Runs of up to so many cells have one crossing.
+constexpr std::int32_t kSpacing = 8;   // Approximate number of cells between the crossings of a long run.
+constexpr std::int32_t kShortRun = 3;  // Number of cells up to which a run has one crossing.
 
 // Finds the crossings of one border.
 class Border {
@@ -67,7 +67,7 @@ private:
         return a && b && ground_.stepClear(from, *a, to, *b);
     }
 
-    // At the ends of a run that obstacles limit, and between.
+    // Adds crossings at the ends of a run that obstacles limit, and between.
     void addRun(std::int32_t start, std::int32_t end, std::int32_t length, const BorderCrossing& pair) {
         const std::int32_t count = end - start + 1;
         const auto add = [&](std::int32_t k) {
@@ -107,7 +107,7 @@ private:
     const BorderTile& neighbour_;
     std::int32_t direction_;
     std::vector<BorderCrossing>& out_;
-    std::size_t first_;  // Of this border in `out_`.
+    std::size_t first_;  // Index in `out_` of the first crossing of this border.
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Regions of the ground as moving obstacles divide it just now.
+// Regions of the ground as moving obstacles divide it at present.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,11 @@
 
 namespace muster {
 
-/// What RouteGraph::region() would tell if all that moves stood still where it is. A cache of one moment.
+/// The answers of RouteGraph::region() if all moving things stood still where they are. A cache of one
+/// moment.
 class MovingRegions : private TileSource {
 public:
-    /// Looks at the tiles near moving obstacles, where these stand now, and joins regions again. Both must
+    /// Looks at the tiles near the present positions of moving obstacles, and joins regions again. Both must
     /// outlive the answers, and the graph must be up to date.
     void update(const RouteGraph& graph);
     /// The region in which a disc at `p` stands; -1 where it is blocked.
@@ -29,8 +30,8 @@ private:
     void joinTiles();
 
     const RouteGraph* graph_ = nullptr;
-    RouteGround ground_;          // With moving obstacles.
-    std::vector<OwnTile> tiles_;  // Near moving obstacles, ascending.
+    RouteGround ground_;          // Ground with moving obstacles.
+    std::vector<OwnTile> tiles_;  // Tiles near moving obstacles, ascending.
     TileRegions regions_;
 
     // Working memory.

@@ -1,4 +1,4 @@
-// The ground of a region that is nearest to a point: rings of tiles, and the cells of those that may hold it.
+// The ground of a region that is nearest to a point: rings of tiles, and the cells of tiles that may hold it.
 #include "engine/ground/routes/nearest_reachable.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kEntries = 4096;
+constexpr std::size_t kTableEntries = 4096;  // Number of entries: the shift below leaves 12 bits.
 
 // The cell of a region whose centre is nearest to a point, the lowest index among equals.
 class NearestCell {
@@ -22,7 +22,7 @@ public:
         const Cell first{start.x / kTileCells, start.y / kTileCells};
         const double tileEdge = kTileCells * grid_.cell;
         for (std::int32_t k = 0; k <= std::max(tiles.width, tiles.height); ++k) {
-            // Tiles of this ring lie at least so far away.
+            // Distance from which on tiles of this ring lie.
             const double bound = (k - 1) * tileEdge;
             if (k > 1 && bound * bound > least_) break;
             for (std::int32_t x = first.x - k; x <= first.x + k; ++x) {
@@ -93,7 +93,7 @@ Vec2 NearestReachable::find(const RouteGraph& graph, Vec2 p, std::int32_t region
     const Environment& environment = graph.environment();
     if (instance_ != environment.instance() || version_ != environment.staticVersion() ||
         radius_ != graph.radius()) {
-        entries_.assign(kEntries, {});
+        entries_.assign(kTableEntries, {});
         instance_ = environment.instance();
         version_ = environment.staticVersion();
         radius_ = graph.radius();

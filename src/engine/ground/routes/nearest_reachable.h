@@ -1,4 +1,4 @@
-// The nearest ground that a group can reach, remembered for all who ask from one cell.
+// The nearest ground that a group can reach, remembered for all characters in one cell.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ private:
         Vec2 point;
     };
 
-    std::vector<Entry> entries_;  // By the cell, the last one of those that share an entry.
+    std::vector<Entry> entries_;  // Entries by cell; the last one of the cells that share an entry.
     std::uint64_t instance_ = 0, version_ = 0;
     double radius_ = 0.0;
 };

@@ -8,8 +8,9 @@
 namespace muster {
 namespace {
 
-constexpr std::int32_t kMostDetails = 4096;  // Tiles whose crossings are kept.
-constexpr std::int32_t kSpareDetails = 128;  // Tiles for whose crossings there is memory from the first.
+constexpr std::int32_t kMostDetails = 4096;  // Greatest number of tiles whose crossings are kept.
+// Number of tiles for whose crossings there is memory from the first.
+constexpr std::int32_t kSpareDetails = 128;
 
 }  // namespace
 
@@ -54,7 +55,7 @@ void RouteGraph::update(const Environment& environment, double radius) {
     reserveDetails();
 }
 
-// Searches then allocate nothing until they have seen very many tiles.
+// Reserves memory, so that searches allocate nothing until they have seen very many tiles.
 void RouteGraph::reserveDetails() {
     crossings_.reserve(kTileArea);
     spareDetails_.reserve(kSpareDetails);
@@ -135,7 +136,7 @@ std::int32_t RouteGraph::region(Vec2 p) const {
     const TileComponents& components = components_[tile];
     if (components.open) return regionOf(tile, 0);
     const std::int32_t label = components.at(TileGrid::localOf(c));
-    // Where the tile is undivided the cell's component is that of the point.
+    // In an undivided tile the cell's component is that of the point.
     if (label >= 0 && components.count == 1) return regionOf(tile, 0);
     const std::optional<RouteAnchor> found = anchor(p);
     return found ? regionOf(found->tile, found->component) : -1;

@@ -6,18 +6,20 @@
 namespace muster {
 namespace {
 
-constexpr double kRadiusSlack = 1e-3;    // Tested radii are smaller by this, because paths touch walls [m],
-constexpr double kRadiusShare = 0.01;    // or by this share of the radius.
-constexpr double kRoundingError = 1e-5;  // Of clearances, which are kept as floats [m].
-constexpr double kContactTolerance = 1e-7;  // Of the distance of a point to obstacles [m].
-constexpr int kPushes = 12;                 // Of a blocked centre out of obstacles.
-// Where the centre of a cell has so much room beyond the radius one stands there [cells].
-constexpr double kRoom = 0.25;
-constexpr double kRoomShare = 0.25;  // The same as a share of the radius; the smaller counts.
-// A stand point lies within this of the centre of its cell, along each axis [cells].
+// Length by which tested radii are smaller, because paths touch walls [m],
+constexpr double kRadiusSlack = 1e-3;
+constexpr double kRadiusShare = 0.01;       // and the same as a share of the radius.
+constexpr double kRoundingError = 1e-5;     // Rounding error of clearances, which are kept as floats [m].
+constexpr double kContactTolerance = 1e-7;  // Tolerance of the distance of a point to obstacles [m].
+constexpr int kPushes = 12;                 // Number of pushes of a blocked centre out of obstacles.
+// Room of the centre of a cell beyond the radius from which on a disc stands there [cells].
+constexpr double kRoomCells = 0.25;
+constexpr double kRoomShare = 0.25;  // That room as a share of the radius; the smaller counts.
+// Greatest distance of a stand point from the centre of its cell, along each axis [cells].
 constexpr double kCellReach = 0.65;
 
-// Most are far from each other: boxes first. Collinear segments meet where their boxes do.
+// True where two segments meet. Most are far from each other: boxes first. Collinear segments meet where
+// their boxes do.
 bool segmentsMeet(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
     if (std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x) ||
         std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y))
@@ -36,7 +38,7 @@ RouteGround::RouteGround(const Environment& environment, double radius, std::spa
       grid_(environment.grid()),
       radius_(radius - std::fmin(kRadiusSlack, kRadiusShare * radius)),
       halfDiagonal_(kCellReach * std::sqrt(2.0) * grid_.cell + kRoundingError),
-      freeClearance_(radius_ + std::fmin(kRoom * grid_.cell, kRoomShare * radius_)),
+      freeClearance_(radius_ + std::fmin(kRoomCells * grid_.cell, kRoomShare * radius_)),
       straightSum_(2.0 * (radius_ + kRoundingError) + grid_.cell),
       diagonalSum_(2.0 * (radius_ + kRoundingError) + std::sqrt(2.0) * grid_.cell),
       closed_(closed),
@@ -55,7 +57,7 @@ bool RouteGround::isOpen(const CellRect& cells) const {
     return closed_.empty();
 }
 
-// Moves a point away from all that is nearer than `wanted`, by `share` of what is missing. Returns the
+// Moves a point away from all surfaces nearer than `wanted`, by `share` of the missing distance. Returns the
 // clearance that it had.
 double RouteGround::pushOut(Vec2& p, const Box& inner, double wanted, double share) const {
     p = inner.clamp(p);
@@ -74,8 +76,8 @@ double RouteGround::pushOut(Vec2& p, const Box& inner, double wanted, double sha
     return nearest;
 }
 
-// The point that has most room among those to which obstacles push a start, within `reach` of the middle
-// along each axis.
+// The point with most room among those to which obstacles push a start, within `reach` of the middle along
+// each axis.
 std::optional<Vec2> RouteGround::roomiest(Vec2 start, Vec2 middle, double reach) const {
     const Box inner = environment_->def().box.grown(-radius_);
     if (inner.min.x > inner.max.x || inner.min.y > inner.max.y) return {};
@@ -84,7 +86,7 @@ std::optional<Vec2> RouteGround::roomiest(Vec2 start, Vec2 middle, double reach)
     Vec2 p = start;
     for (int push = 0; push < kPushes; ++push) {
         const Vec2 at = inner.clamp(p);
-        // By halves after the first time, so that it ends in the middle of a narrow passage.
+        // Pushed by halves after the first time, so that it ends in the middle of a narrow passage.
         const double clear = pushOut(p, inner, freeClearance_, push == 0 ? 1.0 : 0.5);
         if (clear > most && std::fabs(at.x - middle.x) <= reach && std::fabs(at.y - middle.y) <= reach) {
             most = clear;

@@ -1,4 +1,5 @@
-// The ground as routes see it: where a disc can stand in a cell, and which straight steps it can take.
+// The ground as routes see it: the point where a disc can stand in a cell, and the straight steps that it can
+// take.
 #pragma once
 
 #include <optional>
@@ -20,27 +21,28 @@ struct ClosedLine {
 class RouteGround {
 public:
     RouteGround() = default;
-    /// The ground for discs of `radius` [m]. Obstacles that move count, where they stand now, only if
+    /// The ground for discs of `radius` [m]. Moving obstacles count, at their present positions, only if
     /// `moving`. The environment and the lines must outlive it; an edit makes it invalid.
     RouteGround(const Environment& environment, double radius, std::span<const ClosedLine> closed = {},
                 bool moving = false);
 
-    const Environment& environment() const { return *environment_; }  ///< As given.
+    const Environment& environment() const { return *environment_; }  ///< The given environment.
     const Grid& grid() const { return grid_; }                        ///< The ground cells.
-    double radius() const { return radius_; }  ///< Used for lines [m]: slightly below that of the discs.
+    /// Radius used for lines [m]: slightly below that of the discs.
+    double radius() const { return radius_; }
 
-    /// True where the centre of the cell is free, with some room: there one stands at the centre.
+    /// True where the centre of the cell is free, with some room: a disc stands at the centre then.
     bool isFree(std::int32_t cell) const { return clearance_[cell] >= freeClearance_; }
     /// True where a disc may stand somewhere in the cell, by the raster.
     bool mayHoldPoint(std::int32_t cell) const { return clearance_[cell] >= radius_ - halfDiagonal_; }
     /// True where all lines between points of the cells are clear, by the raster.
     bool isOpen(const CellRect& cells) const;
-    /// A point of the cell, or just beside it, at which a disc can stand: its centre, or where that has
-    /// little room the point near by that has most.
+    /// A point of the cell, or just beside it, at which a disc can stand: its centre, or, where that has
+    /// little room, the point near by with most room.
     std::optional<Vec2> standPoint(Cell c) const;
-    /// The point of the cell, or just beside it, that has most room of those to which obstacles push `start`.
+    /// The point of the cell, or just beside it, with most room among those to which obstacles push `start`.
     std::optional<Vec2> roomiest(Cell c, Vec2 start) const;
-    /// The same within a cell's edge of `start` along each axis.
+    /// The point with most room within a cell's edge of `start` along each axis.
     std::optional<Vec2> roomiest(Vec2 start) const;
     /// True where a disc can walk straight from `a` to `b`.
     bool lineClear(Vec2 a, Vec2 b) const;
@@ -55,11 +57,11 @@ public:
     bool stepClearByRaster(std::int32_t a, std::int32_t b, bool diagonal) const {
         return closed_.empty() && isClearByRaster(a, b, diagonal);
     }
-    /// True where the line crosses or touches a closed one.
+    /// True where the line crosses or touches a closed line.
     bool crossesClosed(Vec2 a, Vec2 b) const;
 
 private:
-    // At any point of the step the clearance is at least half of what is left of the sum.
+    // At any point of the step the clearance is at least half of the rest of the sum.
     bool isClearByRaster(std::int32_t a, std::int32_t b, bool diagonal) const {
         return clearance_[a] + clearance_[b] >= (diagonal ? diagonalSum_ : straightSum_);
     }
@@ -70,8 +72,9 @@ private:
     Grid grid_;
     double radius_ = 0.0;
     double
-        halfDiagonal_ = 0.0;  // Farthest from the centre of a cell to a stand point along its diagonal [m].
-    double freeClearance_ = 0.0;  // Of free centres [m].
+        // Greatest distance from the centre of a cell to a stand point along its diagonal [m].
+        halfDiagonal_ = 0.0;
+    double freeClearance_ = 0.0;  // Least clearance of free centres [m].
     double straightSum_ = 0.0, diagonalSum_ = 0.0;
     std::span<const ClosedLine> closed_;
     bool moving_ = false;
@@ -79,7 +82,7 @@ private:
 };
 
 /// Makes a path shorter: each corner is joined to the last of the following points up to which the line is
-/// clear, and corners that are left are cut. `points` holds both ends; neighbours see each other. `memory` is
+/// clear, and remaining corners are cut. `points` holds both ends; neighbours see each other. `memory` is
 /// working memory.
 void pullTaut(const RouteGround& ground, std::vector<Vec2>& points, std::vector<Vec2>& memory);
 /// The first half of pullTaut(): leaves points out.

@@ -10,12 +10,12 @@
 namespace muster {
 namespace {
 
-// Estimates of what is left are stretched by this, which makes searches several times faster. Routes over
+// Factor of the estimates of the remaining length, which makes searches several times faster. Routes over
 // crossings are longer than taut ones by about as much.
 constexpr double kStretch = 1.05;
 // Operations counted for a line, for the paths of a tile and for the crossings of a tile.
 constexpr std::int64_t kLineWork = 6, kPathsWork = 1500, kTileWork = 100;
-constexpr std::size_t kReserved = 4096;  // Entries for which a search has memory from the first.
+constexpr std::size_t kReserved = 4096;  // Number of entries for which a search has memory from the first.
 
 }  // namespace
 
@@ -63,7 +63,8 @@ void RouteSearch::start(RouteGraph& graph, Vec2 from, Vec2 to, std::span<const C
     expand(kStart);
 }
 
-// The tiles that closed lines or moving obstacles meet, and these with their neighbours, both ascending.
+// Lists the tiles that closed lines or moving obstacles meet, and these with their neighbours, both
+// ascending.
 void RouteSearch::listChangedTiles(std::span<const ClosedLine> closed, bool moving) {
     const TileGrid& tiles = graph_->tiles();
     changedTiles_.clear();
@@ -118,16 +119,21 @@ void RouteSearch::changeTiles(std::span<const ClosedLine> closed, bool moving) {
     movingGround_ = closed.empty() ? ground : MovingGround{};
 }
 
-const RouteSearch::OwnTile* RouteSearch::ownTile(std::int32_t tile) const {
-    if (ownCount_ == 0) return nullptr;
+std::ptrdiff_t RouteSearch::ownIndex(std::int32_t tile) const {
     const auto end = ownTiles_.begin() + static_cast<std::ptrdiff_t>(ownCount_);
     const auto at = std::lower_bound(ownTiles_.begin(), end, tile,
                                      [](const OwnTile& own, std::int32_t t) { return own.tile < t; });
-    return at != end && at->tile == tile ? &*at : nullptr;
+    return at != end && at->tile == tile ? at - ownTiles_.begin() : -1;
+}
+
+const RouteSearch::OwnTile* RouteSearch::ownTile(std::int32_t tile) const {
+    const std::ptrdiff_t at = ownIndex(tile);
+    return at >= 0 ? &ownTiles_[at] : nullptr;
 }
 
 RouteSearch::OwnTile* RouteSearch::ownTile(std::int32_t tile) {
-    return const_cast<OwnTile*>(std::as_const(*this).ownTile(tile));
+    const std::ptrdiff_t at = ownIndex(tile);
+    return at >= 0 ? &ownTiles_[at] : nullptr;
 }
 
 BorderTile RouteSearch::borderTile(std::int32_t tile) const {
@@ -157,7 +163,7 @@ std::optional<RouteAnchor> RouteSearch::anchorAt(Vec2 p) const {
     });
 }
 
-// False where one end has no ground, or the ends lie in different regions.
+// Finds the ends; false where one end has no ground, or the ends lie in different regions.
 bool RouteSearch::findEnds() {
     std::optional<RouteAnchor> start = anchorAt(from_);
     if (!start) start = anchorAt(graph_->nearestReachable(from_, -1));
@@ -215,7 +221,7 @@ void RouteSearch::offer(std::int32_t node, std::int32_t parent, double cost, boo
     std::push_heap(open_.begin(), open_.end());
 }
 
-// Offers all that the tile of a node leads to, at the cost of straight lines where no other is known.
+// Offers all nodes to which the tile of a node leads, at the cost of straight lines where no other is known.
 void RouteSearch::expand(std::int32_t node) {
     const Node n = nodes_[node];
     const Vec2 point = pointOf(node);
@@ -226,8 +232,8 @@ void RouteSearch::expand(std::int32_t node) {
         if (crossing.component != component || k == n.crossing) continue;
         const std::int32_t twin = twinOf(n.tile, k);
         const double step = distance(crossing.point, pointOf(twin));
-        // What the tile remembers of earlier searches must not show in this one, so the line is offered even
-        // where the path is known.
+        // Memory of earlier searches in the tile must not show in this one, so the line is offered even where
+        // the path is known.
         offer(twin, node, n.cost + distance(point, crossing.point) + step, detail.open && node != kStart);
     }
     if (n.tile == goal_.tile && component == goal_.component)
@@ -266,7 +272,7 @@ double RouteSearch::traceFromStart(std::int32_t crossing, std::vector<Vec2>& cor
     return startPaths_.trace(ground, startPoint_, to.cell, to.point, corners);
 }
 
-// From a node of the goal's tile; the search in the tile begins at the goal.
+// Traces the path from a node of the goal's tile; the search in the tile begins at the goal.
 double RouteSearch::traceToGoal(std::int32_t node, std::vector<Vec2>& corners) {
     corners.clear();
     const RouteGround& ground = groundOf(goal_.tile);

@@ -10,9 +10,9 @@
 
 namespace muster {
 
-/// What a search has come to.
+/// Status of a search.
 enum class RouteStatus : std::uint8_t {
-    Searching,    ///< Go on in the next step.
+    Searching,    ///< The search goes on in the next step.
     Found,        ///< There is a route.
     Unreachable,  ///< No route exists.
 };
@@ -22,16 +22,16 @@ class RouteSearch : private TileSource {
 public:
     /// Allocates memory for searches on a ground of some size.
     void reserve();
-    /// Begins a search from `from` to `to`. The route crosses no closed line, and no obstacle that moves
-    /// where that stands now if `moving`. A start that is blocked leads to the nearest free cell, a goal that
-    /// is blocked to the free cell of the start's region that is nearest to it.
+    /// Begins a search from `from` to `to`. The route crosses no closed line, and no moving obstacle at its
+    /// present position if `moving`. A start that is blocked leads to the nearest free cell, a goal that is
+    /// blocked to the free cell of the start's region that is nearest to it.
     void start(RouteGraph& graph, Vec2 from, Vec2 to, std::span<const ClosedLine> closed = {},
                bool moving = false);
-    /// Goes on for `budget` operations, about, of some 50 ns each, and takes what it used off it. The graph
-    /// must be as it was at the start.
+    /// Goes on for about `budget` operations, of some 50 ns each, and subtracts the number used from
+    /// `budget`. The graph must be as it was at the start.
     RouteStatus advance(RouteGraph& graph, std::int64_t& budget);
 
-    RouteStatus status() const { return status_; }  ///< After the last advance().
+    RouteStatus status() const { return status_; }  ///< Status after the last advance().
     /// The route, both ends included, once it is found [m].
     const std::vector<Vec2>& path() const { return path_; }
     /// Its length [m].
@@ -41,16 +41,16 @@ public:
 private:
     // A crossing through which the search has entered a tile, or one of the two ends.
     struct Node {
-        double cost = 0.0;  // From the start [m]; infinite where not reached.
+        double cost = 0.0;  // Cost from the start [m]; infinite where not reached.
         std::int32_t parent = -1;
         std::int32_t tile = 0;
         std::int32_t crossing = -1;
         bool closed = false;
-        bool traced = false;  // Paths of its tile were needed.
+        bool traced = false;  // True if paths of its tile were needed.
     };
     struct Open {
         double estimate;  // Cost of the whole route [m].
-        double cost;      // Up to the node [m].
+        double cost;      // Cost up to the node [m].
         std::int32_t node;
         std::int32_t parent;
         bool exact;  // False where the last part may be longer than its straight line.
@@ -68,9 +68,10 @@ private:
         TileDetail detail;
         bool described = false;
     };
-    static constexpr std::int32_t kGoal = 0, kStart = 1;  // Nodes.
+    static constexpr std::int32_t kGoal = 0, kStart = 1;  // Indices of nodes.
 
     BorderTile borderTile(std::int32_t tile) const override;
+    std::ptrdiff_t ownIndex(std::int32_t tile) const;
     const OwnTile* ownTile(std::int32_t tile) const;
     OwnTile* ownTile(std::int32_t tile);
     const RouteGround& groundOf(std::int32_t tile) const;
@@ -94,35 +95,36 @@ private:
 
     RouteGraph* graph_ = nullptr;
     RouteStatus status_ = RouteStatus::Unreachable;
-    RouteGround ground_;  // With closed lines and moving obstacles.
+    RouteGround ground_;  // Ground with closed lines and moving obstacles.
     std::vector<ClosedLine> closed_;
-    std::vector<OwnTile> ownTiles_;  // In ascending order; those beyond ownCount_ keep their memory.
+    // Own tiles in ascending order; tiles beyond ownCount_ keep their memory.
+    std::vector<OwnTile> ownTiles_;
     std::size_t ownCount_ = 0;
-    // The ground on which obstacles that move changed ownTiles_: they serve all searches on it.
+    // The ground on which moving obstacles changed ownTiles_: they serve all searches on it.
     struct MovingGround {
         std::uint64_t instance = 0, ground = 0, graph = 0;
-        std::size_t count = 0;  // Of own tiles.
+        std::size_t count = 0;  // Number of own tiles.
         friend bool operator==(const MovingGround&, const MovingGround&) = default;
     };
     MovingGround movingGround_;
     TileLabeller labeller_;
     std::vector<std::int32_t> changedTiles_, neighbourTiles_;
     std::vector<BorderCrossing> found_;
-    Vec2 from_, to_;               // As asked [m].
-    Vec2 startPoint_, goalPoint_;  // Where the search begins and ends [m].
+    Vec2 from_, to_;               // Ends as asked [m].
+    Vec2 startPoint_, goalPoint_;  // Points where the search begins and ends [m].
     RouteAnchor start_, goal_;
     TilePaths startPaths_, goalPaths_, paths_;
     std::vector<Node> nodes_;
     std::vector<std::int32_t> firstNode_;  // Per tile, index of its first node; -1 for none.
     std::vector<std::int32_t> touched_;    // Tiles with nodes.
-    std::vector<Open> open_;               // A heap.
+    std::vector<Open> open_;               // Heap of open nodes.
     std::vector<Vec2> path_;
     std::vector<Vec2> corners_;
     std::vector<std::int32_t> chain_;  // Nodes of the route.
     std::int64_t work_ = 0;
 };
 
-/// The whole search at once: the route from `from` to `to`, empty where there is none.
+/// Makes the whole search at once: the route from `from` to `to`, empty where there is none.
 std::vector<Vec2> findRoute(RouteGraph& graph, Vec2 from, Vec2 to, std::span<const ClosedLine> closed = {},
                             bool moving = false);
 

@@ -9,20 +9,21 @@ namespace muster {
 namespace {
 
 constexpr std::size_t kMostWays = 12;
-constexpr std::size_t kReservedWays = 32;  // Corners for which a way has memory from the first.
-constexpr std::uint32_t kMostAge = 600;    // Ways are kept for so many steps.
-constexpr double kLeastLength = 4.0;       // Shorter ways are not kept [m].
-constexpr double kSlack = 1.08;         // A joined path is at most this much longer than the shortest can be,
-constexpr double kAbsoluteSlack = 0.5;  // plus this [m].
-constexpr double kRounding = 1e-6;      // Added to boxes round ways [m].
-constexpr std::int64_t kJoinLineWork = 6;  // Operations counted for the test of a line.
+constexpr std::size_t kReservedWays = 32;  // Number of corners for which a route has memory from the first.
+constexpr std::uint32_t kMostRouteAge = 600;  // Number of steps for which routes are kept.
+constexpr double kLeastLength = 4.0;          // Length below which a route is not kept [m].
+// Factor of the shortest possible length up to which a joined path serves,
+constexpr double kLengthFactor = 1.08;
+constexpr double kLengthSlack = 0.5;       // plus this length [m].
+constexpr double kRounding = 1e-6;         // Length added to boxes round routes [m].
+constexpr std::int64_t kJoinLineWork = 6;  // Number of operations counted for the test of a line.
 
 }  // namespace
 
 void SharedWays::age() {
     std::size_t kept = 0;
     for (std::size_t k = 0; k < ways_.size(); ++k) {
-        if (++ways_[k].age > kMostAge) {
+        if (++ways_[k].age > kMostRouteAge) {
             spare_.push_back(std::move(ways_[k].path));
         } else if (kept++ != k) {
             ways_[kept - 1] = std::move(ways_[k]);
@@ -76,7 +77,7 @@ void SharedWays::Way::findBox() {
     }
 }
 
-// False where no point of the way is within reach.
+// False where no point of the route is within reach.
 bool SharedWays::Way::isNear(Vec2 p, double reach) const {
     const double margin = reach + kRounding;
     return p.x >= box.min.x - margin && p.x <= box.max.x + margin && p.y >= box.min.y - margin &&
@@ -102,7 +103,7 @@ SharedWays::Foot SharedWays::nearestFoot(const std::vector<Vec2>& path, Vec2 p) 
     return best;
 }
 
-// Forgets on another ground which ways are clear.
+// Forgets on another ground which routes are clear.
 void SharedWays::followGround(const RouteGround& ground) {
     const std::uint64_t instance = ground.environment().instance();
     const std::uint64_t version = ground.environment().staticVersion();
@@ -113,7 +114,8 @@ void SharedWays::followGround(const RouteGround& ground) {
     radius_ = ground.radius();
 }
 
-// Obstacles may have been built on a way. What was found is remembered, so it counts no operations.
+// True where the route is clear: obstacles may have been built on it. The result is remembered, so that it
+// counts no operations.
 bool SharedWays::isClear(const RouteGround& ground, std::size_t index) {
     if (clear_[index] >= 0) return clear_[index] == 1;
     const std::vector<Vec2>& path = ways_[index].path;
@@ -136,14 +138,14 @@ bool SharedWays::join(const RouteGround& ground, Vec2 from, Vec2 to, std::vector
         path.push_back(last.point);
         const double along = pathLength(std::span(path).subspan(1));
         path.push_back(to);
-        // A shorter way would make the known one shorter, too.
+        // A shorter path would make the known one shorter, too.
         const double least = std::max(distance(from, to), along - first.distance - last.distance);
         work += 2 * kJoinLineWork;
         if (!ground.lineClear(from, first.point) || !ground.lineClear(last.point, to)) continue;
         if (!isClear(ground, index)) continue;
         skipCorners(ground, path);
         work += kJoinLineWork * static_cast<std::int64_t>(path.size());
-        if (pathLength(path) <= kSlack * least + kAbsoluteSlack) return true;
+        if (pathLength(path) <= kLengthFactor * least + kLengthSlack) return true;
     }
     path.clear();
     return false;

@@ -1,5 +1,5 @@
-// Ways that several places of a group take: a way found for one serves all that go from near its start to
-// near its end.
+// Routes that several places of a group share: a route found for one serves all places that go from near its
+// start to near its end.
 #pragma once
 
 #include <cstdint>
@@ -9,27 +9,27 @@
 
 namespace muster {
 
-/// The ways that were found last.
+/// The routes that were found last.
 class SharedWays {
 public:
-    /// Forgets all.
+    /// Forgets all routes.
     void clear() {
         ways_.clear();
         clear_.clear();
     }
-    /// Makes ways older, and drops old ones. Once in a step, before join().
+    /// Makes routes older, and drops old ones. Once in a step, before join().
     void age();
-    /// Keeps a way, both ends included [m]; short ones are not worth it.
+    /// Keeps a route, both ends included [m]; short routes are not worth it.
     void add(const std::vector<Vec2>& path);
-    /// Keeps the ways of others, too, as many as there is room for.
+    /// Keeps the routes of others, too, as many as there is room for.
     void add(const SharedWays& others);
-    /// Allocates memory for all ways.
+    /// Allocates memory for all routes.
     void reserve();
-    /// Joins `from` and `to` to one of the ways, the last one first, if what that makes is nearly as short as
+    /// Joins `from` and `to` to one of the routes, the last one first, if the result is nearly as short as
     /// the shortest can be. Writes the path, both ends included. Counts operations in `work`.
     bool join(const RouteGround& ground, Vec2 from, Vec2 to, std::vector<Vec2>& path, std::int64_t& work);
 
-    /// Length of the shortest path over a way that passes within `reach` [m] of both points; infinite where
+    /// Length of the shortest path over a route that passes within `reach` [m] of both points; infinite where
     /// none does. Straight lines join the points to it, whatever lies there.
     double lengthAlong(Vec2 from, Vec2 to, double reach) const;
 
@@ -44,9 +44,9 @@ public:
 
 private:
     struct Way {
-        std::vector<Vec2> path;  // [m]
-        std::uint32_t age = 0;   // Steps.
-        Box box;                 // Round the path; follows from it.
+        std::vector<Vec2> path;  // Corners of the route [m].
+        std::uint32_t age = 0;   // Age [steps].
+        Box box;                 // Box round the path, from which it follows.
 
         void findBox();
         bool isNear(Vec2 p, double reach) const;
@@ -56,24 +56,24 @@ private:
             if constexpr (Archive::kReading) findBox();
         }
     };
-    // The point of a way that is nearest to another point.
+    // The point of a route that is nearest to another point.
     struct Foot {
         std::size_t segment = 0;  // Index of the segment's first corner.
         Vec2 point;
-        double distance = 0.0;  // To the other point [m].
+        double distance = 0.0;  // Distance to the other point [m].
     };
 
     static Foot nearestFoot(const std::vector<Vec2>& path, Vec2 p);
     void followGround(const RouteGround& ground);
     bool isClear(const RouteGround& ground, std::size_t index);
 
-    std::vector<Way> ways_;  // The last one at the end.
-    // Of each way, 1 where its course is known to be clear for discs of this radius on the ground of these
-    // versions, 0 where it is not, -1 where that is unknown. A cache.
+    std::vector<Way> ways_;  // Routes; the last one at the end.
+    // By route: 1 where it is known to be clear for discs of this radius on the ground of these versions, 0
+    // where it is not, -1 where that is unknown. A cache.
     std::vector<std::int8_t> clear_;
     std::uint64_t instance_ = 0, version_ = 0;
-    double radius_ = 0.0;                   // [m]
-    std::vector<std::vector<Vec2>> spare_;  // Memory of ways that were dropped.
+    double radius_ = 0.0;                   // Radius of the discs [m].
+    std::vector<std::vector<Vec2>> spare_;  // Memory of dropped routes.
 };
 
 }  // namespace muster

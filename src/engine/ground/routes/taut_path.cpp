@@ -6,9 +6,9 @@
 namespace muster {
 namespace {
 
-constexpr int kPasses = 3;          // Of cutting corners.
-constexpr int kBisections = 6;      // Of a cut.
-constexpr double kLeastCut = 0.05;  // Corners are cut by at least this [m].
+constexpr int kPasses = 3;          // Number of passes that cut corners.
+constexpr int kBisections = 6;      // Number of bisections of a cut.
+constexpr double kLeastCut = 0.05;  // Least distance by which corners are cut [m].
 
 // The last index from `at` on whose point is in sight, found by doubling and bisection.
 std::size_t lastInSight(const RouteGround& ground, const std::vector<Vec2>& points, std::size_t at) {

@@ -82,7 +82,7 @@ void TileLabeller::run(const RouteGround& ground, const CellRect& cells, TileCom
     result.open = false;
     result.labels.clear();
     result.rows.clear();
-    // Only whole tiles are open, because open ones do not tell which cells they have.
+    // Only whole tiles are open, because an open tile does not list its cells.
     const bool whole = cells.high.x - cells.low.x + 1 == kTileCells &&
                        cells.high.y - cells.low.y + 1 == kTileCells;
     if (whole && ground.isOpen(cells)) {

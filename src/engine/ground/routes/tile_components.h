@@ -13,7 +13,7 @@ namespace muster {
 /// The components of a tile: sets of cells with a point to stand at that clear steps within the tile join.
 /// They are numbered from 0 in row-major order of their first cells.
 struct TileComponents {
-    std::int32_t count = 0;  ///< 0 where nobody can stand.
+    std::int32_t count = 0;  ///< Number of components; 0 where nobody can stand.
     bool open = false;       ///< True where all lines between points of the tile are clear.
     /// With one component that is not open: a bit per cell, row by row.
     std::vector<std::uint32_t> rows;
@@ -31,10 +31,10 @@ struct TileComponents {
 
 /// A step from one tile to a neighbour.
 struct BorderCrossing {
-    Cell from;                       ///< Cell of the one tile.
-    Cell to;                         ///< Cell of the other.
-    std::int32_t fromComponent = 0;  ///< Of the one tile.
-    std::int32_t toComponent = 0;    ///< Of the other.
+    Cell from;                       ///< Cell of the first tile.
+    Cell to;                         ///< Cell of the second tile.
+    std::int32_t fromComponent = 0;  ///< Component in the first tile.
+    std::int32_t toComponent = 0;    ///< Component in the second tile.
 };
 
 /// Computes components, with memory of its own.
@@ -51,17 +51,17 @@ private:
     void number(const CellRect& cells, TileComponents& result);
 
     std::array<std::int32_t, kTileArea> parent_{};  // Disjoint sets of cells; -1 where nobody can stand.
-    std::array<Vec2, kTileArea> point_{};           // Where one can stand [m].
+    std::array<Vec2, kTileArea> point_{};           // Points where a disc can stand [m].
 };
 
 /// One side of a tile border.
 struct BorderTile {
-    CellRect cells;                    ///< Of the tile.
-    const TileComponents* components;  ///< Of the tile.
+    CellRect cells;                    ///< Cells of the tile.
+    const TileComponents* components;  ///< Components of the tile.
 };
 
 /// Appends the crossings from `tile` to its neighbour in one of the first four directions: of each maximal
-/// run of steps between one pair of components those at its ends and some between, or the middle one of a
+/// run of steps between one pair of components the steps at its ends and some between, or the middle one of a
 /// short run. Steps to the neighbour's next cell but one count where no straight step joins the pair.
 void findCrossings(const RouteGround& ground, const BorderTile& tile, const BorderTile& neighbour,
                    std::int32_t direction, std::vector<BorderCrossing>& crossings);

@@ -1,4 +1,4 @@
-// What a search knows of one tile: its crossings to neighbours, and the paths between them.
+// Details of one tile for searches: its crossings to neighbours, and the paths between them.
 #pragma once
 
 #include <array>
@@ -14,27 +14,27 @@ struct TileCrossing {
     Cell cell;                   ///< The tile's own cell.
     Vec2 point;                  ///< Its stand point [m].
     std::int32_t component = 0;  ///< Its component.
-    std::int32_t direction = 0;  ///< To the neighbour.
+    std::int32_t direction = 0;  ///< Direction to the neighbour.
 };
 
 /// Crossings by direction, in the order in which the neighbour lists them too.
 struct TileDetail {
     std::vector<TileCrossing> crossings;
     std::array<std::int32_t, kDirections + 1> first{};  ///< Index of the first crossing in each direction.
-    bool open = false;                                  ///< All paths are straight.
+    bool open = false;                                  ///< True if all paths are straight.
 
     /// A path between two crossings. Its corners lie in `corners`.
     struct Edge {
-        double length = -1.0;  ///< [m]; negative for unknown.
+        double length = -1.0;  ///< Length [m]; negative for unknown.
         std::int32_t first = 0;
         std::int32_t count = 0;
     };
     std::vector<Edge> edges;          ///< Crossings x crossings; none for an open tile.
-    std::vector<Vec2> corners;        ///< Of all edges [m].
+    std::vector<Vec2> corners;        ///< Corners of all edges [m].
     std::vector<std::uint8_t> known;  ///< 1 for crossings whose edges are all known.
     TileSteps steps;
 
-    /// Allocates memory for what most tiles have.
+    /// Allocates the memory that most tiles need.
     void reserve() {
         crossings.reserve(24);
         edges.reserve(24 * 24);
@@ -42,7 +42,7 @@ struct TileDetail {
         corners.reserve(256);
         steps.reserve(kTileArea);
     }
-    /// Forgets all, but keeps the memory.
+    /// Forgets all crossings, but keeps the memory.
     void clear() {
         crossings.clear();
         first.fill(0);
@@ -54,7 +54,7 @@ struct TileDetail {
     }
 };
 
-/// Gives the components of a tile, and the cells.
+/// Gives the components of a tile, and its cells.
 class TileSource {
 public:
     virtual ~TileSource() = default;
@@ -65,8 +65,8 @@ public:
 /// Finds the crossings of a tile. `found` is working memory.
 void describeTile(const RouteGround& ground, const TileGrid& tiles, std::int32_t tile,
                   const TileSource& source, std::vector<BorderCrossing>& found, TileDetail& detail);
-/// Finds the paths from a crossing to all others of its component. The way back is found apart, so that no
-/// answer depends on which was asked first. `corners` is working memory.
+/// Finds the paths from a crossing to all others of its component. The path back is found apart, so that no
+/// answer depends on the order of questions. `corners` is working memory.
 void describePaths(const RouteGround& ground, const BorderTile& tile, std::int32_t crossing, TilePaths& paths,
                    std::vector<Vec2>& corners, TileDetail& detail);
 

@@ -25,10 +25,10 @@ inline constexpr std::int32_t kDirections = 8;
 inline constexpr std::array<Cell, kDirections> kOffsets{
     {{1, 0}, {0, 1}, {1, 1}, {-1, 1}, {-1, 0}, {0, -1}, {-1, -1}, {1, -1}}};
 
-/// A grid divided into tiles; those at the right and upper edge may be smaller.
+/// A grid divided into tiles; tiles at the right and upper edge may be smaller.
 struct TileGrid {
     Grid cells;                          ///< The ground cells.
-    std::int32_t width = 0, height = 0;  ///< In tiles.
+    std::int32_t width = 0, height = 0;  ///< Size in tiles.
 
     /// The tiles of a grid.
     static TileGrid over(const Grid& grid) {

@@ -7,7 +7,8 @@ namespace muster {
 namespace {
 
 constexpr float kDiagonal = 1.41421356f;
-constexpr std::uint16_t kKnown = 1u << kDirections;  // Set in the steps of a cell once they are found.
+// Bit that is set in the steps of a cell once they are found.
+constexpr std::uint16_t kKnown = 1u << kDirections;
 constexpr float kUnreached = std::numeric_limits<float>::infinity();
 
 // Directions 0, 1, 4 and 5 are straight.

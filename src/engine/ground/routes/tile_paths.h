@@ -8,7 +8,7 @@
 
 namespace muster {
 
-/// For each cell of a tile the clear steps to its neighbours, found when they are first needed.
+/// The clear steps of each cell of a tile to its neighbours, found when they are first needed.
 using TileSteps = std::vector<std::uint16_t>;
 
 /// The paths from one cell of a tile to all others of its component.
@@ -25,13 +25,14 @@ public:
     /// Forgets the search.
     void clear() { known_ = false; }
     bool known() const { return known_; }  ///< True after run().
-    /// Length of the taut path from `start`, a point in sight of the first cell's stand point, to `end`, one
-    /// in sight of that of `to` [m]; infinite where there is none. `corners` gets the points between both.
+    /// Length of the taut path from `start`, a point in sight of the first cell's stand point, to `end`, a
+    /// point in sight of the stand point of `to` [m]; infinite where there is none. `corners` gets the points
+    /// between both.
     double trace(const RouteGround& ground, Vec2 start, Cell to, Vec2 end, std::vector<Vec2>& corners) const;
 
 private:
     struct Open {
-        float cost;  // [cells]
+        float cost;  // Cost of the path [cells].
         std::int32_t cell;
         friend bool operator<(const Open& a, const Open& b) {
             return a.cost != b.cost ? a.cost > b.cost : a.cell > b.cell;
@@ -41,7 +42,7 @@ private:
 
     bool known_ = false;
     Cell origin_;                    // Lower left cell of the tile.
-    std::vector<float> cost_;        // Of each cell of the tile [cells].
+    std::vector<float> cost_;        // Cost of each cell of the tile [cells].
     std::vector<std::int8_t> back_;  // Direction to the cell before; -1 at the first and where none.
     std::vector<Open> open_;
 };

@@ -10,7 +10,7 @@ namespace muster {
 
 /// A joint of a component of a tile with one of a neighbour.
 struct TileJoint {
-    std::uint8_t direction = 0;  ///< To the neighbour; one of the first four.
+    std::uint8_t direction = 0;  ///< Direction to the neighbour; one of the first four.
     std::uint16_t from = 0;      ///< Component of the tile.
     std::uint16_t to = 0;        ///< Component of the neighbour.
     /// Equal in all parts.
@@ -61,7 +61,7 @@ private:
     void number();
 
     std::vector<std::int32_t> first_;   // Per tile, index of its first component among all.
-    std::vector<std::int32_t> region_;  // Per component.
+    std::vector<std::int32_t> region_;  // Region of each component.
     std::vector<std::int32_t> parent_;  // Per component: disjoint sets.
     std::int32_t count_ = 0;
 };

@@ -8,8 +8,8 @@
 namespace muster {
 namespace {
 
-// Lists where the ground was edited since it had a version. Very many edits count as one of the whole ground:
-// of those the environment remembers the latest only.
+// Lists the areas of the ground that were edited since `version`. More than kMostEdits edits count as one
+// edit of the whole ground, since the environment remembers only the latest of them.
 void listEdits(WorldState& state, std::uint64_t version) {
     constexpr std::uint32_t kMostEdits = 64;
     const Grid& grid = state.environment.grid();

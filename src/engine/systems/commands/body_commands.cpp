@@ -10,7 +10,7 @@
 namespace muster {
 namespace {
 
-constexpr double kFastestOutside = 1e5;  // Of who is moved from outside [m/s].
+constexpr double kTopSpeedOutside = 1e5;  // Top speed of a character that is moved from outside [m/s].
 
 Status allExist(const Characters& characters, const std::vector<std::uint32_t>& ids) {
     for (const std::uint32_t id : ids)
@@ -54,7 +54,7 @@ Status apply(CommandContext& context, const WriteMotion& command) {
         const Vec2 by = command.velocities.empty() ? (to - c.position[i]) / state.parameters.stepTime
                                                    : command.velocities[k];
         c.position[i] = to;
-        c.velocity[i] = clampLength(by, kFastestOutside);
+        c.velocity[i] = clampLength(by, kTopSpeedOutside);
     }
     return {};
 }

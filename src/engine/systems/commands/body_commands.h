@@ -5,7 +5,7 @@
 
 namespace muster {
 
-/// Stops all that are moved from outside: who is not written in a step stands.
+/// Stops all characters that are moved from outside: such a character stands unless a step writes its motion.
 void restOutside(WorldState& state);
 
 }  // namespace muster

@@ -1,4 +1,4 @@
-// What a command may read and change while it is applied.
+// The state that a command may read and change while it is applied.
 #pragma once
 
 #include <vector>
@@ -10,20 +10,20 @@
 
 namespace muster {
 
-/// The world that a command changes, and the command. A function that applies a command changes nothing where
-/// it fails: with NotFound where the world lacks what is named, else with InvalidArgument or LimitExceeded.
+/// The world that a command changes, and the command. A function that applies a command and fails changes
+/// nothing: it answers NotFound for an id that the world lacks, else InvalidArgument or LimitExceeded.
 struct CommandContext {
     WorldState& state;
     ThreadPool& pool;
-    std::vector<Event>& events;  ///< Of this step.
-    const Command& command;      ///< With its sender.
+    std::vector<Event>& events;  ///< The events of this step.
+    const Command& command;      ///< The command, with its sender.
 
-    /// The state, for a change of groups: work in the background reads their plans.
+    /// The state, for a command that changes groups: waits for background work, which reads their plans.
     WorldState& groups() {
         pool.wait();
         return state;
     }
-    /// The ground, for a change of it: work in the background reads it.
+    /// The ground, for a command that changes it: waits for background work, which reads the ground.
     Environment& ground() {
         pool.wait();
         return state.environment;

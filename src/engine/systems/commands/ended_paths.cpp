@@ -8,7 +8,7 @@
 namespace muster {
 namespace {
 
-// True where the path leads nowhere from the present time on.
+// True for a path that moves nothing any more from `time` on.
 bool leadsNowhere(const TimedPath& path, double time) {
     const Waypoint now = path.at(time);
     return std::all_of(path.waypoints.begin(), path.waypoints.end(), [&](const Waypoint& w) {
@@ -17,7 +17,7 @@ bool leadsNowhere(const TimedPath& path, double time) {
     });
 }
 
-// The obstacle where it stands now, without a path.
+// The definition of an obstacle where it stands now, without a path.
 ObstacleDef standing(const Environment& environment, ObstacleId id) {
     ObstacleDef def = *environment.obstacle(id);
     if (def.polygon.empty())

@@ -1,4 +1,4 @@
-// Obstacles whose paths are over: what will never move again is ground like any other.
+// Obstacles whose paths are over: an obstacle that will never move again is ground like any other.
 #pragma once
 
 #include "base/parallel.h"
@@ -6,8 +6,8 @@
 
 namespace muster {
 
-/// Puts the obstacles whose paths are over on the ground where they stand, as edits of the ground: ways lead
-/// round them from now on, and who has no other way hears of it.
+/// Puts the obstacles whose paths are over on the ground where they stand, as edits of the ground: routes
+/// lead round them from now on, and groups that have no other route hear of it.
 void settleEndedPaths(WorldState& state, ThreadPool& pool);
 
 }  // namespace muster

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "base/maths.h"
-#include "engine/formation/shapes/formation.h"
+#include "engine/formation/shapes/make_formation.h"
 #include "engine/state/bare_groups.h"
 #include "engine/state/group_edits.h"
 #include "engine/state/validation.h"
@@ -13,7 +13,7 @@
 namespace muster {
 namespace {
 
-// A group that has no formation now, or nobody in it, takes it up later.
+// Sets a group's formation. A group that has no formation now, or no members, takes it up later.
 Status defineFormation(Group& group, const FormationDef& def) {
     const Result<Formation> formation = makeFormation(def, std::max(1, group.def.count));
     if (!formation.ok()) return formation.status().within("group '" + group.def.name + "'");

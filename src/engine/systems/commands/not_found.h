@@ -1,4 +1,4 @@
-// Answers to commands that name what there is not.
+// Answers to commands that name a thing which does not exist.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 
 namespace muster {
 
-/// The answer to a command that names a thing that there is not: "group".
+/// The answer to a command that names a thing that does not exist; `what` is its kind, as "group".
 inline Status notFound(const char* what, std::uint32_t id) {
     return {StatusCode::NotFound, std::string("no ") + what + " has the id " + std::to_string(id)};
 }
-/// The same for a group.
+/// The answer to a command that names a group that does not exist.
 inline Status noGroup(GroupId id) {
     return notFound("group", id.value);
 }
-/// The same for a character.
+/// The answer to a command that names a character that does not exist.
 inline Status noCharacter(std::uint32_t id) {
     return notFound("character", id);
 }

@@ -16,7 +16,7 @@
 namespace muster {
 namespace {
 
-// Where a character comes to a stand by its own brakes [m].
+// The point where a character comes to a stand by its own brakes [m].
 Vec2 stopOf(const WorldState& state, std::int32_t i) {
     const Characters& c = state.characters;
     const Parameters::Character& def = state.parameters.character;
@@ -26,8 +26,8 @@ Vec2 stopOf(const WorldState& state, std::int32_t i) {
     return clear ? stop : c.position[i];
 }
 
-// Places stay where they are now; those whose holders would have to walk to them come to where these stop,
-// and those that nobody holds to where people stop who have none yet, as those who have just joined.
+// Places stay at their positions, except those whose holders would have to walk to them: these move to the
+// points where the holders stop. Places without a holder move to where members without a place stop.
 void placesComeToPeople(WorldState& state, Group& group) {
     std::vector<Vec2> places = group.places.positions();
     if (places.empty() || hasWeights(state, group)) return;
@@ -57,7 +57,7 @@ void placesComeToPeople(WorldState& state, Group& group) {
     group.flow.ground = state.groundEdits;
 }
 
-// Everybody stands where it is, and the mesh where its places are.
+// Every member stands where it is, and the mesh where its places are.
 void standStill(WorldState& state, Group& group) {
     if (Gathering* const gathering = state.continuum.find(group.id)) {
         gathering->active = false;
@@ -68,12 +68,12 @@ void standStill(WorldState& state, Group& group) {
     if (group.flow.leads()) group.orders.march.last = group.mesh.pose();
 }
 
-/// Who goes freely stops: its place is at the end.
+/// Stops a group whose members go freely, each to its place at the end.
 void stopFree(WorldState& state, Group& group) {
     if (group.orders.goesFree()) standStill(state, group);
 }
 
-/// Ends the order that is carried out, which is about to leave the queue.
+/// Ends the order that is carried out, which is about to leave the queue; `stays`: a free group stops.
 void endFirst(WorldState& state, Group& group, bool stays) {
     if (stays) stopFree(state, group);
     group.orders.end();
@@ -102,7 +102,7 @@ void hold(WorldState& state, Group& group) {
     group.orders.held = true;
 }
 
-// Who goes freely gets its target again.
+// Lets a queue go on. A group whose members go freely gets its target again.
 void resume(Group& group) {
     OrderQueue& queue = group.orders;
     queue.held = false;

@@ -1,15 +1,14 @@
-// Which group a finger picks that comes down somewhere.
+// The group that a finger picks where it comes down.
 #pragma once
+
+#include <optional>
 
 #include "engine/state/world_state.h"
 
 namespace muster {
 
-/// The group whose final mesh lies nearest to the point [m] within `input.reach`, ties to the lower id; null
-/// for none.
-const Group* pickedGroup(const WorldState& state, Vec2 p);
-inline Group* pickedGroup(WorldState& state, Vec2 p) {
-    return const_cast<Group*>(pickedGroup(std::as_const(state), p));
-}
+/// Index of the group whose final mesh lies nearest to the point [m] within `input.reach`, ties to the lower
+/// id; none where no mesh is that near.
+std::optional<std::size_t> pickedGroup(const WorldState& state, Vec2 p);
 
 }  // namespace muster

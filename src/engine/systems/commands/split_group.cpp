@@ -20,7 +20,7 @@ namespace {
 /// Ids of the characters of each part, ascending; the first part stays.
 using Parts = std::vector<std::vector<std::uint32_t>>;
 
-/// Where each member counts as standing: its place on Vf, its own position where it has none.
+/// The point by which each member is divided: its place on Vf, or its position where it has no place.
 std::vector<Vec2> standingsOf(const WorldState& state, const Group& group) {
     std::vector<Vec2> places, standings;
     group.mesh.placePositions(places);
@@ -31,7 +31,7 @@ std::vector<Vec2> standingsOf(const WorldState& state, const Group& group) {
     return standings;
 }
 
-/// Two parts: those for whom `leaves(member)` go.
+/// Two parts; members for which `leaves(member)` is true are the second.
 template <class Leaves>
 Parts divide(const WorldState& state, const Group& group, const Leaves& leaves) {
     Parts parts(2);
@@ -119,7 +119,7 @@ Group partOf(const WorldState& state, const Group& whole, std::size_t number) {
     return part;
 }
 
-/// Fingers stay with the part whose places are nearest to the vertices that they hold.
+/// Each control goes to the part whose places are nearest to the vertices that it holds.
 void divideControls(std::span<Group* const> parts) {
     std::vector<std::vector<Vec2>> places(parts.size());
     for (std::size_t p = 0; p < parts.size(); ++p) parts[p]->mesh.placePositions(places[p]);
@@ -153,7 +153,7 @@ Result<Reform> formPart(const WorldState& state, const Group& whole, const HeldP
     return refit(state, whole, own, resized(whole, own, ids, true), ids);
 }
 
-/// Gives a part its formation at the pose of the whole; none where the whole has none.
+/// Gives a part its formation at the pose of the whole, or none where the whole has none.
 void formUpAs(WorldState& state, Group& part, const Group& whole, Reform& reform) {
     if (!state.continuum.isBare(whole.id)) return applyReform(state, part, std::move(reform), whole.mesh);
     if (&part != &whole) (void)part.mesh.reset(whole.mesh.formation(), whole.mesh.pose());
@@ -208,7 +208,7 @@ Status apply(CommandContext& context, const SplitGroup& command) {
     addParts(state, whole, *parts);
     std::vector<Group*> formed{&state.groups[whole]};
     for (std::size_t p = 1; p < parts->size(); ++p) formed.push_back(&state.groups[first + p - 1]);
-    // The whole comes last: the others' places come from its own.
+    // The whole comes last, since the places of the other parts are taken from its own.
     for (std::size_t p = parts->size(); p-- > 0;) formUpAs(state, *formed[p], *formed[0], reforms[p]);
     divideControls(formed);
     shareOrders(state, formed, middle);

@@ -21,7 +21,7 @@ Status tooMany(std::size_t most, const char* what) {
     return {StatusCode::LimitExceeded, "a world holds at most " + std::to_string(most) + " " + what};
 }
 
-/// Counts the versions of the ground.
+/// Counts an edit of the ground that has succeeded; returns its status.
 Status edited(WorldState& state, Status status) {
     state.groundEdits += status.ok() ? 1 : 0;
     return status;
@@ -60,7 +60,7 @@ Status removeItem(WorldState& state, ItemId id) {
     return {};
 }
 
-/// Gives the marks of groups at checkpoints a column more at the end, or takes one column out.
+/// Adds a column to the marks of groups at checkpoints, or takes the column `without` out.
 void changeColumns(WorldState& state, std::size_t before, std::size_t now, std::size_t without) {
     std::vector<std::uint8_t> marks;
     for (std::size_t g = 0; g < state.groups.size(); ++g) {

@@ -13,13 +13,13 @@ Status refused(bool accepted, const std::string& why) {
     return accepted ? Status{} : invalidArgument(why);
 }
 
-// A trajectory never lies in the world's future. (The stamp of a touch that comes down may, where the world
-// is paused: it tells which touches came down together.)
+// The time of a touch, at most the present, so that no trajectory lies in the future. (A touch that comes
+// down while the world is paused may be stamped later: the stamp tells which touches belong together.)
 double stamp(const WorldState& state, double time) {
     return std::clamp(time, 0.0, state.time());
 }
 
-// Changes the controls that hold a touch.
+// Calls `change` for the controls of each group until one of them holds the touch.
 template <class Change>
 Status eachSet(WorldState& state, std::uint32_t touch, Change change) {
     for (Group& group : state.groups)
@@ -30,8 +30,9 @@ Status eachSet(WorldState& state, std::uint32_t touch, Change change) {
 }  // namespace
 
 Status apply(CommandContext& context, const TouchDown& touch) {
-    Group* group = touch.group ? context.state.findGroup(touch.group)
-                               : pickedGroup(context.state, touch.position);
+    WorldState& state = context.state;
+    const auto picked = touch.group ? std::nullopt : pickedGroup(state, touch.position);
+    Group* const group = picked ? &state.groups[*picked] : state.findGroup(touch.group);
     if (touch.group && group == nullptr) return notFound("group", touch.group.value);
     if (group == nullptr)
         return invalidArgument("touch " + std::to_string(touch.touch) + " begins on no formation");

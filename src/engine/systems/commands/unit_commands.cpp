@@ -35,13 +35,13 @@ std::vector<std::uint32_t> memberIds(const WorldState& state, const Group& group
     return ids;
 }
 
-/// What becomes of the groups that some characters leave.
+/// The groups that lose members, and their formations without these.
 struct Shrinking {
-    std::vector<std::uint32_t> groups;  // Indices.
-    std::vector<Reform> reforms;        // Of each.
+    std::vector<std::uint32_t> groups;  // Indices of the groups.
+    std::vector<Reform> reforms;        // The new formation of each group.
 };
 
-/// `leaving` ascend.
+/// The groups that the characters `leaving` leave, and their new formations; `leaving` ascends.
 Result<Shrinking> shrink(const WorldState& state, std::span<const std::int32_t> leaving) {
     Shrinking result;
     for (std::size_t g = 0; g < state.groups.size(); ++g) {
@@ -61,7 +61,7 @@ Result<Shrinking> shrink(const WorldState& state, std::span<const std::int32_t> 
     return result;
 }
 
-// Those who are left go on with a march on which they are.
+// Applies the new formations. A group that was on a march goes on with it.
 void apply(WorldState& state, Shrinking& shrinking) {
     for (Group& group : state.groups)
         if (state.continuum.isBare(group.id))
@@ -81,7 +81,7 @@ void apply(WorldState& state, Shrinking& shrinking) {
     }
 }
 
-/// Gives a group, whose members are up to date, places for those who have joined it.
+/// Gives a group, whose members are up to date, places for the members that have joined.
 Status growTo(WorldState& state, Group& group, const HeldPlaces& held) {
     if (state.continuum.isBare(group.id)) {
         group.def.count = static_cast<std::int32_t>(group.members.size());
@@ -99,7 +99,7 @@ Status growTo(WorldState& state, Group& group, const HeldPlaces& held) {
 
 std::int32_t joinOne(WorldState& state, Group& group, Vec2 position, const Body& body) {
     const bool leaves = !group.orders.orders.empty() && isBare(group.orders.orders.front().order.kind);
-    // The first of a group that is to go without a formation needs none.
+    // The first member of a group that is to go without a formation needs none.
     if (group.members.empty() && leaves && !state.continuum.isBare(group.id)) {
         dissolveFormation(state, group);
         state.continuum.begin(group.id, group.orders.orders.front().order.kind, {}).active = false;

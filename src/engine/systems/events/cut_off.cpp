@@ -5,11 +5,11 @@
 namespace muster {
 namespace {
 
-/// Those of a group without a way.
+/// The members of a group that have no route to their places.
 struct CutOff {
-    std::int32_t places = 0;      ///< Whose targets lie where the group cannot go.
-    std::int32_t characters = 0;  ///< Who stand where the group's places are not.
-    Vec2 middle;                  ///< Of the targets, or where there are none of the characters [m].
+    std::int32_t places = 0;      ///< Places whose targets lie where the group cannot go.
+    std::int32_t characters = 0;  ///< Characters that stand where the group's places are not.
+    Vec2 middle;  ///< Mean of these targets, or of the characters where all targets can be reached [m].
 
     std::int32_t count() const { return std::max(places, characters); }
 };

@@ -1,4 +1,4 @@
-// Who has no way to where their group is ordered (SPEC B16).
+// Finds the members of a group that have no route to where it is ordered (SPEC B16).
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace muster {
 
-/// Judges the ways of a group once its order is drawn, and again where the ground has changed; appends
-/// NoPath, Partial, Blocked or Free.
+/// Judges whether a group can get to the target of its order once that is drawn, and again where the ground
+/// has changed; appends NoPath, Partial, Blocked or Free.
 void raiseWayEvents(WorldState& state, Group& group, std::vector<Event>& events);
 
 }  // namespace muster

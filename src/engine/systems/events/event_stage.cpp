@@ -9,12 +9,13 @@
 namespace muster {
 namespace {
 
-constexpr double kStandingPlaces = 0.1;  // Places that move slower stand [m/s].
-constexpr double kDrawnFor = 0.25;       // A way that is not drawn further for this long is whole [s].
-constexpr double kStuckEvery = 0.5;      // Time between looks for who is stuck [s].
+constexpr double kStandingPlaceSpeed = 0.1;  // Speed below which a place counts as standing [m/s].
+constexpr double kDrawnTime = 0.25;  // Time after which a drawn route that grows no further is complete [s].
+constexpr double kStuckInterval = 0.5;  // Time between two searches for stuck characters [s].
 
-/// Notes who of a group is in a checkpoint. True once the share of it has been there since it was last left,
-/// and where the middle of the group is in it and the share is at most a half.
+/// Notes the members of a group that are in a checkpoint. True once the checkpoint's share of the group has
+/// been in it since the group last left it, or where the middle of the group is in it and the share is at
+/// most a half.
 bool crowdPasses(const WorldState& state, const Group& group, const FormationCheckpointDef& checkpoint,
                  std::vector<std::uint32_t>& visitors, bool& anyInside) {
     std::int32_t been = 0;
@@ -31,7 +32,7 @@ bool crowdPasses(const WorldState& state, const Group& group, const FormationChe
         if (inside && !known) visitors.insert(at, id);
     }
     const auto count = static_cast<double>(group.members.size());
-    // The middle of a crowd that is wider than the checkpoint counts for half of it.
+    // The middle of a crowd that is wider than the checkpoint counts for half of the crowd.
     const bool middle = checkpoint.share <= 0.5 && count > 0.0 &&
                         distance(sum / count, checkpoint.position) <= checkpoint.radius;
     anyInside = anyInside || middle;
@@ -57,7 +58,7 @@ bool passes(WorldState& state, Group& group, std::size_t index, std::uint8_t& fl
     return comes;
 }
 
-/// True while fingers' ways are still to be followed, or a control that was let go ends.
+/// True while trajectories are still to be followed, or a control that was let go is ending.
 bool isDrawn(const Group& group) {
     for (const Control& control : group.controls.controls())
         for (const ControlPoint& point : control.points)
@@ -65,29 +66,29 @@ bool isDrawn(const Group& group) {
     return false;
 }
 
-/// True while an order is carried out whose end the mesh has not reached.
+/// True while the mesh has not reached the end of the order that is carried out.
 bool isOnItsWay(const Group& group) {
     return group.orders.begun && !group.orders.held && group.orders.march.phase != MarchPhase::Stand;
 }
 
-// Where some have no way, their places stand short of where the order wants them.
+// True where all places stand at their targets. Where members have no route, places stop short of the target.
 bool placesStand(const Group& group) {
     if (group.order.withoutWay > 0) return false;
     const PlaceTracker& places = group.places;
     for (std::size_t k = 0; k < places.positions().size(); ++k)
-        if (length(places.velocities()[k]) > kStandingPlaces ||
+        if (length(places.velocities()[k]) > kStandingPlaceSpeed ||
             distance(places.positions()[k], places.reachableTargets()[k]) > kArrivedReach)
             return false;
     return true;
 }
 
-/// Tells of an arrival that is awaited; or begins to await one where somebody is out of reach.
+/// Raises an arrival that is awaited, or begins to await one where a member is far from its place.
 void raiseArrival(const WorldState& state, Group& group, std::vector<Event>& events) {
     OrderProgress& order = group.order;
     if (order.arrival == ArrivalWatch::Raised) return;
-    // Who cannot come where the order leads does not arrive.
+    // A group that cannot come where its order leads does not arrive.
     if (group.orders.begun && !group.orders.reachable) return;
-    const std::uint32_t second = stepsIn(state, kArrivedFor);
+    const std::uint32_t second = stepsIn(state, kArrivedTime);
     std::uint32_t matched = 0;
     bool allNear = true, allLong = true;
     for (const std::int32_t i : group.members) {
@@ -116,7 +117,7 @@ void watchOrder(WorldState& state, Group& group, std::vector<Event>& events) {
     }
     if (order.ground != state.groundEdits && order.arrival == ArrivalWatch::Raised)
         order.arrival = ArrivalWatch::Idle;
-    if (state.stepCount - order.step >= stepsIn(state, kDrawnFor)) raiseWayEvents(state, group, events);
+    if (state.stepCount - order.step >= stepsIn(state, kDrawnTime)) raiseWayEvents(state, group, events);
     raiseArrival(state, group, events);
 }
 
@@ -171,7 +172,7 @@ void meetCheckpoints(WorldState& state, std::vector<Event>& events) {
     }
 }
 
-// Places wait for slow ground themselves, so that the lag counts from their goals.
+// The lag is measured from the goals of the places, since places wait for slow ground themselves.
 void measureLags(WorldState& state) {
     const Characters& characters = state.characters;
     for (Group& group : state.groups) {
@@ -189,12 +190,12 @@ void measureLags(WorldState& state) {
 void EventStage::watchWalks(WorldState& state) {
     shared_.find(state);
     Characters& c = state.characters;
-    const std::uint32_t stayed = stepsIn(state, kStayedFor);
+    const std::uint32_t stayed = stepsIn(state, kStayedTime);
     for (std::size_t i = 0; i < c.size(); ++i) {
         WalkProgress& walk = c.walk[i];
-        // Who has not set out yet is about to: it counts as one who has just moved.
+        // A character that has not set out yet counts as one that has just moved.
         const bool stays = !c.hasSetOut(i, state.stepCount);
-        if (stays || distance(c.position[i], walk.anchor) >= kStuckMove) {
+        if (stays || distance(c.position[i], walk.anchor) >= kStuckDistance) {
             walk.anchor = c.position[i];
             walk.movedAt = state.stepCount;
             walk.stuckRaised = false;
@@ -221,7 +222,7 @@ void EventStage::watchOrders(WorldState& state, std::vector<Event>& events) {
 
 void EventStage::watchStandstill(WorldState& state, std::vector<Event>& events) {
     standstill_.reserve(state.characters);
-    if (state.stepCount % stepsIn(state, kStuckEvery) == 0) standstill_.raise(state, events);
+    if (state.stepCount % stepsIn(state, kStuckInterval) == 0) standstill_.raise(state, events);
 }
 
 }  // namespace muster

@@ -16,25 +16,25 @@ namespace muster {
 /// Appends the changes of motion of a step to `events`, and makes room for the events that follow.
 void raiseMotionEvents(const WorldState& state, std::span<const MotionEvent> changes,
                        std::vector<Event>& events);
-/// Collects the items that somebody has come to.
+/// Collects the items that characters have reached.
 void collectItems(WorldState& state, std::vector<Event>& events);
 /// Changes the formations of groups that pass a checkpoint.
 void meetCheckpoints(WorldState& state, std::vector<Event>& events);
 /// Writes the mean lag of every group behind its places (SPEC U6).
 void measureLags(WorldState& state);
 
-/// Watches how characters and orders get on.
+/// Watches the progress of characters and orders.
 class EventStage {
 public:
     // Called once in each step, in this order.
 
-    /// Writes how each character gets on with its walk.
+    /// Writes the progress of each character's walk.
     void watchWalks(WorldState& state);
-    /// Raises arrivals, and who has no way.
+    /// Raises arrivals, and groups without a route.
     void watchOrders(WorldState& state, std::vector<Event>& events);
-    /// Raises who is stuck; from time to time.
+    /// Raises stuck characters; from time to time.
     void watchStandstill(WorldState& state, std::vector<Event>& events);
-    /// Raises whose way moving obstacles cut off, and when it is free again.
+    /// Raises groups that moving obstacles cut off, and when their route is free again.
     void watchGates(WorldState& state, std::vector<Event>& events) { movingGates_.raise(state, events); }
 
 private:

@@ -5,18 +5,18 @@
 namespace muster {
 namespace {
 
-constexpr double kLookEvery = 0.5;   // Time between looks [s].
-constexpr double kWaitingFor = 1.0;  // Who has not moved for this long waits [s].
-constexpr double kBlockedFor = 2.0;  // A way that is cut off for this long gives an event,
-constexpr double kFreeFor = 1.0;     // and one that is there again for this long [s].
+constexpr double kGateInterval = 0.5;  // Time between two looks at moving obstacles [s].
+constexpr double kWaitingTime = 1.0;   // Time without moving after which a character waits [s].
+constexpr double kBlockedTime = 2.0;   // Time that members are cut off before Blocked is raised [s].
+constexpr double kFreeTime = 1.0;      // Time that a route is there again before Free is raised [s].
 
-// Those of a group between whom and their places moving obstacles stand.
+// The members of a group that moving obstacles separate from their places.
 struct Behind {
     std::int32_t count = 0;
     Vec2 middle;
 };
 
-// Travelling places wait before gates too, so that it counts where they are bound for.
+// True for a character far from the target of its place; travelling places themselves wait before gates.
 bool onTheWay(const WorldState& state, const Group& group, std::int32_t i) {
     const std::int32_t place = state.characters.place[i];
     return place >= 0 &&
@@ -24,14 +24,14 @@ bool onTheWay(const WorldState& state, const Group& group, std::int32_t i) {
 }
 
 bool somebodyWaits(const WorldState& state, const Group& group) {
-    const std::uint32_t waiting = stepsIn(state, kWaitingFor);
+    const std::uint32_t waiting = stepsIn(state, kWaitingTime);
     for (const std::int32_t i : group.members)
         if (onTheWay(state, group, i) && state.stepCount - state.characters.walk[i].movedAt >= waiting)
             return true;
     return false;
 }
 
-// Who has no way even without moving obstacles has its own event, and who is beneath one is not cut off.
+// A member without a route even if nothing moved has its own event; one beneath an obstacle is not cut off.
 Behind findBehind(const WorldState& state, const Group& group, const MovingRegions& regions) {
     Behind found;
     for (const std::int32_t i : group.members) {
@@ -62,7 +62,7 @@ void MovingGates::judge(WorldState& state, Group& group, std::vector<Event>& eve
         order.movingSince = state.stepCount;
         return;
     }
-    if (state.stepCount - order.movingSince < stepsIn(state, reported ? kFreeFor : kBlockedFor)) return;
+    if (state.stepCount - order.movingSince < stepsIn(state, reported ? kFreeTime : kBlockedTime)) return;
     const std::int32_t value = reported ? order.behindMoving : behind.count;
     events.push_back({reported ? EventKind::Free : EventKind::Blocked, group.id.value,
                       static_cast<std::uint32_t>(value),
@@ -72,7 +72,7 @@ void MovingGates::judge(WorldState& state, Group& group, std::vector<Event>& eve
 }
 
 void MovingGates::raise(WorldState& state, std::vector<Event>& events) {
-    if (state.stepCount % stepsIn(state, kLookEvery) != 0) return;
+    if (state.stepCount % stepsIn(state, kGateInterval) != 0) return;
     updated_ = false;
     const bool moving = !state.environment.movingObstacleAreas().empty();
     for (Group& group : state.groups)

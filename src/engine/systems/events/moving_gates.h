@@ -1,4 +1,4 @@
-// Whose way moving obstacles cut off, as a gate that closes does (SPEC B16).
+// Groups whose route moving obstacles cut off, as a gate that closes does (SPEC B16).
 #pragma once
 
 #include <vector>
@@ -9,18 +9,19 @@
 
 namespace muster {
 
-/// Raises Blocked where moving obstacles leave some of a group no way, and Free once all have one again. What
-/// only passes is not reported: both are raised once they have been true for a while.
+/// Raises Blocked where moving obstacles leave members of a group no route, and Free once all members have
+/// one again. Each is raised only after it has been true for a while, so that a passing obstacle is not
+/// reported.
 class MovingGates {
 public:
-    /// Looks at all groups that follow an order; from time to time, and only where somebody has to wait.
+    /// Looks at all groups that follow an order; from time to time, and only where a member has to wait.
     void raise(WorldState& state, std::vector<Event>& events);
 
 private:
     void judge(WorldState& state, Group& group, std::vector<Event>& events);
 
     MovingRegions regions_;
-    bool updated_ = false;  // The regions are those of this step.
+    bool updated_ = false;  // True once the regions are those of this step.
 };
 
 }  // namespace muster

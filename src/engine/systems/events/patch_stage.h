@@ -1,4 +1,4 @@
-// The stage of patches: which motion each character has (SPEC C1, C3, C4).
+// The stage of patches: the motion of each character (SPEC C1, C3, C4).
 #pragma once
 
 #include <span>

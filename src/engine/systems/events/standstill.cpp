@@ -8,8 +8,8 @@
 namespace muster {
 namespace {
 
-constexpr double kQueueReach = 2.5;   // Who is ahead is at most this far away, in diameters.
-constexpr double kQueueCosine = 0.5;  // And off the way by no more than this cosine.
+constexpr double kQueueReach = 2.5;   // Greatest distance of the agent ahead in a queue [diameters].
+constexpr double kQueueCosine = 0.5;  // Least cosine between the route and the direction to the agent ahead.
 
 double radiusAt(const WorldState& state, std::int32_t i) {
     return radiusOf(state.parameters.character, state.characters.body[i]);
@@ -29,10 +29,10 @@ void Standstill::reserve(const Characters& characters) {
 }
 
 bool Standstill::movedLately(const WorldState& state, std::int32_t i) const {
-    return state.stepCount - state.characters.walk[i].movedAt < stepsIn(state, kStuckFor);
+    return state.stepCount - state.characters.walk[i].movedAt < stepsIn(state, kStuckTime);
 }
 
-// Whether j stands before i on the way to the place of i.
+// True where character j stands before i on the route to the place of i.
 bool Standstill::isAhead(const WorldState& state, std::int32_t j, std::int32_t i) const {
     const Characters& c = state.characters;
     const Vec2 offset = c.position[j] - c.position[i];
@@ -44,7 +44,7 @@ bool Standstill::isAhead(const WorldState& state, std::int32_t j, std::int32_t i
     return dot(way, offset) >= kQueueCosine * away;
 }
 
-// Marks those directly behind j who wait.
+// Marks the waiting characters directly behind j.
 void Standstill::markBehind(const WorldState& state, std::int32_t j) {
     const Characters& c = state.characters;
     const double reach = kQueueReach * (radiusAt(state, j) + largest_);
@@ -59,7 +59,8 @@ void Standstill::markBehind(const WorldState& state, std::int32_t j) {
         }
 }
 
-// From those who moved to those who wait behind them, and so on: who wait for each other in a ring stand.
+// Spreads from moving characters to those that wait behind them, and so on; agents that wait for each other
+// in a ring remain unmarked.
 void Standstill::markMovingQueues(const WorldState& state) {
     const Characters& c = state.characters;
     cells_.sort(c.position, 2.0 * state.parameters.character.radius);
@@ -78,7 +79,7 @@ void Standstill::raise(WorldState& state, std::vector<Event>& events) {
     const auto stands = [&](std::int32_t i) {
         const WalkProgress& walk = c.walk[i];
         return !walk.stuckRaised && !walk.within && c.place[i] >= 0 && !movedLately(state, i) &&
-               state.stepCount - walk.since >= stepsIn(state, kStuckFor);
+               state.stepCount - walk.since >= stepsIn(state, kStuckTime);
     };
     bool marked = false;
     for (std::int32_t i = 0; i < std::ssize(c.id); ++i) {

@@ -1,4 +1,4 @@
-// Who is stuck: not arrived, standing for 5 s, and not in a queue that moves on (SPEC section 8).
+// Stuck characters: not arrived, standing for 5 s, and not in a queue that moves on (SPEC section 8).
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,12 @@
 
 namespace muster {
 
-/// Finds those who are stuck.
+/// Finds stuck characters.
 class Standstill {
 public:
     /// Allocates memory for a crowd of this size.
     void reserve(const Characters& characters);
-    /// Appends a Stuck event for each who is stuck and was not reported since its last move.
+    /// Appends a Stuck event for each stuck character that was not reported since its last move.
     void raise(WorldState& state, std::vector<Event>& events);
 
 private:
@@ -25,12 +25,12 @@ private:
     void markBehind(const WorldState& state, std::int32_t j);
 
     CellList cells_;
-    double largest_ = 0.0;                 // Radius [m].
-    std::vector<std::uint8_t> movesOn_;    // Per character, 1 for those that move and the queues behind them.
-    std::vector<std::int32_t> spreading_;  // Those whose followers are still to be marked.
+    double largest_ = 0.0;                 // Largest radius of a body [m].
+    std::vector<std::uint8_t> movesOn_;    // Per character, 1 where it moves or queues behind one that moves.
+    std::vector<std::int32_t> spreading_;  // Characters whose followers are still to be marked.
 };
 
-/// Steps in so many seconds, at least 1.
+/// Number of steps in `seconds`, at least 1.
 std::uint32_t stepsIn(const WorldState& state, double seconds);
 
 }  // namespace muster

@@ -5,8 +5,8 @@
 namespace muster {
 namespace {
 
-// The unit cost is updated in every step while somebody asks for it at least so often: an update of what one
-// step changed costs far less than a build from scratch.
+// Steps for which the unit cost is still updated after it was last read: to update what one step has changed
+// costs far less than to build it again.
 constexpr std::int32_t kUnreadSteps = 60;
 
 }  // namespace

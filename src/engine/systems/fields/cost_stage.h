@@ -12,15 +12,15 @@
 
 namespace muster {
 
-/// Owns the density of the crowd, and the costs that plans read. It computes those that somebody asks for.
+/// Owns the density of the crowd, and the costs that plans read. It computes a cost when it is asked for.
 class CostStage final : public PlanCosts {
 public:
     /// Prepares the density for a world before its first step.
     void reset(WorldState& state);
-    /// Computes the density; costs of the last step are out of date then. The state must outlive the next
-    /// call.
+    /// Computes the density, after which the costs of the last step are out of date. The state must outlive
+    /// the next call.
     void splatDensity(WorldState& state);
-    /// Updates the unit cost while somebody has asked for it lately.
+    /// Updates the unit cost if it was read lately.
     void updateUnitCost();
 
     /// Density and average velocity by the last run.
@@ -34,11 +34,11 @@ public:
     PlanCosts& ofClass(std::int32_t groundClass) override;
 
 private:
-    // The costs of another class of ground than the usual one.
+    // The costs of a class of ground other than the usual one.
     class ClassCosts final : public PlanCosts {
     public:
         ClassCosts(CostStage& stage, std::int32_t groundClass) : stage_(stage), class_(groundClass) {}
-        // Costs of the last step are out of date.
+        // Marks the costs of the last step as out of date.
         void begin() {
             unitCostBuilt_ = dynamicCostBuilt_ = false;
             farFields_.beginStep();
@@ -67,15 +67,15 @@ private:
     void buildUnitCost();
 
     WorldState* state_ = nullptr;
-    Parameters::Density def_;  // The density is made for its cell and lambda.
+    Parameters::Density def_;  // Parameters of the density; its cells and lambda are made for them.
     DensityField density_;
     UnitCostBuilder builder_;
-    bool unitCostBuilt_ = false;       // For the density as it is.
+    bool unitCostBuilt_ = false;       // True once it is built for the present density.
     std::int32_t unitCostUnread_ = 0;  // Steps since the unit cost was last asked for.
     StaticGround ground_;
     SharedFarFields farFields_;
     DynamicCost dynamicCost_;
-    bool dynamicCostBuilt_ = false;  // For the density as it is.
+    bool dynamicCostBuilt_ = false;  // True once it is built for the present density.
     std::map<std::int32_t, std::unique_ptr<ClassCosts>> classes_;
 };
 

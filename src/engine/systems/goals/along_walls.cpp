@@ -7,8 +7,8 @@
 namespace muster {
 namespace {
 
-constexpr double kStep = 0.02;       // A wall that is met within this is touched [m].
-constexpr double kTolerance = 2e-3;  // A step may come so much nearer to a wall [m].
+constexpr double kTouchDistance = 0.02;  // Distance at which a body touches a wall [m].
+constexpr double kWallTolerance = 2e-3;  // Distance by which a step may come nearer to a wall [m].
 constexpr double kRootHalf = 0.70710678118654752;
 
 /// The walls round a body.
@@ -16,36 +16,36 @@ struct WallsRound {
     const Environment& environment;
     Vec2 p;
     double radius;
-    Box sides;    // Of the world, for centres.
-    double room;  // That a step leaves at least [m].
+    Box sides;    // Sides of the world, for centres of bodies.
+    double room;  // Distance to walls that a step leaves at least [m].
 
     WallsRound(const Environment& ground, Vec2 at, double body)
-        : environment(ground), p(at), radius(body), sides(ground.def().sides().grown(kTolerance - body)) {
-        room = std::min(radius, environment.distanceToObstacle(p, radius)) - kTolerance;
+        : environment(ground), p(at), radius(body), sides(ground.def().sides().grown(kWallTolerance - body)) {
+        room = std::min(radius, environment.distanceToObstacle(p, radius)) - kWallTolerance;
     }
 
     bool isFree(Vec2 way) const {
-        const Vec2 q = p + way * kStep;
+        const Vec2 q = p + way * kTouchDistance;
         const bool inside = sides.contains(q) || !sides.contains(p);
         return inside && !(environment.distanceToObstacle(q, radius) < room);
     }
 
-    /// The slope of the cost [1/m] along a wall up to `reach` [m], or up to what stops the body before.
+    /// The slope of the cost [1/m] along a wall, over `reach` [m] or up to what stops the body before.
     double slope(Vec2 way, double reach, FunctionRef<double(Vec2)> cost) const {
-        while (reach > kStep && !environment.clearLine(p, p + way * reach, room)) reach *= 0.5;
+        while (reach > kTouchDistance && !environment.clearLine(p, p + way * reach, room)) reach *= 0.5;
         const double here = cost(p);
         return (cost(p + way * reach) - (here < kInfiniteCost ? here : 0.0)) / reach;
     }
 
-    /// Calls `visit` with the unit vector to each wall that is touched, in no certain order.
+    /// Calls `visit` with the unit vector to each wall that the body touches, in no fixed order.
     template <class Visit>
     void forTouched(const Visit& visit) const {
-        environment.forPiecesNear(p, radius + kStep, [&](const ObstaclePiece& piece) {
+        environment.forPiecesNear(p, radius + kTouchDistance, [&](const ObstaclePiece& piece) {
             const SurfacePoint nearest = closestSurfacePoint(piece, p);
-            if (nearest.distance > radius + kStep || !(nearest.distance > 0.0)) return;
+            if (nearest.distance > radius + kTouchDistance || !(nearest.distance > 0.0)) return;
             visit((nearest.point - p) / nearest.distance);
         });
-        const Box near = sides.grown(-kStep);
+        const Box near = sides.grown(-kTouchDistance);
         if (p.x < near.min.x || p.x > near.max.x) visit(Vec2{1.0, 0.0});
         if (p.y < near.min.y || p.y > near.max.y) visit(Vec2{0.0, 1.0});
     }
@@ -56,7 +56,7 @@ bool isFarFromWalls(const Environment& environment, Vec2 p, double radius) {
     const Grid& grid = environment.grid();
     const Cell c = grid.nearestCell(p);
     const auto clearance = static_cast<double>(environment.clearance()[grid.index(c)]);
-    return clearance > radius + kStep + kRootHalf * grid.cell && grid.box().contains(p);
+    return clearance > radius + kTouchDistance + kRootHalf * grid.cell && grid.box().contains(p);
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ Vec2 alongWalls(const Environment& environment, Vec2 p, double radius, Vec2 dire
     if (direction == Vec2{} || isFarFromWalls(environment, p, radius)) return direction;
     const WallsRound walls(environment, p, radius);
     if (walls.isFree(direction)) return direction;
-    // Cells tell nothing of shorter ways along a wall [m].
+    // Cells resolve no shorter path along a wall [m].
     const double reach = std::max(environment.grid().cell, radius);
     Vec2 best = direction;
     double least = kInfiniteCost;

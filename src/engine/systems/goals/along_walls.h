@@ -1,4 +1,4 @@
-// The way of a body that touches a wall (docs/method/goals.md).
+// The direction of a body that touches a wall (docs/method/goals.md).
 #pragma once
 
 #include "base/function_ref.h"
@@ -6,10 +6,10 @@
 
 namespace muster {
 
-/// The direction in which a body at `p` gets on that is led along `direction`, a unit vector or null. That
-/// comes from cells, which show walls only about as they are: where a step along it would end in a wall that
-/// the body touches, as it stands now, the body goes along that wall instead, to the side where `cost` is
-/// less. Unchanged elsewhere, and where the body is held on all sides.
+/// The direction in which a body at `p` gets on if it is led along `direction`, a unit vector or null. A
+/// direction from cells knows walls only roughly: where a step along it would end in a wall that the body
+/// touches, the body goes along that wall instead, to the side where `cost` is less. Unchanged elsewhere, and
+/// where the body is held on all sides.
 Vec2 alongWalls(const Environment& environment, Vec2 p, double radius, Vec2 direction,
                 FunctionRef<double(Vec2)> cost);
 

@@ -16,13 +16,12 @@
 namespace muster {
 namespace {
 
-constexpr double kLooks = 1.0;  // Who has a longer way to its exit was not in it a step ago [m].
-constexpr double
-    kApart = 1.02;  // Least distance of somebody who comes from others, in the sum of their radii.
-constexpr std::int32_t kTries = 24;  // Points at which room is looked for.
-constexpr double kLatest = 1e10;     // [s]
+constexpr double kExitReach = 1.0;        // Cost to its exit up to which an agent may be in the exit [m].
+constexpr double kEntryDistance = 1.02;   // Least distance of a person who comes in to others [sum of radii].
+constexpr std::int32_t kEntryTries = 24;  // Points at which room for a person is looked for.
+constexpr double kLatestEntry = 1e10;     // Latest time at which a source lets the next person in [s].
 
-// True for who leaves by exits, with its group, and has set out.
+// True for a character of a group that leaves by exits, once it has set out.
 bool isLeaving(const WorldState& state, std::int32_t i) {
     const Group& group = state.groups[state.characters.group[i]];
     if (!state.characters.hasSetOut(i, state.stepCount)) return false;
@@ -33,7 +32,7 @@ bool isLeaving(const WorldState& state, std::int32_t i) {
 
 }  // namespace
 
-// Marks those whose centre is in the exit that they have chosen.
+// Marks the characters whose centre is in the exit that they have chosen.
 void AreaStage::findLeaving(WorldState& state) {
     const Characters& c = state.characters;
     leaves_.assign(c.size(), 0);
@@ -43,7 +42,7 @@ void AreaStage::findLeaving(WorldState& state) {
         if (inOrder && isOpen(area.def, state.time())) passInOrder(state, area);
     }
     for (std::size_t i = 0; i < c.size(); ++i) {
-        if (c.goal[i] == 0 || c.cost[i] > kLooks) continue;
+        if (c.goal[i] == 0 || c.cost[i] > kExitReach) continue;
         const Area* const area = state.findArea(AreaId{c.goal[i]});
         const bool atOnce = area != nullptr && area->def.kind == AreaKind::Exit &&
                             isOpen(area->def, state.time()) && area->def.rate == 0.0 &&
@@ -54,7 +53,7 @@ void AreaStage::findLeaving(WorldState& state) {
     }
 }
 
-// An exit with a rate or a line lets those through in the order in which they came who are in it.
+// An exit with a rate or a line lets the people in it through in the order in which they came.
 void AreaStage::passInOrder(WorldState& state, Area& area) {
     const Characters& c = state.characters;
     std::vector<std::uint32_t>& line = area.exit.line;
@@ -65,13 +64,13 @@ void AreaStage::passInOrder(WorldState& state, Area& area) {
     std::erase_if(line, [&](std::uint32_t id) { return !wants(c.indexOf(id)); });
     if (area.def.queue.empty())
         for (std::size_t i = 0; i < c.size(); ++i)
-            if (c.goal[i] == area.id.value && c.cost[i] <= kLooks && wants(static_cast<std::int32_t>(i)) &&
-                isIn(static_cast<std::int32_t>(i)) &&
+            if (c.goal[i] == area.id.value && c.cost[i] <= kExitReach &&
+                wants(static_cast<std::int32_t>(i)) && isIn(static_cast<std::int32_t>(i)) &&
                 std::find(line.begin(), line.end(), c.id[i]) == line.end())
                 line.push_back(c.id[i]);
     const double rate = area.def.rate;
     if (rate > 0.0) area.exit.credit += rate * state.parameters.stepTime;
-    // Without a line to stand in, who was pushed out again lets others pass.
+    // At an exit without a line to stand in, a person who was pushed out again lets others pass.
     const std::size_t most = area.def.queue.empty() ? line.size() : std::min<std::size_t>(1, line.size());
     for (std::size_t k = 0; k < most && (rate == 0.0 || area.exit.credit >= 1.0); ++k) {
         const std::int32_t i = c.indexOf(line[k]);
@@ -83,7 +82,7 @@ void AreaStage::passInOrder(WorldState& state, Area& area) {
     std::erase_if(line, [&](std::uint32_t id) { return leaves_[c.indexOf(id)] != 0; });
 }
 
-// Takes those out who leave. Groups without formation need no other one.
+// Takes the people who leave out of the world. Groups without a formation need no new one.
 void AreaStage::takeOut(WorldState& state, ThreadPool& pool, std::vector<Event>& events) {
     if (std::find(leaves_.begin(), leaves_.end(), 1) == leaves_.end()) return;
     pool.wait();  // Background work reads the plans.
@@ -102,7 +101,7 @@ void AreaStage::takeOut(WorldState& state, ThreadPool& pool, std::vector<Event>&
     state.refreshMembers();
 }
 
-// A free point in a source; false where none was found.
+// Finds a free point in a source; false where there is none.
 bool AreaStage::findRoom(WorldState& state, Area& area, double radius, Vec2& spot) {
     const Characters& c = state.characters;
     const Parameters::Character& usual = state.parameters.character;
@@ -110,16 +109,16 @@ bool AreaStage::findRoom(WorldState& state, Area& area, double radius, Vec2& spo
     if (!sorted_) {
         largest_ = radius;
         for (const Body& body : c.body) largest_ = std::max(largest_, radiusOf(usual, body));
-        cells_.sort(c.position, 2.0 * kApart * std::max(largest_, usual.radius));
+        cells_.sort(c.position, 2.0 * kEntryDistance * std::max(largest_, usual.radius));
     }
     sorted_ = true;
     const Box box = boundsOf(area.def.polygon);
     const auto isNear = [&](std::int32_t i, Vec2 p) {
-        return distance(c.position[i], p) < kApart * (radius + radiusOf(usual, c.body[i]));
+        return distance(c.position[i], p) < kEntryDistance * (radius + radiusOf(usual, c.body[i]));
     };
-    // Who is larger than all so far is looked at from farther away.
+    // The body is larger than all so far: look for others from farther away.
     const bool beyond = radius > largest_;
-    for (std::int32_t k = 0; k < kTries; ++k) {
+    for (std::int32_t k = 0; k < kEntryTries; ++k) {
         const double x = area.source.random.uniform(box.min.x, box.max.x);
         const double y = area.source.random.uniform(box.min.y, box.max.y);
         const Vec2 p{x, y};
@@ -140,7 +139,7 @@ bool AreaStage::findRoom(WorldState& state, Area& area, double radius, Vec2& spo
     return false;
 }
 
-// Counts who is due, and lets those in for whom there is room.
+// Counts the people who are due, and lets in those for whom there is room.
 void AreaStage::admit(WorldState& state, Area& area, ThreadPool& pool, std::vector<Event>& events) {
     const AreaDef& def = area.def;
     SourceFlow& source = area.source;
@@ -151,9 +150,9 @@ void AreaStage::admit(WorldState& state, Area& area, ThreadPool& pool, std::vect
         area.count.waiting += static_cast<std::uint32_t>(def.timetable[source.entry].count);
     if (def.rate > 0.0) {
         const auto draw = [&](double after) {
-            source.next = std::min(kLatest, after - logarithm(1.0 - source.random.uniform()) / def.rate);
+            source.next = std::min(kLatestEntry, after - logarithm(1.0 - source.random.uniform()) / def.rate);
         };
-        // Waits have no memory: with another rate the next one is drawn afresh.
+        // Waits have no memory: after a change of the rate the next wait is drawn afresh.
         if (source.next < 0.0 || source.rate != def.rate) draw(std::max(def.from, now));
         source.rate = def.rate;
         while (source.next <= now && source.next <= def.until && (def.most == 0 || source.sent < def.most)) {
@@ -179,7 +178,7 @@ void AreaStage::admit(WorldState& state, Area& area, ThreadPool& pool, std::vect
     }
 }
 
-// A group that leaves ends with its last member, unless a source sends it more.
+// A group that leaves the world ends with its last member, unless a source still sends it people.
 void AreaStage::endGroups(WorldState& state, ThreadPool& pool, std::vector<Event>& events) {
     for (std::size_t g = state.groups.size(); g-- > 0;) {
         const Group& group = state.groups[g];

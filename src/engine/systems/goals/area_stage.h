@@ -1,5 +1,5 @@
-// The stage of areas: exits take people out of the world, sources let them in, and groups end that nobody is
-// left of (docs/method/goals.md).
+// The stage of areas: exits take people out of the world, sources let them in, and groups without members end
+// (docs/method/goals.md).
 #pragma once
 
 #include <cstdint>
@@ -26,12 +26,12 @@ private:
     bool findRoom(WorldState& state, Area& area, double radius, Vec2& spot);
     void endGroups(WorldState& state, ThreadPool& pool, std::vector<Event>& events);
 
-    std::vector<std::uint8_t> leaves_;  // Of all characters: 1 for who leaves now.
-    std::vector<std::int32_t> inside_;  // Who is in an exit that lets through in order.
-    CellList cells_;                    // Of all characters, where somebody comes.
+    std::vector<std::uint8_t> leaves_;  // By character: 1 if it leaves now.
+    std::vector<std::int32_t> inside_;  // Characters in an exit that lets people through in order.
+    CellList cells_;                    // All characters; built where a person comes in.
     bool sorted_ = false;
-    double largest_ = 0.0;            // Radius of all [m].
-    std::vector<std::int32_t> come_;  // Who have come in this step.
+    double largest_ = 0.0;            // Largest radius of a character [m].
+    std::vector<std::int32_t> come_;  // Characters that have come in during this step.
 };
 
 }  // namespace muster

@@ -8,12 +8,12 @@
 namespace muster {
 namespace {
 
-constexpr std::int32_t kFineCells = 1 << 15;  // Ground of more cells is looked at on cells twice as wide...
-constexpr std::int32_t kMostCells = 1 << 20;  // ... and of more than this not at all.
-constexpr double kAlike = 0.9;     // A way this much shorter than one without a turn back does turn back...
-constexpr double kAlikeBy = 1.0;   // ... and by this [m].
-constexpr double kDoorEnd = 0.05;  // Between a body and the end of a door [m].
-constexpr double kBehind[] = {0.8, 0.4, 0.2, 0.0};  // People head for a line so far behind a door [m].
+constexpr std::int32_t kFineDoorCells = 1 << 15;  // Number of cells above which cells twice as wide are used.
+constexpr std::int32_t kMostDoorCells = 1 << 20;  // Number of cells above which no doors are looked for.
+constexpr double kTurnBackShare = 0.9;            // Share of the cost by doors...
+constexpr double kTurnBackLength = 1.0;  // ... less this [m], below which the field turns back in a door.
+constexpr double kDoorEnd = 0.05;        // Distance between a body and the end of a door [m].
+constexpr double kBehindDoor[] = {0.8, 0.4, 0.2, 0.0};  // Distances behind a door for which people head [m].
 
 std::uint32_t keyOf(const std::vector<Passage>& doors) {
     if (doors.empty()) return 0;
@@ -46,8 +46,8 @@ void Doors::update(const WorldState& state, GoalFields& fields) {
         toExit_.clear();
         fields_.clear();
         const std::int32_t cells = ground.grid().count();
-        if (!ground.open() && cells <= kMostCells && !exits_.empty()) {
-            const bool isFine = cells <= kFineCells;
+        if (!ground.open() && cells <= kMostDoorCells && !exits_.empty()) {
+            const bool isFine = cells <= kFineDoorCells;
             const UnitCost wide = isFine ? UnitCost() : ground.middle().unitCost();
             const UnitCost& unitCost = isFine ? fields.unitCost(0) : wide;
             grid_ = unitCost.grid;
@@ -104,7 +104,7 @@ void Doors::findShut(const WorldState& state) {
     }
 }
 
-// The costs from all doors, without turning back in one (Bellman and Ford).
+// The costs from all doors to the exit, for routes that do not turn back in a door (Bellman and Ford).
 void Doors::findOnward(const GoalField& field, ToExit& to) const {
     to.onward.assign(ways(), kInfiniteCost);
     std::vector<double> straight(ways(), kInfiniteCost);
@@ -129,7 +129,8 @@ void Doors::findOnward(const GoalField& field, ToExit& to) const {
     }
     // The field to the exit is more precise than walks from door to door.
     for (std::size_t way = 0; way < ways(); ++way)
-        if (to.onward[way] < kInfiniteCost && straight[way] > kAlike * to.onward[way] - kAlikeBy)
+        if (to.onward[way] < kInfiniteCost &&
+            straight[way] > kTurnBackShare * to.onward[way] - kTurnBackLength)
             to.onward[way] = straight[way];
 }
 
@@ -193,7 +194,7 @@ void Doors::prepareField(std::int32_t way, GoalFields& fields) {
     const double margin = std::min(ground.radius() + kDoorEnd, 0.5 * d.width());
     const Vec2 along = normalized(d.b - d.a), half = along * (0.5 * d.width() - margin);
     const double narrows = fromLeft(way) ? d.right : d.left;
-    for (const double beyond : kBehind) {
+    for (const double beyond : kBehindDoor) {
         const Vec2 middle = pointBehind(way, beyond > 0.0 ? narrows + beyond : 0.0);
         if (beyond > 0.0 && !ground.collisionFree(d.middle(), middle)) continue;
         const Vec2 line[] = {middle - half, middle + half};

@@ -1,4 +1,4 @@
-// The doors between people and exits, the walks to them, and where the ways on lead (docs/method/goals.md).
+// The doors between people and exits, the walks to them, and where they lead (docs/method/goals.md).
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@
 
 namespace muster {
 
-/// All doors at which somebody who leaves may have a choice. A cache: it follows from the static ground for
-/// usual bodies and from the polygons of all exits.
+/// All doors at which a person who leaves may have a choice. A cache: it follows from the static ground for
+/// bodies of the usual size and from the polygons of all exits.
 class Doors {
 public:
     /// Forgets all.
@@ -25,7 +25,7 @@ public:
     void update(const WorldState& state, GoalFields& fields);
     /// True where there are any.
     bool any() const { return !plan_.doors.empty(); }
-    /// Ways through them: way_number.h.
+    /// Number of ways through the doors: way_number.h.
     std::size_t ways() const { return wayCount(plan_.doors.size()); }
     /// Tells these doors from others; 0 where there are none.
     std::uint32_t key() const { return key_; }
@@ -34,17 +34,17 @@ public:
     /// True where moving obstacles fill a door now.
     bool isShut(std::int32_t way) const { return shut_[passageOf(way)] != 0; }
 
-    /// What leads to an exit.
+    /// The costs and ways that lead to one exit.
     struct ToExit {
         std::vector<double> onward;         ///< By way: cost from its door to the exit; infinite for none.
         std::vector<std::uint8_t> inRoom;   ///< By room: 1 where the exit is in it.
         std::vector<std::int16_t> nearest;  ///< By cell: the way of the shortest walk; -1 for no door.
-        double free = kInfiniteCost;        ///< Cost from the nearest door behind which nothing parts it.
+        double free = kInfiniteCost;        ///< Cost from the nearest door whose room has the exit.
     };
-    /// Of an exit, the field to which is given. It holds until the next update().
+    /// The costs to an exit, whose field is `field`. They hold until the next update().
     const ToExit& toExit(const Area& exit, const GoalField& field);
 
-    /// The way of the shortest walk from a point; -1 for no door.
+    /// The way of the shortest walk from a point to an exit; -1 for no door.
     std::int32_t nearestWay(const ToExit& to, Vec2 p) const {
         return to.nearest[grid_.index(grid_.nearestCell(p))];
     }
@@ -53,25 +53,25 @@ public:
         const std::int32_t room = plan_.room[grid_.index(grid_.nearestCell(p))];
         return room < 0 ? std::span<const std::int32_t>() : std::span(waysFrom_[room]);
     }
-    /// Cost of the walk from a point to the door of a way; infinite for who is not on that side of it.
+    /// Cost of the walk from a point to the door of a way; infinite for a point on the other side.
     double walk(std::int32_t way, Vec2 p) const;
-    /// True for who is behind the door of a way.
+    /// True for a point behind the door of a way.
     bool isBehind(std::int32_t way, Vec2 p) const {
         return walks_[passageOf(way)].at(p).side == sideBehind(way);
     }
     /// True where the room behind a way has the exit.
     bool leadsTo(std::int32_t way, const ToExit& to) const { return to.inRoom[behind(way)] != 0; }
-    /// A way on from another one, and the walk between the doors.
+    /// A way that follows another one, and the walk between the doors.
     struct Next {
         std::int32_t way = 0;
         double cost = 0.0;
     };
-    /// The ways that go on from one, by other doors.
+    /// The ways through other doors that follow a way.
     std::span<const Next> next(std::int32_t way) const { return next_[way]; }
 
-    /// The field that leads to the door of a way and through it, asked for in this step.
+    /// The field that leads to the door of a way and through it; valid if it was prepared in this step.
     const GoalField& field(std::int32_t way) const { return *fields_[way]; }
-    /// Solves it where it is not known.
+    /// Solves the field of a way where it is not known.
     void prepareField(std::int32_t way, GoalFields& fields);
 
 private:
@@ -87,7 +87,7 @@ private:
     void findOnward(const GoalField& field, ToExit& to) const;
     void findNearest(ToExit& to) const;
 
-    std::uint32_t version_ = ~0u;  // Of the ground.
+    std::uint32_t version_ = ~0u;  // Version of the ground.
     std::vector<std::uint32_t> ids_;
     std::vector<Polygon> exits_;
     std::uint32_t key_ = 0;

@@ -14,14 +14,16 @@
 namespace muster {
 namespace {
 
-constexpr double kThinksEvery = 1.0;   // Everybody thinks again once in so long [s].
-constexpr std::uint32_t kLooksIn = 4;  // Those whose turn it is in so many steps think in the last of these.
-constexpr double kChangePays = 1.0;    // A change gains at least so much [s]...
-constexpr double kChangeShare = 0.1;   // ... and this share of the time that is left.
-constexpr double kMemory = 10.0;       // For so long what an exit let through counts [s].
-constexpr std::size_t kRounds = 8;  // Those who choose at once do it in so many parts, one after the other.
+constexpr double kChoiceInterval = 1.0;  // Time between two choices of one agent [s].
+// Steps between two rounds of choices; agents whose turn falls between wait for the next round.
+constexpr std::uint32_t kChoiceSteps = 4;
+constexpr double kLeastGain = 1.0;        // Least time that a change of exit must gain [s]...
+constexpr double kGainShare = 0.1;        // ... besides this share of the time that is left.
+constexpr double kThroughputTime = 10.0;  // Time over which the throughput of an exit is averaged [s].
+// Number of parts in which agents without an exit choose, one part after the other.
+constexpr std::size_t kFirstRounds = 8;
 
-// How much somebody errs about an exit, in deviations: a normal number by the world's seed.
+// The error of a person's estimate of an exit, in deviations: a normal number from the world's seed.
 double errorOf(std::uint64_t seed, std::uint32_t character, std::uint32_t area) {
     const auto share = [&](std::uint32_t which) {
         Hash hash;
@@ -57,14 +59,14 @@ const GoalField* ExitChooser::fieldOf(const Characters& characters, std::size_t 
     return exit >= 0 ? &fieldTo(exit, classIndex(groundClasses[i])) : nullptr;
 }
 
-// Cost that somebody walks in a second [m].
+// Cost that an agent walks in a second [m].
 double ExitChooser::speedOf(const WorldState& state, std::size_t i) const {
     const Parameters& parameters = state.parameters;
     const double open = parameters.cost.alpha + parameters.cost.beta;
     return open * maxSpeedOf(parameters.character, state.characters.body[i]);
 }
 
-// Who has not set out yet comes so much later.
+// The time of a walk, and before it the time until the agent sets out.
 double ExitChooser::walkTime(const WorldState& state, std::size_t i, double cost) const {
     const Characters& c = state.characters;
     const std::uint32_t stays = c.setsOutAt[i] > state.stepCount ? c.setsOutAt[i] - state.stepCount : 0;
@@ -105,19 +107,20 @@ void ExitChooser::listOptions(std::span<const Leavers> leavers) {
     }
 }
 
-// Who stands in a line, or where an exit lets people out by a rate, is served by its place.
-void ExitChooser::findPlaces(const WorldState& state) {
+// Counts how many people are ahead of each one in its line, by which an exit with a line or a rate serves
+// them.
+void ExitChooser::findLines(const WorldState& state) {
     const Characters& c = state.characters;
-    place_.clear();
+    ahead_.clear();
     for (std::size_t e = 0; e < exits_.size(); ++e) {
-        if (place_.empty() && !exits_[e]->exit.line.empty()) place_.assign(c.size(), -1);
-        std::int32_t place = 0;
+        if (ahead_.empty() && !exits_[e]->exit.line.empty()) ahead_.assign(c.size(), -1);
+        std::int32_t ahead = 0;
         for (const std::uint32_t id : exits_[e]->exit.line)
-            if (const std::int32_t i = c.indexOf(id); i >= 0 && c.goal[i] == ids_[e]) place_[i] = place++;
+            if (const std::int32_t i = c.indexOf(id); i >= 0 && c.goal[i] == ids_[e]) ahead_[i] = ahead++;
     }
 }
 
-// Counts who goes where.
+// Counts the people at each exit and door.
 void ExitChooser::count(const WorldState& state, std::span<const Leavers> leavers,
                         std::span<const std::int32_t> groundClasses) {
     const Characters& c = state.characters;
@@ -131,9 +134,9 @@ void ExitChooser::count(const WorldState& state, std::span<const Leavers> leaver
         if (exit < 0) continue;
         const auto e = static_cast<std::size_t>(exit);
         const double way = walkTime(state, i, c.cost[i]);
-        const std::int32_t place = placeOf(i);
-        times_.add(e, groundClasses[i] != 0 || place >= 0
-                          ? ExitTimes::First{-1, way, place}
+        const std::int32_t ahead = aheadOf(i);
+        times_.add(e, groundClasses[i] != 0 || ahead >= 0
+                          ? ExitTimes::First{-1, way, ahead}
                           : times_.first(e, c.position[i], wayOf(i), way, speedOf(state, i)));
         if (herding_) herds_.add(c.position[i], e);
     }
@@ -146,11 +149,12 @@ void ExitChooser::serve(const WorldState& state) {
     times_.serve(state.parameters.character, ownFields_);
 }
 
-// Who has no exit, whose exit is closed or out of reach chooses at once, others in turn.
+// Lists the agents that choose: those without an exit, or whose exit is closed or out of reach, at once,
+// others in turn.
 void ExitChooser::listChoosers(const WorldState& state, std::span<const Leavers> leavers) {
     const Characters& c = state.characters;
-    const std::uint32_t turns = stepsIn(state, kThinksEvery);
-    const bool isTurn = state.stepCount % kLooksIn == 0;
+    const std::uint32_t turns = stepsIn(state, kChoiceInterval);
+    const bool isTurn = state.stepCount % kChoiceSteps == 0;
     first_.clear();
     turn_.clear();
     for (std::size_t g = 0; g < leavers.size(); ++g) {
@@ -162,13 +166,13 @@ void ExitChooser::listChoosers(const WorldState& state, std::span<const Leavers>
             const Chooser chooser{i, static_cast<std::int32_t>(g)};
             if (exit < 0 || allowed_[exit] == 0 || !(c.cost[i] < kInfiniteCost))
                 first_.push_back(chooser);
-            else if (hasChoice && (hasPassed(i) || (state.stepCount + c.id[i]) % turns < kLooksIn))
+            else if (hasChoice && (hasPassed(i) || (state.stepCount + c.id[i]) % turns < kChoiceSteps))
                 turn_.push_back(chooser);
         }
     }
 }
 
-// Offers an exit by the shortest way, which takes `way` [s], and by all other doors of the room.
+// Offers an exit by the shortest route, which takes `way` [s], and by all other doors of the room.
 template <class Offer>
 void ExitChooser::offerWays(const WorldState& state, std::size_t i, std::int32_t exit, bool byTime,
                             double way, bool hasDoors, const Offer& offer) const {
@@ -177,15 +181,15 @@ void ExitChooser::offerWays(const WorldState& state, std::size_t i, std::int32_t
     const Vec2 p = state.characters.position[i];
     const std::uint32_t goal = state.characters.goal[i];
     const bool isOwn = goal != 0 && goal == ids_[e] && !hasPassed(static_cast<std::int32_t>(i));
-    const std::int32_t place = isOwn ? placeOf(i) : -1, ownWay = wayOf(i);
-    const ExitTimes::First direct = hasDoors && place < 0 ? times_.first(e, p, -1, way, speed)
-                                                          : ExitTimes::First{-1, way, place};
+    const std::int32_t ahead = isOwn ? aheadOf(i) : -1, ownWay = wayOf(i);
+    const ExitTimes::First direct = hasDoors && ahead < 0 ? times_.first(e, p, -1, way, speed)
+                                                          : ExitTimes::First{-1, way, ahead};
     const auto leaves = [&](const ExitTimes::First& first) {
         const bool isCounted = isOwn && first.way == (ownWay < 0 ? direct.way : ownWay);
         return times_.leaves(e, first, speed, isCounted);
     };
     if (way < kInfiniteCost) offer(Choice{exit, -1, direct}, byTime ? leaves(direct) : way, direct.way);
-    // Who is in the room of the exit needs no door.
+    // An agent in the room of the exit needs no door.
     if (!hasDoors || !byTime || direct.way < 0) return;
     for (const std::int32_t other : doors_.waysFrom(p)) {
         const double onward = toExit_[e]->onward[other];
@@ -197,7 +201,7 @@ void ExitChooser::offerWays(const WorldState& state, std::size_t i, std::int32_t
     }
 }
 
-// The exit and the door by which somebody will have left soonest; its own ones unless others are clearly
+// The exit and the door by which an agent will have left soonest; its present ones unless others are clearly
 // better.
 ExitChooser::Choice ExitChooser::best(const WorldState& state, const Leavers& leavers, const Chooser& chooser,
                                       std::span<const std::int32_t> groundClasses) const {
@@ -233,10 +237,10 @@ ExitChooser::Choice ExitChooser::best(const WorldState& state, const Leavers& le
                       best.error = error;
                   });
     }
-    // A change gains more than the times may err, and each makes the next one costlier. Of the time that is
-    // left counts what comes after it has set out.
+    // A change must gain more than the error of the times, and each change raises what the next one must
+    // gain. Only the time after the agent has set out counts as left.
     const double left = std::max(0.0, best.ofOwn - walkTime(state, i, 0.0));
-    const double pays = std::max({kChangePays, best.error, best.ownError}) + kChangeShare * left;
+    const double pays = std::max({kLeastGain, best.error, best.ownError}) + kGainShare * left;
     const bool stays = best.ofOwn < kInfiniteCost &&
                        best.ofOwn - best.least < pays * (1.0 + (turns_.empty() ? 0.0 : turns_[i]));
     if (stays) return best.own;
@@ -257,16 +261,16 @@ void ExitChooser::choose(WorldState& state, std::span<const Leavers> leavers,
     for (std::size_t k = 0; k < count; ++k) {
         const std::int32_t i = list[from + k * stride].character;
         const std::uint32_t goal = chosen_[k].exit < 0 ? 0 : ids_[chosen_[k].exit];
-        // Another way is to be found.
+        // The character's direction is found again.
         if (goal != c.goal[i] || chosen_[k].way != wayOf(i) || hasPassed(i)) c.direction[i] = {};
         c.goal[i] = goal;
-        // Who has not set out has not gone anywhere yet.
+        // A character that has not set out has not turned.
         if (!turns_.empty() && chosen_[k].hasTurned && c.hasSetOut(i, state.stepCount)) ++turns_[i];
         if (!way_.empty()) way_[i] = chosen_[k].way;
     }
 }
 
-// Those who have no exit choose in parts, each of which knows what the parts before have chosen.
+// Agents without an exit choose in parts; each part knows the choices of the parts before it.
 void ExitChooser::chooseFirst(WorldState& state, std::span<const Leavers> leavers,
                               std::span<const std::int32_t> groundClasses, ThreadPool& pool) {
     Characters& c = state.characters;
@@ -275,12 +279,12 @@ void ExitChooser::chooseFirst(WorldState& state, std::span<const Leavers> leaver
         if (!way_.empty()) way_[chooser.character] = -1;
         if (!turns_.empty()) turns_[chooser.character] = 0;
     }
-    for (std::size_t round = 0; round < std::min(kRounds, first_.size()); ++round) {
-        choose(state, leavers, groundClasses, first_, round, kRounds, pool);
+    for (std::size_t round = 0; round < std::min(kFirstRounds, first_.size()); ++round) {
+        choose(state, leavers, groundClasses, first_, round, kFirstRounds, pool);
         for (std::size_t k = 0; k < chosen_.size(); ++k) {
             if (chosen_[k].exit < 0) continue;
             times_.add(static_cast<std::size_t>(chosen_[k].exit), chosen_[k].first);
-            const std::int32_t i = first_[round + k * kRounds].character;
+            const std::int32_t i = first_[round + k * kFirstRounds].character;
             if (herding_) herds_.add(c.position[i], static_cast<std::size_t>(chosen_[k].exit));
         }
         serve(state);
@@ -293,10 +297,10 @@ void ExitChooser::run(WorldState& state, GoalFields& fields, std::span<const Lea
     listOptions(leavers);
     findDoors(state, fields, leavers);
     readWays(state, leavers, groundClasses);
-    const bool looks = state.stepCount % kLooksIn == 0;
+    const bool looks = state.stepCount % kChoiceSteps == 0;
     if (!looks) listChoosers(state, leavers);
     if (looks || !first_.empty()) {
-        findPlaces(state);
+        findLines(state);
         count(state, leavers, groundClasses);
         serve(state);
         if (looks) {
@@ -310,7 +314,7 @@ void ExitChooser::run(WorldState& state, GoalFields& fields, std::span<const Lea
     const double step = state.parameters.stepTime;
     for (Area* exit : exits_) {
         ExitFlow& flow = exit->exit;
-        const double kept = std::max(0.0, 1.0 - step / kMemory);
+        const double kept = std::max(0.0, 1.0 - step / kThroughputTime);
         flow.served *= kept;
         flow.queued = flow.queued * kept + (flow.isQueued ? step : 0.0);
     }

@@ -1,4 +1,4 @@
-// The doors by which those go who do not take the shortest way to their exit.
+// The doors of people who do not take the shortest route to their exit.
 #include <algorithm>
 
 #include "base/infinite_cost.h"
@@ -6,7 +6,7 @@
 
 namespace muster {
 
-// Doors concern usual bodies who choose by time.
+// Doors matter to bodies of the usual size that choose by time.
 void ExitChooser::findDoors(WorldState& state, GoalFields& fields, std::span<const Leavers> leavers) {
     toExit_.clear();
     const bool byTime = std::any_of(leavers.begin(), leavers.end(), [](const Leavers& some) {
@@ -20,7 +20,7 @@ void ExitChooser::findDoors(WorldState& state, GoalFields& fields, std::span<con
     for (Area* exit : exits_) toExit_.push_back(&doors_.toExit(*exit, fields.toArea(*exit, 0)));
 }
 
-// Takes the ways of the groups, unless these are of other doors.
+// Takes over the ways that the groups keep, unless the doors have changed.
 void ExitChooser::readWays(const WorldState& state, std::span<const Leavers> leavers,
                            std::span<const std::int32_t> groundClasses) {
     const Characters& c = state.characters;
@@ -45,7 +45,7 @@ void ExitChooser::readWays(const WorldState& state, std::span<const Leavers> lea
     }
 }
 
-// Who has come through its door, or is no longer before it, goes on from there.
+// An agent that has come through its door, or is no longer before it, goes on from there.
 void ExitChooser::passDoors(const WorldState& state) {
     const Characters& c = state.characters;
     for (std::size_t i = 0; i < way_.size(); ++i) {
@@ -58,7 +58,7 @@ void ExitChooser::passDoors(const WorldState& state) {
     }
 }
 
-// Gives the groups the ways of their members, and solves the fields of these.
+// Writes the ways of the members to their groups, and solves the fields of these ways.
 void ExitChooser::keepWays(const WorldState& state, GoalFields& fields, std::span<const Leavers> leavers) {
     for (const Leavers& some : leavers) {
         some.gathering->ways.clear();
@@ -81,7 +81,7 @@ GoalWay ExitChooser::wayThrough(const Characters& characters, std::size_t i, dou
     return way;
 }
 
-// Who stands in the frame of another door goes the shortest way.
+// An agent in the frame of another door goes by the shortest route.
 const GoalField& ExitChooser::fieldThrough(const Characters& characters, std::size_t i) const {
     const GoalField& through = doors_.field(way_[i]);
     if (through.cost(characters.position[i]) < kInfiniteCost) return through;

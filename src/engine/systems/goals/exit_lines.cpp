@@ -7,10 +7,11 @@
 namespace muster {
 namespace {
 
-constexpr double kSpacing = 1.2;  // From one to the next in a line, in the sum of their radii.
-constexpr double kJoins = 1.0;    // Who is so near the end of the line joins it [m].
+// Distance from one person to the next in a line, in the sum of their radii.
+constexpr double kLineSpacing = 1.2;
+constexpr double kJoinReach = 1.0;  // Distance from the end of the line at which a person joins it [m].
 
-// The point of a line after a length; beyond its end straight on.
+// The point at a length along a line; beyond its end straight on.
 Vec2 pointAfter(const std::vector<Vec2>& line, double length) {
     for (std::size_t k = 1; k < line.size(); ++k) {
         const double edge = distance(line[k - 1], line[k]);
@@ -23,7 +24,7 @@ Vec2 pointAfter(const std::vector<Vec2>& line, double length) {
 
 }  // namespace
 
-// Those stay in the line who still want to leave by the exit; true where there is a line at all.
+// Keeps the people in the line that still want to leave by the exit; true where the exit has a line.
 bool ExitLines::keep(WorldState& state, Area& area) {
     const Characters& c = state.characters;
     if (area.def.queue.empty()) return false;
@@ -41,21 +42,21 @@ void ExitLines::layOut(const WorldState& state, const Area& area) {
     for (std::size_t k = 0; k < area.exit.line.size(); ++k) {
         const std::int32_t i = c.indexOf(area.exit.line[k]);
         const double radius = radiusOf(usual, c.body[i]);
-        if (k > 1) along += kSpacing * (before + radius);
+        if (k > 1) along += kLineSpacing * (before + radius);
         before = radius;
         duty_[i] = k == 0 ? Duty::Free : Duty::Stand;
         spot_[i] = pointAfter(area.def.queue, along);
     }
-    if (area.exit.line.size() > 1) along += kSpacing * (before + usual.radius);
+    if (area.exit.line.size() > 1) along += kLineSpacing * (before + usual.radius);
     end_ = pointAfter(area.def.queue, along);
 }
 
-// The nearest of those who have come to the end of the line joins it.
+// The nearest of the people who have come to the end of the line joins it.
 void ExitLines::join(WorldState& state, Area& area, GoalFields& fields,
                      std::span<const std::int32_t> groundClasses) {
     const Characters& c = state.characters;
     std::int32_t next = -1;
-    double least = kJoins;
+    double least = kJoinReach;
     for (std::size_t i = 0; i < c.size(); ++i) {
         if (c.goal[i] != area.id.value || duty_[i] != Duty::Join) continue;
         spot_[i] = end_;

@@ -1,5 +1,5 @@
-// Lines before exits: who stands in which place of the line, spaced by their bodies, in the order in which
-// they came (docs/method/goals.md).
+// Lines before exits: people stand in the order in which they came, spaced by their bodies
+// (docs/method/goals.md).
 #pragma once
 
 #include <cstdint>
@@ -11,21 +11,21 @@
 
 namespace muster {
 
-/// Finds for all who go to exits with a line where they stand in it.
+/// Finds where each person stands who goes to an exit with a line.
 class ExitLines {
 public:
-    /// Drops those from the lines who have gone, and lets those join who have come to the ends.
+    /// Drops people who have gone from the lines, and adds those who have come to their ends.
     void run(WorldState& state, GoalFields& fields, std::span<const std::int32_t> groundClasses);
-    /// What somebody who goes to an exit with a line has to do.
+    /// The next act of a person who goes to an exit with a line.
     enum class Duty : std::uint8_t {
-        Free,   ///< There is no line, or it is the first in it: it goes to the exit.
+        Free,   ///< There is no line, or the person is the first in it: it goes to the exit.
         Join,   ///< It goes to the end of the line.
         Stand,  ///< It stands in the line.
     };
     /// True where an exit has a line.
     bool any() const { return !duty_.empty(); }
     Duty dutyOf(std::size_t i) const { return duty_.empty() ? Duty::Free : duty_[i]; }
-    /// Where somebody stands in the line, or its end [m].
+    /// The spot of a person in the line, or the end of the line [m].
     Vec2 spotOf(std::size_t i) const { return spot_[i]; }
 
 private:
@@ -33,9 +33,9 @@ private:
     void layOut(const WorldState& state, const Area& area);
     void join(WorldState& state, Area& area, GoalFields& fields, std::span<const std::int32_t> groundClasses);
 
-    std::vector<Duty> duty_;  // Of all characters; empty where no exit has a line.
+    std::vector<Duty> duty_;  // By character; empty where no exit has a line.
     std::vector<Vec2> spot_;
-    Vec2 end_;  // Of the line at hand.
+    Vec2 end_;  // End of the line at hand.
 };
 
 }  // namespace muster

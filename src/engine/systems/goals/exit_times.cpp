@@ -7,11 +7,11 @@
 namespace muster {
 namespace {
 
-constexpr double kPrior = 1.0;         // The law counts like so long a measurement [s].
-constexpr double kLeastFlow = 1e-3;    // Of an exit or a door [1/s].
-constexpr double kShut = 1e4;          // Who comes to a door that is shut waits so long [s].
-constexpr std::int32_t kMostHops = 8;  // Doors one after the other that are looked at.
-constexpr double kBeforeDoor = 1.0;    // The width of a way to an exit is read so far before a door [m].
+constexpr double kLawTime = 1.0;          // Time of measurement for which the law counts [s].
+constexpr double kLeastFlow = 1e-3;       // Least flow of an exit or a door [1/s].
+constexpr double kShutWait = 1e4;         // Time that a person waits at a door that is shut [s].
+constexpr std::int32_t kMostDoors = 8;    // Greatest number of doors one after the other that are looked at.
+constexpr double kWidthBeforeDoor = 1.0;  // Distance before a door at which the width of a route is read [m].
 
 }  // namespace
 
@@ -36,14 +36,14 @@ ExitTimes::First ExitTimes::first(std::size_t exit, Vec2 p, std::int32_t way, do
 void ExitTimes::serveExit(std::size_t e, const Parameters::Character& usual, const GoalField& field) {
     Area& area = *exits_[e];
     const double flow = specificFlow(usual);
-    const double most = toExit_.empty() ? kInfiniteCost : std::max(0.0, toExit_[e]->free - kBeforeDoor);
+    const double most = toExit_.empty() ? kInfiniteCost : std::max(0.0, toExit_[e]->free - kWidthBeforeDoor);
     const auto byWidth = [&](double walk) {
         return flow * (field.width(std::min(most, walk * speed_)) + 2.0 * usual.radius);
     };
-    const double measured = (kPrior * byWidth(0.0) + area.exit.served) / (kPrior + area.exit.queued);
+    const double measured = (kLawTime * byWidth(0.0) + area.exit.served) / (kLawTime + area.exit.queued);
     const double whole = area.def.rate > 0.0 ? std::min(area.def.rate, measured) : measured;
     area.exit.isQueued = waits_.isQueued(e, whole);
-    // A service under way counts with what is left of it.
+    // Only the rest of a service that has begun counts.
     const double begins = area.def.rate > 0.0 ? (1.0 - area.exit.credit) / area.def.rate : 0.0;
     waits_.serve(e, begins,
                  [&](double walk) { return std::max(kLeastFlow, std::min(whole, byWidth(walk))); });
@@ -58,7 +58,7 @@ void ExitTimes::serve(const Parameters::Character& usual, std::span<const GoalFi
     waits_.serveWays([&](std::int32_t way) { return flow_[way]; },
                      [&](std::int32_t way, std::size_t exit, double now) {
                          const First to = next(way, exit, now, speed_, [&](std::int32_t other, double at) {
-                             return waits_.passes(other, now, at) + (doors_->isShut(other) ? kShut : 0.0);
+                             return waits_.passes(other, now, at) + (doors_->isShut(other) ? kShutWait : 0.0);
                          });
                          return ExitWaits::Hop{nodeOf(exit, to.way), to.walk};
                      });
@@ -66,15 +66,15 @@ void ExitTimes::serve(const Parameters::Character& usual, std::span<const GoalFi
 }
 
 double ExitTimes::passes(std::int32_t way, double at, bool isCounted) const {
-    return waits_.leaves(waits_.nodeOf(way), at, isCounted) + (doors_->isShut(way) ? kShut : 0.0);
+    return waits_.leaves(waits_.nodeOf(way), at, isCounted) + (doors_->isShut(way) ? kShutWait : 0.0);
 }
 
 double ExitTimes::leaves(std::size_t exit, const First& first, double metresPerSecond, bool isCounted) const {
-    if (first.place >= 0) return waits_.leavesLine(exit, first.place, first.walk);
+    if (first.ahead >= 0) return waits_.leavesLine(exit, first.ahead, first.walk);
     First at = first;
     double time = at.way < 0 ? waits_.leaves(exit, at.walk, isCounted) : passes(at.way, at.walk, isCounted);
     for (std::int32_t hop = 0; at.way >= 0; ++hop) {
-        if (hop == kMostHops) return time + toExit_[exit]->onward[at.way] / metresPerSecond;
+        if (hop == kMostDoors) return time + toExit_[exit]->onward[at.way] / metresPerSecond;
         at = next(at.way, exit, time, metresPerSecond,
                   [&](std::int32_t other, double now) { return passes(other, now); });
         time = at.way < 0 ? waits_.leaves(exit, time + at.walk, false) : passes(at.way, time + at.walk);

@@ -9,15 +9,16 @@
 namespace muster {
 namespace {
 
-constexpr double kBin = 0.5;      // Of costs by which the width of the way is measured [m].
-constexpr double kClear = 1.05;   // A cost above this times the straight line tells that it is not clear...
-constexpr double kClearBy = 1.0;  // ... and this [cells].
-constexpr double kLooksWithin = 3.0;     // So near an area the line to it is traced [m].
-constexpr double kStraightWithin = 1.0;  // Who is so near an area keeps from nothing [m].
-constexpr double kWallsWithin = 2.5;     // Walls farther away than this are none [m].
-constexpr double kSlopeStep = 0.5;       // From a point to where the clearance is read for its gradient [m].
-constexpr std::int32_t
-    kEntryCells = 2;  // Cells beside an area from which it is entered where none lies in it.
+constexpr double kCostStep = 0.5;     // Cost between two measurements of the width [m].
+constexpr double kClearRatio = 1.05;  // Ratio of cost to straight line above which the line is not clear...
+constexpr double kClearCells = 1.0;   // ... if the difference is also above this [cells].
+constexpr double kTraceReach = 3.0;   // Distance to an area within which the line to it is traced [m].
+// Cost to an area below which a person keeps no extra distance to walls [m].
+constexpr double kStraightCost = 1.0;
+constexpr double kWallReach = 2.5;  // Greatest clearance that counts as a distance to walls [m].
+constexpr double kSlopeStep = 0.5;  // Distance between readings of the clearance for its gradient [m].
+// Cells beside an area from which it is entered where no cell lies in it.
+constexpr std::int32_t kEntryCells = 2;
 
 float unitOf(const CellCost& cost) {
     return std::min({cost.east, cost.north, cost.west, cost.south});
@@ -47,7 +48,7 @@ Vec2 GoalField::nearest(Vec2 p) const {
     return best;
 }
 
-// The free cells in the area cost nothing; those at its rim are what others go straight to.
+// The free cells in the area cost nothing; others go straight to those at its rim.
 void GoalField::seedArea(const UnitCost& unitCost) {
     const Grid& grid = unitCost.grid;
     const Cell low = grid.nearestCell(box_.min), high = grid.nearestCell(box_.max);
@@ -61,7 +62,7 @@ void GoalField::seedArea(const UnitCost& unitCost) {
         }
 }
 
-// An area that holds the centre of no free cell, and a line, are come to from the cells beside them.
+// A line, or an area that holds the centre of no free cell, is entered from the cells beside it.
 void GoalField::seedBeside(const UnitCost& unitCost) {
     const Grid& grid = unitCost.grid;
     const double reach = kEntryCells * grid.cell;
@@ -98,7 +99,7 @@ void GoalField::solveToLine(const StaticGround& ground, const UnitCost& unitCost
     solver.solve(unitCost, seeds_, field_);
 }
 
-// A plane wave from the outermost cells on the far sides: in the open all go straight along the heading.
+// A plane wave from the outermost cells on the far sides: on open ground everyone goes along the heading.
 void GoalField::solveHeading(const StaticGround& ground, const UnitCost& unitCost, Vec2 heading, bool ring,
                              EikonalSolver& solver) {
     begin(ground);
@@ -127,8 +128,7 @@ void GoalField::solveHeading(const StaticGround& ground, const UnitCost& unitCos
     solver.solve(unitCost, seeds_, field_);
 }
 
-// The front of all points that are equally far has length dA/ds, by the area A within a distance s (the
-// coarea formula).
+// The set of points at equal cost s has length dA/ds, where A is the area within s (the coarea formula).
 void GoalField::measureWidths() {
     const Grid& grid = field_.grid();
     area_.clear();
@@ -136,19 +136,19 @@ void GoalField::measureWidths() {
         for (std::int32_t x = 0; x < grid.width; ++x) {
             const float cost = field_.value({x, y});
             if (!(cost > 0.0f) || !(cost < kUnreachableCost)) continue;
-            const auto bin = static_cast<std::size_t>(cost / kBin);
+            const auto bin = static_cast<std::size_t>(cost / kCostStep);
             if (bin >= area_.size()) area_.resize(bin + 1, 0.0);
             const float unit = ground_->unitCost(grid.centre({x, y}));
             area_[bin] += grid.cell * grid.cell * unit;
         }
     double least = kInfiniteCost;
-    for (const double a : area_) width_.push_back(static_cast<float>(least = std::min(least, a / kBin)));
+    for (const double a : area_) width_.push_back(static_cast<float>(least = std::min(least, a / kCostStep)));
 }
 
 double GoalField::width(double cost) const {
     if (width_.empty()) return 0.0;
-    // The bin of the cost itself may be cut off by what lies behind.
-    const double bins = std::min(std::max(cost, 0.0) / kBin, static_cast<double>(width_.size()));
+    // The area of the cost's own bin may be cut off by what lies behind, so that the bin before is read.
+    const double bins = std::min(std::max(cost, 0.0) / kCostStep, static_cast<double>(width_.size()));
     return width_[static_cast<std::size_t>(std::max(0.0, bins - 1.0))];
 }
 
@@ -173,21 +173,21 @@ GoalWay GoalField::at(Vec2 p) const {
     const Vec2 q = nearest(p);
     const double away = distance(p, q), straight = away * ground_->unitCost(p);
     // Far away the field knows whether the line is clear; near the area it is looked at.
-    const bool isNear = away < kLooksWithin;
-    const bool alike = way.cost <= kClear * straight + kClearBy * field_.grid().cell;
+    const bool isNear = away < kTraceReach;
+    const bool alike = way.cost <= kClearRatio * straight + kClearCells * field_.grid().cell;
     if (alike && (isNear ? ground_->lineOfSight(p, q, away) : way.straight))
         return {straight, normalized(q - p)};
     if (!(way.cost < kInfiniteCost)) return {kInfiniteCost, {}};
     return {way.cost, way.direction == Vec2{} ? normalized(q - p) : way.direction};
 }
 
-// Moved down the gradient of the clearance, which vanishes half way between two walls.
+// Moves a point down the gradient of the clearance, which vanishes half way between two walls.
 Vec2 GoalField::nearerToWalls(Vec2 p, double by) const {
-    if (ground_->uniformClearance(p) > kWallsWithin) return p;
+    if (ground_->uniformClearance(p) > kWallReach) return p;
     const double free = ground_->interpolatedClearance(p);
-    if (free <= 0.0 || free > kWallsWithin) return p;
+    if (free <= 0.0 || free > kWallReach) return p;
     const auto clearance = [&](Vec2 at) {
-        return std::clamp(ground_->interpolatedClearance(at), 0.0, kWallsWithin);
+        return std::clamp(ground_->interpolatedClearance(at), 0.0, kWallReach);
     };
     const Vec2 x{kSlopeStep, 0.0}, y{0.0, kSlopeStep};
     const Vec2 slope{clearance(p + x) - clearance(p - x), clearance(p + y) - clearance(p - y)};
@@ -196,7 +196,7 @@ Vec2 GoalField::nearerToWalls(Vec2 p, double by) const {
 
 GoalWay GoalField::at(Vec2 p, double wallGap) const {
     const GoalWay way = at(p);
-    if (!(wallGap > 0.0) || way.cost < kStraightWithin || !(way.cost < kInfiniteCost)) return way;
+    if (!(wallGap > 0.0) || way.cost < kStraightCost || !(way.cost < kInfiniteCost)) return way;
     const Vec2 q = nearerToWalls(p, wallGap);
     if (q == p) return way;
     const GoalWay beside = at(q);

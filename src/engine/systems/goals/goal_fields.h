@@ -1,5 +1,5 @@
-// The fields to all areas that people go to: solved when they are first needed, and when ground or area have
-// changed. A cache.
+// The fields of all areas to which people go: solved when they are first needed, and again when ground or
+// area have changed. A cache.
 #pragma once
 
 #include <cstdint>
@@ -29,9 +29,9 @@ public:
     const GoalField& toArea(const Area& area, std::int32_t groundClass);
     /// The field to the line in which people queue before an exit.
     const GoalField& toQueue(const Area& area, std::int32_t groundClass);
-    /// The field of those who walk on towards a heading [rad].
+    /// The field of people who walk on towards a heading [rad].
     const GoalField& towards(double heading, std::int32_t groundClass);
-    /// The same where they were asked for in this step; calls may come from several threads.
+    /// The field of toArea(), if it was asked for in this step; calls may come from several threads.
     const GoalField& solvedArea(const Area& area, std::int32_t groundClass) const {
         return solved({Kind::Area, area.id.value, 0.0, groundClass});
     }
@@ -59,8 +59,8 @@ private:
     };
     struct Entry {
         Key key;
-        std::vector<Vec2> shape;    // For which it was solved.
-        std::uint32_t version = 0;  // Of the ground.
+        std::vector<Vec2> shape;    // Shape for which the field was solved.
+        std::uint32_t version = 0;  // Version of the ground.
         std::unique_ptr<GoalField> field;
     };
     template <class Solve>
@@ -70,7 +70,7 @@ private:
     const WorldState* state_ = nullptr;
     PlanCosts* costs_ = nullptr;
     std::vector<Entry> entries_;
-    std::map<std::int32_t, UnitCost> unitCosts_;  // Of this step.
+    std::map<std::int32_t, UnitCost> unitCosts_;  // Unit costs of this step.
     EikonalSolver solver_;
 };
 

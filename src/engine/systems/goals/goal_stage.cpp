@@ -12,12 +12,12 @@
 namespace muster {
 namespace {
 
-constexpr double kFarAway = 5.0;          // Who has a longer way does not look in every step [m]...
-constexpr std::uint32_t kLooksEvery = 4;  // ... but in each of so many.
-constexpr double kMostWallGap = 0.5;      // [m]
-constexpr double kFieldAhead = 100.0;     // Where somebody heads who goes on along a field [m].
+constexpr double kFarCost = 5.0;  // Cost of a route above which it is not looked up in every step [m]...
+constexpr std::uint32_t kFarSteps = 4;  // ... but in one of this many steps.
+constexpr double kMostWallGap = 0.5;    // Greatest extra distance to walls [m].
+constexpr double kFieldAhead = 100.0;  // Distance ahead of the point for which a person heads on a field [m].
 
-// The order that the members of a group carry out without places; null where they stand.
+// The order that a group without places carries out; null where its members stand.
 const Order* orderOf(const Group& group, const Gathering& gathering) {
     const OrderQueue& queue = group.orders;
     if (!gathering.active || queue.held) return nullptr;
@@ -26,18 +26,19 @@ const Order* orderOf(const Group& group, const Gathering& gathering) {
     return begun ? &queue.orders.front().order : nullptr;
 }
 
-// By how much more than it must somebody keeps from walls [m]: evenly spread over all.
+// Distance by which a person keeps farther from walls than it must [m]: evenly spread over all ids.
 double wallGapOf(std::uint32_t id) {
     constexpr std::uint32_t kGolden = 2654435769u;  // 2 to the power 32 by the golden ratio.
     return kMostWallGap * (static_cast<double>(id * kGolden) / 4294967296.0);
 }
 
-// Far from its exit a way stays as it is for some steps, unless a command has changed something.
+// True for a person far from its exit whose route stays as it is in this step, as no command has changed
+// anything.
 bool keepsWay(const WorldState& state, std::size_t i) {
     const Characters& c = state.characters;
     const bool changed = state.lastCommandStep == state.stepCount || state.groundEdits != state.editsBefore;
-    const bool far = c.cost[i] > kFarAway && c.cost[i] < kInfiniteCost && !(c.direction[i] == Vec2{});
-    return !changed && far && (state.stepCount + c.id[i]) % kLooksEvery != 0;
+    const bool far = c.cost[i] > kFarCost && c.cost[i] < kInfiniteCost && !(c.direction[i] == Vec2{});
+    return !changed && far && (state.stepCount + c.id[i]) % kFarSteps != 0;
 }
 
 double bodyRadius(const WorldState& state, std::size_t i) {
@@ -92,7 +93,7 @@ void GoalStage::standAll(WorldState& state, const Group& group, std::span<Vec2> 
     }
 }
 
-// Writes the way of one character.
+// Writes the route of one character.
 void GoalStage::follow(WorldState& state, std::size_t i, const GoalWay& way, std::span<Vec2> heads) const {
     Characters& c = state.characters;
     c.direction[i] = way.direction;
@@ -100,7 +101,7 @@ void GoalStage::follow(WorldState& state, std::size_t i, const GoalWay& way, std
     heads[i] = c.position[i] + way.direction * kFieldAhead;
 }
 
-// The same along the walls that it touches.
+// Writes the route of a character that is led along the walls that it touches.
 void GoalStage::followField(WorldState& state, std::size_t i, GoalWay way, const GoalField& field,
                             std::span<Vec2> heads) const {
     way.direction = alongWalls(state.environment, state.characters.position[i], bodyRadius(state, i),
@@ -155,7 +156,7 @@ void GoalStage::leave(WorldState& state, std::span<Vec2> heads, ThreadPool& pool
     }
 }
 
-// Those who have a spot go there; others come near, and stand before the area where it is full.
+// Members with a spot go to it; others come near, and stand before the area where it is full.
 void GoalStage::wait(WorldState& state, Group& group, Gathering& gathering, std::span<Vec2> heads,
                      ThreadPool& pool) {
     Characters& c = state.characters;
@@ -201,7 +202,7 @@ void GoalStage::run(WorldState& state, PlanCosts& costs, std::span<Vec2> heads, 
         walk(state, *group, group->orders.orders.front().order.facing.value_or(0.0), heads, pool);
 }
 
-// Who finds no exit stands, until one is there again.
+// A group without an exit stands until there is one again.
 void GoalStage::raiseWays(WorldState& state, std::vector<Event>& events) {
     const Characters& c = state.characters;
     for (const Gathering& gathering : state.continuum.gatherings) {

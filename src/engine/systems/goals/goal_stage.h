@@ -15,7 +15,7 @@
 
 namespace muster {
 
-/// Writes which exit each has chosen, directions and costs. Fields are caches.
+/// Writes the exit that each person has chosen, directions and costs. Its fields are caches.
 class GoalStage {
 public:
     /// Forgets all fields; call when the state has become another.
@@ -23,11 +23,11 @@ public:
         fields_.reset();
         choice_.reset();
     }
-    /// One step; writes where each heads for to `heads` [m], one entry per character, of these groups only.
+    /// One step; writes the point for which each member of these groups heads to `heads` [m], by character.
     void run(WorldState& state, PlanCosts& costs, std::span<Vec2> heads, ThreadPool& pool);
-    /// Tells which groups have members without a way, or all again.
+    /// Raises which groups have members without a route, and when all have one again.
     static void raiseWays(WorldState& state, std::vector<Event>& events);
-    /// 1 for who is to stand at a given point, one entry per character; empty where nobody is.
+    /// By character: 1 if it is to stand at a given point; empty where none is.
     std::span<const std::uint8_t> standing() const { return standing_; }
 
 private:
@@ -49,8 +49,8 @@ private:
     WaitingSpots spots_;
     std::vector<Leavers> leavers_;
     std::vector<Group*> waiting_, walking_, idle_;
-    std::vector<std::int32_t> classes_;  // Of ground, of all characters.
-    std::vector<std::int32_t> used_;     // Of the group at hand.
+    std::vector<std::int32_t> classes_;  // Class of ground of each character.
+    std::vector<std::int32_t> used_;     // Classes in the group at hand.
     std::vector<std::uint8_t> standing_;
 };
 

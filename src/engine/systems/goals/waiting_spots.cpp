@@ -10,17 +10,18 @@
 namespace muster {
 namespace {
 
-constexpr double kSpotsApart = 1.2;   // Least distance of spots, in diameters.
-constexpr double kSpotsAtMost = 3.0;  // Greatest distance, in diameters.
-constexpr double kSpotsFill = 0.75;   // Share of the area that those who come fill with their squares.
-constexpr double kFineStep = 0.25;  // Of the grid for as many spots as there is room for, in their distance.
-constexpr double kComesIn = 1.0;    // Who is so near the area gets a spot [m].
-constexpr double
-    kNoRoomAfter = 1.5;  // Who has not got on for so long stands before an area that is full [s].
+constexpr double kLeastSpotDistance = 1.2;  // Least distance of spots [diameters].
+constexpr double kMostSpotDistance = 3.0;   // Greatest distance of spots [diameters].
+constexpr double kSpotsFill = 0.75;         // Share of the area that the squares of all who wait fill.
+// Step of the grid that finds room for most spots, in their least distance.
+constexpr double kFineStep = 0.25;
+constexpr double kSpotReach = 1.0;  // Distance to the area at which a person gets a spot [m].
+// Time without progress after which a person stands before a full area [s].
+constexpr double kFullAreaTime = 1.5;
 
-// So far apart are spots at least, for people whose largest has this radius [m].
+// The least distance of spots [m] for people whose largest radius is `radius` [m].
 double leastApart(double radius) {
-    return kSpotsApart * 2.0 * radius * (1.0 - 1e-9);
+    return kLeastSpotDistance * 2.0 * radius * (1.0 - 1e-9);
 }
 
 /// The nodes of a grid in the middle of a box, and which of them are too near others.
@@ -39,7 +40,7 @@ public:
     std::int32_t rows() const { return rows_; }
     Vec2 node(std::int32_t x, std::int32_t y) const { return origin_ + Vec2{x * step_, y * step_}; }
     bool isFree(std::int32_t x, std::int32_t y) const { return near_[index(x, y)] == 0; }
-    /// Nodes nearer than `apart` [m] to a point are not free any more.
+    /// Takes nodes nearer than `apart` [m] to a point.
     void keepOff(Vec2 p, double apart) {
         const Vec2 at = (p - origin_) / step_;
         const double reach = apart / step_;
@@ -83,8 +84,8 @@ WaitingSpots::Crowd WaitingSpots::crowdOf(const WorldState& state, AreaId area) 
     return crowd;
 }
 
-// Spots on the nodes of a grid over the area, from its lower left corner on: each where there is room for it
-// beside those that are there.
+// Lays spots on the nodes of a grid over the area, from its lower left corner on: each where there is room
+// beside the spots that exist.
 void WaitingSpots::lay(const WorldState& state, const Polygon& polygon, double radius, double step) {
     NodeGrid grid(boundsOf(polygon), step, nearOthers_);
     const double apart = leastApart(radius);
@@ -102,11 +103,11 @@ void WaitingSpots::lay(const WorldState& state, const Polygon& polygon, double r
         }
 }
 
-// On a square grid, as far apart as all who wait there leave them. Where that has too few for those who still
-// come, as beside others who stood wider, as many as there is room for.
+// Lays spots on a square grid, as far apart as the number of people allows. Where that leaves too few for the
+// people who still come, as beside others who stand wider, it lays as many as there is room for.
 void WaitingSpots::listFree(const WorldState& state, const Area& area, const Crowd& crowd) {
     const Polygon& polygon = area.def.polygon;
-    const double diameter = 2.0 * crowd.radius, least = kSpotsApart * diameter;
+    const double diameter = 2.0 * crowd.radius, least = kLeastSpotDistance * diameter;
     const double people = std::max<double>(1.0, static_cast<double>(crowd.people));
     const double wide = std::sqrt(kSpotsFill * std::fabs(signedArea(polygon)) / people);
     const Box near = boundsOf(polygon).grown(least);
@@ -114,11 +115,11 @@ void WaitingSpots::listFree(const WorldState& state, const Area& area, const Cro
     for (const Gathering& other : state.continuum.gatherings)
         for (const StandingSpot& spot : other.spots)
             if (near.contains(spot.spot)) taken_.push_back(spot.spot);
-    lay(state, polygon, crowd.radius, std::clamp(wide, least, kSpotsAtMost * diameter));
+    lay(state, polygon, crowd.radius, std::clamp(wide, least, kMostSpotDistance * diameter));
     if (free_.size() < crowd.without) lay(state, polygon, crowd.radius, kFineStep * least);
 }
 
-// Gives free spots to those who have come; false where some of them found none.
+// Gives free spots to members who have come; false where one of them found none.
 bool WaitingSpots::takeSpots(const WorldState& state, const Group& group, Gathering& gathering,
                              const Area& area, const StaticGround& ground) {
     const Characters& c = state.characters;
@@ -130,11 +131,11 @@ bool WaitingSpots::takeSpots(const WorldState& state, const Group& group, Gather
         const Vec2 p = c.position[i];
         const Vec2 near = closestOnBoundary(polygon, p).point;
         const bool in = containsPoint(polygon, p) ||
-                        (distance(near, p) < kComesIn && ground.collisionFree(p, near));
+                        (distance(near, p) < kSpotReach && ground.collisionFree(p, near));
         if (!in) continue;
         if (!listed) listFree(state, area, crowd = crowdOf(state, area.id));
         listed = true;
-        // Who comes first goes farthest in, so that nobody stands in the way of others.
+        // The first to come goes farthest in, so that it stands in nobody's path.
         const auto better = [&](Vec2 a, Vec2 b) { return lengthSquared(a - p) > lengthSquared(b - p); };
         auto best = free_.end();
         for (auto at = free_.begin(); at != free_.end(); ++at)
@@ -162,11 +163,11 @@ void WaitingSpots::run(const WorldState& state, const Group& group, Gathering& g
         gathering.arrived.clear();
         return;
     }
-    const std::uint32_t patience = stepsIn(state, kNoRoomAfter);
+    const std::uint32_t patience = stepsIn(state, kFullAreaTime);
     for (const std::int32_t i : group.members) {
         if (gathering.spotOf(c.id[i]) != nullptr || gathering.hasArrived(c.id[i])) continue;
         const double away = signedDistance(area.def.polygon, c.position[i]);
-        if (away > kComesIn && state.stepCount - c.walk[i].movedAt < patience) continue;
+        if (away > kSpotReach && state.stepCount - c.walk[i].movedAt < patience) continue;
         gathering.arrived.insert(
             std::lower_bound(gathering.arrived.begin(), gathering.arrived.end(), c.id[i]), c.id[i]);
     }

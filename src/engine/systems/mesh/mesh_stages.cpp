@@ -32,7 +32,7 @@ void deformFinalMeshes(WorldState& state) {
     const Parameters& parameters = state.parameters;
     for (Group& group : state.groups) {
         if (isBare(group) && group.controls.controls().empty()) continue;
-        // Who holds its ground stands where it is.
+        // The mesh of a group that holds its ground keeps its displacement.
         if (holdsGround(group) && group.controls.controls().empty())
             group.mesh.keepDisplacement();
         else

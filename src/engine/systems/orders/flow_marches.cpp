@@ -15,13 +15,17 @@
 namespace muster {
 namespace {
 
-constexpr double kMostOff = 0.25;         // Share of places that may be elsewhere than the mesh wants them.
-constexpr std::uint32_t kLookSteps = 30;  // Steps between two looks whether others stand where a mesh rests.
-constexpr double kBuiltOn = 0.5;          // Nearer to a wall, in radii, a place is no place to start from.
-constexpr double kSameFacing = 0.99;      // Cosine of the angle by which headings that are alike may differ.
-constexpr double kOfMarch = 0.02;         // Of a march, by which its first direction is known.
-constexpr double kBeside = 2.0;  // For so long one stands beside its place before that comes to it [s].
-constexpr double kPays = 0.25;   // Of a walk that does not lead to the target: so much nearer it has to come.
+constexpr double kMostOffShare = 0.25;  // Share of places off the mesh above which they are laid out again.
+// Steps between two looks whether other groups stand where a mesh rests.
+constexpr std::uint32_t kLookSteps = 30;
+// Distance to a wall below which a place counts as built on [radii of a place].
+constexpr double kBuiltOnClearance = 0.5;
+constexpr double kSameHeading = 0.99;  // Cosine of the angle up to which headings count as equal.
+constexpr double kFirstShare = 0.02;   // Share of a march after which its first direction is read.
+// Time that a member stands beside its place before the place comes to it [s].
+constexpr double kBesideTime = 2.0;
+// Gain towards an unreachable target that a walk must bring, as a share of its length.
+constexpr double kGainShare = 0.25;
 
 double spacingOf(const Group& group) {
     return std::max(group.def.formation.spacing, 1e-3);
@@ -33,7 +37,7 @@ double reachOf(std::span<const Vec2> offsets) {
     return reach;
 }
 
-/// Where those of other groups stand who count, or will stand when their marches are over.
+/// Lists the places of other groups for which `counts` is true, or their ends where such a group marches.
 template <class Counts>
 void listEnds(const WorldState& state, const Group& group, std::vector<Vec2>& ends, const Counts& counts) {
     ends.clear();
@@ -47,14 +51,14 @@ void listEnds(const WorldState& state, const Group& group, std::vector<Vec2>& en
     }
 }
 
-/// Of the places of the group.
+/// The mean of the places of the group.
 Vec2 middleOf(const MarchFlow& flow) {
     Vec2 sum;
     for (const std::int32_t place : flow.kept) sum += flow.places[place];
     return sum / static_cast<double>(flow.kept.size());
 }
 
-/// From the begin of a way to its first point that is so far from it.
+/// The vector from the begin of a route to its first point at distance `reach` or more.
 template <class Point>
 Vec2 endOfWay(Point begin, Point end, double reach) {
     Point at = begin + 1;
@@ -64,20 +68,20 @@ Vec2 endOfWay(Point begin, Point end, double reach) {
 
 }  // namespace
 
-// The free space of a group's places. The stages of routes and regions come later in the step.
+// The free space of a group's places, for which it refreshes the routes: their stages come later in the step.
 FreeSpace FlowMarches::spaceOf(WorldState& state, const Group& group, const PlaceDef& places) {
     const RouteGraph& routes = state.refreshRoutes(group.groundClass);
     return {places, routes, mainRegion(state, group, regions_), nearest_};
 }
 
-// Where places are now; those that something was built on are where their holders stand.
+// Reads where places are now; a place on which something was built starts at its holder's position.
 void FlowMarches::findStarts(WorldState& state, const Group& group) {
     const Characters& c = state.characters;
     const PlaceDef places = placeDefOf(state, group);
     const FreeSpace space = spaceOf(state, group, places);
     starts_ = group.places.positions();
     const auto isBuiltOn = [&](Vec2 p) {
-        return !state.environment.clearStaticLine(p, p, kBuiltOn * places.radius);
+        return !state.environment.clearStaticLine(p, p, kBuiltOnClearance * places.radius);
     };
     for (const std::int32_t i : group.members) {
         const std::int32_t place = c.place[i];
@@ -87,9 +91,9 @@ void FlowMarches::findStarts(WorldState& state, const Group& group) {
     }
 }
 
-// Each place begins where the one is that goes to it with the least crossing, and those who held that go with
-// it: who is ahead on the way or to the left of it stays so. Where weights or demands differ places stay
-// whose they are.
+// Pairs present positions of places with their ends so that routes cross least, and renumbers places and
+// their holders accordingly: an agent ahead on the route or to the left of it stays so. Where weights or
+// demands differ, places keep their numbers.
 void FlowMarches::exchange(WorldState& state, Group& group, double reach) {
     MarchFlow& flow = group.flow;
     Characters& c = state.characters;
@@ -121,8 +125,8 @@ void FlowMarches::exchange(WorldState& state, Group& group, double reach) {
     group.places.lead(flow.starts, state.parameters.stepTime);
 }
 
-// Where other groups stand, or will stand when their marches are over. A group that is about to go elsewhere
-// takes nothing.
+// Lists where other groups stand, or will stand when their marches are over. A group that is about to go
+// elsewhere takes no ground.
 void FlowMarches::findTaken(const WorldState& state, const Group& group) {
     listEnds(state, group, taken_, [](const Group& other) {
         const OrderQueue& queue = other.orders;
@@ -133,7 +137,7 @@ void FlowMarches::findTaken(const WorldState& state, const Group& group) {
     });
 }
 
-// Lays ends out on the present ground. Returns how the group's places are led.
+// Lays ends out on the present ground. Returns the definition by which the group's places are led.
 PlaceDef FlowMarches::layOut(WorldState& state, Group& group, EndDef def, std::vector<Vec2>& ends, Pose& to) {
     const PlaceDef places = placeDefOf(state, group);
     const FreeSpace space = spaceOf(state, group, places);
@@ -142,8 +146,8 @@ PlaceDef FlowMarches::layOut(WorldState& state, Group& group, EndDef def, std::v
     return places;
 }
 
-// The offsets of places in the formation. One that is closer than its bodies takes as much more room as they
-// need: returns by how much it is larger.
+// Writes the offsets of places in the formation, and returns the factor by which they are enlarged: above 1
+// in a formation that is closer than its bodies.
 double FlowMarches::takeOffsets(const WorldState& state, const Group& group, std::vector<Vec2>& offsets) {
     group.mesh.restPlaces(offsets);
     const double apart = placeDefOf(state, group).apart();
@@ -162,7 +166,7 @@ double FlowMarches::takeOffsets(const WorldState& state, const Group& group, std
     return room;
 }
 
-// Where the group's formation is to stand, beside other groups.
+// The ends of the group's formation at a pose, beside other groups.
 EndDef FlowMarches::endsAt(const WorldState& state, const Group& group, const Pose& end,
                            std::span<const Vec2> offsets) {
     findTaken(state, group);
@@ -178,19 +182,19 @@ EndDef FlowMarches::endsAt(const WorldState& state, const Group& group, const Po
 bool FlowMarches::pays(WorldState& state, Group& group, Vec2 at, std::optional<double> facing) {
     takeOffsets(state, group, offsets_);
     if (group.places.positions().size() != offsets_.size()) return true;
-    // On another ground the ends of before may lie in walls.
+    // On changed ground the former ends may lie in walls.
     if (group.flow.leads() && group.flow.ground != state.groundEdits) return true;
     Pose to, end = group.flow.leads() ? group.flow.to : group.mesh.pose();
     end.position = at;
     if (facing) {
         const Rotation asked{cosine(*facing), sine(*facing)};
-        if (asked.c * end.rotation.c + asked.s * end.rotation.s < kSameFacing) return true;
+        if (asked.c * end.rotation.c + asked.s * end.rotation.s < kSameHeading) return true;
     }
     layOut(state, group, endsAt(state, group, end, offsets_), targets_, to);
     const Vec2 target = group.orders.orders.front().order.target;
     const Vec2 now = meanOf(group.flow.leads() ? group.flow.ends : group.places.positions());
     const Vec2 then = meanOf(targets_);
-    return distance(now, target) - distance(then, target) > kPays * distance(now, then);
+    return distance(now, target) - distance(then, target) > kGainShare * distance(now, then);
 }
 
 bool FlowMarches::findEnds(WorldState& state, Group& group, const Pose& end) {
@@ -224,8 +228,8 @@ void FlowMarches::stand(WorldState& state, Group& group) {
     group.places.stand(flow.ends);
 }
 
-// Where those stand for whom the group makes room: who holds its ground, else who was laid out beside others,
-// else who is older.
+// Lists the places of groups for which this group makes room: a group that holds its ground comes before
+// others, then a group that was laid out beside others, then the older group.
 void FlowMarches::findStanding(const WorldState& state, const Group& group) {
     listEnds(state, group, taken_, [&](const Group& other) {
         if (!other.settling.rests()) return false;
@@ -235,16 +239,16 @@ void FlowMarches::findStanding(const WorldState& state, const Group& group) {
     });
 }
 
-// True where many of the points that the mesh wants cannot be reached.
+// True where many of the points that the mesh asks for cannot be reached.
 bool FlowMarches::isInWalls(const Group& group) {
     const std::vector<Vec2>& asked = group.places.targetsWithinReach();
     const std::vector<Vec2>& reached = group.places.reachableTargets();
     double off = 0.0;
     for (std::size_t k = 0; k < asked.size(); ++k) off += asked[k] == reached[k] ? 0.0 : 1.0;
-    return off > kMostOff * static_cast<double>(asked.size());
+    return off > kMostOffShare * static_cast<double>(asked.size());
 }
 
-// True where the mesh rests on those who stand there.
+// True where the mesh rests on places of the groups that findStanding() lists.
 bool FlowMarches::isOnOthers(const WorldState& state, const Group& group) {
     const std::vector<Vec2>& asked = group.places.targetsWithinReach();
     if (asked.empty() || (group.settling.restSteps - Settling::kRestSteps) % kLookSteps != 0) return false;
@@ -261,7 +265,7 @@ bool FlowMarches::isOnOthers(const WorldState& state, const Group& group) {
     return meets;
 }
 
-// After a stop nobody has to walk: who stands beside its place has it where it stands.
+// After a stop, the place of a member that stands beside it comes to the member, so that nobody has to walk.
 void FlowMarches::comeToStanding(const WorldState& state, Group& group) {
     if (hasWeights(state, group)) return;
     const Characters& c = state.characters;
@@ -269,7 +273,8 @@ void FlowMarches::comeToStanding(const WorldState& state, Group& group) {
     for (const std::int32_t i : group.members) {
         const std::int32_t place = c.place[i];
         const WalkProgress& walk = c.walk[i];
-        const bool stands = state.stepCount - std::max(walk.movedAt, walk.since) >= stepsIn(state, kBeside);
+        const bool stands = state.stepCount - std::max(walk.movedAt, walk.since) >=
+                            stepsIn(state, kBesideTime);
         if (!stands || walk.within || place < 0 || std::cmp_greater_equal(place, flow.ends.size())) continue;
         flow.ends[place] = flow.places[place] = c.position[i];
     }
@@ -334,7 +339,7 @@ void FlowMarches::startPiece(WorldState& state, Group& group, const PieceDef& pi
     plan(state, group, moves);
 }
 
-// Who is on the move goes on.
+// Begins the plan of a march; members that are moving keep their speed.
 void FlowMarches::plan(WorldState& state, Group& group, Vec2 moves) {
     MarchFlow& flow = group.flow;
     listHeld(state, group, flow.held);
@@ -344,19 +349,19 @@ void FlowMarches::plan(WorldState& state, Group& group, Vec2 moves) {
     flow.plans.start(flow.def(), flow.held, versionOf(state.environment), state.environment.grid());
 }
 
-// Who is on the move goes on, as far as the plan leads the same way.
+// Keeps the share of the members' speed that points along the begin of the plan.
 void FlowMarches::keepSpeed(const WorldState& state, Group& group) {
     MarchFlow& flow = group.flow;
     Vec2 moves;
     for (const std::int32_t i : group.members) moves += state.characters.velocity[i];
     targets_ = flow.starts;
-    flow.plans.best().at(kOfMarch, targets_);
+    flow.plans.best().at(kFirstShare, targets_);
     const Vec2 along = normalized(meanOf(targets_) - meanOf(flow.starts));
     flow.speed *= std::max(0.0, dot(normalized(moves), along));
 }
 
-// True where nothing has been changed in this step that the plan of a march has looked at, nor where a way
-// through it might be shorter. What was changed before the step is not known any more.
+// True where no edit of this step concerns ground that the plan of a march has read, nor opens a shorter
+// route. Edits before this step are no longer known.
 bool FlowMarches::stays(const WorldState& state, const Group& group) const {
     const MarchFlow& flow = group.flow;
     if (flow.phase != FlowPhase::Flowing || flow.ground != state.editsBefore || state.editedPatches)
@@ -381,7 +386,7 @@ bool FlowMarches::goesOn(const WorldState& state, Group& group) const {
 bool FlowMarches::advance(WorldState& state, const WayGround& ways, Group& group, const MarchDef& def,
                           Vec2 offCourse) {
     MarchFlow& flow = group.flow;
-    // As far as the ground knows its clearance exactly: an edit elsewhere then leaves the plan as it is.
+    // Up to the clearance that the ground knows exactly, so that an edit elsewhere leaves the plan as it is.
     const Environment& ground = state.environment;
     const auto clearance = [&](Vec2 p) {
         const std::int32_t cell = ground.grid().index(ground.grid().nearestCell(p));
@@ -391,7 +396,7 @@ bool FlowMarches::advance(WorldState& state, const WayGround& ways, Group& group
     const StreamGround room = ways.uneven() ? StreamGround(clearance, speed) : StreamGround(clearance);
     if (flow.phase == FlowPhase::Planning || !flow.plans.begun())
         held_.reset(flow.held, Environment::kClearanceLimit);
-    // After a restore the plan is made again up to where it was.
+    // After a restore the plan is made again up to the point that it had reached.
     if (!flow.plans.begun() && flow.moves())
         flow.plans.resume(flow.def(), flow.held, versionOf(ground), ground.grid(), room, flow.spent);
     if (flow.phase == FlowPhase::Planning && budget_ > 0) {

@@ -15,34 +15,32 @@
 
 namespace muster {
 
-/// Leads groups. Its functions are called by the stage of orders.
+/// Leads marches that flow. Its functions are called by the stage of orders.
 class FlowMarches {
 public:
-    /// Begins a step, in which plans may take about so many operations.
+    /// Begins a step, in which plans may take about `operations` operations.
     void begin(std::int64_t operations) { budget_ = operations; }
-    /// Begins a march of the group to `end` along `way` [m], which is kept to or not, and begins and ends at
-    /// about its middle. Who goes to which place of it is found again, so that nobody crosses the way of
-    /// others.
+    /// Begins a march of the group to `end` along a route [m], which begins and ends at about its middle; a
+    /// `drawn` route is kept to. Places are paired with their ends again, so that no two agents cross.
     void start(WorldState& state, Group& group, const Pose& end, std::span<const Vec2> way,
                bool drawn = false);
-    /// Begins one in one piece, in which everybody keeps the own place, to where that leads. Where the ground
-    /// has no room for it, it becomes one that flows.
+    /// Begins a march in one piece, in which every member keeps its place. Where the ground has no room for
+    /// it, it becomes a march that flows.
     void startPiece(WorldState& state, Group& group, const PieceDef& piece, bool drawn);
-    /// True where the group, sent to a point [m] for want of a way to the target of its order, would come
-    /// nearer to that by enough of its walk from where it stands or goes, or has to turn.
+    /// True where a group that is sent to a point [m], for want of a route to the target of its order, would
+    /// get nearer to the target by a sufficient share of its walk, or has to turn.
     bool pays(WorldState& state, Group& group, Vec2 at, std::optional<double> facing);
-    /// Puts the places of the group where it is to stand, at the pose of its mesh, at once: what each will
-    /// really walk says who goes to which.
+    /// Puts the places of the group at once where it is to stand, at the pose of its mesh; plans then decide
+    /// who goes to which place by real walks.
     void stand(WorldState& state, Group& group);
-    /// Lays the places of a group out on the ground whose mesh rests where many of them cannot be, or where
-    /// others stand who were there before. After a stop places come to those who stand beside them.
+    /// Lays places out again where the mesh of a group rests on ground that many of them cannot reach, or on
+    /// the ground of groups with precedence. After a stop, places come to members that stand beside them.
     void settle(WorldState& state, Group& group);
-    /// One step: plans, or moves places at most at `def.speed` times the speed of the ground, so far
-    /// `offCourse` of their course [m]. False where the way is blocked; then the mesh leads, and stands at
-    /// the end.
+    /// One step: plans, or moves places at most at `def.speed` times the speed of the ground, `offCourse` [m]
+    /// off their course. False where the route is blocked; then the mesh leads, and stands at the end.
     bool advance(WorldState& state, const WayGround& ways, Group& group, const MarchDef& def,
                  Vec2 offCourse = {});
-    /// True where the march of the group stays as it is on the ground as it was edited in this step.
+    /// True where the edits of this step leave the march of the group as it is.
     bool goesOn(const WorldState& state, Group& group) const;
 
 private:

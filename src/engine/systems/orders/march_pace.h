@@ -1,4 +1,4 @@
-// How fast marches go, so that everybody keeps up (SPEC U6).
+// The pace of marches at which members keep up (SPEC U6).
 #pragma once
 
 #include <vector>
@@ -14,7 +14,7 @@ public:
     double of(const WorldState& state, const Group& group);
 
 private:
-    std::vector<double> lags_;  // Of one group [m].
+    std::vector<double> lags_;  // Lags of the members of one group [m].
 };
 
 }  // namespace muster

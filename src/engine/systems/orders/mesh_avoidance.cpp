@@ -12,16 +12,17 @@
 namespace muster {
 namespace {
 
-constexpr double kChoiceEvery = 0.2;  // Between two choices of a group [s].
-constexpr double kToOthers = 0.8;     // To others [m].
-constexpr double kStraight = 0.02;    // A smaller turn is none [rad].
-constexpr std::size_t kMostLegs = 8;  // Of a path within the horizon.
-constexpr double kChange = 0.3;       // Another manoeuvre has to pay by that [s].
-constexpr double kCourseStep = 1.25;  // Between courses that are tried [m].
-constexpr int kMostCourses = 10;      // Of them, to each side.
-constexpr double kDelays[] = {1.0, 2.0, 3.0, 4.5, 6.0, 8.0, kCourseHorizon};  // [s]
-constexpr double kMostWait = 60.0;  // Who has waited so long for moving obstacles presses on...
-constexpr double kPresses = 6.0;    // ... so many times less long.
+constexpr double kManoeuvreInterval = 0.2;  // Time between two choices of a group [s].
+constexpr double kGroupDistance = 0.8;      // Distance that a group keeps from others [m].
+constexpr double kStraightTurn = 0.02;      // Turn of a leg up to which it counts as straight [rad].
+constexpr std::size_t kMostLegs = 8;        // Greatest number of legs of a path within the horizon.
+constexpr double kManoeuvreGain = 0.3;      // Time that another manoeuvre must gain [s].
+constexpr double kCourseStep = 1.25;        // Distance between two courses that are tried [m].
+constexpr int kMostCourses = 10;            // Number of courses that are tried to each side.
+constexpr double kDelays[] = {1.0, 2.0, 3.0, 4.5, 6.0, 8.0, kCourseHorizon};  // Delays that are tried [s].
+// Time of waiting for moving obstacles after which a group presses on [s].
+constexpr double kMostWait = 60.0;
+constexpr double kWaitRecovery = 6.0;  // Rate at which walking takes off that time.
 
 /// Bounds of points in the axes of a pose.
 struct Bounds {
@@ -99,7 +100,8 @@ CourseDef MeshAvoidance::courseDefOf(const WorldState& state, const Group& group
     return own;
 }
 
-// Who keeps clear is known by what it has chosen, others by their velocity.
+// Reads the courses of meshes: of a group that keeps clear from its chosen manoeuvre, of others from their
+// velocity.
 void MeshAvoidance::readMeshes(const WorldState& state) {
     meshes_.resize(state.groups.size());
     for (std::size_t g = 0; g < state.groups.size(); ++g) {
@@ -119,7 +121,7 @@ void MeshAvoidance::readMeshes(const WorldState& state) {
     }
 }
 
-// When the legs of a path begin and end, as far as the horizon: `times_`.
+// Lists the times at which the legs of a path begin and end, up to the horizon, in `times_`.
 void MeshAvoidance::readPath(const TimedPath& path, double now) {
     times_.assign(1, 0.0);
     const double first = path.waypoints.front().time, last = path.waypoints.back().time;
@@ -138,7 +140,7 @@ void MeshAvoidance::readPath(const TimedPath& path, double now) {
     times_.push_back(kKnownAhead);
 }
 
-// Legs of even velocity; an obstacle that turns is a disc.
+// Lists the legs of a path as boxes of even velocity; an obstacle that turns is a disc.
 void MeshAvoidance::readMover(const WorldState& state, const ObstaclePiece& piece, Course& course) {
     const Environment& environment = state.environment;
     const double now = environment.time();
@@ -148,7 +150,7 @@ void MeshAvoidance::readMover(const WorldState& state, const ObstaclePiece& piec
     const MovingBox box = boxOf(piece);
     readPath(path, now);
     for (std::size_t k = 1; k < times_.size(); ++k) {
-        // A leap is no leg.
+        // A leap takes less than a step and is no leg.
         if (times_[k] - times_[k - 1] < state.parameters.stepTime) continue;
         const double middle = 0.5 * (times_[k - 1] + times_[k]);
         const Waypoint there = path.at(now + middle);
@@ -160,7 +162,7 @@ void MeshAvoidance::readMover(const WorldState& state, const ObstaclePiece& piec
         leg.to = times_[k];
         leg.axis = turned.apply(box.axis);
         leg.centre = centroid + there.position - here.position - leg.velocity * middle;
-        if (std::fabs(turning) > kStraight) {
+        if (std::fabs(turning) > kStraightTurn) {
             leg.round = distance(box.centre, centroid) + box.reach();
             leg.half = {};
         } else {
@@ -183,7 +185,7 @@ void MeshAvoidance::readMovers(const WorldState& state) {
     movers_.resize(count);
 }
 
-// Those that it could meet and has not met yet.
+// Lists the neighbours that the group could meet and does not touch yet.
 void MeshAvoidance::listNear(const WorldState& state, const Group& group, const CourseDef& own) {
     near_.clear();
     for (const Neighbour& mover : movers_) near_.push_back(&mover);
@@ -197,20 +199,21 @@ void MeshAvoidance::listNear(const WorldState& state, const Group& group, const 
         MovingBox wide = own.box;
         wide.round += own.cruise * kKnownAhead;
         still.to = state.parameters.stepTime;
-        return firstContact({&wide, 1}, other->course, kToOthers) == kInfiniteCost ||
+        return firstContact({&wide, 1}, other->course, kGroupDistance) == kInfiniteCost ||
                firstContact({&still, 1}, other->course, 0.0) < kInfiniteCost;
     });
 }
 
-// True where it meets somebody.
+// True where a manoeuvre meets a neighbour; with `movers`, only moving obstacles count.
 bool MeshAvoidance::meets(const CourseDef& own, const Manoeuvre& manoeuvre, bool movers) {
     listCourse(own, manoeuvre, manoeuvre.wait + kCourseHorizon, course_);
     return std::any_of(near_.begin(), near_.end(), [&](const Neighbour* other) {
-        return (other->moves || !movers) && firstContact(course_, other->course, kToOthers) < kInfiniteCost;
+        return (other->moves || !movers) &&
+               firstContact(course_, other->course, kGroupDistance) < kInfiniteCost;
     });
 }
 
-// True where the ground has as much room beside its course as the formation needs, or has on its way.
+// True where the ground beside a course has as much room as the formation needs, or as it has on its route.
 bool MeshAvoidance::hasRoom(const WayGround& ground, double half, const CourseDef& own, double offCourse) {
     const Vec2 on = own.middle - own.side * own.offCourse;
     const Vec2 along = normalized(own.ahead.front() - on);
@@ -226,8 +229,8 @@ bool MeshAvoidance::hasRoom(const WayGround& ground, double half, const CourseDe
     return true;
 }
 
-// The one that loses least time among those that meet nobody; where others leave none, among those that meet
-// no moving obstacle: people pass one by one.
+// Chooses the manoeuvre that loses least time and meets no neighbour; where there is none, the one that meets
+// no moving obstacle, since people pass each other one by one.
 void MeshAvoidance::choose(const WayGround& ground, double half, const CourseDef& own, Avoidance& avoidance) {
     for (const bool movers : {false, true}) {
         Manoeuvre best{kDelays[0], own.offCourse};
@@ -236,7 +239,7 @@ void MeshAvoidance::choose(const WayGround& ground, double half, const CourseDef
             double cost = timeLost(own, tried);
             const bool same = tried.offCourse == avoidance.chosen.offCourse &&
                               (tried.wait > 0.0) == (avoidance.chosen.wait > 0.0);
-            if (!same) cost += kChange;
+            if (!same) cost += kManoeuvreGain;
             if (cost >= least) return;
             if (tried.offCourse != 0.0 && tried.offCourse != own.offCourse &&
                 !hasRoom(ground, half, own, tried.offCourse))
@@ -285,17 +288,17 @@ Vec2 MeshAvoidance::advance(const WorldState& state, const WayGround& ground, Ma
     Avoidance& avoidance = group.avoidance;
     const double dt = state.parameters.stepTime;
     const auto period = std::max<std::uint32_t>(
-        1, static_cast<std::uint32_t>(std::floor(kChoiceEvery / dt + 0.5)));
+        1, static_cast<std::uint32_t>(std::floor(kManoeuvreInterval / dt + 0.5)));
     const bool fresh = avoidance.side == Vec2{};
     if (fresh || (state.stepCount + group.id.value) % period == 0) decide(state, ground, def, group);
     const bool waits = avoidance.chosen.wait > 0.0;
-    avoidance.waited = std::max(0.0, avoidance.waited + (waits ? dt : -kPresses * dt));
+    avoidance.waited = std::max(0.0, avoidance.waited + (waits ? dt : -kWaitRecovery * dt));
     avoidance.presses = avoidance.presses ? avoidance.waited > 0.0 : avoidance.waited > kMostWait;
     if (waits) {
         def.speed = std::max(0.0, group.flow.speed - def.acceleration * dt);
         return avoidance.offCourse;
     }
-    // By the end it is back on its course.
+    // By the end of the route it is back on its course.
     double left = 0.0;
     for (std::size_t k = 1; k < group.flow.way.size(); ++k)
         left += (1.0 - group.flow.q) * distance(group.flow.way[k - 1], group.flow.way[k]);

@@ -10,7 +10,7 @@
 
 namespace muster {
 
-/// Says how groups that keep clear go on. Its memory is a cache.
+/// Chooses manoeuvres for groups that keep clear. Its memory is a cache.
 class MeshAvoidance {
 public:
     /// Begins a step.
@@ -20,10 +20,10 @@ public:
     Vec2 advance(const WorldState& state, const WayGround& ground, MarchDef& def, Group& group);
 
 private:
-    /// Something to keep clear of.
+    /// A group or obstacle to keep clear of.
     struct Neighbour {
         Course course;
-        bool moves = false;  // A moving obstacle.
+        bool moves = false;  // True for a moving obstacle.
     };
 
     CourseDef courseDefOf(const WorldState& state, const Group& group, const MarchDef& def) const;
@@ -37,7 +37,7 @@ private:
     void choose(const WayGround& ground, double half, const CourseDef& own, Avoidance& avoidance);
     void decide(const WorldState& state, const WayGround& ground, const MarchDef& def, Group& group);
 
-    bool known_ = false;  // The present places of all are known.
+    bool known_ = false;  // True once the courses of all neighbours are known in this step.
     std::vector<Neighbour> meshes_, movers_;
     std::vector<const Neighbour*> near_;
     std::vector<double> times_;

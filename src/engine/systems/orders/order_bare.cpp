@@ -12,7 +12,7 @@
 namespace muster {
 namespace {
 
-/// True for a member who stands in its waiting area, or before it.
+/// True for a member that stands in its waiting area, or before it.
 bool waits(const WorldState& state, const Gathering& gathering, std::int32_t i) {
     const Characters& c = state.characters;
     const StandingSpot* const spot = gathering.spotOf(c.id[i]);
@@ -22,8 +22,8 @@ bool waits(const WorldState& state, const Gathering& gathering, std::int32_t i) 
 
 }  // namespace
 
-// Where an order without places leads about: the middle of the waiting area, of the nearest exit, or the side
-// of the ground.
+// The point to which an order without places leads: the middle of the waiting area or of the nearest exit, or
+// the side of the ground.
 Vec2 OrderStage::goalPoint(const WorldState& state, const Order& order, Vec2 from) {
     const Box box = state.environment.def().box;
     if (order.kind == OrderKind::Walk) {
@@ -46,7 +46,7 @@ Vec2 OrderStage::goalPoint(const WorldState& state, const Order& order, Vec2 fro
     return best;
 }
 
-// Members of a group that goes to areas need no formation.
+// Begins an order to go to areas, for which members need no formation.
 OrderStage::Outcome OrderStage::beginBare(WorldState& state, Group& group, const Order& order,
                                           std::uint32_t id, ThreadPool& pool, std::vector<Event>& events) {
     OrderQueue& queue = group.orders;
@@ -74,7 +74,7 @@ void OrderStage::goBare(WorldState& state, Group& group, const Order& order, Thr
     state.continuum.begin(group.id, order.kind, order.area);
 }
 
-// Whoever takes places needs a formation.
+// Gives a group without a formation one again, for an order that needs places.
 void OrderStage::endBare(WorldState& state, Group& group, ThreadPool& pool) {
     if (!state.continuum.isBare(group.id)) return;
     pool.wait();
@@ -82,7 +82,8 @@ void OrderStage::endBare(WorldState& state, Group& group, ThreadPool& pool) {
     state.continuum.end(group.id);
 }
 
-// Members go to areas, or on, without end; those who wait do so for a while from when enough have come.
+// Members go to areas, or on, without end; a group that waits does so for a while after enough members have
+// come.
 OrderStage::Outcome OrderStage::goWithout(WorldState& state, Group& group, ThreadPool& pool) {
     OrderQueue& queue = group.orders;
     const Order& order = queue.orders.front().order;
@@ -90,7 +91,7 @@ OrderStage::Outcome OrderStage::goWithout(WorldState& state, Group& group, Threa
     queue.march.last = group.mesh.pose();
     queue.ground = state.groundEdits;
     Gathering* gathering = state.continuum.find(group.id);
-    // Fingers had taken the formation.
+    // Fingers have given the group its formation back in the meantime.
     if (gathering == nullptr || !gathering->active || gathering->kind != order.kind)
         goBare(state, group, order, pool);
     if (order.kind != OrderKind::Wait) return Outcome::GoesOn;

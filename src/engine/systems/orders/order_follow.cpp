@@ -11,12 +11,15 @@
 namespace muster {
 namespace {
 
-constexpr double kWalks = 0.3;         // Who is faster faces where it walks [m/s].
-constexpr double kSoonDone = 5.0;      // Following ends so soon where another order waits [s].
-constexpr double kSightShare = 0.125;  // Of the way to its place beside the leader, between looks at walls.
-constexpr double kCatchUp = 1.5;       // Share of what is missing that is made up for in a second.
-constexpr double kFollowStale = 2.0;   // A march is made again where its end has moved so far [m]...
-constexpr double kFollowShare = 0.25;  // ... and by that share of the distance.
+constexpr double kLeaderWalkSpeed = 0.3;  // Speed above which a leader faces where it walks [m/s].
+constexpr double kFollowTime = 5.0;       // Time after which following ends if another order waits [s].
+// Share of the line from the leader to the place beside it between two tests for walls.
+constexpr double kSightShare = 0.125;
+// Share of the missing distance and turn that is made up for in a second.
+constexpr double kCatchUpRate = 1.5;
+// Distance that the end of a march may move before the march is made again [m]...
+constexpr double kFollowEndMove = 2.0;
+constexpr double kFollowEndShare = 0.25;  // ... and the same as a share of the distance to the end.
 
 }  // namespace
 
@@ -26,7 +29,7 @@ void OrderStage::leadByPeople(const WorldState& state, const Group& group, Lead&
     lead.velocity = {};
     for (const std::int32_t i : group.members)
         lead.velocity += c.velocity[i] / static_cast<double>(group.members.size());
-    if (length(lead.velocity) > kWalks) lead.facing = normalized(lead.velocity);
+    if (length(lead.velocity) > kLeaderWalkSpeed) lead.facing = normalized(lead.velocity);
 }
 
 OrderStage::Lead OrderStage::leadOf(const WorldState& state, const Order& order) {
@@ -41,13 +44,13 @@ OrderStage::Lead OrderStage::leadOf(const WorldState& state, const Order& order)
         if (group.id != order.group) continue;
         lead = {true, group.mesh.pose().position, group.orders.march.front(group.mesh.pose()),
                 meanVelocity(group)};
-        // The places of who goes each for itself are at the end already.
+        // The places of a group whose members go freely are at the end already: its people lead.
         if (group.orders.goesFree() && !group.members.empty()) leadByPeople(state, group, lead);
     }
     return lead;
 }
 
-// The place beside what is followed, or as much of the way to it as the leader sees.
+// The point beside the leader, or as far on the line to it as the leader sees.
 Vec2 OrderStage::besideLead(const WorldState& state, const Group& group, const Lead& lead, Vec2 offset) {
     const double radius = groundRadius(state.parameters.character.radius, group.groundClass);
     const Vec2 at = state.environment.def().box.clamp(facingPose(lead.position, lead.facing).apply(offset));
@@ -58,10 +61,10 @@ Vec2 OrderStage::besideLead(const WorldState& state, const Group& group, const L
     return lerp(lead.position, at, std::max(0.0, share));
 }
 
-// One step to the place beside what is followed, along with it, so that no place is too fast.
+// One step towards the point beside the leader, along with the leader, so that no place is too fast.
 Pose OrderStage::stepBeside(const MarchDef& def, const Pose& pose, const Lead& lead, Vec2 goal, double dt) {
     const Pose along{pose.position + lead.velocity * dt, pose.rotation};
-    const Pose next = between(along, facingPose(goal, lead.facing), kCatchUp * dt);
+    const Pose next = between(along, facingPose(goal, lead.facing), kCatchUpRate * dt);
     const double far = distance(pose.position, next.position) +
                        def.reach * std::fabs(angleBetween(pose.rotation, next.rotation));
     return between(pose, next, std::min(1.0, def.speed * def.pace * dt / std::max(far, 1e-9)));
@@ -73,7 +76,7 @@ OrderStage::Outcome OrderStage::follow(WorldState& state, Group& group, const Ma
     const Order& order = queue.orders.front().order;
     const Lead lead = leadOf(state, order);
     if (!lead.found) return Outcome::Done;
-    if (queue.orders.size() > 1 && state.stepCount - queue.begunAt >= stepsIn(state, kSoonDone))
+    if (queue.orders.size() > 1 && state.stepCount - queue.begunAt >= stepsIn(state, kFollowTime))
         return Outcome::Done;
     const Pose pose = group.mesh.pose();
     const Vec2 goal = besideLead(state, group, lead, order.offset);
@@ -90,13 +93,13 @@ OrderStage::Outcome OrderStage::follow(WorldState& state, Group& group, const Ma
     return Outcome::GoesOn;
 }
 
-// Among walls it marches, each time to where the leader is by then; the march of before goes on while the way
-// is searched.
+// Among walls the group marches to where the leader is by now, again and again; a march goes on while the
+// route of the next one is searched.
 void OrderStage::followAlong(WorldState& state, Group& group, const MarchDef& def, const Pose& end) {
     OrderQueue& queue = group.orders;
     March& march = queue.march;
-    const double stale = std::max(kFollowStale,
-                                  kFollowShare * distance(group.mesh.pose().position, end.position));
+    const double stale = std::max(kFollowEndMove,
+                                  kFollowEndShare * distance(group.mesh.pose().position, end.position));
     if (march.phase == MarchPhase::Idle || distance(queue.target, end.position) > stale) {
         const std::int32_t region = regionOf(state, group);
         const RouteGraph& routes = state.routesOf(group);

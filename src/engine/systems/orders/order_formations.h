@@ -8,10 +8,10 @@
 
 namespace muster {
 
-/// Takes up the formation that an order asks for, or its own again. The group goes on from where it is. Waits
-/// for background work where another one is taken up.
+/// Takes up the formation that an order asks for, or the group's own one again. The group goes on from where
+/// it is. Waits for background work if the formation changes.
 void takeUpFormation(WorldState& state, Group& group, const Order& order, ThreadPool& pool);
-/// Takes up its own formation again, where it has another for an order.
+/// Takes up the group's own formation again, if it has another one for an order.
 void restoreOwn(WorldState& state, Group& group, ThreadPool& pool);
 
 }  // namespace muster

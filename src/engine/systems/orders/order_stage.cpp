@@ -19,13 +19,14 @@
 namespace muster {
 namespace {
 
-constexpr std::int32_t kCellsPerStep = 2000;     // Of searches for ways.
-constexpr std::int64_t kFlowOperations = 60000;  // Of plans of marches, in a step.
-constexpr std::size_t
-    kLookedAt = 2'000'000;         // Groups and characters that those who begin look at, in a step.
-constexpr double kLongest = 20.0;  // Who has moved to and fro on one spot for so long is not waited for [s].
+constexpr std::int32_t kCellsPerStep = 2000;     // Cells that searches for routes may visit in a step.
+constexpr std::int64_t kFlowOperations = 60000;  // Operations that plans of marches may take in a step.
+// Groups and characters that beginning orders may look at in a step.
+constexpr std::size_t kMostLookedAt = 2'000'000;
+// Time within kCampReach after which a member is not waited for [s].
+constexpr double kCampWait = 20.0;
 
-/// True while fingers hold the mesh, or their ways are followed.
+/// True while fingers hold the mesh, or their trajectories are followed.
 bool isHandled(const Group& group) {
     for (const Control& control : group.controls.controls())
         for (const ControlPoint& point : control.points)
@@ -41,13 +42,13 @@ void raise(std::vector<Event>& events, EventKind kind, const Group& group, std::
     events.push_back({kind, group.id.value, value, group.mesh.pose().position});
 }
 
-/// `count` of the group hear that they cannot come where the order leads.
+/// Raises that `count` members of the group cannot come where the order leads.
 void raiseNoPath(std::vector<Event>& events, const Group& group, std::int32_t count) {
     events.push_back({EventKind::NoPath, group.id.value, static_cast<std::uint32_t>(count),
                       group.orders.orders.front().order.target});
 }
 
-/// Marks those corners of the way as passed that lie before a share of it.
+/// Marks the corners of the route that lie before a share of it as passed.
 void passCorners(March& march, double share) {
     double done = share * pathLength(march.way);
     march.next = march.way.empty() ? 0 : 1;
@@ -56,13 +57,13 @@ void passCorners(March& march, double share) {
         ++march.next;
 }
 
-/// False where a way is so short that it has no direction worth turning to.
+/// False for a route so short that it has no direction worth turning to.
 bool leadsOn(const Group& group, Vec2 from, Vec2 to) {
     return distance(from, to) > group.def.formation.spacing;
 }
 
-/// True where enough of a group are there, or none of the others gets on any more. It counts since when
-/// nobody new has come, and is not so before `least` steps after that.
+/// True where enough members have arrived, or none of the others gets on any more, at least `least` steps
+/// after the last member arrived.
 template <class There, class Stuck>
 bool isOver(const WorldState& state, Group& group, std::uint32_t least, const There& isThere,
             const Stuck& isStuck) {
@@ -84,10 +85,10 @@ bool isOver(const WorldState& state, Group& group, std::uint32_t least, const Th
     const double share = queue.orders.front().order.share * static_cast<double>(awaited);
     const std::uint32_t quiet = state.stepCount - queue.stoodAt;
     if (quiet >= least && arrived >= static_cast<std::int32_t>(std::ceil(share - 1e-9))) return true;
-    return stuck && quiet >= stepsIn(state, kStuckFor);
+    return stuck && quiet >= stepsIn(state, kStuckTime);
 }
 
-/// Where somebody has joined or left, the middle of the formation goes the way.
+/// After members have joined or left, the middle of the formation follows the route.
 void recentre(Group& group) {
     if (!group.refitted) return;
     const bool led = !(group.orders.march.last == group.mesh.pose());
@@ -116,8 +117,8 @@ void OrderStage::findGoal(WorldState& state, Group& group) {
     queue.reachable = goal.reachable;
 }
 
-// On another ground the order is judged again: where its target cannot be reached any more people hear of it,
-// and the group goes on as if the ground had always been so.
+// Judges the order again on changed ground: people hear of a target that cannot be reached any more, and the
+// group goes on as if the ground had always been so.
 void OrderStage::judgeAgain(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events) {
     OrderQueue& queue = group.orders;
     const bool reachable = queue.reachable;
@@ -131,14 +132,14 @@ void OrderStage::judgeAgain(WorldState& state, Group& group, ThreadPool& pool, s
     const bool same = queue.target == target;
     const bool goesOn = group.flow.moves() ? flows_.goesOn(state, group) : isClear(state, group);
     if (same && goesOn) return;
-    // A way that is searched is searched on the ground as it is now.
+    // A search that is under way begins again on the present ground.
     if (same && phase == MarchPhase::Search)
         group.flow.end();
     else
         phase = MarchPhase::Idle;
 }
 
-// True where the way that is left is free.
+// True where the rest of the route is free.
 bool OrderStage::isClear(const WorldState& state, const Group& group) {
     const double radius = groundRadius(state.parameters.character.radius, group.groundClass);
     Vec2 from = group.mesh.pose().position;
@@ -169,7 +170,7 @@ OrderStage::Outcome OrderStage::begin(WorldState& state, Group& group, ThreadPoo
     else
         state.continuum.end(group.id);
     takeUpFormation(state, group, order, pool);
-    // A ring stands round a tree where a square would not.
+    // A ring may stand round a tree where a square could not.
     if (order.formation) findGoal(state, group);
     group.order.begin(state.stepCount);
     raise(events, EventKind::OrderBegun, group, id);
@@ -180,7 +181,7 @@ OrderStage::Outcome OrderStage::begin(WorldState& state, Group& group, ThreadPoo
     return Outcome::GoesOn;
 }
 
-// The pose at the end of the way: as ordered, or facing as it comes.
+// The pose at the end of the route: as ordered, or facing along the route.
 Pose OrderStage::endPose(const Group& group) const {
     const OrderQueue& queue = group.orders;
     const March& march = queue.march;
@@ -195,7 +196,7 @@ Pose OrderStage::endPose(const Group& group) const {
     return facingPose(at, front);
 }
 
-// Begins the way at the mesh. Who stands round a building leaves it on the side of the target.
+// Begins the route at the mesh. A formation that surrounds a building leaves it on the side of the target.
 void OrderStage::beginWay(WorldState& state, Group& group, std::int32_t region) {
     March& march = group.orders.march;
     const Vec2 middle = group.mesh.pose().position;
@@ -211,8 +212,8 @@ void OrderStage::beginWay(WorldState& state, Group& group, std::int32_t region) 
     if (nearest != places.end()) march.way.push_back(*nearest);
 }
 
-// True where the target cannot be reached and the group already stands, or goes, about as near as it can
-// come.
+// True where the target cannot be reached and the group already stands, or goes, about as near to it as it
+// can.
 bool OrderStage::staysNear(WorldState& state, Group& group) {
     const OrderQueue& queue = group.orders;
     const Order& order = queue.orders.front().order;
@@ -220,7 +221,7 @@ bool OrderStage::staysNear(WorldState& state, Group& group) {
     return !flows_.pays(state, group, queue.target, order.facing);
 }
 
-// Begins the way from where the mesh is.
+// Begins the route from where the mesh is.
 void OrderStage::restart(WorldState& state, Group& group) {
     OrderQueue& queue = group.orders;
     March& march = queue.march;
@@ -233,7 +234,7 @@ void OrderStage::restart(WorldState& state, Group& group) {
         queue.stoodAt = state.stepCount;
         return;
     }
-    // The march of before goes on while the way of the next one is searched.
+    // The present march goes on while the route of the next one is searched.
     const bool goesOn = order.kind == OrderKind::Move && order.manner == Manner::March &&
                         group.flow.moves() && group.flow.version == group.formationVersion &&
                         group.flow.ground == state.groundEdits;
@@ -264,8 +265,8 @@ void OrderStage::restart(WorldState& state, Group& group) {
     beginWay(state, group, region);
 }
 
-// One group searches at a time, until its way is found, since a search that another one interrupts begins
-// again.
+// Searches the route of a group. One group searches at a time until its route is found, since a search that
+// another one interrupts starts again.
 bool OrderStage::searchWay(WorldState& state, Group& group, bool drawn) {
     if (budget_ <= 0) return false;
     const std::int32_t region = regionOf(state, group);
@@ -278,13 +279,13 @@ bool OrderStage::searchWay(WorldState& state, Group& group, bool drawn) {
     return whole;
 }
 
-// A formation that is to turn as a whole goes in one piece, another one flows.
+// Begins a march: in one piece where the formation is to turn as a whole, else one that flows.
 void OrderStage::beginMarch(WorldState& state, Group& group) {
     March& march = group.orders.march;
     const Order& order = group.orders.orders.front().order;
     const bool free = order.manner == Manner::Free;
     const Pose end = endPose(group);
-    // Who may not narrow keeps to its way, which was searched for its width.
+    // A group that may not narrow keeps to its route, which was searched for its width.
     const bool kept = !order.route.empty() || group.def.conduct.squeeze < 1.0;
     march.phase = MarchPhase::Go;
     if (order.turn == Turn::Flow && !free) {
@@ -308,7 +309,7 @@ void OrderStage::goOn(WorldState& state, Group& group, const MarchDef& def) {
         if (!(march.way.back() == queue.target)) march.way.push_back(queue.target);
         beginMarch(state, group);
     }
-    // The march of before goes on while the way is searched.
+    // The march before this one goes on while the route is searched.
     if (march.phase != MarchPhase::Search)
         flow(state, group, def);
     else if (group.flow.moves())
@@ -325,12 +326,12 @@ void OrderStage::flow(WorldState& state, Group& group, MarchDef def) {
         offCourse = avoidance_.advance(state, ways_.ground(), def, group);
     if (group.flow.leads() && flows_.advance(state, ways_.ground(), group, def, offCourse)) {
         passCorners(march, group.flow.q);
-        // Where some have fallen, the others form up again.
+        // The members that are left after a loss form up again.
         if (group.flow.phase == FlowPhase::Standing)
             march.phase = group.flow.kept.empty() ? MarchPhase::Stand : MarchPhase::Idle;
         return;
     }
-    // Where no march is possible everybody goes there on its own.
+    // Where no march is possible every member goes to the end on its own.
     group.mesh.setPose(endPose(group));
     flows_.stand(state, group);
     march.phase = MarchPhase::Stand;
@@ -343,7 +344,7 @@ bool OrderStage::isDone(const WorldState& state, Group& group) {
         return false;
     }
     const Characters& c = state.characters;
-    const std::uint32_t patience = stepsIn(state, kStuckFor), longest = stepsIn(state, kLongest);
+    const std::uint32_t patience = stepsIn(state, kStuckTime), longest = stepsIn(state, kCampWait);
     shared_.find(state, group);
     const auto isThere = [&](std::int32_t i) {
         const std::int32_t place = c.place[i];
@@ -354,7 +355,8 @@ bool OrderStage::isDone(const WorldState& state, Group& group) {
         return state.stepCount - c.walk[i].movedAt >= patience ||
                state.stepCount - c.walk[i].campedAt >= longest;
     };
-    return isOver(state, group, 2, isThere, isStuck);  // Targets follow the mesh in this step.
+    // One step of patience, since targets follow the mesh in this step.
+    return isOver(state, group, 2, isThere, isStuck);
 }
 
 OrderStage::Outcome OrderStage::guard(WorldState& state, Group& group) {
@@ -383,20 +385,20 @@ OrderStage::Outcome OrderStage::guard(WorldState& state, Group& group) {
     return queue.orders.size() > 1 && isDone(state, group) ? Outcome::Done : Outcome::GoesOn;
 }
 
-// All go to the target itself. The order is done once enough have come near, or nobody gets on any more;
-// those behind go on to the target of the last order.
+// All members go to the target itself. The order is done once enough have come near, or nobody gets on any
+// more; with the last order the members behind still go on to the target.
 OrderStage::Outcome OrderStage::gather(WorldState& state, Group& group) {
     OrderQueue& queue = group.orders;
     group.flow.end();
     queue.march.phase = MarchPhase::Stand;
     queue.march.last = group.mesh.pose();
     const Gathering* gathering = state.continuum.find(group.id);
-    // Fingers had taken the formation.
+    // Fingers have given the group its places back in the meantime.
     if (gathering == nullptr || !gathering->active) state.continuum.begin(group.id, queue.target);
     gathering = state.continuum.find(group.id);
     const Characters& c = state.characters;
     const double reach = gatheringReach(group.members.size(), state.parameters.character.radius);
-    const std::uint32_t patience = stepsIn(state, kStuckFor);
+    const std::uint32_t patience = stepsIn(state, kStuckTime);
     const auto isThere = [&](std::int32_t i) {
         return distance(c.position[i], queue.target) <= reach || gathering->hasArrived(c.id[i]);
     };
@@ -404,7 +406,7 @@ OrderStage::Outcome OrderStage::gather(WorldState& state, Group& group) {
     return isOver(state, group, 0, isThere, isStuck) ? Outcome::Done : Outcome::GoesOn;
 }
 
-// The formation of a group without places stays where its people are, so that fingers can take it there.
+// Moves the formation of a group without places with its people, so that fingers can take it there.
 void OrderStage::followPeople(WorldState& state, ThreadPool& pool) {
     for (const Gathering& gathering : state.continuum.gatherings) {
         Group* const group = state.findGroup(gathering.group);
@@ -433,10 +435,10 @@ OrderStage::Outcome OrderStage::advance(WorldState& state, Group& group, ThreadP
     if (isBare(order.kind)) return goWithout(state, group, pool);
     const FormationExtent extent = extentOf(group);
     MarchDef def = marchDefOf(state, group, order, extent, speeds_);
-    // A free group waits for nobody on a drawn way.
+    // A free group waits for no member on a drawn route.
     if (order.manner != Manner::Free) def.pace = pace_.of(state, group);
     if (order.kind == OrderKind::Follow) return follow(state, group, def);
-    // Led away by fingers, it goes on from where it is.
+    // Fingers have led the group away: it goes on from where it is.
     const bool lost = queue.march.phase == MarchPhase::Go && !group.flow.leads();
     if (queue.march.phase == MarchPhase::Idle || lost || !(queue.march.last == group.mesh.pose()))
         restart(state, group);
@@ -447,7 +449,7 @@ OrderStage::Outcome OrderStage::advance(WorldState& state, Group& group, ThreadP
 
 void OrderStage::runGroup(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events) {
     OrderQueue& queue = group.orders;
-    // Each order of the queue ends once in a step at most.
+    // Each order of the queue ends at most once in a step.
     for (std::size_t left = queue.orders.size(); left > 0 && !queue.orders.empty(); --left) {
         Outcome outcome = queue.begun ? Outcome::GoesOn : begin(state, group, pool, events);
         if (outcome == Outcome::GoesOn) {
@@ -470,7 +472,7 @@ void OrderStage::runGroup(WorldState& state, Group& group, ThreadPool& pool, std
 }
 
 void OrderStage::run(WorldState& state, ThreadPool& pool, std::vector<Event>& events) {
-    // A step that divides a group has enough to do.
+    // A step that divides a group searches no routes, as it has enough work.
     const bool divided = std::any_of(events.begin(), events.end(),
                                      [](const Event& event) { return event.kind == EventKind::GroupAdded; });
     budget_ = divided ? 0 : kCellsPerStep;
@@ -494,7 +496,7 @@ void OrderStage::runQueue(WorldState& state, Group& group, ThreadPool& pool, std
     OrderQueue& queue = group.orders;
     const bool led = group.flow.version != group.formationVersion || isHandled(group) ||
                      !(queue.march.last == group.mesh.pose());
-    // On another ground places that stand are found again, but not where people were ordered to stop.
+    // On changed ground the places of a standing group are laid out again, except after an order to stop.
     const bool stale = queue.orders.empty() && group.flow.ground != state.groundEdits;
     if (group.flow.leads() && (led || (stale && !group.flow.isStop()))) group.flow.end();
     if (queue.orders.empty()) {
@@ -504,10 +506,11 @@ void OrderStage::runQueue(WorldState& state, Group& group, ThreadPool& pool, std
         return;
     }
     if (queue.held || isHandled(group) || group.members.empty()) return;
-    // Whoever begins has to know where all others are: of very many groups some begin in later steps.
+    // A group that begins an order looks at all others, so that of very many groups some begin in later
+    // steps.
     if (!queue.begun || queue.march.phase == MarchPhase::Idle) {
         const std::size_t all = state.groups.size() + state.characters.size();
-        if (lookedAt_ > 0 && lookedAt_ + all > kLookedAt) return;
+        if (lookedAt_ > 0 && lookedAt_ + all > kMostLookedAt) return;
         lookedAt_ += all;
     }
     runGroup(state, group, pool, events);
@@ -531,7 +534,7 @@ OrderForecast OrderStage::forecast(WorldState& state, const Group& group, const 
     march.way.assign(1, pose.position);
     listLegs(routes, region, asked, goal, march.legs);
     std::int32_t budget = state.environment.grid().count() + 1;
-    // A search that is under way is run again up to where it was.
+    // Runs a search that is under way again, up to where it was.
     while (!ways_.advance(state, routes, region, !asked.route.empty(), needsOf(state, group, asked), false,
                           march, budget))
         budget = state.environment.grid().count() + 1;

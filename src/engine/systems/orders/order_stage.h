@@ -1,4 +1,4 @@
-// The stage of orders: it begins the orders of groups, moves their meshes along their ways, and ends them.
+// The stage of orders: it begins the orders of groups, moves their meshes along their routes, and ends them.
 #pragma once
 
 #include <cstdint>
@@ -20,24 +20,24 @@ class OrderStage {
 public:
     /// Takes a new or restored state; call before its first step.
     void reset(const WorldState& state) { ways_.update(state); }
-    /// Moves the formations of groups without places with their people.
+    /// Moves the formations of groups without places to where their people are.
     static void followPeople(WorldState& state, ThreadPool& pool);
     /// One step of all queues; appends what happened to `events`.
     void run(WorldState& state, ThreadPool& pool, std::vector<Event>& events);
-    /// What would come of an order; `from`: where an order before it would have brought the formation, null
-    /// for where it is. Changes nothing but caches.
+    /// The forecast of an order; `from`: the pose that an earlier order would have brought the formation to,
+    /// null for its present pose. Changes nothing but caches.
     OrderForecast forecast(WorldState& state, const Group& group, const Order& order,
                            const Pose* from = nullptr);
 
 private:
-    /// What a group stays with: a pose that moves.
+    /// The pose and velocity of the group or character that a group follows.
     struct Lead {
         bool found = false;
         Vec2 position;
         Vec2 facing{1.0, 0.0};
         Vec2 velocity;
     };
-    /// What the carrying out of an order has come to in a step.
+    /// Result of one step of an order.
     enum class Outcome : std::uint8_t { GoesOn, Done, Skipped };
 
     void runQueue(WorldState& state, Group& group, ThreadPool& pool, std::vector<Event>& events);
@@ -77,10 +77,10 @@ private:
     FlowMarches flows_;
     SharedPlaces shared_;
     MeshAvoidance avoidance_;
-    std::uint32_t searching_ = 0;        // Group whose search is under way; 0 for none.
-    std::size_t lookedAt_ = 0;           // By those who have begun an order in this step.
-    std::int32_t budget_ = 0;            // Cells that may be searched in this step.
-    std::vector<double> speeds_;         // Of the members of one group.
+    std::uint32_t searching_ = 0;  // Group whose search is under way; 0 for none.
+    std::size_t lookedAt_ = 0;     // Groups and characters looked at by the orders that began in this step.
+    std::int32_t budget_ = 0;      // Cells that may be searched in this step.
+    std::vector<double> speeds_;   // Top speeds of the members of one group.
     std::vector<std::int32_t> regions_;  // Members of one group by region.
 };
 

@@ -13,10 +13,12 @@
 namespace muster {
 namespace {
 
-constexpr double kKeepUp = 0.97;           // Of the top speed of the slowest: so others can catch up.
-constexpr double kMostAcceleration = 4.0;  // Of a formation [m/s^2].
-constexpr double kNearTarget = 1.0;   // A target in an obstacle counts as reached so near to it at least [m].
-constexpr std::int32_t kLegWork = 5;  // Cells for which a straight leg counts.
+// Share of the top speed of the slowest at which a formation marches, so that others can catch up.
+constexpr double kMarchSpeedShare = 0.97;
+constexpr double kMostAcceleration = 4.0;  // Greatest acceleration of a formation [m/s^2].
+// Least distance at which a target in an obstacle counts as reached [m].
+constexpr double kTargetReach = 1.0;
+constexpr std::int32_t kStraightLegCells = 5;  // Cells for which a straight leg counts in the budget.
 
 }  // namespace
 
@@ -47,9 +49,9 @@ OrderGoal goalOf(RouteGraph& routes, std::int32_t region, double width, Vec2 tar
     const std::int32_t at = routes.region(target);
     if (at == region) return {target, target, true};
     const Vec2 nearest = routes.nearestReachable(target, region);
-    // On a tree, say, a formation stands round it; ground is known by the centres of cells.
+    // A formation stands round a tree, for example; the ground is known by the centres of its cells.
     const double cell = routes.environment().grid().cell;
-    if (at < 0 && distance(nearest, target) <= std::max(kNearTarget, width + cell) &&
+    if (at < 0 && distance(nearest, target) <= std::max(kTargetReach, width + cell) &&
         routes.region(routes.nearestReachable(target, -1)) == region)
         return {nearest, target, true};
     return {nearest, nearest, false};
@@ -79,7 +81,7 @@ MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& or
         speeds.push_back(body.maxSpeed > 0.0 ? body.maxSpeed : usual);
         least = std::min(least, body.acceleration > 0.0 ? body.acceleration : character.acceleration);
     }
-    // A few slow ones are left behind, unless the group keeps together.
+    // A few slow members are left behind, unless the group keeps together.
     const std::size_t left = group.def.conduct.cohesion > 0.0 ? 0 : speeds.size() / kStragglers;
     const auto at = speeds.begin() + static_cast<std::ptrdiff_t>(left);
     double slowest = usual;
@@ -89,16 +91,16 @@ MarchDef marchDefOf(const WorldState& state, const Group& group, const Order& or
     }
     MarchDef def;
     def.turn = order.manner == Manner::Free ? Turn::Keep : order.turn;
-    def.speed = kKeepUp * slowest;
+    def.speed = kMarchSpeedShare * slowest;
     if (order.pace > 0.0) def.speed = std::min(def.speed, order.pace);
     def.acceleration = std::min(kMostAcceleration, least);
-    def.brakes = std::min(kMostAcceleration, kBrakes * least);
+    def.brakes = std::min(kMostAcceleration, kBrakingShare * least);
     def.reach = std::max(extent.reach, 0.5);
     return def;
 }
 
 double slowGround(const Environment& environment, std::span<const Vec2> way, double depth) {
-    constexpr double kSample = 0.5;  // [m]
+    constexpr double kSample = 0.5;  // Distance between samples [m].
     const Grid& grid = environment.grid();
     const RasterView speeds = environment.travelSpeed();
     std::vector<double> slowness;  // By sample.
@@ -130,7 +132,8 @@ void listLegs(const RouteGraph& routes, std::int32_t region, const Order& order,
     legs.push_back(goal.ground);
 }
 
-// Of a drawn way what bodies can walk is walked; else it has to be as good as any other way.
+// True where a straight line will do as a leg: on a drawn route if bodies can walk it, else if it costs no
+// more than any other route.
 bool WayFinder::straight(const WorldState& state, bool drawn, const WayNeeds& needs, Vec2 from,
                          Vec2 to) const {
     if (drawn) return state.environment.clearStaticLine(from, to, needs.radius);
@@ -145,17 +148,17 @@ bool WayFinder::advance(WorldState& state, RouteGraph& routes, std::int32_t regi
         if (region >= 0 && routes.region(from) != region) from = routes.nearestReachable(from, region);
         if (march.searched == 0) {
             if (straight(state, drawn, needs, from, to)) {
-                budget -= kLegWork;
+                budget -= kStraightLegCells;
                 if (!(from == march.way.back())) march.way.push_back(from);
                 march.way.push_back(to);
                 march.legs.erase(march.legs.begin());
                 continue;
             }
-            // One search after the other: who began one ends it.
+            // The search that was begun first ends first.
             if (busy) return false;
             march.query = {from, to, needs};
         }
-        // On another ground from the start.
+        // A search on changed ground begins again.
         const std::int32_t before = march.ground == state.groundEdits ? march.searched : 0;
         const WayStatus status = searches_.advance(ground_, march.query, before, budget);
         march.ground = state.groundEdits;

@@ -7,7 +7,7 @@
 namespace muster {
 namespace {
 
-// Steps until a time has passed, but for rounding.
+// The first step at or after a time, up to rounding.
 std::uint32_t stepsUntil(double seconds, double stepTime, std::uint32_t now) {
     const double last = std::numeric_limits<std::uint32_t>::max();
     return static_cast<std::uint32_t>(std::min(last, now + std::ceil(seconds / stepTime - 1e-9)));

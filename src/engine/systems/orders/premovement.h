@@ -5,8 +5,8 @@
 
 namespace muster {
 
-/// Whoever has its first order now, since its group was given one, or since it has joined a group that has
-/// one, sets out in the first step whose time is that of this step and its premovement time, or later.
+/// Sets the time at which characters set out that have their first order now, because their group was given
+/// one or they have joined a group that has one: the first step after their premovement time.
 void hearOrders(WorldState& state);
 
 }  // namespace muster

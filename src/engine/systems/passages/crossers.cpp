@@ -14,26 +14,30 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kMaxChoices = 6;  // Passages among which is chosen at a time.
-constexpr double kPast = 0.75;  // A detour of this share of the walk between two passages leads past one.
+constexpr std::size_t kMaxChoices = 6;  // Greatest number of passages in one choice.
+// Share of the walk between two passages above which a detour leads past one of them.
+constexpr double kPastShare = 0.75;
 constexpr double
-    kRoundabout = 1.25;  // Ways through passages this many times as long as the one of the plan...
-constexpr double kLeastRound = 2.0;   // ... and this much longer are none [m].
-constexpr double kSameGoal = 0.5;     // A goal this near to a place is that place [m].
-constexpr double kBeforeMouth = 0.4;  // Where people wait for a passage [m].
+    // Ratio of a route through a passage to the planned route above which the passage is not needed...
+    kDetourRatio = 1.25;
+constexpr double kDetourCost = 2.0;  // ... if the difference is also above this cost [m].
+// Distance between a place and its foreseen goal up to which they count as the same [m].
+constexpr double kSameGoal = 0.5;
+constexpr double kWaitDistance = 0.4;  // Distance before a passage at which people wait [m].
 
-/// Where people on its left or right side wait for a passage.
+/// The point where people on the left or right side of a passage wait for it.
 Vec2 mouthOf(const Passage& passage, bool onLeft) {
     const Vec2 left = perpendicular((passage.b - passage.a) / passage.width());
-    return passage.middle() + left * (onLeft ? passage.left + kBeforeMouth : -passage.right - kBeforeMouth);
+    return passage.middle() + left * (onLeft ? passage.left + kWaitDistance : -passage.right - kWaitDistance);
 }
 
-/// True where the middle of a body of this radius can be somewhere on the passage beside those who hold.
+/// True where the middle of a body of this radius has room somewhere on the passage beside agents that hold
+/// their ground.
 bool hasRoom(const Passage& passage, std::span<const HeldSpot> held, double radius) {
     const Vec2 along = (passage.b - passage.a) / passage.width();
     const double end = passage.width() - radius;
     double open = radius;
-    // From one end to the other: each time whoever covers the point farthest along moves it on.
+    // Moves on from one end: an agent that covers the farthest open point moves it behind itself.
     for (bool moved = true; moved && open <= end;) {
         moved = false;
         for (const HeldSpot& spot : held) {
@@ -92,8 +96,8 @@ void Crossers::gatherMember(const WorldState& state, const WayFields& fields, co
     side_.resize(side_.size() - all);
 }
 
-// True where the way of a character leads past all passages: its goal is in sight, or the plan knows a way
-// that is much shorter than by any of them.
+// True where the route of a character leads past all passages: its goal is in sight, or the planned route is
+// much shorter than that by any passage.
 bool Crossers::needsNone(const WorldState& state, const WayFields& fields, const Group& group,
                          std::int32_t character, Vec2 goal, double byPassage) const {
     const Characters& c = state.characters;
@@ -103,7 +107,7 @@ bool Crossers::needsNone(const WorldState& state, const WayFields& fields, const
     if (!through && fields.ground().collisionFree(from, goal)) return true;
     const bool planned = c.chosen[character].way < 0 &&
                          distance(group.places.positions()[c.place[character]], goal) < kSameGoal;
-    return planned && kRoundabout * c.cost[character] + kLeastRound < byPassage;
+    return planned && kDetourRatio * c.cost[character] + kDetourCost < byPassage;
 }
 
 void Crossers::gather(const WorldState& state, const WayFields& fields) {
@@ -115,14 +119,14 @@ void Crossers::gather(const WorldState& state, const WayFields& fields) {
     side_.clear();
     findHeld(state);
     for (std::size_t g = 0; g < state.groups.size(); ++g) {
-        if (state.groups[g].groundClass != 0) continue;  // Passages are those of usual bodies.
+        if (state.groups[g].groundClass != 0) continue;  // Passages are those of bodies of the usual size.
         for (const std::int32_t i : state.groups[g].members)
             gatherMember(state, fields, state.groups[g], static_cast<std::int32_t>(g), i);
     }
     keepNearest(state.passages.size());
 }
 
-// Keeps the passages with the shortest ways in the tables, so many at most.
+// Keeps the passages with the shortest routes in the tables, at most kMaxChoices.
 void Crossers::keepNearest(std::size_t all) {
     least_.assign(all, kInfiniteCost);
     for (std::size_t k = 0; k < arrival_.size(); ++k)
@@ -155,14 +159,14 @@ void Crossers::shutPast(const WorldState& state, const WayFields& fields, std::s
             for (std::size_t by = 0; by < kept; ++by) {
                 const std::size_t onLeft = side_[k * kept + by] > 0 ? 1 : 0;
                 const double between = between_[(2 * by + onLeft) * kept + to];
-                const bool past = arrivalBefore_[to] - arrivalBefore_[by] > kPast * between;
+                const bool past = arrivalBefore_[to] - arrivalBefore_[by] > kPastShare * between;
                 if (past && to != by && std::cmp_not_equal(to, way[k]))
                     arrival_[k * kept + to] = kInfiniteCost;
             }
     }
 }
 
-// Times of the walks from the mouths of the used passages to the used passages.
+// Measures the times of walks from the mouths of the used passages to the used passages.
 void Crossers::measureBetween(const WorldState& state, const WayFields& fields) {
     const std::size_t kept = used_.size();
     const double speed = metresPerSecond(state.parameters);

@@ -5,8 +5,8 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kGoalSamples = 16;  // Goals whose mean stands for all.
-constexpr double kForesight = 2.0;        // For so long goals that move are taken to go on [s].
+constexpr std::size_t kGoalSamples = 16;  // Number of goals whose mean stands for all.
+constexpr double kForesight = 2.0;        // Time for which goals that move are expected to go on [s].
 
 }  // namespace
 

@@ -1,20 +1,20 @@
-// Where the places of a group will be soon.
+// The places of a group in the near future.
 #pragma once
 
 #include "engine/state/world_state.h"
 
 namespace muster {
 
-/// The mean of some goals of a group, which stands for all [m].
+/// The mean of a sample of a group's goals [m].
 Vec2 meanGoal(const Group& group);
-/// Where a place will be soon [m].
+/// The expected position of a place [m].
 inline Vec2 goalOf(const Group& group, std::int32_t place) {
     return group.places.reachableTargets()[place] + group.foreseen;
 }
-/// Goals that have moved for a while will go on for a while: who has to wait then should set out now. Call
-/// once whenever somebody looks for ways.
+/// Foresees the goals of a group: goals that have moved for a while will go on for a while, so that agents
+/// which will have to wait set out now. Call once before each choice of ways.
 void foresee(const WorldState& state, Group& group);
-/// Cost of what is walked in a second [m].
+/// Cost that is walked in a second [m].
 inline double metresPerSecond(const Parameters& p) {
     return (p.cost.alpha + p.cost.beta) * p.character.maxSpeed;
 }

@@ -17,11 +17,11 @@ class GroupWays {
 public:
     /// Forgets all ways.
     void clear() { any_ = false; }
-    /// Takes the chosen ways of a group. `reach` holds the cost of the walk of each character of the world to
-    /// its passage [m].
+    /// Takes the chosen ways of a group. `reach` holds for each character of the world the cost of its walk
+    /// to its passage [m].
     void prepare(const WorldState& state, const WayFields& fields, const Group& group,
                  std::span<const float> reach, ThreadPool& pool);
-    /// Valid until the next prepare().
+    /// The tables; valid until the next prepare().
     PlannedWays planned() const { return any_ ? PlannedWays{way_, reach_, onward_} : PlannedWays{}; }
 
 private:
@@ -30,7 +30,7 @@ private:
     std::vector<std::int32_t> way_;
     std::vector<float> reach_;
     std::vector<float> onward_;
-    std::vector<std::uint8_t> used_;  // Per way.
+    std::vector<std::uint8_t> used_;  // By way: 1 if a member takes it.
     bool any_ = false;
 };
 

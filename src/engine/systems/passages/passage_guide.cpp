@@ -7,12 +7,14 @@
 namespace muster {
 namespace {
 
-constexpr double kMargin = 0.05;    // Between a body and the end of a gap [m].
-constexpr double kBeyond = 0.8;     // Characters head for points this far behind a gap [m].
-constexpr double kBefore = 0.4;     // Who sees no way through heads for points this far before it [m]...
-constexpr double kFarBefore = 1.0;  // ... or this far.
-constexpr double kNear = 0.05;      // Nearer points are no target [m].
-constexpr std::int32_t kTraceCells = 24;  // Of the way to a passage that is out of sight.
+constexpr double kMargin = 0.05;     // Distance between a body and the end of a gap [m].
+constexpr double kHeadBehind = 0.8;  // Distance behind a gap for which characters head [m].
+// Distance before a gap for which a character heads that sees no line through [m]...
+constexpr double kHeadBefore = 0.4;
+constexpr double kHeadFarBefore = 1.0;         // ... and the distance if it does not see that point either.
+constexpr double kLeastTargetDistance = 0.05;  // Distance below which a point is no target [m].
+// Length of the traced walk to a passage that is out of sight [cells].
+constexpr std::int32_t kTraceCells = 24;
 
 }  // namespace
 
@@ -28,13 +30,13 @@ Vec2 PassageGuide::direction(const WorldState& state, const WayFields& fields, s
     const double behind = fromLeft(chosen.way) ? passage.right : passage.left;
     const double before = fromLeft(chosen.way) ? passage.left : passage.right;
     const auto visible = [&](Vec2 target) {
-        return distance(from, target) > kNear && fields.ground().collisionFree(from, target);
+        return distance(from, target) > kLeastTargetDistance && fields.ground().collisionFree(from, target);
     };
-    const Vec2 behindGap = via + through * (behind + kBeyond);
+    const Vec2 behindGap = via + through * (behind + kHeadBehind);
     if (visible(behindGap)) return normalized(behindGap - from);
-    // Beside the mouth of the gap first to where one sees through.
-    for (const Vec2 target :
-         {via, via - through * (before + kBefore), passage.middle() - through * (before + kFarBefore)})
+    // A character beside the mouth of the gap first heads for a point with a line through it.
+    for (const Vec2 target : {via, via - through * (before + kHeadBefore),
+                              passage.middle() - through * (before + kHeadFarBefore)})
         if (visible(target)) return normalized(target - from);
     fields.trace(passageOf(chosen.way), from, kTraceCells, path_);
     Vec2 target = via;

@@ -8,7 +8,7 @@
 
 namespace muster {
 
-/// Where a character with a way heads.
+/// Finds the direction of characters with a way.
 class PassageGuide {
 public:
     /// The unit vector of the desired direction of a character, whose chosen way is not -1.

@@ -8,14 +8,17 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kSamples = 32;     // Characters of a group that are looked at in each choice.
-constexpr std::size_t kSampleShare = 8;  // One of so many behind something calls for a survey.
-constexpr double kSurveyMoved = 2.0;     // Both ends of a survey stay within this for another one [m].
-constexpr double kLeastWay = 5.0;        // From those who are looked at to their goals [m].
+constexpr std::size_t kSamples = 32;  // Characters of a group that are looked at in each choice.
+// The reciprocal of the share of hidden goals that calls for a survey.
+constexpr std::size_t kHiddenFraction = 8;
+// Distance that an end of a survey moves before another survey is made [m].
+constexpr double kSurveyMoved = 2.0;
+constexpr double kLeastSurveyLength = 5.0;  // Least distance from a character to its goal for a survey [m].
 
 }  // namespace
 
-// True where somebody has to go through a known passage.
+// Samples characters: true where one has to go through a known passage. Lists the goals that no known passage
+// explains.
 bool SurveyTrigger::sample(const WorldState& state, const WayFields& fields, const Group& group) {
     const std::size_t stride = std::max<std::size_t>(1, group.members.size() / kSamples);
     bool crossing = false;
@@ -32,7 +35,7 @@ bool SurveyTrigger::sample(const WorldState& state, const WayFields& fields, con
         for (std::size_t p = 0; p < state.passages.size() && !known; ++p)
             known = onOppositeSides(fields.walk(p, from), fields.walk(p, to));
         crossing = crossing || known;
-        // A goal that is foreseen may lie in a wall, which has two sides.
+        // A foreseen goal may lie in a wall, which has two sides.
         const bool free = state.environment.distanceToObstacle(to) > state.parameters.character.radius;
         if (!known && free && !fields.ground().collisionFree(from, to)) hidden_.push_back({from, to});
     }
@@ -50,10 +53,10 @@ const SurveyTrigger::Line& SurveyTrigger::middleLine() const {
 bool SurveyTrigger::look(const WorldState& state, const WayFields& fields, Group& group,
                          SurveyState& survey) {
     const bool crossing = sample(state, fields, group);
-    if (hidden_.empty() || hidden_.size() * kSampleShare < looked_) return crossing;
+    if (hidden_.empty() || hidden_.size() * kHiddenFraction < looked_) return crossing;
     const auto& [from, to] = middleLine();
-    // Who follows close behind its place needs no way chosen far ahead.
-    if (distance(from, to) < kLeastWay) return crossing;
+    // A character close behind its place needs no way chosen far ahead.
+    if (distance(from, to) < kLeastSurveyLength) return crossing;
     if (distance(from, group.surveyFrom) < kSurveyMoved && distance(to, group.surveyTo) < kSurveyMoved)
         return crossing;
     group.surveyFrom = from;

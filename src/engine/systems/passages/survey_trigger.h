@@ -10,16 +10,15 @@
 
 namespace muster {
 
-/// Looks at some characters of a group.
+/// Decides from a sample of the characters of a group.
 class SurveyTrigger {
 public:
-    /// True where somebody has to go through a known passage. Where many have something between themselves
-    /// and their goals that no known passage explains, appends an order to `survey`, and writes that down in
-    /// the group.
+    /// True where a character has to go through a known passage. Where many goals are hidden by something
+    /// that no known passage explains, appends an order to `survey` and notes its ends in the group.
     bool look(const WorldState& state, const WayFields& fields, Group& group, SurveyState& survey);
 
 private:
-    // One who looks, and its goal.
+    // Position of a character, and its goal.
     using Line = std::pair<Vec2, Vec2>;
 
     bool sample(const WorldState& state, const WayFields& fields, const Group& group);

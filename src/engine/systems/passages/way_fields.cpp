@@ -34,7 +34,7 @@ void WayFields::update(const StaticGround& ground, const std::vector<Passage>& p
     present_.passages = passages;
 }
 
-// Begins with the other set again.
+// Begins the prepared set again.
 void WayFields::begin(const StaticGround& ground, const std::vector<Passage>& passages) {
     other_.passages = passages;
     other_.ground = ground.version();

@@ -11,12 +11,12 @@
 namespace muster {
 namespace {
 
-constexpr int kWidths = 16;  // Widths that are compared.
+constexpr int kWidths = 16;  // Number of widths that are compared.
 
 }  // namespace
 
-// The width over which they go side by side: as much as makes the last one of them arrive soonest, since more
-// room means less wait and a longer walk for those at its end. Returns its share of the passage.
+// The share of a passage that its crossers use side by side: the one by which the last of them arrives
+// soonest, since more room means less waiting but a longer walk at its ends.
 double WaySpread::usedShare(const WorldState& state, const Passage& passage, const Approach& approach) {
     const double walking = state.parameters.character.maxSpeed;
     const double flow = specificFlow(state.parameters.character);

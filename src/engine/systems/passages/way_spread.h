@@ -1,4 +1,4 @@
-// How those who share a passage use its width.
+// Use of a passage's width by its crossers.
 #pragma once
 
 #include <cstdint>
@@ -10,25 +10,27 @@
 
 namespace muster {
 
-/// They go side by side, in the order in which they stand, and about where the straight lines to their goals
-/// cross the passage.
+/// Spreads crossers side by side, in the order in which they stand, about the point where the straight lines
+/// to their goals cross the passage.
 class WaySpread {
 public:
-    /// Writes ChosenWay::share of those among `crossers` who take a way.
+    /// Writes ChosenWay::share of the `crossers` that take a way.
     void spread(WorldState& state, std::span<const std::int32_t> crossers, std::int32_t way);
 
 private:
-    /// Where those who share a passage come from and go to, in the mean.
+    /// Mean begin and end of the crossers of a passage.
     struct Approach {
-        Vec2 from, to;       // [m]
-        double share = 0.0;  // Where the straight lines between them cross the passage.
+        Vec2 from, to;  // [m]
+        // Point at which the straight lines between them cross the passage, as a share of its width.
+        double share = 0.0;
     };
 
     Approach gather(const WorldState& state, std::span<const std::int32_t> crossers, std::int32_t way);
     double usedShare(const WorldState& state, const Passage& passage, const Approach& approach);
 
-    std::vector<std::pair<double, std::int32_t>> order_;  // Where they stand, and who.
-    std::vector<double> approaching_;                     // Times to the passage [s].
+    // Direction in which each crosser stands, and its index.
+    std::vector<std::pair<double, std::int32_t>> order_;
+    std::vector<double> approaching_;  // Times of the crossers to the passage [s].
 };
 
 }  // namespace muster

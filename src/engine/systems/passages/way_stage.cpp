@@ -12,21 +12,22 @@
 namespace muster {
 namespace {
 
-constexpr std::uint32_t kPeriod = 30;             // Steps between two choices, at most.
-constexpr std::uint32_t kLeastPeriod = 10;        // Steps between two choices, at least.
-constexpr double kGoalsMoved = 1.5;               // Goals that moved this far call for another choice [m].
-constexpr std::int64_t kMostSurveyCells = 60000;  // Solved in a step for surveys and walks...
-constexpr std::int64_t kCellsLess = 30;           // ... less so many for each character...
-constexpr std::int64_t kLeastCells = 12000;       // ... but at least so many...
-constexpr std::int64_t kFirstPlansShare = 4;      // ... and this part of them while a first plan is made.
-constexpr double kNoWait = 1.0;                   // Where all wait less than this, nobody is sent round [s].
-constexpr double kWaitOver = 0.1;        // Where all wait less than this, nobody goes round any more [s].
-constexpr double kPatience = 4.0;        // Who has not moved for so long gives its passage up [s].
-constexpr double kAlmostThere = 1.0;     // Who is let through so soon does not turn back [s].
-constexpr std::uint32_t kMostTurns = 1;  // Changes of the passage without a command.
-constexpr double kThrough = 0.3;         // Who is so far behind a gap is through [m].
+constexpr std::uint32_t kMostWayPeriod = 30;   // Most steps between two choices.
+constexpr std::uint32_t kLeastWayPeriod = 10;  // Least steps between two choices.
+constexpr double kGoalsMoved = 1.5;            // Distance that goals move before another choice is made [m].
+constexpr std::int64_t kMostSurveyCells = 60000;  // Cells that surveys and walks may solve in a step,
+constexpr std::int64_t kCellsLess = 30;           // less this number for each character,
+constexpr std::int64_t kLeastCells = 12000;       // but at least this number,
+constexpr std::int64_t kFirstPlansShare = 4;      // divided by this while a first plan is made.
+constexpr double kDetourWait = 1.0;               // Longest wait below which nobody is sent round [s].
+constexpr double kWaitOver = 0.1;                 // Longest wait below which nobody goes round any more [s].
+// Time without movement after which a character gives its passage up [s].
+constexpr double kPassagePatience = 4.0;
+constexpr double kCommittedTime = 1.0;  // Time to its passage below which a character does not turn back [s].
+constexpr std::uint32_t kMostTurns = 1;   // Most changes of the passage without a command.
+constexpr double kThroughDistance = 0.3;  // Distance behind a gap at which a character is through [m].
 
-// A small crowd leaves much of a step, first plans little.
+// Cells that may be solved in a step: more with a small crowd, fewer while first plans are made.
 std::int64_t cellsPerStep(const WorldState& state) {
     const std::int64_t people = std::ssize(state.characters.position);
     const std::int64_t cells = std::max(kLeastCells, kMostSurveyCells - kCellsLess * people);
@@ -37,7 +38,7 @@ std::int64_t cellsPerStep(const WorldState& state) {
 
 }  // namespace
 
-// True where walks have changed since the last call.
+// True where the static ground or the size of bodies has changed since the last call.
 bool WayStage::groundChanged(const WorldState& state) {
     const std::uint64_t version = state.environment.staticVersion();
     const double radius = state.parameters.character.radius;
@@ -66,19 +67,20 @@ void WayStage::clear(WorldState& state) {
 
 bool WayStage::due(const WorldState& state) {
     const std::uint32_t since = state.stepCount - state.waysLookedAt;
-    if (since >= kPeriod) return true;
-    return since >= kLeastPeriod && std::any_of(state.groups.begin(), state.groups.end(), [](const Group& g) {
-               return distance(meanGoal(g), g.waysFor) > kGoalsMoved;
-           });
+    if (since >= kMostWayPeriod) return true;
+    return since >= kLeastWayPeriod &&
+           std::any_of(state.groups.begin(), state.groups.end(),
+                       [](const Group& g) { return distance(meanGoal(g), g.waysFor) > kGoalsMoved; });
 }
 
-// Looks for those who have to go through a passage; where many are behind something else, orders surveys.
+// Looks for characters that have to go through a passage, and orders surveys where goals are hidden by
+// something else.
 void WayStage::look(WorldState& state) {
     SurveyState& survey = state.survey;
     survey.crossing = false;
     for (Group& group : state.groups) {
         foresee(state, group);
-        if (group.groundClass != 0) continue;  // Passages are those of usual bodies.
+        if (group.groundClass != 0) continue;  // Passages are those of bodies of the usual size.
         survey.crossing = trigger_.look(state, fields_, group, survey) || survey.crossing;
     }
     state.waysLookedAt = state.stepCount;
@@ -88,7 +90,7 @@ void WayStage::look(WorldState& state) {
     survey_.forget();
 }
 
-// Goes on with the surveys. True when all are done; the passages that they have found then are known.
+// Goes on with the surveys. True when all are done; then the passages that they found are known.
 bool WayStage::survey(WorldState& state) {
     SurveyState& survey = state.survey;
     std::int64_t cells = cellsPerStep(state);
@@ -109,15 +111,16 @@ bool WayStage::survey(WorldState& state) {
     return true;
 }
 
-// Who has gone through is free again, be it because its goal lies in the mouth behind the gap. Who gets
-// nowhere tries without a passage until the next command; in the mouth nobody walks to and fro either.
+// Ends the way of a character that has gone through, or whose goal lies in the mouth behind the gap. A
+// character that gets nowhere goes without a passage until the next command; the mouth itself has no room to
+// walk to and fro.
 void WayStage::dropIfPassed(WorldState& state, std::size_t i, bool behind) {
     const Characters& now = state.characters;
     ChosenWay& chosen = state.characters.chosen[i];
     const Passage& passage = state.passages[passageOf(chosen.way)];
     const auto away = [&](Vec2 p) { return distance(closestOnSegment(passage.a, passage.b, p), p); };
-    // Far from the gap, it has come through another one.
-    const double end = (fromLeft(chosen.way) ? passage.right : passage.left) + kThrough;
+    // A character far from the gap has come through another one.
+    const double end = (fromLeft(chosen.way) ? passage.right : passage.left) + kThroughDistance;
     const bool goalInMouth = now.place[i] >= 0 &&
                              away(goalOf(state.groups[now.group[i]], now.place[i])) <= end;
     if (behind && (goalInMouth || away(now.position[i]) > end)) {
@@ -127,7 +130,7 @@ void WayStage::dropIfPassed(WorldState& state, std::size_t i, bool behind) {
     const std::uint32_t since = behind ? std::min(now.walk[i].movedAt, now.walk[i].campedAt)
                                        : now.walk[i].movedAt;
     const double still = (state.stepCount - since) * state.parameters.stepTime;
-    if (still * passage.speed > kPatience) chosen = {-1, kGaveUp};
+    if (still * passage.speed > kPassagePatience) chosen = {-1, kGaveUp};
 }
 
 void WayStage::dropPassed(WorldState& state, ThreadPool& pool) {
@@ -142,9 +145,9 @@ void WayStage::dropPassed(WorldState& state, ThreadPool& pool) {
     });
 }
 
-// Drops the ways of those whose passage is held, whose way leads past it, or are beyond and have to go
-// through no passage; true where anybody is left with one. Whose place is on its own side for now keeps its
-// way: when places are exchanged it may need it again.
+// Ends the ways of characters whose passage is held, whose route leads past it, or that are beyond and need
+// no passage; true where any way is left. A character whose place is on its own side for now keeps its way,
+// which it may need again when places are exchanged.
 bool WayStage::keepCrossers(WorldState& state) {
     std::vector<ChosenWay>& chosen = state.characters.chosen;
     marked_.assign(chosen.size(), 0);
@@ -164,7 +167,7 @@ bool WayStage::keepCrossers(WorldState& state) {
     return anyWay;
 }
 
-// Takes the passages of the crossers as they are.
+// Reads the present passages of the crossers.
 void WayStage::readChosen(const WorldState& state) {
     const std::vector<std::int32_t>& used = crossers_.used();
     const std::size_t count = crossers_.characters().size();
@@ -178,8 +181,8 @@ void WayStage::readChosen(const WorldState& state) {
         const ChosenWay& now = state.characters.chosen[crossers_.characters()[k]];
         const auto at = now.way < 0 ? used.end() : std::find(used.begin(), used.end(), passageOf(now.way));
         if (at != used.end()) way_[k] = static_cast<std::int32_t>(at - used.begin());
-        // Who is about to go through does not turn back.
-        const bool there = way_[k] >= 0 && now.passAt - state.time() < kAlmostThere;
+        // A character that is about to go through does not turn back.
+        const bool there = way_[k] >= 0 && now.passAt - state.time() < kCommittedTime;
         movable_[k] = now.turns == 0 && !there ? 1 : 0;
     }
 }
@@ -197,12 +200,12 @@ void WayStage::choose(WorldState& state) {
     choice_.read(input);
     const double wait = choice_.longestWait();
     if (wait < kWaitOver) dropUnneeded(state);
-    if (wait < (anyWay ? kWaitOver : kNoWait)) return;
+    if (wait < (anyWay ? kWaitOver : kDetourWait)) return;
     choice_.choose(way_, slot_);
     commit(state);
 }
 
-// Where nobody would wait any more, only those who are going through keep their ways.
+// Where nobody would wait any more, only characters in their passage keep their ways.
 void WayStage::dropUnneeded(WorldState& state) const {
     std::vector<ChosenWay>& chosen = state.characters.chosen;
     for (std::size_t i = 0; i < chosen.size(); ++i)
@@ -216,7 +219,8 @@ void WayStage::commit(WorldState& state) {
         ChosenWay& chosen = state.characters.chosen[crossers[k]];
         const std::int32_t way = crossers_.wayOf(k, way_[k]);
         if (chosen.way >= 0 && passageOf(chosen.way) != passageOf(way)) ++chosen.turns;
-        // Whose place moves to and fro behind several passages goes on without them until the next command.
+        // A character whose place moves to and fro behind several passages goes on without a way until the
+        // next command.
         if (chosen.turns > kMostTurns) {
             chosen = {-1, kGaveUp};
             continue;
@@ -228,7 +232,7 @@ void WayStage::commit(WorldState& state) {
         spread_.spread(state, crossers, static_cast<std::int32_t>(way));
 }
 
-// What is due of looking, searching and choosing. A choice waits for the passages that are being looked for.
+// Looks, searches and chooses when that is due. A choice waits for the passages that are being surveyed.
 void WayStage::decide(WorldState& state, ThreadPool& pool) {
     if (state.survey.phase == SurveyPhase::None) {
         if (!due(state)) return;

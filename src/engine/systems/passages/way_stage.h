@@ -1,4 +1,5 @@
-// The stages of ways: who goes through which passage where more come than pass (SPEC A8).
+// The stages of ways: which character goes through which passage where more come than it lets through (SPEC
+// A8).
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,7 @@
 
 namespace muster {
 
-/// Finds passages, chooses ways, and tells plans and steering of them.
+/// Finds passages, chooses ways, and gives them to plans and steering.
 class WayStage {
 public:
     /// Takes a new or restored state; call before its first step. Fields that still hold are kept.
@@ -27,17 +28,17 @@ public:
 
     // Called once in each step, in this order.
 
-    /// Forgets passages where the ground has changed, and takes the ways of those who have passed.
+    /// Forgets passages where the ground has changed, and ends the ways of characters that have passed.
     void leavePassages(WorldState& state, PlanCosts& costs, ThreadPool& pool);
-    /// Writes passages and chosen ways, where that is due.
+    /// Writes passages and chosen ways when that is due.
     void chooseWays(WorldState& state, ThreadPool& pool);
-    /// Prepares what plans and steering ask of the chosen ways in this step.
+    /// Prepares the tables of chosen ways for plans and steering in this step.
     void prepareWays(const WorldState& state, ThreadPool& pool);
 
     /// The ways of a group, for its plan. Valid until the next run.
     PlannedWays waysOf(std::size_t group) const;
     /// True where a member of a group heads for a passage in this step, because its place is beyond; then
-    /// writes the unit vector of its desired direction and the cost of its way [m].
+    /// writes the unit vector of its desired direction and the cost of its route [m].
     bool guide(const WorldState& state, std::size_t group, std::size_t member, std::int32_t place,
                Vec2& direction, double& cost) const;
 
@@ -56,10 +57,10 @@ private:
     void readChosen(const WorldState& state);
     void commit(WorldState& state);
 
-    static constexpr std::size_t kMaxPassages = 12;  // Of all groups together.
+    static constexpr std::size_t kMaxPassages = 12;  // Greatest number of passages of all groups together.
 
-    bool waits_ = false;  // In this step somebody may have to wait before a passage.
-    // What walks depend on, as it was in the last step.
+    bool waits_ = false;  // True if characters may have to wait before a passage in this step.
+    // Inputs of walks in the last step.
     std::uint64_t staticVersion_ = 0;
     double radius_ = 0.0, openCost_ = 0.0;
     WayFields fields_;
@@ -70,10 +71,10 @@ private:
     WaySpread spread_;
     mutable PassageGuide guide_;
     std::vector<GroupWays> groups_;
-    std::vector<float> reach_;  // Of all characters with a way: cost to its passage [m].
-    // Of one choice.
+    std::vector<float> reach_;  // By character with a way: cost to its passage [m].
+    // Tables of one choice.
     std::vector<double> slot_, capacity_;
-    std::vector<std::int32_t> way_;  // Per crosser: index of its passage among those that are used.
+    std::vector<std::int32_t> way_;  // Per crosser: index of its passage among the used ones.
     std::vector<std::uint8_t> movable_, marked_;
 };
 

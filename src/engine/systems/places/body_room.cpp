@@ -10,12 +10,13 @@
 namespace muster {
 namespace {
 
-constexpr double kRoomSpeed = 1.0;        // At which places make room [m/s].
-constexpr std::uint32_t kRoomEvery = 15;  // Steps between looks at who holds which place.
+constexpr double kRoomSpeed = 1.0;        // Speed at which places make room [m/s].
+constexpr std::uint32_t kRoomSteps = 15;  // Steps between two looks at the holders of places.
 
 }  // namespace
 
-// False where all members are of one size. A place that nobody holds is one for the mean of them.
+// Gathers the radii of the holders of places; false where all members have one size. A place without a holder
+// has the mean radius.
 bool BodyRoom::gatherRadii(const WorldState& state, const Group& group) {
     const auto radius = [&](std::int32_t i) {
         return radiusOf(state.parameters.character, state.characters.body[i]);
@@ -49,7 +50,7 @@ void BodyRoom::run(const WorldState& state, Group& group, std::vector<Vec2>& tar
     }
     group.mesh.restPlaces(rest_);
     const bool isNew = room.given.size() != radii_.size();
-    if (isNew || state.stepCount % kRoomEvery == 0) {
+    if (isNew || state.stepCount % kRoomSteps == 0) {
         Hash hasher;
         hasher.add(group.formationVersion);
         for (const double radius : radii_) hasher.add(radius);

@@ -11,8 +11,8 @@ namespace muster {
 /// Moves the targets of a group whose members differ in size. Its working memory is reused.
 class BodyRoom {
 public:
-    /// Moves `targets` [m], which are those of the mesh of `group`, as far as those who hold the places need
-    /// it. Changes nothing where all are of one size.
+    /// Moves `targets` [m], those of the mesh of `group`, as far as the holders of the places need it.
+    /// Changes nothing where all members have one size.
     void run(const WorldState& state, Group& group, std::vector<Vec2>& targets);
 
 private:
@@ -20,9 +20,9 @@ private:
     void find(Group& group, std::uint64_t key);
 
     RoomForBodies room_;
-    std::vector<double> radii_;  // By place [m].
+    std::vector<double> radii_;  // Radius of the holder of each place [m].
     std::vector<Vec2> rest_;     // Places on the rest shape [m].
-    double mean_ = 0.0;          // Of the radii of members [m].
+    double mean_ = 0.0;          // Mean radius of members [m].
 };
 
 }  // namespace muster

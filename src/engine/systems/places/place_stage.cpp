@@ -9,9 +9,9 @@
 namespace muster {
 namespace {
 
-constexpr double kRestMove = 1e-3;  // Most that the centre of a group that rests moves in a step [m].
+constexpr double kRestMove = 1e-3;  // Greatest movement of the centre of a resting group in a step [m].
 
-// True where fingers have drawn on.
+// True where fingers have drawn further.
 bool isLed(const Group& group) {
     const auto isDrawn = [](const ControlPoint& point) { return !point.trajectory.empty(); };
     return std::any_of(group.controls.controls().begin(), group.controls.controls().end(),

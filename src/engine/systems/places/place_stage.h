@@ -18,9 +18,9 @@ class PlaceStage {
 public:
     /// Reads the targets of places from the final meshes.
     void readTargets(const WorldState& state);
-    /// Moves targets as far apart as large bodies need it.
+    /// Moves targets apart where large bodies need room.
     void makeRoom(WorldState& state);
-    /// Counts for how many steps the targets of each group have stood.
+    /// Counts for how many steps the targets of each group have rested.
     void watchRest(WorldState& state) const;
     /// Writes the region of each group, and whether it stands in several.
     void findRegions(WorldState& state);
@@ -29,7 +29,7 @@ public:
 
 private:
     BodyRoom room_;
-    std::vector<std::vector<Vec2>> targets_;  // Of each group's places [m].
+    std::vector<std::vector<Vec2>> targets_;  // Targets of each group's places [m].
     std::vector<std::int32_t> regionCounts_;  // Members of one group by region.
 };
 

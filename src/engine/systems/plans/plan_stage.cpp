@@ -14,35 +14,36 @@ namespace {
 
 // Characters for which first plans are made in one step, unless a single group has more.
 constexpr std::size_t kFirstCharacters = 500;
-// In large worlds this share of all.
+// In a large world the number is one part in kFirstShare of all characters.
 constexpr std::size_t kFirstShare = 10;
 
-constexpr std::int32_t kExactPeriod = 4;  // Exact plans take several steps, fast ones one.
+constexpr std::int32_t kExactPeriod = 4;  // Steps between exact plans, whose work takes several steps.
 constexpr std::int32_t kFastPeriod = 1;
-// Many groups take turns in worlds of so many characters: fast plans are made for so many in one step, and
-// for each group in every sixth step at least.
+// Number of characters from which on many groups take turns, number of characters whose fast plans are made
+// in one step, and number of steps in which each group has a turn at least.
 constexpr std::size_t kManyCharacters = 600;
 constexpr std::size_t kTurnCharacters = 150;
 constexpr std::size_t kPlanTurns = 6;
 
-constexpr double kMostSlowness = 10.0;  // Beyond, speeds count as that much slower, or faster.
-constexpr float kLeastCost = 0.01f;     // Of a place whose cost is known [m].
+constexpr double kMostSlowness = 10.0;  // Greatest ratio of top speeds that counts.
+constexpr float kLeastCost = 0.01f;     // Least cost of a place whose cost is known [m].
 
-/// Groups take different steps of the period, so that their plans do not fall on one step.
+/// True where a plan is due. Groups take different steps of the period, so that their plans do not fall on
+/// one step.
 bool isDue(const WorldState& state, std::size_t index, std::int32_t period) {
     const Group& group = state.groups[index];
     const bool turn = (state.stepCount + index) % static_cast<std::uint32_t>(period) == 0;
     return group.planNow || (!group.plan->pending() && turn);
 }
 
-// By how much a way costs a character more than others, because it is slower (SPEC B10).
+// The ratio of the usual top speed to a character's own, by which a route costs it more (SPEC B10).
 double slownessOf(const WorldState& state, std::int32_t i) {
     const Parameters::Character& usual = state.parameters.character;
     const double own = state.characters.body[i].maxSpeed;
     return own > 0.0 ? std::clamp(usual.maxSpeed / own, 1.0 / kMostSlowness, kMostSlowness) : 1.0;
 }
 
-// What plans minimise, and which exchanges they commit.
+// The objective of plans, and the exchanges that they commit.
 PlanDef objectiveOf(const Parameters::Plan& plan) {
     PlanDef def;
     def.exponent = plan.exponent;
@@ -73,8 +74,8 @@ void PlanStage::reserve(WorldState& state, PlanCosts& costs) {
                             costs.ofClass(group.groundClass));
 }
 
-// Marks who stands on ground that is cut off from where most of the group is, or does not fit where the group
-// goes; empty where nobody does.
+// Marks members that can get to the places: not those on ground that is cut off from most of the group, or
+// too large for where the group goes. Empty where all can.
 void PlanStage::findConnected(const WorldState& state, const Group& group, std::span<const Vec2> positions) {
     connected_.clear();
     if (!group.split && tooLargeFor(state, group) == 0) return;
@@ -96,7 +97,7 @@ void PlanStage::gatherKnown(const WorldState& state, const Group& group) {
     }
 }
 
-// Empty where all are as fast as the parameters say.
+// Gathers slownesses; empty where all members are as fast as the parameters say.
 void PlanStage::gatherSlowness(const WorldState& state, const Group& group) {
     slowness_.clear();
     const auto isUsual = [&](std::int32_t i) { return state.characters.body[i].maxSpeed == 0.0; };
@@ -104,7 +105,7 @@ void PlanStage::gatherSlowness(const WorldState& state, const Group& group) {
     for (const std::int32_t i : group.members) slowness_.push_back(static_cast<float>(slownessOf(state, i)));
 }
 
-// Only those count who can get to the places.
+// Finds the classes of members and places; only members that can get to the places count.
 void PlanStage::findClasses(const WorldState& state, Group& group) {
     const std::vector<RoleDef>& roles = group.def.roles;
     class_.clear();
@@ -116,7 +117,7 @@ void PlanStage::findClasses(const WorldState& state, Group& group) {
     group.placeClasses.find(group.mesh.formation(), roles, counts, group.places.fit(), group.placeClass);
 }
 
-// Empty where everybody, and every place, counts for one unit.
+// Gathers supplies and demands; empty where every member and every place counts for one unit.
 void PlanStage::gatherAmounts(const WorldState& state, const Group& group) {
     const std::vector<double>& demands = group.def.demands;
     supply_.clear();
@@ -145,7 +146,7 @@ void PlanStage::start(const WorldState& state, PlanCosts& costs, const PlannedWa
         def.firstPlans = firstPlans_;
         def.firstPlanRank = firstPlanRank_++;
     }
-    // Who lost its place because that was not usable gets it back.
+    // A member that lost its place because that was not usable gets it back.
     incumbent_.assign(members.places().begin(), members.places().end());
     if (mode == PlanMode::Fixed)
         std::iota(incumbent_.begin(), incumbent_.end(), 0);
@@ -206,10 +207,10 @@ void PlanStage::finish(WorldState& state, Group& group, MemberArrays& members, T
     group.planNow = false;
 }
 
-// Who goes by a field has no place; a new plan is made when places count again.
+// Takes the places of a group that goes by a field; a new plan is made when places count again.
 bool PlanStage::goesWithout(WorldState& state, Group& group) {
     if (state.continuum.find(group.id) == nullptr) return false;
-    // While it makes no plans it follows no changes of the ground either.
+    // A group without plans follows no changes of the ground either.
     if (!group.planNow || group.plan->pending()) group.plan = makePlan(state.parameters);
     leavePlaces(state, group);
     return true;
@@ -230,14 +231,15 @@ void PlanStage::advance(WorldState& state, Group& group, MemberArrays& members, 
     Assigner& plan = *group.plan;
     plan.advance(group.slice, group.slices, pool);
     if (++group.slice < group.slices) return;
-    // A first plan is finished at once; later ones hold from the next step on.
+    // A first plan is finished at once; later plans hold from the next step on.
     if (plan.worksInBackground() && !group.planNow)
         background_.push_back(&plan);
     else
         finish(state, group, members, pool, events);
 }
 
-// The first plans of large groups do not fall on one step.
+// True where a first plan waits for a later step, so that the first plans of large groups do not fall on one
+// step.
 bool PlanStage::waitsForFirstPlan(const WorldState& state, const Group& group) {
     const std::size_t count = group.members.size();
     const std::size_t most = std::max(kFirstCharacters, state.characters.position.size() / kFirstShare);
@@ -284,7 +286,7 @@ void PlanStage::run(WorldState& state, PlanCosts& costs, const WayStage& ways, G
         }));
     firstPlanRank_ = 0;
     firstCharacters_ = 0;
-    // While something moves it is another ground in every step.
+    // While anything moves, the ground counts as edited in every step.
     edits_ = state.environment.moves() ? state.groundEdits + state.stepCount : state.groundEdits;
     findPeriod(state);
     for (std::size_t g = 0; g < state.groups.size(); ++g) {

@@ -1,4 +1,4 @@
-// The stages of plans: who goes to which place (SPEC A1 to A3).
+// The stages of plans: which character goes to which place (SPEC A1 to A3).
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,13 @@
 
 namespace muster {
 
-/// Steps from plan to plan: `period`, or what suits the solver where that is 0.
+/// Steps from plan to plan: `period`, or the default of the solver where that is 0.
 std::int32_t planPeriod(const Parameters::Plan& plan);
-/// The same for so many groups and characters: fast plans of many groups take turns.
+/// Steps from plan to plan for a number of groups and characters: fast plans of many groups take turns.
 std::int32_t planPeriod(const Parameters::Plan& plan, std::size_t groups, std::size_t characters);
 
 /// Starts, advances and finishes the plans of all groups. The work of a plan is cut into shares, one per
-/// step; what is left after the last share goes on in the background until the next step.
+/// step; the rest after the last share goes on in the background until the next step.
 class PlanStage {
 public:
     /// Allocates memory for the first plans of a new world.
@@ -59,18 +59,18 @@ private:
     std::int32_t groupRank_ = 0;         // and the number of the present one among them.
     std::int32_t firstPlans_ = 0;        // Groups whose first plan is not made, or provisional.
     std::int32_t starts_ = 0;            // Groups whose plans go on from other places than before.
-    std::int32_t firstPlanRank_ = 0;     // Those of them that came before in this step.
-    std::size_t firstCharacters_ = 0;    // Characters of the first plans that were made in this step.
+    std::int32_t firstPlanRank_ = 0;     // Number of these groups that came before in this step.
+    std::size_t firstCharacters_ = 0;    // Characters whose first plans were made in this step.
     std::uint32_t edits_ = 0;            // Version of the ground in this step, as in PlanInput.
     std::vector<std::uint8_t> without_;  // By group: 1 where its members have no places.
     std::vector<std::uint8_t> connected_;
-    std::vector<double> exact_;  // Of one group's members, by the exact ground [m].
-    std::vector<float> known_;   // The same as in PlanInput [m].
+    std::vector<double> exact_;  // By member of one group: cost to its place by the exact ground [m].
+    std::vector<float> known_;   // These costs as in PlanInput [m].
     std::vector<float> slowness_;
-    std::vector<std::uint8_t> class_;      // Of one group's members; empty without roles.
-    std::vector<double> supply_, demand_;  // Of one group; both empty where all are 1.
-    std::vector<std::int32_t> incumbent_;  // Of one group's members, -1 for none.
-    std::vector<std::int32_t> places_;     // The same, by the new plan.
+    std::vector<std::uint8_t> class_;      // By member of one group; empty without roles.
+    std::vector<double> supply_, demand_;  // Amounts of one group; both empty where all are 1.
+    std::vector<std::int32_t> incumbent_;  // By member of one group, -1 for none.
+    std::vector<std::int32_t> places_;     // By member of one group: its place by the new plan.
     PlanResult result_;
 };
 

@@ -6,10 +6,10 @@
 namespace muster {
 namespace {
 
-// Pushed by contacts, nobody moves faster than this many times its top speed.
-constexpr double kContactShare = 1.04;
+// Factor of its top speed up to which contacts may push a character.
+constexpr double kContactSpeedFactor = 1.04;
 
-// Who has walked out on one side of a ring comes in on the other, with what is known of its walk.
+// Moves a character that has walked out on one side of a ring in on the other, with its progress and claim.
 void walkRound(Characters& characters, const Ring& ring) {
     for (std::size_t i = 0; i < characters.size(); ++i) {
         const Vec2 shift{ring.shiftOf(characters.position[i].x), 0.0};
@@ -24,8 +24,8 @@ void walkRound(Characters& characters, const Ring& ring) {
 }  // namespace
 
 std::int32_t movesOf(double stepTime) {
-    constexpr double kMostMoves = 30.0;  // Of one part of a step, per second.
-    return static_cast<std::int32_t>(std::max(1.0, std::ceil(stepTime * kMostMoves - 1e-9)));
+    constexpr double kMovesPerSecond = 30.0;  // Least number of moves in a second [1/s].
+    return static_cast<std::int32_t>(std::max(1.0, std::ceil(stepTime * kMovesPerSecond - 1e-9)));
 }
 
 ContactReport ContactStage::run(WorldState& state, SteeringStage& steering, double dt, ThreadPool& pool) {
@@ -33,11 +33,11 @@ ContactReport ContactStage::run(WorldState& state, SteeringStage& steering, doub
     NextMotion& next = steering.next();
     const CrowdBodies& bodies = steering.bodies();
     reach_.assign(steering.topSpeeds().begin(), steering.topSpeeds().end());
-    for (double& reach : reach_) reach *= kContactShare * dt;
+    for (double& reach : reach_) reach *= kContactSpeedFactor * dt;
     const ContactReport report = contacts_.resolve(
         state.parameters.contact, state.parameters.character, state.environment, next.position,
         &steering.neighbours(), &pool, {characters.position, reach_}, &bodies, &steering.axes());
-    // Speed that contacts took away is lost; what they pushed adds none.
+    // Contacts can take speed away, but add none.
     for (std::size_t i = 0; i < characters.size(); ++i) {
         characters.heading[i] = next.heading[i];
         if (bodies.isFixed(i)) continue;

@@ -1,4 +1,4 @@
-// The stage of contacts: nobody enters another or an obstacle (SPEC A6).
+// The stage of contacts: no character enters another or an obstacle (SPEC A6).
 #pragma once
 
 #include <vector>
@@ -10,20 +10,19 @@
 
 namespace muster {
 
-/// Into how many parts a step is divided in which characters move: none is longer than a thirtieth of a
-/// second.
+/// The number of moves into which a step is divided: none is longer than a thirtieth of a second.
 std::int32_t movesOf(double stepTime);
 
 /// Corrects the next motion and makes it the present one.
 class ContactStage {
 public:
-    /// Writes positions, velocities and headings of characters after a move of `dt` [s] that steering has
-    /// made; returns the contacts that are left.
+    /// Writes positions, velocities and headings of characters after a move of `dt` [s] by steering; returns
+    /// the remaining contacts.
     ContactReport run(WorldState& state, SteeringStage& steering, double dt, ThreadPool& pool);
 
 private:
     Contacts contacts_;
-    std::vector<double> reach_;  // Of each character in a step [m].
+    std::vector<double> reach_;  // Greatest movement of each character in a step [m].
 };
 
 }  // namespace muster

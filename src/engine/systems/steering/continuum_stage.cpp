@@ -10,18 +10,19 @@
 namespace muster {
 namespace {
 
-constexpr double kFrozenFor = 0.25;  // Time for which fields serve [s].
-constexpr double kAtTarget = 0.3;    // Who is so near stands [m].
-constexpr double
-    kTouchGap = 0.15;  // Who stands with a smaller gap to those who have arrived touches them [m].
-constexpr double kNoRoomFor = 1.5;    // Who touches them and has not got on for so long has arrived too [s].
-constexpr double kDiscRadius = 1.15;  // Of a disc of bodies, times the root of their number, in their radii.
-constexpr double kDiscMargin = 0.35;  // [m]
+constexpr double kFrozenTime = 0.25;   // Time for which frozen costs serve [s].
+constexpr double kTargetRadius = 0.3;  // Distance to the target at which a character stands [m].
+constexpr double kTouchGap = 0.15;     // Gap to an arrived character below which the two touch [m].
+// Time without progress after which a character that touches an arrived one has arrived too [s].
+constexpr double kTouchTime = 1.5;
+// Factor of the radius of a disc of bodies: times their radius and the root of their number.
+constexpr double kDiscFactor = 1.15;
+constexpr double kDiscMargin = 0.35;  // Distance added to the radius of the disc [m].
 
 }  // namespace
 
 double gatheringReach(std::size_t count, double radius) {
-    return kDiscRadius * radius * std::sqrt(static_cast<double>(count)) + kDiscMargin;
+    return kDiscFactor * radius * std::sqrt(static_cast<double>(count)) + kDiscMargin;
 }
 
 void ContinuumStage::begin(WorldState& state, PlanCosts& costs) {
@@ -44,7 +45,7 @@ void ContinuumStage::begin(WorldState& state, PlanCosts& costs) {
                            [&](const FrozenCost& frozen) { return frozen.groundClass == wanted; });
     };
     const bool fresh = continuum.groundEdits == state.groundEdits &&
-                       state.stepCount - continuum.frozenAt < stepsIn(state, kFrozenFor) &&
+                       state.stepCount - continuum.frozenAt < stepsIn(state, kFrozenTime) &&
                        std::all_of(classes.begin(), classes.end(), holds);
     if (fresh || classes.empty()) return;
     continuum.costs.resize(classes.size());
@@ -77,8 +78,8 @@ const CostField& ContinuumStage::fieldOf(const WorldState& state, std::int32_t g
     return found->field;
 }
 
-// Who has come to the target stands, and whoever comes up against those who stand, near it or where there is
-// no room ahead.
+// Finds members that have come to the target, or that touch an arrived member, near the target or after they
+// have not got on for a while.
 void ContinuumStage::findArrived(const WorldState& state, const Group& group, Gathering& gathering) {
     const Characters& c = state.characters;
     const Parameters::Character& usual = state.parameters.character;
@@ -95,13 +96,13 @@ void ContinuumStage::findArrived(const WorldState& state, const Group& group, Ga
         const auto isNear = [&](std::int32_t k) { return distance(standing_[k], p) <= touching; };
         return !standing_.empty() && cells_.anyBeside(p, isNear);
     };
-    const std::uint32_t patience = stepsIn(state, kNoRoomFor);
+    const std::uint32_t patience = stepsIn(state, kTouchTime);
     for (const std::int32_t i : group.members) {
         if (gathering.hasArrived(c.id[i])) continue;
         const double away = distance(c.position[i], gathering.target);
-        // Once the order is done nobody jostles on against those who stand.
+        // Once the order is done, a member that touches an arrived one stops.
         const bool stands = group.orders.orders.empty() || state.stepCount - c.walk[i].movedAt >= patience;
-        if (away > kAtTarget && !((away <= reach || stands) && touches(c.position[i]))) continue;
+        if (away > kTargetRadius && !((away <= reach || stands) && touches(c.position[i]))) continue;
         gathering.arrived.insert(
             std::lower_bound(gathering.arrived.begin(), gathering.arrived.end(), c.id[i]), c.id[i]);
     }

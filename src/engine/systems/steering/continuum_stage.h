@@ -1,4 +1,4 @@
-// Who has no place goes down one cost field per target (Treuille, Cooper and Popovic 2006).
+// Characters without a place go down one cost field per target (Treuille, Cooper and Popovic 2006).
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace muster {
 
-/// From how near members of a group of `count` without obstacles round their target count as near it [m]:
-/// somewhat more than the radius of the disc that they fill when they stand close together.
+/// Distance from which on members of a group of `count` count as near a target without obstacles [m]:
+/// slightly more than the radius of the disc that they fill when they stand close together.
 double gatheringReach(std::size_t count, double radius);
 
 /// Leads the members of gatherings. Fields are caches: they follow from the frozen costs in the state.
@@ -22,15 +22,15 @@ public:
     void reset() { fields_.clear(); }
     /// Freezes the costs again where that is due. Call once per step, before guide().
     void begin(WorldState& state, PlanCosts& costs);
-    /// Writes directions and costs of the members of a group without places, and who has arrived.
+    /// Writes directions and costs of the members of a group without places, and which of them have arrived.
     void guide(WorldState& state, const Group& group, Gathering& gathering);
 
 private:
     struct Field {
         std::int32_t groundClass = 0;
         Vec2 target;
-        bool used = false;   // Since costs were frozen.
-        bool stale = false;  // It was solved from older costs.
+        bool used = false;   // True if it was read since costs were frozen.
+        bool stale = false;  // True if it was solved from older costs.
         CostField field;
     };
     const CostField& fieldOf(const WorldState& state, std::int32_t groundClass, Vec2 target);
@@ -38,7 +38,7 @@ private:
 
     EikonalSolver solver_;
     std::vector<Field> fields_;
-    std::vector<Vec2> standing_;  // Positions of those who have arrived [m].
+    std::vector<Vec2> standing_;  // Positions of members that have arrived [m].
     CellList cells_;
 };
 

@@ -12,7 +12,7 @@
 namespace muster {
 namespace {
 
-constexpr double kLookAhead = 8.0;  // A cluster farther ahead is not gone round yet [m].
+constexpr double kClusterReach = 8.0;  // Distance ahead up to which clusters are gone round [m].
 
 // True where the stretch from `from` along the unit vector `way` meets the box.
 bool meets(const Box& box, Vec2 from, Vec2 way, double far) {
@@ -50,7 +50,7 @@ std::int32_t GoRound::rootOf(std::int32_t k) {
     return k;
 }
 
-// Two holders belong together where nobody of the usual size fits between them.
+// Joins holders to clusters: two belong together where no agent of the usual size fits between them.
 void GoRound::findClusters(const CrowdBodies& bodies) {
     const double passage = 2.0 * (bodies.usual().radius + kHeldMargin);
     pairs_.build(positions_, 2.0 * bodies.largestRadius() + passage);
@@ -70,7 +70,7 @@ void GoRound::findClusters(const CrowdBodies& bodies) {
               [&](std::int32_t a, std::int32_t b) { return std::tie(root_[a], a) < std::tie(root_[b], b); });
     clusters_.clear();
     members_.clear();
-    places_.clear();
+    memberPositions_.clear();
     for (std::size_t k = 0; k < order_.size(); ++k) {
         const std::int32_t i = holders_[order_[k]];
         const Vec2 p = positions_[order_[k]];
@@ -82,7 +82,7 @@ void GoRound::findClusters(const CrowdBodies& bodies) {
         cluster.box.max = {std::max(cluster.box.max.x, p.x), std::max(cluster.box.max.y, p.y)};
         cluster.largest = std::max(cluster.largest, bodies.radius(i));
         members_.push_back(i);
-        places_.push_back(p);
+        memberPositions_.push_back(p);
     }
 }
 
@@ -92,8 +92,8 @@ bool GoRound::hasOwn(const Characters& c, const Cluster& cluster, std::uint32_t 
                        [&](std::int32_t i) { return c.group[i] == group; });
 }
 
-// The side of the cluster by which the way to the target is shorter, of those that no wall closes; none where
-// both are closed. Its ends are the outermost members as seen along the way.
+// The side of the cluster with the shorter route to the target, of the sides that are open; none where both
+// are closed. Its ends are the outermost members as seen along the direction of the character.
 GoRound::Side GoRound::sideOf(const WorldState& state, const CrowdBodies& bodies, const Cluster& cluster,
                               Vec2 target, std::int32_t character) const {
     const Characters& c = state.characters;
@@ -113,7 +113,7 @@ GoRound::Side GoRound::sideOf(const WorldState& state, const CrowdBodies& bodies
             right = c.position[i] - perpendicular(way) * keep;
         }
     }
-    // Past the end the way goes on for a body's length or two.
+    // Past the end the route goes on for a body's length or two.
     const Vec2 past = way * (cluster.largest + bodies.radius(character) + kHeldMargin);
     const auto round = [&](Vec2 end) {
         return state.environment.clearStaticLine(end - past, end + past, bodies.radius(character)) &&
@@ -132,17 +132,17 @@ bool GoRound::isClosedByOthers(const CrowdBodies& bodies, const Cluster& cluster
     for (std::size_t k = 0; k < members_.size(); ++k) {
         const double touching = bodies.touching(character, members_[k]);
         const bool other = k < cluster.first || k >= cluster.end;
-        if (other && lengthSquared(places_[k] - end) < touching * touching) return true;
+        if (other && lengthSquared(memberPositions_[k] - end) < touching * touching) return true;
     }
     return false;
 }
 
-// Turns a way that leads into the cluster to the outermost tangent of its members on the shorter side.
+// Turns a direction that leads into the cluster to the outermost tangent of its members on the shorter side.
 void GoRound::turn(WorldState& state, const CrowdBodies& bodies, const Cluster& cluster, Vec2 target,
                    std::int32_t character) {
     Characters& c = state.characters;
     const Vec2 here = c.position[character], way = c.direction[character];
-    const double far = std::min(kLookAhead, distance(here, target));
+    const double far = std::min(kClusterReach, distance(here, target));
     const auto members = std::span(members_).subspan(cluster.first, cluster.end - cluster.first);
     const bool barred = std::any_of(members.begin(), members.end(), [&](std::int32_t i) {
         const double keep = bodies.touching(character, i) + kHeldMargin;
@@ -155,7 +155,7 @@ void GoRound::turn(WorldState& state, const CrowdBodies& bodies, const Cluster& 
     if (shorter == Side::None) barred_[character] = 1;
     if (shorter == Side::None) return;
     const double side = shorter == Side::Left ? 1.0 : -1.0;
-    // Grows with the angle from the way to the side.
+    // The turn from the present direction to the side, as a growing measure of the angle.
     const auto turned = [&](Vec2 unit) {
         return std::copysign(1.0 - dot(way, unit), side * cross(way, unit));
     };
@@ -180,9 +180,9 @@ void GoRound::run(WorldState& state, const CrowdBodies& bodies, std::span<const 
     Characters& c = state.characters;
     barred_.assign(c.size(), 0);
     for (std::size_t i = 0; i < c.size(); ++i) {
-        // A route of its own leads round those who hold.
+        // A character's own route leads round holders already.
         if (c.direction[i] == Vec2{} || bodies.isFixed(i) || followedRoute(state, i) != nullptr) continue;
-        const double far = std::min(kLookAhead, distance(c.position[i], targets[i]));
+        const double far = std::min(kClusterReach, distance(c.position[i], targets[i]));
         for (const Cluster& cluster : clusters_) {
             const double keep = cluster.largest + bodies.radius(i) + kHeldMargin;
             if (!cluster.box.grown(keep + far).contains(c.position[i]) || hasOwn(c, cluster, c.group[i]))

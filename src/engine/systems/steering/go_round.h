@@ -1,4 +1,4 @@
-// Going round those who hold their ground (SPEC B15).
+// Going round agents that hold their ground (SPEC B15).
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 
 namespace muster {
 
-/// Turns the directions of characters whose way leads into a cluster of others who hold their ground, to
-/// the end of the cluster by which the way to their place is shorter.
+/// Turns the direction of a character that leads into a cluster of agents that hold their ground to the end
+/// of the cluster by which the route to its place is shorter.
 class GoRound {
 public:
-    /// Changes directions. `targets` is where each heads for in the end [m].
+    /// Changes directions. `targets` holds the point for which each character heads in the end [m].
     void run(WorldState& state, const CrowdBodies& bodies, std::span<const Vec2> targets);
-    /// After run(), by character: 1 where a cluster closes its way between walls. Empty where nobody holds.
+    /// After run(), by character: 1 where a cluster closes its route between walls. Empty where nobody holds.
     std::span<const std::uint8_t> barred() const { return barred_; }
 
 private:
@@ -25,9 +25,9 @@ private:
 
     // Holders that leave no gap for others.
     struct Cluster {
-        std::size_t first, end;  // Of its members in members_.
-        Box box;                 // Of their centres.
-        double largest;          // Radius [m].
+        std::size_t first, end;  // Range of its members in members_.
+        Box box;                 // Bounds of their centres.
+        double largest;          // Largest radius [m].
     };
 
     void findHolders(const WorldState& state);
@@ -41,13 +41,13 @@ private:
     void turn(WorldState& state, const CrowdBodies& bodies, const Cluster& cluster, Vec2 target,
               std::int32_t character);
 
-    std::vector<std::int32_t> holders_;  // Characters.
-    std::vector<Vec2> positions_;        // Of these [m].
+    std::vector<std::int32_t> holders_;  // Indices of characters that hold their ground.
+    std::vector<Vec2> positions_;        // Positions of the holders [m].
     NeighbourList pairs_;
     std::vector<std::int32_t> root_;     // Union-find over holders.
-    std::vector<std::int32_t> members_;  // Characters, cluster by cluster...
-    std::vector<Vec2> places_;           // ... and where they stand [m].
-    std::vector<std::int32_t> order_;    // Of holders, by root.
+    std::vector<std::int32_t> members_;  // Characters of the clusters, cluster by cluster.
+    std::vector<Vec2> memberPositions_;  // Positions of the members [m].
+    std::vector<std::int32_t> order_;    // Indices of holders, sorted by root.
     std::vector<Cluster> clusters_;
     std::vector<std::uint8_t> barred_;  // By character.
 };

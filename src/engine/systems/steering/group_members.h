@@ -22,7 +22,7 @@ public:
 
 private:
     std::span<const Vec2> positions_;
-    std::vector<Vec2> gathered_;  // Unused by a group that holds all characters.
+    std::vector<Vec2> gathered_;  // Positions of the members; unused by a group that holds all characters.
     std::vector<std::int32_t> places_;
 };
 
@@ -31,8 +31,10 @@ class GroupMembers {
 public:
     /// Gathers the members of all groups.
     void gather(const WorldState& state);
-    MemberArrays& of(std::size_t group) { return groups_[group]; }  ///< Those of the group of that index.
-    const MemberArrays& of(std::size_t group) const { return groups_[group]; }  ///< The same.
+    /// The arrays of the group of that index.
+    MemberArrays& of(std::size_t group) { return groups_[group]; }
+    /// The arrays of the group of that index.
+    const MemberArrays& of(std::size_t group) const { return groups_[group]; }
 
 private:
     std::vector<MemberArrays> groups_;

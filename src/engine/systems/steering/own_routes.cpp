@@ -11,24 +11,26 @@
 namespace muster {
 namespace {
 
-constexpr double kCampsFor = 6.0;    // Who camps for this long gets a route [s].
-constexpr double kRouteFor = 30.0;   // A route is followed for this long at most [s].
-constexpr double kGoalMoved = 0.5;   // A place this far from where it was gets a new route [m].
-constexpr double kCommitment = 0.5;  // A place with a route counts as nearer by this, so that it is kept [m].
-constexpr double kNearPlace = 1.0;   // From here on the straight line to a place is tested [m].
-constexpr double kAtPlace = 0.02;    // From here on it needs no test [m].
-constexpr double kMisled = 1.2;      // A cost above this times the straight line is no line of sight,
-constexpr double kMisledBy = 0.05;   // and this [m].
-constexpr double kAtCorner = 0.1;    // A corner this near is reached [m].
-constexpr std::uint32_t kSearchTurns = 8;   // Each may search in one step of so many.
-constexpr std::int64_t kRouteWork = 12000;  // Searches begin in a step until they have used so much.
-constexpr std::size_t kMostClosed = 16;     // Of those who hold their ground, round whom a search goes.
-constexpr double kTightMargin = 0.02;       // Kept from them where there is no wider way [m].
-constexpr double kSlowMargin = 0.1;         // Kept from slow ground that a route goes round [m].
-constexpr double kNoSlower = 1e-6;          // Rounding of lengths that are compared [m].
-constexpr double kMovingReach = 6.0;        // Of the discomfort round moving obstacles [m].
+constexpr double kCampTime = 6.0;    // Time within kCampReach after which an agent searches an own route [s].
+constexpr double kRouteTime = 30.0;  // Greatest time for which a route is followed [s].
+constexpr double kPlaceMove = 0.5;   // Movement of a place after which its route is searched again [m].
+// Cost by which a place with a route counts as nearer, so that the agent keeps it [m].
+constexpr double kCommitmentCost = 0.5;
+constexpr double kNearPlace = 1.0;  // Distance to a place within which the straight line to it is tested [m].
+constexpr double kAtPlace = 0.02;   // Distance to a place within which the line needs no test [m].
+constexpr double kDetourFactor = 1.2;      // Factor of the straight line above which a cost means a detour,
+constexpr double kDetourLength = 0.05;     // plus this length [m].
+constexpr double kCornerReach = 0.1;       // Distance at which a corner of a route is reached [m].
+constexpr std::uint32_t kSearchTurns = 8;  // Steps between two turns of one agent to search.
+// Operations that searches may use in a step before no other one begins.
+constexpr std::int64_t kRouteOperations = 12000;
+constexpr std::size_t kMostHolders = 16;  // Greatest number of holders that a search goes round.
+constexpr double kTightMargin = 0.02;     // Distance to holders where there is no wider gap [m].
+constexpr double kSlowMargin = 0.1;       // Distance to slow ground that a route goes round [m].
+constexpr double kLengthRounding = 1e-6;  // Rounding error of compared lengths [m].
+constexpr double kMovingReach = 6.0;      // Reach of the discomfort round moving obstacles [m].
 
-// In metres of open ground.
+// The length of a path in metres of open ground.
 double lengthFrom(const Environment& environment, Vec2 from, std::span<const Vec2> path) {
     double sum = 0.0;
     for (const Vec2 corner : path) {
@@ -46,7 +48,7 @@ const RouteGraph& routesFor(const WorldState& state, std::int32_t i) {
     return state.routesOf(state.groups[state.characters.group[i]]);
 }
 
-// Rasters do not know every line along a wall; near its place a character goes by the exact ground.
+// Costs near places by the exact ground, since rasters do not resolve every line along a wall.
 class NearPlaces {
 public:
     NearPlaces(const WorldState& state, const Group& group)
@@ -58,7 +60,8 @@ public:
           grid_(state.environment.grid()),
           clearance_(state.environment.clearance()) {}
 
-    // The straight line to its place [m]; -1 where it is not clear, or the raster tells all.
+    // The length of the straight line to its place [m]; -1 where it is not clear, or the raster is exact
+    // there.
     double cost(std::int32_t i) const {
         const Characters& c = characters_;
         if (patches_ || c.place[i] < 0 || c.chosen[i].way >= 0) return -1.0;
@@ -72,7 +75,7 @@ public:
     }
 
 private:
-    // True where ground may cost more than its length, because something moves there.
+    // True where moving obstacles may raise the cost of ground above its length.
     bool nearMoving(Cell here) const {
         const auto reach = static_cast<std::int32_t>(kMovingReach / grid_.cell);
         return std::any_of(moving_.begin(), moving_.end(), [&](const CellRect& area) {
@@ -101,13 +104,13 @@ bool OwnRoutes::mayHave(const WorldState& state, std::int32_t i) {
     return !c.walk[i].within && c.place[i] >= 0 && c.chosen[i].way < 0;
 }
 
-// True for who has been on its way for long without getting farther than about a step or two.
+// True for an agent that has been on its way for long without getting farther than a step or two.
 bool OwnRoutes::camps(const WorldState& state, std::int32_t i) {
     const WalkProgress& walk = state.characters.walk[i];
-    return (state.stepCount - walk.campedAt) * state.parameters.stepTime >= kCampsFor;
+    return (state.stepCount - walk.campedAt) * state.parameters.stepTime >= kCampTime;
 }
 
-// Finds the characters of routes, and drops the routes of those who left, arrived, or took too long.
+// Finds the characters of routes, and drops the routes of characters that left, arrived, or took too long.
 void OwnRoutes::dropEnded(WorldState& state) {
     const Characters& c = state.characters;
     std::vector<OwnRoute>& routes = state.ownRoutes;
@@ -117,8 +120,8 @@ void OwnRoutes::dropEnded(WorldState& state) {
         const std::int32_t i = c.indexOf(routes[k].character);
         const bool known = i >= 0;
         const bool arrived = known && c.walk[i].within &&
-                             (state.stepCount - c.walk[i].since) * state.parameters.stepTime >= kStayedFor;
-        const bool late = (state.stepCount - routes[k].since) * state.parameters.stepTime > kRouteFor;
+                             (state.stepCount - c.walk[i].since) * state.parameters.stepTime >= kStayedTime;
+        const bool late = (state.stepCount - routes[k].since) * state.parameters.stepTime > kRouteTime;
         if (!known || arrived || late || c.place[i] < 0 || c.chosen[i].way >= 0) {
             spare_.push_back(std::move(routes[k].path));
             continue;
@@ -130,13 +133,13 @@ void OwnRoutes::dropEnded(WorldState& state) {
     routes.resize(kept);
 }
 
-// A cross on each of the nearest who hold their ground, as wide as both bodies; who is nearer goes out
-// between them.
+// Closes a cross on each of the nearest agents that hold their ground, as wide as both bodies; narrower on a
+// holder that is nearer, so that the agent gets out between them.
 void OwnRoutes::closeHeld(const WorldState& state, std::int32_t i, double margin) {
     const Vec2 from = state.characters.position[i];
     const Group& group = state.groups[state.characters.group[i]];
     listHeld(state, group, held_);
-    const std::size_t count = std::min(held_.size(), kMostClosed);
+    const std::size_t count = std::min(held_.size(), kMostHolders);
     std::partial_sort(
         held_.begin(), held_.begin() + static_cast<std::ptrdiff_t>(count), held_.end(),
         [&](const HeldSpot& a, const HeldSpot& b) {
@@ -163,8 +166,8 @@ RouteStatus OwnRoutes::find(WorldState& state, std::int32_t i, std::span<const C
     return status;
 }
 
-// Closes a patch at a little distance, so that a route leads past it. False where an end of the route lies in
-// it, or it is closed.
+// Closes the outline of a patch at a small distance, so that a route leads past it. False where an end of the
+// route lies in it, or where it is closed already.
 bool OwnRoutes::close(std::span<const Vec2> outline, Vec2 from, Vec2 to) {
     const double room = std::min(signedDistance(outline, from), signedDistance(outline, to));
     if (room <= 0.0) return false;
@@ -182,8 +185,8 @@ bool OwnRoutes::close(std::span<const Vec2> outline, Vec2 from, Vec2 to) {
     return true;
 }
 
-// Closes the slow patches that the route of the last search leads into, but for those in which it begins or
-// ends. False where there are none that are still open.
+// Closes the slow patches through which the last route leads, except those that hold its begin or end. False
+// where no such patch is open.
 bool OwnRoutes::closeSlow(const Environment& environment) {
     const std::vector<Vec2>& path = search_.path();
     bool any = false;
@@ -201,13 +204,13 @@ bool OwnRoutes::closeSlow(const Environment& environment) {
     return any;
 }
 
-// Where the shortest route leads over slow ground, the one round that is taken if it is quicker.
+// Replaces a route over slow ground by the route round it if that is quicker.
 void OwnRoutes::avoidSlow(WorldState& state, std::int32_t i, std::vector<Vec2>& path) {
     const Environment& environment = state.environment;
     const Vec2 from = state.characters.position[i];
     double least = lengthFrom(environment, from, path);
     while (budget_ > 0 && closeSlow(environment) &&
-           find(state, i, closed_, kRouteWork) == RouteStatus::Found && search_.path().size() > 1) {
+           find(state, i, closed_, kRouteOperations) == RouteStatus::Found && search_.path().size() > 1) {
         const auto round = std::span(search_.path()).subspan(1);
         const double length = lengthFrom(environment, from, round);
         if (length >= least) continue;
@@ -216,7 +219,7 @@ void OwnRoutes::avoidSlow(WorldState& state, std::int32_t i, std::vector<Vec2>& 
     }
 }
 
-// False where no way leads to the place.
+// Searches the route of a character; false where no route leads to its place.
 bool OwnRoutes::search(WorldState& state, std::int32_t i, OwnRoute& route) {
     route.place = state.characters.place[i];
     route.goal = placeOf(state, i);
@@ -224,11 +227,10 @@ bool OwnRoutes::search(WorldState& state, std::int32_t i, OwnRoute& route) {
     RouteStatus status = RouteStatus::Unreachable;
     for (const double margin : {kHeldMargin, kTightMargin}) {
         closeHeld(state, i, margin);
-        status = find(state, i, closed_, closed_.empty() ? kWhole : kRouteWork);
+        status = find(state, i, closed_, closed_.empty() ? kWhole : kRouteOperations);
         if (status != RouteStatus::Unreachable || closed_.empty()) break;
     }
-    // Where those who hold their ground leave no way, or none that is soon found, it waits for one before
-    // them.
+    // Where holders leave no route, or none that is found soon, the agent goes up to them and waits there.
     if (status != RouteStatus::Found && !closed_.empty()) status = find(state, i, {}, kWhole);
     if (status != RouteStatus::Found || search_.path().size() < 2) return false;
     route.path.assign(search_.path().begin() + 1, search_.path().end());
@@ -236,7 +238,7 @@ bool OwnRoutes::search(WorldState& state, std::int32_t i, OwnRoute& route) {
     return true;
 }
 
-// Those who camp or are barred get a route, as far as the budget goes.
+// Searches routes for agents that camp or are barred, within the budget.
 void OwnRoutes::begin(WorldState& state, std::span<const std::uint8_t> barred) {
     const auto count = static_cast<std::int32_t>(state.characters.size());
     for (std::int32_t i = 0; i < count && budget_ > 0; ++i) {
@@ -268,7 +270,7 @@ void OwnRoutes::follow(WorldState& state, std::int32_t i, OwnRoute& route) {
     Characters& c = state.characters;
     const RouteGround& ground = routesFor(state, i).ground();
     const Vec2 here = c.position[i];
-    const bool moved = route.place != c.place[i] || distance(route.goal, placeOf(state, i)) > kGoalMoved;
+    const bool moved = route.place != c.place[i] || distance(route.goal, placeOf(state, i)) > kPlaceMove;
     const bool lost = route.path.empty() || !ground.lineClear(here, route.path.front());
     if ((moved || lost) && hasTurn(state, i) && budget_ > 0) search(state, i, route);
     if (route.place != c.place[i] || route.path.empty()) return;
@@ -278,14 +280,15 @@ void OwnRoutes::follow(WorldState& state, std::int32_t i, OwnRoute& route) {
         if (!ground.lineClear(here, p)) return false;
         if (moving && !state.environment.clearLine(here, p, ground.radius())) return false;
         const Vec2 round[] = {corner, p};
-        if (state.environment.travelLength(here, p) > lengthFrom(state.environment, here, round) + kNoSlower)
+        if (state.environment.travelLength(here, p) >
+            lengthFrom(state.environment, here, round) + kLengthRounding)
             return false;
         if (!listed) listHeld(state, state.groups[c.group[i]], held_);
         listed = true;
         return clearOf(held_, here, p, routesFor(state, i).radius());
     };
     std::size_t passed = 0;
-    while (passed + 1 < route.path.size() && (distance(here, route.path[passed]) < kAtCorner ||
+    while (passed + 1 < route.path.size() && (distance(here, route.path[passed]) < kCornerReach ||
                                               sees(route.path[passed], route.path[passed + 1])))
         ++passed;
     route.path.erase(route.path.begin(), route.path.begin() + static_cast<std::ptrdiff_t>(passed));
@@ -295,7 +298,7 @@ void OwnRoutes::follow(WorldState& state, std::int32_t i, OwnRoute& route) {
     c.cost[i] = route.cost;
 }
 
-// Near its place nobody goes round where the straight line is clear.
+// An agent near its place that is led on a detour goes straight where the line is clear.
 void OwnRoutes::goStraight(WorldState& state) {
     Characters& c = state.characters;
     const auto count = static_cast<std::int32_t>(c.size());
@@ -303,7 +306,7 @@ void OwnRoutes::goStraight(WorldState& state) {
         if (c.place[i] < 0) continue;
         const Vec2 way = placeOf(state, i) - c.position[i];
         const double left = length(way);
-        if (left > kNearPlace || !(c.cost[i] > kMisled * left + kMisledBy) ||
+        if (left > kNearPlace || !(c.cost[i] > kDetourFactor * left + kDetourLength) ||
             NearPlaces(state, state.groups[c.group[i]]).cost(i) < 0.0)
             continue;
         c.direction[i] = normalized(way, c.direction[i]);
@@ -322,12 +325,12 @@ void gatherExactCosts(const WorldState& state, const Group& group, std::vector<d
     const NearPlaces near(state, group);
     for (const std::int32_t i : group.members) {
         const OwnRoute* const route = state.ownRoutes.empty() ? nullptr : followedRoute(state, i);
-        costs.push_back(route != nullptr ? std::max(0.0, route->cost - kCommitment) : near.cost(i));
+        costs.push_back(route != nullptr ? std::max(0.0, route->cost - kCommitmentCost) : near.cost(i));
     }
 }
 
 void OwnRoutes::run(WorldState& state, std::span<const std::uint8_t> barred) {
-    budget_ = kRouteWork;
+    budget_ = kRouteOperations;
     dropEnded(state);
     begin(state, barred);
     goStraight(state);

@@ -1,4 +1,4 @@
-// Routes of their own for those whom the guidance of their plan does not get to their places.
+// Own routes of agents that the guidance of their plan does not get to their places.
 #pragma once
 
 #include <cstdint>
@@ -10,21 +10,21 @@
 
 namespace muster {
 
-/// The route of its own that leads a character to its place; null where there is none.
+/// The own route that leads a character to its place; null where there is none.
 const OwnRoute* followedRoute(const WorldState& state, std::size_t i);
 
-/// What the place of each member of a group costs it by the exact ground [m]: where it follows a route of its
-/// own (then somewhat less, so that it keeps the place), or stands so near its place that the straight line
-/// is known to be clear. Negative where that is not known.
+/// Writes the cost of its place for each member of a group by the exact ground [m]: along its own route
+/// (slightly less, so that it keeps the place), or along the straight line where a member near its place is
+/// known to have a clear one. Negative where it is not known.
 void gatherExactCosts(const WorldState& state, const Group& group, std::vector<double>& costs);
 
-/// Who has been about the same spot for a while although its place is elsewhere, or is barred by others who
-/// hold their ground, follows a route by the exact ground, the quickest it knows, and keeps it until it has
-/// arrived: so no two sources of directions alternate.
+/// An agent that has been about the same spot for a while although its place is elsewhere, or that is barred
+/// by agents that hold their ground, follows a route by the exact ground, the quickest it knows. It keeps the
+/// route until it has arrived, so that no two sources of directions alternate.
 class OwnRoutes {
 public:
-    /// Writes the directions and costs of those with a route, after the plans and passages. `barred` marks
-    /// characters whose way others who hold their ground close; empty where there are none.
+    /// Writes the directions and costs of agents with a route, after the plans and passages. `barred` marks
+    /// characters whose route is closed by agents that hold their ground; empty where there are none.
     void run(WorldState& state, std::span<const std::uint8_t> barred);
 
 private:
@@ -46,10 +46,10 @@ private:
     RouteSearch search_;
     std::vector<HeldSpot> held_;
     std::vector<ClosedLine> closed_;
-    Polygon outline_;                       // Of a patch.
+    Polygon outline_;                       // Outline of a patch.
     std::int64_t budget_ = 0;               // Operations left in this step.
-    std::vector<std::int32_t> index_;       // Of the character of each route.
-    std::vector<std::vector<Vec2>> spare_;  // Memory of routes that ended.
+    std::vector<std::int32_t> index_;       // Index of the character of each route.
+    std::vector<std::vector<Vec2>> spare_;  // Memory of ended routes.
 };
 
 }  // namespace muster

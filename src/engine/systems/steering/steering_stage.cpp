@@ -7,12 +7,14 @@
 namespace muster {
 namespace {
 
-constexpr double kFarAhead = 100.0;       // Where somebody heads who goes through a passage [m].
-constexpr double kWaitingDistance = 2.0;  // The unmatched stop this far from the nearest place [m].
+// Distance ahead of the point for which a character heads that goes to a passage [m].
+constexpr double kPassageAhead = 100.0;
+// Distance to the nearest place at which unmatched characters stop [m].
+constexpr double kUnmatchedDistance = 2.0;
 
 }  // namespace
 
-// The unmatched come as near as the nearest usable place, and wait there where the line to it is clear.
+// Unmatched characters go to the nearest usable place, and wait near it where the line to it is clear.
 void SteeringStage::directUnmatched(const WorldState& state, const Group& group,
                                     const MemberArrays& members) {
     const std::span<const Vec2> positions = members.positions();
@@ -22,7 +24,7 @@ void SteeringStage::directUnmatched(const WorldState& state, const Group& group,
         const std::int32_t place = group.plan->waitingPlace(static_cast<std::int32_t>(k));
         if (place < 0) continue;
         const Vec2 target = group.places.positions()[place];
-        const bool arrived = distance(positions[k], target) < kWaitingDistance &&
+        const bool arrived = distance(positions[k], target) < kUnmatchedDistance &&
                              state.environment.clearLine(positions[k], target, 0.0);
         if (!arrived) towards_[k] = place;
     }
@@ -95,8 +97,8 @@ void SteeringStage::guideToPassages(WorldState& state, const WayStage& ways) {
             const std::int32_t i = group.members[k];
             if (!ways.guide(state, g, k, characters.place[i], characters.direction[i], characters.cost[i]))
                 continue;
-            // Its place is behind the passage, however near it is in a straight line.
-            placePosition_[i] = characters.position[i] + characters.direction[i] * kFarAhead;
+            // The place is behind the passage, however near it is in a straight line.
+            placePosition_[i] = characters.position[i] + characters.direction[i] * kPassageAhead;
             placeVelocity_[i] = {};
         }
     }

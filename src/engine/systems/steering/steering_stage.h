@@ -21,11 +21,11 @@
 
 namespace muster {
 
-/// Where every character would be after the step without contacts. One entry per character.
+/// Positions, velocities and headings after the step without contacts. One entry per character.
 struct NextMotion {
     std::vector<Vec2> position;  ///< [m]
     std::vector<Vec2> velocity;  ///< [m/s]
-    std::vector<Vec2> heading;   ///< Unit vector that it faces.
+    std::vector<Vec2> heading;   ///< Unit vector that the character faces.
 };
 
 /// Steers the characters of all groups. Its functions are called in this order: once in each step, and those
@@ -38,32 +38,33 @@ public:
         goals_.reset();
     }
 
-    /// Resolves what everybody is: radius, speed, mass, and how firmly it stands.
+    /// Resolves bodies: radius, speed, mass, and how firmly each character stands.
     void resolveBodies(const WorldState& state);
-    /// Writes directions, costs and goals of characters without places: they go down a field to their target.
+    /// Writes directions, costs and goals of characters without places, which go down a field to their
+    /// target.
     void descendFields(WorldState& state, PlanCosts& costs, ThreadPool& pool);
     /// Writes directions and costs of characters by the plans of their groups.
     void guide(WorldState& state, PlanCosts& costs, const GroupMembers& members, ThreadPool& pool);
-    /// Directs those to their passage who have to go through one.
+    /// Directs characters that have to go through a passage to it.
     void guideToPassages(WorldState& state, const WayStage& ways);
-    /// Directs those by a route of their own who have not got on for a while.
+    /// Directs characters that have not got on for a while by their own routes.
     void followOwnRoutes(WorldState& state) { ownRoutes_.run(state, goRound_.barred()); }
-    /// Writes at which share of their speed members of groups walk that keep together.
+    /// Writes the share of their speed at which members of groups that keep together walk.
     void setPaces(const WorldState& state);
-    /// Turns directions round those who hold their ground.
+    /// Turns directions round agents that hold their ground.
     void goRound(WorldState& state) { goRound_.run(state, bodies_, placePosition_); }
     /// Writes the next motion after `dt` [s], without contacts.
     void steer(WorldState& state, double dt, ThreadPool& pool);
-    /// Looks for those who share a place.
+    /// Finds characters that share a place.
     void findSharedPlaces(const WorldState& state) { shared_.find(state); }
 
-    const CrowdBodies& bodies() const { return bodies_; }  ///< Of this step.
-    NextMotion& next() { return next_; }                   ///< By the last steer(); contacts correct it.
-    std::span<const double> topSpeeds() const {
-        return steering_.topSpeeds();
-    }  ///< Of the last steer() [m/s].
-    const NeighbourList& neighbours() const { return steering_.neighbours(); }  ///< Of the last steer().
-    const BodyAxes& axes() const { return steering_.axes(); }                   ///< Of the last steer().
+    const CrowdBodies& bodies() const { return bodies_; }  ///< The bodies of this step.
+    NextMotion& next() { return next_; }  ///< The result of the last steer(); contacts correct it.
+    /// The top speeds of the last steer() [m/s].
+    std::span<const double> topSpeeds() const { return steering_.topSpeeds(); }
+    /// The neighbours of the last steer().
+    const NeighbourList& neighbours() const { return steering_.neighbours(); }
+    const BodyAxes& axes() const { return steering_.axes(); }  ///< The axes of the last steer().
 
 private:
     void directUnmatched(const WorldState& state, const Group& group, const MemberArrays& members);
@@ -75,17 +76,17 @@ private:
     GoalStage goals_;
     GoRound goRound_;
     CrowdBodies bodies_;
-    std::vector<std::uint8_t> firmness_;  // Of all groups.
-    std::vector<double> pace_;            // Of all characters, as shares; empty for all 1.
+    std::vector<std::uint8_t> firmness_;  // Firmness of each group.
+    std::vector<double> pace_;            // By character, as shares; empty for all 1.
     Cohesion cohesion_;
-    std::vector<std::int32_t>
-        towards_;                   // Of one group's members: the place to which each is guided, -1 for none.
-    std::vector<Vec2> directions_;  // Of one group's members.
+    // By member of one group: the place to which it is guided, -1 for none.
+    std::vector<std::int32_t> towards_;
+    std::vector<Vec2> directions_;  // By member of one group.
     std::vector<double> costs_;
-    std::vector<Vec2> placePosition_;  // Of all characters.
+    std::vector<Vec2> placePosition_;  // By character.
     std::vector<Vec2> placeVelocity_;
     std::vector<Vec2> facing_;
-    std::vector<GroupClaim> claims_;  // Of all groups.
+    std::vector<GroupClaim> claims_;  // By group.
     NextMotion next_;
 };
 

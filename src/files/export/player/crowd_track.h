@@ -10,7 +10,7 @@
 
 #include "files/export/exporter.h"
 #include "files/export/player/range_encoder.h"
-#include "people/bodies/body.h"
+#include "people/bodies/body_mesh.h"
 
 namespace muster {
 

@@ -13,7 +13,7 @@ public:
     Matching(std::span<const Vec2> starts, std::span<const Vec2> places, double reach)
         : starts_(starts), places_(places), reach_(reach), taker_(places.size(), -1) {}
 
-    /// True if every start is matched.
+    /// True if each start has a place.
     bool complete() {
         for (std::size_t i = 0; i < starts_.size(); ++i) {
             seen_.assign(places_.size(), 0);
@@ -37,7 +37,7 @@ private:
 
     std::span<const Vec2> starts_, places_;
     double reach_;
-    std::vector<std::int32_t> taker_;  // By place: the start that has it.
+    std::vector<std::int32_t> taker_;  // By place: the start that it belongs to.
     std::vector<std::uint8_t> seen_;
 };
 

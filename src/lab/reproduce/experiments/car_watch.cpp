@@ -10,8 +10,10 @@
 namespace muster {
 namespace {
 
-constexpr double kGivesWay = 0.1;  // A vertex so far from where the user wants it gives way [m].
-constexpr double kStands = 0.02;   // A vertex so near to it stands there again [m].
+// Distance of a vertex from its vertex of the user mesh from which on it gives way [m].
+constexpr double kYieldDistance = 0.1;
+// Distance below which a vertex that gave way stands on the user mesh again [m].
+constexpr double kRestDistance = 0.02;
 
 }  // namespace
 
@@ -39,8 +41,8 @@ void CarWatch::watchMesh(const World& world) {
     for (std::size_t v = 0; v < displaced_.size(); ++v) {
         const Vec2 wanted = mesh.userMesh()[v];
         const double moved = distance(wanted, mesh.finalMesh()[v]);
-        if (moved < kStands) displaced_[v] = 0;
-        if (moved < kGivesWay || displaced_[v] != 0) continue;
+        if (moved < kRestDistance) displaced_[v] = 0;
+        if (moved < kYieldDistance || displaced_[v] != 0) continue;
         displaced_[v] = 1;
         double nearest = std::numeric_limits<double>::infinity();
         for (const ObstaclePiece& piece : inspect::environment(world).pieces())

@@ -1,4 +1,4 @@
-// Measures how near moving obstacles come to characters, and at what distance a mesh gives way to them.
+// Measures gaps of moving obstacles to characters, and the distance at which a mesh gives way to them.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@ class CarWatch {
 public:
     /// Call before the first step.
     explicit CarWatch(const World& world);
-    /// Call after every step. Each car is measured where it was when contacts were resolved and where it is
-    /// at the end of the step.
+    /// Call after every step. Each car is measured twice: at its position when contacts were resolved, and at
+    /// that of the end of the step.
     void observe(const World& world);
 
     /// Smallest gap between anybody's disc and a car's surface [m], at most kFar; 0 and less for contacts.
@@ -28,7 +28,7 @@ public:
     /// differ there by 0.1 m [m]; NaN where it never did.
     double givesWayFrom() const;
 
-    static constexpr double kFar = 3.0;  ///< Gaps are known up to this [m].
+    static constexpr double kFar = 3.0;  ///< Greatest gap that is measured [m].
 
 private:
     void watchMesh(const World& world);

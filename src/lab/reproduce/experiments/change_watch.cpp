@@ -10,9 +10,10 @@ namespace muster {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kStandReach = 0.1;  // Of "stood" [m].
+// Distance to the place within which a character counts as standing on it [m].
+constexpr double kStoodReach = 0.1;
 
-/// The moment at which `share` of all had arrived; NaN where they have not.
+/// The time at which `share` of all had arrived; NaN where they have not.
 double quantile(std::vector<double> moments, double share) {
     std::sort(moments.begin(), moments.end());
     const double rank = std::ceil(share * static_cast<double>(moments.size()) - 1e-9);
@@ -63,8 +64,8 @@ void ChangeWatch::observe(const World& world) {
         const auto place = static_cast<std::size_t>(c.place[i]);
         const double away = c.place[i] < 0 ? kInfinity : distance(c.position[i], group.placePositions[place]);
         reachedAt_[k] = away > kArrivedReach ? kInfinity : std::min(reachedAt_[k], world.time());
-        stoodAt_[k] = away > kStandReach ? kInfinity : std::min(stoodAt_[k], world.time());
-        if (distance(c.position[i], spot_[k]) >= kStuckMove) {
+        stoodAt_[k] = away > kStoodReach ? kInfinity : std::min(stoodAt_[k], world.time());
+        if (distance(c.position[i], spot_[k]) >= kStuckDistance) {
             spot_[k] = c.position[i];
             movedAt_[k] = world.time();
         }
@@ -79,12 +80,12 @@ FormationChangeRecord ChangeWatch::judged() const {
     const auto moments = [&](const std::vector<double>& since) {
         std::vector<double> found;
         for (const double at : since)
-            found.push_back(lastTime_ - at >= kArrivedFor - 1e-9 ? at - record.time : kInfinity);
+            found.push_back(lastTime_ - at >= kArrivedTime - 1e-9 ? at - record.time : kInfinity);
         return found;
     };
     const std::vector<double> arrived = moments(reachedAt_);
     for (std::size_t k = 0; k < arrived.size(); ++k)
-        if (arrived[k] == kInfinity && lastTime_ - movedAt_[k] >= kStuckFor) ++record.stuck;
+        if (arrived[k] == kInfinity && lastTime_ - movedAt_[k] >= kStuckTime) ++record.stuck;
     record.arrived95 = quantile(arrived, 0.95);
     record.arrived100 = quantile(arrived, 1.0);
     record.stood95 = quantile(moments(stoodAt_), 0.95);

@@ -12,20 +12,20 @@ namespace muster {
 
 /// One change of formation of a group.
 struct FormationChangeRecord {
-    FormationKind kind = FormationKind::Square;  ///< Into what.
-    double time = 0.0;                           ///< When [s].
+    FormationKind kind = FormationKind::Square;  ///< The new shape.
+    double time = 0.0;                           ///< Time of the change [s].
     /// Value of the bottleneck assignment from the positions at the change to the new places [m].
     double bottleneck = 0.0;
-    /// From the change until 95 % have arrived (SPEC 8) [s]; NaN where they never did.
+    /// Time from the change until 95 % have arrived (SPEC 8) [s]; NaN where they never did.
     double arrived95 = 0.0;
-    double arrived100 = 0.0;  ///< The same of all.
-    double stood95 = 0.0;     ///< As arrived95, within a tenth of a metre.
+    double arrived100 = 0.0;  ///< Time from the change until all have arrived [s]; NaN where they never did.
+    double stood95 = 0.0;     ///< As arrived95, but within 0.1 m of the place [s].
     /// Characters that had not arrived when the observation of this change ended and stood still for its last
     /// 5 s.
     std::int32_t stuck = 0;
-    /// arrived95 over the time that the bottleneck takes at `speed` [m/s].
+    /// Ratio of arrived95 to the time that the bottleneck takes at `speed` [m/s].
     double ratio(double speed) const { return arrived95 / (bottleneck / speed); }
-    /// stood95 over the same time.
+    /// Ratio of stood95 to the same time.
     double strictRatio(double speed) const { return stood95 / (bottleneck / speed); }
 };
 
@@ -47,12 +47,13 @@ private:
     std::size_t group_;
     std::uint32_t version_ = 0;
     double lastTime_ = 0.0;
-    std::vector<Vec2> last_;  // Where everybody stood a step ago.
+    std::vector<Vec2> last_;  // Positions of the step before [m].
     FormationChangeRecord running_;
     bool watching_ = false;
-    std::vector<double> reachedAt_;  // Since when it is within reach of its place [s]; infinite outside.
-    std::vector<double> stoodAt_;    // Since when it is within the shorter reach.
-    std::vector<double> movedAt_;    // When it last left the spot below [s].
+    // By character: time since which it is within reach of its place [s]; infinite outside.
+    std::vector<double> reachedAt_;
+    std::vector<double> stoodAt_;  // By character: time since which it is within the shorter reach [s].
+    std::vector<double> movedAt_;  // By character: time at which it last left its spot [s].
     std::vector<Vec2> spot_;
     std::vector<FormationChangeRecord> done_;
 };

@@ -18,8 +18,9 @@ public:
     /// Call after every step.
     void observe(const World& world);
 
-    std::int32_t encounters() const { return encounters_; }  ///< By positions and polygons.
-    std::int32_t events() const { return events_; }          ///< SingleStep events of that motion.
+    /// Number of encounters by positions and polygons.
+    std::int32_t encounters() const { return encounters_; }
+    std::int32_t events() const { return events_; }  ///< Number of SingleStep events of that motion.
     /// Encounters without an event of the same character in the same step, and events without an encounter.
     std::int32_t mismatches() const { return mismatches_; }
     /// Encounters of each character.
@@ -31,8 +32,8 @@ private:
     MotionId motion_;
     std::int64_t rearmSteps_;
     std::vector<PatchId> patches_;
-    std::vector<std::int64_t> outside_;  // By patch and character: steps since it was last inside.
-    std::vector<std::uint8_t> begins_;   // By character: in this step.
+    std::vector<std::int64_t> outside_;  // By patch and character: steps since the character was last inside.
+    std::vector<std::uint8_t> begins_;   // By character: whether an encounter begins in this step.
     std::vector<std::int32_t> byCharacter_;
     std::int32_t encounters_ = 0;
     std::int32_t events_ = 0;

@@ -1,5 +1,5 @@
-// One experiment of the paper: what is run, what is measured, what must be seen (SPEC section 6); and the
-// makers of all experiments, one per file.
+// One experiment of the paper: its runs, its measurements and its criteria (SPEC section 6); and the makers
+// of all experiments, one per file.
 #pragma once
 
 #include <cstdint>
@@ -18,52 +18,52 @@ namespace muster {
 struct ExperimentText {
     std::string id;     ///< "X4"
     std::string title;  ///< "Dense woodland"
-    std::string paper;  ///< What the paper shows, and where.
+    std::string paper;  ///< Result of the paper, with its section or figure.
     std::string scene;  ///< Our scene, and how it is measured.
-    /// Its file under scenarios/paper without ".json"; where several, the one to watch first.
+    /// Name of its file under scenarios/paper without ".json"; of several files that to watch first.
     std::string scenario;
-    /// What is learned beyond the criteria; may be empty. Paragraphs end with a line break.
+    /// Findings beyond the criteria; may be empty. Paragraphs end with a line break.
     std::string findings;
 };
 
-/// What is compared: one way to run the scene. All arms run with all seeds.
+/// One way to run the scene, compared with the others. All arms run with all seeds.
 struct Arm {
-    /// "transport", "fixed"; unique within the experiment together with the preset.
+    /// Id such as "transport" or "fixed"; unique within the experiment together with the preset.
     std::string id;
-    std::string title;              ///< Above its column and under its pictures: "Transport".
+    std::string title;              ///< Title above its column and under its pictures: "Transport".
     std::string preset = "muster";  ///< Parameters it starts from: "muster" or "paper".
 };
 
 /// A measured figure: a row of the table.
 struct FigureInfo {
-    std::string name;           ///< As in RunSample.
-    std::string title;          ///< "last one there"
-    std::string unit;           ///< "s"; empty for counts.
-    std::int32_t decimals = 2;  ///< Shown.
+    std::string name;           ///< Name as in RunSample.
+    std::string title;          ///< Title such as "last one there".
+    std::string unit;           ///< Unit such as "s"; empty for counts.
+    std::int32_t decimals = 2;  ///< Number of decimals that are shown.
 };
 
 /// A line of a chart.
 struct ChartSeries {
-    std::string title;         ///< In the legend.
-    std::vector<Vec2> points;  ///< In the axes' units.
-    bool marksOnly = false;    ///< Points without a line.
+    std::string title;         ///< Title in the legend.
+    std::vector<Vec2> points;  ///< Points in the units of the axes.
+    bool marksOnly = false;    ///< Points are shown without a line.
 };
 
 /// A chart of the report.
 struct ChartDef {
-    std::string title;                ///< One sentence: what is to be seen.
-    std::string xTitle;               ///< With its unit.
-    std::string yTitle;               ///< With its unit.
-    bool logX = false;                ///< Logarithmic axis; all its values > 0.
-    bool logY = false;                ///< Logarithmic axis; all its values > 0.
-    std::vector<ChartSeries> series;  ///< In the order of the legend.
+    std::string title;                ///< One sentence that says what is to be seen.
+    std::string xTitle;               ///< Title of the axis with its unit.
+    std::string yTitle;               ///< Title of the axis with its unit.
+    bool logX = false;                ///< The axis is logarithmic; all its values are > 0.
+    bool logY = false;                ///< The axis is logarithmic; all its values are > 0.
+    std::vector<ChartSeries> series;  ///< Series in the order of the legend.
 };
 
 /// One run that is asked for.
 struct RunRequest {
-    Arm arm;                 ///< Which way.
-    std::uint64_t seed = 1;  ///< From 1.
-    bool film = false;       ///< Pictures are wanted.
+    Arm arm;                 ///< The arm that is run.
+    std::uint64_t seed = 1;  ///< Seed, from 1 on.
+    bool film = false;       ///< Whether pictures are wanted.
     std::string folder;      ///< Folder of the paper's scenarios.
     /// Parameters by name, instead of the scenario's.
     std::vector<std::pair<std::string, double>> settings = {};
@@ -75,11 +75,11 @@ public:
     virtual ~Experiment() = default;
     /// Title and texts.
     virtual ExperimentText text() const = 0;
-    /// The arms that are compared. The first is the one that is judged.
+    /// All arms. The criteria judge the first one.
     virtual std::vector<Arm> arms() const = 0;
-    /// The rows of its table.
+    /// The rows of the experiment's table.
     virtual std::vector<FigureInfo> figures() const = 0;
-    /// True where it measures time, so that nothing else may run meanwhile.
+    /// True where the experiment measures time, so that nothing else may run meanwhile.
     virtual bool timed() const { return false; }
     /// One run. Fails where its scenario cannot be read.
     virtual Result<RunSample> run(const RunRequest& request) const = 0;

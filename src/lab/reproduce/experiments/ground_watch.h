@@ -8,7 +8,7 @@
 
 namespace muster {
 
-/// Measures on what ground characters walk, how far and for how long. Their number must not change.
+/// Measures the ground on which characters walk: lengths and times by motion. Their number must not change.
 class GroundWatch {
 public:
     /// Call before the first step.
@@ -16,14 +16,16 @@ public:
     /// Call after every step. A step counts where it begins and ends on ground of one motion.
     void observe(const World& world);
 
-    double seconds(MotionId motion) const;  ///< Time that all characters together were on its ground [s].
-    double metres(MotionId motion) const;   ///< Way that all characters together walked on its ground [m].
-    /// Mean speed on its ground [m/s]; NaN where nobody was on it.
+    /// Time that all characters together were on ground of the motion [s].
+    double seconds(MotionId motion) const;
+    /// Length that all characters together walked on ground of the motion [m].
+    double metres(MotionId motion) const;
+    /// Mean speed on ground of the motion [m/s]; NaN where nobody was on it.
     double speed(MotionId motion) const;
-    /// Characters that have been on its ground.
+    /// Number of characters that have been on ground of the motion.
     std::int32_t visitors(MotionId motion) const;
-    /// Share of the time on its ground in which a character had another motion id; NaN where nobody was on
-    /// it.
+    /// Share of the time on ground of the motion in which a character had another motion id; NaN where nobody
+    /// was on it.
     double wrongShare(MotionId motion) const;
 
 private:
@@ -31,13 +33,13 @@ private:
         std::int64_t steps = 0;
         std::int64_t wrong = 0;
         double metres = 0.0;
-        std::vector<std::uint8_t> visited;  // By character.
+        std::vector<std::uint8_t> visited;  // By character: whether it has been on the ground.
     };
 
     double stepTime_;
     std::vector<Vec2> position_;
     std::vector<MotionId> ground_;
-    std::vector<Tally> tallies_;  // By motion.
+    std::vector<Tally> tallies_;  // Tallies by motion.
 };
 
 }  // namespace muster

@@ -1,4 +1,4 @@
-#include "lab/reproduce/experiments/trial.h"
+#include "lab/reproduce/experiments/experiment_trial.h"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 namespace muster {
 namespace {
 
-constexpr double kGrows = 2.0;  // [s]
+constexpr double kShiftTime = 2.0;  // Time over which the shift grows to its full length [s].
 
 }  // namespace
 
@@ -22,7 +22,7 @@ void jitterHand(std::vector<Command>& commands, std::uint64_t seed, double amoun
             begins = down->time;
         auto* move = std::get_if<TouchMove>(&command.body);
         if (move == nullptr || begins < 0.0) continue;
-        move->position += shift * std::clamp((move->time - begins) / kGrows, 0.0, 1.0);
+        move->position += shift * std::clamp((move->time - begins) / kShiftTime, 0.0, 1.0);
     }
 }
 

@@ -1,4 +1,4 @@
-// Records which lane each character takes, and when.
+// Records the lane of each character, and the time of its crossing.
 #pragma once
 
 #include <cstdint>

@@ -7,14 +7,14 @@
 namespace muster {
 
 Mouth::Mouth(const TriangleMesh& rest) {
-    constexpr double kAxis = 1e-6;  // Vertices this near to the axis lie on it [m].
+    constexpr double kAxisTolerance = 1e-6;  // Distance to the axis below which a vertex lies on it [m].
     double hingeAt = -1e300, upperAt = -1e300, lowerAt = -1e300;
     for (std::size_t v = 0; v < rest.vertices.size(); ++v) {
         const Vec2 p = rest.vertices[v];
-        double& best = p.y > kAxis ? upperAt : p.y < -kAxis ? lowerAt : hingeAt;
+        double& best = p.y > kAxisTolerance ? upperAt : p.y < -kAxisTolerance ? lowerAt : hingeAt;
         if (p.x <= best) continue;
         best = p.x;
-        (p.y > kAxis ? upper : p.y < -kAxis ? lower : hinge) = static_cast<std::int32_t>(v);
+        (p.y > kAxisTolerance ? upper : p.y < -kAxisTolerance ? lower : hinge) = static_cast<std::int32_t>(v);
     }
 }
 

@@ -1,4 +1,4 @@
-// Measures how far Pacman's mouth is open, from his mesh.
+// Measures the opening of Pacman's mouth by his mesh.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@ namespace muster {
 
 /// Vertices of a Pacman mesh that faces +x at rest, its mouth being symmetric about the x axis.
 struct Mouth {
-    std::int32_t hinge = 0;  ///< Where the lips meet: the foremost vertex on the axis.
-    std::int32_t upper = 0;  ///< Tip of the upper lip: the foremost above the axis.
-    std::int32_t lower = 0;  ///< Tip of the lower lip.
+    std::int32_t hinge = 0;  ///< Vertex at which the lips meet: the foremost one on the axis.
+    std::int32_t upper = 0;  ///< Tip of the upper lip: the foremost vertex above the axis.
+    std::int32_t lower = 0;  ///< Tip of the lower lip: the foremost vertex below the axis.
 
-    /// Finds the vertices.
+    /// Finds the three vertices.
     explicit Mouth(const TriangleMesh& rest);
     /// Angle at the hinge from the lower lip to the upper, through the mouth [rad], 0 to 2 pi, of the
     /// vertices as they are now.
@@ -24,11 +24,11 @@ struct Mouth {
 /// Counts openings with hysteresis: each must be preceded by a closing.
 class OpeningCounter {
 public:
-    /// Shut below `shut`, open above `open` > shut [rad].
+    /// The mouth is shut below `shut` and open above `open` > shut [rad].
     OpeningCounter(double shut, double open) : shut_(shut), open_(open) {}
     /// Takes the angle of the next step [rad].
     void observe(double angle);
-    std::int32_t openings() const { return openings_; }  ///< So far.
+    std::int32_t openings() const { return openings_; }  ///< Number of openings so far.
 
 private:
     double shut_, open_;

@@ -16,19 +16,19 @@ inline constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 /// A picture of a film strip.
 struct FilmFrame {
-    double time = 0.0;    ///< Of the simulation [s].
-    std::string caption;  ///< What is to be seen in it.
+    double time = 0.0;    ///< Time of the simulation [s].
+    std::string caption;  ///< Sentence that says what is to be seen in the picture.
     std::string svg;      ///< The picture, a whole SVG document.
 };
 
 /// The results of one run.
 struct RunSample {
-    /// By name, in the unit of its FigureInfo. NaN: has no value here.
+    /// Figures by name, in the unit of their FigureInfo; NaN for a figure without a value.
     std::map<std::string, double> figures;
-    std::map<std::string, std::vector<Vec2>> curves;  ///< By name, for charts.
-    std::vector<FilmFrame> film;                      ///< Where asked for.
+    std::map<std::string, std::vector<Vec2>> curves;  ///< Curves for charts, by name.
+    std::vector<FilmFrame> film;                      ///< Pictures, where they were asked for.
     std::string plan;        ///< Method of the plans at the end: "fast" or "exact"; empty where unknown.
-    std::uint64_t hash = 0;  ///< Of the world at the end; 0 where there is none.
+    std::uint64_t hash = 0;  ///< State hash of the world at the end; 0 where there is none.
 };
 
 /// All runs of an experiment.
@@ -36,21 +36,21 @@ class Samples {
 public:
     /// Adds the run of an arm; seeds are added in rising order.
     void add(const std::string& arm, const std::string& preset, RunSample sample);
-    /// A figure of an arm by seed; those without a value are left out. Empty for an unknown arm or figure.
+    /// A figure of an arm by seed; runs without a value are left out. Empty for an unknown arm or figure.
     std::vector<double> values(const std::string& arm, const std::string& preset,
                                const std::string& figure) const;
     /// All runs of an arm by seed; empty for an unknown one.
     const std::vector<RunSample>& runs(const std::string& arm, const std::string& preset) const;
-    /// Runs of each arm.
+    /// Number of runs of each arm.
     std::size_t seeds() const;
 
 private:
-    std::map<std::pair<std::string, std::string>, std::vector<RunSample>> runs_;  // By arm and preset.
+    std::map<std::pair<std::string, std::string>, std::vector<RunSample>> runs_;  // Runs by arm and preset.
 };
 
 /// Median (of an even number: the mean of the middle two); NaN of none.
 double median(std::vector<double> values);
-/// Pair by pair: a[i] / b[i], of as many as both have. NaN where b is 0.
+/// Ratios a[i] / b[i] of as many pairs as both have; NaN where b is 0.
 std::vector<double> ratios(const std::vector<double>& a, const std::vector<double>& b);
 
 }  // namespace muster

@@ -7,11 +7,11 @@
 
 namespace muster {
 
-/// Which of the seeds' values is compared with the threshold.
+/// The value among those of all seeds that is compared with the threshold.
 enum class Aggregate : std::uint8_t {
-    Median,   ///< Of all seeds.
-    Lowest,   ///< The value of every seed is at least the threshold.
-    Highest,  ///< The value of every seed is at most the threshold.
+    Median,   ///< The median of all seeds.
+    Lowest,   ///< The lowest value: each seed's is at least the threshold.
+    Highest,  ///< The highest value: each seed's is at most the threshold.
 };
 
 /// The side of the threshold on which a value passes. The threshold itself passes.
@@ -19,7 +19,7 @@ enum class Comparison : std::uint8_t { AtLeast, AtMost };
 
 /// The outcome of one criterion.
 struct Verdict {
-    std::string criterion;  ///< "36 of 36 through the woodland in every seed"
+    std::string criterion;  ///< Words such as "36 of 36 through the woodland in every seed".
     std::string preset;     ///< The preset of the runs.
     std::string unit;       ///< Unit of value and threshold; may be empty.
     Comparison comparison = Comparison::AtLeast;

@@ -9,29 +9,29 @@
 #include "engine/world/inspect.h"
 #include "lab/reproduce/experiments/distortion.h"
 #include "lab/reproduce/experiments/experiment.h"
-#include "lab/reproduce/experiments/trial.h"
+#include "lab/reproduce/experiments/experiment_trial.h"
 
 namespace muster {
 namespace {
 
-/// What four fingers do to a square: they shift and rotate it, stretch it along both sides, shear and taper
-/// it.
+/// The drag of four fingers that hold the corners of a square: they shift and rotate it, stretch it along
+/// both sides, shear and taper it.
 struct Drag {
     Vec2 shift;
     Rotation turn;
-    double stretchX = 1.0, stretchY = 1.0;  ///< Of its sides.
-    double shear = 0.0;                     ///< Of x by y.
-    double taper = 0.0;                     ///< Its right side longer by this share, its left side shorter.
+    double stretchX = 1.0, stretchY = 1.0;  ///< Factors of the lengths of the sides.
+    double shear = 0.0;                     ///< Shift of x by y.
+    double taper = 0.0;  ///< Share by which the right side becomes longer and the left side shorter.
 
-    /// Where a corner of the square about the origin goes, whose half side is `half` [m].
+    /// The point to which a corner of the square about the origin goes, whose half side is `half` [m].
     Vec2 apply(Vec2 corner, double half) const {
         const double width = 1.0 + taper * corner.x / half;
         return shift + turn.apply({stretchX * corner.x + shear * corner.y, stretchY * width * corner.y});
     }
 };
 
-/// Fingers that pinch or spread the square while they rotate it. With `oneWay` they stretch it along one axis
-/// and squeeze it along the other.
+/// A drag of fingers that pinch or spread the square while they rotate it. With `oneWay` they stretch it
+/// along one axis and squeeze it along the other.
 Drag dragOf(std::uint64_t seed, bool oneWay) {
     Random random(seed);
     const auto between = [&](double low, double high) { return random.uniform(low, high); };

@@ -6,12 +6,13 @@
 #include "engine/world/inspect.h"
 #include "lab/reproduce/experiments/distortion.h"
 #include "lab/reproduce/experiments/experiment.h"
-#include "lab/reproduce/experiments/trial.h"
+#include "lab/reproduce/experiments/experiment_trial.h"
 
 namespace muster {
 namespace {
 
-constexpr std::uint32_t kLineTouches = 2;  // The first touches of the gesture make the line.
+// Number of touches of the gesture, the first ones, that make the line.
+constexpr std::uint32_t kLineTouches = 2;
 
 /// Draws the line's fingers 0.6 to 1.2 times as far as shipped, by the seed; the first seed keeps them.
 void drawLine(std::uint64_t seed, std::vector<Command>& commands) {

@@ -2,12 +2,13 @@
 #include <cmath>
 
 #include "lab/reproduce/experiments/experiment.h"
-#include "lab/reproduce/experiments/trial.h"
+#include "lab/reproduce/experiments/experiment_trial.h"
 
 namespace muster {
 namespace {
 
-constexpr double kLongest = 60.0;  // Who has not arrived by then has not [s].
+// Time after which a character that is still on its way counts as not arrived [s].
+constexpr double kMetricLongest = 60.0;
 
 /// Length of the paths walked by all characters [m].
 class Walked {
@@ -93,7 +94,7 @@ public:
         trial->shoot("on the way");
         trial->runUntil(8.0, watch);
         trial->shoot("4 s later");
-        trial->runUntilSettled(kLongest, watch);
+        trial->runUntilSettled(kMetricLongest, watch);
         trial->shoot("all stand");
         RunSample sample;
         trial->report(sample);

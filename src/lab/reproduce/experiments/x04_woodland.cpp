@@ -4,20 +4,20 @@
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
 #include "lab/reproduce/experiments/experiment.h"
+#include "lab/reproduce/experiments/experiment_trial.h"
 #include "lab/reproduce/experiments/ground_watch.h"
-#include "lab/reproduce/experiments/trial.h"
 
 namespace muster {
 namespace {
 
 constexpr MotionId kRun = 0;
 constexpr MotionId kDuck = 2;
-constexpr double kWoodBegins = -10.7;  // All branches hang between these [m].
+constexpr double kWoodBegins = -10.7;  // Both ends of the wood along x, between which all branches hang [m].
 constexpr double kWoodEnds = 11.7;
 // Distance of starts from their places, large enough to matter for more than a moment [m].
 constexpr double kWoodlandJitter = 1.5;
-constexpr double kWoodlandHand = 0.5;      // How far the hand draws aside [m].
-constexpr double kWoodlandLongest = 60.0;  // After the last gesture [s].
+constexpr double kWoodlandHand = 0.5;      // Greatest shift of the hand [m].
+constexpr double kWoodlandLongest = 60.0;  // Longest time after the last gesture [s].
 
 class WoodlandExperiment final : public Experiment {
 public:

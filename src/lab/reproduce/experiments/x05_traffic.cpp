@@ -8,7 +8,7 @@
 #include "lab/reproduce/experiments/car_watch.h"
 #include "lab/reproduce/experiments/encounter_watch.h"
 #include "lab/reproduce/experiments/experiment.h"
-#include "lab/reproduce/experiments/trial.h"
+#include "lab/reproduce/experiments/experiment_trial.h"
 
 namespace muster {
 namespace {
@@ -16,11 +16,11 @@ namespace {
 constexpr MotionId kJump = 5;
 // Distance of starts from their places, large enough to matter for more than a moment [m].
 constexpr double kTrafficJitter = 1.0;
-constexpr double kTrafficHand = 0.3;      // How far the hand draws aside [m].
-constexpr double kEarly = 1.0;            // How far each car is ahead or behind [m].
-constexpr double kTrafficLongest = 30.0;  // After the last gesture [s].
-constexpr double kFarSide = 5.5;          // Beyond the street [m].
-constexpr double kClear = 0.25;           // Nobody is touched: the smallest gap is at least this [m].
+constexpr double kTrafficHand = 0.3;      // Greatest shift of the hand [m].
+constexpr double kCarShift = 1.0;         // Greatest distance by which a car is ahead or behind [m].
+constexpr double kTrafficLongest = 30.0;  // Longest time after the last gesture [s].
+constexpr double kFarSide = 5.5;          // Height y beyond which a character has crossed the street [m].
+constexpr double kUntouchedGap = 0.25;    // Least gap at which nobody counts as touched [m].
 
 /// Arms of the sweep, with the strength of all cars' fields. The first is the scene as it is watched.
 struct Strength {
@@ -33,8 +33,8 @@ constexpr std::array<Strength, 4> kStrengths{{{"traffic", "Field strength 4", 4.
                                               {"s1", "Field strength 1", 1.0},
                                               {"s0", "No field", 0.0}}};
 
-/// The same scene without the cars' fields and without their discomfort (SPEC A5): what is left is contacts.
-/// Against the arm without a field it shows what discomfort alone does.
+/// Arm without the cars' fields and without their discomfort (SPEC A5), which leaves only contacts. Compared
+/// with the arm without a field it shows the effect of discomfort alone.
 constexpr const char* kNeither = "neither";
 
 class TrafficExperiment final : public Experiment {
@@ -96,7 +96,7 @@ void shiftCars(WorldDef& def, std::uint64_t seed) {
     Random random(seed + 1000);
     for (ObstacleDef& obstacle : def.obstacles) {
         if (obstacle.path.still()) continue;
-        const double shift = random.uniform(-kEarly, kEarly);
+        const double shift = random.uniform(-kCarShift, kCarShift);
         for (Waypoint& waypoint : obstacle.path.waypoints) waypoint.position.x += shift;
     }
 }
@@ -167,7 +167,7 @@ void TrafficExperiment::judge(const Samples& samples, Judge& judge) const {
             return samples.values(kStrengths[0].arm, preset, figure);
         };
         judge.require("no car touches anyone: smallest gap between anybody and a car in every seed", preset,
-                      values("gap"), Aggregate::Lowest, Comparison::AtLeast, kClear, "m");
+                      values("gap"), Aggregate::Lowest, Comparison::AtLeast, kUntouchedGap, "m");
         judge.require("36 of 36 across the street in every seed", preset, values("across"), Aggregate::Lowest,
                       Comparison::AtLeast, 36.0);
         judge.require("each encounter with a mouse has exactly one jump, in every seed", preset,

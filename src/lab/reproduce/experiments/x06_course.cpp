@@ -5,19 +5,19 @@
 
 #include "lab/reproduce/experiments/encounter_watch.h"
 #include "lab/reproduce/experiments/experiment.h"
+#include "lab/reproduce/experiments/experiment_trial.h"
 #include "lab/reproduce/experiments/ground_watch.h"
-#include "lab/reproduce/experiments/trial.h"
 
 namespace muster {
 namespace {
 
 constexpr MotionId kCourseCrawl = 3, kCourseSwim = 4, kCourseJump = 5, kClimb = 6;
 constexpr std::array kTerrains{kClimb, kCourseJump, kCourseCrawl, kCourseSwim};
-constexpr double kFinish = 23.5;  // Behind the pool [m].
+constexpr double kFinish = 23.5;  // Position along x behind the pool [m].
 // Distance of starts from their places, large enough to matter for more than a moment [m].
 constexpr double kCourseJitter = 1.0;
-constexpr double kCourseHand = 0.4;      // How far the hand draws aside [m].
-constexpr double kCourseLongest = 60.0;  // After the last gesture [s].
+constexpr double kCourseHand = 0.4;      // Greatest shift of the hand [m].
+constexpr double kCourseLongest = 60.0;  // Longest time after the last gesture [s].
 
 class CourseExperiment final : public Experiment {
 public:
@@ -107,7 +107,7 @@ private:
     std::int32_t changes_ = 0;
 };
 
-/// A picture is taken when the mean position of the crowd reaches this point.
+/// The moment of a picture: the mean position of the crowd reaches this point.
 struct Moment {
     double x;
     const char* caption;

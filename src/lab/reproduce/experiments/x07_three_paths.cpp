@@ -5,21 +5,24 @@
 #include "engine/formation/places/place_tracker.h"
 #include "engine/world/inspect.h"
 #include "lab/reproduce/experiments/experiment.h"
+#include "lab/reproduce/experiments/experiment_trial.h"
 #include "lab/reproduce/experiments/ground_watch.h"
 #include "lab/reproduce/experiments/lane_watch.h"
-#include "lab/reproduce/experiments/trial.h"
 
 namespace muster {
 namespace {
 
-constexpr double kLanesEntrance = -6.0;  // A metre before the lanes begin [m].
-constexpr double kLanesMiddle = 0.0;     // Of the lanes: who is here has taken one [m].
-constexpr double kEnd = 5.0;             // The lanes end [m].
-constexpr double kLower = -1.5;          // The other gesture is this much lower [m].
-constexpr double kLanesJitter = 0.8;     // Of starts [m].
-constexpr double kLanesHand = 0.4;       // How far the hand draws aside [m].
-constexpr double kInPlace = 0.5;         // [m]
-constexpr double kLanesLongest = 40.0;   // After the last gesture [s].
+// Position along x of the entrance line, 1 m before the lanes begin [m].
+constexpr double kLanesEntrance = -6.0;
+// Position along x of the middle of the lanes, at which each character has taken one [m].
+constexpr double kLanesMiddle = 0.0;
+constexpr double kLanesEnd = 5.0;     // Position along x of the end of the lanes [m].
+constexpr double kLowerShift = -1.5;  // Shift of the lower gesture along y [m].
+constexpr double kLanesJitter = 0.8;  // Greatest displacement of a start [m].
+constexpr double kLanesHand = 0.4;    // Greatest shift of the hand [m].
+// Distance to the spot on the mesh within which a character is in its place [m].
+constexpr double kInPlaceReach = 0.5;
+constexpr double kLanesLongest = 40.0;  // Longest time after the last gesture [s].
 constexpr MotionId kLanesCrawl = 3;
 constexpr MotionId kLanesSwim = 4;
 
@@ -79,7 +82,7 @@ public:
     explicit PathWatch(const World& world)
         : entrance_(kLanesEntrance, hedges(), world),
           middle_(kLanesMiddle, hedges(), world),
-          end_(kEnd, hedges(), world),
+          end_(kLanesEnd, hedges(), world),
           held_(world.characters().size(), -1) {}
 
     void observe(const World& world) {
@@ -112,7 +115,7 @@ private:
         for (std::size_t i = 0; i < characters.size(); ++i) {
             const std::int32_t place = characters.place[i];
             if (place < 0) return false;
-            if (distance(characters.position[i], targets[place]) > kInPlace) return false;
+            if (distance(characters.position[i], targets[place]) > kInPlaceReach) return false;
         }
         return true;
     }
@@ -127,7 +130,7 @@ private:
 Result<RunSample> ThreePathsExperiment::run(const RunRequest& request) const {
     auto trial = ExperimentTrial::open(request, {.scenario = "x07-three-paths", .jitter = kLanesJitter});
     if (!trial.ok()) return trial.status();
-    if (request.arm.id == "lower") trial->shift({0.0, kLower});
+    if (request.arm.id == "lower") trial->shift({0.0, kLowerShift});
     jitterHand(trial->commands(), request.seed, kLanesHand);
     if (Status s = trial->start(); !s.ok()) return s;
     PathWatch paths(trial->world());

@@ -4,21 +4,23 @@
 #include <cmath>
 
 #include "lab/reproduce/experiments/experiment.h"
+#include "lab/reproduce/experiments/experiment_trial.h"
 #include "lab/reproduce/experiments/lane_watch.h"
-#include "lab/reproduce/experiments/trial.h"
 
 namespace muster {
 namespace {
 
-constexpr double kAlleyEntrance = -2.0;  // Of the alley [m].
-constexpr double kAlleyMiddle = 0.0;     // Of the ways: who is here has taken one [m].
-constexpr double kAlley = 1.5;           // The alley lies between -y and y, the slow ways beyond [m].
-constexpr double kQueueReach = 4.0;      // Before the entrance [m].
-constexpr double kStanding = 0.5;        // Slower than this one waits [m/s].
+constexpr double kAlleyEntrance = -2.0;  // Position along x of the entrance of the alley [m].
+// Position along x of the middle of the ways, at which each character has taken one [m].
+constexpr double kAlleyMiddle = 0.0;
+constexpr double kAlleyHalfWidth = 1.5;  // Half width of the alley about y = 0, the slow ways lie beyond [m].
+// Length of the ground before the entrance on which the queue is counted [m].
+constexpr double kQueueReach = 4.0;
+constexpr double kQueueSpeed = 0.5;  // Speed below which a character in the queue waits [m/s].
 // Time after the last gesture at which the run ends [s]. Characters still on their way count as arriving
 // then.
 constexpr double kAlleyLongest = 30.0;
-constexpr double kCurvePeriod = 0.5;  // [s]
+constexpr double kCurvePeriod = 0.5;  // Time between two points of a curve [s].
 constexpr std::int32_t kAlleyLane = 1;
 
 class CongestionExperiment final : public Experiment {
@@ -83,7 +85,7 @@ struct Queue {
         for (std::size_t i = 0; i < characters.size(); ++i) {
             const double x = characters.position[i].x;
             const bool before = x > kAlleyEntrance - kQueueReach && x < kAlleyEntrance && world.time() > 2.0;
-            standing += before && length(characters.velocity[i]) < kStanding ? 1 : 0;
+            standing += before && length(characters.velocity[i]) < kQueueSpeed ? 1 : 0;
         }
         most = std::max(most, standing);
         waited += standing * world.parameters().stepTime;
@@ -96,7 +98,7 @@ Result<RunSample> CongestionExperiment::run(const RunRequest& request) const {
     auto trial = ExperimentTrial::open(request, def);
     if (!trial.ok()) return trial.status();
     if (Status s = trial->start(); !s.ok()) return s;
-    LaneWatch ways(kAlleyMiddle, {-kAlley, kAlley}, trial->world());
+    LaneWatch ways(kAlleyMiddle, {-kAlleyHalfWidth, kAlleyHalfWidth}, trial->world());
     Queue queue;
     RunSample sample;
     std::vector<Vec2>& curve = sample.curves["through"];
@@ -142,7 +144,8 @@ void CongestionExperiment::judge(const Samples& samples, Judge& judge) const {
         judge.require("with density all 36 pass in every seed", preset,
                       samples.values("density", preset, "through"), Aggregate::Lowest, Comparison::AtLeast,
                       36.0);
-        // Of pairs of runs with the same seed. Single ones may end later: how a queue arches is chance.
+        // Compared are pairs of runs with the same seed. Single runs may end later: how a queue arches is
+        // chance.
         judge.require(
             "last arrival with density over that without, median", preset,
             ratios(samples.values("density", preset, "last"), samples.values("blind", preset, "last")),

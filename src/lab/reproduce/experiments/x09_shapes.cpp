@@ -6,20 +6,23 @@
 #include "base/random.h"
 #include "lab/reproduce/experiments/change_watch.h"
 #include "lab/reproduce/experiments/experiment.h"
+#include "lab/reproduce/experiments/experiment_trial.h"
 #include "lab/reproduce/experiments/samples.h"
-#include "lab/reproduce/experiments/trial.h"
 
 namespace muster {
 namespace {
 
-constexpr double kCorridor = 6.0;    // It reaches from -6 to 6 m along x, as the scenario says.
-constexpr double kFieldRange = 1.5;  // Beyond its ends nothing bends the arrow any more [m].
-constexpr double kSkin = 0.05;       // Vertices that wait at the face of a house are not inside [m].
-constexpr double kView = 30.0;       // Width of a picture of the corridor [m].
+// Half length of the corridor along x, which reaches from -6 to 6 m as the scenario says [m].
+constexpr double kCorridorHalfLength = 6.0;
+// Distance from the ends of the corridor beyond which nothing bends the arrow [m].
+constexpr double kFieldRange = 1.5;
+// Depth within which vertices that wait at the face of a house are not inside [m].
+constexpr double kFaceTolerance = 0.05;
+constexpr double kViewWidth = 30.0;  // Width of a picture of the corridor [m].
 const char* const kShapes[] = {"wedge", "line", "ring", "crescent", "square"};
 
-/// How seeds differ apart from their starts, which even out before the first change. The first seed is the
-/// shipped scenario.
+/// Difference between seeds apart from the starts, which even out before the first change. The first seed is
+/// the shipped scenario.
 struct Variation {
     Vec2 shift;
     double turn = 0.0;
@@ -120,20 +123,21 @@ struct Extent {
 
 /// Widths of the arrow along its path.
 struct ArrowWatch {
-    double before = kNothing;  // The last before the corridor can bend it.
-    double inside = kNothing;  // The largest while all of it is inside.
-    double after = kNothing;   // The last as an arrow behind it.
-    double lag = 0.0;          // The largest mean distance to the places while somebody is inside.
+    double before = kNothing;  // Last width before the corridor can bend the arrow [m].
+    double inside = kNothing;  // Largest width while all of the arrow is inside [m].
+    double after = kNothing;   // Last width as an arrow behind the corridor [m].
+    double lag = 0.0;          // Largest mean distance to the places while somebody is inside [m].
     std::int32_t unmatched = 0;
 
     void observe(const World& world, std::span<const Vec2> points) {
         if (world.group(0).formation != FormationKind::Wedge) return;
         const Extent extent(points);
-        if (extent.front < -kCorridor - kFieldRange) before = extent.width;
-        if (extent.rear > kCorridor + kFieldRange) after = extent.width;
-        const bool within = extent.rear > -kCorridor + kSkin && extent.front < kCorridor - kSkin;
+        if (extent.front < -kCorridorHalfLength - kFieldRange) before = extent.width;
+        if (extent.rear > kCorridorHalfLength + kFieldRange) after = extent.width;
+        const bool within = extent.rear > -kCorridorHalfLength + kFaceTolerance &&
+                            extent.front < kCorridorHalfLength - kFaceTolerance;
         if (within && !(inside >= extent.width)) inside = extent.width;
-        if (extent.front < -kCorridor || extent.rear > kCorridor) return;
+        if (extent.front < -kCorridorHalfLength || extent.rear > kCorridorHalfLength) return;
         lag = std::max(lag, world.group(0).meanLag);
         const std::span place = world.characters().place;
         unmatched = std::max(unmatched,
@@ -156,8 +160,8 @@ Result<RunSample> runCorridor(const RunRequest& request) {
     const auto centre = [&] { return trial->world().group(0).pose.position.x; };
     const auto shoot = [&](const char* caption) {
         const Box all = trial->def().box;
-        const double left = std::clamp(centre() - 0.5 * kView, all.min.x, all.max.x - kView);
-        trial->picture().view = Box{{left, -8.2}, {left + kView, 8.2}};
+        const double left = std::clamp(centre() - 0.5 * kViewWidth, all.min.x, all.max.x - kViewWidth);
+        trial->picture().view = Box{{left, -8.2}, {left + kViewWidth, 8.2}};
         trial->shoot(caption);
     };
     const auto until = [&](auto reached, const char* caption) {

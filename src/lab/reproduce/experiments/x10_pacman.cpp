@@ -8,17 +8,17 @@
 #include "engine/formation/mesh/formation_mesh.h"
 #include "engine/world/inspect.h"
 #include "lab/reproduce/experiments/experiment.h"
+#include "lab/reproduce/experiments/experiment_trial.h"
 #include "lab/reproduce/experiments/mouth.h"
-#include "lab/reproduce/experiments/trial.h"
 
 namespace muster {
 namespace {
 
 constexpr double kDegrees = 180.0 / kPi;
-// Hysteresis of the mouth [degrees]; at rest it is open by 69.
-constexpr double kShut = 60.0, kOpen = 120.0;
-constexpr std::uint32_t kJaws[] = {11, 12};  // The touches that move the jaws, as in the gestures.
-constexpr double kTremor = 0.1;              // Seeds move each finger by up to this [m].
+// Angles of the mouth's hysteresis [degrees]; at rest it is open by 69.
+constexpr double kShutAngle = 60.0, kOpenAngle = 120.0;
+constexpr std::uint32_t kJaws[] = {11, 12};  // Numbers of the touches that move the jaws, as in the gestures.
+constexpr double kTremor = 0.1;              // Greatest displacement of a finger by the seed [m].
 
 bool isJaw(std::uint32_t touch) {
     return std::find(std::begin(kJaws), std::end(kJaws), touch) != std::end(kJaws);
@@ -73,10 +73,10 @@ public:
 
 private:
     Mouth mouth_;
-    OpeningCounter counter_{kShut, kOpen};
+    OpeningCounter counter_{kShutAngle, kOpenAngle};
     double angle_ = 0.0, widest_ = 0.0, narrowest_ = 360.0;
     std::int32_t openings_ = 0;
-    std::vector<Vec2> openingAt_;  // Where the body was at first, and at each opening.
+    std::vector<Vec2> openingAt_;  // Positions of the body at first, and at each opening [m].
     std::vector<Vec2> curve_;
 };
 

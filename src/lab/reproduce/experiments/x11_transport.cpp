@@ -2,13 +2,14 @@
 #include <cmath>
 
 #include "lab/reproduce/experiments/experiment.h"
-#include "lab/reproduce/experiments/trial.h"
+#include "lab/reproduce/experiments/experiment_trial.h"
 
 namespace muster {
 namespace {
 
-constexpr double kTransportJitter = 0.5;  // Of starts [m]: so that the first plan has something to assign.
-constexpr double kTransportHand = 0.3;    // How far the hand draws aside [m].
+// Greatest displacement of a start, so that the first plan has something to assign [m].
+constexpr double kTransportJitter = 0.5;
+constexpr double kTransportHand = 0.3;  // Greatest shift of the hand [m].
 // Time after the last gesture at which the run ends [s]. Characters still on their way count as arriving
 // then.
 constexpr double kTransportLongest = 30.0;

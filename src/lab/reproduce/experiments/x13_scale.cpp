@@ -1,16 +1,15 @@
-// X13 (paper section 7.6): what a step costs, by crowd size.
+// X13 (paper section 7.6): the cost of a step by crowd size.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "lab/reproduce/experiments/experiment.h"
-#include "lab/reproduce/experiments/trial.h"
+#include "lab/reproduce/experiments/experiment_trial.h"
 
 namespace muster {
 namespace {
 
-/// A crowd size, and how many steps of it are measured. Both numbers of steps are multiples of the plan's
-/// period.
+/// A crowd size and its numbers of measured steps, which are multiples of the plan's period.
 struct Size {
     std::int32_t count = 0;
     std::int32_t warmUp = 0;
@@ -22,16 +21,18 @@ constexpr Size kSizes[] = {{36, 40, 120},  {100, 24, 80},  {160, 16, 48},  {250,
                            {400, 12, 16},  {630, 8, 12},   {1000, 48, 8},  {1600, 48, 8},
                            {2500, 48, 8},  {5000, 48, 8},  {7000, 48, 8},  {10000, 48, 8},
                            {14000, 48, 8}, {20000, 48, 8}, {28000, 48, 8}, {40000, 48, 8}};
-constexpr std::uint64_t kLongSeeds = 2;  // Other seeds end with kEnough.
-constexpr std::int32_t kEnough = 160;    // The largest crowd that a criterion is about.
-constexpr double kSlowest = 10.0;        // Larger crowds are not tried once a size makes fewer steps [1/s].
-// The cost of a step grows at least with this power of the size: with the exact plan the measured power is
+// Number of seeds that run all sizes; the others end with kJudgedCrowd.
+constexpr std::uint64_t kLongSeeds = 2;
+// Number of characters of the largest crowd that a criterion is about.
+constexpr std::int32_t kJudgedCrowd = 160;
+constexpr double kLeastStepRate = 10.0;  // Rate of steps below which no larger crowds are tried [1/s].
+// Least power of the size with which the cost of a step grows: with the exact plan the measured power is
 // nearer to 2, with the fast plan to 1.
 constexpr double kGrowthExact = 1.5, kGrowthFast = 0.9;
-constexpr double kReference = 100.0;  // Characters in the scenario as it ships.
-constexpr Vec2 kStart{-4.0, 0.0};     // In the middle of the trees [m].
+constexpr double kShippedCrowd = 100.0;  // Number of characters in the scenario as it ships.
+constexpr Vec2 kCrowdCentre{-4.0, 0.0};  // Position of the crowd, in the middle of the trees [m].
 
-/// Stages of a step as the chart shows them: those from the first to the last.
+/// Stages of a step as one part of the chart: all from the first to the last.
 struct Part {
     const char* name;
     const char* title;
@@ -49,12 +50,12 @@ constexpr Part kParts[] = {
 void enlarge(ExperimentTrial& trial, std::int32_t count) {
     WorldDef& def = trial.def();
     GroupDef& group = def.groups[0];
-    const double crowd = std::sqrt(count / kReference), ground = std::max(1.0, crowd);
+    const double crowd = std::sqrt(count / kShippedCrowd), ground = std::max(1.0, crowd);
     const Box tile = def.box;
     const Vec2 start = group.position;
     def.box = {tile.min * ground, tile.max * ground};
     group.count = count;
-    group.position = kStart * ground;
+    group.position = kCrowdCentre * ground;
     const std::vector<ObstacleDef> trees = std::move(def.obstacles);
     def.obstacles.clear();
     const auto reach = static_cast<std::int32_t>(std::ceil(0.5 * (ground - 1.0)));
@@ -149,10 +150,10 @@ public:
     bool timed() const override { return true; }
     Result<RunSample> run(const RunRequest& request) const override {
         RunSample sample;
-        double rate = kSlowest, count = 0.0;  // Of the size before.
+        double rate = kLeastStepRate, count = 0.0;  // Rate and number of characters of the size before.
         const double growth = request.arm.preset == "paper" ? kGrowthExact : kGrowthFast;
         for (const Size& size : kSizes) {
-            if (count > 0.0 && rate * std::pow(count / size.count, growth) < kSlowest) break;
+            if (count > 0.0 && rate * std::pow(count / size.count, growth) < kLeastStepRate) break;
             auto trial = ExperimentTrial::open(request, {.scenario = "x13-scale"});
             if (!trial.ok()) return trial.status();
             enlarge(*trial, size.count);
@@ -160,11 +161,11 @@ public:
             const StepCost cost = measure(*trial, size);
             note(size, cost, sample);
             film(*trial, size, sample);
-            const bool quick = 1000.0 / cost.total >= kSlowest;
+            const bool quick = 1000.0 / cost.total >= kLeastStepRate;
             if (request.seed <= kLongSeeds && quick) sample.figures["largest"] = size.count;
             rate = 1000.0 / cost.total;
             count = size.count;
-            if (!quick || (request.seed > kLongSeeds && size.count >= kEnough)) break;
+            if (!quick || (request.seed > kLongSeeds && size.count >= kJudgedCrowd)) break;
         }
         return sample;
     }

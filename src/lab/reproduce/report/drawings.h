@@ -11,17 +11,17 @@ namespace muster {
 
 /// The values of one arm.
 struct StripRow {
-    std::string title;           ///< Above its row.
-    std::size_t series = 0;      ///< Its colour and mark.
-    bool hollow = false;         ///< Marks not filled.
-    std::vector<double> values;  ///< One per seed.
-    std::size_t missing = 0;     ///< Seeds without a value; printed next to the row.
+    std::string title;           ///< Title above the row.
+    std::size_t series = 0;      ///< Number of the row's colour and mark.
+    bool hollow = false;         ///< Whether the marks are not filled.
+    std::vector<double> values;  ///< Values, one per seed.
+    std::size_t missing = 0;     ///< Number of seeds without a value, printed next to the row.
 };
 
 /// Definition of a plot.
 struct StripPlotDef {
-    std::string title;   ///< For those who do not see it.
-    bool whole = false;  ///< Ticks at whole numbers only.
+    std::string title;   ///< Words for readers that do not see the plot.
+    bool whole = false;  ///< Whether ticks stand at whole numbers only.
     std::vector<StripRow> rows;
 };
 

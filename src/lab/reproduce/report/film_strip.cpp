@@ -17,7 +17,7 @@ constexpr const char* kInk = "#171B20";
 
 /// A picture with its caption.
 struct PlacedPicture {
-    double height = 0.0;  // Of the picture.
+    double height = 0.0;  // Height of the picture.
     std::vector<std::string> lines;
     double total() const { return height + kBelow + kLine * static_cast<double>(lines.size() + 1); }
 };

@@ -17,7 +17,7 @@ constexpr const char* kHead =
     "data:\"/>\n"
     "<title>Muster: the paper’s experiments</title>\n<style>\n";
 
-constexpr std::int32_t kSeedsAsked = 10;  // For a reproduction that counts.
+constexpr std::int32_t kSeedsAsked = 10;  // Least number of seeds of a reproduction without a caution.
 
 std::string fact(const char* name, const std::string& value) {
     return value.empty() ? std::string()

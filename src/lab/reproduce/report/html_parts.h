@@ -10,41 +10,41 @@ namespace muster {
 
 /// Counts of criteria. Only binding criteria decide over the outcome.
 struct CriteriaCount {
-    std::size_t judged = 0;  ///< Binding ones.
-    std::size_t passed = 0;  ///< Of these.
+    std::size_t judged = 0;  ///< Number of binding criteria.
+    std::size_t passed = 0;  ///< Number of binding criteria that pass.
 };
 
-/// "3 of 6".
+/// Words such as "3 of 6".
 std::string shareText(const CriteriaCount& count);
 /// The words after the count: "criteria hold".
 std::string holdText(const CriteriaCount& count);
 
-/// Of one experiment.
+/// Counts the criteria of one experiment.
 CriteriaCount countCriteria(const ExperimentResult& experiment);
-/// Of all.
+/// Counts the criteria of all experiments.
 CriteriaCount countCriteria(const Reproduction& reproduction);
 
 /// One criterion with the verdict of each preset; null if a preset was not judged.
 struct CriterionRow {
-    std::vector<const Verdict*> byPreset;  ///< As presetsOf() lists them.
-    const Verdict& any() const;            ///< One that is there.
+    std::vector<const Verdict*> byPreset;  ///< Verdicts in the order of presetsOf().
+    const Verdict& any() const;            ///< The first verdict that is there.
 };
 /// The presets that were judged, "muster" first.
 std::vector<std::string> presetsOf(const ExperimentResult& experiment);
 /// Criteria in the order they were judged; verdicts with the same words, unit and threshold share a row.
 std::vector<CriterionRow> criterionRows(const ExperimentResult& experiment);
 
-/// "x4": names the chapter in links.
+/// Anchor such as "x4", which names the chapter in links.
 std::string anchorOf(const ExperimentResult& experiment);
-/// "at least 36 in every seed", as text.
+/// Text such as "at least 36 in every seed".
 std::string requirementText(const Verdict& verdict);
-/// "36 s", or "no value", as text.
+/// Text such as "36 s", or "no value".
 std::string verdictValueText(const Verdict& verdict);
-/// "34 to 36, 10 seeds", as text; names seeds without a value.
+/// Text such as "34 to 36, 10 seeds"; it names seeds without a value.
 std::string verdictRangeText(const Verdict& verdict, std::int32_t seeds);
-/// "fast plan", as text: the method of the arm's plans.
+/// Text such as "fast plan": the method of the arm's plans.
 std::string planOf(const ExperimentResult& experiment, const Arm& arm);
-/// "Transport (paper)", as text: the preset is named where it is not "muster".
+/// Text such as "Transport (paper)": the preset is named where it is not "muster".
 std::string armTitle(const Arm& arm);
 /// The symbol for pass or fail, with its word.
 std::string resultSign(const Verdict& verdict);
@@ -61,7 +61,7 @@ std::string hashTable(const ExperimentResult& experiment);
 std::string stripPlots(const ExperimentResult& experiment);
 /// The pictures of the first seed, a strip per arm.
 std::string films(const ExperimentResult& experiment);
-/// All about one experiment.
+/// The chapter of one experiment.
 std::string chapter(const ExperimentResult& experiment, std::int32_t seeds);
 
 }  // namespace muster

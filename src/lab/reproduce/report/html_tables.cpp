@@ -9,7 +9,7 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kArmsAcross = 6;  // What a printed page has room for.
+constexpr std::size_t kArmsAcross = 6;  // Number of arms that a printed page has room for.
 
 /// A cell that names its column, for screens too narrow for columns.
 std::string cell(const std::string& column, const std::string& content, const char* kind = "") {

@@ -14,8 +14,8 @@ constexpr double kRowWidth = 360.0, kLeft = 20.0, kRowRight = 24.0;
 constexpr double kTitleHeight = 17.0, kLane = 30.0, kRowGap = 6.0, kAxisHeight = 26.0;
 constexpr double kRowLetterWidth = 6.9;
 constexpr double kRadius = 3.6;
-constexpr double kBeside = 6.4;  // Marks closer than this are put above each other ...
-constexpr double kRise = 3.7;    // ... by so much at a time.
+constexpr double kMarkDistance = 6.4;  // Distance below which two marks stand above each other [px].
+constexpr double kMarkRise = 3.7;      // Height of one such rise [px].
 
 double across(const Axis& axis, double value) {
     return kLeft + axis.place(value) * (kRowWidth - kLeft - kRowRight);
@@ -39,10 +39,10 @@ std::vector<double> raised(const std::vector<double>& xs) {
     for (std::size_t i = 0; i < xs.size(); ++i) {
         double height = 0.0;
         for (int lane = 0; lane < 7; ++lane) {
-            height = (lane % 2 == 1 ? 1.0 : -1.0) * kRise * ((lane + 1) / 2);
+            height = (lane % 2 == 1 ? 1.0 : -1.0) * kMarkRise * ((lane + 1) / 2);
             bool free = true;
             for (std::size_t k = 0; k < i && free; ++k)
-                free = std::hypot(xs[k] - xs[i], heights[k] - height) >= kBeside;
+                free = std::hypot(xs[k] - xs[i], heights[k] - height) >= kMarkDistance;
             if (free) break;
         }
         heights.push_back(height);

@@ -21,7 +21,7 @@ double Chance::normal() {
 double Chance::gamma(double variation) {
     const double z = normal();
     if (!(variation > 0.0)) return 1.0;
-    // Of shape 1 / variation^2, whose mean is 1 / variation^2 too.
+    // A gamma variable of shape 1 / variation^2 has the mean 1 / variation^2 too.
     const double ninth = variation * variation / 9.0;
     const double root = 1.0 - ninth + z * std::sqrt(ninth);
     return std::max(kLeastGamma, root * root * root);

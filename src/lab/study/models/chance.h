@@ -11,17 +11,18 @@ class Chance {
 public:
     explicit Chance(std::uint64_t seed) : random_(seed) {}
 
-    /// Standard normal: twelve uniform numbers less six; its tails end at six deviations.
+    /// Draws a standard normal number: twelve uniform numbers less six; its tails end at six deviations.
     double normal();
-    /// Gamma of mean 1 and this coefficient of variation, by Wilson and Hilferty 1931; at least 0.05.
+    /// Draws a gamma number of mean 1 and this coefficient of variation, by Wilson and Hilferty 1931; at
+    /// least 0.05.
     double gamma(double variation);
-    /// e to the power of a normal number of this deviation.
+    /// Draws e to the power of a normal number of this deviation.
     double logNormal(double deviation);
-    /// Normal in both axes with these deviations.
+    /// Draws a normal number for each axis, with this deviation.
     Vec2 scatter(double deviation) { return {deviation * normal(), deviation * normal()}; }
-    /// Uniform in [0, 1).
+    /// Draws a uniform number in [0, 1).
     double uniform() { return random_.uniform(); }
-    /// A whole number in [0, bound).
+    /// Draws a whole number in [0, bound).
     std::uint32_t below(std::uint32_t bound) { return random_.below(bound); }
 
 private:

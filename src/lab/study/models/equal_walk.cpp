@@ -8,9 +8,9 @@
 namespace muster {
 namespace {
 
-constexpr double kWalk = 20.0;    // That is timed [m].
-constexpr double kBeyond = 25.0;  // Where they are sent [m].
-constexpr double kMost = 60.0;    // [s]
+constexpr double kTimedLength = 20.0;   // Length of the walk that is timed [m].
+constexpr double kSentDistance = 25.0;  // Distance of the point to which the crowd is sent [m].
+constexpr double kLongestWalk = 60.0;   // Longest time of the walk [s].
 
 Vec2 middleOf(const World& world) {
     Vec2 sum;
@@ -79,10 +79,10 @@ Result<double> equalWalkSeconds(const std::string& scheme, std::int32_t crowd) {
     World world = std::move(made).value();
     OneOrder order(named.value().def, world);
     const Vec2 start = middleOf(world);
-    order.give(start, start + Vec2{kBeyond, 0.0});
-    while (world.time() < kMost) {
+    order.give(start, start + Vec2{kSentDistance, 0.0});
+    while (world.time() < kLongestWalk) {
         order.step();
-        if (middleOf(world).x >= start.x + kWalk) return world.time();
+        if (middleOf(world).x >= start.x + kTimedLength) return world.time();
     }
     return Status{StatusCode::NotFound, "the crowd did not walk 20 m by '" + scheme + "' within a minute"};
 }

@@ -6,11 +6,11 @@
 namespace muster {
 namespace {
 
-constexpr double kRate = 60.0;        // Events of a moving hand [1/s].
-constexpr double kWobbleTime = 0.1;   // Over which wobble is correlated [s].
-constexpr double kTapSeconds = 0.05;  // A finger is down for a tap [s].
+constexpr double kEventRate = 60.0;   // Rate of the events of a moving hand [1/s].
+constexpr double kWobbleTime = 0.1;   // Time over which wobble is correlated [s].
+constexpr double kTapSeconds = 0.05;  // Time that a finger is down for a tap [s].
 
-// From still to still: half of a cosine would do, a cubic costs less.
+// Share of a movement from rest to rest: half a cosine would do, a cubic costs less.
 double eased(double t) {
     return t * t * (3.0 - 2.0 * t);
 }
@@ -46,17 +46,17 @@ double HandScript::carry(std::uint32_t pointer, double at, Vec2 from, std::span<
     return path(pointer, PointerButton::Left, {}, at, from, legs, beside, end, script);
 }
 
-// From where the hand has gone down until it lifts; all of it is off by `beside` [mm].
+// Writes a path from the hand's touch until it lifts; all of it is off by `beside` [mm].
 double HandScript::path(std::uint32_t pointer, PointerButton button, Modifiers modifiers, double at,
                         Vec2 from, std::span<const PathLeg> legs, Vec2 beside, double end,
                         std::vector<ScriptedInput>& script) {
     Vec2 wobble;
-    const double keep = 1.0 - 1.0 / (kRate * kWobbleTime);
+    const double keep = 1.0 - 1.0 / (kEventRate * kWobbleTime);
     const double fresh = motor_->device().wobble * std::sqrt(1.0 - keep * keep);
     double now = at;
     Vec2 begin = from;
     for (const PathLeg& leg : legs) {
-        const auto count = static_cast<std::int32_t>(std::max(1.0, std::ceil(leg.seconds * kRate)));
+        const auto count = static_cast<std::int32_t>(std::max(1.0, std::ceil(leg.seconds * kEventRate)));
         for (std::int32_t i = 1; i <= count; ++i) {
             const double t = static_cast<double>(i) / count;
             wobble = wobble * keep + chance_->scatter(fresh);

@@ -11,20 +11,20 @@
 
 namespace muster {
 
-/// One event and when it is made.
+/// One event and the time at which it is made.
 struct ScriptedInput {
     double time = 0.0;  ///< World time [s].
-    InputEvent event;   ///< What is made then; its time stamp is the same.
+    InputEvent event;   ///< The event, whose time stamp is the same.
 };
 
-/// A point of a path and how long a hand takes to get there.
+/// A point of a path and the time that a hand takes to get there.
 struct PathLeg {
-    Vec2 to;               ///< Where it leads [m].
-    double seconds = 0.0;  ///< How long it takes [s].
-    double pause = 0.0;    ///< How long the hand rests there [s].
+    Vec2 to;               ///< End point of the leg [m].
+    double seconds = 0.0;  ///< Time that the leg takes [s].
+    double pause = 0.0;    ///< Time that the hand rests at the end [s].
 };
 
-/// Writes scripts. Positions are on the ground; what is off the screen is brought to its edge.
+/// Writes scripts. Positions are on the ground; a point off the screen is brought to its edge.
 class HandScript {
 public:
     HandScript(const GroundView& view, const Motor& motor, Chance& chance)
@@ -34,8 +34,8 @@ public:
     /// both ends and wobble between; `width`: of the target of each end [mm]. Returns when it lifts.
     double stroke(std::uint32_t pointer, PointerButton button, Modifiers modifiers, double at, Vec2 from,
                   std::span<const PathLeg> legs, double width, std::vector<ScriptedInput>& script);
-    /// The same for what is taken hold of within a target of `grip` and carried to one of `end` [mm]: one
-    /// sees it move, so the hand keeps as far beside its way as it took hold.
+    /// A stroke that takes hold of a thing within a target of `grip` and carries it to one of `end` [mm]. A
+    /// person sees the thing move, so the hand keeps as far beside its path as it took hold.
     double carry(std::uint32_t pointer, double at, Vec2 from, std::span<const PathLeg> legs, double grip,
                  double end, std::vector<ScriptedInput>& script);
     /// A click or tap. Returns when it ends.
@@ -43,7 +43,7 @@ public:
                  std::vector<ScriptedInput>& script);
     /// A key. Returns when it is down.
     double key(std::uint8_t key, Modifiers modifiers, double at, std::vector<ScriptedInput>& script);
-    /// Where the hand was last [m].
+    /// Last position of the hand [m].
     Vec2 last() const { return last_; }
 
 private:

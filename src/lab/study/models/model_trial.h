@@ -9,18 +9,17 @@
 
 namespace muster {
 
-/// Trials of the report have seeds from 1 on; whoever tunes anything uses seeds from here on, which no report
-/// has.
+/// Trials of the report have seeds from 1 on; whatever is tuned uses seeds from here on, which no report has.
 inline constexpr std::uint64_t kFirstTuningSeed = 1000001;
 
-/// What came of a trial.
+/// A trial with all that the model did in it.
 struct ModelTrial {
-    TrialResult result;                    ///< As of any trial.
-    std::int32_t misses = 0;               ///< Gestures that did not what was meant.
-    std::int32_t orders = 0;               ///< Orders that the model meant to give.
-    double operatorSeconds = 0.0;          ///< Time in which it decided or moved [s].
-    std::vector<ModelDecision> decisions;  ///< In the order of time.
-    std::vector<StampedInput> inputs;      ///< All that it did.
+    TrialResult result;                    ///< Result as of any trial.
+    std::int32_t misses = 0;               ///< Number of gestures without the effect that was meant.
+    std::int32_t orders = 0;               ///< Number of orders that the model meant to give.
+    double operatorSeconds = 0.0;          ///< Time in which the model decided or moved [s].
+    std::vector<ModelDecision> decisions;  ///< Decisions in the order of time.
+    std::vector<StampedInput> inputs;      ///< All inputs of the model.
 };
 
 /// Runs a trial to its end. Items, and the chance of the model, depend on the seed alone, so that trials of

@@ -8,7 +8,7 @@
 namespace muster {
 namespace {
 
-constexpr double kLeastWidth = 1.0;  // No target counts as smaller [mm].
+constexpr double kLeastWidth = 1.0;  // Least width that a target counts with [mm].
 
 // Index of difficulty by Shannon's form [bit].
 double difficulty(double distance, double width) {

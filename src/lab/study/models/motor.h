@@ -1,8 +1,8 @@
-// What a movement of the hand costs, and where it ends: Fitts's law, the steering law, scatter.
+// Time and scatter of the movements of a hand: Fitts's law, the steering law.
 #pragma once
 
 #include "lab/study/models/chance.h"
-#include "lab/study/models/parameters.h"
+#include "lab/study/models/operator_parameters.h"
 
 namespace muster {
 
@@ -18,13 +18,13 @@ public:
     double drag(double distance, double width) const;
     /// Expected time to draw a path of that length which may be strayed from by half of `width` to each side.
     double draw(double length, double width) const;
-    /// Pressing, and as long again for releasing.
+    /// Time for pressing, and as long again for releasing.
     double press() const { return factor_ * device_.press; }
     /// Standard deviation of an end point in a target of that width [mm].
     double scatter(double width) const;
 
-    const DeviceParameters& device() const { return device_; }  ///< Its constants.
-    bool isTouch() const { return touch_; }                     ///< Fingers, else a mouse.
+    const DeviceParameters& device() const { return device_; }  ///< Constants of the device.
+    bool isTouch() const { return touch_; }                     ///< True for fingers, false for a mouse.
     double factor() const { return factor_; }                   ///< The model's own factor.
 
 private:

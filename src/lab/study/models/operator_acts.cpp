@@ -1,4 +1,4 @@
-// How an operator model moves its hands for what it has decided.
+// Movements of an operator model's hands that carry out its decisions.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,15 +10,17 @@
 namespace muster {
 namespace {
 
-constexpr double kBoxMargin = 0.45;    // A box is drawn so far round those whom it shall select [m].
-constexpr double kTwoFingers = 0.04;   // Between two fingers that come down together [s].
-constexpr double kFreeRoom = 0.8;      // It begins so far off its first corner [m].
-constexpr double kGripShare = 0.8;     // They come down within the crowd [m].
-constexpr double kPasses = 0.8;        // Who comes so near an item passes over it, or nearly [m].
-constexpr double kPassingSpeed = 0.5;  // Unless slower than that [m/s].
-constexpr double kGlance = 0.2;        // Between two pictures that tell who moves [s].
+constexpr double kBoxMargin = 0.45;  // Distance from the characters that a box shall select to its sides [m].
+constexpr double kTwoFingersTime = 0.04;  // Time between two fingers that come down together [s].
+// Distance from a loop's first corner at which the finger comes down [m].
+constexpr double kFreeDistance = 0.8;
+constexpr double kGripShare = 0.8;  // Share of the crowd's half width at which two fingers come down.
+// Distance to an item within which a character passes over it, or nearly [m].
+constexpr double kPassingReach = 0.8;
+constexpr double kPassingSpeed = 0.5;  // Least speed of a character that passes by [m/s].
+constexpr double kGlanceTime = 0.2;    // Time between two pictures that tell which characters move [s].
 constexpr double kLeastSelected = 0.5;
-constexpr double kLeastOwn = 0.7;  // So many of a formation are meant where it is the part that one sends.
+constexpr double kLeastOwnShare = 0.7;  // Least share of a formation in a part for the part to stand for it.
 constexpr std::size_t kNoCharge = static_cast<std::size_t>(-1);
 
 Vec2 nearestTo(std::span<const Vec2> points, Vec2 p) {
@@ -39,7 +41,7 @@ std::size_t OperatorModel::freeHand() const {
     return parameters_.hands > 1.5 && handFree_[1] < handFree_[0] ? 1 : 0;
 }
 
-// When a hand has got from where it is to `to` [s], and notes that it is there.
+// Time at which a hand has got from its position to `to` [s]; notes the new position.
 double OperatorModel::reachHand(double now, Vec2 to, double width, std::size_t hand) {
     const double start = std::max(now, handFree_[hand]);
     const double there = start + noisy(motor_.point(millimetres(handAt_[hand], to), width * mmPerMetre_));
@@ -88,7 +90,7 @@ void OperatorModel::cut(double now, const std::array<Vec2, 2>& line) {
     note("cut", now, busyUntil_, "");
 }
 
-// After a cut those who are seen to belong together are one part.
+// After a cut the characters that are seen to belong together are one part.
 void OperatorModel::adopt(Charge& charge, const SeenScene& seen) {
     if (!repertoire_.draws || !divided_) return;
     std::vector<std::uint32_t> groups;
@@ -108,12 +110,12 @@ void OperatorModel::adopt(Charge& charge, const SeenScene& seen) {
     std::vector<std::uint32_t> ids;
     for (std::size_t i = 0; i < seen.ids.size(); ++i)
         if (seen.groups[i] == best) ids.push_back(seen.ids[i]);
-    // As long as the cut is not seen yet, one goes by what was meant.
-    if (static_cast<double>(most) < kLeastOwn * static_cast<double>(ids.size())) return;
+    // As long as the cut is not seen yet, the operator goes by what was meant.
+    if (static_cast<double>(most) < kLeastOwnShare * static_cast<double>(ids.size())) return;
     if (ids != charge.plan.part.ids) charge.plan.part.ids = std::move(ids);
 }
 
-// A finger draws a loop round a few, from the corner that is freest.
+// Draws a loop round a few characters with a finger, from the corner that is freest.
 void OperatorModel::takeOut(double now, const Charge& charge) {
     const std::size_t hand = freeHand();
     const double chosen = now + noisy(motor_.factor() * parameters_.decideNext);
@@ -129,9 +131,9 @@ void OperatorModel::takeOut(double now, const Charge& charge) {
         freest = room;
         first = i;
     }
-    // It begins and ends farther out, where no finger takes the formation.
+    // The loop begins and ends farther out, where no finger takes the formation.
     const Vec2 outside = studyRules().box.clamp(
-        corners[first] + normalized(corners[first] - (box.min + box.max) * 0.5) * kFreeRoom);
+        corners[first] + normalized(corners[first] - (box.min + box.max) * 0.5) * kFreeDistance);
     double at = reachHand(chosen, outside, kTargetMetres, hand) + motor_.press();
     std::vector<PathLeg> legs;
     Vec2 from = outside;
@@ -151,20 +153,20 @@ void OperatorModel::takeOut(double now, const Charge& charge) {
 
 // Whether somebody is seen to move by a point.
 bool OperatorModel::passes(const SeenScene& scene, Vec2 point) const {
-    const SeenScene& before = memory_.at(scene.time - kGlance);
+    const SeenScene& before = memory_.at(scene.time - kGlanceTime);
     for (std::size_t i = 0; i < scene.ids.size(); ++i)
-        if (distance(scene.positions[i], point) < kPasses &&
-            distance(scene.positions[i], before.positions[i]) > kGlance * kPassingSpeed)
+        if (distance(scene.positions[i], point) < kPassingReach &&
+            distance(scene.positions[i], before.positions[i]) > kGlanceTime * kPassingSpeed)
             return true;
     return false;
 }
 
-// Two taps by an item; who was nearest is expected to come.
+// Two taps by an item call a character, which is expected to be the nearest one.
 void OperatorModel::call(double now, std::int32_t item) {
     const std::size_t hand = freeHand();
     const double chosen = now + noisy(motor_.factor() * parameters_.decideNext);
     const Vec2 to = tours_.items()[item];
-    // Nobody calls for what has gone, or to where somebody just passes.
+    // The operator calls no character for an item that has gone, nor to a point that somebody passes.
     const SeenScene& scene = memory_.at(now - delay());
     if (scene.collected[item] != 0 || passes(scene, to)) return;
     double at = reachHand(chosen, to, kTargetMetres, hand);
@@ -205,7 +207,7 @@ void OperatorModel::send(double now, Charge& charge) {
     select(at, charge);
 }
 
-// Two taps give a formation its square back.
+// Gives a formation its square back by two taps.
 double OperatorModel::tapTwice(double at, Vec2 where, double millimetres) {
     for (std::int32_t tap = 0; tap < 2; ++tap)
         at = hand_.click(PointerButton::Left, {}, at, where, millimetres, script_) + kBetweenTaps;
@@ -220,7 +222,7 @@ bool OperatorModel::isStop(const PlannedPart& plan, Vec2 point) const {
                        [&](std::int32_t stop) { return distance(tours_.items()[stop], point) < reach; });
 }
 
-// A finger or the mouse takes a formation and draws its way.
+// Takes a formation with a finger or the mouse and draws its way.
 void OperatorModel::draw(double now, Charge& charge) {
     const std::size_t hand = freeHand();
     const double chosen = now + noisy(motor_.factor() * (parameters_.attention + parameters_.decideNext));
@@ -228,19 +230,19 @@ void OperatorModel::draw(double now, Charge& charge) {
     const double width = std::max(kTargetMetres, std::min(about.bounds.width(), about.bounds.height()));
     double at = reachHand(chosen, about.centre, width, hand) + motor_.press();
     if (charge.plan.square) at = tapTwice(at, about.centre, width * mmPerMetre_);
-    // It is taken by whoever is nearest to its middle, who may stand beside that; the way is drawn as far
-    // beside its own.
+    // The gesture takes the character nearest to the formation's middle, which may stand beside it; the way
+    // is drawn as far beside its own.
     const SeenPart there = seen(charge, at);
     const Vec2 from = nearestTo(there.positions, there.centre);
     const Vec2 beside = from - there.centre;
     const double tolerance = toleranceOf(there) * mmPerMetre_;
     std::vector<PathLeg> legs;
     Vec2 last = from;
-    // The way was planned for where the part was; it moves on meanwhile.
+    // The way was planned from an earlier position of the part, which moves on meanwhile.
     for (const Vec2 middle : charge.plan.way) {
         const Vec2 p = studyRules().box.clamp(middle + beside);
         const double mm = millimetres(last, p);
-        // Where to go on is decided at items, not where the way bends round a block.
+        // Pauses for a decision are at items, not where the way bends round a block.
         const bool stop = isStop(charge.plan, middle);
         const double pause = stop ? noisy(motor_.factor() * parameters_.decideNext) : 0.0;
         const bool ends = &middle == &charge.plan.way.back();
@@ -286,8 +288,9 @@ void OperatorModel::sweep(double now, Charge& charge) {
         const Vec2 side = across * (i == 0 ? -half : half);
         std::vector<PathLeg> legs{{part.centre + side, spread, 0.0}};
         for (const PathLeg& leg : common) legs.push_back({leg.to + side, leg.seconds, leg.pause});
-        busyUntil_ = hand_.stroke(nextPointer_++, PointerButton::Left, {}, at + (i == 0 ? 0.0 : kTwoFingers),
-                                  grips[i], legs, kTargetMetres * mmPerMetre_, both);
+        busyUntil_ = hand_.stroke(nextPointer_++, PointerButton::Left, {},
+                                  at + (i == 0 ? 0.0 : kTwoFingersTime), grips[i], legs,
+                                  kTargetMetres * mmPerMetre_, both);
         handAt_[i] = legs.back().to;
         handFree_[i] = busyUntil_ + motor_.factor() * motor_.device().handOff;
     }
@@ -299,7 +302,7 @@ void OperatorModel::sweep(double now, Charge& charge) {
     note("sweep", now, busyUntil_, std::to_string(static_cast<int>(charge.plan.width)) + " m wide");
 }
 
-// Selects a part: by its digit where it has been kept, else by a box round it. What it got is looked at then.
+// Selects a part: by its digit where it has been kept, else by a box round it. The result is looked at then.
 void OperatorModel::select(double& at, Charge& charge) {
     const auto index = static_cast<std::size_t>(&charge - charges_.data());
     const double begun = at;
@@ -327,14 +330,14 @@ void OperatorModel::select(double& at, Charge& charge) {
         }
         note("select", begun, at, "");
     }
-    // The next movement goes on at once; what was selected is seen on the way.
+    // The next movement goes on at once; the selection is seen on the way.
     selected_ = index;
     checkSelection_ = index;
     checkAt_ = at + motor_.device().latency + 0.05;
     busyUntil_ = at;
 }
 
-// Goes by what is seen to be selected.
+// Takes the characters that are seen to be selected as the part.
 void OperatorModel::adoptSelected(double now, Charge& charge) {
     checkSelection_ = kNoCharge;
     const std::vector<std::uint32_t>& found = memory_.at(now - motor_.device().latency).selected;
@@ -350,7 +353,7 @@ void OperatorModel::adoptSelected(double now, Charge& charge) {
         note("again", now, now, "the selection was missed");
         return;
     }
-    // Who was selected with them belongs to them from now on.
+    // A character that was selected with the part belongs to it from now on.
     for (Charge& other : charges_) {
         if (&other == &charge) continue;
         std::erase_if(other.plan.part.ids,

@@ -1,4 +1,4 @@
-// When an operator model decides, and what it sees.
+// Decisions of an operator model, and its picture of the scene.
 #include "lab/study/models/operator_model.h"
 
 #include <algorithm>
@@ -10,18 +10,23 @@
 namespace muster {
 namespace {
 
-constexpr double kWayMargin = 0.8;      // Ways keep so far off blocks [m].
-constexpr double kSpeed = 2.0;          // At which people are known to walk [m/s].
-constexpr double kStandingSpeed = 0.3;  // Who is seen slower stands [m/s].
-constexpr double kIdleLook = 0.4;       // For so long one looks whether a part stands [s].
-constexpr double kStuckLook = 2.0;      // For so long where it has a way ahead [s].
-constexpr double kIdleGrace = 1.2;      // After an order nobody expects movement for so long [s].
-constexpr double kStaged = 1.5;         // Where it will sweep from is reached so near [m].
-constexpr double kNear = 1.3;           // A point is reached when a part's middle is so near [m].
-constexpr double kAgainSeconds = 5.0;   // What an item that was missed is expected to cost once more [s].
-constexpr std::size_t kLeftOver = 3;    // So few items are left-overs, which a few can fetch.
-constexpr double kSameLeg = 0.3;        // Legs are told apart by so much [m].
-constexpr double kPassedBeside = 2.0;   // So far aside somebody may still come over an item [m].
+constexpr double kWayMargin = 0.8;      // Distance that ways keep off blocks [m].
+constexpr double kKnownSpeed = 2.0;     // Speed at which people are known to walk [m/s].
+constexpr double kStandingSpeed = 0.3;  // Speed below which a character is seen to stand [m/s].
+constexpr double kIdleLookTime = 0.4;  // Time that the operator looks at a part to see whether it stands [s].
+constexpr double kStuckLookTime = 2.0;   // Time that the operator looks at a part with a way ahead [s].
+constexpr double kOrderGraceTime = 1.2;  // Time after an order in which no movement is expected [s].
+// Distance to the start of a later sweep within which a part has reached it [m].
+constexpr double kStagedReach = 1.5;
+// Distance of a part's middle to a point within which the part has reached it [m].
+constexpr double kPointReach = 1.3;
+constexpr double kMissedSeconds = 5.0;  // Expected cost of an item that was missed, once more [s].
+// Number of items up to which they are left-overs that a few characters can fetch.
+constexpr std::size_t kMostLeftOvers = 3;
+// Difference of the distances to two legs below which they count as one [m].
+constexpr double kSameLegDistance = 0.3;
+// Distance aside of an item within which a front may still come over it [m].
+constexpr double kPassedBeside = 2.0;
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 std::vector<Box> blocksOf(const Trial& trial) {
@@ -44,7 +49,7 @@ std::vector<Vec2> itemsOf(const Trial& trial) {
     return items;
 }
 
-// Hashes apart, so that one model's factor of time and its later draws do not depend on each other.
+// The seed is hashed apart, so that a model's factor of time and its later draws do not depend on each other.
 double ownFactor(const OperatorParameters& parameters, std::uint64_t seed) {
     return Chance(seed * 2 + 1).logNormal(parameters.between);
 }
@@ -70,7 +75,7 @@ OperatorModel::OperatorModel(const Trial& trial, const OperatorParameters& param
     def.parameters = parameters;
     def.mmPerMetre = mmPerMetre_;
     def.itemRadius = studyRules().itemRadius;
-    def.speed = kSpeed;
+    def.speed = kKnownSpeed;
     def.spacing = studyRules().spacing;
     def.border = studyRules().box.grown(-0.5);
     planner_ = std::make_unique<Planner>(def, tours_, motor_);
@@ -164,7 +169,7 @@ std::vector<std::int32_t> OperatorModel::sweptBy(const PlannedPart& part,
     for (const std::int32_t item : open) {
         if (std::find(swept.begin(), swept.end(), item) != swept.end()) continue;
         Vec2 at = part.part.centre;
-        bool found = part.width > 0.0 && part.stops.empty();  // A sweep is meant for all.
+        bool found = part.width > 0.0 && part.stops.empty();  // A sweep is meant for all items.
         for (const Vec2 to : part.way) {
             found = found || sweep.collects(at, to, tours_.items()[item]);
             at = to;
@@ -198,20 +203,20 @@ SeenPart OperatorModel::seen(const Charge& charge, double at) const {
 }
 
 bool OperatorModel::idle(const Charge& charge, const SeenScene& now) const {
-    if (now.time < charge.sentAt + kIdleGrace) return false;
-    // Who has a way ahead is stuck only where it has stood for longer.
+    if (now.time < charge.sentAt + kOrderGraceTime) return false;
+    // A part with a way ahead is stuck only where it has stood for longer.
     bool waits = true;
     for (std::size_t i = 0; i < now.ids.size() && waits; ++i)
         if (std::binary_search(charge.plan.part.ids.begin(), charge.plan.part.ids.end(), now.ids[i]))
             waits = std::binary_search(now.busy.begin(), now.busy.end(), now.groups[i]);
-    if (waits && now.time < charge.sentAt + kStuckLook) return false;
-    const std::int32_t looks = waits ? static_cast<std::int32_t>(kStuckLook / kIdleLook) : 1;
-    // It stands where it is not seen to move between any two of the last pictures.
+    if (waits && now.time < charge.sentAt + kStuckLookTime) return false;
+    const std::int32_t looks = waits ? static_cast<std::int32_t>(kStuckLookTime / kIdleLookTime) : 1;
+    // The part stands where it is not seen to move between any two of the last pictures.
     for (std::int32_t k = 0; k < looks; ++k) {
-        const SeenScene& after = memory_.at(now.time - k * kIdleLook);
-        const SeenScene& before = memory_.at(after.time - kIdleLook);
+        const SeenScene& after = memory_.at(now.time - k * kIdleLookTime);
+        const SeenScene& before = memory_.at(after.time - kIdleLookTime);
         const double passed = after.time - before.time;
-        if (passed <= 0.5 * kIdleLook) return false;
+        if (passed <= 0.5 * kIdleLookTime) return false;
         double moved = 0.0;
         double count = 0.0;
         for (std::size_t i = 0; i < after.ids.size(); ++i) {
@@ -225,27 +230,28 @@ bool OperatorModel::idle(const Charge& charge, const SeenScene& now) const {
     return true;
 }
 
-// Whether what is left of a part's way meets none of the open items that it was meant for.
+// Whether the rest of a part's way meets none of the open items that it was meant for.
 bool OperatorModel::spent(const Charge& charge, const SeenScene& now) const {
-    if (charge.sentAt < 0.0 || now.time < charge.sentAt + kIdleGrace || charge.plan.way.empty()) return false;
+    if (charge.sentAt < 0.0 || now.time < charge.sentAt + kOrderGraceTime || charge.plan.way.empty())
+        return false;
     if (charge.point < charge.plan.way.size()) return false;
     const SeenPart part = seen(charge, now.time + delay());
-    if (charge.plan.stages) return distance(part.centre, charge.plan.way.back()) < kStaged;
+    if (charge.plan.stages) return distance(part.centre, charge.plan.way.back()) < kStagedReach;
     return std::none_of(charge.meant.begin(), charge.meant.end(), [&](std::int32_t item) {
         return now.collected[item] == 0 && comesOver(charge, part, item);
     });
 }
 
-// Whether a part comes over an item on what is left of its way.
+// Whether a part comes over an item on the rest of its way.
 bool OperatorModel::comesOver(const Charge& charge, const SeenPart& part, std::int32_t item) const {
     const std::vector<Vec2>& way = charge.plan.way;
-    // The leg on which its middle is; the first one where legs lie on each other.
+    // The leg on which the part's middle is; the first one where legs lie on each other.
     std::size_t leg = 0;
     double least = std::numeric_limits<double>::infinity();
     Vec2 from = charge.plan.part.centre;
     for (std::size_t k = 0; k < way.size(); ++k) {
         const double away = distanceToSegment(part.centre, from, way[k]);
-        if (away < least - kSameLeg) leg = k;
+        if (away < least - kSameLegDistance) leg = k;
         least = std::min(least, away);
         from = way[k];
     }
@@ -275,7 +281,7 @@ bool OperatorModel::aheadOfFront(const Charge& charge, const SeenPart& part, Vec
            });
 }
 
-// Whether a part that has to be led from point to point is where the next one can be given.
+// Whether a part that has to be led from point to point is where its next point can be given.
 bool OperatorModel::due(const Charge& charge, const SeenScene& seen) const {
     if (repertoire_.draws || repertoire_.queues || charge.point == 0) return false;
     if (charge.point >= charge.plan.way.size()) return false;
@@ -290,10 +296,10 @@ bool OperatorModel::due(const Charge& charge, const SeenScene& seen) const {
         centre += seen.positions[i];
         count += 1.0;
     }
-    return count > 0.0 && distance(centre / count, target) < kNear;
+    return count > 0.0 && distance(centre / count, target) < kPointReach;
 }
 
-// One part after the other is looked at: who is due gets its next point, who is idle a new way.
+// Looks at one part after the other: a part that is due gets its next point, an idle one a new way.
 void OperatorModel::watch(double now, const SeenScene& seen) {
     for (std::size_t i = 0; i < charges_.size(); ++i) {
         Charge& charge = charges_[i];
@@ -348,7 +354,7 @@ std::vector<std::int32_t> OperatorModel::takenOver(std::span<const std::size_t> 
     for (std::size_t i = 0; i < charges_.size(); ++i) {
         std::vector<std::int32_t>& meant = charges_[i].meant;
         std::erase_if(meant, [&](std::int32_t item) { return seen.collected[item] != 0; });
-        // A front that goes on comes over its own anyway.
+        // A front that goes on comes over its own items anyway.
         if (!active(i, idles) || charges_[i].plan.width > 0.0 || meant.size() < count) continue;
         count = meant.size() + 1;
         most = i;
@@ -369,10 +375,10 @@ void OperatorModel::renewPart(std::size_t index, std::span<const std::int32_t> i
         return std::count(meant.begin(), meant.end(), item) > 0;
     });
     if (!charges_[index].plan.stages) misses_ += static_cast<std::int32_t>(missed);
-    // Nobody sweeps twice for what a sweep has missed.
+    // No part sweeps twice for items that a sweep has missed.
     const bool sweeps = missed == 0 || charges_[index].plan.width == 0.0;
     PlannedPart whole = planner_->renewed(part, items, sweeps, chance_);
-    const auto few = items.size() <= kLeftOver ? planner_->fetched(part, items, chance_) : std::nullopt;
+    const auto few = items.size() <= kMostLeftOvers ? planner_->fetched(part, items, chance_) : std::nullopt;
     if (few && planner_->partSeconds(*few) + planner_->takeOutSeconds(*few) < planner_->partSeconds(whole)) {
         Charge charge;
         charge.plan = *few;
@@ -393,17 +399,17 @@ void OperatorModel::renewPart(std::size_t index, std::span<const std::int32_t> i
     tasks_.push_back({Act::Send, index});
 }
 
-// A front does not come back for what it has passed.
+// Drops items that a front has passed, since it does not come back for them.
 void OperatorModel::dropPassed(const SeenScene& seen) {
     for (Charge& charge : charges_) {
-        if (charge.plan.width == 0.0 || charge.sentAt < 0.0 || seen.time < charge.sentAt + kIdleGrace)
+        if (charge.plan.width == 0.0 || charge.sentAt < 0.0 || seen.time < charge.sentAt + kOrderGraceTime)
             continue;
         const SeenPart part = this->seen(charge, seen.time + delay());
         std::erase_if(charge.meant, [&](std::int32_t item) { return !comesOver(charge, part, item); });
     }
 }
 
-// Whether calling whoever is nearest to each of these items is quicker than sending those who are idle.
+// Whether calling the nearest character to each of these items is quicker than sending the idle parts.
 bool OperatorModel::callsFor(std::span<const std::size_t> idles, std::span<const std::int32_t> left,
                              double now) {
     if (!repertoire_.calls) return false;
@@ -416,25 +422,25 @@ bool OperatorModel::callsFor(std::span<const std::size_t> idles, std::span<const
         double least = std::numeric_limits<double>::infinity();
         for (const Vec2 p : scene.positions)
             least = std::min(least, ground_.distance(p, tours_.items()[item]));
-        last = std::max(last, calls + least / kSpeed);
+        last = std::max(last, calls + least / kKnownSpeed);
     }
     double parts = std::numeric_limits<double>::infinity();
     for (const std::size_t i : idles) {
         const PlannedPart way = planner_->renewed(seen(charges_[i], now), left, true, chance_);
         parts = std::min(parts, planner_->partSeconds(way));
     }
-    // Who has passed by an item may do so again.
+    // A part that has passed by an item may do so again.
     const auto again = std::count_if(left.begin(), left.end(), [&](std::int32_t item) {
         return std::any_of(idles.begin(), idles.end(), [&](std::size_t i) {
             const std::vector<std::int32_t>& meant = charges_[i].meant;
             return !charges_[i].plan.stages && std::count(meant.begin(), meant.end(), item) > 0;
         });
     });
-    parts += kAgainSeconds * static_cast<double>(again);
+    parts += kMissedSeconds * static_cast<double>(again);
     return last < parts;
 }
 
-// New ways for those who have nothing more to do although items are left.
+// Plans new ways for parts that have nothing more to do although items are left.
 void OperatorModel::renew(double now, const SeenScene& seen) {
     const std::vector<std::size_t> idles = freeParts(seen);
     if (idles.empty() && !repertoire_.calls) return;
@@ -454,7 +460,7 @@ void OperatorModel::renew(double now, const SeenScene& seen) {
         std::size_t nearest = idles[0];
         double least = std::numeric_limits<double>::infinity();
         for (const std::size_t i : idles) {
-            // Who is nearest counts, not the middle of a wide front.
+            // The nearest character counts, not the middle of a wide front.
             const SeenPart part = this->seen(charges_[i], now);
             for (const Vec2 p : part.positions) {
                 const double away = ground_.distance(p, tours_.items()[item]);

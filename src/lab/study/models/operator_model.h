@@ -15,40 +15,42 @@ namespace muster {
 
 /// A decision of a model and what it cost.
 struct ModelDecision {
-    std::uint32_t step = 0;  ///< When it was made.
-    std::string kind;        ///< "look", "plan", "cut", "select", "send", "draw", "sweep", "again".
-    double seconds = 0.0;    ///< How long decision and movement take [s].
-    std::string text;        ///< What was decided.
+    std::uint32_t step = 0;  ///< Step in which the decision was made.
+    /// Kind of the decision: "look", "plan", "cut", "select", "send", "draw", "sweep", "again".
+    std::string kind;
+    double seconds = 0.0;  ///< Time that decision and movement take [s].
+    std::string text;      ///< Words that say what was decided.
 };
 
 /// Directs one trial through its inputs alone.
 class OperatorModel {
 public:
-    /// `seed`: its chance, the same for all schemes of one pair.
+    /// `seed`: seed of its chance, the same for all schemes of one pair.
     OperatorModel(const Trial& trial, const OperatorParameters& parameters, std::uint64_t seed);
     ~OperatorModel();
 
     /// Looks, decides, moves. Call before every step of the trial.
     void direct(Trial& trial);
 
-    std::span<const ModelDecision> decisions() const { return decisions_; }  ///< All so far.
-    std::int32_t misses() const { return misses_; }      ///< Gestures that did not what was meant.
+    std::span<const ModelDecision> decisions() const { return decisions_; }  ///< All decisions so far.
+    /// Number of gestures without the effect that was meant.
+    std::int32_t misses() const { return misses_; }
     double busySeconds() const { return busySeconds_; }  ///< Time spent on deciding and moving [s].
-    std::int32_t commands() const { return commands_; }  ///< Orders that it meant to give.
+    std::int32_t commands() const { return commands_; }  ///< Number of orders that the model meant to give.
 
 private:
-    /// What it believes of a part that it directs.
+    /// Belief of the model about a part that it directs.
     struct Charge {
         PlannedPart plan;
         std::vector<std::int32_t> meant;  ///< Items that it shall collect.
-        std::size_t point = 0;            ///< Points of its way that were sent.
-        double sentAt = -1.0;             ///< When the last was sent [s]; before 0 for never.
+        std::size_t point = 0;            ///< Number of points of its way that were sent.
+        double sentAt = -1.0;             ///< Time at which the last point was sent [s]; below 0 for never.
         std::uint8_t digit = 0;           ///< Its control group; 0 for none.
     };
     enum class Act : std::uint8_t { Cut, TakeOut, Send, Point, Call };
     struct Task {
         Act act = Act::Send;
-        std::size_t index = 0;  ///< Of the cut, the charge or the item.
+        std::size_t index = 0;  ///< Index of the cut, the charge or the item.
     };
 
     void play(Trial& trial);
@@ -108,15 +110,15 @@ private:
 
     std::vector<Charge> charges_;
     std::vector<std::array<Vec2, 2>> cuts_;
-    std::vector<Task> tasks_;            // From the back.
-    std::vector<ScriptedInput> script_;  // In the order of time.
+    std::vector<Task> tasks_;            // Tasks, done from the back.
+    std::vector<ScriptedInput> script_;  // Events in the order of time.
     std::size_t played_ = 0;
     bool begun_ = false;
-    bool divided_ = false;                                 // Strokes have divided the crowd.
-    double busyUntil_ = 0.0;                               // Until then it decides or moves [s].
-    double nextPlan_ = 0.0;                                // Not before [s].
-    std::array<double, 2> handFree_{};                     // When each hand can touch again [s].
-    std::array<Vec2, 2> handAt_{};                         // Where it is [m].
+    bool divided_ = false;                                 // Whether strokes have divided the crowd.
+    double busyUntil_ = 0.0;                               // Time until which the model decides or moves [s].
+    double nextPlan_ = 0.0;                                // Earliest time of the next plan [s].
+    std::array<double, 2> handFree_{};                     // Time at which each hand can touch again [s].
+    std::array<Vec2, 2> handAt_{};                         // Position of each hand [m].
     std::size_t selected_ = static_cast<std::size_t>(-1);  // Charge whose characters are selected.
     std::size_t checkSelection_ = static_cast<std::size_t>(-1);
     double checkAt_ = 0.0;

@@ -11,14 +11,17 @@ namespace muster {
 
 namespace {
 
-constexpr double kPackedRadius = 0.28;  // Of those who gather, times the root of their number [m].
+// Radius of a crowd that gathers, over the root of its number of characters [m].
+constexpr double kPackedRadius = 0.28;
 // Shapes of divisions: columns and rows.
 constexpr std::array<std::array<std::int32_t, 2>, 9> kDivisions{
     {{1, 1}, {2, 1}, {1, 2}, {3, 1}, {1, 3}, {2, 2}, {4, 1}, {1, 4}, {3, 2}}};
-constexpr double kWide = 1.4;            // A formation is wide that is so many times as wide as a square.
-constexpr std::size_t kFew = 4;          // So many are sent to fetch what is left.
-constexpr double kMostPushed = 1.0;      // So far a formation may be pushed together at the border [m].
-constexpr double kPushedSeconds = 15.0;  // What more of that is expected to cost [s].
+// Ratio of a formation's width to that of a square above which it is wide.
+constexpr double kWideRatio = 1.4;
+constexpr std::size_t kFetchers = 4;  // Number of characters that are sent to fetch the left-overs.
+// Length by which a formation may be pushed together at the border [m].
+constexpr double kMostPushedLength = 1.0;
+constexpr double kPushedSeconds = 15.0;  // Expected cost of a formation that is pushed together by more [s].
 
 }  // namespace
 
@@ -44,7 +47,7 @@ Sweep Planner::sweepOf(const SeenPart& part) const {
     if (def_.repertoire.keepsShape) {
         for (const Vec2 p : part.positions) sweep.offsets.push_back(p - part.centre);
     } else {
-        // A packed disc, by the sunflower's angle.
+        // Packed as a disc, by the sunflower's angle.
         for (std::size_t i = 0; i < n; ++i) {
             const double r = kPackedRadius * std::sqrt(static_cast<double>(i) + 0.5);
             const double angle = 2.399963229728653 * static_cast<double>(i);
@@ -56,8 +59,8 @@ Sweep Planner::sweepOf(const SeenPart& part) const {
     return sweep;
 }
 
-// Where the middle of a part goes so that one of its characters stands on an item: where it ends, those whose
-// mesh is drawn bring whoever is nearest.
+// The point to which the middle of a part goes so that one of its characters stands on an item: that of the
+// aimed offset, or the nearest one, unless the border holds its character off the item.
 Vec2 Planner::aimedAt(Vec2 from, Vec2 item, const Sweep& sweep) const {
     Vec2 best = def_.border.clamp(item - sweep.aim);
     double least = distance(from, best);
@@ -86,15 +89,15 @@ std::vector<Vec2> Planner::wayOver(Vec2 from, std::span<const std::int32_t> stop
     return way;
 }
 
-// Leads a part over items in this order, but for those that it sweeps up beside its way.
+// Leads a part over items in this order, except for those that it sweeps up beside its way.
 void Planner::lead(PlannedPart& planned, std::span<const std::int32_t> order) const {
     const Sweep sweep = sweepOf(planned.part);
     const Vec2 centre = planned.part.centre;
     planned.stops = tours_->thinned(centre, order, sweep);
     planned.way = wayOver(centre, planned.stops, sweep);
     if (!def_.repertoire.draws) return;
-    // The way is another one than that of the middle: what it misses is led to as well, and what lies beside
-    // it is not.
+    // The way differs from that of the middle: an item that it misses becomes a stop as well, and one that
+    // lies beside it does not.
     const auto missed = [&](std::int32_t item) { return !collectedOn(planned, sweep, item); };
     planned.stops.assign(order.begin(), order.end());
     planned.way = wayOver(centre, planned.stops, sweep);
@@ -144,7 +147,7 @@ OperatorPlan Planner::plan(const SeenPart& crowd, std::span<const std::int32_t> 
     return best;
 }
 
-// How far the formation would have to be pushed together at the border on its way [m].
+// Length by which the formation would have to be pushed together at the border on its way [m].
 double Planner::beyondBorder(const PlannedPart& planned) const {
     double most = 0.0;
     for (const Vec2 to : planned.way)
@@ -157,7 +160,7 @@ double Planner::beyondBorder(const PlannedPart& planned) const {
 
 std::optional<PlannedPart> Planner::fetched(const SeenPart& part, std::span<const std::int32_t> open,
                                             Chance& chance) const {
-    if (!def_.repertoire.divides || open.empty() || part.ids.size() <= 2 * kFew) return std::nullopt;
+    if (!def_.repertoire.divides || open.empty() || part.ids.size() <= 2 * kFetchers) return std::nullopt;
     const auto away = [&](std::size_t i, std::int32_t item) {
         return tours_->ground().distance(part.positions[i], tours_->items()[item]);
     };
@@ -173,7 +176,7 @@ std::optional<PlannedPart> Planner::fetched(const SeenPart& part, std::span<cons
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return away(a, nearest) < away(b, nearest); });
-    order.resize(kFew);
+    order.resize(kFetchers);
     std::sort(order.begin(), order.end(),
               [&](std::size_t a, std::size_t b) { return part.ids[a] < part.ids[b]; });
     std::vector<std::uint32_t> ids;
@@ -190,12 +193,12 @@ PlannedPart Planner::renewed(const SeenPart& part, std::span<const std::int32_t>
     PlannedPart best = next(part, open, chance);
     if (!def_.repertoire.spreads) return best;
     // A wide formation that is pushed together leaves items beside its way.
-    if (beyondBorder(best) > kMostPushed) best.reforms = kPushedSeconds;
+    if (beyondBorder(best) > kMostPushedLength) best.reforms = kPushedSeconds;
     double least = partSeconds(best);
     const double own = std::max(part.bounds.width(), part.bounds.height());
     const auto side = static_cast<std::int32_t>(std::ceil(std::sqrt(static_cast<double>(part.ids.size()))));
     const double square = def_.spacing * (side - 1);
-    if (own > kWide * std::max(square, def_.spacing)) {
+    if (own > kWideRatio * std::max(square, def_.spacing)) {
         SeenPart squared = part;
         for (std::size_t i = 0; i < squared.positions.size(); ++i) {
             const auto n = static_cast<std::int32_t>(i);

@@ -9,11 +9,12 @@
 namespace muster {
 namespace {
 
-constexpr double kCutBeyond = 1.2;   // A cut begins and ends so far beyond the crowd [m].
-constexpr double kLaterShare = 1.4;  // What is decided later takes so many times as long as it would now.
-constexpr double kLoosest = 1.25;    // A front collects all before it up to this spacing, in spacings.
-constexpr double kLaneMargin = 1.0;  // A lane goes on so far behind its last item [m].
-constexpr std::size_t kLeftForLater = 3;  // So few items may be left for later.
+constexpr double kCutBeyond = 1.2;    // Length of a cut beyond the crowd at both ends [m].
+constexpr double kLaterFactor = 1.4;  // Factor of a later sweep's time, since it is decided later.
+// Greatest spacing at which a front collects all items before it, in spacings.
+constexpr double kLoosestSpacing = 1.25;
+constexpr double kLaneMargin = 1.0;           // Length by which a lane goes on behind its last item [m].
+constexpr std::size_t kMostLeftForLater = 3;  // Number of items that may be left for later.
 
 double median(std::vector<double> values, double share) {
     std::sort(values.begin(), values.end());
@@ -59,8 +60,8 @@ OperatorPlan Planner::cells(const SeenPart& crowd, std::int32_t columns, std::in
     return plan;
 }
 
-// Cuts a tour into at most so many stretches, each of which ends where what has been walked exceeds the
-// part's share, counted with the way there.
+// Cuts a tour into at most so many stretches. A stretch ends where the walked length exceeds the part's
+// share, counted with the way there.
 std::vector<std::vector<std::int32_t>> Planner::stretchesOf(Vec2 from, std::span<const std::int32_t> tour,
                                                             std::int32_t count) const {
     std::vector<std::vector<std::int32_t>> stretches;
@@ -126,7 +127,7 @@ OperatorPlan Planner::divided(const SeenPart& crowd, std::span<const std::int32_
         if (stretch.empty()) continue;
         lead(plan.parts[best], tours_->tour(plan.parts[best].part.centre, stretch, 0.0, chance));
     }
-    // Those who have farthest to go are sent first.
+    // Parts that have farthest to go are sent first.
     std::stable_sort(plan.parts.begin(), plan.parts.end(), [&](const PlannedPart& a, const PlannedPart& b) {
         return walkSeconds(a) > walkSeconds(b);
     });
@@ -134,7 +135,7 @@ OperatorPlan Planner::divided(const SeenPart& crowd, std::span<const std::int32_
     return plan;
 }
 
-// Lanes side by side, as wide as the front, from the end that is nearer.
+// A plan of lanes side by side, as wide as the front, from the end that is nearer.
 OperatorPlan Planner::swept(const SeenPart& crowd, std::span<const std::int32_t> open, Vec2 along,
                             double width) const {
     OperatorPlan plan;
@@ -181,15 +182,15 @@ OperatorPlan Planner::swept(const SeenPart& crowd, std::span<const std::int32_t>
         forward = !forward;
     }
     plan.parts.push_back(std::move(planned));
-    // Half of it lies aside of where it stands before it can begin.
+    // Half of the front lies aside of where the part stands before the sweep can begin.
     const double own = crowd.bounds.width() * std::abs(across.x) + crowd.bounds.height() * std::abs(across.y);
     plan.parts[0].reforms = 0.5 * std::abs(width - own) / def_.speed;
     plan.seconds = estimate(plan);
     return plan;
 }
 
-// The sweep of a part that takes least, with at most so many spacings between two; one without a way where
-// there is none.
+// The sweep of a part that takes least time, with at most so many spacings between two; one without a way
+// where there is none.
 PlannedPart Planner::bestSweep(const SeenPart& part, std::span<const std::int32_t> open,
                                double loosest) const {
     PlannedPart best{part, {}, {}, 0.0, false, {}, 0.0, false, 0.0};
@@ -206,7 +207,7 @@ PlannedPart Planner::bestSweep(const SeenPart& part, std::span<const std::int32_
     return best;
 }
 
-// The same sweep, but that the part goes through the narrows on its way as it is; none where there are none.
+// The sweep for a part that goes through the narrows on its way as it is; none where there are none.
 std::optional<PlannedPart> Planner::staged(const PlannedPart& sweep,
                                            std::span<const std::int32_t> open) const {
     const Vec2 to = sweep.way.back();
@@ -219,12 +220,12 @@ std::optional<PlannedPart> Planner::staged(const PlannedPart& sweep,
     std::vector<std::int32_t> beyond;
     for (const std::int32_t i : open)
         if (dot(tours_->items()[i] - stage, sweep.along) > -kLaneMargin) beyond.push_back(i);
-    if (beyond.size() + kLeftForLater < open.size()) return std::nullopt;
+    if (beyond.size() + kMostLeftForLater < open.size()) return std::nullopt;
     std::vector<Vec2> there = sweep.part.positions;
     for (Vec2& p : there) p += stage - sweep.part.centre;
-    const PlannedPart rest = bestSweep(seenPart(sweep.part.ids, there), beyond, kLoosest);
+    const PlannedPart rest = bestSweep(seenPart(sweep.part.ids, there), beyond, kLoosestSpacing);
     if (rest.way.empty()) return std::nullopt;
-    planned.later = motor_->factor() * def_.parameters.decide + kLaterShare * partSeconds(rest) +
+    planned.later = motor_->factor() * def_.parameters.decide + kLaterFactor * partSeconds(rest) +
                     callSeconds() * static_cast<double>(open.size() - beyond.size());
     return planned;
 }
@@ -243,14 +244,14 @@ OperatorPlan Planner::parted(const SeenPart& crowd, std::span<const std::int32_t
         for (const std::int32_t i : open)
             if ((dot(tours_->items()[i], apart) > line) == (side == 1)) own.push_back(i);
         if (own.empty()) return {{}, {}, kInfinite, {}};
-        PlannedPart best = bestSweep(plan.parts[side].part, own, kLoosest);
+        PlannedPart best = bestSweep(plan.parts[side].part, own, kLoosestSpacing);
         if (best.way.empty()) return {{}, {}, kInfinite, {}};
         if (const auto other = staged(best, own); other && partSeconds(*other) < partSeconds(best))
             best = *other;
         best.stops = own;
         plan.parts[side] = std::move(best);
     }
-    // Those who have farthest to go are sent first.
+    // Parts that have farthest to go are sent first.
     std::stable_sort(plan.parts.begin(), plan.parts.end(), [&](const PlannedPart& a, const PlannedPart& b) {
         return partSeconds(a) > partSeconds(b);
     });

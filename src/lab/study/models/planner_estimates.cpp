@@ -1,4 +1,4 @@
-// What plans are expected to take.
+// Estimated times of plans.
 #include "lab/study/models/planner.h"
 
 #include <algorithm>
@@ -6,11 +6,12 @@
 namespace muster {
 namespace {
 
-constexpr double kSwathShare = 0.8;   // Of the width of a part, which one counts on.
-constexpr double kFrontShare = 0.75;  // Of a walker's speed, which a wide front makes.
-constexpr double kThinShare = 0.6;    // The same for one of a single rank: it bends more, and misses more.
-constexpr double kRanks = 1.3;        // A front is thin that has fewer.
-constexpr double kTapTime = 0.05;     // A finger is down for a tap [s].
+constexpr double kSwathShare = 0.8;   // Share of a part's width that the operator counts on.
+constexpr double kFrontShare = 0.75;  // Share of a walker's speed that a wide front makes.
+// Share of a walker's speed that a front of a single rank makes: it bends more, and misses more.
+constexpr double kThinShare = 0.6;
+constexpr double kThinRanks = 1.3;  // Number of ranks below which a front is thin.
+constexpr double kTapTime = 0.05;   // Time that a finger is down for a tap [s].
 
 double wayLength(Vec2 from, std::span<const Vec2> way) {
     double sum = 0.0;
@@ -84,7 +85,7 @@ double Planner::walkSeconds(const PlannedPart& planned) const {
     return metres / def_.speed;
 }
 
-// A wide front is as slow as those of it who have to go round most.
+// A wide front is as slow as those of its characters that have the longest detour.
 double Planner::sweepSeconds(const PlannedPart& planned) const {
     const Vec2 across = perpendicular(planned.along);
     double most = 0.0;
@@ -99,7 +100,8 @@ double Planner::sweepSeconds(const PlannedPart& planned) const {
         }
         most = std::max(most, metres);
     }
-    const bool thin = kRanks * planned.width > def_.spacing * static_cast<double>(planned.part.ids.size());
+    const bool thin = kThinRanks * planned.width >
+                      def_.spacing * static_cast<double>(planned.part.ids.size());
     return most / ((thin ? kThinShare : kFrontShare) * def_.speed) + foldSeconds(planned);
 }
 
@@ -115,7 +117,7 @@ double Planner::foldSeconds(const PlannedPart& planned) const {
     return most / def_.speed;
 }
 
-// Parts that go on by themselves once they are sent.
+// Estimate for parts that go on by themselves once they are sent.
 double Planner::estimateQueued(const OperatorPlan& plan) const {
     double now = cutSeconds() * static_cast<double>(plan.cuts.size());
     if (!def_.repertoire.draws) now = 0.0;
@@ -132,7 +134,7 @@ double Planner::estimateQueued(const OperatorPlan& plan) const {
     return last;
 }
 
-// Parts that wait for their next point until the operator comes back to them.
+// Estimate for parts that wait for their next point until the operator comes back to them.
 double Planner::estimateAttended(const OperatorPlan& plan) const {
     const std::size_t n = plan.parts.size();
     std::vector<double> due(n, 0.0);
@@ -169,7 +171,7 @@ double Planner::partSeconds(const PlannedPart& planned) const {
 }
 
 double Planner::takeOutSeconds(const PlannedPart& few) const {
-    if (!def_.repertoire.draws) return 0.0;  // They are selected anyway.
+    if (!def_.repertoire.draws) return 0.0;  // A scheme without strokes selects them anyway.
     const double mm = def_.mmPerMetre;
     const double round = 2.0 * (few.part.bounds.width() + few.part.bounds.height() + 4.0 * kTakenMargin);
     return motor_->point(6.0 * mm, kTargetMetres * mm) + motor_->draw(round * mm, kTargetMetres * mm) +

@@ -14,8 +14,8 @@ bool hasWay(const GroupView& group) {
     });
 }
 
-constexpr std::uint32_t kLookSteps = 3;  // Pictures that are looked at are so many steps apart.
-constexpr std::size_t kMostScenes = 60;  // Three seconds.
+constexpr std::uint32_t kLookSteps = 3;  // Number of steps between two pictures that are looked at.
+constexpr std::size_t kMostScenes = 60;  // Number of pictures that are remembered, those of three seconds.
 
 }  // namespace
 

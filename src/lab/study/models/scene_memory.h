@@ -1,4 +1,4 @@
-// What the screen has shown lately, so that an operator sees it with a delay.
+// Pictures of the screen from the last seconds, so that an operator sees it with a delay.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 
 namespace muster {
 
-/// What an operator sees of a trial: nothing that the screen does not show.
+/// The scene of a trial as an operator sees it: nothing that the screen does not show.
 struct SeenScene {
-    double time = 0.0;                    ///< When the screen showed it [s].
-    std::vector<Vec2> positions;          ///< Of all characters, in the order of ids [m].
-    std::vector<std::uint32_t> ids;       ///< Their ids.
-    std::vector<std::uint32_t> groups;    ///< Per character, the id of its formation.
+    double time = 0.0;                    ///< Time at which the screen showed it [s].
+    std::vector<Vec2> positions;          ///< Positions of all characters, in the order of ids [m].
+    std::vector<std::uint32_t> ids;       ///< Ids of all characters.
+    std::vector<std::uint32_t> groups;    ///< By character: the id of its formation.
     std::vector<std::uint32_t> busy;      ///< Ids of formations with a drawn way or a queue ahead, ascending.
-    std::vector<std::uint8_t> collected;  ///< Per item: 1 once it has gone.
-    std::vector<std::uint32_t> selected;  ///< Ids of the selected.
+    std::vector<std::uint8_t> collected;  ///< By item: 1 once it has gone.
+    std::vector<std::uint32_t> selected;  ///< Ids of the selected characters.
 };
 
 /// Remembers some seconds of scenes.
@@ -25,9 +25,9 @@ class SceneMemory {
 public:
     /// Looks at the screen; call before every step.
     void look(const Trial& trial);
-    /// The newest scene that is not younger than `time` says; the oldest that is known where all are.
+    /// The newest scene that is not younger than `time` says; the oldest known one where all are.
     const SeenScene& at(double time) const;
-    /// True once there is one.
+    /// True once there is a scene.
     bool any() const { return !scenes_.empty(); }
 
 private:

@@ -7,9 +7,10 @@ namespace muster {
 namespace {
 
 constexpr double kNoWay = std::numeric_limits<double>::infinity();
-constexpr double kNarrow = 0.3;  // A way is narrow for a front that finds less of its width.
-constexpr double kSample = 0.5;  // Fronts are looked at every so far [m].
-constexpr double kSlack = 0.01;  // So that a line along a margin is clear [m].
+constexpr double kNarrowShare = 0.3;   // Share of a front's width below which a way is narrow for it.
+constexpr double kSampleLength = 0.5;  // Distance between two samples of a front [m].
+// Length by which blocks are grown less, so that a line along a margin is clear [m].
+constexpr double kMarginSlack = 0.01;
 
 // Whether the segment from a to b meets the inside of the box (Liang and Barsky 1984).
 bool meets(const Box& box, Vec2 a, Vec2 b) {
@@ -34,7 +35,7 @@ bool inside(const Box& box, Vec2 p) {
 }  // namespace
 
 SeenGround::SeenGround(std::span<const Box> blocks, const Box& border, double margin) : border_(border) {
-    for (const Box& block : blocks) blocks_.push_back(block.grown(margin - kSlack));
+    for (const Box& block : blocks) blocks_.push_back(block.grown(margin - kMarginSlack));
     for (const Box& block : blocks) {
         const Box grown = block.grown(margin);
         for (const Vec2 corner :
@@ -53,26 +54,26 @@ SeenGround::Narrow SeenGround::narrowest(Vec2 a, Vec2 b, double width) const {
     const Vec2 along = (b - a) / length;
     const Vec2 across = perpendicular(along);
     Narrow narrow{width, 0.0};
-    for (double s = 0.0; s <= length; s += kSample) {
+    for (double s = 0.0; s <= length; s += kSampleLength) {
         double free = 0.0;
         double most = 0.0;
-        for (double t = -0.5 * width; t <= 0.5 * width; t += kSample) {
+        for (double t = -0.5 * width; t <= 0.5 * width; t += kSampleLength) {
             const Vec2 p = a + along * s + across * t;
             const bool barred = std::any_of(blocks_.begin(), blocks_.end(),
                                             [&](const Box& block) { return inside(block, p); });
             if (!border_.contains(p)) continue;
-            most += kSample;
-            free += barred ? 0.0 : kSample;
+            most += kSampleLength;
+            free += barred ? 0.0 : kSampleLength;
         }
         if (most == 0.0) continue;
         const double here = width * free / most;
         narrow.least = std::min(narrow.least, here);
-        if (here < kNarrow * width) narrow.end = s + kSample;
+        if (here < kNarrowShare * width) narrow.end = s + kSampleLength;
     }
     return narrow;
 }
 
-// Floyd and Warshall.
+// Lengths of all shortest ways between corners, by Floyd and Warshall.
 void SeenGround::joinCorners() {
     const std::size_t n = corners_.size();
     lengths_.assign(n * n, kNoWay);
@@ -95,7 +96,7 @@ void SeenGround::joinCorners() {
 
 bool SeenGround::clear(Vec2 a, Vec2 b) const {
     for (const Box& block : blocks_) {
-        // Who stands within a margin walks out of it.
+        // A way from a point within a margin walks out of the margin first.
         if (inside(block, a) || inside(block, b)) {
             const Vec2 middle = (block.min + block.max) * 0.5;
             const Box core{lerp(middle, block.min, 0.7), lerp(middle, block.max, 0.7)};
@@ -120,7 +121,7 @@ SeenGround::Best SeenGround::best(Vec2 a, Vec2 b) const {
             best = {length, static_cast<std::ptrdiff_t>(i), static_cast<std::ptrdiff_t>(j)};
         }
     }
-    // Where nothing is seen to lead there one tries the straight line.
+    // The straight line is tried where nothing is seen to lead there.
     return best.first < 0 ? Best{2.0 * muster::distance(a, b), -1, -1} : best;
 }
 

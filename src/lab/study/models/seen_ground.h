@@ -18,10 +18,11 @@ public:
     bool clear(Vec2 a, Vec2 b) const;
     /// Length of the shortest way [m].
     double distance(Vec2 a, Vec2 b) const;
-    /// What a front of this width finds on its way from `a` to `b`.
+    /// The narrowest part of the way of a front from `a` to `b`.
     struct Narrow {
-        double least = 0.0;  ///< How wide the way is where it is narrowest [m].
-        double end = 0.0;    ///< How far from `a` it is narrow for the last time, above 0; 0 for never [m].
+        double least = 0.0;  ///< Width of the way at its narrowest point [m].
+        /// Distance from `a` at which it is narrow for the last time, above 0; 0 for never [m].
+        double end = 0.0;
     };
     /// Looks along the way of a front.
     Narrow narrowest(Vec2 a, Vec2 b, double width) const;
@@ -38,9 +39,9 @@ private:
     void joinCorners();
 
     Box border_;
-    std::vector<Box> blocks_;           // Grown by a little less than the margin.
-    std::vector<Vec2> corners_;         // Of blocks grown by the margin, inside the border.
-    std::vector<double> lengths_;       // Between all corners, row-major.
+    std::vector<Box> blocks_;           // Blocks grown by a little less than the margin.
+    std::vector<Vec2> corners_;         // Corners of blocks grown by the margin, inside the border.
+    std::vector<double> lengths_;       // Lengths of the shortest ways between all corners, in rows [m].
     std::vector<std::ptrdiff_t> next_;  // The corner after the row's on the way to the column's.
 };
 

@@ -6,8 +6,8 @@
 namespace muster {
 namespace {
 
-constexpr double kTrust = 0.85;       // Of its reach one counts on so much.
-constexpr std::int32_t kRounds = 40;  // Of improvement, at most.
+constexpr double kTrustedShare = 0.85;    // Share of an item's reach that the operator counts on.
+constexpr std::int32_t kMostRounds = 40;  // Number of rounds of improvement, at most.
 constexpr std::int32_t kSpoilTries = 60;
 
 }  // namespace
@@ -21,7 +21,7 @@ double distanceToSegment(Vec2 p, Vec2 a, Vec2 b) {
 
 bool Sweep::collects(Vec2 a, Vec2 b, Vec2 item) const {
     return std::any_of(offsets.begin(), offsets.end(), [&](Vec2 offset) {
-        return distanceToSegment(item, a + offset, b + offset) <= kTrust * reach;
+        return distanceToSegment(item, a + offset, b + offset) <= kTrustedShare * reach;
     });
 }
 
@@ -39,14 +39,14 @@ double TourFinder::length(Vec2 from, std::span<const std::int32_t> order) const 
     return sum;
 }
 
-// Reversals of stretches, and moves of single items, while they gain (Croes 1958; Or 1976).
+// Reverses stretches and moves single items, while that shortens the tour (Croes 1958; Or 1976).
 void TourFinder::improve(std::vector<std::int32_t>& order, std::span<const double> fromStart) const {
     const auto n = std::ssize(order);
     const auto link = [&](std::ptrdiff_t i, std::ptrdiff_t j) {
         if (j >= n) return 0.0;
         return i < 0 ? fromStart[order[j]] : between(order[i], order[j]);
     };
-    for (std::int32_t round = 0; round < kRounds; ++round) {
+    for (std::int32_t round = 0; round < kMostRounds; ++round) {
         bool better = false;
         for (std::ptrdiff_t i = 0; i < n; ++i) {
             for (std::ptrdiff_t j = i + 1; j < n; ++j) {
@@ -66,7 +66,7 @@ std::vector<std::int32_t> TourFinder::tour(Vec2 from, std::span<const std::int32
                                            Chance& chance) const {
     std::vector<double> fromStart(count_, 0.0);
     for (const std::int32_t i : open) fromStart[i] = ground_->distance(from, items_[i]);
-    // Nearest first, then improved.
+    // The nearest item is next, then the order is improved.
     std::vector<std::int32_t> left(open.begin(), open.end());
     std::vector<std::int32_t> order;
     while (!left.empty()) {
@@ -96,7 +96,7 @@ std::vector<std::int32_t> TourFinder::tour(Vec2 from, std::span<const std::int32
 std::vector<std::int32_t> TourFinder::thinned(Vec2 from, std::span<const std::int32_t> order,
                                               const Sweep& sweep) const {
     std::vector<std::int32_t> kept(order.begin(), order.end());
-    std::vector<std::int32_t> left;  // Those that are collected beside the way.
+    std::vector<std::int32_t> left;  // Items left out, which the crowd collects beside the way.
     const auto at = [&](std::ptrdiff_t i) { return i < 0 ? from : items_[kept[i]] - sweep.aim; };
     const auto covered = [&](std::int32_t item) {
         for (std::ptrdiff_t i = 0; i < std::ssize(kept); ++i)

@@ -10,42 +10,43 @@
 
 namespace muster {
 
-/// What is reported together.
+/// Trials that are reported together.
 struct StudyGroup {
-    RunKind kind = RunKind::Models;  ///< Models or people.
+    RunKind kind = RunKind::Models;  ///< Whether models or people directed.
     std::int32_t environments = 0;   ///< Version of the environments.
     std::int32_t operators = 0;      ///< Version of the operators; 0 for people.
     friend auto operator<=>(const StudyGroup&, const StudyGroup&) = default;
 };
 
-/// What is compared within a group.
+/// Trials that are compared within a group.
 struct CellKey {
-    std::string environment, scheme, setting;  ///< Names; the setting of people is empty.
-    std::int32_t crowd = 0;                    ///< Number of characters.
+    /// Names of environment, scheme and setting; the setting of people is empty.
+    std::string environment, scheme, setting;
+    std::int32_t crowd = 0;  ///< Number of characters.
     friend auto operator<=>(const CellKey&, const CellKey&) = default;
 };
 
 /// Trials by seed of models, or by run of people: one each, the first that is complete.
 using Cell = std::map<std::uint64_t, StudyTrial>;
 
-/// All that counts, by group and cell.
+/// All data of the report, by group and cell.
 struct StudyData {
-    std::vector<StudyRun> runs;                           ///< All, tests too.
+    std::vector<StudyRun> runs;                           ///< All runs, tests too.
     std::map<StudyGroup, std::map<CellKey, Cell>> cells;  ///< Complete trials without practice and tests.
-    std::map<std::int64_t, std::vector<StudyAnswer>> answers;  ///< By run, of people.
-    std::map<StudyGroup, int> brokenOff;                       ///< Trials begun and not completed.
+    std::map<std::int64_t, std::vector<StudyAnswer>> answers;  ///< Answers by run, of people.
+    std::map<StudyGroup, int> brokenOff;                       ///< Number of trials begun and not completed.
 };
 
-/// Reads it.
+/// Reads the data.
 Result<StudyData> readStudy(StudyStore& store);
 
-/// Times of a cell [s]; those of censored trials are the limit.
+/// Times of a cell [s]; the limit for a censored trial.
 std::vector<double> timesOf(const Cell& cell);
 /// Pairs of times of two cells, by seed or person.
 struct PairedTimes {
     std::vector<double> first, second;
 };
-/// Those that are in both.
+/// Times of the trials that are in both cells.
 PairedTimes pairedTimes(const Cell& first, const Cell& second);
 /// The cell of that key; an empty one where there is none.
 const Cell& cellOf(const std::map<CellKey, Cell>& cells, const CellKey& key);
@@ -53,12 +54,12 @@ const Cell& cellOf(const std::map<CellKey, Cell>& cells, const CellKey& key);
 /// empty for none. People have one mouse control.
 std::string bestMouse(const std::map<CellKey, Cell>& cells, const CellKey& key);
 
-/// Over draws of the hypercube: how often touch won.
+/// Number of draws of the hypercube that touch won.
 struct DrawShare {
-    int draws = 0;  ///< Draws in which both controls were run.
-    int won = 0;    ///< Those in which the median of touch is lower than that of the better mouse.
+    int draws = 0;  ///< Number of draws in which both controls were run.
+    int won = 0;    ///< Number of draws in which the median of touch is lower than that of the better mouse.
 };
-/// In one environment.
+/// Draws that touch won in one environment.
 DrawShare drawShare(const std::map<CellKey, Cell>& cells, const std::string& environment, std::int32_t crowd);
 
 }  // namespace muster

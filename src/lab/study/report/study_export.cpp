@@ -12,7 +12,7 @@
 namespace muster {
 namespace {
 
-/// A column: what its codebook says, and how a row fills it.
+/// A column: the words of its codebook, and the function that fills a row.
 template <class Row>
 struct Column {
     const char* name;

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "files/report/markup.h"
-#include "lab/study/models/parameters.h"
+#include "lab/study/models/operator_parameters.h"
 #include "lab/study/report/study_parts.h"
 
 namespace muster {

@@ -10,25 +10,25 @@ namespace muster {
 /// The display title of a control scheme or environment; its name where it is unknown.
 std::string schemeTitle(const std::string& name);
 std::string environmentTitle(const std::string& name);
-/// "models" or "people".
+/// Word such as "models" or "people".
 std::string groupWord(const StudyGroup& group);
 
 /// A row of box plots.
 struct BoxRow {
-    std::string title;           ///< At its left.
-    std::size_t series = 0;      ///< Its colour.
-    std::vector<double> values;  ///< At least one.
+    std::string title;           ///< Title at the left of the row.
+    std::size_t series = 0;      ///< Number of the row's colour.
+    std::vector<double> values;  ///< Values, at least one.
 };
-/// Box plots beside one axis from 0.
+/// Draws box plots beside one axis from 0.
 std::string boxPlot(const std::string& title, const std::string& unit, const std::vector<BoxRow>& rows);
 /// A plan of an environment: blocks, start, items of seed 1.
 std::string planDrawing(const StudyEnvironment& environment);
 
 /// The rules and environments.
 std::string environmentSection();
-/// All about the models of one group of versions.
+/// The sections about the models of one group of versions.
 std::string modelSections(const StudyGroup& group, const StudyData& data);
-/// All about the people of one version.
+/// The sections about the people of one version.
 std::string peopleSections(const StudyGroup& group, const StudyData& data);
 
 }  // namespace muster

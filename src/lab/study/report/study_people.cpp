@@ -72,7 +72,7 @@ std::string mainAnalysis(const Cells& cells) {
     return html + "</tbody></table></div>\n";
 }
 
-/// Differences touch less mouse; a censored trial is worst.
+/// Differences of times, touch less mouse; a censored trial is worst.
 std::vector<double> differencesOf(const Cell& touch, const Cell& mouse) {
     std::vector<double> differences;
     const double worst = std::numeric_limits<double>::infinity();

@@ -13,9 +13,9 @@ Status writeStudyReport(StudyStore& store, const std::string& folder, const std:
 
 /// A field of a CSV file: in quotes where it holds commas, quotes or line breaks.
 std::string csvField(const std::string& text);
-/// "models", "people", "test".
+/// Word such as "models", "people" or "test".
 const char* kindName(RunKind kind);
-/// "running", "complete", "broken-off".
+/// Word such as "running", "complete" or "broken-off".
 const char* stateName(RunState state);
 
 /// Writes runs.csv, trials.csv, inputs.csv, decisions.csv, answers.csv, codebook.csv and codebook.md into a

@@ -9,9 +9,9 @@ namespace muster::statistics {
 
 /// A value with an interval.
 struct Estimate {
-    double value = 0.0;  ///< NaN where there is none.
-    double low = 0.0;    ///< Lower end.
-    double high = 0.0;   ///< Upper end.
+    double value = 0.0;  ///< Best value; NaN where there is none.
+    double low = 0.0;    ///< Lower end of the interval.
+    double high = 0.0;   ///< Upper end of the interval.
 };
 
 /// The p-quantile by linear interpolation at (n - 1) p (type 7 of Hyndman & Fan 1996, R's default); NaN for
@@ -20,14 +20,14 @@ double quantile(std::vector<double> values, double p);
 /// The quantile of one half.
 double median(const std::vector<double>& values);
 
-/// What a box plot shows (Tukey 1977): whiskers end at the outermost values within 1.5 interquartile ranges
-/// of the box.
+/// The numbers of a box plot (Tukey 1977): whiskers end at the outermost values within 1.5 interquartile
+/// ranges of the box.
 struct BoxSummary {
     double low = 0.0, lower = 0.0, middle = 0.0, upper = 0.0,
            high = 0.0;           ///< Whisker, box, median, box, whisker.
     std::vector<double> beyond;  ///< Values beyond the whiskers.
 };
-/// Of at least one value.
+/// The box plot of at least one value.
 BoxSummary boxSummary(const std::vector<double>& values);
 
 /// Ratio of the geometric means of a and b, with the 95 % interval by the paired t distribution of log ratios

@@ -32,7 +32,7 @@ double betaFraction(double a, double b, double x) {
     return sum;
 }
 
-/// The place where a rising function reaches p.
+/// The argument at which a rising function reaches p.
 template <class Below>
 double crossing(Below below, double p) {
     double low = -1.0, high = 1.0;

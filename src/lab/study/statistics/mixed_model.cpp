@@ -20,23 +20,23 @@ constexpr double kPi = 3.14159265358979323846;
 /// The model's matrices. Its parameters are the lower triangle of persons' factor and the layouts' one, all
 /// relative to the residual.
 struct Design {
-    Matrix x;       ///< Fixed effects.
-    Matrix zx, zz;  ///< Products of the random effects' columns with these and themselves.
+    Matrix x;       ///< Matrix of the fixed effects.
+    Matrix zx, zz;  ///< Products of the random effects' columns with the fixed effects and with themselves.
     Vector y, zy;   ///< Log times, and their product.
     std::vector<std::int32_t> touched;  ///< Environments whose effect of touch is a column...
-    std::vector<Eigen::Index> columns;  ///< ...and which one.
+    std::vector<Eigen::Index> columns;  ///< ...and the columns of these environments.
     Eigen::Index people = 0, layouts = 0;
 };
 
-/// What the profiled likelihood is made of, at one place.
+/// The parts of the profiled likelihood at one point.
 struct Profile {
-    Matrix inverse;  ///< Of the fixed effects' matrix, without the residual variance.
+    Matrix inverse;  ///< Inverse of the fixed effects' matrix, without the residual variance.
     Vector fixed;
     double penalised = 0.0;     ///< Penalised sum of squares.
-    double determinants = 0.0;  ///< Logarithms.
+    double determinants = 0.0;  ///< Sum of the logarithms of the determinants.
 };
 
-/// Adds a column where it is no combination of those that are there.
+/// Adds a column where it is no combination of the columns that are there.
 bool addColumn(Matrix& x, const Vector& column) {
     Vector rest = column;
     if (x.cols() > 0) rest -= x * x.householderQr().solve(column);
@@ -68,7 +68,7 @@ void addFixed(Design& design, const std::vector<MixedRow>& rows) {
     addColumn(design.x, column([](const MixedRow& r) { return r.order; }));
 }
 
-/// The places of these numbers, from 0.
+/// The index of each of these numbers in their order, from 0.
 template <class Number>
 std::map<std::int32_t, Eigen::Index> places(const std::vector<MixedRow>& rows, Number number) {
     std::map<std::int32_t, Eigen::Index> found;
@@ -145,7 +145,7 @@ double criterion(const Design& design, const std::vector<double>& theta) {
     return std::isfinite(value) ? value : std::numeric_limits<double>::max();
 }
 
-/// The same where the residual deviation is a parameter, the last.
+/// The criterion where the residual deviation is a parameter, the last one.
 double openCriterion(const Design& design, std::vector<double> parameters) {
     const double sigma = parameters.back();
     parameters.pop_back();
@@ -221,7 +221,7 @@ std::vector<double> freedoms(const Design& design, const std::vector<double>& pa
     return dfs;
 }
 
-/// The best parameters: the simplex from several places, each begun again until it stands still.
+/// The best parameters: the simplex from several starts, each begun again until it stands still.
 std::vector<double> bestTheta(const Design& design) {
     const auto value = [&](const std::vector<double>& theta) { return criterion(design, theta); };
     std::vector<double> best;
@@ -233,7 +233,7 @@ std::vector<double> bestTheta(const Design& design) {
         least = value(theta);
         best = theta;
     }
-    if (best[0] < 0.0) best[0] = -best[0], best[1] = -best[1];  // The same covariance.
+    if (best[0] < 0.0) best[0] = -best[0], best[1] = -best[1];  // The other sign gives the same covariance.
     best[2] = std::abs(best[2]);
     best[3] = std::abs(best[3]);
     return best;

@@ -1,4 +1,4 @@
-// What tests and models need: distributions, and the least value of a function without derivatives.
+// Distributions for tests and models, and the least value of a function without derivatives.
 #pragma once
 
 #include <functional>

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kExactPairs = 50;
 
-/// Shares of all signs by the doubled sum of positive ranks.
+/// Share of all signs by the doubled sum of positive ranks.
 std::vector<double> sumShares(const std::vector<double>& ranks) {
     std::vector<double> shares{1.0};
     for (const double rank : ranks) {
@@ -45,7 +45,7 @@ double approximateP(const std::vector<double>& ranks, double positive) {
     return std::min(1.0, 2.0 * normalBelow(-away / std::sqrt(variance)));
 }
 
-/// How many of the smallest Walsh averages lie below the interval.
+/// Number of the smallest Walsh averages that lie below the interval.
 std::size_t walshBelow(std::size_t n) {
     if (n > static_cast<std::size_t>(kExactPairs)) {
         const double count = static_cast<double>(n);
@@ -60,7 +60,7 @@ std::size_t walshBelow(std::size_t n) {
     double tail = 0.0;
     std::size_t sum = 0;
     while (2 * sum < shares.size() && tail + shares[2 * sum] <= 0.025) tail += shares[2 * sum++];
-    return sum;  // Sums below it have at most 2.5 % together.
+    return sum;  // Smaller sums have at most 2.5 % together.
 }
 
 }  // namespace
@@ -104,7 +104,8 @@ Estimate hodgesLehmann(std::span<const double> differences) {
     for (std::size_t i = 0; i < differences.size(); ++i) {
         for (std::size_t j = i; j < differences.size(); ++j) {
             const double mean = 0.5 * (differences[i] + differences[j]);
-            walsh.push_back(std::isnan(mean) ? 0.0 : mean);  // Infinities of both signs: neither.
+            // The mean of infinities of both signs counts as zero.
+            walsh.push_back(std::isnan(mean) ? 0.0 : mean);
         }
     }
     if (walsh.empty()) {

@@ -10,11 +10,11 @@ namespace muster::statistics {
 
 /// Wilcoxon's signed-rank test of paired differences.
 struct SignedRank {
-    int pairs = 0;              ///< Differences that are not zero.
+    int pairs = 0;              ///< Number of differences that are not zero.
     double positive = 0.0;      ///< Sum of the ranks of positive differences.
     double negative = 0.0;      ///< Sum of the ranks of negative differences.
-    double p = 1.0;             ///< Two-sided.
-    bool exact = false;         ///< By the exact distribution; else by the normal approximation.
+    double p = 1.0;             ///< Two-sided p.
+    bool exact = false;         ///< Whether p is by the exact distribution, not by the normal approximation.
     double rankBiserial = 0.0;  ///< Matched-pairs r = (positive - negative) / total (Kerby 2014), -1 to 1.
 };
 
@@ -32,8 +32,8 @@ Estimate hodgesLehmann(std::span<const double> differences);
 /// Friedman's test of several treatments.
 struct Friedman {
     double statistic = 0.0;  ///< Chi-squared, corrected for ties.
-    double df = 0.0;         ///< Treatments less one.
-    double p = 1.0;          ///< By the chi-squared distribution.
+    double df = 0.0;         ///< Number of treatments less one.
+    double p = 1.0;          ///< The p by the chi-squared distribution.
 };
 /// Each row holds the values of one person or seed for all treatments, at least two.
 Friedman friedman(const std::vector<std::vector<double>>& rows);

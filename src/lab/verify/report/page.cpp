@@ -91,7 +91,7 @@ std::string checksTable(const RowResult& row) {
     return html + "</tbody></table>\n";
 }
 
-/// Plots, and paths unless an earlier row, `same`, has shown those of the same runs.
+/// Plots, and paths unless an earlier row, `same`, has shown the paths of the same runs.
 std::string drawings(const RowResult& row, const RowResult* same) {
     std::string html;
     if (!row.report.plots.empty()) html += "<div class=\"plots charts\">\n";

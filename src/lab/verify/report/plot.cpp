@@ -1,4 +1,4 @@
-// Plots: a band of what is expected, and series over it.
+// Plots: a band of expected values, and series over it.
 #include <algorithm>
 #include <cmath>
 
@@ -12,9 +12,9 @@ namespace {
 // Sizes in pixels of the drawing.
 constexpr double kPlotWide = 460.0, kPlotHigh = 240.0, kAbove = 30.0, kBeside = 18.0, kBelowAxis = 48.0;
 constexpr double kGlyph = 6.9, kLegendRow = 20.0;
-constexpr std::size_t kMostDots = 1200;  // Of a series.
+constexpr std::size_t kMostDots = 1200;  // Greatest number of dots of a series.
 
-/// Places of values in a plot.
+/// Positions of values in a plot.
 struct PlotFrame {
     Axis x, y;
     double left = 0.0;

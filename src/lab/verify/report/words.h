@@ -7,11 +7,11 @@
 
 namespace muster {
 
-/// "26 to 34 s", "at most 1.33 /s", "-" for a value that is only shown.
+/// Text such as "26 to 34 s", "at most 1.33 /s", or "-" for a value that is only shown.
 std::string limitsText(const VerifyCheck& check);
-/// "30.1 s"; "no value".
+/// Text such as "30.1 s" or "no value".
 std::string valueText(const VerifyCheck& check);
-/// What decides a row, in one line: the first check that fails, else the first one.
+/// The check that decides a row, in one line: the first one that fails, else the first one.
 std::string decisiveText(const RowResult& row);
 /// The plot as SVG, with class `chart` of the page's style.
 std::string plotSvg(const VerifyPlot& plot);

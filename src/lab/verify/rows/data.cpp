@@ -30,7 +30,7 @@ void judgeWeidmann(const VerifySamples& samples, RowReport& report) {
         report.within("speed at " + variant.substr(0, variant.find(' ')) + " /m2 over Weidmann's",
                       speed / weidmannSpeed(density), 0.85, 1.15, "", Whose::Data);
     }
-    // Inside the scatter: within two deviations of either of the two unidirectional data sets.
+    // A point is inside the scatter within two deviations of either of the two unidirectional data sets.
     const auto inScatter = [](Vec2 p) {
         for (const auto& bins : {trackBins(), openCorridorBins()})
             for (const SpeedBin& bin : bins)
@@ -150,7 +150,7 @@ void judgeNecks(const VerifySamples& samples, RowReport& report) {
     report.plots.push_back(plot);
 }
 
-/// Points of all variants against bins: at least three quarters within two deviations.
+/// Judges points of all variants against bins: at least three quarters lie within two deviations.
 JudgeRow judgeAgainstBins(const std::vector<std::string>& variants, const std::vector<std::string>& curves,
                           std::span<const SpeedBin> bins, const std::string& title) {
     return [=](const VerifySamples& samples, RowReport& report) {

@@ -14,7 +14,7 @@ using JudgeRow = std::function<void(const VerifySamples&, RowReport&)>;
 
 /// The time over 40 m from rest, between two limits.
 JudgeRow judgeFromRest(const std::string& variant, double low, double high);
-/// The mean speed over the measured length, within 5 % of the one that was set [own].
+/// The mean speed over the measured length, within 5 % of the set speed [own].
 JudgeRow judgeSpeed(const std::string& variant, double length, double speed);
 /// Everybody sets out within half a second of the assigned time [own].
 JudgeRow judgeStarts();
@@ -24,31 +24,31 @@ JudgeRow judgeStartDistributions(const std::vector<std::pair<std::string, Distri
 JudgeRow judgeCorner(const std::string& variant);
 /// Free speeds fit a distribution; mean and deviation where they are given.
 JudgeRow judgeSpeeds(const std::string& variant, const Distribution& spread, bool meanAndDeviation);
-/// The time of the last one to cross rises from each case to the next.
+/// The time of the last person to cross rises from each case to the next.
 JudgeRow judgeCounterflow();
 /// Two doors take about twice as long as four [own: 1.6 to 2.4].
 JudgeRow judgePublicRoom();
 /// 15 leave by the main exit, 8 by the second one, as assigned.
 JudgeRow judgeCabins();
-/// The flow over the whole period is at most 1.33 /s with the exit's rate; what emerges without is shown.
+/// The flow over the whole period is at most 1.33 /s with the exit's rate; the flow without it is shown.
 JudgeRow judgeExitFlow();
-/// A jam at the door of the room, another at the foot of the stairs, less between.
+/// A jam at the door of the room, another at the foot of the stairs, fewer people between.
 JudgeRow judgeStairJam(const std::string& variant, bool grows);
 /// The first group is out within 10 s.
 JudgeRow judgeGroups(const std::string& variant);
-/// With the slow one it takes longer.
+/// With the slow person it takes longer.
 JudgeRow judgeSlowOne();
 /// The share of the second exit rises with a third person who takes it.
 JudgeRow judgeSocial();
 /// Without a preference both exits are used alike [own: by 20 % of seeds], with it the preferred one wins.
 JudgeRow judgeAffiliation();
-/// The one whose exit is shut leaves by the other.
+/// The person whose exit is shut leaves by the other one.
 JudgeRow judgeDynamicExit();
 
-/// What a row of a suite says of itself.
+/// The words of a row of a suite.
 RowDef rowOf(const std::string& suite, const std::string& number, const std::string& title,
              const std::string& setup, const std::string& expected, const std::string& source);
-/// A row that is run in a scene: its variants, its seeds, those of the short set, and its judge.
+/// A row that is run in a scene: its variants, its seeds, the seeds of the short set, and its judge.
 RowDef runIn(RowDef row, const std::string& scene, std::vector<std::string> variants, std::int32_t seeds,
              std::int32_t briefSeeds, JudgeRow judge);
 /// A row that cannot be run.

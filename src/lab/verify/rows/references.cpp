@@ -45,7 +45,7 @@ constexpr std::array kFileBins{
     between(0.8, 1.0, 0.63, 0.96), between(1.0, 1.2, 0.45, 0.87), between(1.2, 1.4, 0.29, 0.52),
     between(1.4, 1.6, 0.18, 0.40), between(1.6, 1.8, 0.17, 0.27), between(1.8, 2.0, 0.09, 0.21),
     between(2.0, 2.2, 0.05, 0.14), between(2.2, 2.4, 0.00, 0.12), between(2.4, 2.6, 0.01, 0.10)};
-// Means of those that have the width, after their own means: Kretz, Seyfried, EG.
+// Means of the data sets that have the width, after their own means: Kretz, Seyfried, EG.
 constexpr std::array kBottleneckFlows{Vec2{0.8, (1.423 + 1.29) / 2},
                                       Vec2{0.9, (1.58 + 1.67 + 1.59) / 3},
                                       Vec2{1.0, (1.855 + 1.90 + 1.83) / 3},

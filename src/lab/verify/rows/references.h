@@ -22,7 +22,7 @@ double seyfriedSpeed(double density);
 struct Band {
     std::vector<Vec2> low, high;
     bool covers(Vec2 p) const;    ///< True where x lies in the range of the band.
-    bool contains(Vec2 p) const;  ///< True where the point lies in it.
+    bool contains(Vec2 p) const;  ///< True where the point lies in the band.
 };
 /// RiMEA 4.1.1, test 16: 10 and 90 % of single-file speeds by persons per metre.
 const Band& rimeaFileBand();
@@ -46,7 +46,7 @@ std::span<const SpeedBin> fileBins();
 /// 2006, as far as each has the width.
 std::span<const Vec2> bottleneckFlows();
 
-/// Which share of bins with at least `least` points has its mean within `deviations` deviations of the bin.
+/// Share of bins with at least `least` points whose mean lies within `deviations` deviations of the bin.
 struct BinsJudged {
     std::size_t used = 0, good = 0;
     std::vector<Vec2> means;  ///< Middle of each used bin and the mean there.
@@ -56,7 +56,7 @@ BinsJudged judgeBins(std::span<const Vec2> points, std::span<const SpeedBin> bin
 /// Series and band of bins for a plot.
 void showBins(VerifyPlot& plot, std::span<const SpeedBin> bins, double deviations);
 
-/// Probability that values so far from a distribution are drawn from it (Kolmogorov and Smirnov).
+/// Probability that values at this distance from a distribution are drawn from it (Kolmogorov and Smirnov).
 double kolmogorovSmirnov(std::vector<double> values, const Distribution& distribution);
 
 }  // namespace muster

@@ -8,7 +8,8 @@
 namespace muster {
 namespace {
 
-/// Flow between the first and the last fifth of those who cross [1/s]: the jam is there, and still fed.
+/// Flow between the first and the last fifth of the persons that cross [1/s]: the jam is there, and still
+/// fed.
 double middleFlow(const std::vector<Crossing>& crossed) {
     return flowBetween(crossed, crossed.size() / 5, crossed.size() - 1 - crossed.size() / 5);
 }
@@ -20,7 +21,7 @@ double longestGap(const std::vector<Crossing>& crossed) {
     return longest;
 }
 
-/// Adults who are scattered over a box leave the hall; 300 s at most.
+/// A run in which adults who are scattered over a box leave the hall; 300 s at most.
 Result<HallRun> emptied(Hall& hall, const Box& box, std::int32_t count, std::uint64_t seed,
                         double margin = 0.3) {
     hall.crowd(
@@ -80,7 +81,7 @@ Result<VerifySample> runCorridorBetween(const SceneRun& run) {
     return sample;
 }
 
-/// Variant "distance length width": how far behind a bottleneck of that length and width the exit begins [m].
+/// Variant "distance length width": distance from a bottleneck of that length and width to the exit [m].
 Result<VerifySample> runBottleneck(const SceneRun& run) {
     const double away = numberIn(wordIn(run.variant, 0)), length = numberIn(wordIn(run.variant, 1)),
                  width = numberIn(wordIn(run.variant, 2));

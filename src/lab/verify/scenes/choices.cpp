@@ -102,8 +102,8 @@ struct TwoExits {
     AreaId right = hall.exit(boxOf(8.8, 12.2, 10, 13.5), "Exit 2");
 };
 
-/// Variant "without" or "with": two who are free to choose, and a third who is bound to exit 2. Each follows
-/// others by as many seconds as `herding` says.
+/// Variant "without" or "with": two persons who are free to choose, and a third who is bound to exit 2. Each
+/// follows others by as many seconds as `herding` says.
 Result<VerifySample> runSocial(const SceneRun& run) {
     TwoExits two;
     Order order = Order::leave();
@@ -132,7 +132,7 @@ Result<VerifySample> runSocial(const SceneRun& run) {
     return sample;
 }
 
-/// Variant "none", "left" or "right": the exit that the one person knows, by 5 s.
+/// Variant "none", "left" or "right": the exit that the person knows, by 5 s.
 Result<VerifySample> runAffiliation(const SceneRun& run) {
     TwoExits two;
     Order order = Order::leave({two.left, two.right});
@@ -172,8 +172,8 @@ Result<VerifySample> runDynamicExit(const SceneRun& run) {
     return sample;
 }
 
-/// Group 1: four of 1.25 m/s and one of 0.5 m/s, who keep together; group 2: ten of 0.2 m/s. Variant: the
-/// speed of the second group.
+/// Group 1: four persons of 1.25 m/s and one of 0.5 m/s, who keep together; group 2: ten of 0.2 m/s. Variant:
+/// the speed of the second group.
 Result<VerifySample> runGroups(const SceneRun& run) {
     Hall hall({boxOf(0, 0, 10, 20), boxOf(4, 20, 6, 22)});
     hall.exit(boxOf(4, 20.2, 6, 22));
@@ -205,12 +205,13 @@ Result<VerifySample> runGroups(const SceneRun& run) {
     return sample;
 }
 
-/// Variant "slow" or "equal": whether one of 25 is slower and larger. A corridor of 1.6 m behind a room.
+/// Variant "slow" or "equal": whether one of 25 persons is slower and larger. A corridor of 1.6 m behind a
+/// room.
 Result<VerifySample> runSlowOne(const SceneRun& run) {
     Hall hall({boxOf(0, 0, 6, 6), boxOf(6, 2.2, 30, 3.8)});
     hall.exit(boxOf(28, 2.2, 30, 3.8));
     CrowdDef crowd{.starts = scattered(boxOf(0, 0, 5, 6), 25, run.seed, 0.5), .order = Order::leave()};
-    // The slow one stands nearest to the corridor.
+    // The slow person stands nearest to the corridor.
     std::sort(crowd.starts.begin(), crowd.starts.end(), [](Vec2 a, Vec2 b) {
         return distance(a, {6, 3}) < distance(b, {6, 3});
     });

@@ -8,8 +8,8 @@
 namespace muster {
 namespace {
 
-/// How far lanes are apart: mean over strips of 0.5 m of ((east - west) / (east + west))^2, of the people
-/// between x = 15 and 25; 1 where every strip has one direction.
+/// Separation of lanes: mean over strips of 0.5 m of ((east - west) / (east + west))^2, of the people between
+/// x = 15 and 25; 1 where every strip has one direction.
 double laneOrder(const CharactersView& all) {
     constexpr std::size_t kStrips = 10;
     double east[kStrips] = {}, west[kStrips] = {};
@@ -59,7 +59,7 @@ Result<VerifySample> runLanes(const SceneRun& run) {
     return sample;
 }
 
-/// What the everyday scenes measure of one person.
+/// The figures of one person in the everyday scenes.
 struct Everyday {
     bool arrived = false;
     double length = 0.0, straight = 0.0, time = 0.0, turned = 0.0, reversals = 0.0, deviation = 0.0;
@@ -74,7 +74,7 @@ Everyday everydayOf(const std::vector<Vec2>& path, double wanted) {
     found.time = static_cast<double>(path.size() - 1) / kSightingRate;
     double before = 0.0, slower = 0.0;
     Vec2 heading;
-    // Over a quarter of a second: steps of less than that are noise.
+    // A step lasts a quarter of a second: shorter ones are noise.
     for (std::size_t k = 5; k < path.size(); k += 5) {
         const Vec2 moved = path[k] - path[k - 5];
         found.length += length(moved);

@@ -7,7 +7,7 @@
 namespace muster {
 namespace {
 
-constexpr double kUp = 0.0;  // Stairs of scenes go up towards +x.
+constexpr double kAscent = 0.0;  // Heading of stairs, which go up towards +x in all scenes [rad].
 
 /// Time between two lines, for one person.
 double timeBetween(const Trajectories& all, Line from, Line to) {
@@ -41,7 +41,7 @@ Result<VerifySample> runFreeStairs(const SceneRun& run) {
     const double share = numberIn(wordIn(run.variant, 3)), end = 20.0 + length;
     Hall hall({boxOf(0, 0, end, 2)});
     hall.exit(up ? boxOf(end - 2, 0, end, 2) : boxOf(0, 0, 2, 2));
-    hall.stairs(boxOf(10, 0, 10 + length, 2), kUp, 1.0, 1.0);
+    hall.stairs(boxOf(10, 0, 10 + length, 2), kAscent, 1.0, 1.0);
     PeopleDef person = personsOf(Distribution::constant(speed));
     person.upstairs = person.downstairs = share;
     hall.crowd({.starts = {{up ? 1.0 : end - 1.0, 1.0}}, .people = {person}, .order = Order::leave()});
@@ -64,8 +64,9 @@ Distribution spreadNamed(const std::string& name) {
     return Distribution::uniform(10.0, 100.0);
 }
 
-/// When each sets out: when it first walks at half of its own top speed, over a quarter of a second. Who is
-/// pushed from its spot by more than 5 cm before its time is counted beside.
+/// Times at which persons set out: a person sets out when it first walks at half of its own top speed, over a
+/// quarter of a second. A person that is pushed from its spot by more than 5 cm before its time counts as
+/// pushed.
 class FirstMoves {
 public:
     explicit FirstMoves(const World& world) {
@@ -94,7 +95,7 @@ public:
         return std::none_of(persons_.begin(), persons_.end(),
                             [](const Person& p) { return std::isnan(p.moved); });
     }
-    /// Assigned time and time of setting out.
+    /// Points of the assigned time and the time of setting out.
     std::vector<Vec2> curve() const {
         std::vector<Vec2> points;
         for (const Person& person : persons_) points.push_back({person.assigned, person.moved});
@@ -106,7 +107,7 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t kStride = 15;  // Steps.
+    static constexpr std::uint32_t kStride = 15;  // Number of steps between two observations.
     struct Person {
         std::uint32_t id;
         Vec2 start, before;
@@ -180,7 +181,7 @@ std::vector<PeopleDef> sortsNamed(const std::string& name) {
     return sorts;
 }
 
-/// Variant "ages", "men" or "normal": how many and who. Each walks 50 m on a way of its own.
+/// Variant "ages", "men" or "normal": number and kind of persons. Each walks 50 m on a corridor of its own.
 Result<VerifySample> runDemographics(const SceneRun& run) {
     const std::int32_t count = run.variant == "normal" ? 100 : 50;
     Hall hall({boxOf(0, 0, 70, count)});

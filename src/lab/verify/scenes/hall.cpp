@@ -47,7 +47,7 @@ std::vector<Box> wallsOf(const Box& all, const std::vector<Box>& rooms) {
             else
                 column.push_back({{xs[i], ys[k]}, {xs[i + 1], ys[k + 1]}});
         }
-        // What goes on from the column before grows; the rest is done.
+        // A box that goes on from the column before grows; the others are done.
         for (Box& box : open) {
             const auto same = std::find_if(column.begin(), column.end(), [&](const Box& c) {
                 return c.min.y == box.min.y && c.max.y == box.max.y && box.max.x == c.min.x;
@@ -144,7 +144,7 @@ Region Hall::ground() const {
 std::vector<Vec2> scattered(const Box& box, std::int32_t count, std::uint64_t seed, double margin) {
     const Vec2 low = box.min + Vec2{margin, margin};
     const double width = box.width() - 2.0 * margin, height = box.height() - 2.0 * margin;
-    // Rows of a lattice of triangles; the spacing shrinks until it has as many places as are wanted.
+    // Rows of a lattice of triangles; the spacing shrinks until there are as many points as are wanted.
     std::vector<Vec2> places;
     double spacing = std::sqrt(2.0 * (width + 0.5) * (height + 0.5) / (std::sqrt(3.0) * count));
     for (; static_cast<std::int32_t>(places.size()) < count; spacing *= 0.995) {

@@ -21,17 +21,17 @@ namespace muster {
 inline Box boxOf(double left, double low, double right, double high) {
     return {{left, low}, {right, high}};
 }
-/// Its corners, counter-clockwise.
+/// Corners of the box, counter-clockwise.
 Polygon cornersOf(const Box& box);
 
-/// A crowd to be.
+/// Definition of a crowd.
 struct CrowdDef {
     std::string name = "People";
-    std::vector<Vec2> starts = {};       ///< One per person [m].
+    std::vector<Vec2> starts = {};       ///< Start of each person [m].
     std::vector<PeopleDef> people = {};  ///< Sorts of persons; empty for the preset's.
-    std::vector<Body> bodies = {};       ///< One per person; empty for none.
-    Order order = {};                    ///< What it does.
-    Conduct conduct = {};                ///< How it behaves.
+    std::vector<Body> bodies = {};       ///< Body of each person; empty for none.
+    Order order = {};                    ///< Order that the crowd has.
+    Conduct conduct = {};                ///< Conduct that the crowd has.
 };
 
 /// A world that is made of free rectangles: everything else in its box is wall.
@@ -40,7 +40,7 @@ public:
     /// The rectangles [m]; they may overlap. Persons are those of the preset `people`.
     explicit Hall(std::vector<Box> rooms, bool ring = false);
 
-    /// Adds an exit: who comes into it leaves. `rate` as in AreaDef.
+    /// Adds an exit, which takes out persons that come into it. `rate` as in AreaDef.
     AreaId exit(const Box& box, const std::string& name = "Exit", double rate = 0.0);
     /// Adds a standing obstacle.
     void obstacle(const Box& box);
@@ -53,10 +53,10 @@ public:
     /// The ground outside of walls and obstacles.
     Region ground() const;
 
-    WorldDef def;  ///< May be changed.
+    WorldDef def;  ///< Definition of the world, which may be changed.
 };
 
-/// `count` places on a lattice of triangles in a box, moved a little by the seed, at least `margin` [m]
+/// `count` points on a lattice of triangles in a box, moved a little by the seed, at least `margin` [m]
 /// inside.
 std::vector<Vec2> scattered(const Box& box, std::int32_t count, std::uint64_t seed, double margin = 0.3);
 /// `count` different persons of one speed.
@@ -64,40 +64,40 @@ PeopleDef personsOf(const Distribution& speed);
 /// Men of 30 to 50 years of the IMO's circulars: 0.97 to 1.62 m/s.
 PeopleDef menOfImo();
 
-/// Somebody has left.
+/// The moment at which a person left.
 struct Leaving {
     std::uint32_t id = 0;
     AreaId area;
-    double time = 0.0;  ///< [s]
+    double time = 0.0;  ///< Time of leaving [s].
 };
 
-/// A run of a hall: the world, and who has been where and has left when.
+/// A run of a hall: its world, the positions of all persons, and the times at which they left.
 class HallRun {
 public:
     static Result<HallRun> start(const Hall& hall, std::uint64_t seed);
 
     World& world() { return *world_; }
     double time() const { return world_->time(); }
-    /// People who are still there.
+    /// Number of people who are still there.
     std::size_t present() const { return world_->characters().size(); }
     /// Steps until nobody is left or the time is over, calling `watch` after each step.
     void runUntil(double seconds, const std::function<void()>& watch = {});
-    /// Steps until then, whoever is left.
+    /// Steps until the time is over, calling `watch` after each step.
     void runFor(double seconds, const std::function<void()>& watch = {});
 
-    /// All who have left, by time.
+    /// Moments at which persons left, by time.
     const std::vector<Leaving>& leavings() const { return leavings_; }
-    /// Time when the last one left; kUnmeasured where somebody is left.
+    /// Time at which the last person left; kUnmeasured where somebody is left.
     double lastLeaving() const;
-    /// Where everybody was, twenty times a second.
+    /// Positions of all persons, twenty times a second.
     Trajectories trajectories() const;
     /// Largest distance of anybody's middle from the ground [m].
     double outside() const { return outside_; }
-    /// The number of people who have left by each time.
+    /// Curve of the number of people who have left by each time.
     std::vector<Vec2> evacuation() const;
 
-    /// Fills what every sample has: hash, time, and the picture where it is wanted, with N positions per
-    /// path.
+    /// Fills the common part of a sample: hash, time, and the picture where it is wanted, with N positions
+    /// per path.
     void report(VerifySample& sample, const SceneRun& run) const;
 
 private:
@@ -125,9 +125,9 @@ inline Line levelLine(double y, double left, double right) {
 double numberIn(const std::string& text);
 /// Number `index` of several words.
 std::string wordIn(const std::string& text, std::size_t index);
-/// Numbers as N-t points: the time of each crossing and how many have crossed then.
+/// Points of an N-t curve: the time of each crossing and the number of crossings by then.
 std::vector<Vec2> curveOf(std::span<const Crossing> crossed);
-/// A step of the seconds by 1/20, on which sightings lie.
+/// Rate of sightings, whose times lie on multiples of its inverse [1/s].
 inline constexpr double kSightingRate = 20.0;
 
 }  // namespace muster

@@ -9,8 +9,8 @@
 namespace muster {
 namespace {
 
-constexpr double kPictureWide = 920.0;  // [px]
-constexpr std::size_t kMostPaths = 30;  // In a picture.
+constexpr double kPictureWide = 920.0;  // Width of a picture [px].
+constexpr std::size_t kMostPaths = 30;  // Greatest number of paths in a picture.
 
 /// Distance of a point from the ground [m]; 0 on it.
 double distanceFrom(const Region& ground, Vec2 p) {
@@ -133,7 +133,7 @@ std::string HallRun::draw() const {
         const auto rows = all.ofPerson(who);
         for (std::size_t k = 0; k < rows.size(); k += 10) {
             const Vec2 p = all.all()[rows[k]].position;
-            // Who comes in at the other side of a ring begins a new path.
+            // A person that comes in at the other side of a ring begins a new path.
             if (!path.empty() && distance(path.back(), p) > 3.0) {
                 paths += "<polyline points=\"" + pencil.points(path) + "\"/>";
                 path.clear();

@@ -29,7 +29,8 @@ Result<VerifySample> runExitFlow(const SceneRun& run) {
     return sample;
 }
 
-/// Variant: so many come the other way. Two rooms of 10 x 10 m joined by a corridor of 10 x 2 m.
+/// Variant: number of persons that come the other way. Two rooms of 10 x 10 m joined by a corridor of 10 x 2
+/// m.
 Result<VerifySample> runCounterflow(const SceneRun& run) {
     const auto others = static_cast<std::int32_t>(numberIn(run.variant));
     Hall hall({boxOf(0, 0, 10, 10), boxOf(10, 4, 20, 6), boxOf(20, 0, 30, 10)});
@@ -61,7 +62,7 @@ Result<VerifySample> runCounterflow(const SceneRun& run) {
     return sample;
 }
 
-/// Variant "4" or "2": so many doors are open. 1000 people in a room of 30 x 20 m.
+/// Variant "4" or "2": number of open doors. 1000 people in a room of 30 x 20 m.
 Result<VerifySample> runPublicRoom(const SceneRun& run) {
     std::vector<Box> rooms{boxOf(0, 0, 30, 20)};
     const std::vector<Box> doors{boxOf(4, -1.5, 5, 0), boxOf(25, -1.5, 26, 0), boxOf(4, 20, 5, 21.5),
@@ -86,11 +87,11 @@ Result<VerifySample> runPublicRoom(const SceneRun& run) {
     return sample;
 }
 
-/// Variant "44", "corner" or "75.4": 500 people walk so far straight on, or round a corner.
+/// Variant "44", "corner" or "75.4": length that 500 people walk straight on, or round a corner.
 Result<VerifySample> runWideCorner(const SceneRun& run) {
     const bool corner = run.variant == "corner";
-    // The start area is 6 m deep; ways are counted from its front edge. The corner begins 34 m from there and
-    // ends 10 m after its inner edge.
+    // The start area is 6 m deep; lengths are counted from its front edge. The corner begins 34 m from there
+    // and ends 10 m after its inner edge.
     const double length = corner ? 60.0 : 8.0 + numberIn(run.variant);
     std::vector<Box> rooms{boxOf(0, 0, length, 20)};
     if (corner) rooms.push_back(boxOf(40, -12, 60, 20));

@@ -1,4 +1,4 @@
-// Crowds on stairs: ground on which people are slow. Lengths of stairs are those that one walks.
+// Crowds on stairs: ground on which people are slow. Lengths of stairs are those that a person walks.
 #include <algorithm>
 #include <cmath>
 
@@ -43,7 +43,8 @@ Result<VerifySample> runStairJam(const SceneRun& run) {
     if (door.size() == static_cast<std::size_t>(count) && foot.size() == door.size()) {
         sample.figures["flow door"] = flowBetween(door, door.size() / 5, door.size() * 4 / 5);
         sample.figures["flow foot"] = flowBetween(foot, foot.size() / 5, foot.size() * 4 / 5);
-        // While the corridor is fed: from the first at the foot to the last fifth at the door.
+        // Measured is the time while the corridor is fed: from the first at the foot to the last fifth at the
+        // door.
         const double from = foot.front().time, to = door[door.size() * 4 / 5].time;
         for (const auto& [name, left] : {std::pair{"door", 6.0}, {"middle", 12.5}, {"foot", 18.0}}) {
             const auto density = classicDensity(
@@ -62,7 +63,7 @@ Result<VerifySample> runStairJam(const SceneRun& run) {
     return sample;
 }
 
-/// Per second: density on a box and the mean speed of those on it.
+/// Points, one per second: density on a box and the mean speed of the persons on it.
 std::vector<Vec2> densityAndSpeed(const Trajectories& all, const Box& box) {
     const Region area = Region::create(cornersOf(box)).value();
     const auto speeds = personalSpeeds(all, {.frameStep = 10});

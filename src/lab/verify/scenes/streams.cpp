@@ -31,13 +31,13 @@ std::vector<Vec2> voronoiPoints(const Trajectories& all, const Region& ground, c
             speed += own * within;
             covered += within;
         }
-        // Only where there are people on most of the area, so that empty ground does not count as speed 0.
+        // A point needs people on most of the area, so that empty ground does not count as speed 0.
         if (covered > 0.8 * area.area()) points.push_back({density / area.area(), speed / covered});
     }
     return points;
 }
 
-/// The way that all have walked along +x between two times, over persons and time [m/s].
+/// Mean speed along +x between two times: the way of all persons, over persons and time [m/s].
 class WayAlong {
 public:
     explicit WayAlong(double period) : period_(period) {}
@@ -110,7 +110,8 @@ Result<VerifySample> runFile(const SceneRun& run) {
     VerifySample sample;
     sample.figures["speed"] = progress.mean();
     sample.figures["density"] = count / kLength;
-    // Each by itself: one over the distance to the one ahead, and its speed, once in a second.
+    // Each person gives a point by itself: one over the distance to the next one ahead, and its speed, once
+    // in a second.
     const Trajectories all = walk->trajectories();
     const auto speeds = personalSpeeds(all, {.frameStep = 10, .direction = Vec2{1, 0}, .period = kLength});
     for (const FileHeadway& h : headways(all, kLength)) {
@@ -138,7 +139,7 @@ Result<VerifySample> runZones(const SceneRun& run) {
     const Region zone = Region::create(cornersOf(boxOf(20, 0, 40, 2))).value();
     const auto density = classicDensity(all, zone);
     const auto speed = meanSpeed(all, zone, personalSpeeds(all, {.frameStep = 10, .direction = Vec2{1, 0}}));
-    // From 3 s, when all have set out, to 15 s, while the first zone still feeds the second.
+    // The time is from 3 s, when all have set out, to 15 s, while the first zone still feeds the second.
     VerifySample sample;
     double densities = 0.0, speeds = 0.0, frames = 0.0;
     for (std::size_t f = 60; f <= 300 && f < density.size(); ++f) {

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "lab/study/models/parameters.h"
+#include "lab/study/models/operator_parameters.h"
 
 namespace muster {
 namespace {

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "lab/study/series/series.h"
+#include "lab/study/series/trial_series.h"
 
 namespace muster {
 namespace {

@@ -26,7 +26,7 @@ private:
 
     Grid grid_;
     std::int32_t count_ = 0;            // Number of regions.
-    std::vector<std::int32_t> labels_;  // Per cell, -1 for walls.
+    std::vector<std::int32_t> labels_;  // Label per cell, -1 for walls.
     std::vector<std::int32_t> stack_;   // Working memory.
 };
 

@@ -8,7 +8,8 @@
 namespace muster {
 namespace {
 
-// Subtracted from the radius of clear lines, so that a character that touches a wall may walk along it [m].
+// Length subtracted from the radius of clear lines, so that a character that touches a wall may walk along it
+// [m].
 constexpr double kTouchTolerance = 0.01;
 
 }  // namespace

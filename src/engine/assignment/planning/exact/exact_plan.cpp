@@ -66,8 +66,8 @@ void ExactPlan::separateClasses() {
             if (!pending_.inClass(i, j)) classed_[pairIndex(i, j)] += penalty;
 }
 
-// A place that is not usable or cannot be reached any more is lost. Where several characters claim more than
-// a place demands, the later ones get what is left.
+// Collects the incumbents. A place that is not usable or cannot be reached any more is lost. Where several
+// characters claim more than a place demands, later ones get the rest.
 void ExactPlan::collectIncumbents() {
     unclaimedDemand_ = demand_;
     incumbents_.clear();
@@ -81,7 +81,7 @@ void ExactPlan::collectIncumbents() {
     }
 }
 
-// With the bottleneck objective pairs costlier than the bottleneck are forbidden, and the least sum is found
+// With the bottleneck objective, pairs costlier than the bottleneck are forbidden, and the least sum is found
 // among the others.
 Status ExactPlan::solveAssignment() {
     if (pending_.hasClasses()) separateClasses();
@@ -98,9 +98,9 @@ Status ExactPlan::solveAssignment() {
     return solver_.solve(problem, solution_).within("plan");
 }
 
-// Fronts are limited, so that only a lower bound is known of some pairs' costs. An optimum that uses no such
-// pair is the optimum of the true costs, and so is its bottleneck. Else the fronts concerned are extended and
-// the problem is solved again.
+// Fronts are limited, so that only a lower bound of some pairs' costs is known. An optimum that uses no such
+// pair is the optimum of the true costs, and so is its bottleneck. Otherwise the fronts concerned are
+// extended and the problem is solved again.
 Status ExactPlan::solveProvenAssignment(ThreadPool& pool) {
     cost_.resize(pairIndex(pending_.characters(), 0));
     powered_.resize(cost_.size());

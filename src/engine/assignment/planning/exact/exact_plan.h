@@ -41,10 +41,10 @@ public:
     void hash(Hasher& archive) const override;
 
 private:
-    /// As geodesics' Guidance, in double precision.
+    /// Guidance like that of geodesics, in double precision.
     struct FieldGuidance {
         Vec2 direction;  // Unit vector; zero where no path is known.
-        double cost;     // [m]; infinite where no path is known.
+        double cost;     // Cost of the path [m]; infinite where no path is known.
     };
 
     std::size_t pairIndex(std::int32_t character, std::int32_t place) const {
@@ -72,13 +72,13 @@ private:
     BottleneckSolver bottleneck_;
     TransportationSolution solution_;
     CommitRule commitRule_;
-    std::vector<double> cost_;             // Characters x places [m].
-    std::vector<double> powered_;          // The same to the power of the objective.
-    std::vector<double> classed_;          // The same with classes: pairs outside of them come last.
-    std::vector<double> allowed_;          // Of these, infinite for pairs costlier than the bottleneck.
-    std::vector<double> demand_;           // Per place.
-    std::vector<double> unclaimedDemand_;  // Per place: what incumbents do not claim.
-    std::vector<Flow> incumbents_;         // What the incumbents hold, ordered by character.
+    std::vector<double> cost_;             // Costs of characters x places [m].
+    std::vector<double> powered_;          // Costs to the power of the objective.
+    std::vector<double> classed_;          // Costs with classes: pairs outside of them come last.
+    std::vector<double> allowed_;          // The costs, infinite for pairs costlier than the bottleneck.
+    std::vector<double> demand_;           // Demand per place.
+    std::vector<double> unclaimedDemand_;  // Demand per place that incumbents do not claim.
+    std::vector<Flow> incumbents_;         // Flows of the incumbents, ordered by character.
     std::vector<std::int32_t> mainPlace_;  // Per character, -1 for none.
     // Places whose optimal flow uses a pair of which only a bound is known.
     std::vector<std::int32_t> unproven_;

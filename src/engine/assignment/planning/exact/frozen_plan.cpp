@@ -14,13 +14,12 @@ namespace {
 
 // Distance at which a character off the field still finds back to a reached cell [cells].
 constexpr std::int32_t kReturnCells = 4;
-// A front goes to characters within kRadiusFactor times the distance of the place's incumbent and
-// kRadiusMargin [m].
+// Radius of a front, as a factor of the distance of the place's incumbent with kRadiusMargin [m] added.
 constexpr double kRadiusFactor = 1.5;
 constexpr double kRadiusMargin = 2.0;
-// A front whose radius exceeds this share of the distance of the farthest character goes to all characters.
+// Share of the distance of the farthest character above which the radius of a front becomes unlimited.
 constexpr double kUnlimitedShare = 0.6;
-// Plans for which a front that had to be extended stays unlimited, at least.
+// Least number of plans for which a front that had to be extended stays unlimited.
 constexpr std::int32_t kUnlimitedPlans = 16;
 // Share of the straight line's cost that is a lower bound of a field's value in spite of its discretisation
 // error.
@@ -98,7 +97,7 @@ void FrozenPlan::findWaitingPlaces() {
     }
 }
 
-// Places without an incumbent may go to anybody, so their fronts are unlimited.
+// Places without an incumbent may go to any character, so that their fronts are unlimited.
 void FrozenPlan::setFrontRadii() {
     frontRadius_.assign(places_.size(), -1.0);
     for (std::int32_t i = 0; i < characters(); ++i) {

@@ -20,44 +20,46 @@ struct FieldWorker {
 };
 
 /// Inputs as they stood at start() and the number of places whose fields are solved are state; the fields and
-/// all that is derived from the inputs are a cache.
+/// all values derived from the inputs are a cache.
 class FrozenPlan {
 public:
-    /// Copies a valid input. Places whose fronts were unlimited in `former` keep that for some plans.
+    /// Copies a valid input. Places whose fronts were unlimited in `former` remain so for some plans.
     void freeze(const PlanDef& def, const PlanInput& input, const UnitCost& cost, const FrozenPlan& former);
     /// Empties it, keeping memory.
     void clear() { valid_ = false; }
     /// Solves the fields of the places [solved(), end).
     void solve(std::int32_t end, ThreadPool& pool, std::vector<FieldWorker>& workers);
 
-    /// True where it is empty, or for so many characters and places on this ground.
+    /// True where it is empty, or for these numbers of characters and places on this ground.
     bool suits(std::size_t characters, std::size_t places, const Grid& grid) const {
         return !valid_ ||
                (characters_.size() == characters && places_.size() == places && unitCost_.grid == grid);
     }
-    bool valid() const { return valid_; }        ///< Holds frozen inputs.
-    const PlanDef& def() const { return def_; }  ///< As frozen.
+    bool valid() const { return valid_; }        ///< True where it holds frozen inputs.
+    const PlanDef& def() const { return def_; }  ///< The frozen definition.
     /// Number of characters.
     std::int32_t characters() const { return static_cast<std::int32_t>(characters_.size()); }
     /// Number of places.
     std::int32_t places() const { return static_cast<std::int32_t>(places_.size()); }
-    const UnitCost& unitCost() const { return unitCost_; }      ///< As frozen.
-    std::span<const double> supply() const { return supply_; }  ///< Per character; empty for 1 each.
+    const UnitCost& unitCost() const { return unitCost_; }      ///< The frozen unit cost.
+    std::span<const double> supply() const { return supply_; }  ///< Supply per character; empty for 1 each.
     /// Supply of a character >= 0.
     double supplyOf(std::int32_t character) const { return supply_.empty() ? 1.0 : supply_[character]; }
     /// True where a character and a place are of one class, or there are no classes.
     bool inClass(std::int32_t character, std::int32_t place) const {
         return characterClass_.empty() || characterClass_[character] == placeClass_[place];
     }
-    bool hasClasses() const { return !characterClass_.empty(); }  ///< As frozen.
+    bool hasClasses() const { return !characterClass_.empty(); }  ///< True where there are classes.
     /// Demand of a place >= 0; 0 where it is not usable.
     double demandOf(std::int32_t place) const {
         return usable(place) ? (demand_.empty() ? 1.0 : demand_[place]) : 0.0;
     }
-    /// True where somebody may take the place.
+    /// True where a character may take the place.
     bool usable(std::int32_t place) const { return usable_.empty() || usable_[place] != 0; }
-    std::int32_t incumbent(std::int32_t character) const { return incumbent_[character]; }  ///< -1 for none.
-    std::span<const std::int32_t> incumbents() const { return incumbent_; }  ///< The same of all.
+    /// Incumbent place of a character, -1 for none.
+    std::int32_t incumbent(std::int32_t character) const { return incumbent_[character]; }
+    /// Incumbent places of all characters.
+    std::span<const std::int32_t> incumbents() const { return incumbent_; }
     /// The cost field of a place, or null where none was needed or it is not solved yet.
     const CostField* field(std::int32_t place) const;
     /// The nearest usable place in the region of a character without a place, near which it waits while it
@@ -72,9 +74,9 @@ public:
     void solveUnlimited(std::span<const std::int32_t> places, ThreadPool& pool,
                         std::vector<FieldWorker>& workers);
 
-    /// Writes frozen inputs and progress.
+    /// Writes the frozen inputs and the progress.
     void save(Writer& archive) const;
-    /// Reads what save() wrote; the fields must be solved again up to `progress`. False where it does not
+    /// Reads the data of save(); the fields must be solved again up to `progress`. False where it does not
     /// fit.
     bool load(Reader& archive, std::int32_t& progress);
     /// Adds frozen inputs and progress, except the cells of the unit cost.
@@ -92,15 +94,15 @@ private:
 
     bool valid_ = false;
     PlanDef def_;
-    std::vector<Vec2> characters_;         // Positions [m].
-    std::vector<double> supply_;           // Per character; empty for 1 each.
-    std::vector<Vec2> places_;             // Positions [m].
-    std::vector<double> demand_;           // Per place; empty for 1 each.
-    std::vector<std::uint8_t> usable_;     // Per place; empty for all.
-    std::vector<std::int32_t> incumbent_;  // Per character, -1 for none.
+    std::vector<Vec2> characters_;         // Positions of the characters [m].
+    std::vector<double> supply_;           // Supply per character; empty for 1 each.
+    std::vector<Vec2> places_;             // Positions of the places [m].
+    std::vector<double> demand_;           // Demand per place; empty for 1 each.
+    std::vector<std::uint8_t> usable_;     // 0 per place that nobody may take; empty for all.
+    std::vector<std::int32_t> incumbent_;  // Incumbent per character, -1 for none.
     std::vector<float> known_;             // Per character, as in PlanInput; empty for none [m].
     std::vector<float> slowness_;          // Per character, as in PlanInput; empty for all 1.
-    std::vector<std::uint8_t> characterClass_, placeClass_;  // As in PlanInput.
+    std::vector<std::uint8_t> characterClass_, placeClass_;  // Classes as in PlanInput.
     UnitCost unitCost_;
     std::int32_t solved_ = 0;              // Places whose fields are done.
     std::vector<std::uint8_t> unlimited_;  // Per place: plans for which its front remains unlimited.
@@ -108,12 +110,13 @@ private:
     std::vector<std::int32_t> waitingPlace_;  // Per character, -1 for none.
     std::vector<double> frontRadius_;         // Per place: its front goes to characters this near [m].
     ConnectedRegions regions_;
-    std::vector<Vec2>
-        freePoint_;  // Per character: its position, off walls that contacts may press it into [m].
+    // Per character: its position, off walls that contacts may press it into [m].
+    std::vector<Vec2> freePoint_;
     std::vector<std::int32_t> characterRegion_;
     std::vector<std::int32_t> placeRegion_;
-    std::vector<CostField> fields_;         // Per place; those beyond the number of places keep their memory.
-    std::vector<std::uint8_t> fieldKnown_;  // Per place.
+    // Fields per place; fields beyond the number of places keep their memory.
+    std::vector<CostField> fields_;
+    std::vector<std::uint8_t> fieldKnown_;  // 1 per place whose field is known.
 };
 
 /// Finds the reached cell nearest to `p` within a few cells; false where there is none.

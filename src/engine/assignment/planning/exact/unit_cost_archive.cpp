@@ -6,7 +6,7 @@
 namespace muster {
 namespace {
 
-constexpr std::int64_t kMaxCells = 16'000'000;  // The limit of Environment.
+constexpr std::int64_t kMaxCells = 16'000'000;  // Greatest number of cells: the limit of Environment.
 // Bounds far beyond any real unit cost; damaged values outside could keep fast marching from ending.
 constexpr float kMinCost = 1e-6f;
 constexpr float kMaxCost = 1e9f;

@@ -8,7 +8,7 @@ namespace muster {
 
 /// Writes a unit cost as runs of equal cells: open ground and walls take next to nothing.
 void saveUnitCost(Writer& archive, const UnitCost& cost);
-/// Reads what saveUnitCost() wrote; false where it does not fit or a value is implausible.
+/// Reads the data of saveUnitCost(); false where it does not fit or a value is implausible.
 bool loadUnitCost(Reader& archive, UnitCost& cost);
 
 }  // namespace muster

@@ -12,27 +12,31 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kChunk = 128;  // Characters in one piece of parallel work.
-// Other places cost this share more for each change of place since places have come to rest.
+constexpr std::size_t kChunk = 128;  // Number of characters in one piece of parallel work.
+// Share by which other places cost more for each change of place since places have come to rest.
 constexpr float kReluctance = 0.004f;
-constexpr double kPlaceRests = 1e-4;        // A place that moves less in a step rests [m].
-constexpr float kDistantCost = 25.0f;       // Beyond, a direction serves for two steps [m].
-constexpr float kWaitingCost = 10.0f;       // Where its group waits to plan it serves beyond this [m]
-constexpr std::uint32_t kWaitingSteps = 4;  // for so many steps.
-constexpr std::int32_t
-    kWaitingPerPlan = 32;                    // Unmatched characters whose waiting place is searched per plan.
-constexpr std::size_t kPrefetchPoints = 24;  // Characters from which a first plan prefetches fields, about.
-constexpr double kBottleneckExponent = 8.0;  // Approximates the bottleneck objective.
+constexpr double kRestMove = 1e-4;     // Movement of a place in a step below which it rests [m].
+constexpr float kDistantCost = 25.0f;  // Cost beyond which a direction serves for two steps [m].
+// Cost beyond which a direction of a group that waits to plan serves [m]
+constexpr float kWaitingCost = 10.0f;
+constexpr std::uint32_t kWaitingSteps = 4;  // for this number of steps.
+// Number of unmatched characters whose waiting place is searched per plan.
+constexpr std::int32_t kWaitingPerPlan = 32;
+// Approximate number of characters from which a first plan prefetches fields.
+constexpr std::size_t kPrefetchPoints = 24;
+constexpr double kBottleneckExponent = 8.0;  // Exponent that approximates the bottleneck objective.
 constexpr double kBottleneckShare = 0.2;     // Commit threshold share with the bottleneck objective.
 constexpr std::size_t
-    kCharactersPerStep = 10000;                // A round of the assignment takes one more step per so many.
-constexpr std::int32_t kMaxStepsPerRound = 6;  // Ten rounds a second.
-constexpr std::int32_t kSearchShare = 3;       // One search may settle this fraction of all nodes.
-constexpr std::int32_t kMaxSearch = 4000;      // Nodes that one search may settle, at most.
+    // Number of characters for which a round of the assignment takes one more step.
+    kCharactersPerStep = 10000;
+constexpr std::int32_t kMaxStepsPerRound = 6;  // Greatest number of steps of a round: ten rounds a second.
+constexpr std::int32_t kSearchShare = 3;       // Inverse share of all nodes that one search may settle.
+constexpr std::int32_t kMaxSearch = 4000;      // Greatest number of nodes that one search may settle.
 constexpr double kMaxSettled = 40000.0;        // Nodes that all searches of a step may settle.
-constexpr std::int32_t kFieldsOfGroups = 2;    // Fields that a step solves for all groups together.
-constexpr std::int32_t kStartNodes = 400;  // Nodes that a start takes over in a step, all groups together.
-constexpr double kStartSteps = 10.0;       // In so many steps a large crowd is taken over.
+constexpr std::int32_t kFieldsOfGroups = 2;    // Number of fields that a step solves for all groups together.
+// Number of nodes that a start takes over in a step, all groups together.
+constexpr std::int32_t kStartNodes = 400;
+constexpr double kStartSteps = 10.0;  // Number of steps in which a large crowd is taken over.
 
 }  // namespace
 
@@ -74,8 +78,8 @@ Status FastPlan::start(const PlanDef& def, const PlanInput& input) {
     return {};
 }
 
-// Nobody may take a place that demands nothing. Where all others, and everybody, count for one unit, it is an
-// assignment.
+// Takes over supplies and demands. Nobody may take a place that demands nothing. Where all other places, and
+// all characters, count for one unit, it is an assignment.
 void FastPlan::takeAmounts(const PlanInput& input) {
     supply_.clear();
     demand_.clear();
@@ -137,7 +141,7 @@ DynamicAssignmentDef FastPlan::assignmentDef(std::size_t characters) const {
     def.thresholdShare = def_.bottleneck ? kBottleneckShare : def_.commitThresholdShare;
     const auto count = static_cast<double>(std::max<std::size_t>(1, characters));
     def.settledPerNode = std::min(def.settledPerNode, kMaxSettled / count);
-    // Where a large formation rotates, the gain of one node is paid for by many others along a long cycle.
+    // Where a large formation rotates, many nodes along a long cycle pay for the gain of one.
     def.searchLimit = std::clamp(static_cast<std::int32_t>(count) / kSearchShare, def.searchLimit,
                                  kMaxSearch);
     def.startNodes = std::max(kStartNodes, static_cast<std::int32_t>(count / kStartSteps)) /
@@ -147,7 +151,7 @@ DynamicAssignmentDef FastPlan::assignmentDef(std::size_t characters) const {
     return def;
 }
 
-// Costs and directions to the incumbent places, which both the assignment and guide() need.
+// Evaluates costs and directions to the incumbent places, which both the assignment and guide() need.
 void FastPlan::evaluateGuidance(ThreadPool& pool) {
     guidedPlace_.resize(characters_.size(), -1);
     guidance_.resize(characters_.size());
@@ -172,7 +176,7 @@ void FastPlan::evaluateGuidanceOf(std::size_t i) {
     if (place < 0) return;
     const double byWay = ways().cost(static_cast<std::int32_t>(i), place, places_.size());
     if (byWay < kInfiniteCost && def_.geodesic) {
-        // Its passage leads it; the target of a way that it does not go would mislead it behind.
+        // The passage of the character leads it; a target that it does not follow would mislead it behind.
         targets_[i] = {};
         guidance_[i] = {normalized(places_[place] - characters_[i]), static_cast<float>(byWay)};
         incumbentCost_[i] = guidance_[i].cost;
@@ -188,20 +192,21 @@ void FastPlan::evaluateGuidanceOf(std::size_t i) {
                                       : static_cast<float>(distance(characters_[i], places_[place]));
 }
 
-// What a metre costs on the ground at a point.
+// The cost of a metre of the ground at a point.
 double FastPlan::groundCost(Vec2 p) const {
     const Grid& grid = ground_->grid();
     return ground_->openCost() / ground_->travelSpeed(grid.index(grid.nearestCell(p)));
 }
 
-// What is left to a place never counts as more than it did before, but for what the place has moved since,
-// and the character other than its way led: so an estimate that jumps to and fro exchanges nobody to and fro.
+// The rest of the path to a place never counts as more than before, except for the movement of the place and
+// of the character off its path: so an estimate that jumps to and fro does not exchange characters to and
+// fro.
 void FastPlan::keepRecord(std::size_t i, Vec2 direction) {
     Record& record = records_[i];
     const std::int32_t place = incumbent_[i];
     float cost = i < known_.size() && known_[i] >= 0.0f ? known_[i] : incumbentCost_[i];
-    // The costs of a first plan become better with its fields; where many share a place it is no exchange;
-    // who has chosen a passage counts with the way through that.
+    // The costs of a first plan become better with its fields; where many share a place it is no exchange; a
+    // character that has chosen a passage counts with the path through it.
     const bool chosen = i < way_.size() && way_[i] >= 0;
     if (place < 0 || chosen || !def_.reassign || first_.unfinished() || !supply_.empty()) {
         record = {};
@@ -218,14 +223,14 @@ void FastPlan::keepRecord(std::size_t i, Vec2 direction) {
                                 groundCost(characters_[i]) * length(astray);
             cost = std::min(cost, record.cost + static_cast<float>(slowness * more));
         }
-        changes = placeMoved > kPlaceRests ? 0 : record.changes;
+        changes = placeMoved > kRestMove ? 0 : record.changes;
     }
     record = {places_[place], cost, place, edits_, changes};
     incumbentCost_[i] = cost;
     reluctance_[i] = kReluctance * static_cast<float>(changes);
 }
 
-// Who has been given another place counts with the cost for which it was given.
+// A character that has been given another place counts with the cost for which it was given.
 void FastPlan::recordChanges() {
     if (!def_.reassign || first_.unfinished() || !supply_.empty()) return;
     const std::span<const std::int32_t> place = assignment_.placeOf();
@@ -259,7 +264,7 @@ MatchingProblem FastPlan::problemOf(const DynamicAssignmentDef& def, const Assig
     return {def, input, {characterClass_, placeClass_}, incumbent_, supply_, demand_};
 }
 
-// Until the first plan is made nobody has a place worth keeping, so every gain is committed.
+// Before the first plan nobody has a place worth keeping, so that every gain is committed.
 void FastPlan::updateAssignment(ThreadPool& pool) {
     const AssignmentInput input{characters_, places_, usable_, connected_};
     DynamicAssignmentDef def = assignmentDef(characters_.size());
@@ -331,7 +336,7 @@ std::int32_t FastPlan::nearestUsablePlace(Vec2 p) const {
     return place;
 }
 
-// Only some unmatched characters per plan, in turn.
+// Searches waiting places for some unmatched characters per plan, in turn.
 void FastPlan::findWaitingPlaces() {
     const std::size_t count = characters_.size();
     waitingPlace_.resize(count, -1);

@@ -16,7 +16,7 @@
 namespace muster {
 
 /// advance() evaluates the guidance of all characters to their incumbent places, which guide() returns;
-/// workInBackground() updates the assignment; finish() does what of these is left.
+/// workInBackground() updates the assignment; finish() does the rest of both.
 class FastPlan final : public Plan {
 public:
     const char* name() const override { return "fast"; }
@@ -74,65 +74,65 @@ private:
     DynamicAssignmentDef assignmentDef(std::size_t characters) const;
 
     PlanDef def_;
-    std::vector<Vec2> characters_;         // Positions [m].
-    std::vector<Vec2> places_;             // Positions [m].
-    std::vector<std::uint8_t> usable_;     // Per place; empty for all.
-    std::vector<std::int32_t> incumbent_;  // Per character, -1 for none.
+    std::vector<Vec2> characters_;         // Positions of the characters [m].
+    std::vector<Vec2> places_;             // Positions of the places [m].
+    std::vector<std::uint8_t> usable_;     // 0 per place that nobody may take; empty for all.
+    std::vector<std::int32_t> incumbent_;  // Incumbent per character, -1 for none.
     std::vector<std::uint8_t> connected_;  // Per character, as in PlanInput.
     std::vector<float> slowness_;          // Per character, as in PlanInput.
-    // As in PlanInput.
+    // Classes as in PlanInput.
     std::vector<std::uint8_t> characterClass_, placeClass_;
     std::vector<std::int32_t> way_;  // The ways of PlannedWays, of this step only.
     std::vector<float> reach_, onward_;
     std::vector<float> reluctance_;  // Per character, in this step only.
-    std::vector<Vec2> moved_;        // Per character since the last plan, in this step only [m].
-    // As in PlanInput, of this step only; both empty where all flows are of one unit.
+    std::vector<Vec2> moved_;        // Movement per character since the last plan, in this step only [m].
+    // Amounts as in PlanInput, in this step only; both empty where all flows are of one unit.
     std::vector<double> supply_, demand_;
-    // The least that was left of the way of a character to its place.
+    // The least remaining cost of a character to its place.
     struct Record {
-        Vec2 at;                   // Where the place is [m].
-        float cost = 0.0f;         // [m]
-        std::int32_t place = -1;   // -1 for none.
-        std::uint32_t edits = 0;   // Of the ground for which that is.
-        std::int32_t changes = 0;  // Of its place, since places last moved.
+        Vec2 at;                   // Position of the place [m].
+        float cost = 0.0f;         // Least remaining cost [m].
+        std::int32_t place = -1;   // Index of the place, -1 for none.
+        std::uint32_t edits = 0;   // Version of the ground of the record.
+        std::int32_t changes = 0;  // Number of changes of its place since places last moved.
 
         template <class Archive>
         void visit(Archive& archive) {
             archive(at, cost, place, edits, changes);
         }
     };
-    std::uint32_t edits_ = 0;           // Of the ground.
+    std::uint32_t edits_ = 0;           // Version of the ground.
     std::vector<float> known_;          // Per character: exact cost to its place [m]; below 0 where unknown.
-    std::vector<Record> records_;       // Per character.
+    std::vector<Record> records_;       // Records per character.
     std::vector<float> incumbentCost_;  // Per character: cost to its incumbent place [m].
     std::vector<Guidance> guidance_;    // Per character, to guidedPlace_.
     std::vector<std::int32_t> guidedPlace_;  // Per character: its incumbent when its guidance was evaluated.
     std::uint32_t guidanceRound_ = 0;        // Number of evaluations.
     bool pending_ = false;
-    bool guided_ = false;  // The guidance of the pending plan is evaluated.
-    // The assignment of the pending plan is done. Background work writes this; others read it after it has
-    // ended.
+    bool guided_ = false;  // True once the guidance of the pending plan is evaluated.
+    // True once the assignment of the pending plan is done. Background work writes this; other threads read
+    // it after it has ended.
     bool assigned_ = false;
     bool everFinished_ = false;
     FirstPlan first_;
     PlaceMatching assignment_;
     Geodesics geodesics_;
-    std::vector<SteeringTarget> targets_;     // Per character.
-    std::vector<std::int32_t> waitingPlace_;  // Per character, -1 for none.
-    std::uint32_t waitingCursor_ = 0;  // The character with whom the next search for waiting places begins.
-    // Of this step only.
+    std::vector<SteeringTarget> targets_;     // Targets per character.
+    std::vector<std::int32_t> waitingPlace_;  // Waiting place per character, -1 for none.
+    std::uint32_t waitingCursor_ = 0;  // The character with which the next search for waiting places begins.
+    // Points of this step only.
     std::vector<Vec2> prefetchPoints_;
     const StaticGround* ground_ = nullptr;
     PlanCosts* planCosts_ = nullptr;
-    bool geodesicsUpdated_ = false;  // They have this step's places.
+    bool geodesicsUpdated_ = false;  // True once they have this step's places.
     GeodesicCostOracle costs_;
-    ThreadPool backgroundPool_;  // Of one thread.
+    ThreadPool backgroundPool_;  // A pool of one thread.
     /// The cost field of one place on the static ground, for pictures.
     struct PictureField {
-        Vec2 place;                // [m]
+        Vec2 place;                // Position of the place [m].
         std::uint32_t ground = 0;  // Version of the ground.
         CostField field;
-        std::optional<EikonalSolver> solver;  // Made when it is first asked for.
+        std::optional<EikonalSolver> solver;  // Solver, made when it is first asked for.
     };
     mutable PictureField picture_;
 };

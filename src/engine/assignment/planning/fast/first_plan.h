@@ -8,13 +8,13 @@
 
 namespace muster {
 
-/// A first plan is made from nothing in its first step, by the costs that are known there. Where these lack
+/// A first plan is made from nothing in its first step, by the costs that are known then. Where these lack
 /// far fields it is provisional: the fields come within a budget of each step, and then the plan is made from
 /// nothing again, for one group in a step. Repairs follow, one in each step. All changes of places in this
 /// time belong to the first plan.
 class FirstPlan {
 public:
-    /// What a step does for a first plan.
+    /// Act of a step for a first plan.
     enum class Action : std::uint8_t {
         None,    ///< The first plan is made; exchanges follow.
         Start,   ///< Starts cold.
@@ -22,7 +22,7 @@ public:
         Repair,  ///< Repairs without a threshold.
     };
 
-    /// Begins a plan; `nobody` has a place, or the incumbents are those of the `last` plan. Tells whether far
+    /// Begins a plan; `nobody` has a place, or the incumbents are those of the `last` plan. True where far
     /// fields are to be solved now.
     bool begin(bool nobody, bool last) {
         first_ = nobody;
@@ -31,11 +31,11 @@ public:
         // In its last step it starts cold, whatever is missing.
         return nobody || stepsLeft_ > 1;
     }
-    /// Cells of far fields that may be solved now; the caller takes off those that were.
+    /// Cells of far fields that may be solved now; the caller subtracts those that were.
     std::int64_t& cells(const PlanDef& def, std::size_t characters) {
         const std::int64_t budget = std::max(kCells, kCellsEach * static_cast<std::int64_t>(characters));
         const std::int64_t own = budget / std::max(1, def.firstPlans);
-        // One group after the other comes to a field, else all would in one step.
+        // Groups come to a field one after the other; otherwise all would in one step.
         cells_ += first_ ? own / kFirstShare - own * rankOf(def) : own;
         return cells_;
     }
@@ -44,21 +44,22 @@ public:
     bool looksThoroughly(const PlanDef& def) const {
         return first_ || def.firstPlans <= kFewGroups || isRound(def, stepsLeft_ - 1);
     }
-    /// Decides what the step does; `whole` where no far field is missing.
+    /// Decides the act of the step; `whole` where no far field is missing.
     void decide(const PlanDef& def, bool whole, std::size_t characters) {
         action_ = next(def, whole);
         if (action_ != Action::Start) return;
         repairsLeft_ = characters <= kSmallCrowd ? kRepairs : kLargeRepairs;
     }
 
-    /// Repairs in the step that starts cold; those of a large crowd would take too long.
+    /// Number of repairs in the step that starts cold; in a large crowd they would take too long.
     static std::int32_t roundsAtOnce(std::size_t characters) { return characters <= kAtOnce ? 3 : 0; }
 
-    Action action() const { return action_; }                    ///< Of this step.
-    bool provisional() const { return stepsLeft_ > 0; }          ///< It will start cold again.
-    bool unfinished() const { return action_ != Action::None; }  ///< Changes of places are no exchanges.
+    Action action() const { return action_; }            ///< Act of this step.
+    bool provisional() const { return stepsLeft_ > 0; }  ///< True where it will start cold again.
+    /// True while changes of places are no exchanges.
+    bool unfinished() const { return action_ != Action::None; }
 
-    /// Lets an archive read or write it.
+    /// Lets an archive read or write the plan.
     template <class Archive>
     void visit(Archive& archive) {
         archive(action_, stepsLeft_, repairsLeft_, cells_, first_);
@@ -66,7 +67,7 @@ public:
 
 private:
     static std::int32_t rankOf(const PlanDef& def) { return std::clamp(def.firstPlanRank, 0, 200); }
-    // Groups are served in rounds.
+    // True in the step in which a round serves the group.
     static bool isRound(const PlanDef& def, std::int32_t stepsLeft) {
         return stepsLeft % std::max(1, def.firstPlans) == rankOf(def);
     }
@@ -85,20 +86,24 @@ private:
         return Action::Repair;
     }
 
-    static constexpr std::int64_t kCells = 40000;     // Of far fields solved in a step for first plans.
-    static constexpr std::int64_t kCellsEach = 40;    // The same for each character of a large crowd.
-    static constexpr std::int32_t kFewGroups = 4;     // So many look for missing fields in each step.
-    static constexpr std::int64_t kFirstShare = 4;    // Of these cells, the share in the first step.
-    static constexpr std::int32_t kSteps = 24;        // In which the far fields should come.
+    // Number of cells of far fields solved in a step for first plans.
+    static constexpr std::int64_t kCells = 40000;
+    // Number of these cells for each character of a large crowd.
+    static constexpr std::int64_t kCellsEach = 40;
+    // Number of groups up to which each looks for missing fields in each step.
+    static constexpr std::int32_t kFewGroups = 4;
+    static constexpr std::int64_t kFirstShare = 4;    // Inverse share of these cells in the first step.
+    static constexpr std::int32_t kSteps = 24;        // Number of steps in which the far fields should come.
     static constexpr std::uint8_t kRepairs = 21;      // Steps of repairs after the start, up to kSmallCrowd.
-    static constexpr std::uint8_t kLargeRepairs = 4;  // The same for larger ones.
-    static constexpr std::size_t kSmallCrowd = 3000;  // Characters.
-    static constexpr std::size_t kAtOnce = 500;       // Characters that are repaired in the first step, too.
+    static constexpr std::uint8_t kLargeRepairs = 4;  // Steps of repairs after the start of a larger crowd.
+    static constexpr std::size_t kSmallCrowd = 3000;  // Number of characters of a small crowd.
+    // Number of characters up to which repairs are made in the first step, too.
+    static constexpr std::size_t kAtOnce = 500;
 
     Action action_ = Action::None;
-    std::uint8_t stepsLeft_ = 0;    // Until it starts cold again.
-    std::uint8_t repairsLeft_ = 0;  // Steps that repair it.
-    bool first_ = false;            // Nobody had a place in this step.
+    std::uint8_t stepsLeft_ = 0;    // Number of steps until it starts cold again.
+    std::uint8_t repairsLeft_ = 0;  // Number of steps that repair it.
+    bool first_ = false;            // True if nobody had a place in this step.
     std::int64_t cells_ = 0;        // Cells of far fields that may be solved for it now.
 };
 

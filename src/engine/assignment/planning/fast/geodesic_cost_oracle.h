@@ -17,7 +17,7 @@ class GeodesicCostOracle final : public CostOracle {
 public:
     /// Takes the state of this step; all must outlive the last query. `incumbentCost` is the cost of each
     /// character to its place in `incumbent` (-1 for none) [m]. `geodesic` is false for straight-line costs.
-    /// `slowness` is as in PlanInput; `incumbentCost` counts it. Other places than its own cost a character
+    /// `slowness` is as in PlanInput; `incumbentCost` counts it. Places other than its own cost a character
     /// more by the share `reluctance`, 0 or more.
     void set(const Geodesics& geodesics, const PlannedWays& ways, bool geodesic,
              std::span<const Vec2> characters, std::span<const Vec2> places,
@@ -35,8 +35,8 @@ public:
         leastSlowness_ = 1.0f;
         for (const float factor : slowness) leastSlowness_ = std::min(leastSlowness_, factor);
     }
-    /// What a way costs a character that costs others `walk` [m]. Who is slow can still reach all that
-    /// others reach.
+    /// The cost of a path for a character, where it costs others `walk` [m]. A slow character can still reach
+    /// all places that others reach.
     static float slowed(float walk, float slowness) {
         constexpr float kMost = 0.999f * kUnreachable;
         return walk < kMost ? std::min(walk * slowness, kMost) : walk;
@@ -76,12 +76,12 @@ private:
     const Geodesics* geodesics_ = nullptr;
     PlannedWays ways_;
     bool geodesic_ = true;
-    std::span<const Vec2> characters_;         // Positions [m].
-    std::span<const Vec2> places_;             // Positions [m].
-    std::span<const std::int32_t> incumbent_;  // Per character, -1 for none.
-    std::span<const float> incumbentCost_;     // Per character [m].
-    std::span<const float> slowness_;          // Per character; empty for all 1.
-    std::span<const float> reluctance_;        // Per character.
+    std::span<const Vec2> characters_;         // Positions of the characters [m].
+    std::span<const Vec2> places_;             // Positions of the places [m].
+    std::span<const std::int32_t> incumbent_;  // Incumbent per character, -1 for none.
+    std::span<const float> incumbentCost_;     // Cost per character [m].
+    std::span<const float> slowness_;          // Slowness per character; empty for all 1.
+    std::span<const float> reluctance_;        // Reluctance per character.
     float leastSlowness_ = 1.0f;
 };
 

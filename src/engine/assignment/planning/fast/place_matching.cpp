@@ -5,7 +5,7 @@
 namespace muster {
 namespace {
 
-constexpr std::int32_t kStartEffort = 2;  // Of a first plan with weights, in steps.
+constexpr std::int32_t kStartEffort = 2;  // Effort of a first plan with weights, in steps.
 
 }  // namespace
 

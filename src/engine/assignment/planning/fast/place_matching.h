@@ -1,4 +1,4 @@
-// Who goes where in the fast plan: with classes, with weights, or without.
+// The matching of characters and places in the fast plan: with classes, with weights, or without.
 #pragma once
 
 #include <cstdint>
@@ -10,22 +10,22 @@
 
 namespace muster {
 
-/// What a matching is made from. Spans stay valid during the call only.
+/// Input of a matching. Spans stay valid during the call only.
 struct MatchingProblem {
     const DynamicAssignmentDef& def;          ///< Objective, threshold, limits of work.
-    const AssignmentInput& input;             ///< Positions.
-    AssignmentClasses classes;                ///< Empty spans for none.
+    const AssignmentInput& input;             ///< Positions of characters and places.
+    AssignmentClasses classes;                ///< Classes; empty spans for none.
     std::span<const std::int32_t> incumbent;  ///< Place of each character, -1 for none.
     std::span<const double> supply;           ///< Units of each character; empty where all flows are of 1.
     std::span<const double> demand;           ///< Units of each place; empty like `supply`.
 };
 
 /// Hands a matching to the method that suits it: WeightedMatching where supplies or demands differ,
-/// ClassedAssignment where there are classes, else DynamicAssignment. Where that changes, the new method
+/// ClassedAssignment where there are classes, else DynamicAssignment. Where the method changes, the new one
 /// starts from the incumbents.
 class PlaceMatching {
 public:
-    /// Allocates memory for so many, without classes.
+    /// Allocates memory for these numbers, without classes.
     void reserve(const DynamicAssignmentDef& def, std::size_t characters, std::size_t places) {
         assignment_.reserve(def, characters, places);
     }
@@ -46,7 +46,7 @@ public:
     /// True while update() is still starting from the incumbents of other characters or places.
     bool starting() const { return kind_ == Kind::Units && assignment_.starting(); }
 
-    /// Per character, -1 unmatched.
+    /// Place per character, -1 unmatched.
     std::span<const std::int32_t> placeOf() const {
         if (kind_ == Kind::Weights) return weighted_.placeOf();
         return kind_ == Kind::Units ? assignment_.placeOf() : classed_.placeOf();
@@ -64,7 +64,7 @@ public:
     /// The flows where supplies or demands differ; null where every flow is of one unit.
     const WeightedMatching* weighted() const { return kind_ == Kind::Weights ? &weighted_ : nullptr; }
 
-    /// Lets an archive read or write all that influences later results.
+    /// Lets an archive read or write all data that influences later results.
     template <class Archive>
     void visit(Archive& archive) {
         archive(kind_, assignment_, classed_);

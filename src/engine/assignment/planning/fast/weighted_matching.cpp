@@ -12,7 +12,7 @@ namespace muster {
 namespace {
 
 constexpr double kNegligibleFlow = 1e-9;  // Share of an amount that counts as nothing.
-constexpr double kMostUnits = 1e9;        // Of a flow, in an archive.
+constexpr double kMostUnits = 1e9;        // Greatest number of units of a flow in an archive.
 
 bool before(const AssignmentPair& a, const AssignmentPair& b) {
     return a.character != b.character ? a.character < b.character : a.place < b.place;
@@ -24,7 +24,7 @@ double amountOf(std::span<const double> amounts, std::size_t k) {
 
 }  // namespace
 
-// How many places there are is not known here; FastPlan looks at those of placeOf().
+// The number of places is not known here; FastPlan tests those of placeOf().
 bool WeightedMatching::consistent() const {
     const auto characters = static_cast<std::int32_t>(placeOf_.size());
     if (cost_.size() != placeOf_.size() || flowCost_.size() != flows_.size()) return false;
@@ -41,7 +41,7 @@ bool WeightedMatching::consistent() const {
            });
 }
 
-// Adds what may still flow.
+// Adds the amount that may still flow.
 void WeightedMatching::claim(const MatchingProblem& problem, std::int32_t i, std::int32_t j, double amount) {
     if (i < 0 || j < 0 || std::cmp_greater_equal(i, openSupply_.size()) ||
         std::cmp_greater_equal(j, openDemand_.size()))
@@ -53,8 +53,8 @@ void WeightedMatching::claim(const MatchingProblem& problem, std::int32_t i, std
     incumbents_.push_back({i, j, most});
 }
 
-// The flows of the last step where these made the incumbents, else one flow for each incumbent. Where
-// supplies or demands have become less, later flows get what is left.
+// Collects the flows of the last step where these made the incumbents, else one flow for each incumbent.
+// Where supplies or demands have become less, later flows get the rest.
 void WeightedMatching::collectIncumbents(const MatchingProblem& problem) {
     const AssignmentInput& input = problem.input;
     openSupply_.clear();
@@ -73,7 +73,7 @@ void WeightedMatching::collectIncumbents(const MatchingProblem& problem) {
         claim(problem, i, incumbent[i], amountOf(problem.supply, i));
 }
 
-// Merges both lists.
+// Merges and evaluates the pairs of both lists.
 void WeightedMatching::evaluatePairs(std::size_t characters, CostOracle& costs, ThreadPool& pool) {
     const std::span<const Flow> a = incumbents_, b = transport_.flows();
     const auto pairOf = [](const Flow& flow) { return AssignmentPair{flow.character, flow.place}; };
@@ -92,7 +92,7 @@ void WeightedMatching::evaluatePairs(std::size_t characters, CostOracle& costs, 
     costs.evaluate(pairs_, pairCosts_, pool);
 }
 
-// One of the evaluated pairs [m].
+// The cost of an evaluated pair [m].
 float WeightedMatching::costOf(std::int32_t character, std::int32_t place) const {
     std::int32_t k = firstPair_[character];
     while (pairs_[k].place != place) ++k;

@@ -1,4 +1,4 @@
-// Who goes where in the fast plan where supplies and demands differ (SPEC A1).
+// The matching of the fast plan where supplies and demands differ (SPEC A1).
 #pragma once
 
 #include <cstdint>
@@ -12,30 +12,31 @@ namespace muster {
 
 struct MatchingProblem;
 
-/// The flows that hold, and a transport that follows the optimum. What differs between them falls into
-/// exchanges, of which those are committed that gain enough, as in the exact plan; flows that are not touched
-/// stay. Characters walk to their main places (engine/assignment/planning/main_places.h,
-/// docs/method/roles.md).
+/// The flows that hold, and a transport that follows the optimum. The difference between them falls into
+/// exchanges; exchanges that gain enough are committed, as in the exact plan, and other flows stay.
+/// Characters walk to their main places (engine/assignment/planning/main_places.h, docs/method/roles.md).
 class WeightedMatching {
 public:
     /// Forgets everything.
     void clear() { *this = WeightedMatching(); }
     /// One step from the incumbents, of `effort` times the usual work.
     void update(const MatchingProblem& problem, CostOracle& costs, ThreadPool& pool, std::int32_t effort);
-    /// Keeps the incumbents, each with all that the character supplies; `cost` is that of each character to
-    /// its place [m].
+    /// Keeps the incumbents, each with all that the character supplies; `cost` is the cost of each character
+    /// to its place [m].
     void hold(const MatchingProblem& problem, std::span<const float> cost);
 
-    std::span<const std::int32_t> placeOf() const { return placeOf_; }  ///< Per character, -1 unmatched.
+    /// Place per character, -1 unmatched.
+    std::span<const std::int32_t> placeOf() const { return placeOf_; }
     /// Per character: cost to its place at the last call [m]; 0 unmatched.
     std::span<const float> cost() const { return cost_; }
-    std::span<const Flow> flows() const { return flows_; }  ///< Ordered by character, then place.
+    std::span<const Flow> flows() const { return flows_; }  ///< Flows, ordered by character, then place.
     /// Sum of cost^p over the flows [m^p], for an exponent p.
     double objective(double exponent) const { return sumOf(flows_, flowCost_, exponent); }
-    /// The objective less that of the transport, and what this may be above the optimum of known pairs [m^p].
+    /// The objective less that of the transport, and the bound of this above the optimum of known pairs
+    /// [m^p].
     double dualityGap() const { return dualityGap_; }
 
-    /// Lets an archive read or write all that influences later results.
+    /// Lets an archive read or write all data that influences later results.
     template <class Archive>
     void visit(Archive& archive) {
         archive(transport_, flows_, flowCost_, placeOf_, cost_, dualityGap_);
@@ -58,17 +59,17 @@ private:
 
     DynamicTransport transport_;
     std::vector<Flow> flows_;
-    std::vector<float> flowCost_;        // Per flow [m].
-    std::vector<std::int32_t> placeOf_;  // Per character, -1 unmatched.
-    std::vector<float> cost_;            // Per character [m].
-    double dualityGap_ = 0.0;            // [m^p]
+    std::vector<float> flowCost_;        // Cost per flow [m].
+    std::vector<std::int32_t> placeOf_;  // Place per character, -1 unmatched.
+    std::vector<float> cost_;            // Cost per character [m].
+    double dualityGap_ = 0.0;            // Duality gap [m^p].
     // Working memory.
     CommitRule commitRule_;
     std::vector<Flow> incumbents_;                 // Flows that may stay.
-    std::vector<double> openSupply_, openDemand_;  // What incumbents leave.
-    std::vector<AssignmentPair> pairs_;            // Of both lists, by character, then place.
-    std::vector<std::int32_t> firstPair_;          // Per character, and the end.
-    std::vector<float> pairCosts_, optimumCost_;   // [m]
+    std::vector<double> openSupply_, openDemand_;  // Supply and demand that incumbents leave.
+    std::vector<AssignmentPair> pairs_;            // Pairs of both lists, by character, then place.
+    std::vector<std::int32_t> firstPair_;          // Index per character, and the end.
+    std::vector<float> pairCosts_, optimumCost_;   // Costs of pairs [m].
 };
 
 }  // namespace muster

@@ -122,15 +122,15 @@ void BottleneckSolver::reachRowsOf(std::int32_t column, std::int32_t level) {
     }
 }
 
-// The entry of a row of that level that sends to the column, or -1.
+// The entry of a row of `level` that sends to the column, or -1.
 std::int32_t BottleneckSolver::entryAtLevel(std::int32_t column, std::int32_t level) const {
     for (std::int32_t e = flow_.first[column]; e >= 0; e = flow_.entries[e].next)
         if (flow_.entries[e].amount > negligible_ && rowLevel_[flow_.entries[e].row] == level) return e;
     return -1;
 }
 
-// Follows the levels from a row to a column with demand left, depth first, and sends what the path can carry.
-// A row or column without a path is not tried again in this phase.
+// Follows the levels from a row to a column with demand left, depth first, and sends as much as the path can
+// carry. A row or column without a path is not tried again in this phase.
 bool BottleneckSolver::augmentFrom(const TransportationProblem& problem, double threshold,
                                    std::int32_t source) {
     path_.clear();

@@ -25,8 +25,8 @@ private:
         std::int32_t next;  // Index of the next entry, -1 at the end of the list.
     };
     struct FlowState {
-        std::vector<double> remainingSupply;  // Per row.
-        std::vector<double> remainingDemand;  // Per column.
+        std::vector<double> remainingSupply;  // Remaining supply per row.
+        std::vector<double> remainingDemand;  // Remaining demand per column.
         std::vector<std::int32_t> first;      // Per column: its first entry, -1 for none.
         std::vector<ColumnEntry> entries;
         double amount = 0.0;  // Sum of the flow.
@@ -53,9 +53,9 @@ private:
     FlowState startFlow_;  // The flow of the largest threshold that was too small.
     std::vector<double> costs_;
     std::vector<std::int32_t> rowLevel_;          // Level of the level graph, -1 outside.
-    std::vector<std::int32_t> columnLevel_;       // The same.
+    std::vector<std::int32_t> columnLevel_;       // Level of each column, -1 outside.
     std::vector<std::int32_t> unreachedColumns_;  // Columns that have no level yet.
-    std::vector<std::int32_t> queue_;             // Rows.
+    std::vector<std::int32_t> queue_;             // Queue of rows.
     std::vector<std::int32_t> nextColumn_;        // Per row: the column to try next in this phase.
     std::vector<PathArc> path_;
 };

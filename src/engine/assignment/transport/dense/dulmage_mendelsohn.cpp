@@ -86,7 +86,8 @@ std::int32_t DulmageMendelsohn::findAugmentingPath(std::int32_t row) {
     return -1;
 }
 
-// Marks what the rows with supply left can reach: that is what the last round, which found no path, reached.
+// Marks rows and columns that are reached from rows with supply left: those of the last round, which found no
+// path.
 void DulmageMendelsohn::markVertical() {
     for (std::int32_t i = 0; i < rows_; ++i)
         if (isReached_[i]) rowPart_[i] = DulmageMendelsohnPart::Vertical;
@@ -94,7 +95,7 @@ void DulmageMendelsohn::markVertical() {
     for (const std::int32_t j : openColumns_) columnPart_[j] = DulmageMendelsohnPart::Square;
 }
 
-// Marks what can reach a column with demand left.
+// Marks rows and columns from which a column with demand left is reached.
 void DulmageMendelsohn::markHorizontal() {
     queue_.clear();
     const auto mark = [&](std::int32_t j) {

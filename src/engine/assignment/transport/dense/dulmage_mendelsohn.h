@@ -18,15 +18,17 @@ enum class DulmageMendelsohnPart : std::uint8_t {
 
 /// Splits a transportation problem with impossible pairs into three parts: no largest transport sends
 /// anything from one part to another. Finds a largest flow by rounds of breadth-first augmenting paths, and
-/// marks what alternating paths reach from the rows and columns that it leaves over. Owns its working memory.
+/// marks the rows and columns that alternating paths reach from those that it leaves over. Owns its working
+/// memory.
 class DulmageMendelsohn {
 public:
     /// `cost` is row-major, infinite where a pair is impossible. Amounts up to `negligible` count as nothing.
     void decompose(std::int32_t rows, std::int32_t columns, const double* cost,
                    std::span<const double> supply, std::span<const double> demand, double negligible);
 
-    const std::vector<DulmageMendelsohnPart>& rowPart() const { return rowPart_; }        ///< Per row.
-    const std::vector<DulmageMendelsohnPart>& columnPart() const { return columnPart_; }  ///< Per column.
+    const std::vector<DulmageMendelsohnPart>& rowPart() const { return rowPart_; }  ///< Part of each row.
+    /// Part of each column.
+    const std::vector<DulmageMendelsohnPart>& columnPart() const { return columnPart_; }
 
 private:
     bool isPossible(std::int32_t row, std::int32_t column) const;
@@ -43,9 +45,9 @@ private:
     DenseFlow flow_;
     std::vector<DulmageMendelsohnPart> rowPart_;
     std::vector<DulmageMendelsohnPart> columnPart_;
-    std::vector<std::int32_t> openColumns_;  // Not reached in this round, ascending.
-    std::vector<std::int32_t> queue_;        // Rows; columns in markHorizontal().
-    std::vector<std::uint8_t> isReached_;    // Per row, in this round.
+    std::vector<std::int32_t> openColumns_;  // Columns not reached in this round, ascending.
+    std::vector<std::int32_t> queue_;        // Queue of rows; of columns in markHorizontal().
+    std::vector<std::uint8_t> isReached_;    // 1 per row reached in this round.
 };
 
 }  // namespace muster

@@ -140,7 +140,7 @@ double JonkerVolgenantSolver::relax(std::int32_t i, double offset) {
     return std::min(std::min(low[0], low[1]), std::min(low[2], low[3]));
 }
 
-// The open column at that distance: a free one first, then the lower index.
+// The open column at `distance`: a free one first, then the lower index.
 std::int32_t JonkerVolgenantSolver::columnAt(double distance) const {
     std::int32_t matched = -1;
     for (std::int32_t j = 0; j < columns_; ++j) {

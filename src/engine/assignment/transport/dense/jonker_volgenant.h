@@ -16,12 +16,14 @@ public:
     /// with some rows assigned, where not every row can be.
     bool solve(std::int32_t rows, std::int32_t columns, const double* cost);
 
-    const std::vector<std::int32_t>& columnOf() const { return columnOf_; }  ///< Per row, -1 for none.
+    /// Column of each row, -1 for none.
+    const std::vector<std::int32_t>& columnOf() const { return columnOf_; }
     /// u_i = c_ij - v_j with j the column of row i.
     const std::vector<double>& rowDual() const { return rowDual_; }
     /// v_j <= 0 where rows < columns; 0 where the column is free.
     const std::vector<double>& columnDual() const { return columnDual_; }
-    std::int32_t augmentations() const { return augmentations_; }  ///< Searches for a shortest path.
+    /// Number of searches for a shortest path.
+    std::int32_t augmentations() const { return augmentations_; }
 
 private:
     // The two columns of least reduced cost in a row.
@@ -56,17 +58,17 @@ private:
     std::int32_t rows_ = 0;
     std::int32_t columns_ = 0;
     std::int32_t augmentations_ = 0;
-    std::vector<std::int32_t> columnOf_;  // Per row, -1 for none.
-    std::vector<std::int32_t> rowOf_;     // Per column, -1 for none.
+    std::vector<std::int32_t> columnOf_;  // Column of each row, -1 for none.
+    std::vector<std::int32_t> rowOf_;     // Row of each column, -1 for none.
     std::vector<double> rowDual_;
     std::vector<double> columnDual_;
     std::vector<std::int32_t> freeRows_;      // Rows without a column.
-    std::vector<std::int32_t> nextFreeRows_;  // The same after this pass.
+    std::vector<std::int32_t> nextFreeRows_;  // Rows without a column after this pass.
     // This search, per column.
     std::vector<double> openDual_;      // The dual; minus infinity once the column is settled.
     std::vector<double> openDistance_;  // The distance; infinite once the column is settled.
-    std::vector<std::int64_t>
-        predecessor_;  // The row it was reached from, as wide as a distance for vector code.
+    // The row it was reached from, as wide as a distance for vector code.
+    std::vector<std::int64_t> predecessor_;
     std::vector<Settled> settled_;
 };
 

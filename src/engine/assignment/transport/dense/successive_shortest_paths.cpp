@@ -80,8 +80,8 @@ void SuccessiveShortestPaths::reachRowsOf(std::int32_t column) {
     }
 }
 
-// Finds the shortest path from a row to a column with demand left and sends what it can carry; false where
-// there is none.
+// Finds the shortest path from a row to a column with demand left and sends as much as it can carry; false
+// where there is none.
 bool SuccessiveShortestPaths::sendFrom(std::int32_t row) {
     ++augmentations_;
     columnDistance_.assign(columns_, kInfiniteCost);

@@ -15,7 +15,7 @@ namespace muster {
 class SuccessiveShortestPaths {
 public:
     /// `cost` is row-major, infinite where a pair is impossible. Amounts up to `negligible` count as nothing.
-    /// Returns false, with what could be sent, where not all can be sent.
+    /// Returns false, with the greatest possible flow, where not all can be sent.
     bool solve(std::int32_t rows, std::int32_t columns, const double* cost, std::span<const double> supply,
                std::span<const double> demand, double negligible);
 
@@ -24,7 +24,8 @@ public:
     const std::vector<double>& rowDual() const { return rowDual_; }  ///< u; u_i + v_j <= c_ij.
     /// v <= 0; 0 where demand is left.
     const std::vector<double>& columnDual() const { return columnDual_; }
-    std::int32_t augmentations() const { return augmentations_; }  ///< Searches for a shortest path.
+    /// Number of searches for a shortest path.
+    std::int32_t augmentations() const { return augmentations_; }
 
 private:
     const double* row(std::int32_t i) const { return cost_ + static_cast<std::size_t>(i) * columns_; }
@@ -43,11 +44,11 @@ private:
     DenseFlow flow_;
     std::vector<double> rowDual_;
     std::vector<double> columnDual_;
-    std::vector<double> rowDistance_;        // Infinite for rows that are not reached.
-    std::vector<std::int32_t> reachedRows_;  // In order.
+    std::vector<double> rowDistance_;        // Distance of each row, infinite for rows that are not reached.
+    std::vector<std::int32_t> reachedRows_;  // Rows in the order in which they were reached.
     std::vector<double> columnDistance_;
-    std::vector<std::int32_t> openColumns_;     // Not settled yet.
-    std::vector<std::int32_t> settledColumns_;  // Their distance is final.
+    std::vector<std::int32_t> openColumns_;     // Columns that are not settled yet.
+    std::vector<std::int32_t> settledColumns_;  // Columns whose distance is final.
 };
 
 }  // namespace muster

@@ -52,18 +52,19 @@ struct TransportationSolver::Impl {
     // Active rows and columns: those with an amount > 0. "Position" means the index among these.
     std::vector<std::int32_t> rows;
     std::vector<std::int32_t> columns;
-    std::vector<double> supply;  // Per active row.
-    std::vector<double> demand;  // Per active column.
-    std::vector<double> cost;    // Active rows x active columns, row-major.
+    std::vector<double> supply;  // Supply per active row.
+    std::vector<double> demand;  // Demand per active column.
+    std::vector<double> cost;    // Costs of active rows x active columns, row-major.
     double negligible = 0.0;     // Amounts up to this count as nothing.
-    double unit = 0.0;           // The amount that all have; 0 where amounts differ.
+    double unit = 0.0;           // Amount of all rows and columns; 0 where amounts differ.
 
     DulmageMendelsohn decomposition;
-    std::vector<DulmageMendelsohnPart> rowPart;     // Per active row.
-    std::vector<DulmageMendelsohnPart> columnPart;  // Per active column.
+    std::vector<DulmageMendelsohnPart> rowPart;     // Part of each active row.
+    std::vector<DulmageMendelsohnPart> columnPart;  // Part of each active column.
     std::vector<std::int32_t> partRows;             // Positions of the rows of this part.
     std::vector<std::int32_t> partColumns;          // Positions of its columns.
-    std::vector<double> partCost;  // Transposed for the vertical part, whose columns are the scarcer side.
+    // Costs, transposed for the vertical part, whose columns are the scarcer side.
+    std::vector<double> partCost;
     std::vector<double> partSupply;
     std::vector<double> partDemand;
     JonkerVolgenantSolver assignmentSolver;

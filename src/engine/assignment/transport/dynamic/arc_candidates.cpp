@@ -11,14 +11,15 @@ namespace {
 
 constexpr std::int32_t kNearPlaces = 8;
 constexpr std::int32_t kNearCharacters = 6;
-// Expensive nodes have fewer arcs to neighbours, and some to other expensive nodes instead.
+// Number of arcs of an expensive node to neighbours, which are fewer, as some lead to other expensive nodes
+// instead.
 constexpr std::int32_t kExpensiveNearPlaces = 6;
 constexpr std::int32_t kExpensiveNearCharacters = 4;
 constexpr std::int32_t kExpensiveArcs = 4;
 constexpr float kExpensiveTimesMean = 3.0f;
 // Expensive nodes that are compared for one node; more are sampled evenly.
 constexpr std::size_t kExpensiveCompared = 200;
-// The last slot joins dummy nodes and free places with the matched ones.
+// Index of the last slot, which joins dummy nodes and free places with the matched ones.
 constexpr std::int32_t kLastSlot = ExchangeArcs::kArcsPerNode - 1;
 
 }  // namespace

@@ -33,10 +33,10 @@ private:
 
     CellList placeCells_;
     CellList characterCells_;
-    std::vector<std::int32_t> expensive_;  // Nodes.
+    std::vector<std::int32_t> expensive_;  // Expensive nodes, ascending.
     float expensiveCost_ = 0.0f;           // Matched cost above which a node is expensive [m].
     std::int32_t highestMatched_ = -1;     // The matched node of the highest dual, -1 for none.
-    std::int32_t highestUnmatched_ = -1;   // The same among dummy nodes with an assignee.
+    std::int32_t highestUnmatched_ = -1;  // The dummy node of the highest dual with an assignee, -1 for none.
 };
 
 }  // namespace muster

@@ -16,11 +16,12 @@ class AssignmentNodes {
 public:
     /// Sizes the nodes; all become free dummy nodes.
     void reset(std::int32_t characters, std::int32_t places);
-    /// Assigns each character to the node of its place, -1 for none. Of several that name one place the first
-    /// gets it.
+    /// Assigns each character to the node of its place, -1 for none. Of several characters that name one
+    /// place the first gets it.
     void assignPlaces(std::span<const std::int32_t> placeOf);
-    /// Takes over who is present and which places are usable. Lists the unmatched characters and the free
-    /// places, and adds to `changed` the nodes that became or ceased to be places or lost their assignee.
+    /// Takes over which characters are present and which places are usable. Lists the unmatched characters
+    /// and the free places, and adds to `changed` the nodes that became or ceased to be places or lost their
+    /// assignee.
     void update(const AssignmentInput& input, std::vector<std::int32_t>& changed);
     /// Assigns dummy nodes to the unmatched characters that have no node yet. After update().
     void assignDummyNodes();
@@ -32,11 +33,13 @@ public:
     /// Moves an unmatched character to the node of a free place.
     void match(std::int32_t character, std::int32_t node);
 
-    std::int32_t count() const { return static_cast<std::int32_t>(assignee_.size()); }     ///< Nodes.
-    std::int32_t characters() const { return static_cast<std::int32_t>(nodeOf_.size()); }  ///< As at reset().
-    std::int32_t places() const { return places_; }                                        ///< As at reset().
-    bool isPlace(std::int32_t node) const { return isPlace_[node] != 0; }       ///< False for dummy nodes.
-    std::int32_t assignee(std::int32_t node) const { return assignee_[node]; }  ///< -1 for a free node.
+    std::int32_t count() const { return static_cast<std::int32_t>(assignee_.size()); }  ///< Number of nodes.
+    /// Number of characters at reset().
+    std::int32_t characters() const { return static_cast<std::int32_t>(nodeOf_.size()); }
+    std::int32_t places() const { return places_; }                        ///< Number of places at reset().
+    bool isPlace(std::int32_t node) const { return isPlace_[node] != 0; }  ///< False for dummy nodes.
+    /// Assignee of a node, -1 for a free node.
+    std::int32_t assignee(std::int32_t node) const { return assignee_[node]; }
     /// The node of a character, -1 for none.
     std::int32_t nodeOf(std::int32_t character) const { return nodeOf_[character]; }
     /// True where the node is a place and has an assignee.

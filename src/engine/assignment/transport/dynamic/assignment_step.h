@@ -1,4 +1,4 @@
-// What the phases of one step of a dynamic assignment read.
+// Inputs of the phases of one step of a dynamic assignment.
 #pragma once
 
 #include "base/parallel.h"
@@ -12,9 +12,9 @@ namespace muster {
 /// The arguments of one call of DynamicAssignment.
 struct AssignmentProblem {
     const DynamicAssignmentDef& def;  ///< Objective and limits.
-    const AssignmentInput& input;     ///< Positions.
+    const AssignmentInput& input;     ///< Positions of characters and places.
     CostOracle& costs;                ///< Costs of pairs.
-    ThreadPool& pool;                 ///< Evaluates costs.
+    ThreadPool& pool;                 ///< Threads that evaluate costs.
 };
 
 /// A problem with the exponent and the dual shift of this step. Only ExchangeGraph makes one, once its nodes
@@ -26,7 +26,7 @@ public:
     /// The dual shift: the dual of a node is its stored dual + dualSlope . position [units of `power` per
     /// metre].
     const Vec2 dualSlope;
-    const Vec2 dummyPosition;  ///< Stands for the position of dummy nodes [m].
+    const Vec2 dummyPosition;  ///< Position that stands for dummy nodes [m].
 
 private:
     friend class ExchangeGraph;

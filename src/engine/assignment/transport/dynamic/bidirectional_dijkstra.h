@@ -9,7 +9,7 @@
 
 namespace muster {
 
-/// How a search ended.
+/// The end of a search.
 enum class SearchResult : std::uint8_t {
     Cycle,         ///< A cycle of negative cost through the arc was found; see BidirectionalDijkstra::cycle.
     NoCycle,       ///< The graph has none: the duals can be changed so that the arc is no longer violated.
@@ -33,7 +33,7 @@ public:
     /// nodes that the search reached beyond its bound and dropped.
     void updateDuals(std::span<double> dual) const;
 
-    /// After SearchResult::Cycle: the nodes from head to tail.
+    /// The nodes of the cycle from head to tail, after SearchResult::Cycle.
     std::span<const std::int32_t> cycle() const { return cycle_; }
     /// Nodes settled by the last search.
     std::int32_t settled() const { return settled_; }
@@ -44,7 +44,7 @@ private:
         double distance;
         std::int32_t node;
     };
-    // What one side knows of a node.
+    // State of a node on one side.
     struct Label {
         double distance = 0.0;          // Valid where the stamp is that of this search.
         std::int32_t predecessor = -1;  // The node it was reached from.
@@ -52,7 +52,7 @@ private:
     };
     // One direction of the search.
     struct Side {
-        std::vector<Label> label;         // Per node.
+        std::vector<Label> label;         // Labels per node.
         std::vector<Entry> heap;          // Binary heap, least distance first.
         std::vector<std::int32_t> order;  // Settled nodes.
         std::size_t capacity = 0;         // Entries that fit in the heap.
@@ -73,9 +73,9 @@ private:
 
     Side forward_;
     Side backward_;
-    std::uint32_t stamp_ = 0;  // Of this search; even.
+    std::uint32_t stamp_ = 0;  // Stamp of this search; even.
     std::int32_t settled_ = 0;
-    double pathLength_ = 0.0;    // Of the shortest path found so far.
+    double pathLength_ = 0.0;    // Length of the shortest path found so far.
     std::int32_t meeting_ = -1;  // The node where its two halves meet; -1 for the return arc.
     std::vector<std::int32_t> cycle_;
 };

@@ -9,10 +9,10 @@ namespace muster {
 namespace {
 
 constexpr std::size_t kClasses = 256;
-// Slots of a class beyond its places: at least, and as a fraction of these.
+// Least number of slots of a class beyond its places, and their fraction of these.
 constexpr std::int32_t kSpareSlots = 4;
 constexpr std::int32_t kSpareShare = 8;
-// Characters that are matched outside their classes in one step.
+// Number of characters that are matched outside their classes in one step.
 constexpr std::int32_t kLeftOverPerStep = 256;
 
 /// Costs of the characters and slots of one class.
@@ -57,7 +57,7 @@ bool ClassedAssignment::consistent() const {
             if (part.members[k] < 0 || part.members[k] >= characters ||
                 (k > 0 && part.members[k] <= part.members[k - 1]))
                 return false;
-        // Places are looked at when it knows how many there are.
+        // Places are tested once their number is known.
         for (const std::int32_t place : part.places)
             if (place < -1) return false;
         const std::span<const std::int32_t> placeOf = part.assignment.placeOf();
@@ -68,7 +68,7 @@ bool ClassedAssignment::consistent() const {
     return true;
 }
 
-// Parts whose members change start again.
+// Sorts members into parts. Parts whose members change start again.
 void ClassedAssignment::sortMembers(const AssignmentInput& input, const AssignmentClasses& classes) {
     members_.resize(kClasses);
     for (auto& list : members_) list.clear();
@@ -88,8 +88,8 @@ void ClassedAssignment::sortMembers(const AssignmentInput& input, const Assignme
     }
 }
 
-// A place that leaves the class, or that nobody may take, leaves an empty slot, which another place may have
-// from the next step on. Where there are not enough slots all are dealt out again, and false is returned.
+// A place that leaves the class, or that nobody may take, leaves an empty slot, which another place may get
+// from the next step on. Where slots are too few all are dealt out again, and false is returned.
 bool ClassedAssignment::sortPlaces(Part& part, const AssignmentInput& input,
                                    const AssignmentClasses& classes) {
     const auto belongs = [&](std::int32_t place) {
@@ -155,7 +155,7 @@ void ClassedAssignment::gather(const Part& part, const AssignmentInput& input,
     }
 }
 
-// Who had a place that left the class has none.
+// True where the incumbents stay: a character whose place left the class has none.
 bool ClassedAssignment::holdsIncumbents(const Part& part) const {
     const std::span<const std::int32_t> placeOf = part.assignment.placeOf();
     if (placeOf.size() != part.members.size()) return false;
@@ -176,7 +176,7 @@ void ClassedAssignment::publish(const Part& part) {
     }
 }
 
-// Keeps who has a place of another class that is still free, and gives the others the nearest ones.
+// Lets a character keep a place of another class that is still free, and gives the others the nearest ones.
 void ClassedAssignment::fillUp(const AssignmentInput& input, std::span<const std::int32_t> incumbent,
                                CostOracle& costs, ThreadPool& pool) {
     unmatched_.clear();

@@ -8,13 +8,13 @@
 namespace muster {
 namespace {
 
-// A step prices one in so many nodes, within these limits, and as many expensive nodes.
+// Number of nodes of which a step prices one, within these limits, and as many expensive nodes.
 constexpr std::int32_t kNodesPerPriced = 250;
 constexpr std::int32_t kLeastPriced = 2;
 constexpr std::int32_t kMostPriced = 8;
-constexpr std::int32_t kMostBounds = 200000;  // Pairs that are bounded in a step.
-constexpr std::size_t kMostEvaluated = 64;    // Costs evaluated for one node, from it and to it.
-constexpr double kRounding = 1.0 - 1e-12;     // Factor that keeps a square below its exact value.
+constexpr std::int32_t kMostBounds = 200000;     // Number of pairs that are bounded in a step.
+constexpr std::size_t kMostEvaluated = 64;       // Number of costs evaluated for one node, from it and to it.
+constexpr double kSquareRounding = 1.0 - 1e-12;  // Factor that keeps a square below its exact value.
 // The square of the cost at which CostPower stops growing, or just less [m^2].
 constexpr double kMostSquare = 0.99 * CostOracle::kUnreachable * CostOracle::kUnreachable;
 
@@ -38,7 +38,7 @@ void ColumnGeneration::run(const AssignmentStep& step, ExchangeGraph& graph, dou
     const std::int32_t count = graph.count();
     if (count == 0) return;
     leastUnitCost_ = step.costs.leastUnitCost();
-    leastSquare_ = step.power.exponent() == 2.0 ? kRounding * step.power(leastUnitCost_) : 0.0;
+    leastSquare_ = step.power.exponent() == 2.0 ? kSquareRounding * step.power(leastUnitCost_) : 0.0;
     collectTerms(step, graph);
     const std::int32_t most = std::min(kMostPriced, std::max(1, kMostBounds / count));
     const std::int32_t priced = std::clamp(count / kNodesPerPriced, std::min(kLeastPriced, most), most);

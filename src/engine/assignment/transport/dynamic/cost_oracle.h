@@ -10,8 +10,8 @@ namespace muster {
 
 /// A character and a place by index: one entry of the cost matrix.
 struct AssignmentPair {
-    std::int32_t character = 0;  ///< Row.
-    std::int32_t place = 0;      ///< Column.
+    std::int32_t character = 0;  ///< Index of the row.
+    std::int32_t place = 0;      ///< Index of the column.
 };
 
 /// Gives the cost of bringing a character to a place, so that no cost matrix has to exist. Answers to the

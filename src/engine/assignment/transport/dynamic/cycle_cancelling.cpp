@@ -7,14 +7,14 @@
 namespace muster {
 namespace {
 
-constexpr std::uint8_t kLimitReachedDelay = 3;  // After a search that reached its limit [steps].
-constexpr std::int32_t kTriesPerNode = 3;       // Arcs of one node in one step.
+constexpr std::uint8_t kLimitReachedDelay = 3;  // Delay after a search that reached its limit [steps].
+constexpr std::int32_t kTriesPerNode = 3;       // Number of arcs of one node that are tried in one step.
 // Smallest violation that is repaired, in commit thresholds. An exchange of two nodes that gains a threshold
 // has an arc that is violated by at least half of it, whatever the duals.
 constexpr double kToleranceInThresholds = 0.5;
-// The same for the relative threshold: in shares of the mean matched cost.
+// The smallest violation for the relative threshold: in shares of the mean matched cost.
 constexpr double kToleranceInShares = 0.25;
-// An arc that is still violated by this many required gains was out of date, and is tried again at once.
+// Violation, in required gains, from which on an arc was out of date, and is tried again at once.
 constexpr double kOutdatedGains = 2.0;
 
 }  // namespace

@@ -22,15 +22,15 @@ public:
     /// `retryDelay` steps.
     void run(const AssignmentStep& step, ExchangeGraph& graph, std::int64_t budget, std::int32_t retryDelay);
 
-    /// Violations up to this are left [units of CostPower].
+    /// Violation up to which an arc is left alone [units of CostPower].
     static double tolerance(const AssignmentStep& step, const ExchangeGraph& graph);
 
-    std::int32_t exchanges() const { return exchanges_; }  ///< Cycles committed by the last run.
+    std::int32_t exchanges() const { return exchanges_; }  ///< Number of cycles committed by the last run.
     std::int32_t violatedNodes() const {
         return violatedNodes_;
-    }                                                  ///< Nodes with a violated arc when it began.
-    std::int64_t settled() const { return settled_; }  ///< Nodes settled by it.
-    /// What the duals proved to be the most that could be gained when it began [units of CostPower].
+    }  ///< Number of nodes with a violated arc when the last run began.
+    std::int64_t settled() const { return settled_; }  ///< Number of nodes settled by the last run.
+    /// Upper bound, by the duals, of the possible gain when the last run began [units of CostPower].
     double gapBefore() const { return gapBefore_; }
 
 private:
@@ -50,12 +50,12 @@ private:
     BidirectionalDijkstra search_;
     std::vector<Violation> violations_;
     std::vector<float> cycleCosts_;  // Per node of the cycle: cost of its assignee at the next node [m].
-    double requiredGain_ = 0.0;      // Of the last cycle [units of CostPower].
-    std::uint8_t retryDelay_ = 0;    // [steps]
+    double requiredGain_ = 0.0;      // Gain required of the last cycle [units of CostPower].
+    std::uint8_t retryDelay_ = 0;    // Delay of a retry [steps].
     std::int32_t exchanges_ = 0;
     std::int32_t violatedNodes_ = 0;
     std::int64_t settled_ = 0;
-    double gapBefore_ = 0.0;  // [units of CostPower]
+    double gapBefore_ = 0.0;  // Value of gapBefore() [units of CostPower].
 };
 
 }  // namespace muster

@@ -6,14 +6,15 @@
 namespace muster {
 namespace {
 
-// The duals are fitted again where more than one in so many nodes is violated.
+// Number of nodes of which more than one violated node lets the duals be fitted again.
 constexpr std::int32_t kNodesPerViolated = 8;
-constexpr std::int32_t kFitDelay = 8;      // Repairs between two fits of the duals.
-constexpr std::int32_t kFarFitDelay = 40;  // The same while the crowd is far and little changes.
+constexpr std::int32_t kFitDelay = 8;  // Number of repairs between two fits of the duals.
+// Number of repairs between two fits while the crowd is far and little changes.
+constexpr std::int32_t kFarFitDelay = 40;
 
 }  // namespace
 
-// Compiled here once, since they are long.
+// Defined here once, since these functions are long.
 DynamicAssignment::DynamicAssignment() = default;
 DynamicAssignment::DynamicAssignment(const DynamicAssignment& other) = default;
 DynamicAssignment& DynamicAssignment::operator=(const DynamicAssignment& other) = default;
@@ -154,7 +155,7 @@ RefreshSchedule DynamicAssignment::schedule(const DynamicAssignmentDef& def) con
 
 void DynamicAssignment::repair(const AssignmentStep& step) {
     const DynamicAssignmentDef& def = step.def;
-    // Where much is violated, searches find no direction, so the duals are fitted again.
+    // Where many arcs are violated, searches find no direction, so the duals are fitted again.
     if (fitDelay_ > 0) --fitDelay_;
     if (fitDelay_ == 0 && violatedNodes_ > graph_.count() / kNodesPerViolated) {
         initialDuals_.run(step, graph_);

@@ -9,15 +9,18 @@
 namespace muster {
 namespace {
 
-constexpr double kMostUnits = 1125899906842624.0;  // 2^50: sums of units are exact.
-constexpr std::int32_t kTransportNearPlaces = 6;   // Of a character, and of its main place.
+constexpr double kMostUnits = 1125899906842624.0;  // Greatest number of units, 2^50: sums of units are exact.
+// Number of near places of a character, and of its main place, that are looked at.
+constexpr std::int32_t kTransportNearPlaces = 6;
 constexpr std::int32_t kTransportNearCharacters = 6;
-constexpr std::int32_t kCharactersPerStep = 100;  // Whose near places are looked at in a step, about.
-constexpr std::int32_t kScannedPairs = 12000;  // Pairs of whole rows and columns that are bounded in a step.
-constexpr std::size_t kKeptPerScan = 8;        // Of these, pairs of a row or column that are evaluated.
-constexpr std::int64_t kWork = 250000;         // Nodes and candidates that the pivots of a step may touch.
-constexpr std::size_t kBlock = 64;             // Candidates of which the best one enters.
-constexpr double kToleranceShare = 1e-4;       // Of the mean cost^p of a unit.
+// Approximate number of characters whose near places are looked at in a step.
+constexpr std::int32_t kCharactersPerStep = 100;
+// Number of pairs of whole rows and columns that are bounded in a step.
+constexpr std::int32_t kScannedPairs = 12000;
+constexpr std::size_t kKeptPerScan = 8;  // Number of pairs of a row or column that are evaluated.
+constexpr std::int64_t kWork = 250000;  // Number of nodes and candidates that the pivots of a step may touch.
+constexpr std::size_t kBlock = 64;      // Number of candidates of which the best one enters.
+constexpr double kToleranceShare = 1e-4;  // Tolerance as a share of the mean cost^p of a unit.
 
 double amountOf(std::span<const double> amounts, std::int32_t k) {
     return amounts.empty() ? 1.0 : amounts[k];
@@ -25,7 +28,7 @@ double amountOf(std::span<const double> amounts, std::int32_t k) {
 
 }  // namespace
 
-// Whole units, so that flows are exact. A power of two keeps amounts like 1 or 0.5 exact, too.
+// Counts in whole units, so that flows are exact. A power of two keeps amounts like 1 or 0.5 exact, too.
 void DynamicTransport::countUnits(const TransportInput& input) {
     const AssignmentInput& positions = input.positions;
     double supply = 0.0, demand = 0.0;
@@ -78,8 +81,8 @@ void DynamicTransport::add(std::int32_t character, std::int32_t place) {
     if (demand_[place] > 0) pairs_.push_back({character, place});
 }
 
-// The neighbourhood of a character: places near it and near its main place, and the places of others near it.
-// Who is in a place of another class looks at all classes.
+// Collects the neighbourhood of a character: places near it and near its main place, and the places of others
+// near it. A character in a place of another class looks at all classes.
 void DynamicTransport::collectNearOf(const TransportInput& input, std::int32_t i) {
     const AssignmentInput& positions = input.positions;
     const std::int32_t main = tree_.mainPlace(i);
@@ -126,7 +129,7 @@ void DynamicTransport::consider(const TransportInput& input, CostOracle& costs, 
     if (reduced < limit) bounds_.push_back({reduced, {i, j}});
 }
 
-// Some pairs in turn, since a bound may stay below the cost for ever, and those of least bounds.
+// Keeps some pairs in turn, since a bound may stay below the cost for ever, and pairs of least bounds.
 void DynamicTransport::keepBest() {
     const auto before = [](const Bound& a, const Bound& b) {
         if (a.reduced < b.reduced || b.reduced < a.reduced) return a.reduced < b.reduced;
@@ -145,7 +148,7 @@ void DynamicTransport::keepBest() {
     bounds_.clear();
 }
 
-// Whole rows and columns in turn.
+// Scans whole rows and columns in turn.
 void DynamicTransport::scan(const TransportInput& input, CostOracle& costs) {
     leastUnitCost_ = costs.leastUnitCost();
     const std::int32_t rows = tree_.characters(), columns = tree_.places();
@@ -195,12 +198,12 @@ bool DynamicTransport::exchangeBest(std::size_t first, std::size_t end, std::int
     return true;
 }
 
-// Block by block, until no candidate is violated.
+// Exchanges block by block, until no candidate is violated.
 void DynamicTransport::exchange(std::int64_t budget) {
     pivots_ = 0;
     std::int64_t work = 0;
     const std::size_t count = candidates_.size();
-    std::size_t idle = 0;  // Candidates since the last pivot.
+    std::size_t idle = 0;  // Number of candidates since the last pivot.
     for (std::size_t first = 0; count > 0 && idle < count + kBlock && work < budget;) {
         const std::size_t end = std::min(count, first + kBlock);
         idle = exchangeBest(first, end, work) ? 0 : idle + (end - first);

@@ -13,13 +13,13 @@
 
 namespace muster {
 
-/// What a transport is made from. Spans stay valid during the call only.
+/// Input of a transport. Spans stay valid during the call only.
 struct TransportInput {
-    const AssignmentInput& positions;  ///< Who takes part, and where.
+    const AssignmentInput& positions;  ///< Positions of the characters and places that take part.
     std::span<const double> supply;    ///< Units of each character >= 0; empty for 1 each.
     std::span<const double> demand;    ///< Units of each place >= 0; empty for 1 each.
-    AssignmentClasses classes;         ///< Empty spans for none.
-    double exponent = 2.0;             ///< p of the objective sum c^p f, 1 to 16.
+    AssignmentClasses classes;         ///< Classes; empty spans for none.
+    double exponent = 2.0;             ///< Exponent p of the objective sum c^p f, 1 to 16.
     /// Place of each character, -1 for none, from which a new tree starts; empty for none.
     std::span<const std::int32_t> incumbent = {};
 };
@@ -35,13 +35,13 @@ public:
     /// the numbers of characters and places are not those of the last call.
     void update(const TransportInput& input, CostOracle& costs, ThreadPool& pool, std::int32_t effort = 1);
 
-    const std::vector<Flow>& flows() const { return flows_; }  ///< Ordered by character, then place.
-    /// What pairs that are not sent through would gain at most, by the pairs that the last call looked at
-    /// [m^p].
+    const std::vector<Flow>& flows() const { return flows_; }  ///< Flows, ordered by character, then place.
+    /// Upper bound of the gain by pairs through which nothing is sent, among the pairs that the last call
+    /// looked at [m^p].
     double gap() const { return gap_; }
-    std::int64_t pivots() const { return pivots_; }  ///< Of the last call.
+    std::int64_t pivots() const { return pivots_; }  ///< Number of pivots of the last call.
 
-    /// Lets an archive read or write all that influences later results.
+    /// Lets an archive read or write all data that influences later results.
     template <class Archive>
     void visit(Archive& archive) {
         archive(tree_, row_, column_, pass_, round_);
@@ -78,21 +78,21 @@ private:
     void publish();
 
     TransportTree tree_;
-    std::int32_t row_ = 0;     // The next character of which all places are looked at.
-    std::int32_t column_ = 0;  // The next place of which all characters are.
-    std::uint32_t pass_ = 0;   // Counts scans.
-    std::uint32_t round_ = 0;  // Counts steps.
-    // Of the last step.
+    std::int32_t row_ = 0;     // The next character for which all places are looked at.
+    std::int32_t column_ = 0;  // The next place for which all characters are looked at.
+    std::uint32_t pass_ = 0;   // Number of scans.
+    std::uint32_t round_ = 0;  // Number of steps.
+    // Flows of the last step.
     std::vector<Flow> flows_;
     double gap_ = 0.0;
     std::int64_t pivots_ = 0;
     // Working memory.
     TransportStart start_;
     CostPower power_;
-    double tolerance_ = 0.0;  // Violations up to this are left [units of CostPower].
+    double tolerance_ = 0.0;  // Violation up to which a pair is left alone [units of CostPower].
     double leastUnitCost_ = 0.0;
     double unitsPerAmount_ = 1.0;                // Units in which flows are counted.
-    std::vector<std::int64_t> supply_, demand_;  // [units]
+    std::vector<std::int64_t> supply_, demand_;  // Amounts [units].
     std::vector<AssignmentPair> pairs_;
     std::vector<float> pairCosts_;
     std::vector<std::int32_t> arcs_;  // Nodes whose arcs are pairs.

@@ -13,9 +13,9 @@ namespace muster {
 /// (ExchangeGraph::arcCost).
 class ExchangeArcs {
 public:
-    static constexpr std::int32_t kArcsPerNode = 16;    ///< Arc slots of each node.
+    static constexpr std::int32_t kArcsPerNode = 16;    ///< Number of arc slots of each node.
     static constexpr std::int32_t kGeneratedSlot = 14;  ///< The slot of the arc that column generation adds.
-    static constexpr float kSelfLoopCost = 1e35f;       ///< So large that no path uses a self loop.
+    static constexpr float kSelfLoopCost = 1e35f;  ///< Cost of a self loop, so large that no path uses it.
 
     /// Makes all arcs self loops.
     void reset(std::int32_t nodes);
@@ -33,7 +33,7 @@ public:
     }
     /// The arc that column generation added to a node; a self loop where there is none.
     static std::int32_t generatedArc(std::int32_t node) { return node * kArcsPerNode + kGeneratedSlot; }
-    /// Replaces that arc.
+    /// Replaces the arc that column generation added.
     void setGeneratedArc(std::int32_t tail, std::int32_t head, float cost) {
         setHead(generatedArc(tail), head);
         cost_[generatedArc(tail)] = cost;
@@ -45,11 +45,13 @@ public:
     /// Sizes the working memory for arcs that were read.
     void afterReading();
 
-    static std::int32_t tail(std::int32_t arc) { return arc / kArcsPerNode; }  ///< Node.
-    std::int32_t head(std::int32_t arc) const { return head_[arc]; }           ///< Node.
-    float cost(std::int32_t arc) const { return cost_[arc]; }         ///< See ExchangeGraph::arcCost.
-    const std::vector<std::int32_t>& heads() const { return head_; }  ///< Per arc.
-    const std::vector<float>& costs() const { return cost_; }         ///< Per arc.
+    /// Node at the tail of an arc.
+    static std::int32_t tail(std::int32_t arc) { return arc / kArcsPerNode; }
+    std::int32_t head(std::int32_t arc) const { return head_[arc]; }  ///< Node at the head of an arc.
+    /// Cost of an arc; see ExchangeGraph::arcCost.
+    float cost(std::int32_t arc) const { return cost_[arc]; }
+    const std::vector<std::int32_t>& heads() const { return head_; }  ///< Heads per arc.
+    const std::vector<float>& costs() const { return cost_; }         ///< Costs per arc.
     /// The arc from one node to another, the first where there are several, -1 for none.
     std::int32_t find(std::int32_t tail, std::int32_t head) const;
     /// Arcs to a node, self loops included, ascending, as they were at the last indexIncoming().
@@ -77,13 +79,13 @@ private:
     }
     bool consistent() const;
 
-    std::vector<std::int32_t> head_;  // Per arc: node.
-    std::vector<float> cost_;         // Per arc [units of CostPower].
+    std::vector<std::int32_t> head_;  // Head of each arc.
+    std::vector<float> cost_;         // Cost of each arc [units of CostPower].
     // The index of incoming arcs.
     std::vector<std::int32_t> incomingCount_;  // Per node: arcs to it.
     std::vector<std::int32_t> incoming_;       // Arcs, sorted by head.
     std::vector<std::int32_t> incomingBegin_;  // Per node: its first in incoming_; one more at the end.
-    bool indexed_ = false;                     // The index is that of the heads as they are.
+    bool indexed_ = false;                     // True if the index is that of the present heads.
 };
 
 }  // namespace muster

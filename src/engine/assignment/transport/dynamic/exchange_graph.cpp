@@ -11,11 +11,12 @@ namespace {
 constexpr std::int32_t kNodesPerBatch = 256;
 constexpr std::int32_t kArcsPerBatch = kNodesPerBatch * ExchangeGraph::kArcsPerNode;
 constexpr std::size_t kPairsPerBatch = 4096;
-// Above this cost the change that invalidates arcs grows with the cost [m].
+// Cost above which the change that invalidates arcs grows with the cost [m].
 constexpr double kInvalidatingCost = 4.0;
-// An arc is tight where it would be violated if its assignee came this much nearer [m].
+// Distance that an assignee would have to come nearer for its arc to be violated, up to which the arc is
+// tight [m].
 constexpr double kTightDistance = 0.2;
-// The margin of tight arcs is taken at this matched cost at least [m].
+// Least matched cost at which the margin of tight arcs is taken [m].
 constexpr double kLeastTightCost = 1.0;
 
 }  // namespace
@@ -280,8 +281,8 @@ void ExchangeGraph::evaluateArcs(const AssignmentStep& step, std::span<const std
     }
 }
 
-// Complementary slackness bounds a node's dual from below by what its assignee saves elsewhere, and from
-// above by what others would save there.
+// Complementary slackness bounds a node's dual from below by the saving of its assignee elsewhere, and from
+// above by the saving of others there.
 void ExchangeGraph::updateChangedDuals() {
     if (!changedNodes_.empty()) arcs_.indexIncoming();
     for (const std::int32_t node : changedNodes_) {

@@ -23,24 +23,27 @@ class InitialAssignment;
 /// later phases require the AssignmentStep that it returns.
 class ExchangeGraph {
 public:
-    static constexpr std::int32_t kArcsPerNode = ExchangeArcs::kArcsPerNode;  ///< Arc slots of each node.
+    /// Number of arc slots of each node.
+    static constexpr std::int32_t kArcsPerNode = ExchangeArcs::kArcsPerNode;
 
-    /// Sizes the graph; nobody has a node, all arcs are self loops.
+    /// Sizes the graph; no character has a node, all arcs are self loops.
     void reset(std::int32_t characters, std::int32_t places);
     /// Assigns characters to the nodes of given places, per character, -1 for none. After reset().
     void assignPlaces(std::span<const std::int32_t> placeOf) { nodes_.assignPlaces(placeOf); }
 
-    /// Brings nodes and matched costs up to date: takes over who is present and which places are usable,
-    /// gives every present character a node, and evaluates the costs of all assignees to their places.
+    /// Brings nodes and matched costs up to date: takes over which characters are present and which places
+    /// are usable, gives every present character a node, and evaluates the costs of all assignees to their
+    /// places.
     AssignmentStep beginStep(const AssignmentProblem& problem, InitialAssignment& initial);
-    /// The same step with the dual shift of the present assignees, for another repair.
+    /// The step with the dual shift of the present assignees, for another repair.
     AssignmentStep reshifted(const AssignmentStep& step) const { return makeStep(step); }
 
     /// Chooses the heads of all arcs and evaluates their costs.
     void rebuildArcs(const AssignmentStep& step) { buildArcs(step, 0, count()); }
-    /// The same for the nodes from `first` to before `end`, whose costs were unknown before, and not wrong.
+    /// Chooses the heads of the arcs of the nodes from `first` to before `end`, whose costs were unknown
+    /// before, and not wrong.
     void startArcs(const AssignmentStep& step, std::int32_t first, std::int32_t end);
-    /// Refreshes the arcs of the nodes that are due and of those whose heads are out of date, and once a
+    /// Refreshes the arcs of the nodes that are due and of nodes whose heads are out of date, and once a
     /// round the arcs to invalidated nodes.
     void refreshArcs(const AssignmentStep& step, const RefreshSchedule& schedule);
     /// Replaces the arc that column generation added to `tail`.
@@ -52,11 +55,11 @@ public:
     /// Gives the nodes that beginStep() changed a dual between the bounds that their arcs set.
     void updateChangedDuals();
 
-    /// Moves each assignee of a cycle to the next node, the last one's to the first; `cost` is what each pays
-    /// there [m]. Evaluates the arcs of these nodes.
+    /// Moves each assignee of a cycle to the next node, the last one's to the first; `cost` is the cost of
+    /// each at its new node [m]. Evaluates the arcs of these nodes.
     void exchange(const AssignmentStep& step, std::span<const std::int32_t> cycle,
                   std::span<const float> cost);
-    /// Sets the costs of the arcs along a cycle to what each assignee pays at the next node, `cost` [m].
+    /// Sets the costs of the arcs along a cycle to `cost`, that of each assignee at the next node [m].
     void setCostsAlong(const AssignmentStep& step, std::span<const std::int32_t> cycle,
                        std::span<const float> cost);
 
@@ -93,30 +96,31 @@ public:
     }
     /// The arc of the least reduced cost from a node, the first of several; -1 where none is below infinity.
     std::int32_t mostViolatedArc(std::int32_t node) const;
-    /// What the reduced costs of all arcs from a node have in common.
+    /// The common part of the reduced costs of all arcs from a node.
     double tailTerm(const AssignmentStep& step, std::int32_t node) const {
         return dual_[node] - matchedPower_[node] + dot(step.dualSlope, nodes_.position(node, step));
     }
-    /// What the reduced costs of all arcs to a node have in common.
+    /// The common part of the reduced costs of all arcs to a node.
     double headTerm(const AssignmentStep& step, std::int32_t node) const {
         return -dual_[node] - dot(step.dualSlope, nodes_.position(node, step));
     }
 
-    const AssignmentNodes& nodes() const { return nodes_; }  ///< Read only.
-    const ExchangeArcs& arcs() const { return arcs_; }       ///< Read only.
-    std::int32_t count() const { return nodes_.count(); }    ///< Nodes.
-    std::span<const double> duals() const { return dual_; }  ///< Per node, less the dual shift.
-    std::span<double> duals() { return dual_; }              ///< Any values are valid.
+    const AssignmentNodes& nodes() const { return nodes_; }  ///< The nodes, read only.
+    const ExchangeArcs& arcs() const { return arcs_; }       ///< The arcs, read only.
+    std::int32_t count() const { return nodes_.count(); }    ///< Number of nodes.
+    std::span<const double> duals() const { return dual_; }  ///< Duals per node, less the dual shift.
+    std::span<double> duals() { return dual_; }              ///< The duals; any values are valid.
     /// Cost of a node's assignee to its place [m]; 0 where one is missing.
     float matchedCost(std::int32_t node) const { return matchedCost_[node]; }
-    std::span<const float> matchedCosts() const { return matchedCost_; }     ///< Per node [m].
-    std::span<const double> matchedPowers() const { return matchedPower_; }  ///< The same to the power.
+    std::span<const float> matchedCosts() const { return matchedCost_; }  ///< Matched cost per node [m].
+    /// Matched costs to the power of the objective.
+    std::span<const double> matchedPowers() const { return matchedPower_; }
     /// Nodes whose matched cost was more than three times the mean at the last refreshArcs(), ascending.
     const std::vector<std::int32_t>& expensiveNodes() const { return candidates_.expensive(); }
 
     /// True where the node's arcs are not to be repaired yet.
     bool isDelayed(std::int32_t node) const { return retryDelay_[node] > 0; }
-    /// Keeps a node's arcs from repair for so many steps.
+    /// Keeps a node's arcs from repair for `steps` steps.
     void delayRetry(std::int32_t node, std::uint8_t steps) { retryDelay_[node] = steps; }
     /// Shortens all delays by a step.
     void countDownDelays() {
@@ -124,7 +128,7 @@ public:
             if (steps > 0) --steps;
     }
 
-    /// Lets an archive read or write all that influences later steps.
+    /// Lets an archive read or write all data that influences later steps.
     template <class Archive>
     void visit(Archive& archive) {
         archive(nodes_, arcs_, dual_, headsStale_, retryDelay_, matchedCost_, costAtRefresh_, invalidated_);
@@ -159,17 +163,18 @@ private:
 
     AssignmentNodes nodes_;
     ExchangeArcs arcs_;
-    std::vector<double> dual_;              // Per node, less the dual shift [units of CostPower].
+    std::vector<double> dual_;              // Duals per node, less the dual shift [units of CostPower].
     std::vector<std::uint8_t> headsStale_;  // Per node: its heads must be chosen again.
     std::vector<std::uint8_t> retryDelay_;  // Per node: steps until it is repaired again.
-    std::vector<float> matchedCost_;        // Per node [m].
+    std::vector<float> matchedCost_;        // Matched cost per node [m].
     std::vector<float> costAtRefresh_;  // Per node: matchedCost_ when all its arcs were evaluated last [m].
     std::vector<std::uint8_t> invalidated_;  // Per node: arcs to it are to be evaluated in the next round.
     // Follows from the above in each step.
     std::vector<double> matchedPower_;  // Per node: matchedCost_ to the power, 0 where it is not matched.
     // Working memory.
     ArcCandidates candidates_;
-    std::vector<std::int32_t> changedNodes_;     // Became or ceased to be places, or lost their assignee.
+    // Nodes that became or ceased to be places, or lost their assignee.
+    std::vector<std::int32_t> changedNodes_;
     std::vector<std::int32_t> allArcsNodes_;     // Nodes of which all arcs are evaluated.
     std::vector<std::int32_t> tightArcsNodes_;   // Nodes of which the tight arcs are evaluated.
     std::vector<std::int32_t> invalidatedArcs_;  // Arcs to invalidated nodes.

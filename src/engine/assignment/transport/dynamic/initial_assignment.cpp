@@ -8,12 +8,14 @@
 namespace muster {
 namespace {
 
-constexpr std::size_t kGreedyPairs = 4096;    // Up to so many pairs are matched greedily.
-constexpr std::size_t kEvaluatedPairs = 256;  // Up to so many of these by cost, more by straight distance.
-constexpr std::size_t kFewOnOneSide = 16;     // Up to so many take their nearest counterpart one by one.
+constexpr std::size_t kGreedyPairs = 4096;  // Number of pairs up to which they are matched greedily.
+// Number of pairs up to which this is by cost, else by straight distance.
+constexpr std::size_t kEvaluatedPairs = 256;
+// Number on one side up to which each takes its nearest counterpart one by one.
+constexpr std::size_t kFewOnOneSide = 16;
 constexpr std::int32_t kPointsPerLeaf = 48;
 constexpr std::int32_t kMostLeaves = 256;
-constexpr std::size_t kExactSize = 16;  // Sets up to this size are assigned exactly.
+constexpr std::size_t kExactSize = 16;  // Size up to which sets are assigned exactly.
 
 Vec2 meanOf(std::span<const Vec2> points, std::span<const std::int32_t> indices) {
     Vec2 sum;
@@ -96,7 +98,7 @@ void InitialAssignment::matchGreedily(const AssignmentProblem& problem, Assignme
     }
 }
 
-// Few on one side, many on the other: each of the few takes the nearest of the many.
+// With few on one side and many on the other, each of the few takes the nearest of the many.
 void InitialAssignment::matchEachToNearest(const AssignmentProblem& problem, AssignmentNodes& nodes) {
     const AssignmentInput& input = problem.input;
     const bool fewCharacters = characters_.size() <= places_.size();

@@ -16,7 +16,7 @@ namespace muster {
 /// until they are small enough for an exact assignment by straight distance. Owns its working memory.
 class InitialAssignment {
 public:
-    /// Allocates what the greedy case needs for so many.
+    /// Allocates the memory of the greedy case for these numbers.
     void reserve(std::size_t characters, std::size_t places);
     /// Matches the characters and places that AssignmentNodes::update listed.
     void run(const AssignmentProblem& problem, AssignmentNodes& nodes);
@@ -40,8 +40,8 @@ private:
                       std::span<const std::int32_t> characters, std::span<const std::int32_t> places,
                       Vec2 shift);
 
-    std::vector<std::int32_t> characters_;  // Unmatched.
-    std::vector<std::int32_t> places_;      // Free.
+    std::vector<std::int32_t> characters_;  // Unmatched characters.
+    std::vector<std::int32_t> places_;      // Free places.
     std::vector<Choice> choices_;
     std::vector<std::int32_t> characterLeafEnds_;  // Per leaf: its end in characters_.
     std::vector<std::int32_t> placeLeafEnds_;      // Per leaf: its end in places_.

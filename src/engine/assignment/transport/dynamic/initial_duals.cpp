@@ -131,7 +131,7 @@ void InitialDuals::collectHeightEquations() {
     }
 }
 
-// Of some hundreds of leaves each has about a dozen neighbours.
+// Each of some hundreds of leaves has about a dozen neighbours.
 void InitialDuals::listNeighbours() {
     const auto leaves = static_cast<std::int32_t>(planes_.size());
     neighbours_.clear();
@@ -160,7 +160,7 @@ void InitialDuals::solveHeights() {
     }
 }
 
-// Sets each dual in turn to the weighted mean of what its neighbours want.
+// Sets each dual in turn to the weighted mean of the values that its neighbours want.
 void InitialDuals::sweep(std::span<double> dual) const {
     for (std::int32_t sweep = 0; sweep < kSweeps; ++sweep) {
         std::int32_t k = 0;

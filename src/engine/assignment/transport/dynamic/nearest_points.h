@@ -12,8 +12,8 @@
 namespace muster {
 
 /// The result of a search for nearest points, nearest first. Points of equal distance are ordered by index;
-/// where not all of these fit, those that were met first are in. A search visits at most kVisited points, so
-/// in an extremely dense crowd some nearest points may be missed.
+/// where not all of these fit, the ones met first are in. A search visits at most kVisited points, so in an
+/// extremely dense crowd some nearest points may be missed.
 class NearestPoints {
 public:
     static constexpr std::int32_t kCapacity = 16;  ///< Points that a search can find.
@@ -54,7 +54,7 @@ private:
     }
 
     std::int32_t size_ = 0;
-    std::array<double, kCapacity> distance_{};  // Squared [m^2].
+    std::array<double, kCapacity> distance_{};  // Squared distances [m^2].
     std::array<std::int32_t, kCapacity> point_{};
 };
 

@@ -1,4 +1,4 @@
-// Which nodes refresh their arcs in a step.
+// The nodes that refresh their arcs in a step.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@ namespace muster {
 /// Spreads the refreshes of all nodes evenly over the steps of a round and the rounds of a period.
 struct RefreshSchedule {
     std::int32_t round = 0;            ///< Rounds since the start.
-    bool beginsRound = true;           ///< This is the first step of the round.
+    bool beginsRound = true;           ///< True in the first step of the round.
     std::int32_t first = 0;            ///< The first node of this step of the round.
     std::int32_t end = 0;              ///< One past the last node of this step of the round.
     std::int32_t period = 1;           ///< Rounds between two refreshes of a node, >= 1.

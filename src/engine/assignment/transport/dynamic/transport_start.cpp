@@ -69,7 +69,7 @@ void TransportStart::keep(std::span<const std::int32_t> incumbent, std::span<con
     tree.plant(fromCharacter_, toPlace_, hook_);
 }
 
-// Of each half of the places' demand the same share of the supply is in the same half of the characters.
+// Halves both: each half of the places' demand and the same share of the supply lie in the same half.
 void TransportStart::order(const AssignmentInput& input, std::span<std::int32_t> characters,
                            std::span<std::int32_t> places) {
     if (characters.size() <= 1 || places.size() <= 1) return;
@@ -89,11 +89,11 @@ void TransportStart::order(const AssignmentInput& input, std::span<std::int32_t>
 }
 
 // A part of the forest ends where a character and a place are used up together; it hangs on its middle then,
-// else on who or what is left over.
+// else on the character or place that is left over.
 void TransportStart::fill(std::span<const std::int32_t> characters, std::span<const std::int32_t> places,
                           const TransportTree& tree) {
     std::size_t a = 0, b = 0, first = fromCharacter_.size();
-    std::int64_t sent = 0, filled = 0;  // Of this character, and of this place.
+    std::int64_t sent = 0, filled = 0;  // Amounts sent from this character, and filled into this place.
     while (a < characters.size() && b < places.size()) {
         const std::int64_t left = supply_[characters[a]] - sent, open = demand_[places[b]] - filled;
         const std::int64_t amount = std::min(left, open);

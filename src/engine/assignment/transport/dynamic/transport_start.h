@@ -15,7 +15,7 @@ namespace muster {
 /// Owns its working memory.
 class TransportStart {
 public:
-    /// Plants the tree. Amounts are in units, 0 for who or what takes no part.
+    /// Plants the tree. Amounts are in units, 0 for characters and places that take no part.
     void run(const AssignmentInput& input, const AssignmentClasses& classes,
              std::span<const std::int64_t> supply, std::span<const std::int64_t> demand, TransportTree& tree);
     /// Plants the tree of a plan that goes on: each character hangs together with its place in `incumbent`
@@ -29,11 +29,11 @@ private:
     void fill(std::span<const std::int32_t> characters, std::span<const std::int32_t> places,
               const TransportTree& tree);
 
-    std::span<const std::int64_t> supply_, demand_;      // Per character and per place [units].
-    std::vector<std::int32_t> characters_, places_;      // Those of one class, in order.
+    std::span<const std::int64_t> supply_, demand_;      // Amounts per character and per place [units].
+    std::vector<std::int32_t> characters_, places_;      // Characters and places of one class, in order.
     std::vector<std::int32_t> fromCharacter_, toPlace_;  // Pairs.
-    std::vector<std::int32_t> hook_;                     // As of TransportTree::plant.
-    std::vector<std::int64_t> open_;                     // Per place: what it still demands [units].
+    std::vector<std::int32_t> hook_;                     // Hooks as of TransportTree::plant.
+    std::vector<std::int64_t> open_;                     // Remaining demand per place [units].
     std::vector<std::int32_t> last_;  // Per place: the last character that hangs on it, -1 for none.
 };
 

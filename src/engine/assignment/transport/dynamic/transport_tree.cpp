@@ -14,7 +14,7 @@ void TransportTree::reset(std::int32_t characters, std::int32_t places) {
     link();
 }
 
-// Goes through each part from its hook.
+// Plants each part from its hook.
 void TransportTree::plant(std::span<const std::int32_t> character, std::span<const std::int32_t> place,
                           std::span<const std::int32_t> hook) {
     edgeBegin_.assign(root() + 2, 0);
@@ -62,7 +62,7 @@ bool TransportTree::consistent() {
     return findOrder();
 }
 
-// Lists of children in ascending order, so that all that follows depends on the tree alone.
+// Lists children in ascending order, so that all that follows depends on the tree alone.
 void TransportTree::link() {
     firstChild_.assign(root() + 1, -1);
     nextSibling_.assign(root() + 1, -1);
@@ -109,7 +109,8 @@ void TransportTree::hangOnRoot(std::int32_t node) {
     adopt(node, root());
 }
 
-// From the leaves up. A place gets something from its parent always, else the tree is not strongly feasible.
+// Finds flows from the leaves up. A place always gets something from its parent, else the tree is not
+// strongly feasible.
 bool TransportTree::findFlows(std::span<const std::int64_t> supply, std::span<const std::int64_t> demand) {
     bool changed = false;
     for (std::size_t k = order_.size(); k-- > 1;) {
@@ -174,8 +175,8 @@ void TransportTree::findDuals() {
     }
 }
 
-// Sends what the cycle of an arc can carry; returns the node below the arc that leaves: of those that carry
-// nothing any more the last one along the cycle from its highest node (Cunningham 1976).
+// Sends as much as the cycle of an arc can carry; returns the node below the leaving arc: of the arcs that
+// carry nothing any more the last one along the cycle from its highest node (Cunningham 1976).
 std::int32_t TransportTree::push(std::int32_t tail, std::int32_t head, std::int64_t& most,
                                  std::int64_t& work) {
     most = std::numeric_limits<std::int64_t>::max();
@@ -246,7 +247,7 @@ std::int64_t TransportTree::pivot(std::int32_t tail, std::int32_t head, LevelCos
     const LevelCost change = reducedCost(tail, head, cost);
     std::int64_t amount = 0;
     const std::int32_t leaving = push(tail, head, amount, work);
-    // The path to a character's arc begins at the tail, that to a place's at the head.
+    // The path to a character's arc begins at the tail, the path to a place's at the head.
     if (isCharacter(leaving)) {
         reroot(tail, leaving, head, cost, amount, work);
         return work + shift(tail, change);

@@ -9,7 +9,7 @@ namespace muster {
 
 /// A cost in two parts, of which the level counts first.
 struct LevelCost {
-    std::int64_t level = 0;  ///< Counts before the value.
+    std::int64_t level = 0;  ///< Level, which counts before the value.
     double value = 0.0;      ///< Cost to the power of the objective.
 
     LevelCost operator+(LevelCost b) const { return {level + b.level, value + b.value}; }  ///< Sum.
@@ -19,23 +19,24 @@ struct LevelCost {
     }
 };
 
-/// Characters, places and a root are the nodes of a spanning tree; flow goes along its arcs only. What a
-/// character does not supply goes to the root, what a place lacks comes from there, at a level above all
-/// others. So every tree has a feasible flow, whatever the amounts are, and the least cost sends as much as
-/// possible. The tree is strongly feasible (Cunningham 1976), so that pivots without a change of flow do not
-/// go round in circles.
+/// Characters, places and a root are the nodes of a spanning tree; flow goes along its arcs only. The supply
+/// that a character does not send goes to the root, the amount that a place lacks comes from there, at a
+/// level above all others. So every tree has a feasible flow, whatever the amounts are, and the least cost
+/// sends as much as possible. The tree is strongly feasible (Cunningham 1976), so that pivots without a
+/// change of flow do not go round in circles.
 class TransportTree {
 public:
-    static constexpr std::int64_t kUnsentLevel = std::int64_t{1} << 24;  ///< Of a unit that is not sent.
+    /// Level of a unit that is not sent.
+    static constexpr std::int64_t kUnsentLevel = std::int64_t{1} << 24;
 
-    /// Sizes it; every node hangs on the root.
+    /// Sizes the tree; every node hangs on the root.
     void reset(std::int32_t characters, std::int32_t places);
-    /// Replaces it by the forest of these pairs, which must have no cycle. `hook` names a node of each part,
-    /// by which it hangs on the root. After reset().
+    /// Replaces the tree by the forest of these pairs, which must have no cycle. `hook` names a node of each
+    /// part, by which it hangs on the root. After reset().
     void plant(std::span<const std::int32_t> character, std::span<const std::int32_t> place,
                std::span<const std::int32_t> hook);
-    /// Takes over amounts [units] >= 0 and finds the flows. Where a node would need a negative flow, what
-    /// hangs on it goes to the root.
+    /// Takes over amounts [units] >= 0 and finds the flows. Where a node would need a negative flow, its
+    /// subtree goes to the root.
     void balance(std::span<const std::int64_t> supply, std::span<const std::int64_t> demand);
     /// Finds the duals from arcCost().
     void findDuals();
@@ -46,16 +47,18 @@ public:
     std::int32_t characters() const { return characters_; }      ///< Number of characters.
     std::int32_t places() const { return places_; }              ///< Number of places.
     std::int32_t root() const { return characters_ + places_; }  ///< The last node.
-    std::int32_t nodeOfPlace(std::int32_t place) const { return characters_ + place; }  ///< A node.
-    std::int32_t parent(std::int32_t node) const { return parent_[node]; }              ///< A node.
+    /// The node of a place.
+    std::int32_t nodeOfPlace(std::int32_t place) const { return characters_ + place; }
+    std::int32_t parent(std::int32_t node) const { return parent_[node]; }  ///< The parent of a node.
     /// Units between a node and its parent.
     std::int64_t flow(std::int32_t node) const { return flow_[node]; }
     /// True where a node's arc is a pair, whose character and place it tells.
     bool pairOf(std::int32_t node, std::int32_t& character, std::int32_t& place) const;
     /// Cost of the arc between a node and its parent; that of arcs to the root is known.
     LevelCost& arcCost(std::int32_t node) { return arcCost_[node]; }
-    LevelCost arcCost(std::int32_t node) const { return arcCost_[node]; }  ///< The same.
-    LevelCost dual(std::int32_t node) const { return dual_[node]; }        ///< After findDuals().
+    /// Cost of the arc between a node and its parent.
+    LevelCost arcCost(std::int32_t node) const { return arcCost_[node]; }
+    LevelCost dual(std::int32_t node) const { return dual_[node]; }  ///< Dual of a node, after findDuals().
     /// The reduced cost of an arc of this cost between two nodes.
     LevelCost reducedCost(std::int32_t tail, std::int32_t head, LevelCost cost) const {
         return cost - dual_[tail] - dual_[head];
@@ -93,11 +96,11 @@ private:
 
     std::int32_t characters_ = 0;
     std::int32_t places_ = 0;
-    std::vector<std::int32_t> parent_;  // Per node but the root.
+    std::vector<std::int32_t> parent_;  // Parent of each node but the root.
     // Follows from the tree, the amounts and the costs.
     std::vector<std::int64_t> flow_;  // Per node [units]: from characters up, to places down.
-    std::vector<LevelCost> arcCost_;  // Per node.
-    std::vector<LevelCost> dual_;     // Per node; that of the root is 0.
+    std::vector<LevelCost> arcCost_;  // Cost of each node's arc.
+    std::vector<LevelCost> dual_;     // Dual per node; that of the root is 0.
     std::vector<std::int32_t> depth_, firstChild_, nextSibling_, previousSibling_;
     std::vector<std::int32_t> order_;  // Nodes, parents first.
     // Working memory.

@@ -22,11 +22,11 @@ enum class Channel : std::size_t {
     HeadPitch,
     HeadRoll,
     HeadYaw,
-    LeftArmForward,  ///< Raised forwards.
-    LeftArmOut,      ///< Away from the body.
+    LeftArmForward,  ///< Angle of an arm raised forwards.
+    LeftArmOut,      ///< Angle away from the body.
     LeftArmTurn,     ///< Rotation inwards about the arm's own axis.
-    LeftElbow,       ///< Flexion; 0 is straight.
-    LeftWrist,       ///< Flexion towards the palm.
+    LeftElbow,       ///< Flexion of the elbow; 0 is straight.
+    LeftWrist,       ///< Flexion of the wrist towards the palm.
     RightArmForward,
     RightArmOut,
     RightArmTurn,

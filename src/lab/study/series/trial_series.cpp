@@ -1,4 +1,4 @@
-#include "lab/study/series/series.h"
+#include "lab/study/series/trial_series.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,4 +1,4 @@
-#include "engine/formation/shapes/formation.h"
+#include "engine/formation/shapes/make_formation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,7 +96,7 @@ void centreAndSort(FormationShape& shape, double spacing) {
     for (Vec2& p : shape.outline.outline) p = p - mean;
     for (Polygon& hole : shape.outline.holes)
         for (Vec2& p : hole) p = p - mean;
-    // Rounded to a millionth of the spacing, so that places of one rank compare as equal.
+    // The rank is rounded to a millionth of the spacing, so that places of one rank compare as equal.
     const auto rank = [&](Vec2 p) { return std::floor(p.x / (1e-6 * spacing) + 0.5); };
     std::sort(shape.places.begin(), shape.places.end(), [&](Vec2 a, Vec2 b) {
         if (rank(a) != rank(b)) return rank(a) > rank(b);

@@ -1,4 +1,4 @@
-#include "lab/study/models/parameters.h"
+#include "lab/study/models/operator_parameters.h"
 
 #include <array>
 #include <charconv>

@@ -1,4 +1,4 @@
-#include "lab/reproduce/experiments/trial.h"
+#include "lab/reproduce/experiments/experiment_trial.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +12,9 @@
 namespace muster {
 namespace {
 
-constexpr double kTrailPeriod = 0.2;       // [s]
-constexpr std::size_t kTrailLength = 20;   // Samples that pictures show.
-constexpr std::int32_t kFrameWidth = 440;  // [px]
+constexpr double kTrailPeriod = 0.2;       // Time between two samples of a trail [s].
+constexpr std::size_t kTrailLength = 20;   // Number of samples of a trail in pictures.
+constexpr std::int32_t kFrameWidth = 440;  // Width of a picture of a film [px].
 
 double orNothing(double value) {
     return value < 0.0 ? std::numeric_limits<double>::quiet_NaN() : value;

@@ -1,4 +1,4 @@
-#include "people/bodies/body.h"
+#include "people/bodies/body_mesh.h"
 
 #include "people/bodies/sculptor.h"
 

@@ -1,4 +1,4 @@
-#include "people/motion/body.h"
+#include "people/motion/posed_body.h"
 
 #include <algorithm>
 
@@ -8,14 +8,14 @@
 namespace muster {
 namespace {
 
-// Hips are lowered until locked feet are within this share of a leg's length.
+// Share of a leg's length within which locked feet are brought by lowering the hips.
 constexpr float kLockedReach = 0.985f;
-constexpr float kMostDrop = 0.12f;   // Largest distance by which hips are lowered [m].
-constexpr float kStanceTime = 0.1f;  // Smoothing time of the middles of steps [s].
-constexpr float kKnee = 0.04f;       // Height of the knee's joint above the floor when kneeling [m].
-constexpr float kSole = 0.08f;       // Height of the ankle above the sole [m].
-constexpr float kKneePace = 20.0f;   // Largest angular speed of a knee [rad/s].
-constexpr float kSink = 0.003f;      // A penetration of the sole up to this depth is not corrected [m].
+constexpr float kMostDrop = 0.12f;        // Largest distance by which hips are lowered [m].
+constexpr float kStanceTime = 0.1f;       // Smoothing time of the middles of steps [s].
+constexpr float kKnee = 0.04f;            // Height of the knee's joint above the floor when kneeling [m].
+constexpr float kSole = 0.08f;            // Height of the ankle above the sole [m].
+constexpr float kKneePace = 20.0f;        // Largest angular speed of a knee [rad/s].
+constexpr float kSoleTolerance = 0.003f;  // Penetration of the sole up to which it is not corrected [m].
 
 std::size_t at(JointRole role) {
     return index(role);
@@ -70,7 +70,7 @@ float soleDepth(const LimbTarget& target, Quat toes) {
     const Vec3 tip = toeBase + rotate(toes, Vec3{0.07f, 0.0f, -kSole - toeBase.z});
     const float lowest = std::min(
         {height({-0.05f, 0.0f, -kSole}), height({toeBase.x, 0.0f, -kSole}), height(tip)});
-    return std::max(0.0f, -lowest - kSink);
+    return std::max(0.0f, -lowest - kSoleTolerance);
 }
 
 // Depth of the lower knee below the floor [m].
@@ -130,7 +130,7 @@ public:
             below = std::max(below, targets[side].position.z - stretch(leg, side, targets[side], pose).z);
         }
         pose.hips.z -= body_.drop;
-        if (entry_.onFloor) pose.hips.z += std::max(0.0f, below - kSink);
+        if (entry_.onFloor) pose.hips.z += std::max(0.0f, below - kSoleTolerance);
         if (entry_.onFloor && entry_.handsTouch) pose.hips.z += kneeDepth(pose);
     }
 

@@ -21,21 +21,21 @@ struct LimbLock {
     Vec2 position;              ///< Position of the joint shown last [m].
     float height = 0.0f;        ///< Height of the joint shown last [m].
     Quat rotation;              ///< Rotation of the joint shown last.
-    Vec3 offset;                ///< From the target to the shown joint at the last lock or release [m].
-    Quat rotationOffset;        ///< The same for its rotation.
-    float fade = 0.0f;          ///< Remaining share of these offsets, before smoothing, 0 to 1.
-    float fadeTime = 0.1f;      ///< Time over which they fade [s].
+    Vec3 offset;            ///< Offset from the target to the shown joint at the last lock or release [m].
+    Quat rotationOffset;    ///< Rotation from the target to the shown joint at the last lock or release.
+    float fade = 0.0f;      ///< Remaining share of these offsets, before smoothing, 0 to 1.
+    float fadeTime = 0.1f;  ///< Time over which they fade [s].
 };
 
 /// State of a body from step to step.
 struct PosedBody {
-    std::uint32_t id = 0;                            ///< Of the character.
+    std::uint32_t id = 0;                            ///< Id of the character.
     bool fresh = true;                               ///< True before its first step.
     BodyPose pose;                                   ///< Pose shown.
     BodyPose last;                                   ///< Smoothed pose one step ago, without limb locks.
-    BodyPose before;                                 ///< The same two steps ago.
+    BodyPose before;                                 ///< Smoothed pose two steps ago, without limb locks.
     Inertialisation inertialisation;                 ///< Blends the pose at switches.
-    std::array<LimbLock, kLockableLimbCount> limbs;  ///< By index of kLockableLimbs.
+    std::array<LimbLock, kLockableLimbCount> limbs;  ///< Locks by index of kLockableLimbs.
     std::array<Vec3, 2> stance;                      ///< Smoothed points about which steps are scaled [m].
     std::array<float, 2> knees{};                    ///< Cosines of the knee angles shown last.
     float drop = 0.0f;  ///< Distance by which hips are lowered to reach locked feet [m].

@@ -27,14 +27,14 @@ inline constexpr std::size_t kBodyKindCount = static_cast<std::size_t>(BodyKind:
 
 /// Level of detail of a mesh.
 enum class BodyLevel : std::uint8_t {
-    Near,  ///< About 2,000 triangles.
-    Far,   ///< About 300 triangles.
+    Near,  ///< Mesh of about 2,000 triangles.
+    Far,   ///< Mesh of about 300 triangles.
 };
 
 /// A vertex of a body's mesh.
 struct BodyVertex {
-    Vec3 position;                         ///< In the rest pose, in the character's own frame [m].
-    Vec3 normal;                           ///< Unit vector.
+    Vec3 position;                         ///< Position in the rest pose, in the character's own frame [m].
+    Vec3 normal;                           ///< Normal, a unit vector.
     Vec3 colour;                           ///< Default colour: linear red, green, blue, 0 to 1.
     BodyRegion region = BodyRegion::Skin;  ///< Its material.
     std::array<std::uint8_t, 4> joints{};  ///< JointRole values by descending weight.
@@ -44,7 +44,7 @@ struct BodyVertex {
 /// A body in the rest pose, on the skeleton at its own size (1.75 m).
 struct BodyMesh {
     std::vector<BodyVertex> vertices;
-    /// Three per triangle, anticlockwise seen from outside, grouped by region.
+    /// Indices, three per triangle, anticlockwise seen from outside, grouped by region.
     std::vector<std::uint32_t> indices;
     /// First index of each region, then the end.
     std::array<std::size_t, kBodyRegionCount + 1> regionBegin{};

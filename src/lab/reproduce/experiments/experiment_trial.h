@@ -17,12 +17,12 @@
 
 namespace muster {
 
-/// What a trial starts from.
+/// The begin of a trial.
 struct ExperimentTrialDef {
-    std::string scenario;  ///< File under the paper's folder without ".json".
-    double jitter = 0.15;  ///< Starts are moved by up to this, by the seed [m] >= 0.
+    std::string scenario;  ///< Name of the file under the paper's folder without ".json".
+    double jitter = 0.15;  ///< Greatest displacement of a start, drawn by the seed [m] >= 0.
     std::vector<std::pair<std::string, double>> settings = {};  ///< Parameters by name, set after the preset.
-    bool gestures = true;  ///< With the touches that the scenario carries.
+    bool gestures = true;  ///< Whether the touches of the scenario are given.
 };
 
 /// One run of a world: its definition may be changed first, then it is started, stepped and filmed.
@@ -32,22 +32,22 @@ public:
     /// own parameters stay) and seed. Fails as loadScenario does, or naming a setting.
     static Result<ExperimentTrial> open(const RunRequest& request, const ExperimentTrialDef& def);
 
-    /// May be changed before start().
+    /// The world's definition, which may be changed before start().
     WorldDef& def() { return def_; }
-    /// May be changed before start(); in the order of (step, client, sequence).
+    /// All commands, which may be changed before start(); in the order of (step, client, sequence).
     std::vector<Command>& commands() { return commands_; }
     /// Shifts all groups and touches, before start() [m].
     void shift(Vec2 by);
     /// Makes the world. Fails as World::create and World::submit do.
     Status start();
 
-    World& world() { return *world_; }                       ///< After start().
-    const World& world() const { return *world_; }           ///< After start().
-    const RunMetrics& metrics() const { return *metrics_; }  ///< After start().
-    double time() const { return world_->time(); }           ///< [s]
+    World& world() { return *world_; }                       ///< The world, after start().
+    const World& world() const { return *world_; }           ///< The world, after start().
+    const RunMetrics& metrics() const { return *metrics_; }  ///< Its metrics, after start().
+    double time() const { return world_->time(); }           ///< Time of the world [s].
     /// Time of the last gesture [s].
     double gesturesEnd() const { return gesturesEnd_; }
-    /// One step.
+    /// Makes one step.
     void step();
     /// Steps until the world has been running for `seconds` [s], calling `watch` after each.
     void runUntil(double seconds, const std::function<void()>& watch = {});

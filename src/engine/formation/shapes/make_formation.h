@@ -11,7 +11,7 @@ namespace muster {
 /// A rest mesh in the local frame, and places on it.
 struct Formation {
     TriangleMesh mesh;              ///< Rest shape [m].
-    std::vector<MeshPoint> places;  ///< One per character, front to back.
+    std::vector<MeshPoint> places;  ///< Places, one per character, front to back.
 
     /// Lets an archive read or write the formation.
     template <class Archive>
@@ -20,7 +20,7 @@ struct Formation {
     }
 };
 
-/// How many stand abreast in a Square of `count` places that does not say it: about as many as it has ranks.
+/// The number of files of a Square of `count` places that does not say it: about as many as it has ranks.
 std::int32_t squareFiles(std::int32_t count);
 
 /// Makes a formation with `count` places, 1 to 200,000 (Points: at most as many as it has points). Nearest
