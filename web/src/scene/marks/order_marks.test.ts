@@ -1,8 +1,7 @@
 // @vitest-environment jsdom
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import type { GroupView, OrderView } from '../../model/frame_view';
-import { GroupShapes } from '../../model/group_shapes';
-import { madeGroup } from '../../model/test_frames';
+import { madeGroup, quietOrders } from '../../model/test_frames';
 import { CameraController } from '../camera/camera_controller';
 import { paletteOf } from '../drawing/palette';
 import { MarkPainter } from './mark_painter';
@@ -33,18 +32,10 @@ function draw(groups: readonly GroupView[], queues = true, more: Partial<OrderSc
     camera,
     palette: paletteOf('light'),
     colours: groups.map((_, i) => i),
-    greyed: false,
+    ...quietOrders(),
     groups,
-    shapes: new GroupShapes(),
     selected: new Set([1]),
     queues,
-    drawn: null,
-    forecasts: [],
-    ways: new Map(),
-    returns: new Map(),
-    picked: 0,
-    cut: null,
-    scheme: null,
     ...more,
   };
   marks.draw(scene);
