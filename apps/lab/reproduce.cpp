@@ -1,7 +1,6 @@
 // muster reproduce
 #include <unistd.h>
 
-#include <cctype>
 #include <chrono>
 #include <cstdio>
 #include <ctime>

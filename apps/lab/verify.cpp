@@ -2,7 +2,6 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
-#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -37,8 +36,7 @@ std::string minuteNow() {
 
 /// The error for the name of a test; empty where it is known.
 std::string knownTest(const std::string& name) {
-    VerifyDef one;
-    one.only = {name};
+    VerifyDef one{.only = {name}};
     const auto rows = chosenRows(one, verifyRows());
     return rows.ok() ? "" : rows.status().message();
 }
