@@ -42,73 +42,146 @@ public:
         return found;
     }
 
-    Body body() { return {real(0.1, 1.0), real(0.5, 5.0), real(1.0, 9.0), real(0.5, 3.0), 1.0, 2}; }
-    RoleDef roleDef() { return {value<RoleArea>(), static_cast<std::uint8_t>(whole(1, 9))}; }
+    std::uint8_t unitClass() { return static_cast<std::uint8_t>(whole(1, 9)); }
+    TimedPath path() {
+        if (flag()) return {};
+        return {.waypoints = {{0.0, {0, 0}, 0.0}, {2.5, place(), real(-3, 3)}}, .loop = flag()};
+    }
+    Body body() {
+        return {real(0.1, 1.0), real(0.5, 5.0), real(1.0, 9.0), real(0.5, 3.0), real(0.5, 2.0),
+                unitClass(),    real(0.1, 2.0), real(0.0, 90),  real(0.1, 1.0), real(0.1, 1.0)};
+    }
+    RoleDef roleDef() { return {value<RoleArea>(), unitClass()}; }
     PeopleDef peopleDef() {
-        PeopleDef people = adults();
-        people.share = real(0.1, 1.0);
-        return people;
+        if (flag()) return adults();
+        return {.name = text(),
+                .share = real(0.1, 1.0),
+                .unitClass = unitClass(),
+                .speed = Distribution::normal(real(1.0, 1.5), 0.25, 0.5, 2.0),
+                .radius = Distribution::uniform(0.2, real(0.21, 0.3)),
+                .headway = Distribution::constant(real(0.1, 1.0)),
+                .premovement = {Spread::LogNormal, real(2.0, 4.0), 0.5, 0.0, 500.0},
+                .age = {Spread::Weibull, real(30.0, 50.0), 7.0, 20.0, 70.0},
+                .upstairs = real(0.1, 1.0),
+                .downstairs = real(0.1, 1.0)};
     }
     FormationDef formationDef() {
-        FormationDef def;
-        def.spacing = real(0.5, 3.0);
-        if (flag()) return def;
-        def.kind = FormationKind::Outline;
-        def.outline.outline = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
-        def.outline.holes = {{{1, 1}, {1, 2}, {2, 2}}};
+        FormationDef def{.spacing = real(0.5, 3.0)};
+        if (flag()) {
+            def.kind = flag() ? FormationKind::Ring : FormationKind::Square;
+        } else if (flag()) {
+            def.kind = FormationKind::Points;
+            def.points = {place(), place()};
+        } else {
+            def.kind = FormationKind::Outline;
+            def.outline = {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{1, 1}, {1, 2}, {2, 2}}}};
+        }
         return def;
     }
     ObstacleDef obstacleDef() {
-        ObstacleDef def;
-        def.name = text();
+        ObstacleDef def{.name = text(), .path = path()};
         if (flag()) {
             def.centre = place();
             def.radius = real(0.5, 4.0);
         } else {
             def.polygon = {{0, 0}, {real(1, 5), 0}, {1, 1}};
-            def.path.waypoints = {{0.0, {0, 0}, 0.0}, {2.5, {3, 1}, 0.5}};
-            def.path.loop = flag();
         }
+        if (flag()) def.range = real(0.5, 3.0);
+        if (flag()) def.strength = real(0.0, 1.0);
+        if (flag()) def.height = real(0.5, 5.0);
         return def;
     }
     PatchDef patchDef() {
-        PatchDef def;
-        def.polygon = {{0, 0}, {real(1, 5), 0}, {1, 1}};
-        def.motion = whole(0, 9);
+        PatchDef def{.name = text(),
+                     .polygon = {{0, 0}, {real(1, 5), 0}, {1, 1}},
+                     .path = path(),
+                     .motion = whole(0, 9)};
+        if (flag()) def.speed = real(0.1, 1.0);
+        if (flag()) def.ascent = real(-3, 3);
+        if (flag()) def.speedDown = real(0.1, 1.0);
         return def;
     }
     ItemDef itemDef() { return {place(), real(0.1, 2.0)}; }
     FormationCheckpointDef checkpointDef() {
-        FormationCheckpointDef def;
-        def.position = place();
-        def.formation = formationDef();
-        def.once = flag();
-        def.trigger = value<CheckpointTrigger>();
-        return def;
+        return {.position = place(),
+                .radius = real(0.5, 3.0),
+                .formation = formationDef(),
+                .once = flag(),
+                .trigger = value<CheckpointTrigger>(),
+                .share = real(0.1, 1.0)};
     }
     AreaDef areaDef() {
-        AreaDef def;
-        def.name = text();
-        def.polygon = {{0, 0}, {2, 0}, {2, 2}};
-        def.kind = AreaKind::Exit;
+        AreaDef def{.name = text(), .polygon = {{0, 0}, {2, 0}, {2, 2}}, .open = flag()};
+        if (flag()) {
+            def.queue = {place(), place()};
+        } else {
+            def.kind = AreaKind::Source;
+            def.rate = real(0.1, 2.0);
+            def.from = real(0.0, 5.0);
+            def.until = real(10.0, 90.0);
+            def.most = whole(1, 30);
+            def.timetable = {{real(0.0, 1.0), 4}, {2.0, 5}};
+        }
         return def;
     }
     Conduct conduct() { return {value<Stance>(), real(0, 1), real(0, 1), flag()}; }
     Order order() {
-        Order order = Order::move(place(), real(-3, 3));
-        order.manner = flag() ? Manner::March : Manner::Free;
-        if (flag()) order.route = {place(), place()};
-        if (flag()) order.formation = formationDef();
-        return order;
+        switch (random_.below(8)) {
+            case 0:
+                return Order::face(real(-3, 3));
+            case 1: {
+                Order order = Order::guard(place(), {real(0, 4), real(0, 4)}, real(-3, 3));
+                order.path = path();
+                if (flag()) order.character = number();
+                return order;
+            }
+            case 2:
+                return Order::follow(GroupId{number()}, place());
+            case 3:
+                return Order::followCharacter(number(), place());
+            case 4: {
+                Order order = Order::leave({AreaId{number()}, AreaId{1000001}});
+                order.choice = value<ExitChoice>();
+                order.attractions = {real(-5, 5), real(-5, 5)};
+                order.herding = real(0, 9);
+                order.misjudgement = real(0, 9);
+                return order;
+            }
+            case 5:
+                return Order::wait(AreaId{number()}, real(0, 90));
+            case 6:
+                return Order::walk(real(-3, 3));
+            default: {
+                Order order = Order::move(place(), real(-3, 3));
+                order.manner = value<Manner>();
+                order.turn = value<Turn>();
+                order.pace = real(0, 2);
+                order.width = real(1, 9);
+                order.share = real(0.1, 1.0);
+                if (flag()) order.route = {place(), place()};
+                if (flag()) order.formation = formationDef();
+                return order;
+            }
+        }
     }
     GroupDef groupDef() {
-        GroupDef def;
-        def.name = text();
-        def.count = 2;
-        def.starts = {place(), place()};
-        def.formation = formationDef();
-        def.conduct = conduct();
-        def.orders = {order()};
+        GroupDef def{.name = text(),
+                     .count = 2,
+                     .formation = formationDef(),
+                     .position = place(),
+                     .angle = real(-3, 3),
+                     .starts = {place(), place()},
+                     .jitter = real(0.0, 1.0),
+                     .bodies = {body(), body()},
+                     .roles = {roleDef()},
+                     .demands = {real(0.5, 2), real(0.5, 2)},
+                     .conduct = conduct(),
+                     .orders = {order(), order()},
+                     .patrols = flag()};
+        if (flag()) def.colour = number();
+        if (flag()) def.build = value<BodyBuild>();
+        if (flag()) def.motions = value<MotionSet>();
+        if (flag()) def.people = {peopleDef(), peopleDef()};
         return def;
     }
 

@@ -54,9 +54,7 @@ TEST_CASE("What is no order is refused with a sentence that names it") {
 }
 
 TEST_CASE("Text and number of commands have limits") {
-    SessionLimits limits;
-    limits.commandsPerMessage = 2;
-    limits.charactersPerGroup = 1;
+    SessionLimits limits{.charactersPerGroup = 1, .commandsPerMessage = 2};
     const std::string hold = R"({"kind":"queue","group":1,"edit":"hold"})";
     CHECK(wrongWith("[" + hold + "," + hold + "]", limits).empty());
     CHECK(has(wrongWith("[" + hold + "," + hold + "," + hold + "]", limits), "3 commands"));

@@ -21,20 +21,15 @@ Session walledSession() {
     WorldDef world = smallFloor();
     world.box = {{-30, -20}, {30, 20}};
     world.groups[0].position = {-20, 0};
-    ObstacleDef wall;
-    wall.polygon = {{-1, -20}, {1, -20}, {1, 10}, {-1, 10}};
-    ObstacleDef house;
-    house.polygon = {{16, -18}, {28, -18}, {28, -6}, {16, -6}};
+    ObstacleDef wall{.polygon = {{-1, -20}, {1, -20}, {1, 10}, {-1, 10}}};
+    ObstacleDef house{.polygon = {{16, -18}, {28, -18}, {28, -6}, {16, -6}}};
     world.obstacles = {wall, house};
     REQUIRE(session.load("small", world).ok());
     return session;
 }
 
 protocol::ForecastAsk ask(const std::string& event) {
-    protocol::ForecastAsk made;
-    made.group = 1;
-    made.event = event;
-    return made;
+    return {.group = 1, .event = event};
 }
 
 const std::string kEast = R"({"kind":"move","group":1,"x":20,"y":0})";
@@ -81,11 +76,7 @@ TEST_CASE("A forecast may begin where another order would end, and be of an orde
     client.poll();
     const auto& orders = client.frames.back().groups[0].orders;
     REQUIRE(orders.size() == 2);
-    protocol::ForecastAsk second;
-    second.group = 1;
-    second.order = orders[1].id;
-    second.placed = true;
-    second.x = 20.0;
+    protocol::ForecastAsk second{.group = 1, .order = orders[1].id, .placed = true, .x = 20.0};
     client.send(protocol::AskForecasts{1, {second}});
     client.poll();
     REQUIRE(client.forecasts.back().answers.size() == 1);
@@ -100,9 +91,7 @@ TEST_CASE("What cannot be reached is said, and what is gone is left out") {
     Session session = walledSession();
     FakeClient client(session);
     const std::string inside = R"({"kind":"move","group":1,"x":22,"y":-12})";  // The middle of the house.
-    protocol::ForecastAsk gone;
-    gone.group = 1;
-    gone.order = 99;
+    protocol::ForecastAsk gone{.group = 1, .order = 99};
     protocol::ForecastAsk nobody = ask(kEast);
     nobody.group = 5;
     client.send(protocol::AskForecasts{1, {gone, nobody, ask(inside)}});

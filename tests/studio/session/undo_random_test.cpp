@@ -129,16 +129,8 @@ struct TwoDirectors : UndoDesk {
         if (ids.empty()) ids.push_back(world().characters().id[0]);
         return ids;
     }
-    FormationDef anyFormation() {
-        FormationDef def;
-        def.kind = static_cast<FormationKind>(draw(8));
-        return def;
-    }
-    Body anyBody() {
-        Body body;
-        body.radius = 0.2 + 0.01 * draw(10);
-        return body;
-    }
+    FormationDef anyFormation() { return {.kind = static_cast<FormationKind>(draw(8))}; }
+    Body anyBody() { return {.radius = 0.2 + 0.01 * draw(10)}; }
 
     CommandBody anyOrder() {
         const GroupId id = anyGroup();
@@ -162,8 +154,13 @@ struct TwoDirectors : UndoDesk {
             case 1:
                 return SetConduct{id, {static_cast<Stance>(draw(3)), 0.1 * draw(10), 1.0, draw(2) == 0}};
             case 2:
-                return SplitGroup{
-                    id, SplitBy::Shares, {}, {}, {1.0, 2.0}, draw(2) == 0, static_cast<PartShape>(draw(2))};
+                return SplitGroup{id,
+                                  SplitBy::Shares,
+                                  {},
+                                  {},
+                                  {1.0, 2.0, 1.0},
+                                  draw(2) == 0,
+                                  static_cast<PartShape>(draw(2))};
             case 3:
                 return SplitGroup{
                     id, SplitBy::Ids, anyMembers(id, 4), {}, {}, false, static_cast<PartShape>(draw(2))};
@@ -191,10 +188,7 @@ struct TwoDirectors : UndoDesk {
         const auto among = [&](auto ids) { return ids[draw(ids.size())]; };
         switch (draw(15)) {
             case 0: {
-                ObstacleDef wall;
-                wall.name = "Post";
-                wall.centre = {place() + 35.0, place() + 35.0};
-                wall.radius = 0.5;
+                ObstacleDef wall{.name = "Post", .centre = {place() + 35.0, place() + 35.0}, .radius = 0.5};
                 if (world().obstacleIds().empty() || draw(2) == 0) return AddObstacle{wall};
                 return ChangeObstacle{among(world().obstacleIds()), wall};
             }
@@ -208,8 +202,7 @@ struct TwoDirectors : UndoDesk {
                 if (!world().itemIds().empty()) return RemoveItem{among(world().itemIds())};
                 return SetAppearance{id, BodyBuild::Narrow, {}};
             case 4: {
-                FormationCheckpointDef checkpoint;
-                checkpoint.position = {55.0, place()};
+                FormationCheckpointDef checkpoint{.position = {55.0, place()}};
                 if (world().checkpointIds().empty() || draw(2) == 0) return AddCheckpoint{checkpoint, {}};
                 return ChangeCheckpoint{among(world().checkpointIds()), checkpoint, {}};
             }
@@ -217,8 +210,7 @@ struct TwoDirectors : UndoDesk {
                 if (!world().checkpointIds().empty()) return RemoveCheckpoint{among(world().checkpointIds())};
                 return NameGroup{id, "Name " + std::to_string(draw(100))};
             case 6: {
-                AreaDef area;
-                area.polygon = {{50, 50}, {55, 50}, {55, 50.0 + 1 + draw(5)}};
+                AreaDef area{.polygon = {{50, 50}, {55, 50}, {55, 50.0 + 1 + draw(5)}}};
                 if (world().areaCount() == 0 || draw(2) == 0) return PutArea{{}, area, {}};
                 return PutArea{world().area(draw(world().areaCount())).id, area, {}};
             }
@@ -228,11 +220,9 @@ struct TwoDirectors : UndoDesk {
             case 8:
                 return SetCount{id, 4 + static_cast<std::int32_t>(draw(20))};
             case 9: {
-                AddGroup add;
-                add.group.name = "New " + std::to_string(draw(1000));
-                add.group.count = 5;
-                add.group.position = {place(), place()};
-                return add;
+                return AddGroup{.group = {.name = "New " + std::to_string(draw(1000)),
+                                          .count = 5,
+                                          .position = {place(), place()}}};
             }
             case 10:
                 if (world().groupCount() > 2) return RemoveGroup{id};
@@ -240,8 +230,7 @@ struct TwoDirectors : UndoDesk {
             case 11:
                 return PlaceGroup{id, {place(), place()}, 0.1 * draw(20)};
             case 12: {
-                PatchDef patch;
-                patch.polygon = {{-50, -50}, {-45, -50}, {-45, -49.0 + draw(4)}};
+                PatchDef patch{.polygon = {{-50, -50}, {-45, -50}, {-45, -49.0 + draw(4)}}};
                 if (world().patchIds().empty() || draw(2) == 0) return AddPatch{patch};
                 return ChangePatch{among(world().patchIds()), patch};
             }
@@ -353,4 +342,17 @@ TEST_CASE("what two directors do is taken back to the first definition, and done
 
 TEST_CASE("places, shapes and drags are taken back to where the crowd was to stand") {
     for (std::uint32_t seed = 1; seed <= 4; ++seed) undoAndRedo(seed, false, 40);
+}
+
+TEST_CASE("random acts of two directors with undo between them replay to the same hash") {
+    TwoDirectors desk(7, true);
+    for (int k = 0; k < 150; ++k) {
+        FakeClient& who = desk.draw(2) == 0 ? desk.client : desk.other;
+        if (desk.draw(3) == 0)
+            who.send(protocol::UndoEdit{desk.draw(4) == 0});
+        else
+            who.send(protocol::Commands{desk.text(desk.anyAct())});
+        desk.both(desk.draw(3) == 0 ? 0.0 : 0.1);
+    }
+    desk.replays();
 }
