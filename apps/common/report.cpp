@@ -2,7 +2,9 @@
 
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
+#include <ctime>
 
 #include "base/hash.h"
 #include "command_line.h"
@@ -150,6 +152,15 @@ void printFigures(const RunFigures& f, bool timings) {
     std::printf("step_ms                    p50 %.2f  p95 %.2f  max %.2f\n", f.stepP50, f.stepP95, f.stepMax);
     for (std::size_t s = 0; timings && s < f.stageMean.size(); ++s)
         std::printf("  %-24s mean %.3f\n", stepStages()[s].name.data(), f.stageMean[s]);
+}
+
+std::string minuteNow() {
+    const std::time_t seconds = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    std::tm parts{};
+    gmtime_r(&seconds, &parts);
+    char text[64];
+    std::strftime(text, sizeof(text), "%Y-%m-%d %H:%M UTC", &parts);
+    return text;
 }
 
 void printJsonValue(const Json& value) {

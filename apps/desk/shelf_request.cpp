@@ -60,7 +60,7 @@ std::optional<ShelfRequest> shelfRequest(std::string_view method, std::string_vi
             if (name.empty()) return std::nullopt;
         }
         if (route.named == name.empty() || rest != route.rest) continue;
-        return ShelfRequest{.action = route.action, .name = name};
+        return ShelfRequest{.action = route.action, .name = std::string(name)};
     }
     return std::nullopt;
 }

@@ -1,7 +1,5 @@
 // muster verify
-#include <chrono>
 #include <cstdio>
-#include <ctime>
 #include <memory>
 #include <string>
 
@@ -24,15 +22,6 @@ struct VerifyOptions {
     bool noPage = false;
     bool others = false;
 };
-
-std::string minuteNow() {
-    const std::time_t seconds = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-    std::tm parts{};
-    gmtime_r(&seconds, &parts);
-    char text[64];
-    std::strftime(text, sizeof(text), "%Y-%m-%d %H:%M UTC", &parts);
-    return text;
-}
 
 /// The error for the name of a test; empty where it is known.
 std::string knownTest(const std::string& name) {

@@ -127,10 +127,6 @@ export function splitByLineEvent(group: number, from: GroundPoint, to: GroundPoi
   return { kind: 'split', group, by: 'line', points: [pair(from), pair(to)], shape: 'asHeld' };
 }
 
-export function splitByIdsEvent(group: number, ids: readonly number[]): SplitGroupEvent {
-  return { kind: 'split', group, by: 'ids', ids, shape: 'asHeld' };
-}
-
 export function mergeEvent(groups: readonly number[], shape: PartShapeWord): MergeGroupsEvent {
   return { kind: 'merge', groups, shape };
 }

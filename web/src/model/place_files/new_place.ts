@@ -1,6 +1,5 @@
 // Places made of outlines: a new one around them, or events that add them to the present one.
 
-import type { GroundPoint } from '../plane';
 import { startFor } from './free_ground';
 import { count, type LeftOut } from './left_out';
 import {
@@ -9,7 +8,6 @@ import {
   obstacleOf,
   type ObstacleDefinition,
   type Outline,
-  placedOutlines,
   type PlaceDefinition,
   toMillimetre,
 } from './place';
@@ -106,10 +104,4 @@ export function additionOf(obstacles: readonly ObstacleDefinition[], label: stri
   }
   send();
   return messages;
-}
-
-/** Outlines about the origin, scaled and turned. */
-export function aboutOrigin(outlines: readonly Outline[], scale: number, turn: number): Outline[] {
-  const at: GroundPoint = { x: 0, y: 0 };
-  return placedOutlines(outlines, { scale, turn, at });
 }
