@@ -4,13 +4,13 @@
 #include <doctest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 
 #include "base/random.h"
 #include "base/text_file.h"
 #include "folders.h"
 #include "muster/scenario.h"
+#include "temporary_folder.h"
 
 using namespace muster;
 
@@ -44,7 +44,8 @@ struct Recorded {
 
 Recorded record(const std::string& scenario, std::uint32_t steps) {
     const std::string path = sourceFolder() + "/scenarios/" + scenario;
-    const std::string file = (std::filesystem::temp_directory_path() / "muster_frames_test.take").string();
+    const testing::TemporaryFolder folder("frames");
+    const std::string file = folder / "made.take";
     const WorldDef def = loadScenario(path).value();
     World world = World::create(def).value();
     auto writer = TakeWriter::create(file, def);
@@ -64,7 +65,6 @@ Recorded record(const std::string& scenario, std::uint32_t steps) {
     REQUIRE(writer->finish(world).ok());
     const std::string text = readTextFile(file, 1u << 28).value();
     made.bytes.assign(text.begin(), text.end());
-    std::filesystem::remove(file);
     made.take = parseTake(made.bytes, "T").value();
     return made;
 }

@@ -202,7 +202,8 @@ TEST_CASE(
     "again") {
     for (const bool paused : {false, true}) {
         SessionDef def = sessionDef();
-        (paused ? def.limits.waitingCommands : def.limits.touchesPerSecond) = 20;
+        if (paused) def.limits.waitingCommands = 20;
+        if (!paused) def.limits.touchesPerSecond = 20;
         Session session = startedSession(def);
         FakeClient client(session);
         if (paused) client.send(protocol::Playback{protocol::PlaybackAction::Pause});
