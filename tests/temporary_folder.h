@@ -16,7 +16,8 @@ struct TemporaryFolder {
     const std::filesystem::path base;
 
     explicit TemporaryFolder(const std::string& name)
-        : base(std::filesystem::temp_directory_path() / ("muster_" + name + "_" + std::to_string(::getpid()))) {
+        : base(std::filesystem::temp_directory_path() /
+               ("muster_" + name + "_" + std::to_string(::getpid()))) {
         std::filesystem::remove_all(base);
         std::filesystem::create_directories(base);
     }

@@ -106,7 +106,7 @@ std::string ordersText(const OrdersDef& def, const OrdersRow& row) {
 
 /// Prints what was measured, or the sentence that says why nothing was.
 template <class Measured, class Text>
-int told(const Result<Measured>& measured, const Text& text) {
+int report(const Result<Measured>& measured, const Text& text) {
     if (!measured.ok()) {
         std::fprintf(stderr, "muster-bench: %s\n", measured.status().message().c_str());
         return 1;
@@ -118,22 +118,25 @@ int told(const Result<Measured>& measured, const Text& text) {
 int runLed(const LedGroundDef& def) {
     const Result<LedGroundRow> row = runLedGround(def);
     const bool noMap = row.status().code() == StatusCode::NotFound;
-    const int code = told(row, ledGroundText);
+    const int code = report(row, ledGroundText);
     return noMap || (code == 0 && row->arrived >= 0.0) ? 0 : 1;
 }
 
 int runSubcommand(const Options& o) {
     if (o.command == "ground" && o.lead) return runLed(o.ground);
-    if (o.command == "ground") return told(runLargeGround(o.ground.ground), largeGroundText);
+    if (o.command == "ground") return report(runLargeGround(o.ground.ground), largeGroundText);
     if (o.command == "battle")
-        return told(measureBattle(o.battle), [&](const BattleRow& row) { return battleText(o.battle, row); });
+        return report(measureBattle(o.battle),
+                      [&](const BattleRow& row) { return battleText(o.battle, row); });
     if (o.command == "orders")
-        return told(measureOrders(o.orders), [&](const OrdersRow& row) { return ordersText(o.orders, row); });
+        return report(measureOrders(o.orders),
+                      [&](const OrdersRow& row) { return ordersText(o.orders, row); });
     if (o.command == "commands")
-        return told(measureCommands(o.commands),
-                    [&](const auto& rows) { return commandsText(o.commands, rows); });
+        return report(measureCommands(o.commands),
+                      [&](const auto& rows) { return commandsText(o.commands, rows); });
     if (o.command == "rewind")
-        return told(measureRewind(o.rewind), [&](const RewindRow& row) { return rewindText(o.rewind, row); });
+        return report(measureRewind(o.rewind),
+                      [&](const RewindRow& row) { return rewindText(o.rewind, row); });
     return run(o);
 }
 
