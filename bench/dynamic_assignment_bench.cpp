@@ -42,10 +42,7 @@ StraightCosts blocks(std::int32_t n, double away) {
 }
 
 muster::DynamicAssignmentDef assignmentDef() {
-    muster::DynamicAssignmentDef def;
-    def.threshold = 0.1;
-    def.thresholdShare = 0.001;
-    return def;
+    return {.threshold = 0.1, .thresholdShare = 0.001};
 }
 
 void dynamicAssignmentCold(benchmark::State& state) {

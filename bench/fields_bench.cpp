@@ -13,9 +13,7 @@ enum Scene : std::int64_t { Open, Block, Corridor, Crowd };
 const char* const kNames[] = {"open", "block", "corridor", "crowd"};
 
 ObstacleDef rectangle(double x0, double y0, double x1, double y1) {
-    ObstacleDef def;
-    def.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-    return def;
+    return {.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}};
 }
 
 Environment makeEnvironment(std::int64_t scene, std::int64_t cells) {

@@ -169,16 +169,11 @@ Following::Following(std::int64_t n) {
     characters = rows(n, first - Vec2{2.0, 0.0}, 1.0);
     places = rows(n, first, 1.0);
     for (std::size_t k = 0; k < places.size(); ++k) incumbent.push_back(static_cast<std::int32_t>(k));
-    EnvironmentDef def;
-    def.box = {{-0.5 * side - 8.0, -0.5 * side - 8.0}, {0.5 * side + 8.0, 0.5 * side + 8.0}};
+    EnvironmentDef def{.box = {{-0.5 * side - 8.0, -0.5 * side - 8.0}, {0.5 * side + 8.0, 0.5 * side + 8.0}}};
     environment = Environment::create(def).value();
     for (double y = 2.5; y < side; y += 4.0)
-        for (double x = 2.5; x < side; x += 4.0) {
-            ObstacleDef post;
-            post.centre = first + Vec2{x, y};
-            post.radius = 0.35;
-            (void)environment.addObstacle(post);
-        }
+        for (double x = 2.5; x < side; x += 4.0)
+            (void)environment.addObstacle({.centre = first + Vec2{x, y}, .radius = 0.35});
     environment.setTime(0.0);
     DensityField density(def.box, {});
     density.splat(characters, std::vector<Vec2>(characters.size(), Vec2{1.2, 0.0}));

@@ -66,8 +66,7 @@ void assignmentAmounts(benchmark::State& state) {
 
 // 128 x 128 cells of 0.25 m with a wall of 8 m.
 muster::UnitCost ground() {
-    muster::UnitCost cost;
-    cost.grid = muster::Grid::covering({{0, 0}, {32, 32}}, 0.25);
+    muster::UnitCost cost{.grid = muster::Grid::covering({{0, 0}, {32, 32}}, 0.25)};
     cost.cells.assign(static_cast<std::size_t>(cost.grid.count()), {});
     constexpr float kInfinite = std::numeric_limits<float>::infinity();
     for (std::int32_t y = 48; y < 80; ++y)

@@ -39,9 +39,8 @@ Status Overrides::apply(WorldDef& def) const {
         const char* text = equals == std::string::npos ? "" : setting.c_str() + equals + 1;
         char* end = nullptr;
         const double value = std::strtod(text, &end);
-        if (end == text || *end != '\0') {
+        if (end == text || *end != '\0')
             return invalidArgument("--set: found \"" + setting + "\", expected name=number");
-        }
         if (Status s = setParameter(parameters, setting.substr(0, equals), value); !s.ok())
             return s.within("--set");
     }

@@ -2,7 +2,9 @@
 
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
+#include <ctime>
 
 #include "base/hash.h"
 #include "command_line.h"
@@ -148,9 +150,17 @@ void printFigures(const RunFigures& f, bool timings) {
     std::printf("collected                  %d\n", f.collected);
     printEvents(f);
     std::printf("step_ms                    p50 %.2f  p95 %.2f  max %.2f\n", f.stepP50, f.stepP95, f.stepMax);
-    for (std::size_t s = 0; timings && s < f.stageMean.size(); ++s) {
+    for (std::size_t s = 0; timings && s < f.stageMean.size(); ++s)
         std::printf("  %-24s mean %.3f\n", stepStages()[s].name.data(), f.stageMean[s]);
-    }
+}
+
+std::string minuteNow() {
+    const std::time_t seconds = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    std::tm parts{};
+    gmtime_r(&seconds, &parts);
+    char text[64];
+    std::strftime(text, sizeof(text), "%Y-%m-%d %H:%M UTC", &parts);
+    return text;
 }
 
 void printJsonValue(const Json& value) {
@@ -167,10 +177,9 @@ void printWarnings(const WorldDef& def, const std::string& path) {
     const auto warnings = scenarioWarnings(def, kCounted);
     for (std::size_t i = 0; i < warnings.size() && i < kShown; ++i)
         std::fprintf(stderr, "muster: %s: warning: %s\n", path.c_str(), warnings[i].c_str());
-    if (warnings.size() > kShown) {
+    if (warnings.size() > kShown)
         std::fprintf(stderr, "muster: %s: warning: and %zu more, which muster check lists\n", path.c_str(),
                      warnings.size() - kShown);
-    }
 }
 
 Progress::Progress(std::string what) : what_(std::move(what)), terminal_(isatty(STDERR_FILENO) != 0) {}

@@ -19,6 +19,8 @@ Json figuresJson(const RunFigures& figures);
 void printFigures(const RunFigures& figures, bool timings = false);
 /// Formats as "12.3", or as "-" where negative.
 std::string timeText(double seconds);
+/// Date and time to the minute, in UTC.
+std::string minuteNow();
 /// Prints one JSON value on standard output.
 void printJsonValue(const Json& value);
 /// Prints one sentence on standard error; returns kExitFailure.

@@ -72,10 +72,9 @@ Result<RunOutcome> runWorld(World world, const WorldDef& def, const std::vector<
         world.step();
         metrics.observe(world);
         if (Status s = recorders.observe(world); !s.ok()) return s;
-        for (const Rejection& rejection : world.rejections()) {
+        for (const Rejection& rejection : world.rejections())
             std::fprintf(stderr, "muster: step %u: %s was refused: %s\n", rejection.command.step,
                          commandName(rejection.command), rejection.status.message().c_str());
-        }
         progress.show(static_cast<double>(world.stepCount()) / steps);
         const bool due = open && world.stepCount() > lastCommand + 2 * second &&
                          world.stepCount() % (second / 2) == 0;

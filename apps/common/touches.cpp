@@ -14,10 +14,9 @@ void Touches::addTo(Subcommand& command) {
 
 Result<std::string> Touches::file(const std::string& scenarioPath, const WorldDef& def) const {
     if (!demo) return gestures;
-    if (def.gestures.empty()) {
+    if (def.gestures.empty())
         return invalidArgument("--demo: " + scenarioPath +
                                " carries no gestures, expected it to name some under \"gestures\"");
-    }
     return (std::filesystem::path(scenarioPath).parent_path() / def.gestures).string();
 }
 

@@ -92,10 +92,7 @@ Status writeExport(const ExportOrder& order, const ExportTools& tools, const std
     auto clips = tools.loadClips ? tools.loadClips(take->def.name, take->def)
                                  : Result<ClipLibrary>(ownClips());
     if (!clips.ok()) clips = ownClips();
-    ExportDef def;
-    def.from = order.from;
-    def.to = order.to;
-    def.fps = order.fps;
+    ExportDef def{.from = order.from, .to = order.to, .fps = order.fps};
     if (order.speeds && hasBodies(order.format)) def.speeds = take->about.speeds;
     const std::string target = isFolder(order.format) ? path + "-files" : path;
     Status status = exportTakeOrPage(*take, *clips, *format, target, def, tools.playerFolder, progress);

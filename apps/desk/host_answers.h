@@ -19,8 +19,7 @@ HttpAnswer takeAnswer(const Host& host) {
     if constexpr (requires { host.take(); }) {
         auto bytes = host.take();
         if (!bytes.ok()) return failure(bytes.status());
-        HttpAnswer answer;
-        answer.type = "application/octet-stream";
+        HttpAnswer answer{.type = "application/octet-stream"};
         answer.body.assign(bytes.value().begin(), bytes.value().end());
         answer.fileName = host.takeName();
         return answer;
@@ -47,8 +46,7 @@ HttpAnswer handoverAnswer(const Host& host, std::string_view target) {
         auto bytes = host.handover(static_cast<std::uint32_t>(queryCount(target, "world")),
                                    queryCount(target, "take"));
         if (!bytes.ok()) return failure(bytes.status());
-        HttpAnswer answer;
-        answer.type = "application/octet-stream";
+        HttpAnswer answer{.type = "application/octet-stream"};
         answer.body.assign(bytes.value().begin(), bytes.value().end());
         return answer;
     } else {
@@ -62,11 +60,8 @@ HttpAnswer placeAnswer(const Host& host) {
     if constexpr (requires { host.scenario(); }) {
         auto text = host.scenario();
         if (!text.ok()) return failure(text.status());
-        HttpAnswer answer;
-        answer.type = "application/json";
-        answer.body = std::move(text).value();
-        answer.fileName = host.scenarioName();
-        return answer;
+        return HttpAnswer{
+            .type = "application/json", .body = std::move(text).value(), .fileName = host.scenarioName()};
     } else {
         return sentence(404, "There is no place to edit here.");
     }

@@ -11,10 +11,7 @@ namespace muster {
 
 /// A plain sentence.
 inline HttpAnswer sentence(int status, const std::string& words) {
-    HttpAnswer answer;
-    answer.status = status;
-    answer.body = words + "\n";
-    return answer;
+    return {.status = status, .body = words + "\n"};
 }
 
 /// The sentence of a failure.
@@ -27,10 +24,7 @@ inline HttpAnswer failure(const Status& status) {
 
 /// A JSON value.
 inline HttpAnswer jsonAnswer(const Json& value) {
-    HttpAnswer answer;
-    answer.type = "application/json";
-    answer.body = compactJson(value) + "\n";
-    return answer;
+    return {.type = "application/json", .body = compactJson(value) + "\n"};
 }
 
 /// An empty object, or the sentence of a failure.
@@ -42,11 +36,7 @@ inline HttpAnswer doneAnswer(const Status& status) {
 inline HttpAnswer fileAnswer(const Result<std::string>& path, const char* type,
                              const std::string& saveAs = {}) {
     if (!path.ok()) return failure(path.status());
-    HttpAnswer answer;
-    answer.type = type;
-    answer.path = *path;
-    answer.fileName = saveAs;
-    return answer;
+    return {.type = type, .path = *path, .fileName = saveAs};
 }
 
 }  // namespace muster

@@ -1,6 +1,5 @@
 #include "shelf_request.h"
 
-#include <algorithm>
 #include <array>
 
 #include "request_target.h"
@@ -61,10 +60,7 @@ std::optional<ShelfRequest> shelfRequest(std::string_view method, std::string_vi
             if (name.empty()) return std::nullopt;
         }
         if (route.named == name.empty() || rest != route.rest) continue;
-        ShelfRequest request;
-        request.action = route.action;
-        request.name = name;
-        return request;
+        return ShelfRequest{.action = route.action, .name = std::string(name)};
     }
     return std::nullopt;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <span>
 
 #include "base/hash.h"
 #include "base/output_file.h"
@@ -62,11 +61,10 @@ Status add(OutputFile& out, const fs::path& file, std::vector<Entry>& entries) {
     const auto text = readTextFile(file.string(), kMostOfOne);
     if (!text.ok()) return text.status();
     if (out.size() + text->size() > kMostBytes) return tooLarge(file.string());
-    Entry entry;
-    entry.name = file.filename().string();
-    entry.crc = crc32({reinterpret_cast<const std::uint8_t*>(text->data()), text->size()});
-    entry.bytes = static_cast<std::uint32_t>(text->size());
-    entry.offset = static_cast<std::uint32_t>(out.size());
+    Entry entry{.name = file.filename().string(),
+                .crc = crc32({reinterpret_cast<const std::uint8_t*>(text->data()), text->size()}),
+                .bytes = static_cast<std::uint32_t>(text->size()),
+                .offset = static_cast<std::uint32_t>(out.size())};
     Bytes head;
     head.word(0x04034b50);
     common(head, entry);

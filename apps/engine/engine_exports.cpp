@@ -43,10 +43,7 @@ extern "C" {
 /// Opens the studio with a scenario by name; "" for the default. Returns 0, or 1 with a sentence in
 /// muster_text(). `threads` are those of the world; a module without threads has one.
 EMSCRIPTEN_KEEPALIVE int muster_open(const char* scenario, const char* version, int threads) {
-    PageEngineDef def;
-    def.scenario = scenario;
-    def.version = version;
-    def.threads = threads;
+    PageEngineDef def{.scenario = scenario, .version = version, .threads = threads};
     auto engine = PageEngine::open(def);
     if (!engine.ok()) return fail(engine.status());
     theEngine = std::move(engine).value();

@@ -18,10 +18,7 @@ constexpr std::string_view kBodies = "/bodies/";
 HttpAnswer body(std::string_view name) {
     auto bytes = bodyFile(name);
     if (!bytes) return sentence(404, "There is no such file.");
-    HttpAnswer answer;
-    answer.type = "model/gltf-binary";
-    answer.body = std::move(*bytes);
-    return answer;
+    return {.type = "model/gltf-binary", .body = std::move(*bytes)};
 }
 
 /// The page has no files: what lies in one is put into the answer.
@@ -42,10 +39,7 @@ PageEngine::PageEngine(const PageEngineDef& def)
       answers_(shelf_, [this](const std::string& name, const TakeAbout& about) {
           session_->takeEdited(name, about);
       }) {
-    SessionDef session;
-    session.version = def.version;
-    session.threads = def.threads;
-    session.scenarios = folder_.entries();
+    SessionDef session{.version = def.version, .scenarios = folder_.entries(), .threads = def.threads};
     session.loadScenario = [this](const std::string& wanted) { return folder_.load(wanted); };
     session.loadGestures = [this](const std::string& of, const WorldDef& begun) {
         return folder_.gestures(of, begun);

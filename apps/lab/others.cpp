@@ -1,6 +1,5 @@
 #include "others.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>

@@ -83,10 +83,8 @@ Result<Scene> readScene(const std::string& name, const Json& json, const PeersOp
         return Status(StatusCode::ParseError, sceneName(options.file, name) + "." + key +
                                                   ": found something else, expected " + expected);
     };
-    Scene scene;
-    scene.name = name;
-    GroupDef group;
-    group.formation.kind = FormationKind::Points;
+    Scene scene{.name = name};
+    GroupDef group{.formation = {.kind = FormationKind::Points}};
     if (!json.isObject()) return bad("", "an object");
     const Json none, &box = valueOf(json, "world", none);
     if (!box.isArray() || box.size() != 4 ||
@@ -132,10 +130,9 @@ Result<std::vector<Scene>> readScenes(const PeersOptions& options) {
     if (!text.ok()) return text.status();
     const auto json = parseJson(*text, options.file);
     const Json* bodies = json.ok() ? json->find("scenes") : nullptr;
-    if (bodies == nullptr || !bodies->isObject()) {
+    if (bodies == nullptr || !bodies->isObject())
         return Status(StatusCode::ParseError,
                       options.file + ": $.scenes: found none, expected an object of scenes");
-    }
     std::vector<Scene> scenes;
     for (const auto& [name, body] : bodies->members()) {
         if (!options.scene.empty() && name != options.scene) continue;
@@ -192,20 +189,18 @@ int peers(const PeersOptions& options) {
     const auto files = trajectoryFiles(options.trajectory, *scenes);
     if (Status s = differentFiles({options.file}, files); !s.ok()) return reportFailure(s);
     Json results = Json::array();
-    if (!options.json) {
+    if (!options.json)
         std::printf(
             "| scene     |      n | 95 %%/100 %% [s]  | stuck | overlaps | deepest [%%] | swaps/n/s  | path "
             "ratio | step ms p50/p95/max |\n"
             "|---|---|---|---|---|---|---|---|---|\n");
-    }
     for (std::size_t i = 0; i < scenes->size(); ++i) {
         const Scene& scene = (*scenes)[i];
-        RunDef run;
-        run.longest = scene.limit;
-        run.threads = options.threads;
-        run.trajectoryPath = files[i];
-        run.label = scene.name;
-        run.pathRatio = countOf(scene.def) <= kLargestExact;
+        RunDef run{.longest = scene.limit,
+                   .threads = options.threads,
+                   .trajectoryPath = files[i],
+                   .pathRatio = countOf(scene.def) <= kLargestExact,
+                   .label = scene.name};
         auto world = World::create(scene.def, run.threads);
         if (!world.ok()) return reportFailure(world.status().within(sceneName(options.file, scene.name)));
         const auto outcome = runWorld(*std::move(world), scene.def, {}, run);

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,10 +44,9 @@ Status loadSource(const PictureOptions& options, WorldDef& def, std::vector<Comm
         if (!take.ok()) return take.status();
         def = std::move(take->def);
         commands = std::move(take->commands);
-        if (options.touches.demo) {
+        if (options.touches.demo)
             return invalidArgument("--demo: " + options.source +
                                    " is a take, expected a scenario that carries gestures");
-        }
     } else {
         auto loaded = loadScenario(options.source);
         if (!loaded.ok()) return loaded.status();
@@ -93,9 +91,8 @@ int picture(const PictureOptions& options) {
     const auto layers = parseLayers(options.layers);
     if (!layers.ok()) return reportFailure(layers.status().within("--layers"));
     picture.layers = *layers;
-    if (options.view.size() == 4) {
+    if (options.view.size() == 4)
         picture.view = Box{{options.view[0], options.view[1]}, {options.view[2], options.view[3]}};
-    }
     WorldDef def;
     std::vector<Command> commands;
     if (Status s = loadSource(options, def, commands); !s.ok()) return reportFailure(s);

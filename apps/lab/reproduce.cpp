@@ -1,10 +1,7 @@
 // muster reproduce
 #include <unistd.h>
 
-#include <cctype>
-#include <chrono>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -44,16 +41,6 @@ std::string knownExperiment(const std::string& wanted) {
         known += (known.empty() ? "" : ", ") + id;
     }
     return "found \"" + wanted.substr(0, 40) + "\", expected some of " + known;
-}
-
-/// Date and time to the minute, in UTC.
-std::string now() {
-    const std::time_t seconds = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-    std::tm parts{};
-    gmtime_r(&seconds, &parts);
-    char text[64];
-    std::strftime(text, sizeof(text), "%Y-%m-%d %H:%M UTC", &parts);
-    return text;
 }
 
 /// Creates the folder and checks that the report can be written, before the long work begins.
@@ -99,7 +86,7 @@ int runReproduce(ReproduceOptions options) {
     if (options.def.folder.empty()) options.def.folder = scenariosFolder() + "/paper";
     if (Status s = checkReproduce(options.def); !s.ok()) return reportFailure(s);
     if (Status s = prepareFolder(options.out); !s.ok()) return reportFailure(s);
-    const std::string when = now();
+    const std::string when = minuteNow();
     auto reproduction = runAll(options.def);
     if (!reproduction.ok()) return reportFailure(reproduction.status());
     reproduction->version = MUSTER_VERSION;

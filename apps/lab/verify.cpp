@@ -1,8 +1,5 @@
 // muster verify
-#include <chrono>
 #include <cstdio>
-#include <ctime>
-#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -26,19 +23,9 @@ struct VerifyOptions {
     bool others = false;
 };
 
-std::string minuteNow() {
-    const std::time_t seconds = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-    std::tm parts{};
-    gmtime_r(&seconds, &parts);
-    char text[64];
-    std::strftime(text, sizeof(text), "%Y-%m-%d %H:%M UTC", &parts);
-    return text;
-}
-
 /// The error for the name of a test; empty where it is known.
 std::string knownTest(const std::string& name) {
-    VerifyDef one;
-    one.only = {name};
+    VerifyDef one{.only = {name}};
     const auto rows = chosenRows(one, verifyRows());
     return rows.ok() ? "" : rows.status().message();
 }

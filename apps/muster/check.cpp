@@ -37,10 +37,9 @@ void checkScenario(const WorldDef& def, const std::string& path, Finding& findin
     finding.summary = "\"" + def.name + "\", " + std::to_string(charactersOf(def)) + " characters, " +
                       std::to_string(def.obstacles.size()) + " obstacles, " +
                       std::to_string(def.patches.size()) + " patches";
-    if (def.map) {
+    if (def.map)
         finding.summary += ", a map of " + std::to_string(def.map->grid.width) + " x " +
                            std::to_string(def.map->grid.height) + " cells";
-    }
     const auto gestures = loadScenarioGestures(path, def);
     finding.status = gestures.ok() ? Status() : gestures.status();
     if (!gestures.ok()) return;
@@ -65,9 +64,8 @@ void checkTake(const std::string& path, Finding& finding) {
     } else if (!take->finished) {
         finding.warnings.push_back("it was never finished: there is no end record");
     }
-    if (const std::uint32_t unmarked = take->steps() - take->markedSteps(); unmarked > 0) {
+    if (const std::uint32_t unmarked = take->steps() - take->markedSteps(); unmarked > 0)
         finding.warnings.push_back("its last " + std::to_string(unmarked) + " steps bear no hash");
-    }
 }
 
 Finding checkFile(const std::string& path) {

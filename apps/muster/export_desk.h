@@ -1,11 +1,8 @@
 // Exports of takes, one after the other on a thread of its own.
 #pragma once
 
-#include <atomic>
 #include <condition_variable>
-#include <functional>
 #include <list>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <string>

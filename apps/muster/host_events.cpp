@@ -145,9 +145,7 @@ Result<std::string> addEngineFiles(const ServeOptions& options, ServerDef& def) 
 // The page learns by attributes of its first element what it is to show, and where an engine is.
 Result<ServerDef> serverDef(const ServeOptions& options) {
     if (Status status = pageExists(options.pageFolder); !status.ok()) return status;
-    ServerDef def;
-    def.port = options.port;
-    def.pageFolder = options.pageFolder;
+    ServerDef def{.port = options.port, .pageFolder = options.pageFolder};
     for (BodyFile& body : bodyFiles())
         def.files["/bodies/" + body.name] = {"model/gltf-binary", "no-cache", std::move(body.bytes)};
     def.subprotocol = protocol::kSubprotocol;

@@ -96,10 +96,7 @@ private:
 
     // The browser keeps the token as a cookie, so that it stands in no address afterwards.
     void invite() {
-        HttpAnswer answer;
-        answer.status = 303;
-        answer.body = "Welcome.\n";
-        answer.location = "/";
+        HttpAnswer answer{.status = 303, .body = "Welcome.\n", .location = "/"};
         respond(std::move(answer), "no-store");
     }
 
@@ -206,9 +203,7 @@ private:
 
     // Answers. Closes unless `keep`, because a refused request's body may follow.
     void refuse(int status, const std::string& sentence, bool keep = false) {
-        HttpAnswer answer;
-        answer.status = status;
-        answer.body = sentence + "\n";
+        HttpAnswer answer{.status = status, .body = sentence + "\n"};
         keep_ = keep;
         respond(std::move(answer), "no-store");
     }

@@ -1,6 +1,5 @@
 // muster import
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -113,23 +112,18 @@ Result<Imported> makeScenario(const ImportOptions& options) {
     if (!text.ok()) return text.status();
     auto grid = parseMap(*text);
     if (!grid.ok()) return grid.status().within(options.map);
-    WorldDef def;
-    def.name = std::filesystem::path(options.map).stem().string();
-    def.description = "Imported from a MovingAI map, " + std::to_string(grid->width) + " x " +
-                      std::to_string(grid->height) + " cells.";
-    def.credit = options.credit;
-    def.cell = options.ground > 0.0 ? options.ground : std::clamp(options.metresPerCell / 2.0, 0.25, 0.5);
-    def.box = {{0.0, 0.0}, {grid->width * options.metresPerCell, grid->height * options.metresPerCell}};
-    MapDef scale;
-    scale.metresPerCell = options.metresPerCell;
+    WorldDef def{
+        .name = std::filesystem::path(options.map).stem().string(),
+        .description = "Imported from a MovingAI map, " + std::to_string(grid->width) + " x " +
+                       std::to_string(grid->height) + " cells.",
+        .credit = options.credit,
+        .box = {{0.0, 0.0}, {grid->width * options.metresPerCell, grid->height * options.metresPerCell}},
+        .cell = options.ground > 0.0 ? options.ground : std::clamp(options.metresPerCell / 2.0, 0.25, 0.5)};
+    MapDef scale{.metresPerCell = options.metresPerCell};
     def.map = MapGround{std::move(grid).value(), scale};
     const auto square = largestFreeSquare(def);
     if (!square.ok()) return square.status().within(options.map);
-    GroupDef group;
-    group.name = "Blue";
-    group.count = options.count;
-    group.position = square->position;
-    def.groups.push_back(group);
+    def.groups.push_back({.name = "Blue", .count = options.count, .position = square->position});
     return Imported{std::move(def), square->obstacles};
 }
 

@@ -1,7 +1,6 @@
 // muster play
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "commands.h"
 #include "muster/scenario.h"

@@ -120,8 +120,7 @@ Result<SiteReport> writeSite(const SiteDef& def) {
     if (Status s = finishWorker(files); !s.ok()) return s;
     files[kMarker] = "{\"format\": \"muster-site\", \"version\": 1}\n";
     if (Status s = makeRoom(def.output); !s.ok()) return s;
-    SiteReport report;
-    report.scenarios = *scenarios;
+    SiteReport report{.scenarios = *scenarios};
     for (const auto& [path, bytes] : files) {
         const fs::path full = fs::path(def.output) / path;
         std::error_code error;

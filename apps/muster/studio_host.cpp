@@ -37,10 +37,7 @@ Result<Session> makeSession(const StudioOptions& options, ScenarioFolder& folder
     const auto world = folder.load(name.value());
     if (!world.ok()) return world.status();
     printWarnings(world.value(), name.value());
-    SessionDef def;
-    def.version = MUSTER_VERSION;
-    def.threads = options.threads;
-    def.scenarios = folder.entries();
+    SessionDef def{.version = MUSTER_VERSION, .scenarios = folder.entries(), .threads = options.threads};
     def.loadScenario = [folder](const std::string& wanted) { return folder.load(wanted); };
     def.loadGestures = [folder](const std::string& of, const WorldDef& begun) {
         return folder.gestures(of, begun);
@@ -61,9 +58,7 @@ Result<Session> makeSession(const StudioOptions& options, ScenarioFolder& folder
 }  // namespace
 
 int runStudio(const StudioOptions& options) {
-    ServeOptions serving;
-    serving.port = options.port;
-    serving.pageFolder = options.pageFolder;
+    ServeOptions serving{.port = options.port, .pageFolder = options.pageFolder};
     if (engineBuilt(options.engineFolder)) serving.engineFolder = options.engineFolder;
     serving.scenarioFolder = options.scenarioFolder;
     serving.lan = options.lan;

@@ -85,10 +85,7 @@ int studyReplay(const StudyReplayOptions& options) {
                                       ended ? stored->trial.result.steps : 0);
     if (!replay.ok()) return reportFailure(replay.status());
     if (!options.studio) return compareTrial(std::move(replay).value(), stored->trial, options.serve);
-    ReplayHostDef def;
-    def.version = MUSTER_VERSION;
-    def.trial = stored->trial;
-    def.kind = stored->kind;
+    ReplayHostDef def{.version = MUSTER_VERSION, .trial = stored->trial, .kind = stored->kind};
     ReplayHost host(std::move(replay).value(), std::move(def));
     return serve(host, options.serve);
 }

@@ -47,10 +47,9 @@ std::vector<std::string> mice() {
 int studyRun(const StudyRunOptions& options) {
     auto store = StudyStore::open(options.db, StoreMode::Create);
     if (!store.ok()) return reportFailure(store.status());
-    StudyHostDef def;
-    def.version = MUSTER_VERSION;
-    def.settings = options.settings;
-    def.kind = options.test ? RunKind::Test : RunKind::People;
+    StudyHostDef def{.version = MUSTER_VERSION,
+                     .settings = options.settings,
+                     .kind = options.test ? RunKind::Test : RunKind::People};
     def.now = utcNow;
     def.token = makeToken;
     StudyHost host(store.value(), std::move(def));

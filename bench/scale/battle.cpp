@@ -64,8 +64,7 @@ Result<BattleRow> measureBattle(const BattleDef& def) {
     BattleScript script(def);
     Result<World> world = World::create(script.world());
     if (!world.ok()) return world.status();
-    BattleRow row;
-    row.characters = static_cast<std::int32_t>(world->characters().size());
+    BattleRow row{.characters = static_cast<std::int32_t>(world->characters().size())};
     BattleWatch watch;
     std::vector<double> times;
     if (Status status = play(def, *world, script, watch, row, times); !status.ok()) return status;

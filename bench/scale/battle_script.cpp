@@ -19,13 +19,9 @@ constexpr std::size_t kMostGroups = 3;  // Times those of the beginning.
 
 // Three classes, with their radius [m], top speed [m/s], acceleration [m/s^2] and mass.
 Body bodyOf(std::uint8_t unitClass) {
-    Body body;
-    body.unitClass = unitClass;
-    body.radius = unitClass == 1 ? 0.3 : unitClass == 2 ? 0.6 : 0.45;
-    body.maxSpeed = unitClass == 1 ? 3.0 : unitClass == 2 ? 5.0 : 2.0;
-    body.acceleration = unitClass == 3 ? 5.0 : 8.0;
-    body.mass = unitClass;
-    return body;
+    constexpr double kRadii[]{0.3, 0.6, 0.45}, kSpeeds[]{3.0, 5.0, 2.0}, kAccelerations[]{8.0, 8.0, 5.0};
+    const int k = unitClass - 1;
+    return {kRadii[k], kSpeeds[k], kAccelerations[k], 1.0 * unitClass, 1.0, unitClass};
 }
 
 ObstacleDef block(Vec2 centre, double width, double height, double angle) {
@@ -65,10 +61,7 @@ void BattleScript::addObstacles(WorldDef& def) {
         if (!free) continue;
         discs.push_back({at, radius});
         if (round) {
-            ObstacleDef disc;
-            disc.centre = at;
-            disc.radius = 0.5 * width;
-            def.obstacles.push_back(disc);
+            def.obstacles.push_back({.centre = at, .radius = 0.5 * width});
         } else {
             def.obstacles.push_back(block(at, width, height, angle));
         }
@@ -77,9 +70,8 @@ void BattleScript::addObstacles(WorldDef& def) {
 
 // Of five groups of a side two are on foot, one is mounted, one has guns in its rear, one has all three.
 GroupDef BattleScript::group(std::int32_t side, std::int32_t number) {
-    GroupDef group;
-    group.name = (side == 0 ? "West " : "East ") + std::to_string(number);
-    group.count = 30 + static_cast<std::int32_t>(random_.below(31));
+    GroupDef group{.name = (side == 0 ? "West " : "East ") + std::to_string(number),
+                   .count = 30 + static_cast<std::int32_t>(random_.below(31))};
     const double lanes = std::max(1, def_.groups / 2), lane = 0.9 * def_.side / lanes;
     group.position = {(side == 0 ? -0.425 : 0.425) * def_.side, (number - 0.5 * (lanes - 1.0)) * lane};
     group.angle = side == 0 ? 0.0 : kPi;
@@ -159,15 +151,12 @@ CommandBody BattleScript::regroup(const World& world, std::size_t group, std::in
     const std::vector<std::size_t> own = groupsOf(world, side);
     const std::uint32_t kind = random_.below(3);
     const bool many = world.groupCount() >= kMostGroups * static_cast<std::size_t>(def_.groups);
-    if (kind == 0 && world.group(group).count > 20 && !many) {
-        SplitGroup split;
-        split.group = id;
-        split.by = SplitBy::Shares;
-        split.shares = {1, 1};
-        split.abreast = random_.below(2) == 0;
-        split.shape = PartShape::Smaller;
-        return split;
-    }
+    if (kind == 0 && world.group(group).count > 20 && !many)
+        return SplitGroup{.group = id,
+                          .by = SplitBy::Shares,
+                          .shares = {1, 1},
+                          .abreast = random_.below(2) == 0,
+                          .shape = PartShape::Smaller};
     const std::size_t other = own[random_.below(static_cast<std::uint32_t>(own.size()))];
     if (kind == 1 && other != group && own.size() > 6)
         return MergeGroups{{id, world.group(other).id}, PartShape::Smaller};
@@ -188,8 +177,7 @@ CommandBody BattleScript::fallen(const World& world) {
 
 CommandBody BattleScript::joiners(const World& world, std::int32_t side) {
     const std::vector<std::size_t> own = groupsOf(world, side);
-    AddCharacters add;
-    add.group = world.group(own[random_.below(static_cast<std::uint32_t>(own.size()))]).id;
+    AddCharacters add{.group = world.group(own[random_.below(static_cast<std::uint32_t>(own.size()))]).id};
     const Vec2 camp{(side == 0 ? -0.425 : 0.425) * def_.side, 0.0};
     for (int k = 0; k < kJoiners; ++k)
         add.positions.push_back(camp + 1.3 * Vec2{static_cast<double>(k % 4), std::floor(k / 4.0)});

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/maths.h"
 #include "engine/assignment/planning/exact/connected_regions.h"

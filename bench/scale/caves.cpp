@@ -1,6 +1,5 @@
 #include "scale/caves.h"
 
-#include <utility>
 #include <vector>
 
 #include "base/random.h"

@@ -16,9 +16,7 @@ constexpr std::int32_t kCells = 48;  // Side of the part of the map that is used
 
 // The part of the map with its lower left corner at column x, row y from the bottom.
 MapGrid cutOut(const MapGrid& map, std::int32_t x, std::int32_t y) {
-    MapGrid part;
-    part.width = kCells;
-    part.height = kCells;
+    MapGrid part{.width = kCells, .height = kCells};
     for (std::int32_t row = 0; row < kCells; ++row) {
         const std::int32_t from = map.height - y - kCells + row;
         part.cells += map.cells.substr(static_cast<std::size_t>(from) * map.width + x, kCells);
@@ -102,8 +100,7 @@ Status makeCity(const SceneDef& def, Scene& scene) {
     if (!map.ok()) return map.status().within(path);
     if (map->width < kCells || map->height < kCells)
         return Status(StatusCode::NotFound, "scene city: the map is too small");
-    MapGround city;
-    city.grid = streets(*map);
+    MapGround city{.grid = streets(*map)};
     // Large enough for two formations at that distance; a street of some cells is then about as wide as half
     // a formation.
     city.def.metresPerCell = std::max(2.0 * scene.side + 1.5 * kAway, 4.0 * scene.side) / kCells;

@@ -20,38 +20,27 @@ Polygon rectangle(double x0, double y0, double x1, double y1) {
 }
 
 void addBlock(double x0, double y0, double x1, double y1, WorldDef& world) {
-    ObstacleDef def;
-    def.name = "Block";
-    def.polygon = rectangle(x0, y0, x1, y1);
-    world.obstacles.push_back(def);
+    world.obstacles.push_back({.name = "Block", .polygon = rectangle(x0, y0, x1, y1)});
 }
 
 PatchDef patch(const char* name, const Polygon& polygon, MotionId motion) {
-    PatchDef def;
-    def.name = name;
-    def.polygon = polygon;
-    def.motion = motion;
-    return def;
+    return {.name = name, .polygon = polygon, .motion = motion};
 }
 
 // Endless motion by `offset` and back at `speed`.
 TimedPath shuttle(Vec2 offset, double speed) {
     const double time = length(offset) / speed;
-    TimedPath path;
-    path.waypoints = {{0.0, {0.0, 0.0}, 0.0}, {time, offset, 0.0}, {2.0 * time, {0.0, 0.0}, 0.0}};
-    path.loop = true;
-    return path;
+    return {.waypoints = {{0.0, {0.0, 0.0}, 0.0}, {time, offset, 0.0}, {2.0 * time, {0.0, 0.0}, 0.0}},
+            .loop = true};
 }
 
 // A block on the course, and a car that crosses ahead of it.
 void addBlockScene(const FeatureSize& size, double side, WorldDef& world) {
     addBlock(-size.halfLength, -size.halfWidth, size.halfLength, size.halfWidth, world);
-    ObstacleDef car;
-    car.name = "Car";
-    car.radius = 0.8;
-    car.centre = {-size.halfLength - 3.0, -0.5 * side - 2.0};
-    car.path = shuttle({0.0, side + 4.0}, 1.5);
-    world.obstacles.push_back(car);
+    world.obstacles.push_back({.name = "Car",
+                               .centre = {-size.halfLength - 3.0, -0.5 * side - 2.0},
+                               .radius = 0.8,
+                               .path = shuttle({0.0, side + 4.0}, 1.5)});
 }
 
 // Two walls from the edges of the box, with a passage along x between them.

@@ -1,8 +1,6 @@
 // The unit cost of a world on cells of another size, for judges.
 #pragma once
 
-#include <vector>
-
 #include "engine/fields/cost/unit_cost_builder.h"
 #include "muster/world.h"
 

@@ -1,7 +1,6 @@
 #include "scale/judge.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/maths.h"
 #include "engine/assignment/planning/fixed_costs.h"
@@ -20,9 +19,7 @@ Result<Verdict> judgeExactly(const UnitCost& cost, const Committed& plan, Thread
     std::vector<std::uint8_t> usable(plan.places.size(), 0);
     for (const std::int32_t place : plan.placeOf)
         if (place >= 0) usable[place] = 1;
-    PlanDef def;
-    def.exponent = plan.exponent;
-    def.commitThreshold = 1e30;
+    PlanDef def{.exponent = plan.exponent, .commitThreshold = 1e30};
     FixedCosts costs;
     costs.unit = &cost;
     const PlanInput input{plan.characters, {}, plan.places, {}, usable, plan.placeOf, &costs};

@@ -79,9 +79,8 @@ Result<MapGrid> mapOf(const LargeGroundDef& def) {
 Status addMap(const LargeGroundDef& def, WorldDef& world) {
     Result<MapGrid> grid = mapOf(def);
     if (!grid.ok()) return grid.status();
-    MapDef at;
-    at.metresPerCell = def.metres;
-    at.origin = -0.5 * def.metres * Vec2{1.0 * grid->width, 1.0 * grid->height};
+    MapDef at{.metresPerCell = def.metres,
+              .origin = -0.5 * def.metres * Vec2{1.0 * grid->width, 1.0 * grid->height}};
     world.box = {at.origin, -at.origin};
     world.map = MapGround{*std::move(grid), at};
     return {};
@@ -106,9 +105,8 @@ Status give(World& world, std::uint32_t sequence, CommandBody body) {
 // A building beside the group is added, moved to its other side and removed.
 Status timeEdits(World& world, std::uint32_t& sequence, LargeGroundRow& row) {
     const auto beside = [&](double side) {
-        ObstacleDef building;
-        building.polygon = turnedBox(world.characters().position[0] + Vec2{3.0, side}, {6.0, 4.0}, 0.3);
-        return building;
+        return ObstacleDef{
+            .polygon = turnedBox(world.characters().position[0] + Vec2{3.0, side}, {6.0, 4.0}, 0.3)};
     };
     const auto timeEdit = [&](CommandBody body) {
         if (Status status = give(world, sequence++, std::move(body)); !status.ok()) return status;
@@ -153,23 +151,18 @@ Status timeSteps(World& world, LargeGroundRow& row) {
 }  // namespace
 
 Result<WorldDef> largeWorld(const LargeGroundDef& def) {
-    WorldDef world;
-    world.cell = def.cell;
+    WorldDef world{.cell = def.cell};
     if (!hasMap(def)) {
         addMadeObstacles(def, world);
     } else if (Status status = addMap(def, world); !status.ok()) {
         return status;
     }
-    GroupDef group;
-    group.count = def.characters;
-    group.position = startOf(def);
-    world.groups.push_back(group);
+    world.groups.push_back({.count = def.characters, .position = startOf(def)});
     return world;
 }
 
 Result<LargeGroundRow> runLargeGround(const LargeGroundDef& def) {
-    LargeGroundRow row;
-    row.def = def;
+    LargeGroundRow row{.def = def};
     resetPeakMemory();
     const double importing = threadMilliseconds();
     Result<WorldDef> made = largeWorld(def);

@@ -70,26 +70,6 @@ Result<Row> measure(const Options& options, const CaseDef& def, ThreadPool& pool
     return row;
 }
 
-int runLed(const LedGroundDef& def) {
-    const Result<LedGroundRow> row = runLedGround(def);
-    if (!row.ok()) {
-        std::fprintf(stderr, "muster-bench: %s\n", row.status().message().c_str());
-        return row.status().code() == StatusCode::NotFound ? 0 : 1;
-    }
-    std::printf("%s", ledGroundText(*row).c_str());
-    return row->arrived >= 0.0 ? 0 : 1;
-}
-
-int runGround(const LargeGroundDef& def) {
-    const Result<LargeGroundRow> row = runLargeGround(def);
-    if (!row.ok()) {
-        std::fprintf(stderr, "muster-bench: %s\n", row.status().message().c_str());
-        return 1;
-    }
-    std::printf("%s", largeGroundText(*row).c_str());
-    return 0;
-}
-
 int run(const Options& options) {
     ThreadPool pool(0);
     const auto cases = casesOf(options);
@@ -112,60 +92,52 @@ int run(const Options& options) {
     return exitCode;
 }
 
-int runOrders(const OrdersDef& def) {
-    const Result<OrdersRow> row = measureOrders(def);
-    if (!row.ok()) {
-        std::fprintf(stderr, "muster-bench: %s\n", row.status().message().c_str());
+std::string ordersText(const OrdersDef& def, const OrdersRow& row) {
+    char text[400];
+    std::snprintf(
+        text, sizeof(text),
+        "%d characters in %d groups, %d obstacles, %d gaps: step p50 %.2f, p95 %.2f, first %.1f, worst "
+        "%.1f ms (step %d: %s), with an order at most %.2f ms above others; longest wait %.2f s; hash "
+        "%016llx\n",
+        def.count, def.groups, def.obstacles, def.gaps, row.p50, row.p95, row.first, row.worst, row.worstStep,
+        row.worstStages.c_str(), row.above, row.longestWait, static_cast<unsigned long long>(row.hash));
+    return text;
+}
+
+/// Prints what was measured, or the sentence that says why nothing was.
+template <class Measured, class Text>
+int report(const Result<Measured>& measured, const Text& text) {
+    if (!measured.ok()) {
+        std::fprintf(stderr, "muster-bench: %s\n", measured.status().message().c_str());
         return 1;
     }
-    std::printf(
-        "%d characters in %d groups, %d obstacles, %d gaps: step p50 %.2f, p95 %.2f, first %.1f, worst %.1f "
-        "ms (step "
-        "%d: %s), with an order at most %.2f ms above others; longest wait %.2f s; hash %016llx\n",
-        def.count, def.groups, def.obstacles, def.gaps, row->p50, row->p95, row->first, row->worst,
-        row->worstStep, row->worstStages.c_str(), row->above, row->longestWait,
-        static_cast<unsigned long long>(row->hash));
+    std::printf("%s", text(*measured).c_str());
     return 0;
 }
 
-int runCommands(const CommandsDef& def) {
-    const auto rows = measureCommands(def);
-    if (!rows.ok()) {
-        std::fprintf(stderr, "muster-bench: %s\n", rows.status().message().c_str());
-        return 1;
-    }
-    std::printf("%s", commandsText(def, *rows).c_str());
-    return 0;
+int runLed(const LedGroundDef& def) {
+    const Result<LedGroundRow> row = runLedGround(def);
+    const bool noMap = row.status().code() == StatusCode::NotFound;
+    const int code = report(row, ledGroundText);
+    return noMap || (code == 0 && row->arrived >= 0.0) ? 0 : 1;
 }
 
-int runRewind(const RewindDef& def) {
-    const Result<RewindRow> row = measureRewind(def);
-    if (!row.ok()) {
-        std::fprintf(stderr, "muster-bench: %s\n", row.status().message().c_str());
-        return 1;
-    }
-    std::printf("%s", rewindText(def, *row).c_str());
-    return 0;
-}
-
-int runBattle(const BattleDef& def) {
-    const Result<BattleRow> row = measureBattle(def);
-    if (!row.ok()) {
-        std::fprintf(stderr, "muster-bench: %s\n", row.status().message().c_str());
-        return 1;
-    }
-    std::printf("%s", battleText(def, *row).c_str());
-    return 0;
-}
-
-int runPeople(const PeopleCostDef& def) {
-    const auto rows = measurePeople(def);
-    if (!rows.ok()) {
-        std::fprintf(stderr, "muster-bench: %s\n", rows.status().message().c_str());
-        return 1;
-    }
-    std::printf("%s", peopleText(*rows).c_str());
-    return 0;
+int runSubcommand(const Options& o) {
+    if (o.command == "ground" && o.lead) return runLed(o.ground);
+    if (o.command == "ground") return report(runLargeGround(o.ground.ground), largeGroundText);
+    if (o.command == "battle")
+        return report(measureBattle(o.battle),
+                      [&](const BattleRow& row) { return battleText(o.battle, row); });
+    if (o.command == "orders")
+        return report(measureOrders(o.orders),
+                      [&](const OrdersRow& row) { return ordersText(o.orders, row); });
+    if (o.command == "commands")
+        return report(measureCommands(o.commands),
+                      [&](const auto& rows) { return commandsText(o.commands, rows); });
+    if (o.command == "rewind")
+        return report(measureRewind(o.rewind),
+                      [&](const RewindRow& row) { return rewindText(o.rewind, row); });
+    return run(o);
 }
 
 }  // namespace
@@ -177,13 +149,7 @@ int main(int argc, char** argv) {
         Options options;
         const int code = readOptions(argc, argv, options);
         if (code >= 0) return code;
-        if (options.command == "ground")
-            return options.lead ? runLed(options.ground) : runGround(options.ground.ground);
-        if (options.command == "commands") return runCommands(options.commands);
-        if (options.command == "battle") return runBattle(options.battle);
-        if (options.command == "people") return runPeople(options.people);
-        if (options.command == "rewind") return runRewind(options.rewind);
-        return options.command == "orders" ? runOrders(options.orders) : run(options);
+        return runSubcommand(options);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "muster-bench: %s\n", error.what());
         return 1;

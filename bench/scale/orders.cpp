@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -97,19 +96,14 @@ WorldDef worldOf(const OrdersDef& def) {
     world.box = {-half, half};
     addWall(def, world.obstacles);
     Random random(def.seed);
-    for (std::int32_t k = 0; k < def.obstacles; ++k) {
-        ObstacleDef disc;
-        disc.centre.x = random.uniform(-half.x, half.x);
-        disc.centre.y = random.uniform(-half.y, half.y);
-        disc.radius = 0.5;
-        world.obstacles.push_back(disc);
-    }
+    for (std::int32_t k = 0; k < def.obstacles; ++k)
+        world.obstacles.push_back(
+            {.centre = {.x = random.uniform(-half.x, half.x), .y = random.uniform(-half.y, half.y)},
+             .radius = 0.5});
     for (std::int32_t k = 0; k < def.groups; ++k) {
-        GroupDef group;
-        group.name = "Group " + std::to_string(k);
-        group.count = def.count / def.groups;
-        group.formation.kind = FormationKind::Square;
-        group.formation.spacing = spacingOf(def);
+        GroupDef group{.name = "Group " + std::to_string(k),
+                       .count = def.count / def.groups,
+                       .formation = {.kind = FormationKind::Square, .spacing = spacingOf(def)}};
         const double offset = offsetOf(def, k);
         group.position = walksEast(def, k) ? Vec2{-away, offset} : Vec2{offset, -away};
         if (def.weights) addWeights(random, group);
@@ -141,10 +135,9 @@ public:
 
 private:
     Status order(World& world, std::size_t group, Vec2 position, double angle) {
-        Command command;
-        command.step = world.stepCount();
-        command.sequence = ++sequence_;
-        command.body = SetPose{world.group(group).id, position, angle};
+        Command command{.step = world.stepCount(),
+                        .sequence = ++sequence_,
+                        .body = SetPose{world.group(group).id, position, angle}};
         if (def_.moves)
             command.body = GiveOrder{world.group(group).id, QueueMode::Replace, 0,
                                      Order::move(position, angle)};

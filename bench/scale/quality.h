@@ -1,7 +1,6 @@
 // The quality pass: judges the plans of a running world at intervals.
 #pragma once
 
-#include <memory>
 #include <optional>
 
 #include "scale/case.h"

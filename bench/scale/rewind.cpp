@@ -83,19 +83,17 @@ Status measureWindow(const RewindDef& def, World& world, Drag& drag, Times& time
 }
 
 RewindRow rowOf(const Times& times) {
-    RewindRow row;
-    row.windows = static_cast<std::int32_t>(times.first.size());
-    row.first50 = quantile(times.first, 0.5);
-    row.again50 = quantile(times.again, 0.5);
-    row.ratio50 = quantile(times.ratio, 0.5);
-    row.ratio95 = quantile(times.ratio, 0.95);
-    row.over95 = quantile(times.over, 0.95);
-    row.rewind50 = quantile(times.rewind, 0.5);
-    row.rewind95 = quantile(times.rewind, 0.95);
-    row.snapshot50 = quantile(times.snapshot, 0.5);
-    row.restored50 = quantile(times.restored, 0.5);
-    row.restored95 = quantile(times.restored, 0.95);
-    return row;
+    return {.windows = static_cast<std::int32_t>(times.first.size()),
+            .first50 = quantile(times.first, 0.5),
+            .again50 = quantile(times.again, 0.5),
+            .ratio50 = quantile(times.ratio, 0.5),
+            .ratio95 = quantile(times.ratio, 0.95),
+            .over95 = quantile(times.over, 0.95),
+            .rewind50 = quantile(times.rewind, 0.5),
+            .rewind95 = quantile(times.rewind, 0.95),
+            .snapshot50 = quantile(times.snapshot, 0.5),
+            .restored50 = quantile(times.restored, 0.5),
+            .restored95 = quantile(times.restored, 0.95)};
 }
 
 }  // namespace
@@ -103,9 +101,7 @@ RewindRow rowOf(const Times& times) {
 Result<RewindRow> measureRewind(const RewindDef& def) {
     const Result<Scene> scene = makeScene(def.scene);
     if (!scene.ok()) return scene.status();
-    CaseDef one;
-    one.scene = def.scene;
-    one.plan = "fast";
+    CaseDef one{.scene = def.scene, .plan = "fast"};
     Result<World> world = makeWorld(one, *scene);
     if (!world.ok()) return world.status();
     Drag drag(scene->course, scene->side);

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "base/stopwatch.h"
 #include "muster/parameter_table.h"
@@ -95,8 +94,7 @@ Result<Row> runCase(const CaseDef& def, const Observer& observer) {
     const double seconds = def.seconds > 0.0 ? def.seconds : scene->seconds;
     const auto most = std::max(2, static_cast<std::int32_t>(seconds / world.parameters().stepTime));
     const std::int32_t warmUp = std::min(std::max(kWarmUp, most / 3), most / 2);
-    Row row;
-    row.def = def;
+    Row row{.def = def};
     for (std::int32_t step = 0; step < most; ++step) {
         if (def.scene.regime != Regime::Far)
             if (Status status = drag.before(world); !status.ok()) return status;

@@ -73,14 +73,13 @@ Status addCrowd(const SceneDef& def, const CoursePose& formation, Vec2 crowd, Sc
     if (!ground.ok()) return ground.status();
     const Result<std::vector<Vec2>> starts = freeSpots(*ground, crowd, formation.angle, def.count);
     if (!starts.ok()) return starts.status().within("scene " + def.name);
-    GroupDef group;
-    group.name = "Crowd";
-    group.count = def.count;
-    group.formation.spacing = 1.0;
-    group.position = formation.position;
-    group.angle = formation.angle;
-    group.jitter = 0.15;
-    group.starts = *starts;
+    GroupDef group{.name = "Crowd",
+                   .count = def.count,
+                   .formation = {.spacing = 1.0},
+                   .position = formation.position,
+                   .angle = formation.angle,
+                   .starts = *starts,
+                   .jitter = 0.15};
     scene.world.groups.push_back(std::move(group));
     return {};
 }

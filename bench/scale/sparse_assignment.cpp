@@ -1,7 +1,6 @@
 #include "scale/sparse_assignment.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace muster::scale {
 namespace {

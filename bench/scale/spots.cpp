@@ -21,10 +21,7 @@ void forRing(std::int32_t ring, Visit visit) {
 }  // namespace
 
 Result<Environment> groundOf(const WorldDef& def) {
-    EnvironmentDef ground;
-    ground.box = def.box;
-    ground.cell = def.cell;
-    Result<Environment> environment = Environment::create(ground);
+    Result<Environment> environment = Environment::create({.box = def.box, .cell = def.cell});
     if (!environment.ok()) return environment;
     std::vector<ObstacleDef> obstacles = def.obstacles;
     if (def.map)

@@ -34,15 +34,13 @@ struct Outer {
 };
 
 Outer sample() {
-    Outer o;
-    o.value = 0.1;
-    o.flag = true;
-    o.colour = Colour::Green;
-    o.text = "places";
-    o.inner = {{1, {{1, 2}, {3, 4}}}, {-7, {}}};
-    o.pair = {1.5f, -2.0f};
-    o.maybe = 1ull << 60;
-    return o;
+    return {.value = 0.1,
+            .flag = true,
+            .colour = Colour::Green,
+            .text = "places",
+            .inner = {{1, {{1, 2}, {3, 4}}}, {-7, {}}},
+            .pair = {1.5f, -2.0f},
+            .maybe = 1ull << 60};
 }
 
 std::vector<std::uint8_t> archived(Outer o) {

@@ -8,30 +8,20 @@
 #include <iterator>
 #include <string>
 
+#include "temporary_folder.h"
+
 using namespace muster;
 namespace fs = std::filesystem;
 
 namespace {
 
 /// An empty folder that goes away with the test case.
-class Folder {
-public:
-    Folder() : path_(fs::temp_directory_path() / ("muster_output_file_test_" + std::to_string(::getpid()))) {
-        fs::remove_all(path_);
-        fs::create_directories(path_);
-    }
-    ~Folder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    std::string file(const std::string& name) const { return (path_ / name).string(); }
+struct Folder : testing::TemporaryFolder {
+    Folder() : TemporaryFolder("output_file") {}
     /// Number of files and folders in it.
     std::ptrdiff_t entries() const {
-        return std::distance(fs::directory_iterator(path_), fs::directory_iterator());
+        return std::distance(fs::directory_iterator(base), fs::directory_iterator());
     }
-
-private:
-    fs::path path_;
 };
 
 std::string contents(const std::string& path) {
@@ -39,15 +29,11 @@ std::string contents(const std::string& path) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-void put(const std::string& path, const std::string& text) {
-    std::ofstream(path, std::ios::binary) << text;
-}
-
 }  // namespace
 
 TEST_CASE("a file is in its place only after commit(), and whole then") {
     const Folder folder;
-    const std::string path = folder.file("a.bin"), bytes("one\0two\r\n\xFF", 11);
+    const std::string path = folder / "a.bin", bytes("one\0two\r\n\xFF", 11);
     OutputFile file;
     REQUIRE(file.open(path).ok());
     CHECK(file.partPath() == path + ".part");
@@ -64,8 +50,8 @@ TEST_CASE("a file is in its place only after commit(), and whole then") {
 
 TEST_CASE("what is not committed leaves no trace, and the file that was there stays") {
     const Folder folder;
-    const std::string path = folder.file("a.txt");
-    put(path, "before");
+    const std::string path = folder / "a.txt";
+    folder.put("a.txt", "before");
     {
         OutputFile file;
         REQUIRE(file.open(path).ok());
@@ -83,7 +69,7 @@ TEST_CASE("what is not committed leaves no trace, and the file that was there st
 
 TEST_CASE("bytes are rewritten anywhere, and writing goes on at the end") {
     const Folder folder;
-    const std::string path = folder.file("a.txt");
+    const std::string path = folder / "a.txt";
     std::string expected = "0123456789";
     OutputFile file;
     REQUIRE(file.open(path).ok());
@@ -102,58 +88,58 @@ TEST_CASE("bytes are rewritten anywhere, and writing goes on at the end") {
 TEST_CASE("a folder that does not exist, and a path that is a folder, are refused with the full path") {
     const Folder folder;
     OutputFile file;
-    const std::string nowhere = folder.file("none/deeper/a.txt");
+    const std::string nowhere = folder / "none/deeper/a.txt";
     const Status missing = file.open(nowhere);
     CHECK(missing.code() == StatusCode::IoError);
     CHECK(missing.message().rfind(nowhere + ": ", 0) == 0);
-    const std::string inside = folder.file("sub");
+    const std::string inside = folder / "sub";
     fs::create_directory(inside);
     const Status taken = file.open(inside);
     CHECK(taken.code() == StatusCode::IoError);
     CHECK(taken.message().rfind(inside + ": ", 0) == 0);
     CHECK(folder.entries() == 1);
     // It can still be used for a path that is good.
-    REQUIRE(file.open(folder.file("a.txt")).ok());
+    REQUIRE(file.open(folder / "a.txt").ok());
     REQUIRE(file.write("good").ok());
     REQUIRE(file.commit().ok());
-    CHECK(contents(folder.file("a.txt")) == "good");
+    CHECK(contents(folder / "a.txt") == "good");
 }
 
 TEST_CASE("a place taken by a folder meanwhile fails at commit() and leaves no part") {
     const Folder folder;
-    const std::string path = folder.file("a");
+    const std::string path = folder / "a";
     {
         OutputFile file;
         REQUIRE(file.open(path).ok());
         REQUIRE(file.write("text").ok());
         fs::create_directory(path);
-        put(folder.file("a/inner"), "inner");
+        folder.put("a/inner", "inner");
         const Status status = file.commit();
         CHECK(status.code() == StatusCode::IoError);
         CHECK(status.message().rfind(path + ": ", 0) == 0);
     }
     CHECK(!fs::exists(path + ".part"));
-    CHECK(contents(folder.file("a/inner")) == "inner");
+    CHECK(contents(folder / "a/inner") == "inner");
 }
 
 TEST_CASE("opened again or moved onto, the first file is given up") {
     const Folder folder;
     OutputFile file;
-    REQUIRE(file.open(folder.file("first")).ok());
+    REQUIRE(file.open(folder / "first").ok());
     REQUIRE(file.write("first").ok());
-    REQUIRE(file.open(folder.file("second")).ok());
+    REQUIRE(file.open(folder / "second").ok());
     CHECK(file.size() == 0);
     CHECK(folder.entries() == 1);
     REQUIRE(file.write("second").ok());
 
     OutputFile other;
-    REQUIRE(other.open(folder.file("third")).ok());
+    REQUIRE(other.open(folder / "third").ok());
     other = std::move(file);
     CHECK(folder.entries() == 1);
     CHECK(other.size() == 6);
     OutputFile last(std::move(other));
     REQUIRE(last.write("!").ok());
     REQUIRE(last.commit().ok());
-    CHECK(contents(folder.file("second")) == "second!");
+    CHECK(contents(folder / "second") == "second!");
     CHECK(folder.entries() == 1);
 }

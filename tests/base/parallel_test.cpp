@@ -261,8 +261,7 @@ TEST_CASE("background work is done when wait returns, with rounds meanwhile") {
 }
 
 TEST_CASE("launching waits for earlier background work, and so does closing the pool") {
-    Launched launched;
-    launched.slow = true;
+    Launched launched{.slow = true};
     {
         ThreadPool pool(2);
         for (int k = 0; k < 5; ++k) pool.launch(&Launched::work, &launched);

@@ -7,18 +7,16 @@
 #include <string>
 
 #include "base/random.h"
+#include "temporary_folder.h"
 
 using namespace muster;
 
 namespace {
 
 /// A path for one test case, free before and after it.
-struct Path {
-    std::string text = (std::filesystem::temp_directory_path() /
-                        ("muster_text_file_test_" + std::to_string(::getpid())))
-                           .string();
-    Path() { std::filesystem::remove(text); }
-    ~Path() { std::filesystem::remove(text); }
+struct Path : testing::TemporaryFolder {
+    Path() : TemporaryFolder("text_file") {}
+    const std::string text = *this / "a.txt";
 };
 
 }  // namespace

@@ -11,12 +11,7 @@ using namespace muster::scale;
 namespace {
 
 BattleDef smallBattle() {
-    BattleDef def;
-    def.groups = 6;
-    def.obstacles = 12;
-    def.side = 100.0;
-    def.seconds = 12.0;
-    return def;
+    return {.groups = 6, .obstacles = 12, .side = 100.0, .seconds = 12.0};
 }
 
 }  // namespace
@@ -46,9 +41,7 @@ TEST_CASE("a small battle") {
 
 // Orders come in every 18th step: what a step knows only from the step before it would be missing there.
 TEST_CASE("a battle goes on bit for bit from a snapshot with its orders, restored or rewound") {
-    BattleDef def;
-    def.groups = 10;
-    def.seed = 3;
+    BattleDef def{.groups = 10, .seed = 3};
     BattleScript script(def);
     World world = World::create(script.world()).value();
     for (int s = 0; s < 720; ++s) {

@@ -19,15 +19,8 @@ constexpr std::uint32_t kLookEvery = 30;  // Steps.
 
 /// A floor with a group of 160 that starts a few metres beside its places.
 WorldDef floorWithCrowd(std::uint64_t seed) {
-    WorldDef def;
-    def.box = {{-20, -14}, {20, 14}};
-    def.seed = seed;
-    GroupDef group;
-    group.count = kCount;
-    group.formation.spacing = 1.1;
-    group.jitter = 0.3;
-    group.position = {-3, 0};
-    def.groups = {group};
+    WorldDef def{.box = {{-20, -14}, {20, 14}}, .seed = seed};
+    def.groups = {{.count = kCount, .formation = {.spacing = 1.1}, .position = {-3, 0}, .jitter = 0.3}};
     return def;
 }
 
@@ -46,9 +39,7 @@ void addSlowGround(WorldDef& def, Random& random) {
 /// Cars that cross the crowd.
 void addCars(WorldDef& def, Random& random) {
     for (int k = 0; k < 5; ++k) {
-        ObstacleDef car;
-        car.radius = 0.7;
-        car.centre = {-10.0 + 4.5 * k, k % 2 == 0 ? -13.0 : 13.0};
+        ObstacleDef car{.centre = {-10.0 + 4.5 * k, k % 2 == 0 ? -13.0 : 13.0}, .radius = 0.7};
         const double way = k % 2 == 0 ? 26.0 : -26.0;
         car.path.waypoints = {{0, {0, 0}, 0}, {random.uniform(8, 12), {0, way}, 0}};
         def.obstacles.push_back(car);
@@ -57,8 +48,7 @@ void addCars(WorldDef& def, Random& random) {
 
 /// A second group that stands in clusters of 2.6 per square metre among the places.
 void addStandingCrowd(WorldDef& def) {
-    GroupDef crowd;
-    crowd.name = "standing";
+    GroupDef crowd{.name = "standing"};
     for (const Vec2 middle : {Vec2{-6, 3}, Vec2{-1, -3}, Vec2{3, 3}, Vec2{6, -2}})
         for (std::int32_t i = 0; i < 16; ++i)
             crowd.starts.push_back(middle + Vec2{0.62 * (i % 4), 0.62 * (i / 4)});

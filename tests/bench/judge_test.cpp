@@ -18,14 +18,9 @@ namespace {
 
 /// Ground of 40 m with or without a wall of 12 m in the middle.
 UnitCost ground(bool wall) {
-    EnvironmentDef def;
-    def.box = {{-20, -20}, {20, 20}};
+    EnvironmentDef def{.box = {{-20, -20}, {20, 20}}};
     Environment environment = Environment::create(def).value();
-    if (wall) {
-        ObstacleDef block;
-        block.polygon = {{-0.5, -6}, {0.5, -6}, {0.5, 6}, {-0.5, 6}};
-        CHECK(environment.addObstacle(block).ok());
-    }
+    if (wall) CHECK(environment.addObstacle({.polygon = {{-0.5, -6}, {0.5, -6}, {0.5, 6}, {-0.5, 6}}}).ok());
     environment.setTime(0.0);
     UnitCost cost;
     UnitCostBuilder().build({}, environment, DensityField(def.box, {}), 0.25, cost);
@@ -108,8 +103,7 @@ TEST_CASE("both judges find what brute force finds, with six on both sides of a 
     ThreadPool pool(2);
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         Random random(seed);
-        Committed plan;
-        plan.exponent = seed % 2 == 0 ? 1.0 : 2.0;
+        Committed plan{.exponent = seed % 2 == 0 ? 1.0 : 2.0};
         for (std::int32_t k = 0; k < 6; ++k) {
             plan.characters.push_back({random.uniform(-6, -2), random.uniform(-5, 5)});
             plan.places.push_back(

@@ -7,12 +7,7 @@ using namespace muster;
 using namespace muster::scale;
 
 TEST_CASE("a made world of many obstacles is created, ordered about, edited and restored") {
-    LargeGroundDef def;
-    def.side = 260.0;
-    def.obstacles = 150;
-    def.characters = 16;
-    def.away = 120.0;
-    def.steps = 60;
+    LargeGroundDef def{.side = 260.0, .obstacles = 150, .characters = 16, .away = 120.0, .steps = 60};
     const auto world = largeWorld(def);
     REQUIRE(world.ok());
     CHECK(world->obstacles.size() == 150);

@@ -22,12 +22,8 @@ TEST_CASE("made caves are framed by rock, about half free, and repeat") {
 }
 
 TEST_CASE("a few are led through a map from end to end") {
-    LedGroundDef def;
-    def.ground.caves = {160, 160};
-    def.ground.metres = 0.5;
-    def.ground.characters = 20;
-    def.length = 25.0;
-    def.seconds = 120.0;
+    LedGroundDef def{
+        .ground = {.characters = 20, .caves = {160, 160}, .metres = 0.5}, .length = 25.0, .seconds = 120.0};
     const auto row = runLedGround(def);
     REQUIRE(row.ok());
     CHECK(row->led > 0.0);

@@ -90,10 +90,7 @@ TEST_CASE("a course goes to and fro, round, and back every so often") {
 }
 
 TEST_CASE("the formation is dragged, the crowd follows at a distance, and the judge changes nothing") {
-    CaseDef def;
-    def.scene = sceneOf("block", Regime::Tracking, 49);
-    def.plan = "exact";
-    def.seconds = 4.0;
+    CaseDef def{.scene = sceneOf("block", Regime::Tracking, 49), .plan = "exact", .seconds = 4.0};
     std::vector<double> lead;
     const Row row = runCase(def, [&](const World& world) {
                         lead.push_back(meanX(world.group(0).placePositions) -
@@ -114,9 +111,7 @@ TEST_CASE("the formation is dragged, the crowd follows at a distance, and the ju
 }
 
 TEST_CASE("a far crowd arrives, and the run ends there") {
-    CaseDef def;
-    def.scene = sceneOf("open", Regime::Far, 9);
-    def.plan = "exact";
+    CaseDef def{.scene = sceneOf("open", Regime::Far, 9), .plan = "exact"};
     const Row row = runCase(def).value();
     CHECK(row.arrived == 1.0);
     CHECK(row.steps < 60 * 60);
@@ -124,10 +119,7 @@ TEST_CASE("a far crowd arrives, and the run ends there") {
 }
 
 TEST_CASE("a row says the same in JSON, Markdown and the table") {
-    Row row;
-    row.def.scene = sceneOf("block", Regime::Reversing, 1000);
-    row.p95 = 0.875;
-    row.hash = 0xabcdef;
+    Row row{.def = {.scene = sceneOf("block", Regime::Reversing, 1000)}, .p95 = 0.875, .hash = 0xabcdef};
     const std::string bare = jsonRow(row);
     CHECK(bare.find("\"gap_max_pct\": null") != std::string::npos);
     row.quality = {"bound", 3, 12.5, 0.25, 0.5, 2.0};
@@ -150,12 +142,9 @@ TEST_CASE("a row says the same in JSON, Markdown and the table") {
 TEST_CASE("growth is the slope of each series on its own") {
     std::vector<Row> rows;
     for (const double factor : {1.0, 7.0})
-        for (const std::int32_t n : {100, 1000, 10000}) {
-            Row row;
-            row.def.scene = sceneOf(factor > 1.0 ? "block" : "open", Regime::Far, n);
-            row.p50 = factor * std::pow(n, 1.1);
-            rows.push_back(row);
-        }
+        for (const std::int32_t n : {100, 1000, 10000})
+            rows.push_back({.def = {.scene = sceneOf(factor > 1.0 ? "block" : "open", Regime::Far, n)},
+                            .p50 = factor * std::pow(n, 1.1)});
     const Growth growth = growthOf(rows, Regime::Far);
     CHECK(growth.exponent == doctest::Approx(1.1));
     CHECK(growth.least == 100);

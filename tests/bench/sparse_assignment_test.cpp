@@ -19,8 +19,7 @@ struct Problem {
 };
 
 Problem randomProblem(std::int32_t rows, std::int32_t columns, double share, bool whole, Random& random) {
-    Problem problem;
-    problem.columns = columns;
+    Problem problem{.columns = columns};
     problem.rows.resize(rows);
     problem.dense.assign(static_cast<std::size_t>(rows) * columns, std::numeric_limits<double>::infinity());
     for (std::int32_t r = 0; r < rows; ++r)

@@ -85,7 +85,7 @@ TEST_CASE("motion refuses what it cannot read with one sentence") {
     for (const std::string& line :
          {std::string("motion /nowhere.bvh"), "motion " + put("no.bvh", "not a BVH file"),
           std::string("motion --unit ell"), std::string("motion --run idle"),
-          std::string("motion --write /proc/nowhere"), "motion " + workFolder().string()}) {
+          std::string("motion --write /proc/nowhere"), "motion " + workFolder().base.string()}) {
         const Outcome outcome = runProgram(line);
         CHECK_MESSAGE(outcome.code == 1, line);
         CHECK_MESSAGE(outcome.errorLines() == 1, outcome.error);
@@ -126,7 +126,7 @@ TEST_CASE("export writes a player's file at 15 frames a second, and pages where 
         0);
     CHECK(slurp(path("e.muster-player")).find("\"fps\":30.0,\"frames\":31") != std::string::npos);
     // From a folder with a page of its own, which is not built yet.
-    const std::string there = "cd " + workFolder().string();
+    const std::string there = "cd " + workFolder().base.string();
     std::filesystem::create_directories(workFolder() / "web/dist/player");
     const Outcome page = runProgram("export " + take + " --format player-page --out " + path("e.html"),
                                     there);
@@ -160,7 +160,7 @@ TEST_CASE("export fails with one sentence and leaves no incomplete file") {
           take + " --format pedpy --to 99 --out " + out, take + " --format pedpy --out /proc/nowhere/x",
           take + " --format bvh --out /proc/nowhere/x", take + " --format pedpy --out " + take,
           torn + " --format pedpy --out " + out, "/nowhere.take --format bvh --out " + out,
-          take + " --format bvh --clips " + workFolder().string() + " --out " + out,
+          take + " --format bvh --clips " + workFolder().base.string() + " --out " + out,
           take + " --format bvh --clips /nowhere/x --out " + out + "/" + std::string(300, 'x')}) {
         const Outcome outcome = runProgram("export " + line);
         CHECK_MESSAGE(outcome.code == 1, line);

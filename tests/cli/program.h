@@ -2,7 +2,6 @@
 #pragma once
 
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -14,6 +13,7 @@
 #include <string>
 
 #include "folders.h"
+#include "temporary_folder.h"
 
 namespace muster::testing {
 
@@ -28,22 +28,13 @@ struct Outcome {
 };
 
 /// A temporary folder for the files of one test run; it is removed afterwards.
-inline std::filesystem::path workFolder() {
-    struct Folder {
-        std::filesystem::path path = std::filesystem::temp_directory_path() /
-                                     ("muster_cli_test_" + std::to_string(::getpid()));
-        Folder() { std::filesystem::create_directories(path); }
-        ~Folder() {
-            std::error_code ignored;
-            std::filesystem::remove_all(path, ignored);
-        }
-    };
-    static const Folder folder;
-    return folder.path;
+inline const TemporaryFolder& workFolder() {
+    static const TemporaryFolder folder("cli");
+    return folder;
 }
 
 inline std::string path(const std::string& name) {
-    return (workFolder() / name).string();
+    return workFolder() / name;
 }
 
 inline std::string slurp(const std::filesystem::path& path) {
@@ -55,17 +46,14 @@ inline std::string slurp(const std::filesystem::path& path) {
 
 /// A file in the work folder.
 inline std::string put(const std::string& name, const std::string& text) {
-    const auto path = workFolder() / name;
-    std::ofstream(path, std::ios::binary) << text;
-    return path.string();
+    return workFolder().put(name, text);
 }
 
 /// Runs `muster ARGUMENTS` (a shell fragment) in the source folder; the shell executes `before` first.
 inline Outcome runProgram(const std::string& arguments, const std::string& before = "true") {
     const auto out = workFolder() / "stdout", error = workFolder() / "stderr";
     const std::string command = "cd '" + sourceFolder() + "' && { " + before + "; '" + programPath() + "' " +
-                                arguments + "; } >'" + out.string() + "' 2>'" + error.string() +
-                                "' </dev/null";
+                                arguments + "; } >'" + out + "' 2>'" + error + "' </dev/null";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(out), slurp(error)};
 }

@@ -1,6 +1,5 @@
 #include <doctest.h>
 
-#include <set>
 #include <string>
 #include <vector>
 
@@ -45,7 +44,6 @@ TEST_CASE("help for all, with examples") {
 }
 
 TEST_CASE("a wrong command line gives one sentence and exit code 2") {
-    const std::string small = put("small.json", kSmall);
     for (const std::string& line : std::vector<std::string>{"",
                                                             "dance",
                                                             "play",

@@ -11,7 +11,7 @@ TEST_CASE("muster study tells bad input in one sentence") {
     for (const std::string command : {"report", "export"}) {
         for (const std::string& db : {std::string("/nowhere/study.db"), letter}) {
             const Outcome outcome = runProgram("study " + command + " --db '" + db + "' -o '" +
-                                               (workFolder() / "study").string() + "'");
+                                               path("study") + "'");
             CHECK(outcome.code == 1);
             CHECK(outcome.errorLines() == 1);
         }
@@ -32,13 +32,14 @@ TEST_CASE("muster study run and replay tell bad input in one sentence") {
         }
     }
     CHECK(slurp(letter) == std::string(300, 'x'));
-    const std::string db = (workFolder() / "run.db").string();
+    const std::string db = path("run.db");
     CHECK(runProgram("study run --db '" + db + "' --mouse touch" + page).code == 2);
     CHECK(runProgram("study run --db '" + db + "' --crowd 0" + page).code == 2);
     CHECK(runProgram("study replay --db '" + db + "' --trial 0").code == 2);
     CHECK(runProgram("study replay --db '" + db + "' --trial 1 --port 9000").code == 2);
     // A folder without a page is told before anything is served.
-    const Outcome outcome = runProgram("study run --db '" + db + "' --page '" + workFolder().string() + "'");
+    const Outcome outcome = runProgram("study run --db '" + db + "' --page '" + workFolder().base.string() +
+                                       "'");
     CHECK(outcome.code == 1);
     CHECK(outcome.error.find("index.html") != std::string::npos);
     const Outcome none = runProgram("study replay --db '" + db + "' --trial 7");
@@ -49,8 +50,8 @@ TEST_CASE("muster study run and replay tell bad input in one sentence") {
 TEST_CASE(
     "muster study models keeps trials, goes on, and gives the same report however it was cut into shards") {
     const std::string series = " --environments single-block --schemes touch,mouse-full-free --threads 2";
-    const std::string whole = (workFolder() / "models_whole.db").string();
-    const std::string parts = (workFolder() / "models_parts.db").string();
+    const std::string whole = path("models_whole.db");
+    const std::string parts = path("models_parts.db");
     CHECK(runProgram("study models --seeds 1" + series + " --db '" + whole + "'").code == 0);
     const Outcome again = runProgram("study models --seeds 1" + series + " --db '" + whole + "'");
     CHECK(again.code == 0);
@@ -69,7 +70,7 @@ TEST_CASE(
 }
 
 TEST_CASE("muster study models writes a job file, and refuses what cannot be") {
-    const std::string job = (workFolder() / "job.sh").string();
+    const std::string job = path("job.sh");
     const Outcome written = runProgram(
         "study models --seeds 3 --settings equal-motor --shard 0/8 --db study.db --slurm '" + job + "'");
     CHECK(written.code == 0);
@@ -80,8 +81,7 @@ TEST_CASE("muster study models writes a job file, and refuses what cannot be") {
     for (const std::string& wrong :
          {std::string("--environments nowhere"), std::string("--schemes telepathy"),
           std::string("--shard 3/2"), std::string("--shard half"), std::string("--settings hasty")}) {
-        const Outcome outcome = runProgram("study models " + wrong + " --db '" +
-                                           (workFolder() / "none.db").string() + "'");
+        const Outcome outcome = runProgram("study models " + wrong + " --db '" + path("none.db") + "'");
         INFO(wrong);
         CHECK(outcome.code == 1);
         CHECK(outcome.errorLines() == 1);

@@ -9,6 +9,7 @@
 
 #include "base/text_file.h"
 #include "desk/made_take.h"
+#include "temporary_folder.h"
 
 using namespace muster;
 namespace fs = std::filesystem;
@@ -16,18 +17,15 @@ namespace fs = std::filesystem;
 namespace {
 
 /// A shelf with a take of two seconds.
-struct OrderedFrom {
-    fs::path base = fs::temp_directory_path() / ("muster_export_order_" + std::to_string(::getpid()));
+struct OrderedFrom : testing::TemporaryFolder {
     TakeShelf shelf{(base / "takes").string()};
     std::string name;
 
-    OrderedFrom() {
-        fs::remove_all(base);
+    OrderedFrom() : TemporaryFolder("export_order") {
         const auto kept = shelf.put(testing::bytesOf(testing::madeTake(base, 120)));
         REQUIRE_MESSAGE(kept.ok(), kept.status().message());
         name = *kept;
     }
-    ~OrderedFrom() { fs::remove_all(base); }
 
     std::string refusal(const std::string& text) {
         const auto order = readExportOrder(text, shelf);
@@ -74,8 +72,7 @@ TEST_CASE("a bad order is refused by a sentence that names the culprit") {
 }
 
 TEST_CASE("the file's name is the title in plain letters with the ending of the format") {
-    ExportOrder order;
-    order.format = "glb";
+    ExportOrder order{.format = "glb"};
     for (const auto& [title, name] : std::vector<std::pair<std::string, std::string>>{
              {"First take", "First-take.glb"},
              {"  a / b: c ", "a-b-c.glb"},

@@ -15,12 +15,7 @@ namespace muster::testing {
 /// A take of nine people who stand for so many steps, written to a file that is removed again.
 inline std::string madeTake(const std::filesystem::path& folder, int steps,
                             const std::string& name = "Floor") {
-    WorldDef def;
-    def.name = name;
-    def.box = {{-8, -8}, {8, 8}};
-    GroupDef group;
-    group.count = 9;
-    def.groups.push_back(group);
+    WorldDef def{.name = name, .box = {{-8, -8}, {8, 8}}, .groups = {{.count = 9}}};
     auto world = World::create(def);
     REQUIRE(world.ok());
     std::filesystem::create_directories(folder);

@@ -7,25 +7,21 @@
 #include <string>
 
 #include "base/text_file.h"
+#include "temporary_folder.h"
 
 using namespace muster;
 namespace fs = std::filesystem;
 
 namespace {
 
-struct OfferedFolder {
-    fs::path base = fs::temp_directory_path() / ("muster_scenario_folder_" + std::to_string(::getpid()));
-
-    OfferedFolder() { fs::remove_all(base); }
-    ~OfferedFolder() { fs::remove_all(base); }
+struct OfferedFolder : testing::TemporaryFolder {
+    OfferedFolder() : TemporaryFolder("scenario_folder") {}
 
     std::string put(const std::string& path, const std::string& name, int count = 4) const {
-        fs::create_directories((base / path).parent_path());
         const std::string text = R"({"format":"muster-scenario","version":1,"name":")" + name +
                                  R"(","box":[[-8,-8],[8,8]],"groups":[{"count":)" + std::to_string(count) +
                                  "},{\"count\":2,\"position\":[4,4]}]}";
-        REQUIRE(writeTextFile((base / path).string(), text).ok());
-        return (base / path).string();
+        return TemporaryFolder::put(path, text);
     }
     std::string names() const {
         std::string all;
@@ -117,8 +113,7 @@ TEST_CASE(
     const OfferedFolder folder;
     folder.put("a.json", "A");
     const ScenarioFolder scenarios = ScenarioFolder::scan(folder.base.string());
-    WorldDef def;
-    def.name = "A";
+    WorldDef def{.name = "A"};
     CHECK(scenarios.clips("a", def).ok());
     CHECK(scenarios.clips("of a take", def).ok());
     def.name = "Unknown";

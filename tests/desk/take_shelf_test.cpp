@@ -5,10 +5,10 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "base/text_file.h"
 #include "desk/made_take.h"
+#include "temporary_folder.h"
 
 using namespace muster;
 using muster::testing::bytesOf;
@@ -17,12 +17,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Kept {
-    fs::path base = fs::temp_directory_path() / ("muster_take_shelf_" + std::to_string(::getpid()));
+struct Kept : testing::TemporaryFolder {
     TakeShelf shelf{(base / "takes").string()};
 
-    Kept() { fs::remove_all(base); }
-    ~Kept() { fs::remove_all(base); }
+    Kept() : TemporaryFolder("take_shelf") {}
 
     std::string put(const std::string& bytes) {
         const auto name = shelf.put(bytesOf(bytes));

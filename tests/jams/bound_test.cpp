@@ -15,8 +15,7 @@ using namespace muster::testing;
 #if MUSTER_HAS_LEMON
 
 TEST_CASE("visibility graph: straight in sight, round the end of a wall out of sight") {
-    WallPlan plan;
-    plan.box = {{-20, -20}, {20, 20}};
+    WallPlan plan{.box = {{-20, -20}, {20, 20}}};
     const VisibilityGraph graph({wallPart(plan, -5.0, 3.0)});
     const Vec2 from{-4.5, 0.0};
     const std::vector<double> lengths = graph.lengthsFrom(from);
@@ -25,9 +24,7 @@ TEST_CASE("visibility graph: straight in sight, round the end of a wall out of s
 }
 
 TEST_CASE("quickest flow: one passage is walk, service and walk; two equal ones halve the service") {
-    WallPlan plan;
-    plan.box = {{-40, -40}, {40, 40}};
-    plan.openings = {{-0.5, 0.5}};
+    WallPlan plan{.openings = {{-0.5, 0.5}}, .box = {{-40, -40}, {40, 40}}};
     JamScene scene = sceneOf(plan);
     scene.shift = {20.5, 0.0};
     const std::vector<Vec2> starts(90, Vec2{-10.0, 0.0});

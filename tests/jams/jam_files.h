@@ -45,8 +45,7 @@ inline std::optional<JamScene> jamFile(int index) {
         std::printf("skipped: %s.json in shared/jams is not there\n", names[index]);
         return std::nullopt;
     }
-    JamScene scene;
-    scene.def = loadScenario(path + ".json").value();
+    JamScene scene{.def = loadScenario(path + ".json").value()};
     scene.commands = loadGestures(path + ".gestures.json", scene.def.parameters.stepTime).value();
     scene.passages = passagesInRow(scene.def);
     scene.shift = {-2.0 * scene.def.groups[0].position.x, 0.0};

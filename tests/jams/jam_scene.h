@@ -47,8 +47,7 @@ inline Vec2 turnedBy(const WallPlan& plan, Vec2 p) {
 
 inline ObstacleDef wallPart(const WallPlan& plan, double from, double to) {
     const double x = 0.5 * plan.thickness;
-    ObstacleDef part;
-    part.polygon = {{-x, from}, {x, from}, {x, to}, {-x, to}};
+    ObstacleDef part{.polygon = {{-x, from}, {x, from}, {x, to}, {-x, to}}};
     for (Vec2& p : part.polygon) p = turnedBy(plan, p);
     if (plan.turned) std::reverse(part.polygon.begin(), part.polygon.end());
     return part;
@@ -82,8 +81,7 @@ inline std::vector<Command> drawnBy(const WallPlan& plan, double half, double st
 
 /// The scene of a plan. Speeds of mesh and places are those of a fast hand; all else is the default.
 inline JamScene sceneOf(const WallPlan& plan) {
-    JamScene scene;
-    scene.def.box = {turnedBy(plan, plan.box.min), turnedBy(plan, plan.box.max)};
+    JamScene scene{.def = {.box = {turnedBy(plan, plan.box.min), turnedBy(plan, plan.box.max)}}};
     double from = plan.box.min.y;
     for (const auto& [low, high] : plan.openings) {
         scene.def.obstacles.push_back(wallPart(plan, from, low));
@@ -91,10 +89,7 @@ inline JamScene sceneOf(const WallPlan& plan) {
         from = high;
     }
     scene.def.obstacles.push_back(wallPart(plan, from, plan.box.max.y));
-    GroupDef group;
-    group.count = plan.count;
-    group.position = turnedBy(plan, plan.crowd);
-    scene.def.groups = {group};
+    scene.def.groups = {{.count = plan.count, .position = turnedBy(plan, plan.crowd)}};
     scene.def.parameters.control.speed = scene.def.parameters.place.speed = 8.0;
     scene.def.parameters.opposing.gain = 0.0;
     scene.shift = turnedBy(plan, plan.goal) - turnedBy(plan, plan.crowd);
@@ -108,9 +103,8 @@ inline JamScene withoutPassage(JamScene scene, std::size_t closed) {
     const JamPassage gap = scene.passages[closed];
     const double half = 0.5 * kPlug;
     const Vec2 across = perpendicular(normalized(gap.b - gap.a)) * half;
-    ObstacleDef plug;
-    plug.polygon = {gap.a + across, gap.a - across, gap.b - across, gap.b + across};
-    scene.def.obstacles.push_back(plug);
+    scene.def.obstacles.push_back(
+        {.polygon = {gap.a + across, gap.a - across, gap.b - across, gap.b + across}});
     scene.passages.erase(scene.passages.begin() + static_cast<std::ptrdiff_t>(closed));
     return scene;
 }

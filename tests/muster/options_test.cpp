@@ -4,9 +4,10 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
+
+#include "temporary_folder.h"
 
 using namespace muster;
 namespace fs = std::filesystem;
@@ -14,21 +15,14 @@ namespace fs = std::filesystem;
 namespace {
 
 /// A folder with a file, other names of it, and a folder of its own.
-struct Folder {
-    fs::path path = fs::temp_directory_path() / ("muster_options_test_" + std::to_string(::getpid()));
-    Folder() {
-        fs::remove_all(path);
-        fs::create_directories(path / "sub");
-        std::ofstream(path / "real.txt") << "text";
-        std::ofstream(path / "other.txt") << "text";
-        fs::create_symlink(path / "real.txt", path / "link.txt");
-        fs::create_hard_link(path / "real.txt", path / "hard.txt");
+struct Folder : testing::TemporaryFolder {
+    Folder() : TemporaryFolder("options") {
+        fs::create_directories(base / "sub");
+        for (const char* name : {"real.txt", "other.txt"}) put(name, "text");
+        fs::create_symlink(base / "real.txt", base / "link.txt");
+        fs::create_hard_link(base / "real.txt", base / "hard.txt");
     }
-    ~Folder() {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-    std::string file(const std::string& name) const { return path.string() + "/" + name; }
+    std::string file(const std::string& name) const { return base.string() + "/" + name; }
 };
 
 }  // namespace

@@ -11,9 +11,7 @@ using namespace muster;
 namespace {
 
 WorldDef defOf() {
-    WorldDef def;
-    def.box = {{-10, -10}, {10, 10}};
-    return def;
+    return {.box = {{-10, -10}, {10, 10}}};
 }
 
 /// Names of the parameters in which two sets differ.

@@ -8,6 +8,7 @@
 
 #include "base/text_file.h"
 #include "json/json.h"
+#include "temporary_folder.h"
 
 using namespace muster;
 namespace fs = std::filesystem;
@@ -18,12 +19,10 @@ const std::string kOpen = R"({"format":"muster-scenario","version":1,"name":"Ope
                           R"("groups":[{"count":4}]})";
 
 /// Folders with a page, an engine and two scenarios, as small as can be.
-struct Parts {
-    fs::path base = fs::temp_directory_path() / ("muster_site_test_" + std::to_string(::getpid()));
+struct Parts : testing::TemporaryFolder {
     SiteDef def;
 
-    Parts() {
-        fs::remove_all(base);
+    Parts() : TemporaryFolder("site") {
         put("page/index.html", "<!doctype html>\n<html lang=\"en\"><head></head><body></body></html>\n");
         put("page/assets/main-1.js", "page();");
         put("page/site/service_worker.js", "const kCache = 'muster-VERSION'; const kFiles = FILES;");
@@ -37,16 +36,6 @@ struct Parts {
         put("scenarios/schema/scenario.schema.json", "{}");
         def = {(base / "page").string(), (base / "engine").string(), (base / "scenarios").string(), "open",
                (base / "out").string()};
-    }
-    ~Parts() { fs::remove_all(base); }
-
-    void put(const std::string& path, const std::string& text) const {
-        fs::create_directories((base / path).parent_path());
-        REQUIRE(writeTextFile((base / path).string(), text).ok());
-    }
-    std::string read(const std::string& path) const {
-        const auto text = readTextFile((base / path).string());
-        return text.ok() ? *text : "(" + text.status().message() + ")";
     }
     std::string refusal() const {
         const auto report = writeSite(def);

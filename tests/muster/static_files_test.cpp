@@ -4,11 +4,11 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "server_policy.h"
+#include "temporary_folder.h"
 
 using namespace muster;
 namespace fs = std::filesystem;
@@ -16,12 +16,8 @@ namespace fs = std::filesystem;
 namespace {
 
 /// A page's folder with a file for each test, and a secret outside of it.
-struct Site {
-    fs::path base = fs::temp_directory_path() / ("muster_static_files_test_" + std::to_string(::getpid()));
-    Site() {
-        fs::remove_all(base);
-        fs::create_directories(base / "page/assets");
-        fs::create_directories(base / "page/sub");
+struct Site : testing::TemporaryFolder {
+    Site() : TemporaryFolder("static_files") {
         put("secret.txt", "secret");
         put("page/index.html", "<p>home");
         put("page/sub/index.html", "<p>sub");
@@ -32,13 +28,6 @@ struct Site {
         fs::create_symlink(base / "secret.txt", base / "page/out.txt");
         fs::create_directory_symlink(base, base / "page/up");
         fs::create_symlink(base / "page/a.js", base / "page/in.js");
-    }
-    ~Site() {
-        std::error_code ignored;
-        fs::remove_all(base, ignored);
-    }
-    void put(const std::string& name, const std::string& text) const {
-        std::ofstream(base / name, std::ios::binary) << text;
     }
     auto read(const std::string& target) const { return readStaticFile((base / "page").string(), target); }
 };

@@ -3,7 +3,6 @@
 #include "page_engine.h"
 
 #include <doctest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <string>
@@ -12,6 +11,7 @@
 #include "json/json.h"
 #include "muster/take.h"
 #include "studio/session/fake_client.h"
+#include "temporary_folder.h"
 
 using namespace muster;
 using muster::testing::FakeClient;
@@ -27,29 +27,18 @@ std::string floorText(const std::string& name, int count) {
 }
 
 /// Folders with two scenarios and one that cannot be read.
-struct Folders {
-    fs::path base = fs::temp_directory_path() / ("muster_page_engine_" + std::to_string(::getpid()));
-
-    Folders() {
-        fs::remove_all(base);
+struct Folders : testing::TemporaryFolder {
+    Folders() : TemporaryFolder("page_engine") {
         put("scenarios/floor.json", floorText("Floor", 16));
         put("scenarios/more/hall.json", floorText("Hall", 25));
         put("scenarios/more/broken.json", "{\"format\":");
     }
-    ~Folders() { fs::remove_all(base); }
-
-    void put(const std::string& path, const std::string& text) const {
-        fs::create_directories((base / path).parent_path());
-        REQUIRE(writeTextFile((base / path).string(), text).ok());
-    }
     PageEngineDef def(const std::string& scenario = "", std::int32_t threads = 1) const {
-        PageEngineDef def;
-        def.scenarioFolder = (base / "scenarios").string();
-        def.takesFolder = (base / "takes").string();
-        def.scenario = scenario;
-        def.version = "of a test";
-        def.threads = threads;
-        return def;
+        return {.scenarioFolder = (base / "scenarios").string(),
+                .takesFolder = (base / "takes").string(),
+                .scenario = scenario,
+                .version = "of a test",
+                .threads = threads};
     }
     std::unique_ptr<PageEngine> open(const std::string& scenario = "", std::int32_t threads = 1) const {
         auto engine = PageEngine::open(def(scenario, threads));

@@ -1,7 +1,6 @@
 #include "lab/measures/region.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "engine/geometry/free_area.h"

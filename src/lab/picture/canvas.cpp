@@ -96,9 +96,8 @@ void Canvas::fill(std::span<const std::vector<Vec2>> loops, Colour colour) {
 
 std::vector<std::uint8_t> Canvas::bytes() const {
     std::vector<std::uint8_t> bytes(pixels_.size());
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
+    for (std::size_t i = 0; i < bytes.size(); ++i)
         bytes[i] = static_cast<std::uint8_t>(std::clamp(pixels_[i] + 0.5f, 0.0f, 255.0f));
-    }
     return bytes;
 }
 

@@ -84,9 +84,8 @@ void drawPlaces(const Pen& pen) {
 
 void drawTrails(const Pen& pen) {
     const CharactersView characters = pen.world.characters();
-    for (std::size_t i = 0; i < pen.def.trails.size() && i < characters.size(); ++i) {
+    for (std::size_t i = 0; i < pen.def.trails.size() && i < characters.size(); ++i)
         pen.draw.line(pen.def.trails[i], pen.stroke(pen.accent(characters.group[i], 0.30), 1.4));
-    }
 }
 
 void drawPaths(const Pen& pen) {
@@ -119,9 +118,8 @@ void drawCharacters(const Pen& pen) {
     const CharactersView characters = pen.world.characters();
     // Characters are drawn larger than life where the scale is small.
     const double radius = std::max(pen.world.parameters().character.radius, pen.metres(3.5));
-    for (std::size_t i = 0; i < characters.size(); ++i) {
+    for (std::size_t i = 0; i < characters.size(); ++i)
         pen.draw.disc(characters.position[i] + Vec2{0.4, -0.28} * radius, radius, pen.theme.shadow, {});
-    }
     for (std::size_t i = 0; i < characters.size(); ++i) {
         const Vec2 at = characters.position[i], ahead = characters.heading[i];
         const Colour accent = pen.accent(characters.group[i]);

@@ -27,9 +27,8 @@ Samples sample(const Pen& pen, const std::function<double(Vec2)>& value) {
     const double cell = std::max(environment.grid().cell, environment.grid().box().width() / 1024.0);
     Samples samples{Grid::covering(environment.def().box, cell), {}};
     samples.values.resize(samples.grid.count());
-    for (std::int32_t i = 0; i < samples.grid.count(); ++i) {
+    for (std::int32_t i = 0; i < samples.grid.count(); ++i)
         samples.values[i] = value(samples.grid.centre(samples.grid.at(i)));
-    }
     return samples;
 }
 

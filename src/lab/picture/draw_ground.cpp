@@ -62,9 +62,8 @@ void patchTexture(const Pen& pen, const Polygon& corners, const std::string& mot
         int row = 0;
         for (double y = box.min.y; y < box.max.y; y += 0.5, ++row) {
             if (row > 0) inside({box.min.x, y}, {box.max.x, y});
-            for (double x = box.min.x + (row % 2 == 0 ? 0.4 : 0.8); x < box.max.x; x += 0.8) {
+            for (double x = box.min.x + (row % 2 == 0 ? 0.4 : 0.8); x < box.max.x; x += 0.8)
                 inside({x, y}, {x, std::min(y + 0.5, box.max.y)});
-            }
         }
     }
     pen.draw.lines(lines, fine);

@@ -82,14 +82,12 @@ namespace {
 
 /// The visible area, or the reason why it cannot be drawn.
 Result<Box> viewOf(const World& world, const PictureDef& def) {
-    if (def.width < 64 || def.width > 8192) {
+    if (def.width < 64 || def.width > 8192)
         return invalidArgument("found a width of " + std::to_string(def.width) +
                                " pixels, expected 64 to 8192");
-    }
     const Box view = def.view.value_or(inspect::environment(world).def().box);
-    if (!(view.width() > 0.0 && view.height() > 0.0 && view.height() * def.width < 8192.0 * view.width())) {
+    if (!(view.width() > 0.0 && view.height() > 0.0 && view.height() * def.width < 8192.0 * view.width()))
         return invalidArgument("found an empty view or one too high for its width, expected a box");
-    }
     return view;
 }
 

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -125,10 +124,9 @@ private:
         std::string text = " stroke=\"" + hex(stroke.colour) + "\" stroke-width=\"" + number(stroke.width) +
                            "\"";
         if (stroke.colour.opacity < 1.0) text += " stroke-opacity=\"" + number(stroke.colour.opacity) + "\"";
-        if (stroke.dash > 0.0) {
+        if (stroke.dash > 0.0)
             text += " stroke-dasharray=\"" + number(stroke.dash) + " " + number(stroke.dash + stroke.width) +
                     "\"";
-        }
         return text;
     }
 

@@ -1,7 +1,6 @@
 #include "lab/picture/theme.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace muster {
 namespace {

@@ -102,11 +102,10 @@ private:
 };
 
 ExperimentResult summarise(const Experiment& experiment, std::size_t seeds, Samples samples) {
-    ExperimentResult result;
-    result.text = experiment.text();
-    result.arms = experiment.arms();
-    result.figures = experiment.figures();
-    result.samples = std::move(samples);
+    ExperimentResult result{.text = experiment.text(),
+                            .arms = experiment.arms(),
+                            .figures = experiment.figures(),
+                            .samples = std::move(samples)};
     Judge judge(seeds);
     experiment.judge(result.samples, judge);
     result.verdicts = judge.verdicts();
@@ -162,8 +161,7 @@ Result<Reproduction> reproduce(const ReproduceDef& def,
         for (Job& job : *list)
             samples[job.experiment].add(job.request.arm.id, job.request.arm.preset,
                                         std::move(*job.sample).value());
-    Reproduction result;
-    result.seeds = def.seeds;
+    Reproduction result{.seeds = def.seeds};
     for (std::size_t e = 0; e < experiments.size(); ++e)
         result.experiments.push_back(
             summarise(*experiments[e], static_cast<std::size_t>(def.seeds), std::move(samples[e])));

@@ -93,8 +93,7 @@ VerifySamples samplesOf(const RowDef& row, std::int32_t seeds, const std::vector
 }
 
 RowResult judged(const RowDef& row, const VerifyDef& def, const std::vector<VerifyJob>& jobs) {
-    RowResult result;
-    result.row = row;
+    RowResult result{.row = row};
     if (!row.missing.empty()) {
         result.outcome = Outcome::Missing;
         return result;

@@ -1,7 +1,6 @@
 #include "people/bodies/sculptor.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/maths.h"
 

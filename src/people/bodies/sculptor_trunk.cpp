@@ -1,8 +1,5 @@
 #include "people/bodies/sculptor.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "base/maths.h"
 
 namespace muster::bodies {

@@ -119,8 +119,8 @@ const BodyKeys& bodyKeys() {
 
 /// The jog before the wall and the jog after it, in the time of this clip.
 struct Jogs {
-    GaitTrack before{jogGait(), 0.0};
-    GaitTrack after{jogGait(), kClimbEnd - 0.70 * jogGait().cycle};
+    GaitTrack before{gaitOf(GaitKind::Jog), 0.0};
+    GaitTrack after{gaitOf(GaitKind::Jog), kClimbEnd - 0.70 * gaitOf(GaitKind::Jog).cycle};
 };
 
 Course climbCourse() {

@@ -70,7 +70,7 @@ void addContactsTo(ClipDef& plan, const Step& push, const Step& lunge, const Cou
 }
 
 Clip clip() {
-    const GaitTrack jog(jogGait());
+    const GaitTrack jog(gaitOf(GaitKind::Jog));
     const CrawlTrack crawl(kKnee);
     const auto crawling = [&](double time) { return crawl.figure(time); };
     const Course course = courseOf(jog, crawl);
@@ -137,7 +137,7 @@ Step footStep(const GaitTrack& jog, const Course& course) {
 }
 
 Clip clip() {
-    const GaitTrack jog(jogGait(), kStrike);
+    const GaitTrack jog(gaitOf(GaitKind::Jog), kStrike);
     const CrawlTrack crawl(-kPhase * CrawlTrack::kCycle);
     const auto crawling = [&](double time) { return crawl.figure(time); };
     const Course course = courseOf(jog, crawl);

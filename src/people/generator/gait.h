@@ -2,6 +2,7 @@
 // an arc.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "muster/clip.h"
@@ -95,11 +96,9 @@ private:
 Clip gaitClip(const std::string& name, const std::string& motion, const Gait& gait);
 
 /// The gaits of Muster's own clips.
-Gait walkGait();
-Gait jogGait();
-Gait runGait();
-Gait sprintGait();
-Gait duckGait();
+enum class GaitKind { Walk, Jog, Run, Sprint, Duck, MarchingWalk, MarchingJog, WearyWalk, WearyJog };
+inline constexpr std::size_t kGaitKinds = 9;
+Gait gaitOf(GaitKind kind);
 /// A gait along an arc of that radius [m]; a positive radius turns to the left.
 Gait bent(Gait gait, double radius);
 

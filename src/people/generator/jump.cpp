@@ -76,7 +76,7 @@ ChannelValues heldInJump(const JumpShape& shape, ChannelValues body, double time
 }
 
 Transition jumpOf(const JumpShape& shape) {
-    const Gait jog = jogGait();
+    const Gait jog = gaitOf(GaitKind::Jog);
     const GaitTrack before(jog, shape.plant), after(jog, shape.land - 0.5 * jog.cycle);
     Transition transition;
     transition.name = shape.name;

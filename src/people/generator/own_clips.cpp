@@ -11,17 +11,17 @@ namespace {
 using namespace generator;
 
 void addGaits(std::vector<Clip>& clips) {
-    clips.push_back(gaitClip("walk", "run", walkGait()));
-    clips.push_back(gaitClip("jog", "run", jogGait()));
-    clips.push_back(gaitClip("run", "run", runGait()));
-    clips.push_back(gaitClip("sprint", "run", sprintGait()));
-    clips.push_back(gaitClip("duck", "duck", duckGait()));
-    clips.push_back(gaitClip("walk-left", "run", bent(walkGait(), 2.0)));
-    clips.push_back(gaitClip("walk-right", "run", bent(walkGait(), -2.0)));
-    clips.push_back(gaitClip("jog-left", "run", bent(jogGait(), 2.5)));
-    clips.push_back(gaitClip("jog-right", "run", bent(jogGait(), -2.5)));
-    clips.push_back(gaitClip("run-left", "run", bent(runGait(), 3.0)));
-    clips.push_back(gaitClip("run-right", "run", bent(runGait(), -3.0)));
+    clips.push_back(gaitClip("walk", "run", gaitOf(GaitKind::Walk)));
+    clips.push_back(gaitClip("jog", "run", gaitOf(GaitKind::Jog)));
+    clips.push_back(gaitClip("run", "run", gaitOf(GaitKind::Run)));
+    clips.push_back(gaitClip("sprint", "run", gaitOf(GaitKind::Sprint)));
+    clips.push_back(gaitClip("duck", "duck", gaitOf(GaitKind::Duck)));
+    clips.push_back(gaitClip("walk-left", "run", bent(gaitOf(GaitKind::Walk), 2.0)));
+    clips.push_back(gaitClip("walk-right", "run", bent(gaitOf(GaitKind::Walk), -2.0)));
+    clips.push_back(gaitClip("jog-left", "run", bent(gaitOf(GaitKind::Jog), 2.5)));
+    clips.push_back(gaitClip("jog-right", "run", bent(gaitOf(GaitKind::Jog), -2.5)));
+    clips.push_back(gaitClip("run-left", "run", bent(gaitOf(GaitKind::Run), 3.0)));
+    clips.push_back(gaitClip("run-right", "run", bent(gaitOf(GaitKind::Run), -3.0)));
 }
 
 ClipLibrary makeAll() {

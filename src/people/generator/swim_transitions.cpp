@@ -57,7 +57,7 @@ Course courseOf(const GaitTrack& jog) {
 }
 
 Clip clip() {
-    const GaitTrack jog(jogGait());
+    const GaitTrack jog(gaitOf(GaitKind::Jog));
     const Course course = courseOf(jog);
     Step push = jog.step(0, 0, jog.course()), before = jog.step(1, -1, jog.course());
     push.end = kOff;
@@ -153,7 +153,7 @@ Reach reachOf(const Course& course, std::size_t side, double time) {
 }
 
 Clip clip() {
-    const Gait gait = jogGait();
+    const Gait gait = gaitOf(GaitKind::Jog);
     const GaitTrack jog(gait, kSwimEnd - kEntry * gait.cycle);
     const Course course = courseOf(jog);
     Step foot = jog.step(0, 0, course);

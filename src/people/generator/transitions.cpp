@@ -168,14 +168,16 @@ Transition changeOf(const Change& change, int frames) {
 }  // namespace
 
 void addTransitions(std::vector<Clip>& clips) {
-    clips.push_back(transitionClip(startOf("start", jogGait(), 66, 0.50, 0.60, 0.95)));
-    clips.push_back(transitionClip(startOf("start-walk", walkGait(), 72, 0.55, 0.657, 0.85)));
-    clips.push_back(transitionClip(stopOf("stop", jogGait(), 72, 0.34, 0.78, 0.9)));
-    clips.push_back(transitionClip(stopOf("stop-walk", walkGait(), 78, 0.66, 1.08, 1.2)));
+    clips.push_back(transitionClip(startOf("start", gaitOf(GaitKind::Jog), 66, 0.50, 0.60, 0.95)));
+    clips.push_back(transitionClip(startOf("start-walk", gaitOf(GaitKind::Walk), 72, 0.55, 0.657, 0.85)));
+    clips.push_back(transitionClip(stopOf("stop", gaitOf(GaitKind::Jog), 72, 0.34, 0.78, 0.9)));
+    clips.push_back(transitionClip(stopOf("stop-walk", gaitOf(GaitKind::Walk), 78, 0.66, 1.08, 1.2)));
     clips.push_back(transitionClip(turnOf("turn-left", 1.0)));
     clips.push_back(transitionClip(turnOf("turn-right", -1.0)));
-    clips.push_back(transitionClip(changeOf({"duck-enter", jogGait(), duckGait(), 0.12, 0.25, 0.285}, 24)));
-    clips.push_back(transitionClip(changeOf({"duck-exit", duckGait(), jogGait(), 0.358, 0.22, 0.20}, 24)));
+    clips.push_back(transitionClip(
+        changeOf({"duck-enter", gaitOf(GaitKind::Jog), gaitOf(GaitKind::Duck), 0.12, 0.25, 0.285}, 24)));
+    clips.push_back(transitionClip(
+        changeOf({"duck-exit", gaitOf(GaitKind::Duck), gaitOf(GaitKind::Jog), 0.358, 0.22, 0.20}, 24)));
 }
 
 }  // namespace muster::generator

@@ -3,7 +3,6 @@
 
 #include <doctest.h>
 
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -14,53 +13,35 @@
 /// Two groups, a wall, a moving gate, a net, an item and a checkpoint.
 inline muster::WorldDef makeDef() {
     using namespace muster;
-    WorldDef def;
-    def.name = "Both";
-    def.parameters.character.radius = 0.22;
+    WorldDef def{.name = "Both", .parameters = {.character = {.radius = 0.22}}};
     def.parameters.plan.period = 2;
-    ObstacleDef wall;
-    wall.polygon = {{4, -3}, {5, -3}, {5, 3}, {4, 3}};
-    ObstacleDef gate;
-    gate.name = "Gate";
-    gate.polygon = {{4, 4}, {5, 4}, {5, 5}, {4, 5}};
-    gate.path.waypoints = {{0.0, {}, 0.0}, {4.0, {0, 3}, 0.0}};
-    gate.path.loop = true;
+    ObstacleDef wall{.polygon = {{4, -3}, {5, -3}, {5, 3}, {4, 3}}};
+    ObstacleDef gate{.name = "Gate",
+                     .polygon = {{4, 4}, {5, 4}, {5, 5}, {4, 5}},
+                     .path = {.waypoints = {{0.0, {}, 0.0}, {4.0, {0, 3}, 0.0}}, .loop = true}};
     def.obstacles = {wall, gate};
-    PatchDef net;
-    net.name = "Net";
-    net.polygon = {{-3, 6}, {3, 6}, {3, 9}, {-3, 9}};
-    net.motion = 3;
-    def.patches = {net};
-    GroupDef first;
-    first.name = "First";
-    first.count = 20;
-    first.position = {-8, -4};
-    first.bodies = {Body{0.3, 0.0, 0.0, 2.0, 1.0, 1}};
-    first.roles = {{RoleArea::Front, 1}};
-    GroupDef second;
-    second.name = "Second";
-    second.count = 16;
-    second.position = {-8, 7};
-    second.formation.kind = FormationKind::Wedge;
-    second.orders = {Order::move({6, 10}, 0.5)};
+    def.patches = {{.name = "Net", .polygon = {{-3, 6}, {3, 6}, {3, 9}, {-3, 9}}, .motion = 3}};
+    GroupDef first{.name = "First",
+                   .count = 20,
+                   .position = {-8, -4},
+                   .bodies = {Body{0.3, 0.0, 0.0, 2.0, 1.0, 1}},
+                   .roles = {{RoleArea::Front, 1}}};
+    GroupDef second{.name = "Second",
+                    .count = 16,
+                    .formation = {.kind = FormationKind::Wedge},
+                    .position = {-8, 7},
+                    .orders = {Order::move({6, 10}, 0.5)}};
     second.orders[0].formation = FormationDef{FormationKind::Line, 1.1, 1.2, {}, {}, 0};
     def.groups = {first, second};
-    FormationCheckpointDef checkpoint;
-    checkpoint.position = {0, -8};
-    checkpoint.formation.kind = FormationKind::Column;
-    checkpoint.share = 0.25;
-    def.checkpoints = {checkpoint};
+    def.checkpoints = {{.position = {0, -8}, .formation = {.kind = FormationKind::Column}, .share = 0.25}};
     def.items = {{{9, -9}, 0.5}};
     def.groups[0].people = {adults()};
-    AreaDef exit;
-    exit.name = "Door";
-    exit.polygon = {{13, -2}, {15, -2}, {15, 2}, {13, 2}};
-    AreaDef source;
-    source.kind = AreaKind::Source;
-    source.polygon = {{-14, 10}, {-11, 10}, {-11, 14}, {-14, 14}};
-    source.group = 1;
-    source.rate = 0.5;
-    source.timetable = {{1.0, 2}};
+    AreaDef exit{.name = "Door", .polygon = {{13, -2}, {15, -2}, {15, 2}, {13, 2}}};
+    AreaDef source{.kind = AreaKind::Source,
+                   .polygon = {{-14, 10}, {-11, 10}, {-11, 14}, {-14, 14}},
+                   .rate = 0.5,
+                   .group = 1,
+                   .timetable = {{1.0, 2}}};
     def.areas = {exit, source};
     return def;
 }
@@ -69,10 +50,7 @@ inline muster::WorldDef makeDef() {
 inline std::vector<std::pair<std::uint32_t, muster::CommandBody>> sampleScript(const muster::World& world) {
     using namespace muster;
     const GroupId first = world.group(0).id, second = world.group(1).id;
-    SplitGroup split;
-    split.group = first;
-    split.by = SplitBy::Shares;
-    split.shares = {1.0, 2.0};
+    SplitGroup split{.group = first, .by = SplitBy::Shares, .shares = {1.0, 2.0}};
     AreaDef closed = world.area(0).def;
     closed.open = false;
     GiveOrder go{first, QueueMode::Replace, 0, Order::move({10, -6}, 0.0)};

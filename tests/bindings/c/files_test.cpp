@@ -13,27 +13,11 @@
 #include "muster/own_clips.h"
 #include "muster/scenario.h"
 #include "muster/take.h"
+#include "temporary_folder.h"
 
 using namespace muster;
 
 namespace {
-
-/// A folder for the files of one test, which is removed with them.
-class TemporaryFolder {
-public:
-    TemporaryFolder()
-        : folder_(std::filesystem::temp_directory_path() / ("muster_capi_" + std::to_string(getpid()))) {
-        std::filesystem::create_directories(folder_);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    ~TemporaryFolder() { std::filesystem::remove_all(folder_); }
-
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-private:
-    std::filesystem::path folder_;
-};
 
 std::string bytesOf(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
@@ -165,8 +149,8 @@ TEST_SUITE("files in C") {
     }
 
     TEST_CASE("a take recorded in C is the file that the C++ API writes, and replays to the same hash") {
-        const TemporaryFolder folder;
-        const std::string path = folder.path("c.take"), other = folder.path("cpp.take");
+        const testing::TemporaryFolder folder("capi");
+        const std::string path = folder / "c.take", other = folder / "cpp.take";
         const std::uint64_t hash = recordInC(path);
 
         World world = *World::create(makeDef());
@@ -242,8 +226,8 @@ TEST_SUITE("files in C") {
     }
 
     TEST_CASE("an export in C writes the bytes of the C++ API, tells its progress and can be ended") {
-        const TemporaryFolder folder;
-        const std::string path = folder.path("c.take");
+        const testing::TemporaryFolder folder("capi");
+        const std::string path = folder / "c.take";
         recordInC(path);
         MusterTakeId take{};
         MusterClipLibraryId library{};
@@ -266,19 +250,18 @@ TEST_SUITE("files in C") {
             CHECK(muster_export_format(all[i].name, &format) == MUSTER_OK);
             CHECK(std::string(format.ending) == all[i].ending);
             if (name != "glb" && name != "bvh") continue;
-            const std::string mine = folder.path("c" + std::string(format.ending));
-            const std::string other = folder.path("cpp" + std::string(format.ending));
+            const std::string mine = folder / ("c" + std::string(format.ending));
+            const std::string other = folder / ("cpp" + std::string(format.ending));
             REQUIRE(muster_export_take(take, library, name.c_str(), mine.c_str(), &def, progress, &shares) ==
                     MUSTER_OK);
-            ExportDef same;
-            same.to = 0.5;
+            ExportDef same{.to = 0.5};
             REQUIRE(exportTake(*readTake(path), ownClips(), name, other, same).ok());
             if (name == "glb") CHECK(bytesOf(mine) == bytesOf(other));
             CHECK(std::filesystem::exists(mine));
         }
         CHECK(shares.size() > 2);
         CHECK(shares.back() == doctest::Approx(1.0));
-        const std::string none = folder.path("none.glb");
+        const std::string none = folder / "none.glb";
         const auto stop = [](void*, double) -> bool { return false; };
         CHECK(muster_export_take(take, library, "glb", none.c_str(), nullptr, stop, nullptr) ==
               MUSTER_UNSUPPORTED);

@@ -51,12 +51,7 @@ MusterTaskRunner runnerOf(Jobs& jobs) {
 
 /// A crowd that is large enough to be work for two.
 WorldDef largeDef() {
-    WorldDef def;
-    def.box = {{-32, -32}, {32, 32}};
-    GroupDef group;
-    group.count = 400;
-    def.groups.push_back(group);
-    return def;
+    return {.box = {{-32, -32}, {32, 32}}, .groups = {{.count = 400}}};
 }
 
 std::uint64_t hashOf(MusterWorldId world) {

@@ -2,7 +2,6 @@
 #include <doctest.h>
 
 #include <cmath>
-#include <limits>
 #include <thread>
 
 #include "bindings/c/both_worlds.h"

@@ -1,7 +1,6 @@
 // Clips, poses and the motion of a crowd by the C API, against the C++ API.
 #include <doctest.h>
 
-#include <cmath>
 #include <cstring>
 
 #include "bindings/c/both_worlds.h"

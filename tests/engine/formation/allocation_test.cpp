@@ -11,8 +11,7 @@ using namespace muster::test;
 TEST_CASE("a warm step of controls, mesh and places allocates nothing") {
     EnvironmentDef world;
     Environment environment = *Environment::create(world);
-    ObstacleDef disc;
-    disc.radius = 0.8;
+    ObstacleDef disc{.radius = 0.8};
     disc.centre = {-6.5, 0.2};  // Its field reaches the mesh, but no place needs a path round it.
     REQUIRE(environment.addObstacle(disc).ok());
     environment.setTime(0.0);
@@ -50,13 +49,9 @@ TEST_CASE("a warm step of controls, mesh and places allocates nothing") {
 
 TEST_CASE("places that search paths round a block and through a patch again and again allocate nothing") {
     Environment environment = *Environment::create({});
-    ObstacleDef block;
-    block.polygon = {{-1, -5}, {1, -5}, {1, 5}, {-1, 5}};
+    ObstacleDef block{.polygon = {{-1, -5}, {1, -5}, {1, 5}, {-1, 5}}};
     REQUIRE(environment.addObstacle(block).ok());
-    PatchDef slow;
-    slow.polygon = {{-6, -3}, {-3, -3}, {-3, 3}, {-6, 3}};
-    slow.speed = 0.5;
-    REQUIRE(environment.addPatch(slow).ok());
+    REQUIRE(environment.addPatch({.polygon = {{-6, -3}, {-3, -3}, {-3, 3}, {-6, 3}}, .speed = 0.5}).ok());
     environment.setTime(0.0);
     RouteGraph routes;
     routes.update(environment, 0.25);

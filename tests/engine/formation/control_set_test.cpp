@@ -255,8 +255,7 @@ TEST_CASE("three fingers on one line make a chain of lines") {
 }
 
 TEST_CASE("a line across a ring is sampled only where the mesh covers it") {
-    FormationDef def;
-    def.kind = FormationKind::Ring;
+    FormationDef def{.kind = FormationKind::Ring};
     Stage s(*makeFormation(def, 60));
     REQUIRE(s.down(1, {7, 0}));
     REQUIRE(s.down(2, {-7, 0}));

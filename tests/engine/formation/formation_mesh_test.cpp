@@ -185,8 +185,7 @@ TEST_CASE("repeated deformations do not change the rest shape") {
 
 TEST_CASE("a change of formation keeps position and orientation") {
     Stage s(square(), poseOf(1.0, {7, -2}));
-    FormationDef def;
-    def.kind = FormationKind::Wedge;
+    FormationDef def{.kind = FormationKind::Wedge};
     REQUIRE(s.mesh.change(*makeFormation(def, 36)).ok());
     std::vector<Vec2> places;
     s.mesh.placePositions(places);
@@ -211,9 +210,7 @@ TEST_CASE("a change of formation keeps position and orientation") {
 TEST_CASE("vertices leave obstacles; displacements are bounded, decay and end") {
     EnvironmentDef world;
     Environment environment = *Environment::create(world);
-    ObstacleDef disc;
-    disc.radius = 1.3;
-    disc.centre = {0.3, 0.2};
+    ObstacleDef disc{.centre = {0.3, 0.2}, .radius = 1.3};
     const ObstacleId id = *environment.addObstacle(disc);
     environment.setTime(0.0);
     Stage s(square(49));

@@ -106,8 +106,7 @@ PolygonWithHoles frame() {
 
 TEST_CASE("named shapes hold any count evenly") {
     for (int kind = 0; kind < 8; ++kind) {
-        FormationDef def;
-        def.kind = static_cast<FormationKind>(kind);
+        FormationDef def{.kind = static_cast<FormationKind>(kind)};
         for (const std::int32_t count : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 15, 20, 36, 37, 100, 1000})
             checkFormation(def, count);
     }
@@ -116,18 +115,16 @@ TEST_CASE("named shapes hold any count evenly") {
 TEST_CASE("random counts, spacings and openings") {
     Random random(7);
     for (int k = 0; k < 300; ++k) {
-        FormationDef def;
-        def.kind = static_cast<FormationKind>(random.below(8));
-        def.spacing = random.uniform(0.3, 4.0);
-        def.opening = random.uniform(0.05, 5.9);
+        FormationDef def{.kind = static_cast<FormationKind>(random.below(8)),
+                         .spacing = random.uniform(0.3, 4.0),
+                         .opening = random.uniform(0.05, 5.9)};
         checkFormation(def, 1 + static_cast<std::int32_t>(random.below(400)));
     }
 }
 
 TEST_CASE("ten thousand places") {
     for (int kind = 0; kind < 8; ++kind) {
-        FormationDef def;
-        def.kind = static_cast<FormationKind>(kind);
+        FormationDef def{.kind = static_cast<FormationKind>(kind)};
         checkFormation(def, 10000);
     }
 }
@@ -135,10 +132,7 @@ TEST_CASE("ten thousand places") {
 TEST_CASE("outlines of letters and frames hold the count") {
     for (const PolygonWithHoles& outline : {letterE(), frame()}) {
         for (const std::int32_t count : {1, 2, 3, 7, 36, 37, 100, 1000, 10000}) {
-            FormationDef def;
-            def.kind = FormationKind::Outline;
-            def.outline = outline;
-            def.spacing = 1.2;
+            FormationDef def{.kind = FormationKind::Outline, .spacing = 1.2, .outline = outline};
             checkFormation(def, count);
         }
     }
@@ -159,15 +153,13 @@ TEST_CASE("the square of a square number is an exact lattice") {
 
 TEST_CASE("shapes have the geometry that their names say") {
     const auto box = [](FormationKind kind, std::int32_t count) {
-        FormationDef def;
-        def.kind = kind;
+        FormationDef def{.kind = kind};
         return boundsOf(placesOf(*makeFormation(def, count)));
     };
     CHECK(box(FormationKind::Line, 40).height() == doctest::Approx(19.0));
     CHECK(box(FormationKind::Line, 40).width() == doctest::Approx(1.0));
     CHECK(box(FormationKind::Column, 40).width() == doctest::Approx(19.0));
-    FormationDef def;
-    def.kind = FormationKind::Wedge;
+    FormationDef def{.kind = FormationKind::Wedge};
     const std::vector<Vec2> wedge = placesOf(*makeFormation(def, 55));
     CHECK(wedge[0].y == doctest::Approx(0.0));
     CHECK(wedge[0].x > wedge[1].x + 0.5);
@@ -189,8 +181,7 @@ TEST_CASE("shapes have the geometry that their names say") {
 
 TEST_CASE("explicit points keep their exact positions and order") {
     Random random(3);
-    FormationDef def;
-    def.kind = FormationKind::Points;
+    FormationDef def{.kind = FormationKind::Points};
     for (const std::size_t count : {1u, 2u, 3u, 50u}) {
         def.points.clear();
         for (std::size_t k = 0; k < count; ++k)

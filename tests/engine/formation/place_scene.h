@@ -7,9 +7,7 @@
 namespace muster::test {
 
 inline Environment emptyWorld(double half = 16.0) {
-    EnvironmentDef def;
-    def.box = {{-half, -half}, {half, half}};
-    return *Environment::create(def);
+    return *Environment::create({.box = {{-half, -half}, {half, half}}});
 }
 
 /// The routes of an environment as it is now.
@@ -20,9 +18,7 @@ inline RouteGraph& routes(const Environment& environment, double radius = 0.25) 
 }
 
 inline ObstacleDef box(Vec2 min, Vec2 max) {
-    ObstacleDef def;
-    def.polygon = {min, {max.x, min.y}, max, {min.x, max.y}};
-    return def;
+    return {.polygon = {min, {max.x, min.y}, max, {min.x, max.y}}};
 }
 
 inline double closestPair(const PlaceTracker& places) {

@@ -24,10 +24,7 @@ TEST_CASE("in the open places are exactly on their targets while these move slow
 
 TEST_CASE("fast targets are followed at bounded speed, slower on slow ground") {
     Environment environment = emptyWorld();
-    PatchDef mud;
-    mud.polygon = {{2, -5}, {6, -5}, {6, 5}, {2, 5}};
-    mud.speed = 0.5;
-    REQUIRE(environment.addPatch(mud).ok());
+    REQUIRE(environment.addPatch({.polygon = {{2, -5}, {6, -5}, {6, 5}, {2, 5}}, .speed = 0.5}).ok());
     environment.setTime(0.0);
     PlaceTracker places;
     places.reset({}, std::vector<Vec2>{{0, 0}}, routes(environment), -1);
@@ -107,10 +104,7 @@ TEST_CASE("where an obstacle protrudes into the path between free cells a place 
     // trunk.
     for (const double trunk : {1.63, 1.64, 1.65, 1.66}) {
         Environment environment = emptyWorld();
-        ObstacleDef tree;
-        tree.centre = {2.98, trunk};
-        tree.radius = 0.25;
-        REQUIRE(environment.addObstacle(tree).ok());
+        REQUIRE(environment.addObstacle({.centre = {2.98, trunk}, .radius = 0.25}).ok());
         environment.setTime(0.0);
         PlaceTracker places;
         places.reset({}, std::vector<Vec2>{{2.5, 2.04}}, routes(environment), -1);

@@ -73,10 +73,9 @@ TEST_CASE("after every insertion circumcircles are empty, the hull is filled and
     for (int round = 0; round < 12; ++round) {
         std::vector<Vec2> points(30);
         const bool lattice = round % 2 == 0;  // Many points on one circle or line.
-        for (Vec2& p : points) {
+        for (Vec2& p : points)
             p = lattice ? Vec2{1.0 * random.below(6), 1.0 * random.below(6)}
                         : Vec2{random.uniform(-4, 4), random.uniform(-4, 4)};
-        }
         points[0] = {0, 0};
         points[1] = {3, 1};
         points[2] = {1, 3};

@@ -48,9 +48,8 @@ TEST_CASE("in a triangle they are the barycentric coordinates") {
 TEST_CASE("linear precision and partition of unity, inside and outside") {
     Random random(4);
     for (const Polygon& polygon : {kHookWithRoom, kKite}) {
-        for (int i = 0; i < 500; ++i) {
+        for (int i = 0; i < 500; ++i)
             CHECK(errorAt(polygon, {random.uniform(-1, 6), random.uniform(-2, 4)}) < 1e-9);
-        }
     }
 }
 
@@ -74,9 +73,8 @@ TEST_CASE("corners and edges are exact, and their neighbourhood is smooth") {
         for (std::size_t k = 0; k < kHookWithRoom.size(); ++k) CHECK(weights[k] == (k == i ? 1.0 : 0.0));
         const Vec2 onEdge = lerp(kHookWithRoom[i], kHookWithRoom[j], 0.3);
         meanValueCoordinates(kHookWithRoom, onEdge, weights);
-        for (std::size_t k = 0; k < kHookWithRoom.size(); ++k) {
+        for (std::size_t k = 0; k < kHookWithRoom.size(); ++k)
             CHECK(weights[k] == doctest::Approx(k == i ? 0.7 : (k == j ? 0.3 : 0.0)));
-        }
         for (const double off : {1e-3, 1e-6, 1e-9, 1e-12, 1e-14, 1e-15, 1e-17}) {
             for (const double side : {1.0, -1.0}) {
                 const Vec2 p = onEdge +

@@ -49,10 +49,9 @@ TEST_CASE("distances agree with dense sampling of the boundary") {
         const Vec2 p{random.uniform(-2, 6), random.uniform(-2, 5)};
         double nearest = 1e9;
         for (std::size_t k = 0; k < kHook.size(); ++k) {
-            for (int s = 0; s <= 400; ++s) {
+            for (int s = 0; s <= 400; ++s)
                 nearest = std::min(nearest,
                                    distance(p, lerp(kHook[k], kHook[(k + 1) % kHook.size()], s / 400.0)));
-            }
         }
         const double d = signedDistance(kHook, p);
         CHECK(std::fabs(d) <= nearest + 1e-12);

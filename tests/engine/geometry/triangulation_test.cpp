@@ -117,9 +117,8 @@ TEST_CASE("outlines with holes keep their area, rim and spacing") {
             Polygon rim;
             for (std::int32_t v : loop) rim.push_back(mesh->vertices[v]);
             outer += signedArea(rim) > 0 ? 1 : 0;
-            for (std::size_t i = 0; i < rim.size(); ++i) {
+            for (std::size_t i = 0; i < rim.size(); ++i)
                 CHECK(distance(rim[i], rim[(i + 1) % rim.size()]) <= spacing * (1 + 1e-9));
-            }
         }
         CHECK(outer == 1);
         // Every corner of the outline is a vertex.

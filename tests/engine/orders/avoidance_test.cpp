@@ -15,11 +15,7 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 MovingBox disc(Vec2 centre, double radius, Vec2 velocity) {
-    MovingBox box;
-    box.centre = centre;
-    box.round = radius;
-    box.velocity = velocity;
-    return box;
+    return {.centre = centre, .round = radius, .velocity = velocity};
 }
 
 /// Corners at a time.
@@ -52,14 +48,12 @@ bool overlap(const MovingBox& a, const MovingBox& b, double time) {
 /// A square formation with a straight way along +x.
 CourseDef formation(double speed) {
     static const std::array<Vec2, 1> kEnd{Vec2{100, 0}};
-    CourseDef def;
-    def.box.half = {2, 2};
-    def.ahead = kEnd;
-    def.side = {0, 1};
-    def.speed = speed;
-    def.cruise = 2.0;
-    def.acceleration = 4.0;
-    return def;
+    return {.box = {.half = {2, 2}},
+            .ahead = kEnd,
+            .side = {0, 1},
+            .speed = speed,
+            .cruise = 2.0,
+            .acceleration = 4.0};
 }
 
 /// Where a course is at a time.
@@ -151,11 +145,7 @@ TEST_CASE("a course goes on without a jump, waits as long as it should and comes
 }
 
 TEST_CASE("who waits lets pass") {
-    MovingBox car;
-    car.centre = {10, -20};
-    car.axis = {0, 1};
-    car.half = {2, 1};
-    car.velocity = {0, 5};
+    MovingBox car{.centre = {10, -20}, .axis = {0, 1}, .half = {2, 1}, .velocity = {0, 5}};
     Course course;
     listCourse(formation(2.0), {}, kCourseHorizon, course);
     CHECK(firstContact(course, {&car, 1}, 0.5) == doctest::Approx((10.0 - 2.0 - 1.0 - 0.5) / 2.0));

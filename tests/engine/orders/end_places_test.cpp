@@ -21,9 +21,7 @@ struct RoutedGround {
         routes.update(environment, def.radius);
     }
     static Environment make(const std::vector<Polygon>& walls, Box box) {
-        EnvironmentDef def;
-        def.box = box;
-        Environment environment = Environment::create(def).value();
+        Environment environment = Environment::create({.box = box}).value();
         for (const Polygon& outline : walls) {
             ObstacleDef wall;
             wall.name = "wall";
@@ -52,8 +50,7 @@ struct Found {
 Found foundAt(RoutedGround& ground, const std::vector<Vec2>& offsets, Vec2 target,
               std::vector<Vec2> taken = {}) {
     const FreeSpace space(ground.def, ground.routes, -1, ground.nearest);
-    EndDef def;
-    def.offsets = offsets;
+    EndDef def{.offsets = offsets};
     for (const Vec2 p : offsets) def.reach = std::max(def.reach, length(p));
     def.pose.position = target;
     def.taken = taken;
@@ -127,8 +124,7 @@ TEST_CASE("formations that come from all sides to one point stand round it, each
     for (int k = 0; k < 20; ++k) {
         const double angle = 2.0 * kPi * k / 20.0;
         const FreeSpace space(ground.def, ground.routes, -1, ground.nearest);
-        EndDef def;
-        def.offsets = offsets;
+        EndDef def{.offsets = offsets};
         for (const Vec2 p : offsets) def.reach = std::max(def.reach, length(p));
         def.from = Vec2{cosine(angle), sine(angle)} * 55.0;
         def.pose.rotation = {cosine(angle), sine(angle)};

@@ -39,12 +39,9 @@ struct Ground {
     }
     /// As the library's own environment.
     Environment environment() const {
-        EnvironmentDef def;
-        def.box = box;
-        Environment environment = Environment::create(def).value();
+        Environment environment = Environment::create({.box = box}).value();
         for (const Box& r : rects) {
-            ObstacleDef obstacle;
-            obstacle.polygon = {r.min, {r.max.x, r.min.y}, r.max, {r.min.x, r.max.y}};
+            ObstacleDef obstacle{.polygon = {r.min, {r.max.x, r.min.y}, r.max, {r.min.x, r.max.y}}};
             (void)environment.addObstacle(obstacle);
         }
         environment.setTime(0.0);
@@ -233,9 +230,7 @@ StreamStatus plan(Plan& plan, const StreamDef& def, StreamGround ground) {
 
 /// Plays a planned march.
 inline Played play(const Ground& ground, const Task& task, Stream& stream, double limit = 600.0) {
-    Played out;
-    out.status = stream.status();
-    out.operations = stream.operations();
+    Played out{.status = stream.status(), .operations = stream.operations()};
     if (out.status == StreamStatus::Blocked) return out;
     out.bound = ofNineInTen(task.starts, task.ends) / kSpeed;
     Points places(task.starts.size());

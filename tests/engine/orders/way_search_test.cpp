@@ -11,26 +11,18 @@ using namespace muster;
 namespace {
 
 ObstacleDef wall(double x0, double y0, double x1, double y1) {
-    ObstacleDef def;
-    def.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-    return def;
+    return {.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}};
 }
 
 Environment ground(const std::vector<ObstacleDef>& obstacles, double half = 40.0) {
-    EnvironmentDef def;
-    def.box = {{-half, -half}, {half, half}};
-    Environment environment = Environment::create(def).value();
+    Environment environment = Environment::create({.box = {{-half, -half}, {half, half}}}).value();
     for (const ObstacleDef& obstacle : obstacles) REQUIRE(environment.addObstacle(obstacle).ok());
     environment.setTime(0.0);
     return environment;
 }
 
 WayNeeds needs(double half, double least = 0.0) {
-    WayNeeds n;
-    n.half = half;
-    n.margin = 1.0;
-    n.least = least;
-    return n;
+    return {.half = half, .margin = 1.0, .least = least};
 }
 
 double lengthOf(const std::vector<Vec2>& way) {

@@ -32,9 +32,7 @@ TEST_CASE("a door is as wide as it is, however the way leads through it") {
 }
 
 TEST_CASE("a gap between a corner and a disc is their distance; one to the edge of the world counts") {
-    EnvironmentDef def;
-    def.box = {{-20, -20}, {20, 20}};
-    Environment environment = Environment::create(def).value();
+    Environment environment = Environment::create({.box = {{-20, -20}, {20, 20}}}).value();
     ObstacleDef block, disc;
     block.polygon = {{-2, 1}, {2, 1}, {2, 5}, {-2, 5}};
     disc.radius = 1.0;
@@ -52,10 +50,7 @@ TEST_CASE("a gap between a corner and a disc is their distance; one to the edge 
 
 TEST_CASE("slow ground takes its share of the capacity") {
     Environment environment = walledFloor({{-1, 1}});
-    PatchDef patch;
-    patch.polygon = {{-0.4, -1}, {0.4, -1}, {0.4, 1}, {-0.4, 1}};
-    patch.motion = 1;
-    patch.speed = 0.25;
+    PatchDef patch{.polygon = {{-0.4, -1}, {0.4, -1}, {0.4, 1}, {-0.4, 1}}, .motion = 1, .speed = 0.25};
     REQUIRE(environment.addPatch(patch).ok());
     environment.setTime(0.0);
     const auto passage = narrowestPassage(environment, straightWay({-10, 0}, {10, 0}));
@@ -64,11 +59,8 @@ TEST_CASE("slow ground takes its share of the capacity") {
 }
 
 TEST_CASE("points of a way beyond the edge of the world belong to no gap; those inside do as ever") {
-    EnvironmentDef def;
-    def.box = {{-20, -20}, {20, 20}};
-    Environment environment = Environment::create(def).value();
-    ObstacleDef block;
-    block.polygon = {{-2, -17}, {2, -17}, {2, 5}, {-2, 5}};
+    Environment environment = Environment::create({.box = {{-20, -20}, {20, 20}}}).value();
+    ObstacleDef block{.polygon = {{-2, -17}, {2, -17}, {2, 5}, {-2, 5}}};
     REQUIRE(environment.addObstacle(block).ok());
     environment.setTime(0.0);
     CHECK_FALSE(narrowestPassage(environment, straightWay({-6, -20.25}, {6, -20.25})));

@@ -11,14 +11,10 @@ namespace muster::testing {
 
 /// A floor of 40 x 40 m with a wall of 1 m along the y axis, open from and to these y [m].
 inline Environment walledFloor(std::initializer_list<std::pair<double, double>> openings) {
-    EnvironmentDef def;
-    def.box = {{-20, -20}, {20, 20}};
-    Environment environment = Environment::create(def).value();
+    Environment environment = Environment::create({.box = {{-20, -20}, {20, 20}}}).value();
     double from = -20.0;
     const auto add = [&](double low, double high) {
-        ObstacleDef part;
-        part.polygon = {{-0.5, low}, {0.5, low}, {0.5, high}, {-0.5, high}};
-        (void)environment.addObstacle(part);
+        (void)environment.addObstacle({.polygon = {{-0.5, low}, {0.5, low}, {0.5, high}, {-0.5, high}}});
     };
     for (const auto& [low, high] : openings) {
         add(from, low);

@@ -13,11 +13,9 @@ using namespace muster::testing;
 namespace {
 
 SurveyState order(double people) {
-    SurveyState state;
-    state.phase = SurveyPhase::Search;
-    state.orders = {{{-10, 0}, {10, 0}, people, 2.0, 4.5, 2}};
-    state.crowd = {{-9, 2}, {-12, -1}};
-    return state;
+    return {.phase = SurveyPhase::Search,
+            .orders = {{{-10, 0}, {10, 0}, people, 2.0, 4.5, 2}},
+            .crowd = {{-9, 2}, {-12, -1}}};
 }
 
 std::vector<std::uint8_t> bytesOf(SurveyState state) {
@@ -67,14 +65,11 @@ TEST_CASE("a survey finds the ways that can help, the shortest first, and none i
 }
 
 TEST_CASE("on wide cells whose centres lie on the wall's face all gaps are found") {
-    EnvironmentDef def;
-    def.box = {{-55, -40}, {55, 40}};
-    Environment environment = Environment::create(def).value();
+    Environment environment = Environment::create({.box = {{-55, -40}, {55, 40}}}).value();
     double from = -40.0;
     for (const auto& [low, high] :
          {std::pair{-29.6, -25.6}, {-9.6, -7.1}, {0.4, 2.4}, {14.4, 17.4}, {40.0, 40.0}}) {
-        ObstacleDef part;
-        part.polygon = {{-0.5, from}, {0.5, from}, {0.5, low}, {-0.5, low}};
+        ObstacleDef part{.polygon = {{-0.5, from}, {0.5, from}, {0.5, low}, {-0.5, low}}};
         REQUIRE(environment.addObstacle(part).ok());
         from = high;
     }

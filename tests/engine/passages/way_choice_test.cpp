@@ -100,8 +100,7 @@ TEST_CASE("choices come near the best of all choices") {
 }
 
 TEST_CASE("equal walks: passages are loaded in proportion to their capacity") {
-    Case c;
-    c.capacity = {2.0, 4.0, 6.0};
+    Case c{.capacity = {2.0, 4.0, 6.0}};
     for (int i = 0; i < 120; ++i)
         for (int p = 0; p < 3; ++p) {
             c.arrival.push_back(3.0);
@@ -152,8 +151,7 @@ TEST_CASE("goals in a row behind a queue: who goes round comes late and takes th
     // Thirty before an alley; round it is a walk of 3 s more, and 2 s more behind it, a little less to far
     // goals.
     constexpr int kPeople = 30;
-    Case c;
-    c.capacity = {2.5, 2.5};
+    Case c{.capacity = {2.5, 2.5}};
     c.pool.assign(kPeople, 0);
     c.movable.assign(kPeople, 1);
     for (int i = 0; i < kPeople; ++i) {
@@ -174,8 +172,7 @@ TEST_CASE("goals in a row behind a queue: who goes round comes late and takes th
 }
 
 TEST_CASE("pools share a passage but not their goals") {
-    Case c;
-    c.capacity = {1.0, 1.0};
+    Case c{.capacity = {1.0, 1.0}};
     for (int i = 0; i < 20; ++i) {
         c.pool.push_back(i % 2);
         c.movable.push_back(1);

@@ -12,9 +12,7 @@ using namespace muster;
 namespace {
 
 Environment emptyWorld(double half) {
-    EnvironmentDef def;
-    def.box = {{-half, -half}, {half, half}};
-    Environment environment = Environment::create(def).value();
+    Environment environment = Environment::create({.box = {{-half, -half}, {half, half}}}).value();
     environment.setTime(0.0);
     return environment;
 }
@@ -46,10 +44,7 @@ struct Crowd {
 };
 
 Body bodyOf(double radius, double mass) {
-    Body body;
-    body.radius = radius;
-    body.mass = mass;
-    return body;
+    return {.radius = radius, .mass = mass};
 }
 
 }  // namespace
@@ -74,10 +69,7 @@ TEST_CASE("two who overlap part by as much as they overlap, in the inverse ratio
 
 TEST_CASE("who is moved from outside is moved by nobody, and not by walls") {
     Environment environment = emptyWorld(10);
-    ObstacleDef disc;
-    disc.centre = {3, 0};
-    disc.radius = 1.0;
-    REQUIRE(environment.addObstacle(disc).ok());
+    REQUIRE(environment.addObstacle({.centre = {3, 0}, .radius = 1.0}).ok());
     environment.setTime(0.0);
     Crowd crowd;
     crowd.add({0, 0}, {});
@@ -108,9 +100,7 @@ TEST_CASE("who holds its ground gives way to other groups hardly, to its own as 
 TEST_CASE("a mixed crowd dropped at random ends without overlap and outside obstacles by its own radii") {
     Random random(16);
     Environment environment = emptyWorld(14);
-    ObstacleDef block;
-    block.polygon = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
-    REQUIRE(environment.addObstacle(block).ok());
+    REQUIRE(environment.addObstacle({.polygon = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}}).ok());
     environment.setTime(0.0);
     for (int scene = 0; scene < 12; ++scene) {
         Crowd crowd;
@@ -172,8 +162,7 @@ TEST_CASE("each comes to its own top speed, by no more than its own acceleration
 
 TEST_CASE("of a group that keeps together, those ahead walk slower, and nobody above its top speed") {
     Crowd crowd;
-    Body slow;
-    slow.maxSpeed = 1.0;
+    Body slow{.maxSpeed = 1.0};
     for (int k = 0; k < 20; ++k) {
         crowd.add({0, 1.0 * k}, k == 0 ? slow : Body{});
         crowd.now.cost.back() = 40.0 - 0.5 * k;

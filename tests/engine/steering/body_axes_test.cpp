@@ -15,12 +15,8 @@ constexpr MotionId kCrawl = 3;
 
 // A net over all of the world but its left margin.
 Environment netWorld() {
-    EnvironmentDef def;
-    def.box = {{-20, -20}, {20, 20}};
-    Environment environment = Environment::create(def).value();
-    PatchDef net;
-    net.polygon = {{-10, -20}, {20, -20}, {20, 20}, {-10, 20}};
-    net.motion = kCrawl;
+    Environment environment = Environment::create({.box = {{-20, -20}, {20, 20}}}).value();
+    PatchDef net{.polygon = {{-10, -20}, {20, -20}, {20, 20}, {-10, 20}}, .motion = kCrawl};
     REQUIRE(environment.addPatch(net).ok());
     environment.setTime(0.0);
     return environment;
@@ -158,9 +154,7 @@ TEST_CASE("crawlers dropped at random come apart, whatever their headings") {
 }
 
 TEST_CASE("without patches nobody has an axis") {
-    EnvironmentDef def;
-    def.box = {{-5, -5}, {5, 5}};
-    const Environment environment = Environment::create(def).value();
+    const Environment environment = Environment::create({.box = {{-5, -5}, {5, 5}}}).value();
     TurnedCrowd crowd;
     crowd.add({0, 0}, {1, 0}, kCrawl);
     BodyAxes axes;

@@ -9,9 +9,7 @@ using namespace muster;
 namespace {
 
 Environment emptyFloor(double half) {
-    EnvironmentDef def;
-    def.box = {{-half, -half}, {half, half}};
-    return Environment::create(def).value();
+    return Environment::create({.box = {{-half, -half}, {half, half}}}).value();
 }
 
 }  // namespace
@@ -40,13 +38,8 @@ TEST_CASE("characters that do not touch stay where they are, bit for bit") {
 TEST_CASE("a crowd dropped at random ends without overlap and outside obstacles") {
     Random random(6);
     Environment environment = emptyFloor(12);
-    ObstacleDef block;
-    block.polygon = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
-    REQUIRE(environment.addObstacle(block).ok());
-    ObstacleDef disc;
-    disc.centre = {5, 5};
-    disc.radius = 1.5;
-    REQUIRE(environment.addObstacle(disc).ok());
+    REQUIRE(environment.addObstacle({.polygon = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}}).ok());
+    REQUIRE(environment.addObstacle({.centre = {5, 5}, .radius = 1.5}).ok());
     environment.setTime(0.0);
     Contacts contacts;
     for (int scene = 0; scene < 20; ++scene) {
@@ -74,8 +67,7 @@ TEST_CASE("overlaps that cannot be resolved are reported") {
 
 TEST_CASE("overlaps caused by corrections are resolved, and reported where they remain") {
     Environment environment = emptyFloor(10);
-    ObstacleDef wall;
-    wall.polygon = {{-3, -3}, {0.15, -3}, {0.15, 3}, {-3, 3}};
+    ObstacleDef wall{.polygon = {{-3, -3}, {0.15, -3}, {0.15, 3}, {-3, 3}}};
     REQUIRE(environment.addObstacle(wall).ok());
     environment.setTime(0.0);
     std::vector<Vec2> positions{{0.05, 0}, {0.72, 0}};  // The wall pushes the one 0.35 m towards the other.
@@ -96,9 +88,8 @@ TEST_CASE("contacts are the same for any number of threads") {
     Environment environment = emptyFloor(40);
     Random random(9);
     for (int k = 0; k < 30; ++k) {
-        ObstacleDef tree;
-        tree.centre = {random.uniform(-35, 35), random.uniform(-35, 35)};
-        tree.radius = random.uniform(0.3, 1.5);
+        ObstacleDef tree{.centre = {random.uniform(-35, 35), random.uniform(-35, 35)},
+                         .radius = random.uniform(0.3, 1.5)};
         REQUIRE(environment.addObstacle(tree).ok());
     }
     environment.setTime(0.0);
@@ -121,8 +112,7 @@ TEST_CASE("contacts are the same for any number of threads") {
 TEST_CASE("contacts move nobody out of its reach, and a crowd that presses stays apart") {
     Random random(11);
     Environment environment = emptyFloor(12);
-    ObstacleDef block;
-    block.polygon = {{-1, -2}, {1, -2}, {1, 2}, {-1, 2}};
+    ObstacleDef block{.polygon = {{-1, -2}, {1, -2}, {1, 2}, {-1, 2}}};
     REQUIRE(environment.addObstacle(block).ok());
     environment.setTime(0.0);
     Contacts contacts;
@@ -147,9 +137,8 @@ TEST_CASE("contacts move nobody out of its reach, and a crowd that presses stays
 TEST_CASE("pairs that cannot come to touch make no difference, bit for bit") {
     Random random(17);
     Environment environment = emptyFloor(12);
-    ObstacleDef cart;
-    cart.polygon = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-    cart.path.waypoints = {{0.0, {-6, 0}, 0.0}, {4.0, {6, 0}, 0.0}};
+    ObstacleDef cart{.polygon = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}},
+                     .path = {.waypoints = {{0.0, {-6, 0}, 0.0}, {4.0, {6, 0}, 0.0}}}};
     REQUIRE(environment.addObstacle(cart).ok());
     std::vector<Vec2> positions;
     for (int i = 0; i < 300; ++i) positions.push_back({0.52 * (i % 20) - 5.0, 0.52 * (i / 20) - 3.5});
@@ -178,8 +167,7 @@ TEST_CASE("pairs that cannot come to touch make no difference, bit for bit") {
 
 TEST_CASE("an obstacle put on a character lets it walk out, a moving one pushes it") {
     Environment environment = emptyFloor(10);
-    ObstacleDef block;
-    block.polygon = {{-1, -3}, {1, -3}, {1, 3}, {-1, 3}};
+    ObstacleDef block{.polygon = {{-1, -3}, {1, -3}, {1, 3}, {-1, 3}}};
     const ObstacleId id = environment.addObstacle(block).value();
     environment.setTime(0.0);
     Contacts contacts;
@@ -205,12 +193,9 @@ TEST_CASE("an obstacle put on a character lets it walk out, a moving one pushes 
 TEST_CASE("a body passes a gap that is a hair narrower than itself, and no narrower one") {
     for (const double width : {0.4985, 0.495}) {
         Environment environment = emptyFloor(10);
-        for (const double side : {-1.0, 1.0}) {
-            ObstacleDef disc;
-            disc.centre = {0.0, side * (1.0 + 0.5 * width)};
-            disc.radius = 1.0;
-            REQUIRE(environment.addObstacle(disc).ok());
-        }
+        for (const double side : {-1.0, 1.0})
+            REQUIRE(
+                environment.addObstacle({.centre = {0.0, side * (1.0 + 0.5 * width)}, .radius = 1.0}).ok());
         environment.setTime(0.0);
         Contacts contacts;
         std::vector<Vec2> positions{{-1.0, 0.02}};

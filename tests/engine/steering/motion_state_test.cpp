@@ -13,16 +13,13 @@ constexpr MotionId kCrawling = 1;
 constexpr MotionId kJump = 2;
 
 Environment course() {
-    EnvironmentDef def;
-    def.box = {{-5, -5}, {45, 5}};
-    def.clips = {{"run", "", 1.0, 0, 0.8, true, 0.0},
-                 {"crawl", "", 0.2, 0, 2.0, true, 0.5},
-                 {"jump", "", 0.4, 1.0, 1.0, false, 0.0}};
-    Environment environment = Environment::create(def).value();
+    Environment environment = Environment::create({.box = {{-5, -5}, {45, 5}},
+                                                   .clips = {{"run", "", 1.0, 0, 0.8, true, 0.0},
+                                                             {"crawl", "", 0.2, 0, 2.0, true, 0.5},
+                                                             {"jump", "", 0.4, 1.0, 1.0, false, 0.0}}})
+                                  .value();
     const auto add = [&](double x0, double x1, MotionId motion) {
-        PatchDef patch;
-        patch.polygon = {{x0, -2}, {x1, -2}, {x1, 2}, {x0, 2}};
-        patch.motion = motion;
+        PatchDef patch{.polygon = {{x0, -2}, {x1, -2}, {x1, 2}, {x0, 2}}, .motion = motion};
         REQUIRE(environment.addPatch(patch).ok());
     };
     add(5, 8, kCrawling);
@@ -33,21 +30,19 @@ Environment course() {
 }
 
 Characters one() {
-    Characters c;
-    c.id = {1};
-    c.group = {0};
-    c.position = {{0, 0}};
-    c.velocity = {{}};
-    c.heading = {{1, 0}};
-    c.place = {0};
-    c.direction = {{1, 0}};
-    c.cost = {0};
-    c.motion = {0};
-    c.phase = {MotionPhase::Steady};
-    c.motionTime = {0};
-    c.patch = {0};
-    c.lastSingle = {0};
-    return c;
+    return {.id = {1},
+            .group = {0},
+            .position = {{0, 0}},
+            .velocity = {{}},
+            .heading = {{1, 0}},
+            .place = {0},
+            .direction = {{1, 0}},
+            .cost = {0},
+            .motion = {0},
+            .phase = {MotionPhase::Steady},
+            .motionTime = {0},
+            .patch = {0},
+            .lastSingle = {0}};
 }
 
 struct Walker {
@@ -134,17 +129,15 @@ struct Strip {
     };
 
     explicit Strip(const std::vector<Piece>& pieces) {
-        EnvironmentDef def;
-        def.box = {{-5, -5}, {45, 5}};
-        def.clips = {{"run", "", 1.0, 0, 0.8, true, 0.0},
-                     {"crawl", "", 0.2, 0, 2.0, true, 0.5},
-                     {"jump", "", 0.4, 1.0, 1.0, false, 0.0},
-                     {"swim", "", 0.3, 0, 2.0, true, 0.4}};
+        EnvironmentDef def{.box = {{-5, -5}, {45, 5}},
+                           .clips = {{"run", "", 1.0, 0, 0.8, true, 0.0},
+                                     {"crawl", "", 0.2, 0, 2.0, true, 0.5},
+                                     {"jump", "", 0.4, 1.0, 1.0, false, 0.0},
+                                     {"swim", "", 0.3, 0, 2.0, true, 0.4}}};
         walker.environment = Environment::create(def).value();
         for (const Piece& piece : pieces) {
-            PatchDef patch;
-            patch.polygon = {{piece.x0, -2}, {piece.x1, -2}, {piece.x1, 2}, {piece.x0, 2}};
-            patch.motion = piece.motion;
+            PatchDef patch{.polygon = {{piece.x0, -2}, {piece.x1, -2}, {piece.x1, 2}, {piece.x0, 2}},
+                           .motion = piece.motion};
             REQUIRE(walker.environment.addPatch(patch).ok());
         }
         walker.environment.setTime(0.0);

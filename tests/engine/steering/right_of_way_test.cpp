@@ -17,9 +17,7 @@ constexpr double kTick = 1.0 / 60.0;
 
 /// A wall from x = 0 to `thick` with a door of `width` at y = 0.
 Environment wallWithDoor(double width, double thick) {
-    EnvironmentDef def;
-    def.box = {{-20, -10}, {20 + thick, 10}};
-    Environment environment = Environment::create(def).value();
+    Environment environment = Environment::create({.box = {{-20, -10}, {20 + thick, 10}}}).value();
     for (const double side : {-1.0, 1.0}) {
         ObstacleDef wall;
         wall.name = "wall";

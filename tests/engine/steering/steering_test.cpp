@@ -11,14 +11,9 @@ namespace {
 constexpr double kSteerStep = 1.0 / 60.0;
 
 Environment ground(double patchSpeed) {
-    EnvironmentDef def;
-    def.box = {{-30, -30}, {30, 30}};
-    Environment environment = Environment::create(def).value();
-    PatchDef patch;
-    patch.name = "Mud";
-    patch.polygon = {{5, -5}, {15, -5}, {15, 5}, {5, 5}};
-    patch.motion = 1;
-    patch.speed = patchSpeed;
+    Environment environment = Environment::create({.box = {{-30, -30}, {30, 30}}}).value();
+    PatchDef patch{
+        .name = "Mud", .polygon = {{5, -5}, {15, -5}, {15, 5}, {5, 5}}, .motion = 1, .speed = patchSpeed};
     REQUIRE(environment.addPatch(patch).ok());
     environment.setTime(0.0);
     return environment;

@@ -38,10 +38,7 @@ TEST_CASE("60 steps of a standing crowd of several bodies, stances and drivers a
     WorldDef def = openFloor(25);
     def.groups.push_back(def.groups[0]);
     def.groups[1].position = {6, 0};
-    Body big;
-    big.radius = 0.4;
-    big.maxSpeed = 1.5;
-    def.groups[0].bodies = {big};
+    def.groups[0].bodies = {{.radius = 0.4, .maxSpeed = 1.5}};
     def.groups[0].conduct.stance = Stance::Hold;
     def.groups[1].conduct.cohesion = 0.7;
     World world = World::create(def).value();
@@ -52,8 +49,7 @@ TEST_CASE("60 steps of a standing crowd of several bodies, stances and drivers a
 TEST_CASE("60 steps of people on their way to exits, and of those who wait and walk, allocate nothing") {
     WorldDef def = openFloor(36);
     def.box = {{-60, -12}, {60, 12}};
-    AreaDef exit;
-    exit.polygon = {{58, -4}, {60, -4}, {60, 4}, {58, 4}};
+    AreaDef exit{.polygon = {{58, -4}, {60, -4}, {60, 4}, {58, 4}}};
     def.areas = {exit, exit, exit};
     for (Vec2& p : def.areas[1].polygon) p.x = -p.x;
     std::reverse(def.areas[1].polygon.begin(), def.areas[1].polygon.end());
@@ -88,15 +84,14 @@ namespace {
 /// Leads a crowd to and fro, `legs` times; allocations in the steps of the last two.
 long leadToAndFro(const WorldDef& def, int legs) {
     World world = World::create(def).value();
-    std::uint32_t sequence = 0;
     long inStep = 0;
     for (int leg = 0; leg < legs; ++leg) {
         const double from = leg % 2 == 0 ? -6.0 : 6.0;
-        REQUIRE(give(world, sequence, TouchDown{1, {from, 0}, world.time(), {}}).ok());
+        REQUIRE(give(world, TouchDown{1, {from, 0}, world.time(), {}}).ok());
         world.step();
-        REQUIRE(give(world, sequence, TouchMove{1, {-from, 0}, world.time()}).ok());
+        REQUIRE(give(world, TouchMove{1, {-from, 0}, world.time()}).ok());
         world.step();
-        REQUIRE(give(world, sequence, TouchUp{1, world.time()}).ok());
+        REQUIRE(give(world, TouchUp{1, world.time()}).ok());
         world.step();
         const long before = allocations;
         for (int s = 0; s < 900; ++s) world.step();
@@ -120,13 +115,8 @@ TEST_CASE("60 steps of two groups on patches, with items and checkpoints, alloca
     WorldDef def = openFloor(25);
     def.patches = {rectangle(-11, -5, -1, 5, 3)};
     def.items = {{{10, 10}, 0.5}};
-    FormationCheckpointDef checkpoint;
-    checkpoint.position = {10, -10};
-    def.checkpoints = {checkpoint};
-    GroupDef second;
-    second.count = 16;
-    second.position = {6, 0};
-    def.groups.push_back(second);
+    def.checkpoints = {{.position = {10, -10}}};
+    def.groups.push_back({.count = 16, .position = {6, 0}});
     World world = World::create(def).value();
     CHECK(allocationsOf(world) == 0);
 }

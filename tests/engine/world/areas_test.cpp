@@ -14,22 +14,13 @@ using namespace muster::testing;
 namespace {
 
 AreaDef areaOf(AreaKind kind, double x0, double y0, double x1, double y1) {
-    AreaDef area;
-    area.kind = kind;
-    area.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-    return area;
+    return {.kind = kind, .polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}};
 }
 
 /// A floor of 40 m x 20 m for people, with one group of `count` that carries out orders.
 WorldDef floorFor(std::int32_t count, std::vector<Order> orders) {
-    WorldDef def;
-    def.parameters = *parameterPreset("people");
-    def.box = {{0, 0}, {40, 20}};
-    GroupDef group;
-    group.count = count;
-    group.position = {10, 10};
-    group.orders = std::move(orders);
-    def.groups = {group};
+    WorldDef def{.box = {{0, 0}, {40, 20}}, .parameters = *parameterPreset("people")};
+    def.groups = {{.count = count, .position = {10, 10}, .orders = std::move(orders)}};
     return def;
 }
 

@@ -17,17 +17,12 @@ namespace {
 void setOnCrowd(std::int32_t count, double spacing, double halfWidth, double halfHeight) {
     CAPTURE(count);
     CAPTURE(halfWidth);
-    WorldDef def;
-    def.box = {{-40, -40}, {40, 40}};
-    GroupDef group;
-    group.count = count;
-    group.formation.spacing = spacing;
+    WorldDef def{.box = {{-40, -40}, {40, 40}}};
+    GroupDef group{.count = count, .formation = {.spacing = spacing}};
     def.groups.push_back(group);
     World world = World::create(def).value();
     for (int s = 0; s < 30; ++s) world.step();
-    std::uint32_t sequence = 0;
-    REQUIRE(give(world, sequence, putThing(block(0.3 - halfWidth, -halfHeight, 0.3 + halfWidth, halfHeight)))
-                .ok());
+    REQUIRE(give(world, putThing(block(0.3 - halfWidth, -halfHeight, 0.3 + halfWidth, halfHeight))).ok());
     const double radius = def.parameters.character.radius, top = def.parameters.character.maxSpeed;
     const double depth = std::min(halfWidth, halfHeight) + radius;
     const int steps = static_cast<int>(60.0 * (depth / top + 1.0));
@@ -62,22 +57,15 @@ TEST_CASE(
     "arrive") {
     for (const bool mixed : {false, true}) {
         CAPTURE(mixed);
-        WorldDef def;
-        def.box = {{-60, -60}, {60, 60}};
-        def.parameters.character.radius = 0.3;
+        WorldDef def{.box = {{-60, -60}, {60, 60}}, .parameters = {.character = {.radius = 0.3}}};
         def.parameters.character.maxSpeed = def.parameters.place.speed = 3.0;
-        GroupDef group;
-        group.count = 100;
-        group.formation.spacing = 1.6;
+        GroupDef group{.count = 100, .formation = {.spacing = 1.6}};
         for (int i = 0; mixed && i < 100; ++i)
             group.bodies.push_back({.radius = i % 2 ? 0.3 : 0.6, .maxSpeed = i % 2 ? 3.0 : 5.0});
         def.groups.push_back(group);
         World world = World::create(def).value();
-        std::uint32_t sequence = 0;
         run(world, 1.0);
-        REQUIRE(
-            give(world, sequence, GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::move({40, 0})})
-                .ok());
+        tell(world, Order::move({40, 0}));
         run(world, 2.0);
         Vec2 middle;
         for (const Vec2 p : world.characters().position) middle += p / 100.0;
@@ -88,8 +76,8 @@ TEST_CASE(
                 out.polygon.push_back(pose.apply(corner));
             return out;
         };
-        REQUIRE(give(world, sequence, putThing(building(middle, 0.3))).ok());
-        REQUIRE(give(world, sequence, putThing(building(middle + Vec2{9.6, 0}, -0.5))).ok());
+        REQUIRE(give(world, putThing(building(middle, 0.3))).ok());
+        REQUIRE(give(world, putThing(building(middle + Vec2{9.6, 0}, -0.5))).ok());
         run(world, 8.0);
         CHECK(world.contacts().overlapPairs == 0);
         run(world, 22.0);

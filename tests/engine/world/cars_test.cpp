@@ -36,14 +36,8 @@ void driveThrough(std::int32_t count, double spacing, double speed, std::uint64_
     CAPTURE(count);
     CAPTURE(speed);
     CAPTURE(seed);
-    WorldDef def;
-    def.box = {{-28, -16}, {28, 16}};
-    def.seed = seed;
-    GroupDef group;
-    group.count = count;
-    group.formation.spacing = spacing;
-    group.jitter = 0.15;
-    def.groups.push_back(group);
+    WorldDef def{.box = {{-28, -16}, {28, 16}}, .seed = seed};
+    def.groups.push_back({.count = count, .formation = {.spacing = spacing}, .jitter = 0.15});
     Random random(seed);
     def.obstacles.push_back(car(speed, random.uniform(-2.0, 2.0)));
     World world = World::create(def).value();

@@ -143,21 +143,16 @@ TEST_CASE("values out of range are refused") {
     CHECK(refused(AddControl{GroupId{1}, ControlKind::Line, {1}, {{0, 0}}, 0}));
     CHECK(refused(AddControl{GroupId{1}, ControlKind::Area, {1, 2, 3}, {{0, 0}, {1, 0}}, 0}));
     CHECK(refused(AddControl{GroupId{1}, ControlKind::Point, {}, {}, 0}));
-    ObstacleDef crossed;
-    crossed.polygon = {{0, 0}, {1, 1}, {1, 0}, {0, 1}};
+    ObstacleDef crossed{.polygon = {{0, 0}, {1, 1}, {1, 0}, {0, 1}}};
     CHECK(refused(putThing(crossed)));
     CHECK(refused(putThing(ObstacleDef{})));
-    PatchDef patch;
-    patch.polygon = {{0, 0}, {1, 0}, {1, 1}};
-    patch.motion = -1;
+    PatchDef patch{.polygon = {{0, 0}, {1, 0}, {1, 1}}, .motion = -1};
     CHECK(refused(putThing(patch)));
-    FormationDef formation;
-    formation.spacing = 0.0;
+    FormationDef formation{.spacing = 0.0};
     CHECK(refused(SetFormation{GroupId{1}, formation}));
     formation = {};
     formation.kind = FormationKind::Points;
     CHECK(refused(SetFormation{GroupId{1}, formation}));
-    GroupDef group;
-    group.starts = {{0, 0}};
+    GroupDef group{.starts = {{0, 0}}};
     CHECK(refused(AddGroup{group}));
 }

@@ -17,11 +17,7 @@ TEST_CASE("two paths, one jammed: with density the exact plan avoids the crowd, 
         def.obstacles = {block(-0.5, -12, 0.5, -5), block(-0.5, -2.5, 0.5, 2.5), block(-0.5, 5, 0.5, 12)};
         def.groups[0].starts = {{-6, 0.05}};  // A little nearer to the upper door.
         def.groups[0].position = {6, 0.05};
-        GroupDef jam;
-        jam.count = 20;
-        jam.position = {0, 3.75};
-        jam.formation.spacing = 0.55;
-        def.groups.push_back(jam);
+        def.groups.push_back({.count = 20, .formation = {.spacing = 0.55}, .position = {0, 3.75}});
         def.parameters.density.enabled = density;
         World world = World::create(def).value();
         bool lower = false;

@@ -64,9 +64,8 @@ WorldDef floorWithWall(std::int32_t count = 25) {
 
 TEST_CASE("a group without places goes round a wall, gathers at its target and stands there") {
     World world = World::create(floorWithWall()).value();
-    std::uint32_t n = 0;
     const GroupId id = world.group(0).id;
-    REQUIRE(give(world, n, GiveOrder{id, QueueMode::Replace, 0, gatherAt({7, -4})}).ok());
+    tell(world, gatherAt({7, -4}), id);
     const int steps = stepsUntilDone(world, 1500);
     REQUIRE(steps > 0);
     // The way round the end of the wall is 27 m long, and nobody is faster than the top speed.
@@ -81,8 +80,7 @@ TEST_CASE("a group without places goes round a wall, gathers at its target and s
 
 TEST_CASE("nobody is faster, and bodies keep apart as with other orders") {
     World world = World::create(floorWithWall(36)).value();
-    std::uint32_t n = 0;
-    REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, gatherAt({7, 4})}).ok());
+    tell(world, gatherAt({7, 4}));
     const double diameter = 2.0 * world.parameters().character.radius;
     for (int s = 0; s < 700; ++s) {
         world.step();
@@ -103,9 +101,8 @@ TEST_CASE("two groups go through each other") {
     other.position = {6, 0};
     def.groups.push_back(other);
     World world = World::create(def).value();
-    std::uint32_t n = 0;
-    REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, gatherAt({6, 0})}).ok());
-    REQUIRE(give(world, n, GiveOrder{world.group(1).id, QueueMode::Replace, 0, gatherAt({-6, 0})}).ok());
+    tell(world, gatherAt({6, 0}));
+    tell(world, gatherAt({-6, 0}), 1);
     for (int s = 0; s < 1500; ++s) world.step();
     CHECK(distance(middleOf(world, 0), Vec2{6, 0}) < 1.0);
     CHECK(distance(middleOf(world, 1), Vec2{-6, 0}) < 1.0);
@@ -116,8 +113,7 @@ TEST_CASE("a target within an obstacle is gathered at where ground is free; one 
     WorldDef def = openFloor(16);
     def.obstacles.push_back(tree({6, 0}, 1.0));
     World world = World::create(def).value();
-    std::uint32_t n = 0;
-    REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, gatherAt({6, 0})}).ok());
+    tell(world, gatherAt({6, 0}));
     REQUIRE(stepsUntilDone(world, 1500) > 0);
     for (int s = 0; s < 1200; ++s) world.step();
     CHECK(farthest(world, {6, 0}) < 4.5);
@@ -126,8 +122,7 @@ TEST_CASE("a target within an obstacle is gathered at where ground is free; one 
     WorldDef walled = openFloor(16);
     walled.obstacles.push_back(block(-0.5, -12, 0.5, 12));
     World cut = World::create(walled).value();
-    n = 0;
-    REQUIRE(give(cut, n, GiveOrder{cut.group(0).id, QueueMode::Replace, 0, gatherAt({6, 0})}).ok());
+    tell(cut, gatherAt({6, 0}));
     bool told = false, done = false;
     for (int s = 0; s < 1800; ++s) {
         cut.step();
@@ -143,55 +138,33 @@ TEST_CASE("a target within an obstacle is gathered at where ground is free; one 
 TEST_CASE("a snapshot in the middle of a continuum order goes on bit for bit") {
     WorldDef def = floorWithWall();
     ObstacleDef car = tree({0, 9}, 0.8);
-    car.path.waypoints = {{0, {0, 0}, 0}, {4, {6, 0}, 0}, {8, {0, 0}, 0}};
-    car.path.loop = true;
+    car.path = {.waypoints = {{0, {0, 0}, 0}, {4, {6, 0}, 0}, {8, {0, 0}, 0}}, .loop = true};
     def.obstacles.push_back(car);
     World world = World::create(def).value();
-    std::uint32_t n = 0;
     const GroupId id = world.group(0).id;
-    REQUIRE(give(world, n, GiveOrder{id, QueueMode::Replace, 0, gatherAt({7, -4})}).ok());
-    SplitGroup split;
-    split.group = id;
-    split.by = SplitBy::Shares;
-    split.shares = {1, 1};
-    split.shape = PartShape::Smaller;
-    for (const int cut : {3, 61, 140, 233, 500}) {
-        while (world.stepCount() < static_cast<std::uint32_t>(cut)) {
-            if (world.stepCount() == 100) REQUIRE(give(world, n, split).ok());
+    tell(world, gatherAt({7, -4}), id);
+    const auto split = [&](World& each) {
+        if (each.stepCount() == 100)
+            REQUIRE(
+                give(each,
+                     SplitGroup{
+                         .group = id, .by = SplitBy::Shares, .shares = {1, 1}, .shape = PartShape::Smaller})
+                    .ok());
+    };
+    for (const std::uint32_t cut : {3u, 61u, 140u, 233u, 500u}) {
+        while (world.stepCount() < cut) {
+            split(world);
             world.step();
         }
-        const auto bytes = world.snapshot();
-        Result<World> copy = World::restore(bytes, 2);
-        REQUIRE_MESSAGE(copy.ok(), copy.status().message());
-        World rewound = World::create(def).value();
-        for (int s = 0; s < 30; ++s) rewound.step();
-        REQUIRE(rewound.rewind(bytes).ok());
-        World original = World::restore(bytes, 1).value();
-        for (int s = 0; s < 40; ++s) {
-            original.step();
-            copy->step();
-            rewound.step();
-            REQUIRE(copy->hash() == original.hash());
-            REQUIRE(rewound.hash() == original.hash());
-        }
-        // The world that went on without a break does the same.
-        World unbroken = World::create(def).value();
-        std::uint32_t m = 0;
-        REQUIRE(give(unbroken, m, GiveOrder{id, QueueMode::Replace, 0, gatherAt({7, -4})}).ok());
-        while (unbroken.stepCount() < static_cast<std::uint32_t>(cut) + 40) {
-            if (unbroken.stepCount() == 100) REQUIRE(give(unbroken, m, split).ok());
-            unbroken.step();
-        }
-        if (cut + 40 <= 100 || cut >= 101) CHECK(unbroken.hash() == original.hash());
+        checkGoesOn(world, 40, split);
     }
 }
 
 TEST_CASE("queued points are passed one after the other, and a stop stops") {
     World world = World::create(openFloor()).value();
-    std::uint32_t n = 0;
     const GroupId id = world.group(0).id;
-    REQUIRE(give(world, n, GiveOrder{id, QueueMode::Replace, 0, gatherAt({6, 8})}).ok());
-    REQUIRE(give(world, n, GiveOrder{id, QueueMode::Append, 0, gatherAt({6, -8})}).ok());
+    tell(world, gatherAt({6, 8}), id);
+    REQUIRE(give(world, GiveOrder{id, QueueMode::Append, 0, gatherAt({6, -8})}).ok());
     double highest = -12.0;
     for (int s = 0; s < 1400; ++s) {
         world.step();
@@ -199,10 +172,10 @@ TEST_CASE("queued points are passed one after the other, and a stop stops") {
     }
     CHECK(highest > 6.5);
     CHECK(distance(middleOf(world), Vec2{6, -8}) < 0.8);
-    REQUIRE(give(world, n, GiveOrder{id, QueueMode::Replace, 0, gatherAt({-6, -8})}).ok());
+    tell(world, gatherAt({-6, -8}), id);
     for (int s = 0; s < 120; ++s) world.step();
     CHECK(fastest(world) > 1.0);
-    REQUIRE(give(world, n, EditQueue{id, QueueEdit::Stop, 0}).ok());
+    REQUIRE(give(world, EditQueue{id, QueueEdit::Stop, 0}).ok());
     for (int s = 0; s < 120; ++s) world.step();
     const Vec2 stopped = middleOf(world);
     CHECK(fastest(world) < 0.1);
@@ -212,11 +185,10 @@ TEST_CASE("queued points are passed one after the other, and a stop stops") {
 
 TEST_CASE("other orders and poses give everybody a place again") {
     World world = World::create(openFloor()).value();
-    std::uint32_t n = 0;
     const GroupId id = world.group(0).id;
-    REQUIRE(give(world, n, GiveOrder{id, QueueMode::Replace, 0, gatherAt({6, 0})}).ok());
+    tell(world, gatherAt({6, 0}), id);
     for (int s = 0; s < 600; ++s) world.step();
-    REQUIRE(give(world, n, GiveOrder{id, QueueMode::Replace, 0, Order::move({-6, 0})}).ok());
+    tell(world, Order::move({-6, 0}), id);
     bool arrived = false;
     for (int s = 0; s < 1200; ++s) {
         world.step();
@@ -224,9 +196,9 @@ TEST_CASE("other orders and poses give everybody a place again") {
     }
     CHECK(arrived);
     for (const std::int32_t place : world.characters().place) CHECK(place >= 0);
-    REQUIRE(give(world, n, GiveOrder{id, QueueMode::Replace, 0, gatherAt({6, 0})}).ok());
+    tell(world, gatherAt({6, 0}), id);
     for (int s = 0; s < 600; ++s) world.step();
-    REQUIRE(give(world, n, SetPose{id, {0, 5}, 0.0}).ok());
+    REQUIRE(give(world, SetPose{id, {0, 5}, 0.0}).ok());
     for (int s = 0; s < 600; ++s) world.step();
     CHECK(distance(middleOf(world), Vec2{0, 5}) < 0.3);
 }

@@ -21,21 +21,19 @@ std::vector<std::uint8_t> snapshotOf(std::uint64_t seed, int steps) {
 
 /// A small world, so that few bytes are of no account: controls, a detour, a checkpoint, an item.
 std::vector<std::uint8_t> smallSnapshot(bool weights = false) {
-    WorldDef def;
-    def.box = {{-4, -4}, {4, 4}};
-    def.obstacles.push_back(tree({0.5, 0.3}, 0.4));
-    def.patches.push_back(rectangle(1, -2, 2, 2, 3));
+    WorldDef def{.box = {{-4, -4}, {4, 4}},
+                 .obstacles = {tree({0.5, 0.3}, 0.4)},
+                 .patches = {rectangle(1, -2, 2, 2, 3)}};
     def.groups.emplace_back().count = 4;
     def.groups[0].position = {-2, 0};
     if (weights) def.groups[0].demands = {1.5, 0.5, 0.25, 2.0};
     def.items.push_back({{3, 3}, 0.3});
     def.checkpoints.emplace_back().position = {3, -3};
     World world = World::create(def).value();
-    std::uint32_t sequence = 0;
-    REQUIRE(give(world, sequence, TouchDown{1, {-2, 0.5}, 0, {}}).ok());
-    REQUIRE(give(world, sequence, TouchDown{2, {-2, -0.5}, 0, {}}).ok());
+    REQUIRE(give(world, TouchDown{1, {-2, 0.5}, 0, {}}).ok());
+    REQUIRE(give(world, TouchDown{2, {-2, -0.5}, 0, {}}).ok());
     for (int s = 0; s < 30; ++s) {
-        REQUIRE(give(world, sequence, TouchMove{1, {-2 + 0.2 * s, 0.5}, world.time()}).ok());
+        REQUIRE(give(world, TouchMove{1, {-2 + 0.2 * s, 0.5}, world.time()}).ok());
         world.step();
     }
     REQUIRE(world.submit({world.stepCount() + 2, 3, 1, SetParameter{"plan.period", 3}}).ok());

@@ -19,18 +19,14 @@ namespace {
 constexpr Vec2 kA{-1.5, 2.0}, kB{1.5, -3.0}, kP{-1.5, -3.0}, kQ{2.0, 2.5};
 
 WorldDef twoAndTwo() {
-    WorldDef def;
-    def.box = {{-8, -6}, {8, 8}};
+    WorldDef def{.box = {{-8, -6}, {8, 8}}};
     def.parameters.field.enabled = false;
     def.parameters.character.acceleration = 0.01;  // They hardly move while they are planned for.
-    GroupDef group;
-    group.count = 2;
-    group.position = (kP + kQ) / 2.0;
-    group.angle = atan2(kQ.y - kP.y, kQ.x - kP.x) - 0.5 * kPi;
-    group.formation.kind = FormationKind::Line;
-    group.formation.spacing = distance(kP, kQ);
-    group.starts = {kA, kB};
-    def.groups = {group};
+    def.groups = {{.count = 2,
+                   .formation = {.kind = FormationKind::Line, .spacing = distance(kP, kQ)},
+                   .position = (kP + kQ) / 2.0,
+                   .angle = atan2(kQ.y - kP.y, kQ.x - kP.x) - 0.5 * kPi,
+                   .starts = {kA, kB}}};
     return def;
 }
 
@@ -57,8 +53,7 @@ char planned(WorldDef def, std::initializer_list<std::pair<const char*, double>>
 WorldDef withCrowd() {
     WorldDef def = twoAndTwo();
     def.parameters.character.radius = 0.2;
-    GroupDef crowd;
-    crowd.formation.kind = FormationKind::Square;
+    GroupDef crowd{.formation = {.kind = FormationKind::Square}};
     for (double y = -5.75; y < 0.0; y += 0.41)
         for (std::int32_t k = -2; k <= 2; ++k) crowd.starts.push_back({0.41 * k, y});
     crowd.count = static_cast<std::int32_t>(crowd.starts.size());
@@ -159,10 +154,8 @@ TEST_CASE("plan.threshold and plan.thresholdShare: exchanges that gain less are 
         World world = World::create(def).value();
         for (int s = 0; s < 30; ++s) world.step();
         const auto before = copyOf(world.characters().place);
-        std::uint32_t sequence = 0;
-        REQUIRE(give(world, sequence,
-                     SetPose{world.group(0).id, def.groups[0].position, def.groups[0].angle + kPi})
-                    .ok());
+        REQUIRE(
+            give(world, SetPose{world.group(0).id, def.groups[0].position, def.groups[0].angle + kPi}).ok());
         for (int s = 0; s < 400; ++s) world.step();
         return copyOf(world.characters().place) != before;
     };

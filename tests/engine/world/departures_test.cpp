@@ -11,23 +11,13 @@ using namespace muster::testing;
 namespace {
 
 AreaDef areaAt(AreaKind kind, const char* name, double x0, double y0, double x1, double y1) {
-    AreaDef area;
-    area.kind = kind;
-    area.name = name;
-    area.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-    return area;
+    return {.name = name, .kind = kind, .polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}};
 }
 
 /// A hall of 20 m x 10 m with an exit at either end, whose people leave.
 WorldDef hallFor(std::int32_t count) {
-    WorldDef def;
-    def.parameters = *parameterPreset("people");
-    def.box = {{0, 0}, {20, 10}};
-    GroupDef group;
-    group.count = count;
-    group.position = {8, 5};
-    group.orders = {Order::leave()};
-    def.groups = {group};
+    WorldDef def{.box = {{0, 0}, {20, 10}}, .parameters = *parameterPreset("people")};
+    def.groups = {{.count = count, .position = {8, 5}, .orders = {Order::leave()}}};
     def.areas = {areaAt(AreaKind::Exit, "West", 0, 3, 1, 7), areaAt(AreaKind::Exit, "East", 19, 3, 20, 7)};
     return def;
 }

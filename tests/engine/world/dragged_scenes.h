@@ -64,10 +64,9 @@ private:
     }
 
     void addGroup(Vec2 centre, Vec2 forward, std::uint32_t most) {
-        GroupDef group;
-        group.count = static_cast<std::int32_t>(9 + random_.below(most - 8));
-        group.formation.spacing = random_.uniform(0.8, 1.2);
-        group.position = centre;
+        GroupDef group{.count = static_cast<std::int32_t>(9 + random_.below(most - 8)),
+                       .formation = {.spacing = random_.uniform(0.8, 1.2)},
+                       .position = centre};
         def_.groups.push_back(group);
         drag_.push_back(forward * kWay);
         const double half = 0.5 * group.formation.spacing * std::ceil(std::sqrt(group.count));
@@ -181,9 +180,7 @@ inline SceneOutcome play(SceneFamily family, std::uint64_t seed) {
         if (world.time() > DraggedScene::end() && world.stepCount() % 30 == 0 && metrics.settled(world))
             break;
     }
-    SceneOutcome outcome;
-    outcome.figures = metrics.figures(world, false);
-    outcome.notArrived = metrics.notArrived(world);
+    SceneOutcome outcome{.figures = metrics.figures(world, false), .notArrived = metrics.notArrived(world)};
     for (std::size_t g = 0; g < world.groupCount(); ++g) {
         std::int32_t unmatched = 0;
         for (const std::int32_t i : world.group(g).members)

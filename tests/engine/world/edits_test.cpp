@@ -36,8 +36,7 @@ TEST_CASE("an obstacle set on the crowd drives it apart; taken away, all return 
     World world = World::create(openFloor(25)).value();
     runSteps(world, 30);
     const auto before = copyOf(world.characters().position);
-    std::uint32_t sequence = 0;
-    REQUIRE(give(world, sequence, putThing(tree({-6, 0}, 1.2))).ok());
+    REQUIRE(give(world, putThing(tree({-6, 0}, 1.2))).ok());
     runSteps(world, 1);
     CHECK(world.rejections().empty());
     REQUIRE(world.obstacleIds().size() == 1);
@@ -54,7 +53,7 @@ TEST_CASE("an obstacle set on the crowd drives it apart; taken away, all return 
     CHECK(freeDistance(world) > 0.25 - 1e-6);
     CHECK(matched(world) == 25);
     CHECK(worstToPlace(world) < 0.2);
-    REQUIRE(give(world, sequence, removeThing(world.obstacleIds()[0])).ok());
+    REQUIRE(give(world, removeThing(world.obstacleIds()[0])).ok());
     runSteps(world, 600);
     CHECK(inspect::environment(world).pieces().empty());
     for (const Vec2 p : before) {  // The same spots are stood on, by whomever.
@@ -66,12 +65,11 @@ TEST_CASE("an obstacle set on the crowd drives it apart; taken away, all return 
 
 TEST_CASE("an obstacle moved to and fro: nobody is ever in it") {
     World world = World::create(openFloor(25)).value();
-    std::uint32_t sequence = 0;
-    REQUIRE(give(world, sequence, putThing(tree({-6, 5}, 0.7))).ok());
+    REQUIRE(give(world, putThing(tree({-6, 5}, 0.7))).ok());
     runSteps(world, 1);
     const ObstacleId id = world.obstacleIds()[0];
     for (int k = 0; k < 60; ++k) {
-        REQUIRE(give(world, sequence, putThing(tree({-6.0, 5.0 - 0.1 * k}, 0.7), id)).ok());
+        REQUIRE(give(world, putThing(tree({-6.0, 5.0 - 0.1 * k}, 0.7), id)).ok());
         runSteps(world, 3);  // At 2 m/s.
         CHECK(world.rejections().empty());
         CHECK(freeDistance(world) > 0.2);
@@ -84,11 +82,10 @@ TEST_CASE("an obstacle moved to and fro: nobody is ever in it") {
 TEST_CASE("a wall across the path is walked round as soon as it stands, and not when it is gone") {
     const auto farthest = [](bool wall, bool taken) {
         World world = World::create(openFloor(9)).value();
-        std::uint32_t sequence = 0;
-        if (wall) REQUIRE(give(world, sequence, putThing(block(-1, -3, 0, 12))).ok());
-        REQUIRE(give(world, sequence, SetPose{world.group(0).id, {6, 3}, 0}).ok());
+        if (wall) REQUIRE(give(world, putThing(block(-1, -3, 0, 12))).ok());
+        REQUIRE(give(world, SetPose{world.group(0).id, {6, 3}, 0}).ok());
         runSteps(world, 5);
-        if (taken) REQUIRE(give(world, sequence, removeThing(world.obstacleIds()[0])).ok());
+        if (taken) REQUIRE(give(world, removeThing(world.obstacleIds()[0])).ok());
         double low = 0.0;
         for (int s = 0; s < 20 * 60; ++s) {
             world.step();
@@ -107,7 +104,6 @@ TEST_CASE(
     "a patch laid under a standing crowd is entered at once, moved it is left, and removed it is gone") {
     World world = World::create(openFloor(16)).value();
     runSteps(world, 10);
-    std::uint32_t sequence = 0;
     const auto count = [&](int steps, EventKind kind) {
         int n = 0;
         for (int s = 0; s < steps; ++s) {
@@ -116,20 +112,20 @@ TEST_CASE(
         }
         return n;
     };
-    REQUIRE(give(world, sequence, putThing(rectangle(-11, -5, -1, 5, 3))).ok());
+    REQUIRE(give(world, putThing(rectangle(-11, -5, -1, 5, 3))).ok());
     CHECK(count(120, EventKind::EnterPatch) == 16);
     const PatchId id = world.patchIds()[0];
     for (std::size_t i = 0; i < 16; ++i) {
         CHECK(world.characters().patch[i] == id.value);
         CHECK(world.characters().motion[i] == 3);
     }
-    REQUIRE(give(world, sequence, putThing(rectangle(3, -5, 9, 5, 3), id)).ok());
+    REQUIRE(give(world, putThing(rectangle(3, -5, 9, 5, 3), id)).ok());
     CHECK(count(120, EventKind::LeavePatch) == 16);
     for (std::size_t i = 0; i < 16; ++i) CHECK(world.characters().patch[i] == 0);
-    REQUIRE(give(world, sequence, putThing(rectangle(-11, -5, -1, 5, 1), id)).ok());
+    REQUIRE(give(world, putThing(rectangle(-11, -5, -1, 5, 1), id)).ok());
     CHECK(count(120, EventKind::EnterPatch) == 16);
     CHECK(world.characters().motion[0] == 1);
-    REQUIRE(give(world, sequence, removeThing(id)).ok());
+    REQUIRE(give(world, removeThing(id)).ok());
     CHECK(count(120, EventKind::LeavePatch) == 16);
     for (std::size_t i = 0; i < 16; ++i) CHECK(world.characters().motion[i] == 0);
     CHECK(world.patchIds().empty());
@@ -138,18 +134,17 @@ TEST_CASE(
 
 TEST_CASE("ids of what is gone are not given again, and commands for it are refused") {
     World world = World::create(openFloor(4)).value();
-    std::uint32_t sequence = 0;
-    REQUIRE(give(world, sequence, putThing(tree({5, 5}, 0.5))).ok());
-    REQUIRE(give(world, sequence, putThing(rectangle(2, 2, 4, 4, 3))).ok());
+    REQUIRE(give(world, putThing(tree({5, 5}, 0.5))).ok());
+    REQUIRE(give(world, putThing(rectangle(2, 2, 4, 4, 3))).ok());
     runSteps(world, 1);
     const ObstacleId obstacle = world.obstacleIds()[0];
     const PatchId patch = world.patchIds()[0];
-    REQUIRE(give(world, sequence, removeThing(obstacle)).ok());
-    REQUIRE(give(world, sequence, removeThing(patch)).ok());
-    REQUIRE(give(world, sequence, putThing(tree({5, 5}, 0.5))).ok());
-    REQUIRE(give(world, sequence, putThing(rectangle(2, 2, 4, 4, 3))).ok());
-    REQUIRE(give(world, sequence, putThing(tree({1, 1}, 0.5), obstacle)).ok());
-    REQUIRE(give(world, sequence, putThing(rectangle(0, 0, 1, 1, 3), patch)).ok());
+    REQUIRE(give(world, removeThing(obstacle)).ok());
+    REQUIRE(give(world, removeThing(patch)).ok());
+    REQUIRE(give(world, putThing(tree({5, 5}, 0.5))).ok());
+    REQUIRE(give(world, putThing(rectangle(2, 2, 4, 4, 3))).ok());
+    REQUIRE(give(world, putThing(tree({1, 1}, 0.5), obstacle)).ok());
+    REQUIRE(give(world, putThing(rectangle(0, 0, 1, 1, 3), patch)).ok());
     runSteps(world, 1);
     CHECK(world.obstacleIds()[0] > obstacle);
     CHECK(world.patchIds()[0] > patch);
@@ -187,8 +182,7 @@ TEST_CASE("with a quick car crossing in front, walkers keep clear of it and all 
     car.path.loop = true;
     def.obstacles.push_back(car);
     World world = World::create(def).value();
-    std::uint32_t sequence = 0;
-    REQUIRE(give(world, sequence, SetPose{world.group(0).id, {6, 0}, 0}).ok());
+    REQUIRE(give(world, SetPose{world.group(0).id, {6, 0}, 0}).ok());
     double least = 1e9;
     for (int s = 0; s < 20 * 60; ++s) {
         world.step();
@@ -201,12 +195,11 @@ TEST_CASE("with a quick car crossing in front, walkers keep clear of it and all 
 
 TEST_CASE("time.step stands, other parameters take hold in the step of their command") {
     World world = World::create(openFloor(9)).value();
-    std::uint32_t sequence = 0;
-    const Status refused = give(world, sequence, SetParameter{"time.step", 0.02});
+    const Status refused = give(world, SetParameter{"time.step", 0.02});
     CHECK_FALSE(refused.ok());
     CHECK(refused.message().find("time.step") != std::string::npos);
-    REQUIRE(give(world, sequence, SetParameter{"character.maxSpeed", 0.5}).ok());
-    REQUIRE(give(world, sequence, SetPose{world.group(0).id, {6, 0}, 0}).ok());
+    REQUIRE(give(world, SetParameter{"character.maxSpeed", 0.5}).ok());
+    REQUIRE(give(world, SetPose{world.group(0).id, {6, 0}, 0}).ok());
     world.step();
     CHECK(world.parameters().stepTime == 1.0 / 60.0);
     CHECK(world.parameters().character.maxSpeed == 0.5);

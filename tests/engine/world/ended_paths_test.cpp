@@ -18,9 +18,8 @@ WorldDef twoDoors(bool other) {
     def.obstacles.push_back({.polygon = {{-0.5, -25}, {0.5, -25}, {0.5, -1.5}, {-0.5, -1.5}}});
     def.obstacles.push_back({.polygon = {{-0.5, 1.5}, {0.5, 1.5}, {0.5, top}, {-0.5, top}}});
     if (other) def.obstacles.push_back({.polygon = {{-0.5, 13}, {0.5, 13}, {0.5, 25}, {-0.5, 25}}});
-    ObstacleDef gate{.polygon = {{-0.4, -4.8}, {0.4, -4.8}, {0.4, -1.6}, {-0.4, -1.6}}};
-    gate.path.waypoints = {{2.0, {0, 0}}, {4.0, {0, 3.2}}};
-    def.obstacles.push_back(gate);
+    def.obstacles.push_back({.polygon = {{-0.4, -4.8}, {0.4, -4.8}, {0.4, -1.6}, {-0.4, -1.6}},
+                             .path = {.waypoints = {{2.0, {0, 0}}, {4.0, {0, 3.2}}}}});
     return def;
 }
 

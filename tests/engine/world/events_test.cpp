@@ -55,17 +55,16 @@ SetPose poseAt(const World& world, Vec2 p) {
 
 TEST_CASE("an order is told as carried out once, one second after the last is within reach") {
     World world = World::create(openFloor(16)).value();
-    std::uint32_t sequence = 0;
     CHECK(watch(world, 180).empty());  // Who stand at their places from the beginning are told of nothing.
     for (const double x : {4.0, -4.0}) {
-        REQUIRE(give(world, sequence, poseAt(world, {x, 0})).ok());
+        REQUIRE(give(world, poseAt(world, {x, 0})).ok());
         const auto told = watch(world, 900);
         REQUIRE(kindsOf(told) == std::vector{EventKind::Arrived});
         CHECK(told[0].event.subject == world.group(0).id.value);
         CHECK(told[0].event.value == 16);
         CHECK(distance(told[0].event.position, {x, 0}) < 0.01);
     }
-    REQUIRE(give(world, sequence, poseAt(world, {-4, 0.1})).ok());  // Nobody is ever out of reach.
+    REQUIRE(give(world, poseAt(world, {-4, 0.1})).ok());  // Nobody is ever out of reach.
     const auto told = watch(world, 120);
     REQUIRE(kindsOf(told) == std::vector{EventKind::Arrived});
     CHECK(told[0].step == 180 + 1800 + 61);
@@ -73,9 +72,8 @@ TEST_CASE("an order is told as carried out once, one second after the last is wi
 
 TEST_CASE("arrival is told in the very step that the definition gives") {
     World world = World::create(openFloor(16)).value();
-    std::uint32_t sequence = 0;
     watch(world, 30);
-    REQUIRE(give(world, sequence, poseAt(world, {5, 2})).ok());
+    REQUIRE(give(world, poseAt(world, {5, 2})).ok());
     std::uint32_t outside = 0,
                   moving = 0;  // The last steps with somebody out of reach, and with a moving place.
     for (int s = 0; s < 1200; ++s) {
@@ -96,21 +94,19 @@ TEST_CASE("arrival is told in the very step that the definition gives") {
 
 TEST_CASE("a drawn way is told as carried out when the finger's path is followed") {
     World world = World::create(openFloor(16)).value();
-    std::uint32_t sequence = 0;
-    REQUIRE(give(world, sequence, TouchDown{1, {-6, 0}, world.time(), {}}).ok());
+    REQUIRE(give(world, TouchDown{1, {-6, 0}, world.time(), {}}).ok());
     CHECK(watch(world, 30).empty());
-    REQUIRE(give(world, sequence, TouchMove{1, {4, 0}, world.time()}).ok());
+    REQUIRE(give(world, TouchMove{1, {4, 0}, world.time()}).ok());
     CHECK(watch(world, 120).empty());
-    REQUIRE(give(world, sequence, TouchUp{1, world.time()}).ok());
+    REQUIRE(give(world, TouchUp{1, world.time()}).ok());
     CHECK(kindsOf(watch(world, 1200)) == std::vector{EventKind::Arrived});
 }
 
 TEST_CASE("no path and partial tell how many places cannot be reached, once per order") {
     World world = World::create(twoHalves(0.0)).value();
-    std::uint32_t sequence = 0;
     CHECK(watch(world, 60).empty());
     for (int order = 0; order < 2; ++order) {
-        REQUIRE(give(world, sequence, poseAt(world, {6, 0})).ok());
+        REQUIRE(give(world, poseAt(world, {6, 0})).ok());
         auto told = watch(world, 600);
         REQUIRE(!told.empty());
         CHECK(told[0].event.kind == EventKind::NoPath);
@@ -119,7 +115,7 @@ TEST_CASE("no path and partial tell how many places cannot be reached, once per 
         CHECK(countOf(told, EventKind::NoPath) == 1);
     }
     // The right half of the formation lies beyond the wall.
-    REQUIRE(give(world, sequence, poseAt(world, {0, 0})).ok());
+    REQUIRE(give(world, poseAt(world, {0, 0})).ok());
     const auto told = watch(world, 600);
     REQUIRE(!told.empty());
     CHECK(told[0].event.kind == EventKind::Partial);
@@ -128,17 +124,16 @@ TEST_CASE("no path and partial tell how many places cannot be reached, once per 
 
 TEST_CASE("who are cut off by the ground are told of, and when they have their way again") {
     World world = World::create(twoHalves(3.0)).value();
-    std::uint32_t sequence = 0;
-    REQUIRE(give(world, sequence, poseAt(world, {6, 0})).ok());
+    REQUIRE(give(world, poseAt(world, {6, 0})).ok());
     CHECK(watch(world, 60).empty());  // On their way.
-    REQUIRE(give(world, sequence, putThing(block(-0.4, -2, 0.4, 2))).ok());
+    REQUIRE(give(world, putThing(block(-0.4, -2, 0.4, 2))).ok());
     auto told = watch(world, 60);
     REQUIRE(kindsOf(told) == std::vector{EventKind::Blocked});
     CHECK(told[0].event.value == 16);
     const ObstacleId gate = world.obstacleIds().back();
-    REQUIRE(give(world, sequence, putThing(tree({-9, 9}, 0.5))).ok());  // Another version, the same ways.
+    REQUIRE(give(world, putThing(tree({-9, 9}, 0.5))).ok());  // Another version, the same ways.
     CHECK(watch(world, 60).empty());
-    REQUIRE(give(world, sequence, removeThing(gate)).ok());
+    REQUIRE(give(world, removeThing(gate)).ok());
     told = watch(world, 900);
     CHECK(kindsOf(told) == std::vector{EventKind::Free, EventKind::Arrived});
     CHECK(told[0].event.value == 16);
@@ -149,8 +144,7 @@ TEST_CASE("some of a group who are cut off from the others are counted") {
     def.groups[0].position = {6, 0};
     for (int i = 0; i < 8; ++i) def.groups[0].starts.push_back(i < 3 ? Vec2{-8, i - 1.0} : Vec2{5, i - 5.0});
     World world = World::create(def).value();
-    std::uint32_t sequence = 0;
-    REQUIRE(give(world, sequence, putThing(block(-0.5, -12, 0.5, 12))).ok());
+    REQUIRE(give(world, putThing(block(-0.5, -12, 0.5, 12))).ok());
     const auto told = watch(world, 60);
     REQUIRE(kindsOf(told) == std::vector{EventKind::Blocked});
     CHECK(told[0].event.value == 3);
@@ -163,7 +157,6 @@ TEST_CASE("who stands before a gap too narrow is stuck, who queues at a door is 
         def.groups[0].position = {6, 0};
         def.groups[0].starts = {{-6, 0}};
         World world = World::create(def).value();
-        std::uint32_t sequence = 0;
         watch(world, 20);
         // Moving things do not count as ground: they stand in the way until they leave, after 20 s.
         const Vec2 middle = world.characters().position[0];
@@ -171,7 +164,7 @@ TEST_CASE("who stands before a gap too narrow is stuck, who queues at a door is 
             ObstacleDef post = tree(
                 middle + Rotation{cosine(k * 0.25 * kPi), sine(k * 0.25 * kPi)}.apply({0.85, 0}), 0.5);
             post.path.waypoints = {{0, {0, 0}, 0}, {20, {0, 0}, 0}, {20.5, {0, 30}, 0}};
-            REQUIRE(give(world, sequence, putThing(post)).ok());
+            REQUIRE(give(world, putThing(post)).ok());
         }
         const auto told = watch(world, 19 * 60);
         CHECK(countOf(told, EventKind::Stuck) == 1);
@@ -183,8 +176,7 @@ TEST_CASE("who stands before a gap too narrow is stuck, who queues at a door is 
         WorldDef def = twoHalves(0.8, 60);
         def.parameters.opposing.gain = 0.0;
         World world = World::create(def).value();
-        std::uint32_t sequence = 0;
-        REQUIRE(give(world, sequence, poseAt(world, {6, 0})).ok());
+        REQUIRE(give(world, poseAt(world, {6, 0})).ok());
         const auto later = watch(world, 60 * 60);
         CHECK(countOf(later, EventKind::Stuck) == 0);
         CHECK(countOf(later, EventKind::Arrived) == 1);
@@ -208,8 +200,7 @@ TEST_CASE("a gate that closes the only way is told of, and when it opens; one th
                                                       {16, {0, 0}, 0},
                                                       {17, {0, 8}, 0}}))
                               .value();
-            std::uint32_t sequence = 0;
-            REQUIRE(give(world, sequence, poseAt(world, {6, 0})).ok());
+            REQUIRE(give(world, poseAt(world, {6, 0})).ok());
             auto told = watch(world, static_cast<int>(restoredAt));
             if (restoredAt > 0) world = World::restore(world.snapshot()).value();
             for (const Told& one : watch(world, 1800 - static_cast<int>(restoredAt))) told.push_back(one);
@@ -233,17 +224,15 @@ TEST_CASE("a gate that closes the only way is told of, and when it opens; one th
                                                   {4, {0, 0}, 0},
                                                   {4.5, {0, 8}, 0}}))
                           .value();
-        std::uint32_t sequence = 0;
-        REQUIRE(give(world, sequence, poseAt(world, {6, 0})).ok());
+        REQUIRE(give(world, poseAt(world, {6, 0})).ok());
         CHECK(kindsOf(watch(world, 1800)) == std::vector{EventKind::Arrived});
     }
     SUBCASE("one that is taken away") {
         World world = World::create(doorWithGate({{0, {0, 0}, 0}, {1e3, {0, 0.1}, 0}})).value();
-        std::uint32_t sequence = 0;
-        REQUIRE(give(world, sequence, poseAt(world, {6, 0})).ok());
+        REQUIRE(give(world, poseAt(world, {6, 0})).ok());
         auto told = watch(world, 480);
         REQUIRE(kindsOf(told) == std::vector{EventKind::Blocked});
-        REQUIRE(give(world, sequence, removeThing(world.obstacleIds().back())).ok());
+        REQUIRE(give(world, removeThing(world.obstacleIds().back())).ok());
         told = watch(world, 1200);
         CHECK(countOf(told, EventKind::Free) == 1);
         CHECK(countOf(told, EventKind::Blocked) == 0);
@@ -257,8 +246,7 @@ TEST_CASE("a snapshot in between changes nothing of what is told") {
         const auto run = [&](bool restored) {
             World world = World::create(twoHalves(3.0)).value();
             std::vector<Told> told;
-            std::uint32_t sequence = 0;
-            REQUIRE(give(world, sequence, poseAt(world, {6, 0})).ok());
+            REQUIRE(give(world, poseAt(world, {6, 0})).ok());
             REQUIRE(world.submit({60, 2, 0, putThing(block(-0.4, -2, 0.4, 2))}).ok());
             REQUIRE(world.submit({200, 2, 1, removeThing(ObstacleId{3})}).ok());
             for (int s = 0; s < 700; ++s) {

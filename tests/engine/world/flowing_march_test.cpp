@@ -14,24 +14,17 @@ using namespace muster::testing;
 namespace {
 
 WorldDef street() {
-    WorldDef def;
-    def.box = {{-40, -30}, {40, 30}};
-    def.obstacles = {block(-4, -30, 4, -4), block(-4, 4, 4, 30)};
-    GroupDef group;
-    group.count = 60;
-    group.formation.files = 15;
-    group.position = {-25, 3};
-    def.groups.push_back(group);
-    return def;
+    return {.box = {{-40, -30}, {40, 30}},
+            .obstacles = {block(-4, -30, 4, -4), block(-4, 4, 4, 30)},
+            .groups = {{.count = 60, .formation = {.files = 15}, .position = {-25, 3}}}};
 }
 
 /// Seconds from an order until it is done; 1e9 for never. `extent` is the greatest extent of the crowd [m].
 double playOrder(const WorldDef& def, const Order& order, double& extent) {
     World world = World::create(def).value();
-    std::uint32_t sequence = 0;
     for (int s = 0; s < 30; ++s) world.step();
     const double begun = world.time();
-    REQUIRE(give(world, sequence, GiveOrder{GroupId{1}, QueueMode::Replace, 0, order}).ok());
+    tell(world, order, GroupId{1});
     extent = 0.0;
     while (world.time() < begun + 120.0) {
         world.step();
@@ -48,14 +41,8 @@ double playOrder(const WorldDef& def, const Order& order, double& extent) {
 }
 
 WorldDef square(std::int32_t count, std::int32_t files, Vec2 at) {
-    WorldDef def;
-    def.box = {{-60, -60}, {60, 60}};
-    GroupDef group;
-    group.count = count;
-    group.formation.files = files;
-    group.position = at;
-    def.groups.push_back(group);
-    return def;
+    return {.box = {{-60, -60}, {60, 60}},
+            .groups = {{.count = count, .formation = {.files = files}, .position = at}}};
 }
 
 }  // namespace
@@ -78,15 +65,10 @@ TEST_CASE("a line that is to face about turns on the spot") {
 
 TEST_CASE("a march that is ordered exchanges nobody on open ground, however often") {
     World world = World::create(square(60, 10, {0, 0})).value();
-    std::uint32_t sequence = 0;
     std::int32_t swaps = 0;
     for (int s = 0; s < 20 * 60; ++s) {
         const double angle = 0.7 * s;
-        if (s % 6 == 0)
-            REQUIRE(give(world, sequence,
-                         GiveOrder{GroupId{1}, QueueMode::Replace, 0,
-                                   Order::move({3.0 * cosine(angle), 3.0 * sine(angle)})})
-                        .ok());
+        if (s % 6 == 0) tell(world, Order::move({3.0 * cosine(angle), 3.0 * sine(angle)}), GroupId{1});
         world.step();
         for (const Event& e : world.events()) swaps += e.kind == EventKind::Swap ? 1 : 0;
     }
@@ -98,13 +80,12 @@ TEST_CASE("orders to where nobody can come move a group once, for each that is f
         WorldDef def = square(60, 10, {0, 0});
         def.obstacles = {block(-8, -8, -7, 8), block(7, -8, 8, 8), block(-7, -8, 7, -7), block(-7, 7, 7, 8)};
         World world = World::create(def).value();
-        std::uint32_t sequence = 0, told = 0;
+        std::uint32_t told = 0;
         std::vector<double> walked(60, 0.0);
         for (int s = 0; s < 20 * 60; ++s) {
             Order order = Order::move({-50.0, 15.0 * sine(0.3 * s)});
             order.manner = manner;
-            if (s % 6 == 0)
-                REQUIRE(give(world, sequence, GiveOrder{GroupId{1}, QueueMode::Replace, 0, order}).ok());
+            if (s % 6 == 0) tell(world, order, GroupId{1});
             const std::vector<Vec2> before = copyOf(world.characters().position);
             world.step();
             for (const Event& e : world.events()) told += e.kind == EventKind::NoPath ? 1 : 0;
@@ -119,39 +100,29 @@ TEST_CASE("orders to where nobody can come move a group once, for each that is f
 
 TEST_CASE("twenty orders a second to one target do not slow a group") {
     World world = World::create(square(60, 10, {-40, 0})).value();
-    std::uint32_t sequence = 0;
     for (int s = 0; s < 20 * 60; ++s) {
-        if (s % 3 == 0)
-            REQUIRE(give(world, sequence, GiveOrder{GroupId{1}, QueueMode::Replace, 0, Order::move({40, 0})})
-                        .ok());
+        if (s % 3 == 0) tell(world, Order::move({40, 0}), GroupId{1});
         world.step();
     }
     CHECK(world.group(0).pose.position.x > -5.0);
 }
 
 TEST_CASE("a block goes through a winding street narrower than itself, however often it is ordered") {
-    WorldDef def;
-    def.box = {{-40, -30}, {50, 30}};
-    def.obstacles = {block(-6.15, 1.2, 4.8, 1.5),      block(4.5, 1.2, 4.8, 11.5),
-                     block(4.5, 11.2, 20.15, 11.5),    block(-6.15, -1.5, 7.5, -1.2),
-                     block(7.2, -1.5, 7.5, 8.8),       block(7.2, 8.5, 20.15, 8.8),
-                     block(-6.15, 1.25, -5.85, 28.15), block(-6.15, -28.15, -5.85, -1.25)};
-    GroupDef group;
-    group.count = 30;
-    group.position = {-14, 0};
-    def.groups.push_back(group);
+    WorldDef def{
+        .box = {{-40, -30}, {50, 30}},
+        .obstacles = {block(-6.15, 1.2, 4.8, 1.5), block(4.5, 1.2, 4.8, 11.5), block(4.5, 11.2, 20.15, 11.5),
+                      block(-6.15, -1.5, 7.5, -1.2), block(7.2, -1.5, 7.5, 8.8), block(7.2, 8.5, 20.15, 8.8),
+                      block(-6.15, 1.25, -5.85, 28.15), block(-6.15, -28.15, -5.85, -1.25)}};
+    def.groups.push_back({.count = 30, .position = {-14, 0}});
     // Once, every second and every 0.3 s; round the walls it is 83 m instead of 53.
     for (const std::uint32_t every : {10000u, 60u, 18u}) {
         CAPTURE(every);
         World world = World::create(def).value();
-        std::uint32_t sequence = 0;
         bool done = false;
         while (!done && world.time() < 80.0) {
             const double off = world.stepCount() % 36 == 0 ? 0.1 : 0.0;
             if (world.stepCount() % every == 0 && world.time() < 19.0)
-                REQUIRE(give(world, sequence,
-                             GiveOrder{GroupId{1}, QueueMode::Replace, 0, Order::move({28 + off, 10})})
-                            .ok());
+                tell(world, Order::move({28 + off, 10}), GroupId{1});
             world.step();
             for (const Event& e : world.events()) done = done || e.kind == EventKind::OrderDone;
         }
@@ -169,11 +140,10 @@ TEST_CASE("a block ordered into a corner of the ground stays a block") {
 TEST_CASE("a march that meets a wall on its way, put there later, is planned again and arrives") {
     WorldDef def = square(36, 6, {-30, 0});
     World world = World::create(def).value();
-    std::uint32_t sequence = 0;
     world.step();
-    REQUIRE(give(world, sequence, GiveOrder{GroupId{1}, QueueMode::Replace, 0, Order::move({30, 0})}).ok());
+    tell(world, Order::move({30, 0}), GroupId{1});
     for (int s = 0; s < 8 * 60; ++s) world.step();
-    REQUIRE(give(world, sequence, putThing(block(0, -12, 2, 12))).ok());
+    REQUIRE(give(world, putThing(block(0, -12, 2, 12))).ok());
     bool done = false;
     while (!done && world.time() < 60.0) {
         world.step();
@@ -185,9 +155,8 @@ TEST_CASE("a march that meets a wall on its way, put there later, is planned aga
 
 TEST_CASE("a march that flows is restored bit for bit at any step") {
     World world = World::create(street()).value();
-    std::uint32_t sequence = 0;
     for (int s = 0; s < 30; ++s) world.step();
-    REQUIRE(give(world, sequence, GiveOrder{GroupId{1}, QueueMode::Replace, 0, Order::move({25, -3})}).ok());
+    tell(world, Order::move({25, -3}), GroupId{1});
     // Copies that go on alone, and when they end: by then they are as the world.
     std::vector<std::pair<World, int>> copies;
     for (int s = 0; s < 240; ++s) {
@@ -216,10 +185,8 @@ TEST_CASE(
         def.groups[k].angle = angle + kPi;
     }
     World world = World::create(def).value();
-    std::uint32_t sequence = 0, done = 0;
-    for (std::uint32_t k = 0; k < 8; ++k)
-        REQUIRE(give(world, sequence, GiveOrder{GroupId{k + 1}, QueueMode::Replace, 0, Order::move({0, 0})})
-                    .ok());
+    std::uint32_t done = 0;
+    for (std::uint32_t k = 0; k < 8; ++k) tell(world, Order::move({0, 0}), GroupId{k + 1});
     while (world.time() < 26.0) {  // 20 s alone.
         world.step();
         for (const Event& e : world.events()) done += e.kind == EventKind::OrderDone ? 1 : 0;
@@ -239,8 +206,8 @@ TEST_CASE("an order to go each for itself among thin walls exchanges few") {
     def.obstacles.push_back(block(0, -15, 0.1, -6.45));
     def.obstacles.push_back(block(0, 11.55, 0.1, 15));
     World world = World::create(def).value();
-    std::uint32_t sequence = 0, swaps = 0;
-    REQUIRE(give(world, sequence, GiveOrder{GroupId{1}, QueueMode::Replace, 0, Order::go({10, 2})}).ok());
+    std::uint32_t swaps = 0;
+    tell(world, Order::go({10, 2}), GroupId{1});
     while (world.time() < 40.0) {
         world.step();
         for (const Event& e : world.events()) swaps += e.kind == EventKind::Swap ? 1 : 0;
@@ -251,17 +218,10 @@ TEST_CASE("an order to go each for itself among thin walls exchanges few") {
 
 TEST_CASE(
     "giants in a formation closer than they are wide march between posts about as fast as on their own") {
-    WorldDef def;
-    def.box = {{-30, -20}, {30, 20}};
+    WorldDef def{.box = {{-30, -20}, {30, 20}}};
     for (const double y : {-4.8, 0.0, 4.8}) def.obstacles.push_back(block(-0.5, y - 0.5, 0.5, y + 0.5));
-    GroupDef group;
-    group.count = 5;
-    group.formation.files = 5;
-    group.position = {-18, 0};
-    Body giant;
-    giant.radius = 1.1;
-    group.bodies = {giant};
-    def.groups.push_back(group);
+    def.groups.push_back(
+        {.count = 5, .formation = {.files = 5}, .position = {-18, 0}, .bodies = {{.radius = 1.1}}});
     double extent = 0.0;
     CHECK(playOrder(def, Order::move({18, 0}), extent) < 26.0);
 }
@@ -299,23 +259,19 @@ TEST_CASE("a march through a door takes about as long as each for itself") {
                           Case{60, 8, 1.0, -9.0, 1.0, 1.2}}) {
         double seconds[2] = {};
         for (const Manner manner : {Manner::Free, Manner::March}) {
-            WorldDef def;
-            def.box = {{-30, -20}, {60, 20}};
-            def.obstacles = {block(6, 0.5 * c.width, 6.3, 20), block(6, -20, 6.3, -0.5 * c.width)};
+            WorldDef def{.box = {{-30, -20}, {60, 20}},
+                         .obstacles = {block(6, 0.5 * c.width, 6.3, 20), block(6, -20, 6.3, -0.5 * c.width)}};
             if (c.count == 150)
                 def.obstacles.insert(def.obstacles.end(), {block(-6.3, -6.3, -6, 6.3), block(-6, 6, 6, 6.3),
                                                            block(-6, -6.3, 6, -6)});
-            GroupDef group;
-            group.count = c.count;
-            group.formation.files = c.files;
-            group.formation.spacing = c.spacing;
-            group.position = {c.from, 0};
+            GroupDef group{.count = c.count,
+                           .formation = {.spacing = c.spacing, .files = c.files},
+                           .position = {c.from, 0}};
             def.groups.push_back(group);
             World world = World::create(def).value();
-            std::uint32_t n = 0;
             Order order = Order::move({25, 0});
             order.manner = manner;
-            REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, order}).ok());
+            tell(world, order);
             world.step();
             while (!world.group(0).orders.empty() && world.time() < 100.0) world.step();
             seconds[manner == Manner::March ? 1 : 0] = world.time();
@@ -328,20 +284,17 @@ TEST_CASE("a march through a door takes about as long as each for itself") {
 }
 
 TEST_CASE("points of a formation that are far enough apart stay as they are, whatever its spacing says") {
-    WorldDef def;
-    def.box = {{-30, -20}, {40, 20}};
-    GroupDef group;
-    group.count = 4;
-    group.formation.kind = FormationKind::Points;
-    group.formation.points = {{0, 0}, {-2.6, 0}, {-5.2, 0}, {-7.8, 0}};
-    group.bodies = {Body{.radius = 1.0}};
+    WorldDef def{.box = {{-30, -20}, {40, 20}}};
+    GroupDef group{
+        .count = 4,
+        .formation = {.kind = FormationKind::Points, .points = {{0, 0}, {-2.6, 0}, {-5.2, 0}, {-7.8, 0}}},
+        .bodies = {Body{.radius = 1.0}}};
     def.groups.push_back(group);
     World world = World::create(def).value();
-    std::uint32_t n = 0;
     for (const Manner manner : {Manner::March, Manner::Free}) {
         Order order = Order::move({manner == Manner::March ? 15.0 : 25.0, 0});
         order.manner = manner;
-        REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, order}).ok());
+        tell(world, order);
         run(world, 25.0);
         double least = 1e9, most = -1e9;
         for (const Vec2 p : world.characters().position) {
@@ -354,23 +307,18 @@ TEST_CASE("points of a formation that are far enough apart stay as they are, wha
 
 TEST_CASE("who is ordered to where it stands already does not turn about") {
     for (const Manner manner : {Manner::March, Manner::Free}) {
-        WorldDef def;
-        def.box = {{-20, -20}, {20, 20}};
-        def.obstacles = {block(4, -20, 4.3, 0)};
-        GroupDef group;
-        group.count = 36;
-        group.position = {-4, 0};
+        WorldDef def{.box = {{-20, -20}, {20, 20}}, .obstacles = {block(4, -20, 4.3, 0)}};
+        GroupDef group{.count = 36, .position = {-4, 0}};
         def.groups.push_back(group);
         World world = World::create(def).value();
         run(world, 2.0);
         const auto before = copyOf(world.characters().position);
-        std::uint32_t n = 0;
         for (int k = 0; k < 6; ++k) {
             Vec2 middle;
             for (const Vec2 p : world.characters().position) middle += p / 36.0;
             Order order = Order::move(middle + Vec2{0.01, -0.02});
             order.manner = manner;
-            REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, order}).ok());
+            tell(world, order);
             run(world, 0.5);
         }
         for (std::size_t i = 0; i < before.size(); ++i)

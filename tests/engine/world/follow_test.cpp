@@ -13,12 +13,11 @@ namespace {
 
 /// Four groups of six in a row, before a street of 2.6 m with three corners.
 WorldDef streetOfCorners() {
-    WorldDef def;
-    def.box = {{-30, -20}, {40, 20}};
-    def.obstacles = {block(0, 1.3, 8.7, 20), block(0, -20, 18.7, -1.3), block(11.3, -1.3, 18.7, 6.7),
-                     block(8.7, 9.3, 21.3, 20), block(21.3, -6, 21.6, 20)};
-    GroupDef group;
-    group.count = 6;
+    WorldDef def{
+        .box = {{-30, -20}, {40, 20}},
+        .obstacles = {block(0, 1.3, 8.7, 20), block(0, -20, 18.7, -1.3), block(11.3, -1.3, 18.7, 6.7),
+                      block(8.7, 9.3, 21.3, 20), block(21.3, -6, 21.6, 20)}};
+    GroupDef group{.count = 6};
     for (int k = 0; k < 4; ++k) {
         group.position = {-6.0 - 4.0 * k, 0};
         def.groups.push_back(group);
@@ -31,13 +30,8 @@ WorldDef streetOfCorners() {
 TEST_CASE("three groups follow a fourth round the corners of a street, each behind the one before") {
     WorldDef def = streetOfCorners();
     World world = World::create(def).value();
-    std::uint32_t n = 0;
-    REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::move({30, -12})}).ok());
-    for (std::size_t g = 1; g < 4; ++g)
-        REQUIRE(give(world, n,
-                     GiveOrder{world.group(g).id, QueueMode::Replace, 0,
-                               Order::follow(world.group(g - 1).id, {-4, 0})})
-                    .ok());
+    tell(world, Order::move({30, -12}));
+    for (std::size_t g = 1; g < 4; ++g) tell(world, Order::follow(world.group(g - 1).id, {-4, 0}), g);
     double arrived = 0.0;
     while (world.time() < 60.0) {
         world.step();
@@ -56,24 +50,16 @@ TEST_CASE("three groups follow a fourth round the corners of a street, each behi
 }
 
 TEST_CASE("who follows a single one beside a wall has no place behind the wall") {
-    WorldDef def;
-    def.box = {{-20, -10}, {20, 10}};
-    def.obstacles = {block(-15, 1.0, 15, 1.3)};
-    GroupDef group;
-    group.count = 1;
-    group.position = {-12, 0};
+    WorldDef def{.box = {{-20, -10}, {20, 10}}, .obstacles = {block(-15, 1.0, 15, 1.3)}};
+    GroupDef group{.count = 1, .position = {-12, 0}};
     def.groups.push_back(group);
     group.count = 4;
     group.position = {-16, -2};
     def.groups.push_back(group);
     World world = World::create(def).value();
-    std::uint32_t n = 0;
-    REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::move({10, 0})}).ok());
+    tell(world, Order::move({10, 0}));
     // To the left of who it follows, which is the other side of the wall.
-    REQUIRE(
-        give(world, n,
-             GiveOrder{world.group(1).id, QueueMode::Replace, 0, Order::follow(world.group(0).id, {0, 4})})
-            .ok());
+    tell(world, Order::follow(world.group(0).id, {0, 4}), 1);
     while (world.time() < 25.0) {
         world.step();
         if (world.time() < 5.0) continue;
@@ -86,21 +72,15 @@ TEST_CASE("who follows a single one beside a wall has no place behind the wall")
 }
 
 TEST_CASE("who follows a group that goes each for itself follows its people, not their target") {
-    WorldDef def;
-    def.box = {{-20, -20}, {60, 20}};
-    GroupDef group;
-    group.count = 8;
+    WorldDef def{.box = {{-20, -20}, {60, 20}}};
+    GroupDef group{.count = 8};
     def.groups.push_back(group);
     def.groups[0].bodies = {Body{.maxSpeed = 1.0}};
     group.position = {-8, 0};
     def.groups.push_back(group);
     World world = World::create(def).value();
-    std::uint32_t n = 0;
-    REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::go({40, 0})}).ok());
-    REQUIRE(
-        give(world, n,
-             GiveOrder{world.group(1).id, QueueMode::Replace, 0, Order::follow(world.group(0).id, {-5, 0})})
-            .ok());
+    tell(world, Order::go({40, 0}));
+    tell(world, Order::follow(world.group(0).id, {-5, 0}), 1);
     for (int k = 0; k < 8; ++k) {
         run(world, 5.0);
         CHECK(middleOf(world, 0).x - middleOf(world, 1).x == doctest::Approx(5.0).epsilon(0.4));

@@ -12,25 +12,20 @@ namespace {
 /// Plays `only` (or all, where negative) of four groups of 90 that are ordered 80 m across; seconds until all
 /// stand.
 double play(std::int32_t only, RunFigures& figures) {
-    WorldDef def;
-    def.box = {{-52, -52}, {52, 52}};
+    WorldDef def{.box = {{-52, -52}, {52, 52}}};
     const Vec2 ways[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
     const double angles[] = {0.0, 3.14159265358979, 1.5707963267949, -1.5707963267949};
     std::vector<Vec2> goals;
     for (std::int32_t g = 0; g < 4; ++g) {
         if (only >= 0 && g != only) continue;
-        GroupDef group;
-        group.count = 90;
-        group.position = ways[g] * -40.0;
-        group.angle = angles[g];
+        GroupDef group{.count = 90, .position = ways[g] * -40.0, .angle = angles[g]};
         goals.push_back(ways[g] * 40.0);
         def.groups.push_back(group);
     }
     World world = World::create(def).value();
     RunMetrics metrics(world);
-    std::uint32_t sequence = 0;
     for (std::size_t g = 0; g < goals.size(); ++g)
-        REQUIRE(give(world, sequence, SetPose{world.group(g).id, goals[g], def.groups[g].angle}).ok());
+        REQUIRE(give(world, SetPose{world.group(g).id, goals[g], def.groups[g].angle}).ok());
     for (int s = 0; s < 120 * 60; ++s) {
         world.step();
         metrics.observe(world);

@@ -11,11 +11,8 @@ namespace {
 
 /// A cordon between two walls: points 0.6 m apart, on which all stand from the start and hold.
 WorldDef cordonBetweenWalls() {
-    WorldDef def;
-    def.box = {{-20, -12}, {20, 12}};
-    def.obstacles = {block(-8, 6, 8, 12), block(-8, -12, 8, -5.6)};
-    GroupDef holders;
-    holders.formation.kind = FormationKind::Points;
+    WorldDef def{.box = {{-20, -12}, {20, 12}}, .obstacles = {block(-8, 6, 8, 12), block(-8, -12, 8, -5.6)}};
+    GroupDef holders{.formation = {.kind = FormationKind::Points}};
     for (int k = 0; k <= 17; ++k)
         if (k != 13) holders.formation.points.push_back({0, -5 + 0.6 * k});
     holders.count = 17;

@@ -15,10 +15,7 @@ namespace {
 
 WorldDef twoGroups() {
     WorldDef def = openFloor(9);
-    GroupDef second;
-    second.count = 16;
-    second.position = {6, 5};
-    def.groups.push_back(second);
+    def.groups.push_back({.count = 16, .position = {6, 5}});
     return def;
 }
 
@@ -111,17 +108,14 @@ TEST_CASE("groups come and go while others stand; ids and places stay their own"
     run(world, 0.5);
     const GroupId first = world.group(0).id, second = world.group(1).id;
     const auto standing = ofGroup(world, 1);
-    std::uint32_t sequence = 0;
-    GroupDef third;
-    third.count = 4;
-    third.position = {0, -8};
-    REQUIRE(give(world, sequence, AddGroup{third}).ok());
+    GroupDef third{.count = 4, .position = {0, -8}};
+    REQUIRE(give(world, AddGroup{third}).ok());
     run(world, 0.5);
     REQUIRE(world.groupCount() == 3);
     CHECK(world.characters().size() == 29);
     CHECK(world.group(2).id > second);
     checkPlaces(world);
-    REQUIRE(give(world, sequence, RemoveGroup{first}).ok());
+    REQUIRE(give(world, RemoveGroup{first}).ok());
     run(world, 0.5);
     REQUIRE(world.groupCount() == 2);
     CHECK(world.group(0).id == second);
@@ -131,8 +125,8 @@ TEST_CASE("groups come and go while others stand; ids and places stay their own"
     const auto still = ofGroup(world, 0);
     REQUIRE(still.size() == standing.size());
     for (std::size_t i = 0; i < still.size(); ++i) CHECK(distance(still[i], standing[i]) < 1e-6);
-    REQUIRE(give(world, sequence, RemoveGroup{first}).ok());
-    REQUIRE(give(world, sequence, AddGroup{third}).ok());
+    REQUIRE(give(world, RemoveGroup{first}).ok());
+    REQUIRE(give(world, AddGroup{third}).ok());
     world.step();
     CHECK(world.rejections().size() == 1);
     REQUIRE(world.groupCount() == 3);
@@ -141,14 +135,10 @@ TEST_CASE("groups come and go while others stand; ids and places stay their own"
 
 TEST_CASE("two groups change places through each other and end where they were sent") {
     WorldDef def = openFloor(16);
-    GroupDef second;
-    second.count = 16;
-    second.position = {6, 0};
-    def.groups.push_back(second);
+    def.groups.push_back({.count = 16, .position = {6, 0}});
     World world = World::create(def).value();
-    std::uint32_t sequence = 0;
-    REQUIRE(give(world, sequence, SetPose{world.group(0).id, {6, 0}, 0}).ok());
-    REQUIRE(give(world, sequence, SetPose{world.group(1).id, {-6, 0}, 0}).ok());
+    REQUIRE(give(world, SetPose{world.group(0).id, {6, 0}, 0}).ok());
+    REQUIRE(give(world, SetPose{world.group(1).id, {-6, 0}, 0}).ok());
     double worst = 0.0;
     for (int s = 0; s < 20 * 60; ++s) {
         world.step();
@@ -189,12 +179,9 @@ TEST_CASE("events name the characters of the group that had them") {
 
 TEST_CASE(
     "more characters than places that fit: who fits has a place, the others wait near and nobody overlaps") {
-    WorldDef def;
-    def.box = {{-4, -2.2}, {4, 2.2}};
+    WorldDef def{.box = {{-4, -2.2}, {4, 2.2}}};
     def.obstacles = {block(-4, -2.2, -1.5, 2.2), block(1.5, -2.2, 4, 2.2)};  // A room 3 m wide.
-    GroupDef group;
-    group.count = 36;
-    group.formation.spacing = 1.0;
+    GroupDef group{.count = 36, .formation = {.spacing = 1.0}};
     for (int i = 0; i < 36; ++i) {
         const int row = i / 5;
         group.starts.push_back({-1.15 + (i % 5) * 0.57, -1.9 + row * 0.52});
@@ -257,12 +244,8 @@ TEST_CASE("a thousand units, each a group of its own, go where each is sent") {
         def.groups[k].position = {-40.0 + 2.0 * (k % kSide), 3.0 * row - 45.0};
     }
     World world = World::create(def).value();
-    std::uint32_t sequence = 0;
     const auto targetOf = [&](int k) { return def.groups[k].position + Vec2{12.0, 0.0}; };
-    for (int k = 0; k < kUnits; ++k)
-        REQUIRE(give(world, sequence,
-                     GiveOrder{world.group(k).id, QueueMode::Replace, 0, Order::move(targetOf(k))})
-                    .ok());
+    for (int k = 0; k < kUnits; ++k) tell(world, Order::move(targetOf(k)), k);
     run(world, 10.0);
     std::size_t begun = 0, there = 0;
     for (int k = 0; k < kUnits; ++k) {

@@ -12,8 +12,7 @@ namespace {
 /// A niche that is one wide, with a place in it. Two stand before it, 0.4 m apart between walls. By the sum
 /// of ways the third character would go into the niche, between the two.
 WorldDef niche(PlanSolver solver) {
-    WorldDef def;
-    def.box = {{-4, -4}, {4, 4}};
+    WorldDef def{.box = {{-4, -4}, {4, 4}}};
     constexpr double kMiddle = 0.125;  // Of a column of cells.
     const auto wall = [&](double x0, double y0, double x1, double y1) {
         def.obstacles.push_back(block(kMiddle + x0, y0, kMiddle + x1, y1));
@@ -23,12 +22,11 @@ WorldDef niche(PlanSolver solver) {
     wall(-0.72, 0.28, -0.28, 2);
     wall(0.28, 0.28, 0.72, 2);
     wall(-0.28, 0.95, 0.28, 2);
-    GroupDef group;
-    group.count = 3;
-    group.formation.kind = FormationKind::Points;
-    group.formation.points = {{kMiddle - 0.45, 0}, {kMiddle + 0.45, 0}, {kMiddle, 0.625}};
-    group.starts = {{kMiddle - 0.45, 0}, {kMiddle + 0.45, 0}, {kMiddle, -0.6}};
-    def.groups.push_back(group);
+    def.groups.push_back(
+        {.count = 3,
+         .formation = {.kind = FormationKind::Points,
+                       .points = {{kMiddle - 0.45, 0}, {kMiddle + 0.45, 0}, {kMiddle, 0.625}}},
+         .starts = {{kMiddle - 0.45, 0}, {kMiddle + 0.45, 0}, {kMiddle, -0.6}}});
     def.parameters.plan.solver = solver;
     def.parameters.plan.exponent = 1.0;
     def.parameters.field.enabled = false;

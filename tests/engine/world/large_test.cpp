@@ -17,9 +17,7 @@ WorldDef largeFloor(std::int32_t side, double away) {
     WorldDef def;
     const double half = 0.5 * side + away + 10.0;
     def.box = {{-half, -half}, {half, half}};
-    GroupDef group;
-    group.count = side * side;
-    group.formation.spacing = 1.0;
+    GroupDef group{.count = side * side, .formation = {.spacing = 1.0}};
     Random random(5);
     for (std::int32_t k = 0; k < group.count; ++k)
         group.starts.push_back({k % side - 0.5 * side - away + random.uniform(-0.2, 0.2),
@@ -74,14 +72,7 @@ TEST_CASE("eleven thousand: two steps a plan, nobody shares a place, any number 
 TEST_CASE("eleven thousand, saved in the middle of a plan, go on bit for bit") {
     World world = World::create(largeFloor(105, 2.0), 2).value();
     for (int step = 0; step < 8; ++step) world.step();
-    const std::vector<std::uint8_t> saved = world.snapshot();
-    World copy = World::restore(saved).value();
-    CHECK(copy.hash() == world.hash());
-    for (int step = 0; step < 7; ++step) {
-        world.step();
-        copy.step();
-        REQUIRE(copy.hash() == world.hash());
-    }
+    checkGoesOn(world, 7);
 }
 
 TEST_CASE("a plan of many is near the best for each of a few of them") {

@@ -18,9 +18,7 @@ namespace {
 constexpr double kWallAt = 15.0;
 
 AreaDef leaveArea(double x0, double y0, double x1, double y1) {
-    AreaDef area;
-    area.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-    return area;
+    return {.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}};
 }
 
 std::vector<Vec2> gridOf(Box box, std::size_t columns, std::size_t rows) {
@@ -34,9 +32,7 @@ std::vector<Vec2> gridOf(Box box, std::size_t columns, std::size_t rows) {
 }
 
 GroupDef leaversAt(std::vector<Vec2> starts) {
-    GroupDef group;
-    group.count = static_cast<std::int32_t>(starts.size());
-    group.starts = std::move(starts);
+    GroupDef group{.count = static_cast<std::int32_t>(starts.size()), .starts = std::move(starts)};
     group.position = group.starts.front();
     group.orders = {Order::leave()};
     return group;
@@ -45,11 +41,10 @@ GroupDef leaversAt(std::vector<Vec2> starts) {
 /// Two halls and a wall between them with a door at y = 3, and one at y = 11 unless it is shut. The exit is
 /// near the first.
 WorldDef twoHalls(std::vector<Vec2> starts, bool hasFarDoor = true) {
-    WorldDef def;
-    def.parameters = *parameterPreset("people");
-    def.box = {{0, 0}, {30, 16}};
-    def.obstacles = {block(kWallAt, 0, kWallAt + 0.2, 3), block(kWallAt, 4, kWallAt + 0.2, 11),
-                     block(kWallAt, 12, kWallAt + 0.2, 16)};
+    WorldDef def{.box = {{0, 0}, {30, 16}},
+                 .obstacles = {block(kWallAt, 0, kWallAt + 0.2, 3), block(kWallAt, 4, kWallAt + 0.2, 11),
+                               block(kWallAt, 12, kWallAt + 0.2, 16)},
+                 .parameters = *parameterPreset("people")};
     if (!hasFarDoor) def.obstacles.push_back(block(kWallAt, 11, kWallAt + 0.2, 12));
     def.groups = {leaversAt(std::move(starts))};
     def.areas = {leaveArea(28, 2, 29.5, 5)};
@@ -142,12 +137,10 @@ TEST_CASE("two exits a walk behind their doors share a crowd that is before one 
 
 TEST_CASE("customers of two slow tills hardly change their minds") {
     for (const bool hasLine : {true, false}) {
-        WorldDef def;
-        def.parameters = *parameterPreset("people");
-        def.box = {{0, 0}, {20, 17}};
-        def.groups = {leaversAt(gridOf({{2, 7}, {18, 16}}, 8, 5))};
-        PeopleDef people;
-        people.premovement = Distribution::uniform(0.0, 60.0);
+        WorldDef def{.box = {{0, 0}, {20, 17}},
+                     .groups = {leaversAt(gridOf({{2, 7}, {18, 16}}, 8, 5))},
+                     .parameters = *parameterPreset("people")};
+        PeopleDef people{.premovement = Distribution::uniform(0.0, 60.0)};
         def.groups[0].people = {people};
         for (const double x : {6.0, 14.0}) {
             AreaDef till = leaveArea(x - 0.5, 0.5, x + 0.5, 1.5);
@@ -222,8 +215,7 @@ TEST_CASE("people before a slow door do not go round at a fast one behind it") {
 TEST_CASE("when a door shuts, those before it go by the other one, and come back when it opens") {
     World world = World::create(twoHalls(gridOf({{2, 1}, {11, 7}}, 15, 10))).value();
     run(world, 15.0);
-    std::uint32_t n = 0;
-    REQUIRE(give(world, n, putThing(block(kWallAt, 11, kWallAt + 0.2, 12))).ok());
+    REQUIRE(give(world, putThing(block(kWallAt, 11, kWallAt + 0.2, 12))).ok());
     world.step();
     for (std::size_t i = 0; i < world.characters().size(); ++i) CHECK(inspect::doorWay(world, i) == -1);
     CHECK(runHalls(world, 200.0).after > 0.0);

@@ -13,22 +13,16 @@ using namespace muster::testing;
 namespace {
 
 AreaDef exitAt(double x0, double y0, double x1, double y1) {
-    AreaDef area;
-    area.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-    return area;
+    return {.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}};
 }
 
 /// A hall of 40 m x 10 m whose people leave on the right.
 WorldDef hall(std::vector<Vec2> starts) {
-    WorldDef def;
-    def.parameters = *parameterPreset("people");
-    def.box = {{0, 0}, {40, 10}};
-    GroupDef group;
-    group.count = static_cast<std::int32_t>(starts.size());
-    group.starts = std::move(starts);
-    group.position = {10, 5};
-    group.orders = {Order::leave()};
-    def.groups = {group};
+    WorldDef def{.box = {{0, 0}, {40, 10}}, .parameters = *parameterPreset("people")};
+    def.groups = {{.count = static_cast<std::int32_t>(starts.size()),
+                   .position = {10, 5},
+                   .starts = std::move(starts),
+                   .orders = {Order::leave()}}};
     def.areas = {exitAt(39, 0, 40, 10)};
     return def;
 }
@@ -125,23 +119,22 @@ TEST_CASE("who goes to an exit that closes goes to another one at once, and hear
     WorldDef def = hall({{30, 5}, {30, 7}});
     def.areas = {exitAt(0, 4, 1, 6), exitAt(39, 4, 40, 6)};
     World world = World::create(def).value();
-    std::uint32_t n = 0;
     run(world, 2.0);
     CHECK(world.characters().goal[0] == 2);
     AreaDef closed = world.area(1).def;
     closed.open = false;
-    REQUIRE(give(world, n, putThing(closed, AreaId{2})).ok());
+    REQUIRE(give(world, putThing(closed, AreaId{2})).ok());
     world.step();
     CHECK(world.characters().goal[0] == 1);
     CHECK(world.characters().direction[0].x < 0.0);
-    REQUIRE(give(world, n, removeThing(AreaId{1})).ok());
+    REQUIRE(give(world, removeThing(AreaId{1})).ok());
     world.step();
     CHECK(areaEventsOf(world, EventKind::NoPath) == 1);
     CHECK(world.characters().goal[0] == 0);
     run(world, 2.0);
     CHECK(length(world.characters().velocity[0]) < 0.01);
     closed.open = true;
-    REQUIRE(give(world, n, putThing(closed, AreaId{2})).ok());
+    REQUIRE(give(world, putThing(closed, AreaId{2})).ok());
     world.step();
     CHECK(areaEventsOf(world, EventKind::Free) == 1);
     CHECK(emptied(world, 60.0) > 0.0);
@@ -168,10 +161,7 @@ TEST_CASE("an exit opens and closes at its times") {
 
 TEST_CASE("who leaves disturbs nobody else, and a group that gets places again forms up") {
     WorldDef def = hall(crowd({{20, 1}, {26, 9}}, 1.0));
-    GroupDef other;
-    other.count = 16;
-    other.position = {6, 5};
-    def.groups.push_back(other);
+    def.groups.push_back({.count = 16, .position = {6, 5}});
     World world = World::create(def).value();
     const std::vector<Vec2> before = copyOf(world.group(1).placePositions);
     run(world, 12.0);
@@ -179,8 +169,7 @@ TEST_CASE("who leaves disturbs nobody else, and a group that gets places again f
     CHECK(world.group(0).placePositions.empty());
     CHECK(std::cmp_equal(world.group(0).members.size(), world.group(0).count));
     CHECK(copyOf(world.group(1).placePositions) == before);
-    std::uint32_t n = 0;
-    REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::go({20, 5})}).ok());
+    tell(world, Order::go({20, 5}));
     run(world, 20.0);
     CHECK(std::cmp_equal(world.group(0).placePositions.size(), world.group(0).count));
     CHECK(worstToPlace(world) < 0.6);

@@ -12,17 +12,12 @@ using namespace muster::testing;
 namespace {
 
 WorldDef floorOf(double side, std::int32_t count, Vec2 position) {
-    WorldDef def;
-    def.box = {{-side / 2, -side / 2}, {side / 2, side / 2}};
-    GroupDef group;
-    group.count = count;
-    group.position = position;
-    def.groups.push_back(group);
-    return def;
+    return {.box = {{-side / 2, -side / 2}, {side / 2, side / 2}},
+            .groups = {{.count = count, .position = position}}};
 }
 
-void order(World& world, Vec2 p) {
-    REQUIRE(world.submit({world.stepCount(), 1, 0, SetPose{world.group(0).id, p, 0.0}}).ok());
+void setOff(World& world, Vec2 p) {
+    REQUIRE(give(world, SetPose{world.group(0).id, p, 0.0}).ok());
 }
 
 double farthestFromPlace(const World& world) {
@@ -43,7 +38,7 @@ TEST_CASE("a crowd arrives round a long wall whose gap is at its end, about as s
     WorldDef def = floorOf(100.0, 40, {-24, -30});
     def.obstacles = {block(-0.5, -50, 0.5, 46)};
     World world = World::create(def).value();
-    order(world, {24, -30});
+    setOff(world, {24, -30});
     const Vec2 corner{0, 46.25};
     const double bound = (distance({-24, -30}, corner) + distance(corner, {24, -30})) /
                          def.parameters.character.maxSpeed;
@@ -56,7 +51,7 @@ TEST_CASE("before a river that nobody can cross the formation stands whole on th
     WorldDef def = floorOf(60.0, 100, {-20, 5});
     def.obstacles = {block(-3, -30, 3, 30)};
     World world = World::create(def).value();
-    order(world, {20, 5});
+    setOff(world, {20, 5});
     int noPath = 0;
     for (int s = 0; s < 20 * 60; ++s) {
         world.step();
@@ -89,14 +84,13 @@ TEST_CASE("routes are a cache: a world restored on its way goes on to the same b
     car.path.loop = true;
     def.obstacles.push_back(car);
     World world = World::create(def).value();
-    order(world, {38, 38});
+    setOff(world, {38, 38});
     for (int s = 0; s < 20; ++s) world.step();
     World copy = World::restore(world.snapshot()).value();
     for (int s = 0; s < 900; ++s) {
         if (s % 150 == 77) copy = World::restore(copy.snapshot()).value();
         if (s == 300)
-            for (World* each : {&world, &copy})
-                REQUIRE(each->submit({each->stepCount(), 1, 9, putThing(block(10, -5, 14, 30))}).ok());
+            for (World* each : {&world, &copy}) REQUIRE(give(*each, putThing(block(10, -5, 14, 30))).ok());
         world.step();
         copy.step();
         REQUIRE(world.hash() == copy.hash());

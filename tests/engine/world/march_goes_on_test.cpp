@@ -12,13 +12,7 @@ namespace {
 
 /// Sixty people who cross a field.
 WorldDef field() {
-    WorldDef def;
-    def.box = {{-80, -60}, {80, 60}};
-    GroupDef group;
-    group.count = 60;
-    group.position = {-50, 0};
-    def.groups.push_back(group);
-    return def;
+    return {.box = {{-80, -60}, {80, 60}}, .groups = {{.count = 60, .position = {-50, 0}}}};
 }
 
 /// A house in the way, round which the stream parts.
@@ -30,12 +24,9 @@ WorldDef fieldWithHouse() {
 
 struct Crossing {
     World world;
-    std::uint32_t sequence = 0;
 
     explicit Crossing(const WorldDef& def) : world(World::create(def).value()) {
-        REQUIRE(
-            give(world, sequence, GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::move({50, 0})})
-                .ok());
+        tell(world, Order::move({50, 0}));
     }
     double meanSpeed() const {
         double sum = 0.0;
@@ -50,7 +41,7 @@ TEST_CASE("what is built far from a march changes nothing about it, bit by bit")
     Crossing plain(fieldWithHouse()), edited(fieldWithHouse());
     run(plain.world, 6.0);
     run(edited.world, 6.0);
-    REQUIRE(give(edited.world, edited.sequence, putThing(block(17, 42, 23, 48))).ok());
+    REQUIRE(give(edited.world, putThing(block(17, 42, 23, 48))).ok());
     std::vector<std::uint8_t> middle;
     for (int s = 0; s < 60 * 20; ++s) {
         plain.world.step();
@@ -66,7 +57,7 @@ TEST_CASE("what is built far from a march changes nothing about it, bit by bit")
 TEST_CASE("a march goes round what is built on its way") {
     Crossing crossing(fieldWithHouse());
     run(crossing.world, 6.0);
-    REQUIRE(give(crossing.world, crossing.sequence, putThing(block(22, -2, 28, 4))).ok());
+    REQUIRE(give(crossing.world, putThing(block(22, -2, 28, 4))).ok());
     run(crossing.world, 50.0);
     CHECK(worstToPlace(crossing.world) < 0.5);
     CHECK(distance(middleOf(crossing.world), {50, 0}) < 0.5);
@@ -78,7 +69,7 @@ TEST_CASE("a march takes the way that is opened") {
     def.obstacles = {block(20, 5, 22, 50), block(20, -60, 22, -5), block(19, -6, 23, 6)};
     Crossing crossing(def);
     run(crossing.world, 8.0);
-    REQUIRE(give(crossing.world, crossing.sequence, removeThing(crossing.world.obstacleIds()[2])).ok());
+    REQUIRE(give(crossing.world, removeThing(crossing.world.obstacleIds()[2])).ok());
     double highest = -60.0;
     for (int s = 0; s < 60 * 60; ++s) {
         crossing.world.step();
@@ -96,7 +87,7 @@ TEST_CASE("who is left goes on when some fall on a march, and they close their r
     double slowest = before;
     for (std::size_t k = 0; k < 5; ++k) {
         const auto ids = world.characters().id;
-        REQUIRE(give(world, crossing.sequence, RemoveCharacters{{ids[7 * k], ids[7 * k + 3]}}).ok());
+        REQUIRE(give(world, RemoveCharacters{{ids[7 * k], ids[7 * k + 3]}}).ok());
         for (int s = 0; s < 30; ++s) {
             world.step();
             slowest = std::min(slowest, crossing.meanSpeed());

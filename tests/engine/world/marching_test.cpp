@@ -13,16 +13,8 @@ namespace {
 
 /// A floor of 120 m x 80 m with a house of 20 m in the middle and 60 people, ten abreast, to the west of it.
 WorldDef houseScene(double angle = 0.0) {
-    WorldDef def;
-    def.box = {{-60, -40}, {60, 40}};
-    def.cell = 0.5;
-    def.obstacles.push_back(block(-10, -10, 10, 10));
-    GroupDef group;
-    group.count = 60;
-    group.formation.files = 10;
-    group.position = {-36, 0};
-    group.angle = angle;
-    def.groups.push_back(group);
+    WorldDef def{.box = {{-60, -40}, {60, 40}}, .cell = 0.5, .obstacles = {block(-10, -10, 10, 10)}};
+    def.groups.push_back({.count = 60, .formation = {.files = 10}, .position = {-36, 0}, .angle = angle});
     return def;
 }
 
@@ -61,9 +53,8 @@ struct Run {
 
 Run run(const WorldDef& def, const Order& order, double most) {
     World world = World::create(def).value();
-    std::uint32_t sequence = 0;
     for (int s = 0; s < 60; ++s) world.step();
-    REQUIRE(give(world, sequence, GiveOrder{world.group(0).id, QueueMode::Replace, 0, order}).ok());
+    tell(world, order);
     Run result;
     const double begun = world.time();
     while (world.time() - begun < most && !result.done) {

@@ -13,14 +13,12 @@ using namespace muster::testing;
 namespace {
 
 GroupDef formation(Vec2 position, double angle, Vec2 target, bool avoids = true, std::int32_t files = 10) {
-    GroupDef group;
-    group.count = 60;
-    group.formation.files = files;
-    group.position = position;
-    group.angle = angle;
-    group.conduct.avoids = avoids;
-    group.orders = {Order::move(target)};
-    return group;
+    return {.count = 60,
+            .formation = {.files = files},
+            .position = position,
+            .angle = angle,
+            .conduct = {.avoids = avoids},
+            .orders = {Order::move(target)}};
 }
 
 /// The outline of a group's final mesh: its triangles.
@@ -94,9 +92,7 @@ std::vector<double> lane(const std::vector<double>& gaps, std::size_t first) {
 
 /// A street along the x axis with cars in both lanes, one after the other with these gaps [m].
 WorldDef street(bool avoids, double speed, const std::vector<double>& gaps) {
-    WorldDef def;
-    def.box = {{-90, -30}, {90, 30}};
-    def.cell = 0.5;
+    WorldDef def{.box = {{-90, -30}, {90, 30}}, .cell = 0.5};
     for (const double side : {-1.0, 1.0})
         for (const double at : lane(gaps, side > 0 ? 0 : 3)) {
             ObstacleDef car = block(-2.25, -0.9, 2.25, 0.9);
@@ -153,9 +149,7 @@ TEST_CASE("a formation of 60 crosses a street of cars in a gap and touches none"
 }
 
 TEST_CASE("two formations that meet go round each other as wholes") {
-    WorldDef def;
-    def.box = {{-60, -40}, {60, 40}};
-    def.cell = 0.5;
+    WorldDef def{.box = {{-60, -40}, {60, 40}}, .cell = 0.5};
     for (const double angle : {kPi, kPi / 2, 0.7 * kPi}) {
         const Vec2 way{cosine(angle), sine(angle)};
         def.groups = {formation({-30, 0}, 0.0, {30, 0}), formation(way * -30.0, angle, way * 30.0)};
@@ -176,9 +170,7 @@ TEST_CASE("two formations that meet go round each other as wholes") {
 }
 
 TEST_CASE("four formations that cross at one point all arrive and their meshes do not meet") {
-    WorldDef def;
-    def.box = {{-60, -60}, {60, 60}};
-    def.cell = 0.5;
+    WorldDef def{.box = {{-60, -60}, {60, 60}}, .cell = 0.5};
     for (int k = 0; k < 4; ++k) {
         const double angle = k * kPi / 2;
         const Vec2 way{cosine(angle), sine(angle)};
@@ -191,23 +183,22 @@ TEST_CASE("four formations that cross at one point all arrive and their meshes d
 }
 
 TEST_CASE("in a corridor without room both wait, then press on, and arrive") {
-    WorldDef def;
-    def.box = {{-50, -20}, {50, 20}};
-    def.cell = 0.5;
-    def.obstacles = {block(-50, 7, 50, 20), block(-50, -20, 50, -7)};
-    def.groups = {formation({-30, 0}, 0.0, {30, 0}), formation({30, 0}, kPi, {-30, 0})};
+    WorldDef def{.box = {{-50, -20}, {50, 20}},
+                 .cell = 0.5,
+                 .obstacles = {block(-50, 7, 50, 20), block(-50, -20, 50, -7)},
+                 .groups = {formation({-30, 0}, 0.0, {30, 0}), formation({30, 0}, kPi, {-30, 0})}};
     const Outcome narrow = run(def, 150.0);
     MESSAGE("corridor of 14 m: " << narrow.seconds << " s, met " << narrow.meshesMet);
     CHECK(narrow.seconds < 120.0);
 }
 
 TEST_CASE("between walls with room for both they pass, and no mesh is put into a wall") {
-    WorldDef def;
-    def.box = {{-50, -20}, {50, 20}};
-    def.cell = 0.5;
-    def.obstacles = {block(-50, 14, 50, 20), block(-50, -20, 50, -14)};
-    def.groups = {formation({-30, 0}, 0.0, {30, 0}), formation({30, 0}, kPi, {-30, 0})};
-    World world = World::create(def).value();
+    World world = World::create(
+                      {.box = {{-50, -20}, {50, 20}},
+                       .cell = 0.5,
+                       .obstacles = {block(-50, 14, 50, 20), block(-50, -20, 50, -14)},
+                       .groups = {formation({-30, 0}, 0.0, {30, 0}), formation({30, 0}, kPi, {-30, 0})}})
+                      .value();
     int done = 0;
     double nearest = 1e9;
     bool met = false;
@@ -237,21 +228,7 @@ TEST_CASE("saved, restored or rewound amid others it goes on bit for bit, and br
         World world = World::create(def).value();
         const std::uint32_t saved = 200 + 170 * static_cast<std::uint32_t>(seed);
         while (world.stepCount() < saved) world.step();
-        const auto bytes = world.snapshot();
-        Result<World> copy = World::restore(bytes, 2);
-        REQUIRE_MESSAGE(copy.ok(), copy.status().message());
-        std::vector<std::uint64_t> hashes;
-        for (int s = 0; s < 200; ++s) {
-            world.step();
-            copy->step();
-            hashes.push_back(world.hash());
-            REQUIRE(copy->hash() == hashes.back());
-        }
-        REQUIRE(world.rewind(bytes).ok());
-        for (int s = 0; s < 200; ++s) {
-            world.step();
-            REQUIRE(world.hash() == hashes[s]);
-        }
+        checkGoesOn(world, 200);
         for (const Vec2 p : world.characters().position) CHECK(isFinite(p));
     }
 }

@@ -11,14 +11,11 @@ namespace {
 
 /// One character that walks ten metres along x in the open.
 WorldDef walkDef(double side = 0.0) {
-    WorldDef def;
-    def.box = {{-8, -6}, {8, 6}};
-    GroupDef group;
-    group.count = 3;
-    group.formation.kind = FormationKind::Points;
-    group.formation.points = {{5, side}, {5, side + 2}, {5, side - 2}};
-    group.starts = {{-5, side}, {-5, side + 2}, {-5, side - 2}};
-    def.groups = {group};
+    WorldDef def{.box = {{-8, -6}, {8, 6}},
+                 .groups = {{.count = 3,
+                             .formation = {.kind = FormationKind::Points,
+                                           .points = {{5, side}, {5, side + 2}, {5, side - 2}}},
+                             .starts = {{-5, side}, {-5, side + 2}, {-5, side - 2}}}}};
     def.parameters.field.enabled = false;
     return def;
 }
@@ -73,9 +70,8 @@ TEST_CASE("arrived needs a second of standing, and the moment it got there count
         world->step();
         metrics.observe(*world);
         double farthest = 0.0;
-        for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t k = 0; k < 3; ++k)
             farthest = std::max(farthest, std::fabs(5.0 - world->characters().position[k].x));
-        }
         if (reached < 0.0 && farthest <= 0.5) reached = world->time();
         const double at = metrics.figures(*world, false).arrived100;
         if (noticed < 0.0 && at >= 0.0) {
@@ -103,10 +99,8 @@ TEST_CASE("who cannot move is stuck, after five seconds and not before") {
             const double a = side * 1.5707963267948966;
             const Vec2 d{std::round(std::cos(a)), std::round(std::sin(a))};
             const Vec2 c = Vec2{-5, y} + d * 0.6, half = {d.x != 0.0 ? 0.1 : 0.7, d.y != 0.0 ? 0.1 : 0.7};
-            ObstacleDef wall;
-            wall.polygon = {c + Vec2{-half.x, -half.y}, c + Vec2{half.x, -half.y}, c + half,
-                            c + Vec2{-half.x, half.y}};
-            def.obstacles.push_back(wall);
+            def.obstacles.push_back({.polygon = {c + Vec2{-half.x, -half.y}, c + Vec2{half.x, -half.y},
+                                                 c + half, c + Vec2{-half.x, half.y}}});
         }
     }
     def.cell = 0.125;
@@ -138,9 +132,7 @@ TEST_CASE("the least walk: in the open, round a wall, and none") {
     const std::vector<Vec2> starts{{0, 0}, {1, 0}}, places{{4, 0}, {3, 0}};
     CHECK(leastWalk(*open, 0.25, starts, places) == doctest::Approx(6.0));
     // A wall from y = -16 to 3: the path from (-4, 0) to (4, 0) rounds its end with a radius to spare.
-    ObstacleDef wall;
-    wall.polygon = {{-0.5, -17}, {0.5, -17}, {0.5, 3}, {-0.5, 3}};
-    REQUIRE(open->addObstacle(wall).ok());
+    REQUIRE(open->addObstacle({.polygon = {{-0.5, -17}, {0.5, -17}, {0.5, 3}, {-0.5, 3}}}).ok());
     open->setTime(0.0);
     const std::vector<Vec2> from{{-4, 0}}, to{{4, 0}};
     // A tangent to the disc of 0.25 m round each corner, an arc from its heading to the flat top, and the

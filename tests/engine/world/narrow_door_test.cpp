@@ -12,24 +12,19 @@ namespace {
 /// Plays one or both of two groups of `count` on either side of a wall of 1 m with a door of `width` [m],
 /// each ordered to the other side; seconds until all stand, negative where they do not within `most` [s].
 double play(double width, std::int32_t count, bool left, bool right, double most) {
-    WorldDef def;
-    def.box = {{-20, -10}, {20, 10}};
-    def.obstacles = {block(-0.5, -10, 0.5, -0.5 * width), block(-0.5, 0.5 * width, 0.5, 10)};
+    WorldDef def{.box = {{-20, -10}, {20, 10}},
+                 .obstacles = {block(-0.5, -10, 0.5, -0.5 * width), block(-0.5, 0.5 * width, 0.5, 10)}};
     std::vector<Vec2> goals;
     for (const double side : {-1.0, 1.0}) {
         if (side < 0 ? !left : !right) continue;
-        GroupDef group;
-        group.count = count;
-        group.position = {8 * side, 0};
-        group.angle = side < 0 ? 0.0 : 3.14159265358979;
-        def.groups.push_back(group);
+        def.groups.push_back(
+            {.count = count, .position = {8 * side, 0}, .angle = side < 0 ? 0.0 : 3.14159265358979});
         goals.push_back({-8 * side, 0});
     }
     World world = World::create(def).value();
     RunMetrics metrics(world);
-    std::uint32_t sequence = 0;
     for (std::size_t g = 0; g < goals.size(); ++g)
-        REQUIRE(give(world, sequence, SetPose{world.group(g).id, goals[g], def.groups[g].angle}).ok());
+        REQUIRE(give(world, SetPose{world.group(g).id, goals[g], def.groups[g].angle}).ok());
     while (world.time() < most) {
         world.step();
         metrics.observe(world);

@@ -21,27 +21,15 @@ bool leaves(double radius, double width, double angle, double shift) {
     const Rotation turn{cosine(angle), sine(angle)};
     const Vec2 middle{8.0, 8.0 + shift};
     const auto at = [&](double x, double y) { return middle + turn.apply({x, y}); };
-    WorldDef def;
-    def.parameters = *parameterPreset("people");
-    def.box = {{0, 0}, {16, 16}};
+    WorldDef def{.box = {{0, 0}, {16, 16}}, .parameters = *parameterPreset("people")};
     for (const double side : {-1.0, 1.0}) {
         const double low = std::min(0.5 * side * width, 20.0 * side);
         const double high = std::max(0.5 * side * width, 20.0 * side);
-        ObstacleDef wall;
-        wall.polygon = {at(0.0, low), at(0.2, low), at(0.2, high), at(0.0, high)};
-        def.obstacles.push_back(wall);
+        def.obstacles.push_back({.polygon = {at(0.0, low), at(0.2, low), at(0.2, high), at(0.0, high)}});
     }
-    GroupDef group;
-    group.count = 1;
-    group.starts = {at(-4.0, 0.7)};
-    Body body;
-    body.radius = radius;
-    group.bodies = {body};
-    group.orders = {Order::leave()};
-    def.groups = {group};
-    AreaDef exit;
-    exit.polygon = {at(3.0, -3.0), at(4.0, -3.0), at(4.0, 3.0), at(3.0, 3.0)};
-    def.areas = {exit};
+    def.groups = {
+        {.count = 1, .starts = {at(-4.0, 0.7)}, .bodies = {{.radius = radius}}, .orders = {Order::leave()}}};
+    def.areas = {{.polygon = {at(3.0, -3.0), at(4.0, -3.0), at(4.0, 3.0), at(3.0, 3.0)}}};
     World world = World::create(def).value();
     while (world.time() < kMost && world.characters().size() > 0) world.step();
     return world.characters().size() == 0;

@@ -11,12 +11,7 @@ using namespace muster::testing;
 namespace {
 
 WorldDef yard() {
-    WorldDef def;
-    def.box = {{-30, -30}, {30, 30}};
-    GroupDef group;
-    group.count = 16;
-    def.groups.push_back(group);
-    return def;
+    return {.box = {{-30, -30}, {30, 30}}, .groups = {{.count = 16}}};
 }
 
 struct Log {
@@ -49,12 +44,11 @@ void run(World& world, double seconds, Log& log) {
 
 TEST_CASE("queued orders are carried out one after the other") {
     World world = World::create(yard()).value();
-    std::uint32_t n = 0;
     const GroupId id = world.group(0).id;
     Log log;
-    REQUIRE(give(world, n, GiveOrder{id, QueueMode::Replace, 0, Order::move({10, 0})}).ok());
-    REQUIRE(give(world, n, GiveOrder{id, QueueMode::Append, 0, Order::go({10, 10})}).ok());
-    REQUIRE(give(world, n, GiveOrder{id, QueueMode::Insert, 1, Order::face(1.5)}).ok());
+    tell(world, Order::move({10, 0}), id);
+    REQUIRE(give(world, GiveOrder{id, QueueMode::Append, 0, Order::go({10, 10})}).ok());
+    REQUIRE(give(world, GiveOrder{id, QueueMode::Insert, 1, Order::face(1.5)}).ok());
     world.step();
     log.read(world);
     REQUIRE(world.group(0).orders.size() == 3);
@@ -89,8 +83,7 @@ TEST_CASE(
             World world = World::create(def).value();
             Log log;
             run(world, opens, log);
-            std::uint32_t n = 0;
-            REQUIRE(give(world, n, removeThing(world.obstacleIds().back())).ok());
+            REQUIRE(give(world, removeThing(world.obstacleIds().back())).ok());
             run(world, 40, log);
             const bool goesOn = opens < 10.0;
             CHECK(log.count(EventKind::OrderDone) == (goesOn ? 1 : 0));
@@ -138,9 +131,8 @@ TEST_CASE("a forecast tells way and time, and changes nothing") {
         way += distance(forecast.way[k - 1], forecast.way[k]);
     CHECK(way > 30.0);
     CHECK(way < 45.0);
-    std::uint32_t n = 0;
     Log log;
-    REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, order}).ok());
+    tell(world, order);
     double took = 0.0;
     for (; log.count(EventKind::OrderDone) == 0 && took < 90.0; took += world.parameters().stepTime) {
         world.step();
@@ -153,9 +145,7 @@ TEST_CASE("a forecast tells way and time, and changes nothing") {
 TEST_CASE("a forecast counts slow ground") {
     // A bog of 10 m right across, at 0.4 of the speed.
     WorldDef def = yard();
-    PatchDef bog;
-    bog.polygon = {{-5, -30}, {5, -30}, {5, 30}, {-5, 30}};
-    bog.speed = 0.4;
+    PatchDef bog{.polygon = {{-5, -30}, {5, -30}, {5, 30}, {-5, 30}}, .speed = 0.4};
     def.patches.push_back(bog);
     def.groups[0].position = {-18, 0};
     World world = World::create(def).value();
@@ -165,9 +155,8 @@ TEST_CASE("a forecast counts slow ground") {
         order.manner = manner;
         World copy = World::restore(world.snapshot()).value();
         const double forecast = copy.forecast(copy.group(0).id, order).seconds;
-        std::uint32_t n = 0;
         Log log;
-        REQUIRE(give(copy, n, GiveOrder{copy.group(0).id, QueueMode::Replace, 0, order}).ok());
+        tell(copy, order);
         while (log.count(EventKind::OrderDone) == 0 && copy.time() < 90.0) {
             copy.step();
             log.read(copy);
@@ -191,25 +180,24 @@ TEST_CASE("a patrol goes round; hold, resume, cancel and stop") {
     run(world, 60, log);
     CHECK(log.count(EventKind::OrderDone) >= 4);
     CHECK(world.group(0).orders.size() == 2);
-    std::uint32_t n = 0;
     const GroupId id = world.group(0).id;
-    REQUIRE(give(world, n, EditQueue{id, QueueEdit::Hold}).ok());
+    REQUIRE(give(world, EditQueue{id, QueueEdit::Hold}).ok());
     run(world, 2, log);
     const Vec2 held = middleOf(world);
     run(world, 3, log);
     CHECK(distance(middleOf(world), held) < 0.2);
     CHECK(world.group(0).held);
-    REQUIRE(give(world, n, EditQueue{id, QueueEdit::Resume}).ok());
+    REQUIRE(give(world, EditQueue{id, QueueEdit::Resume}).ok());
     run(world, 3, log);
     CHECK(distance(middleOf(world), held) > 0.5);
-    REQUIRE(give(world, n, GiveOrder{id, QueueMode::Replace, 0, Order::go({25, 25})}).ok());
+    tell(world, Order::go({25, 25}), id);
     run(world, 3, log);
-    REQUIRE(give(world, n, EditQueue{id, QueueEdit::Stop}).ok());
+    REQUIRE(give(world, EditQueue{id, QueueEdit::Stop}).ok());
     const Vec2 stopped = middleOf(world);
     run(world, 4, log);
     CHECK(distance(middleOf(world), stopped) < 1.0);
     CHECK(world.group(0).orders.empty());
-    REQUIRE(give(world, n, EditQueue{id, QueueEdit::Cancel, 77}).ok());
+    REQUIRE(give(world, EditQueue{id, QueueEdit::Cancel, 77}).ok());
     world.step();
     CHECK(world.rejections().size() == 1);
 }
@@ -218,19 +206,18 @@ TEST_CASE("who goes each for itself stops to hold and where its order is cancell
     for (const QueueEdit edit : {QueueEdit::Hold, QueueEdit::Cancel}) {
         CAPTURE(static_cast<int>(edit));
         World world = World::create(yard()).value();
-        std::uint32_t n = 0;
         Log log;
         const GroupId id = world.group(0).id;
-        REQUIRE(give(world, n, GiveOrder{id, QueueMode::Replace, 0, Order::go({25, 25})}).ok());
+        tell(world, Order::go({25, 25}), id);
         run(world, 3, log);
-        REQUIRE(give(world, n, EditQueue{id, edit}).ok());
+        REQUIRE(give(world, EditQueue{id, edit}).ok());
         run(world, 2, log);
         const Vec2 held = middleOf(world);
         CHECK(distance(held, {25, 25}) > 5.0);
         run(world, 4, log);
         CHECK(distance(middleOf(world), held) < 0.1);
         if (edit == QueueEdit::Cancel) continue;
-        REQUIRE(give(world, n, EditQueue{id, QueueEdit::Resume}).ok());
+        REQUIRE(give(world, EditQueue{id, QueueEdit::Resume}).ok());
         run(world, 30, log);
         CHECK(distance(middleOf(world), {25, 25}) < 1.0);
         CHECK(log.count(EventKind::OrderDone) == 1);
@@ -246,12 +233,11 @@ TEST_CASE("who is told to stop stands where it is, however far from its place") 
         def.groups[0].starts.push_back({-26.0 + 2.0 * (i % 6), 2.0 * row + random.uniform(-0.5, 0.5)});
     }
     World world = World::create(def).value();
-    std::uint32_t n = 0;
     Log log;
     const GroupId id = world.group(0).id;
-    REQUIRE(give(world, n, GiveOrder{id, QueueMode::Replace, 0, Order::move({20, 20})}).ok());
+    tell(world, Order::move({20, 20}), id);
     run(world, 3, log);
-    REQUIRE(give(world, n, EditQueue{id, QueueEdit::Stop}).ok());
+    REQUIRE(give(world, EditQueue{id, QueueEdit::Stop}).ok());
     const CharactersView c = world.characters();
     const std::vector<Vec2> before(c.position.begin(), c.position.end());
     run(world, 3, log);
@@ -261,7 +247,7 @@ TEST_CASE("who is told to stop stands where it is, however far from its place") 
         CHECK(inspect::distanceLeft(world, i) < 0.5);
     }
     // It goes on as a formation.
-    REQUIRE(give(world, n, GiveOrder{id, QueueMode::Replace, 0, Order::move({20, 20})}).ok());
+    tell(world, Order::move({20, 20}), id);
     run(world, 40, log);
     CHECK(log.count(EventKind::OrderDone) == 1);
 }
@@ -272,17 +258,12 @@ TEST_CASE("two groups that are told to stop while they pass through each other s
     def.groups.push_back(def.groups[0]);
     def.groups[1].position = {9, 0};
     World world = World::create(def).value();
-    std::uint32_t n = 0;
     Log log;
-    for (std::size_t g = 0; g < 2; ++g)
-        REQUIRE(
-            give(world, n,
-                 GiveOrder{world.group(g).id, QueueMode::Replace, 0, Order::move({g == 0 ? 20.0 : -20.0, 0})})
-                .ok());
+    for (std::size_t g = 0; g < 2; ++g) tell(world, Order::move({g == 0 ? 20.0 : -20.0, 0}), g);
     run(world, 5, log);
     REQUIRE(distance(middleOf(world), {0, 0}) < 4.0);
     for (std::size_t g = 0; g < 2; ++g)
-        REQUIRE(give(world, n, EditQueue{world.group(g).id, QueueEdit::Stop}).ok());
+        REQUIRE(give(world, EditQueue{world.group(g).id, QueueEdit::Stop}).ok());
     const CharactersView c = world.characters();
     const std::vector<Vec2> before(c.position.begin(), c.position.end());
     run(world, 5, log);
@@ -294,25 +275,24 @@ TEST_CASE("two groups that are told to stop while they pass through each other s
 
 TEST_CASE("fingers take over, and the order goes on from where they leave the mesh") {
     World world = World::create(yard()).value();
-    std::uint32_t n = 0;
     const GroupId id = world.group(0).id;
     Log log;
-    REQUIRE(give(world, n, GiveOrder{id, QueueMode::Replace, 0, Order::move({20, 0})}).ok());
+    tell(world, Order::move({20, 0}), id);
     run(world, 2, log);
     const Vec2 at = world.group(0).finalMesh[0];
-    REQUIRE(give(world, n, TouchDown{1, at, world.time(), id}).ok());
+    REQUIRE(give(world, TouchDown{1, at, world.time(), id}).ok());
     for (int s = 0; s < 120; ++s) {
-        REQUIRE(give(world, n, TouchMove{1, at + Vec2{0, 0.04 * s}, world.time()}).ok());
+        REQUIRE(give(world, TouchMove{1, at + Vec2{0, 0.04 * s}, world.time()}).ok());
         world.step();
     }
     CHECK(world.group(0).pose.position.y > 1.5);
     CHECK(world.group(0).orders.size() == 1);
-    REQUIRE(give(world, n, TouchUp{1, world.time()}).ok());
+    REQUIRE(give(world, TouchUp{1, world.time()}).ok());
     run(world, 30, log);
     CHECK(log.count(EventKind::OrderDone) == 1);
     CHECK(distance(middleOf(world), {20, 0}) < 0.5);
-    REQUIRE(give(world, n, GiveOrder{id, QueueMode::Replace, 0, Order::move({-20, 0})}).ok());
-    REQUIRE(give(world, n, SetPose{id, {20, 5}, 0.0}).ok());
+    tell(world, Order::move({-20, 0}), id);
+    REQUIRE(give(world, SetPose{id, {20, 5}, 0.0}).ok());
     run(world, 10, log);
     CHECK(world.group(0).orders.empty());
     CHECK(distance(middleOf(world), {20, 5}) < 0.5);
@@ -320,38 +300,30 @@ TEST_CASE("fingers take over, and the order goes on from where they leave the me
 
 TEST_CASE("one group follows another, and stops where that is gone") {
     WorldDef def = yard();
-    GroupDef second;
-    second.count = 9;
-    second.position = {-12, 0};
-    def.groups.push_back(second);
+    def.groups.push_back({.count = 9, .position = {-12, 0}});
     World world = World::create(def).value();
-    std::uint32_t n = 0;
     Log log;
-    REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::move({20, 15})}).ok());
-    REQUIRE(
-        give(world, n,
-             GiveOrder{world.group(1).id, QueueMode::Replace, 0, Order::follow(world.group(0).id, {-6, 0})})
-            .ok());
+    tell(world, Order::move({20, 15}));
+    tell(world, Order::follow(world.group(0).id, {-6, 0}), 1);
     run(world, 40, log);
     const Pose lead = world.group(0).pose;
     CHECK(distance(middleOf(world, 1), lead.apply({-6, 0})) < 0.7);
-    REQUIRE(give(world, n, RemoveGroup{world.group(0).id}).ok());
+    REQUIRE(give(world, RemoveGroup{world.group(0).id}).ok());
     run(world, 1, log);
     CHECK(log.has(EventKind::OrderDone, 2));
     REQUIRE(world.groupCount() == 1);
     const GroupId self = world.group(0).id;
-    REQUIRE(give(world, n, GiveOrder{self, QueueMode::Replace, 0, Order::follow(self, {1, 0})}).ok());
+    tell(world, Order::follow(self, {1, 0}), self);
     world.step();
     CHECK(world.rejections().size() == 1);
 }
 
 TEST_CASE("guards stand round a rectangle that moves") {
     World world = World::create(yard()).value();
-    std::uint32_t n = 0;
     Order order = Order::guard({5, 0}, {4, 3}, 0.0);
     order.path.waypoints = {{0, {0, 0}, 0}, {8, {0, 0}, 0}, {20, {6, 6}, 0}};
     Log log;
-    REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, order}).ok());
+    tell(world, order);
     const auto onRim = [&](Vec2 middle) {
         int count = 0;
         for (const Vec2 p : world.characters().position) {
@@ -364,7 +336,7 @@ TEST_CASE("guards stand round a rectangle that moves") {
     run(world, 12, log);
     run(world, 20, log);
     CHECK(onRim({11, 6}) == 16);
-    REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::move({0, 0})}).ok());
+    tell(world, Order::move({0, 0}));
     run(world, 30, log);
     CHECK(world.groupDef(0).formation.kind == FormationKind::Square);
 }
@@ -377,15 +349,14 @@ TEST_CASE("a reversed queue is carried out from its last order to its first") {
     run(world, 1, log);
     std::vector<std::uint32_t> ids;
     for (const QueuedOrder& queued : world.group(0).orders) ids.push_back(queued.id);
-    std::uint32_t n = 0;
-    REQUIRE(give(world, n, ReverseQueue{world.group(0).id}).ok());
+    REQUIRE(give(world, ReverseQueue{world.group(0).id}).ok());
     world.step();
     REQUIRE(world.group(0).orders.size() == 3);
     for (std::size_t k = 0; k < 3; ++k) CHECK(world.group(0).orders[k].id == ids[2 - k]);
     run(world, 60, log);
     CHECK(distance(middleOf(world), {6, 0}) < 0.5);
     CHECK(world.group(0).orders.empty());
-    REQUIRE(give(world, n, ReverseQueue{GroupId{77}}).ok());
+    REQUIRE(give(world, ReverseQueue{GroupId{77}}).ok());
     world.step();
     CHECK(world.rejections().size() == 1);
 }

@@ -23,10 +23,7 @@ struct Driven {
     }
     static WorldDef scene() {
         WorldDef def = openFloor(25);
-        GroupDef lone;
-        lone.count = 1;
-        lone.position = {-11, 0};
-        def.groups.push_back(lone);
+        def.groups.push_back({.count = 1, .position = {-11, 0}});
         return def;
     }
     Vec2 at(std::uint32_t step) const { return {-11.0 + 1.5 * step / 60.0, 0.1}; }

@@ -14,10 +14,8 @@ using namespace muster;
 namespace {
 
 GroupDef walkers(std::vector<Vec2> starts, double speed) {
-    GroupDef group;
-    group.count = static_cast<std::int32_t>(starts.size());
-    Body body;
-    body.maxSpeed = speed;
+    GroupDef group{.count = static_cast<std::int32_t>(starts.size())};
+    Body body{.maxSpeed = speed};
     group.bodies.assign(starts.size(), body);
     group.starts = std::move(starts);
     group.orders = {Order::walk(0.0)};
@@ -25,11 +23,8 @@ GroupDef walkers(std::vector<Vec2> starts, double speed) {
 }
 
 WorldDef corridor(double width, std::vector<GroupDef> groups) {
-    WorldDef def;
-    def.parameters = *parameterPreset("people");
-    def.box = {{0, 0}, {60, width}};
-    def.groups = std::move(groups);
-    return def;
+    return {
+        .box = {{0, 0}, {60, width}}, .groups = std::move(groups), .parameters = *parameterPreset("people")};
 }
 
 void walk(World& world, double seconds) {

@@ -16,10 +16,9 @@ std::vector<OwnRoute>& routesOf(const World& world) {
 // Up to the first step in which somebody has a route of its own, since the next door is held.
 World untilSomebodyCamps() {
     World world = World::create(twoDoors(Stance::Hold)).value();
-    std::uint32_t n = 0;
     Order order = Order::move({9, 0});
     order.manner = Manner::Free;
-    REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, order}).ok());
+    tell(world, order);
     while (routesOf(world).empty() && world.time() < 30.0) world.step();
     return world;
 }
@@ -51,15 +50,11 @@ TEST_CASE("routes lead to the places of those who camp, along the exact ground")
 
 TEST_CASE("routes lead round slow ground where that is quicker") {
     WorldDef def = twoDoors(Stance::Hold);
-    PatchDef bog;
-    bog.polygon = {{-5, -7}, {-0.5, -7}, {-0.5, -2}, {-5, -2}};
-    bog.speed = 0.2;
-    def.patches = {bog};
+    def.patches = {{.polygon = {{-5, -7}, {-0.5, -7}, {-0.5, -2}, {-5, -2}}, .speed = 0.2}};
     World world = World::create(def).value();
-    std::uint32_t n = 0;
     Order order = Order::move({9, 0});
     order.manner = Manner::Free;
-    REQUIRE(give(world, n, GiveOrder{world.group(0).id, QueueMode::Replace, 0, order}).ok());
+    tell(world, order);
     int routes = 0;
     while (world.time() < 40.0) {
         world.step();
@@ -82,13 +77,7 @@ TEST_CASE("a route ends once its character stays at its place") {
 TEST_CASE("a world in which somebody follows a route is restored bit for bit") {
     World world = untilSomebodyCamps();
     REQUIRE(!routesOf(world).empty());
-    World copy = World::restore(world.snapshot()).value();
-    CHECK(routesOf(copy).size() == routesOf(world).size());
-    for (int s = 0; s < 120; ++s) {
-        world.step();
-        copy.step();
-    }
-    CHECK(world.hash() == copy.hash());
+    checkGoesOn(world, 120);
 }
 
 TEST_CASE("a snapshot with routes out of order is refused") {

@@ -11,30 +11,17 @@ using namespace muster::testing;
 namespace {
 
 WorldDef lane(std::int32_t count, Vec2 at) {
-    WorldDef def;
-    def.box = {{-60, -20}, {60, 20}};
-    GroupDef group;
-    group.count = count;
-    group.position = at;
-    def.groups.push_back(group);
-    return def;
+    return {.box = {{-60, -20}, {60, 20}}, .groups = {{.count = count, .position = at}}};
 }
 
 Body bodyOf(double maxSpeed, double acceleration) {
-    Body body;
-    body.maxSpeed = maxSpeed;
-    body.acceleration = acceleration;
-    return body;
+    return {.maxSpeed = maxSpeed, .acceleration = acceleration};
 }
 
 Order freely(Vec2 target) {
     Order order = Order::move(target);
     order.manner = Manner::Free;
     return order;
-}
-
-void order(World& world, std::uint32_t& sequence, const Order& what, std::size_t group = 0) {
-    REQUIRE(give(world, sequence, GiveOrder{world.group(group).id, QueueMode::Replace, 0, what}).ok());
 }
 
 }  // namespace
@@ -44,8 +31,7 @@ TEST_CASE("weak brakes stop in time, freely and on a march") {
         WorldDef def = lane(1, {-40, 0});
         def.groups[0].bodies = {bodyOf(2.0, 0.3)};
         World world = World::create(def).value();
-        std::uint32_t sequence = 0;
-        order(world, sequence, march ? Order::move({40, 0}) : freely({40, 0}));
+        tell(world, march ? Order::move({40, 0}) : freely({40, 0}));
         double farthest = -1e9, arrived = 1e9;
         for (int s = 0; s < 70 * 60; ++s) {
             world.step();
@@ -65,8 +51,7 @@ TEST_CASE("who is faster than the others usually are walks at its own speed, fre
         WorldDef def = lane(1, {-45, 0});
         def.groups[0].bodies = {bodyOf(6.0, 0.0)};
         World world = World::create(def).value();
-        std::uint32_t sequence = 0;
-        order(world, sequence, march ? Order::move({45, 0}) : freely({45, 0}));
+        tell(world, march ? Order::move({45, 0}) : freely({45, 0}));
         double arrived = 1e9;
         for (int s = 0; s < 40 * 60; ++s) {
             world.step();
@@ -87,8 +72,7 @@ TEST_CASE("without cohesion two slow ones of sixty are left behind, with it nobo
         def.groups[0].bodies[20].maxSpeed = def.groups[0].bodies[40].maxSpeed = 0.8;
         def.groups[0].conduct.cohesion = together ? 1.0 : 0.0;
         World world = World::create(def).value();
-        std::uint32_t sequence = 0;
-        order(world, sequence, Order::move({10, 0}));
+        tell(world, Order::move({10, 0}));
         seconds[together] = 1e9;
         for (int s = 0; s < 80 * 60 && seconds[together] > 1e8; ++s) {
             world.step();
@@ -108,10 +92,9 @@ TEST_CASE("a group that holds its ground stays where it stands when a friend is 
     holder.conduct.stance = Stance::Hold;
     def.groups.push_back(holder);
     World world = World::create(def).value();
-    std::uint32_t sequence = 0;
     for (int s = 0; s < 30; ++s) world.step();
     const std::vector<Vec2> before(world.characters().position.begin(), world.characters().position.end());
-    order(world, sequence, freely({5, 0}));
+    tell(world, freely({5, 0}));
     double moved = 0.0;
     for (int s = 0; s < 40 * 60; ++s) {
         world.step();
@@ -124,10 +107,9 @@ TEST_CASE("a group that holds its ground stays where it stands when a friend is 
 
 TEST_CASE("a target that is built over on the way is told at once, and ends as skipped") {
     World world = World::create(lane(9, {-30, 0})).value();
-    std::uint32_t sequence = 0;
-    order(world, sequence, Order::move({20, 0}));
+    tell(world, Order::move({20, 0}));
     for (int s = 0; s < 240; ++s) world.step();
-    REQUIRE(give(world, sequence, putThing(block(14, -6, 26, 6))).ok());
+    REQUIRE(give(world, putThing(block(14, -6, 26, 6))).ok());
     world.step();
     int noPath = 0, skipped = 0, arrived = 0, done = 0;
     const auto count = [&] {
@@ -158,10 +140,9 @@ TEST_CASE("arrivals are counted from where an order ends, with places and withou
     for (const bool continuum : {false, true}) {
         World world = World::create(lane(16, {-20, 0})).value();
         RunMetrics metrics(world);
-        std::uint32_t sequence = 0;
         Order what = Order::move({20, 0});
         if (continuum) what.manner = Manner::Continuum;
-        order(world, sequence, what);
+        tell(world, what);
         double last = 0.0;
         for (int s = 0; s < 40 * 60; ++s) {
             const Vec2 before = world.characters().position[0];

@@ -20,14 +20,8 @@ Parameters people() {
 
 // A ring on which a group walks to the right.
 WorldDef ringOf(double length, double width, const Parameters& parameters) {
-    WorldDef def;
-    def.box = {{0, 0}, {length, width}};
-    def.ring = true;
-    def.parameters = parameters;
-    GroupDef group;
-    group.formation.spacing = 0.5;
-    group.orders = {Order::walk(0.0)};
-    def.groups = {group};
+    WorldDef def{.box = {{0, 0}, {length, width}}, .ring = true, .parameters = parameters};
+    def.groups = {{.formation = {.spacing = 0.5}, .orders = {Order::walk(0.0)}}};
     return def;
 }
 

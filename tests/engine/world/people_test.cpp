@@ -77,18 +77,12 @@ WorldDef crowdOf(std::int32_t count, std::vector<PeopleDef> people, std::uint64_
     const double half = 2.0 * std::sqrt(static_cast<double>(count)) + 10.0;
     def.box = {{-half, -half}, {half, half}};
     def.seed = seed;
-    GroupDef group;
-    group.count = count;
-    group.people = std::move(people);
-    def.groups.push_back(group);
+    def.groups.push_back({.count = count, .people = std::move(people)});
     return def;
 }
 
 PeopleDef sortOf(std::uint8_t unitClass, double share) {
-    PeopleDef sort;
-    sort.unitClass = unitClass;
-    sort.share = share;
-    return sort;
+    return {.share = share, .unitClass = unitClass};
 }
 
 std::vector<Body> bodiesOf(const World& world) {
@@ -245,11 +239,10 @@ TEST_CASE("of each sort there are as many as its share says, at random ranks") {
 }
 
 TEST_CASE("the numbers of the persons of a group are spread as their distributions say") {
-    PeopleDef sort;
-    sort.speed = Distribution::normal(1.34, 0.26, 0.5, 2.2);
-    sort.radius = Distribution::uniform(0.15, 0.25);
-    sort.headway = {Spread::Gamma, 20.0, 0.05, 0.1, 3.0};
-    sort.premovement = {Spread::LogNormal, 4.586, 0.967, 0.0, 3600.0};
+    PeopleDef sort{.speed = Distribution::normal(1.34, 0.26, 0.5, 2.2),
+                   .radius = Distribution::uniform(0.15, 0.25),
+                   .headway = {Spread::Gamma, 20.0, 0.05, 0.1, 3.0},
+                   .premovement = {Spread::LogNormal, 4.586, 0.967, 0.0, 3600.0}};
     const std::vector<Body> bodies = bodiesOf(World::create(crowdOf(2000, {sort})).value());
     CHECK(misfit(valuesOf(bodies, &Body::maxSpeed), sort.speed) < 1.63);
     CHECK(misfit(valuesOf(bodies, &Body::radius), sort.radius) < 1.63);
@@ -257,29 +250,26 @@ TEST_CASE("the numbers of the persons of a group are spread as their distributio
     CHECK(misfit(valuesOf(bodies, &Body::premovement), sort.premovement) < 1.63);
     // Who comes later is drawn alike.
     World world = World::create(crowdOf(4, {sort})).value();
-    std::uint32_t sequence = 0;
-    REQUIRE(give(world, sequence, SetCount{world.group(0).id, 2000}).ok());
+    REQUIRE(give(world, SetCount{world.group(0).id, 2000}).ok());
     world.step();
     REQUIRE(world.characters().size() == 2000);
     CHECK(misfit(valuesOf(bodiesOf(world), &Body::maxSpeed), sort.speed) < 1.63);
 }
 
 TEST_CASE("an age gives the speed, and what a sort does not draw is that of the bodies") {
-    PeopleDef old;
-    old.share = 1.0;
-    old.age = Distribution::uniform(60.0, 80.0);
-    old.speed = Distribution::constant(3.0);
-    old.upstairs = 0.4;
+    PeopleDef old{.share = 1.0,
+                  .speed = Distribution::constant(3.0),
+                  .age = Distribution::uniform(60.0, 80.0),
+                  .upstairs = 0.4};
     PeopleDef plain;
     WorldDef def = crowdOf(50, {old, plain});
-    Body given;
-    given.maxSpeed = 2.5;
-    given.mass = 2.0;
-    given.acceleration = 7.0;
-    given.radius = 0.31;
-    given.unitClass = 5;
-    given.downstairs = 0.9;
-    given.premovement = 3.0;
+    Body given{.radius = 0.31,
+               .maxSpeed = 2.5,
+               .acceleration = 7.0,
+               .mass = 2.0,
+               .unitClass = 5,
+               .premovement = 3.0,
+               .downstairs = 0.9};
     def.groups[0].bodies = {given};
     int aged = 0;
     for (const Body& body : bodiesOf(World::create(def).value())) {
@@ -327,13 +317,11 @@ TEST_CASE("who joins is drawn, by sort and numbers; bodies that are given stay a
     PeopleDef women = sortOf(1, 0.25), men = sortOf(2, 0.75);
     women.speed = Distribution::normal(1.27, 0.2, 0.5, 2.2);
     World world = World::create(crowdOf(8, {women, men}, 3)).value();
-    std::uint32_t sequence = 0;
     AddCharacters join{world.group(0).id, {}, {}};
     for (int k = 0; k < 400; ++k) join.positions.push_back({-8.0 + 0.04 * k, 9.0});
-    REQUIRE(give(world, sequence, join).ok());
-    Body own;
-    own.maxSpeed = 0.7;
-    REQUIRE(give(world, sequence, AddCharacters{world.group(0).id, {{0.0, -9.0}}, {own}}).ok());
+    REQUIRE(give(world, join).ok());
+    Body own{.maxSpeed = 0.7};
+    REQUIRE(give(world, AddCharacters{world.group(0).id, {{0.0, -9.0}}, {own}}).ok());
     world.step();
     REQUIRE(world.characters().size() == 409);
     const std::vector<Body> bodies = bodiesOf(world);
@@ -346,8 +334,7 @@ TEST_CASE("who joins is drawn, by sort and numbers; bodies that are given stay a
     first.step();
     World restored = World::restore(first.snapshot()).value();
     for (World* one : {&first, &restored}) {
-        std::uint32_t next = 0;
-        REQUIRE(give(*one, next, join).ok());
+        REQUIRE(give(*one, join).ok());
         one->step();
     }
     CHECK(bodiesOf(first) == bodiesOf(restored));
@@ -362,9 +349,8 @@ TEST_CASE(
     const std::vector<Body> drawn = bodiesOf(World::create(crowdOf(40, {women, men}, 3)).value());
     World world = World::create(crowdOf(40, {adults()}, 3)).value();
     const std::vector<Body> before = bodiesOf(world);
-    std::uint32_t sequence = 0;
     const auto carryOut = [&](const CommandBody& body) {
-        REQUIRE(give(world, sequence, body).ok());
+        REQUIRE(give(world, body).ok());
         world.step();
     };
     carryOut(SetPeople{GroupId{1}, {women, men}});
@@ -383,6 +369,5 @@ TEST_CASE(
     CHECK(bodiesOf(world)[4].mass == 3.0);
     CHECK(bodiesOf(world)[4].radius == 0.4);
     CHECK(bodiesOf(world)[4].maxSpeed == 0.0);
-    CHECK(give(world, sequence, SetPeople{GroupId{1}, {sortOf(1, -1.0)}}).code() ==
-          StatusCode::InvalidArgument);
+    CHECK(give(world, SetPeople{GroupId{1}, {sortOf(1, -1.0)}}).code() == StatusCode::InvalidArgument);
 }

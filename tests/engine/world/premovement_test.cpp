@@ -18,11 +18,7 @@ constexpr std::uint32_t kNever = 0xffffffff;
 // A group whose members set out after these times [s], at the left of a floor.
 WorldDef waitingFloor(const std::vector<double>& times) {
     WorldDef def = openFloor(static_cast<std::int32_t>(times.size()));
-    for (const double time : times) {
-        Body body;
-        body.premovement = time;
-        def.groups[0].bodies.push_back(body);
-    }
+    for (const double time : times) def.groups[0].bodies.push_back({.premovement = time});
     return def;
 }
 
@@ -56,10 +52,7 @@ TEST_CASE("ten persons set out in exactly their steps, by every kind of order") 
             if (kind > 0 && stepTime != 0.1) continue;
             WorldDef def = waitingFloor(kTenTimes);
             def.parameters.stepTime = stepTime;
-            GroupDef leader;
-            leader.count = 1;
-            leader.position = {8, 8};
-            def.groups.push_back(leader);
+            def.groups.push_back({.count = 1, .position = {8, 8}});
             Played played(def);
             const std::vector<Order> orders{Order::move({8, 0}), Order::go({8, 0}),
                                             Order::follow(GroupId{2}, {-3, -8}),
@@ -83,12 +76,8 @@ TEST_CASE("a person with premovement neither moves nor turns before its time, an
     WorldDef def = waitingFloor({30.0});
     def.groups[0].position = {0, 0};
     def.groups[0].orders = {Order::move({0, 6})};
-    GroupDef walkers;
-    walkers.count = 6;
-    walkers.position = {-8, 0};
-    walkers.formation.spacing = 0.8;
-    walkers.orders = {Order::move({8, 0})};
-    def.groups.push_back(walkers);
+    def.groups.push_back(
+        {.count = 6, .formation = {.spacing = 0.8}, .position = {-8, 0}, .orders = {Order::move({8, 0})}});
     for (const Manner manner : {Manner::March, Manner::Free}) {
         def.groups[1].orders[0].manner = manner;
         Played played(def);
@@ -161,8 +150,7 @@ TEST_CASE("times count from the first order, also of who joins, and run once") {
     played.give(GiveOrder{GroupId{1}, QueueMode::Replace, 0, Order::move({0, 0})});
     const std::vector<Vec2> starts = copyOf(played.world.characters().position);
     played.run(2.0);
-    Body late;
-    late.premovement = 4.0;
+    Body late{.premovement = 4.0};
     played.give(AddCharacters{GroupId{1}, {{-6, 8}}, {late}});
     played.run(1.0);
     CHECK(copyOf(played.world.characters().position)[0] == starts[0]);
@@ -184,26 +172,16 @@ TEST_CASE("a snapshot within the times goes on bit for bit") {
     Played played(waitingFloor(kTenTimes));
     played.give(GiveOrder{GroupId{1}, QueueMode::Replace, 0, Order::move({8, 0})});
     played.run(33.0);
-    World restored = World::restore(played.world.snapshot(), 2).value();
-    for (int s = 0; s < 600; ++s) {
-        played.world.step();
-        restored.step();
-        REQUIRE(played.world.hash() == restored.hash());
-    }
+    checkGoesOn(played.world, 600);
 }
 
 TEST_CASE("persons leave a room at their own times, as one group, and none who has not set out") {
-    WorldDef def;
-    def.box = {{-6, -4}, {6, 4}};
+    WorldDef def{.box = {{-6, -4}, {6, 4}}};
     // RiMEA 5: a room of 8 m by 5 m with an exit of 1 m; one stands in the exit area itself.
     def.obstacles = {block(-4.2, -2.7, 4.2, -2.5), block(-4.2, 2.5, 4.2, 2.7), block(-4.2, -2.5, -4, 2.5),
                      block(4, -2.5, 4.2, -0.5), block(4, 0.5, 4.2, 2.5)};
-    AreaDef exit;
-    exit.polygon = {{4.3, -0.6}, {5.8, -0.6}, {5.8, 0.6}, {4.3, 0.6}};
-    def.areas = {exit};
-    GroupDef group;
-    group.count = 10;
-    group.people = {PeopleDef{}};
+    def.areas = {{.polygon = {{4.3, -0.6}, {5.8, -0.6}, {5.8, 0.6}, {4.3, 0.6}}}};
+    GroupDef group{.count = 10, .people = {PeopleDef{}}};
     group.people[0].premovement = Distribution::uniform(10.0, 100.0);
     for (int k = 0; k < 9; ++k) group.starts.push_back({-3.2 + 1.5 * (k % 3), -1.6 + 1.6 * (k / 3)});
     group.starts.push_back({5.2, 0.0});

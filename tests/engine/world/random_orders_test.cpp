@@ -37,28 +37,25 @@ Order randomOrder(Random& random, const World& world) {
 /// Gives orders and edits queues at random: one call per step.
 struct Commander {
     Random random;
-    std::uint32_t sequence = 0;
 
-    void act(World& world) {
+    void operator()(World& world) {
         const std::uint32_t dice = random.below(60);
         const GroupId group = world.group(random.below(2)).id;
         if (dice < 4) {
-            GiveOrder give{group, static_cast<QueueMode>(random.below(3)), random.below(3), {}};
-            give.order = randomOrder(random, world);
-            (void)world.submit({world.stepCount(), 1, sequence++, give});
+            GiveOrder given{group, static_cast<QueueMode>(random.below(3)), random.below(3), {}};
+            given.order = randomOrder(random, world);
+            (void)give(world, given);
         } else if (dice == 10) {
-            (void)give(world, sequence, EditQueue{group, static_cast<QueueEdit>(random.below(6))});
+            (void)give(world, EditQueue{group, static_cast<QueueEdit>(random.below(6))});
         } else if (dice == 20) {
-            Conduct conduct;
-            conduct.squeeze = random.uniform(0, 1);
-            conduct.avoids = random.below(4) > 0;
-            (void)give(world, sequence, SetConduct{group, conduct});
+            Conduct conduct{.squeeze = random.uniform(0, 1), .avoids = random.below(4) > 0};
+            (void)give(world, SetConduct{group, conduct});
         } else if (dice == 30 && !world.obstacleIds().empty()) {
-            (void)give(world, sequence, removeThing(world.obstacleIds().back()));
+            (void)give(world, removeThing(world.obstacleIds().back()));
         } else if (dice == 40) {
-            (void)give(world, sequence, putThing(tree({random.uniform(-9, 9), random.uniform(-9, 9)}, 0.3)));
+            (void)give(world, putThing(tree({random.uniform(-9, 9), random.uniform(-9, 9)}, 0.3)));
         } else if (dice == 50) {
-            (void)give(world, sequence, SetPose{group, {random.uniform(-9, 9), random.uniform(-9, 9)}, 1.0});
+            (void)give(world, SetPose{group, {random.uniform(-9, 9), random.uniform(-9, 9)}, 1.0});
         }
     }
 };
@@ -74,7 +71,7 @@ TEST_CASE("random orders keep every invariant") {
         int leaving = 0;
         for (int s = 0; s < 600; ++s) {
             const std::size_t obstacles = world.obstacleIds().size();
-            commander.act(world);
+            commander(world);
             world.step();
             leaving = world.obstacleIds().size() > obstacles ? 120 : leaving - 1;
             const CharactersView c = world.characters();
@@ -97,52 +94,22 @@ TEST_CASE("restored or rewound amid orders, a world goes on bit for bit") {
         World world = World::create(busyFloor(seed)).value();
         Commander commander{Random(seed * 17)};
         for (std::uint32_t s = 0; s < 100 + 37 * seed; ++s) {
-            commander.act(world);
+            commander(world);
             world.step();
         }
-        const auto bytes = world.snapshot();
-        Result<World> copy = World::restore(bytes, 2);
-        REQUIRE_MESSAGE(copy.ok(), copy.status().message());
-        Commander other = commander, third = commander;
-        std::vector<std::uint64_t> hashes;
-        for (int s = 0; s < 120; ++s) {
-            commander.act(world);
-            other.act(*copy);
-            world.step();
-            copy->step();
-            hashes.push_back(world.hash());
-            REQUIRE(copy->hash() == hashes.back());
-        }
-        REQUIRE(world.rewind(bytes).ok());
-        for (int s = 0; s < 120; ++s) {
-            third.act(world);
-            world.step();
-            REQUIRE(world.hash() == hashes[s]);
-        }
+        checkGoesOn(world, 120, commander);
     }
 }
 
 TEST_CASE("a snapshot in the midst of a search for a way goes on bit for bit") {
-    WorldDef def;
-    def.box = {{-100, -100}, {100, 100}};
-    def.cell = 0.5;
+    WorldDef def{.box = {{-100, -100}, {100, 100}}, .cell = 0.5};
     Random random(4);
     for (int k = 0; k < 150; ++k)
         def.obstacles.push_back(
             tree({random.uniform(-90, 90), random.uniform(-90, 90)}, random.uniform(1, 4)));
-    GroupDef group;
-    group.count = 40;
-    group.position = {-95, -95};
-    group.orders = {Order::move({95, 95})};
-    def.groups.push_back(group);
+    def.groups.push_back({.count = 40, .position = {-95, -95}, .orders = {Order::move({95, 95})}});
     World world = World::create(def).value();
     for (int s = 0; s < 3; ++s) world.step();
-    Result<World> copy = World::restore(world.snapshot());
-    REQUIRE(copy.ok());
-    for (int s = 0; s < 100; ++s) {
-        world.step();
-        copy->step();
-        REQUIRE(copy->hash() == world.hash());
-    }
+    checkGoesOn(world, 100);
     CHECK_FALSE(world.group(0).way.empty());
 }

@@ -13,8 +13,7 @@ TEST_CASE("a world saved at each slice of a plan goes on bit for bit") {
     def.parameters.plan.solver = PlanSolver::Exact;  // Fast plans are made in one step.
     def.parameters.plan.period = 7;
     World world = World::create(def).value();
-    std::uint32_t sequence = 0;
-    REQUIRE(give(world, sequence, SetPose{world.group(0).id, {6, -6}, 0.5}).ok());
+    REQUIRE(give(world, SetPose{world.group(0).id, {6, -6}, 0.5}).ok());
     for (int s = 0; s < 40; ++s) world.step();
     std::vector<std::vector<std::uint8_t>> saved;
     std::vector<std::uint64_t> hashes;

@@ -14,15 +14,10 @@ namespace {
 
 /// A wall across a floor of 60 m x 40 m with a gap of a given width, and 36 people in front of it.
 WorldDef gapScene(double gap, Turn turn = Turn::Wheel) {
-    WorldDef def;
-    def.box = {{-30, -20}, {30, 20}};
-    def.obstacles.push_back(block(-1, -20, 1, -0.5 * gap));
-    def.obstacles.push_back(block(-1, 0.5 * gap, 1, 20));
-    GroupDef group;
-    group.count = 36;
-    group.formation.files = 9;
-    group.position = {-18, 0};
-    group.orders = {Order::move({18, 0})};
+    WorldDef def{.box = {{-30, -20}, {30, 20}},
+                 .obstacles = {block(-1, -20, 1, -0.5 * gap), block(-1, 0.5 * gap, 1, 20)}};
+    GroupDef group{
+        .count = 36, .formation = {.files = 9}, .position = {-18, 0}, .orders = {Order::move({18, 0})}};
     group.orders.front().turn = turn;
     def.groups.push_back(group);
     return def;
@@ -115,17 +110,12 @@ TEST_CASE("trees on the way do not narrow a formation, and a thin wall with a do
 
 TEST_CASE("checkpoints fire when the crowd passes, however it was ordered") {
     for (const bool march : {false, true}) {
-        WorldDef def;
-        def.box = {{-25, -12}, {25, 12}};
-        GroupDef group;
-        group.count = 16;
-        group.position = {-15, 0};
-        group.orders = {march ? Order::move({15, 0}) : Order::go({15, 0})};
-        def.groups.push_back(group);
-        FormationCheckpointDef crowd;
-        crowd.position = {0, 0};
-        crowd.radius = 2.5;
-        crowd.formation.kind = FormationKind::Wedge;
+        WorldDef def{.box = {{-25, -12}, {25, 12}}};
+        def.groups.push_back({.count = 16,
+                              .position = {-15, 0},
+                              .orders = {march ? Order::move({15, 0}) : Order::go({15, 0})}});
+        FormationCheckpointDef crowd{
+            .position = {0, 0}, .radius = 2.5, .formation = {.kind = FormationKind::Wedge}};
         FormationCheckpointDef mesh = crowd;
         mesh.position = {15, 0};
         mesh.trigger = CheckpointTrigger::Mesh;
@@ -152,16 +142,9 @@ TEST_CASE("checkpoints fire when the crowd passes, however it was ordered") {
 }
 
 TEST_CASE("a checkpoint smaller than the crowd fires when the middle of the crowd is in it") {
-    WorldDef def;
-    def.box = {{-25, -12}, {25, 12}};
-    GroupDef group;
-    group.count = 100;
-    group.position = {-12, 0};
-    group.orders = {Order::move({14, 0})};
-    def.groups.push_back(group);
-    FormationCheckpointDef small;
-    small.radius = 0.8;
-    small.formation.kind = FormationKind::Line;
+    WorldDef def{.box = {{-25, -12}, {25, 12}}};
+    def.groups.push_back({.count = 100, .position = {-12, 0}, .orders = {Order::move({14, 0})}});
+    FormationCheckpointDef small{.radius = 0.8, .formation = {.kind = FormationKind::Line}};
     FormationCheckpointDef aside = small;
     aside.position = {0, 3};
     FormationCheckpointDef most = small;
@@ -187,14 +170,11 @@ TEST_CASE("a front of a given width: ranks and files take it up, other shapes ke
     for (const FormationKind kind :
          {FormationKind::Square, FormationKind::Line, FormationKind::Column, FormationKind::Wedge}) {
         CAPTURE(formationName(kind));
-        WorldDef def;
-        def.box = {{-25, -25}, {25, 25}};
-        GroupDef group;
-        group.count = 24;
-        group.formation.kind = kind;
-        group.position = {-10, 0};
-        group.orders = {Order::moveToLine({8, 4.5}, {8, -4.5})};
-        def.groups.push_back(group);
+        WorldDef def{.box = {{-25, -25}, {25, 25}}};
+        def.groups.push_back({.count = 24,
+                              .formation = {.kind = kind},
+                              .position = {-10, 0},
+                              .orders = {Order::moveToLine({8, 4.5}, {8, -4.5})}});
         World world = World::create(def).value();
         for (int s = 0; s < 40 * 60; ++s) world.step();
         double low = 0.0, high = 0.0, foremost = -99.0;
@@ -222,12 +202,8 @@ TEST_CASE("whatever shape follows whatever shape on a march, places stay with th
         for (const FormationKind after : kinds) {
             CAPTURE(formationName(before));
             CAPTURE(formationName(after));
-            WorldDef def;
-            def.box = {{100, 80}, {170, 140}};
-            GroupDef group;
-            group.count = 60;
-            group.formation.kind = before;
-            group.position = {120, 100};
+            WorldDef def{.box = {{100, 80}, {170, 140}}};
+            GroupDef group{.count = 60, .formation = {.kind = before}, .position = {120, 100}};
             Order order = Order::move({145, 115});
             order.formation = FormationDef{.kind = after};
             group.orders = {Order::move({123, 100}), order};
@@ -254,18 +230,14 @@ TEST_CASE("formations wider than the streets get through a town, however they tu
         for (const FormationKind kind : {FormationKind::Line, FormationKind::Square, FormationKind::Ring}) {
             CAPTURE(static_cast<int>(turn));
             CAPTURE(formationName(kind));
-            WorldDef def;
-            def.box = {{-50, -35}, {50, 35}};
+            WorldDef def{.box = {{-50, -35}, {50, 35}}};
             // Three by four houses of 10 m to 16 m, on streets of 5 m; every second column is shifted.
             for (int x = 0; x < 3; ++x)
                 for (int y = 0; y < 4; ++y) {
                     const double left = -20.0 + 15.0 * x, low = -34.0 + 17.0 * y + (x % 2) * 6.0;
                     def.obstacles.push_back(block(left, low, left + 10.0, std::min(34.0, low + 12.0)));
                 }
-            GroupDef group;
-            group.count = 60;
-            group.formation.kind = kind;
-            group.position = {-36, 0};
+            GroupDef group{.count = 60, .formation = {.kind = kind}, .position = {-36, 0}};
             Order order = Order::move({36, 4}, 0.5);
             order.turn = turn;
             group.orders = {order};
@@ -283,11 +255,8 @@ TEST_CASE("formations wider than the streets get through a town, however they tu
 }
 
 TEST_CASE("a free group follows a drawn way, and faces as that ends") {
-    WorldDef def;
-    def.box = {{-30, -25}, {30, 25}};
-    GroupDef group;
-    group.count = 30;
-    group.position = {-20, 0};
+    WorldDef def{.box = {{-30, -25}, {30, 25}}};
+    GroupDef group{.count = 30, .position = {-20, 0}};
     Order order = Order::go({20, 0});
     order.route = {{-20, 18}, {20, 18}};
     group.orders = {order};
@@ -320,12 +289,8 @@ TEST_CASE("five orders over Berlin, one after the other") {
     }
     const auto map = parseMap(text.str());
     REQUIRE(map.ok());
-    WorldDef def;
-    def.box = {{0, 0}, {256, 256}};
-    def.cell = 0.5;
-    def.map = MapGround{*map, {}};
-    GroupDef group;
-    group.count = 30;
+    WorldDef def{.box = {{0, 0}, {256, 256}}, .cell = 0.5, .map = MapGround{*map, {}}};
+    GroupDef group{.count = 30};
     def.groups.push_back(group);
     // Free points far apart, by the map.
     const auto freeNear = [&](Vec2 p) {

@@ -11,8 +11,7 @@ namespace {
 
 // A line of ten across the way of a column of twelve.
 WorldDef meeting(double spacing) {
-    WorldDef def;
-    def.box = {{-20, -20}, {20, 20}};
+    WorldDef def{.box = {{-20, -20}, {20, 20}}};
     GroupDef line, column;
     line.count = 10;
     line.formation.kind = FormationKind::Line;
@@ -45,8 +44,7 @@ TEST_CASE("a column that crosses a line which holds its ground goes round it or 
     for (const double spacing : {0.7, 0.9, 1.3}) {
         CAPTURE(spacing);
         Played played(meeting(spacing));
-        Conduct hold;
-        hold.stance = Stance::Hold;
+        Conduct hold{.stance = Stance::Hold};
         played.give(SetConduct{GroupId{1}, hold});
         CHECK(moved(played, 25.0) < 0.1);
         CHECK(played.farthest(1) < 0.5);
@@ -56,8 +54,7 @@ TEST_CASE("a column that crosses a line which holds its ground goes round it or 
 
 TEST_CASE("who yields is moved, and the column that it yields to comes straight through") {
     Played normal(meeting(0.9)), yielding(meeting(0.9));
-    Conduct conduct;
-    conduct.stance = Stance::Yield;
+    Conduct conduct{.stance = Stance::Yield};
     yielding.give(SetConduct{GroupId{1}, conduct});
     const double usual = moved(normal, 14.0), most = moved(yielding, 14.0);
     CHECK(most > 0.1);
@@ -73,8 +70,7 @@ TEST_CASE("a group that keeps together stays closer than a free one, and arrives
         WorldDef def = openFloor(16);
         def.box = {{-40, -12}, {40, 12}};
         def.groups[0].position = {-30, 0};
-        Body slow;
-        slow.maxSpeed = 1.2;
+        Body slow{.maxSpeed = 1.2};
         def.groups[0].bodies.assign(16, Body{});
         for (const std::size_t i : {0, 5, 10}) def.groups[0].bodies[i] = slow;
         def.groups[0].conduct.cohesion = k;

@@ -8,9 +8,7 @@ using namespace muster;
 using namespace muster::testing;
 
 TEST_CASE("all who join at one point beside a wall stand apart and outside it") {
-    EnvironmentDef def;
-    def.box = {{-10, -10}, {10, 10}};
-    Environment environment = Environment::create(def).value();
+    Environment environment = Environment::create({.box = {{-10, -10}, {10, 10}}}).value();
     REQUIRE(environment.addObstacle(block(-10, -10, -2, 10)).ok());
     environment.setTime(0.0);
     StandingRoom room(environment, 0.25);
@@ -24,8 +22,7 @@ TEST_CASE("all who join at one point beside a wall stand apart and outside it") 
 }
 
 TEST_CASE("where nothing is free, those who join stand at the nearest point all the same") {
-    EnvironmentDef def;
-    def.box = {{-0.6, -0.6}, {0.6, 0.6}};
+    EnvironmentDef def{.box = {{-0.6, -0.6}, {0.6, 0.6}}};
     Environment environment = Environment::create(def).value();
     environment.setTime(0.0);
     StandingRoom room(environment, 0.25);

@@ -47,11 +47,10 @@ Track trackOf(WorldDef def, const char* parameter, double value, const Director&
 Director drawing(Vec2 from, Vec2 travel, int steps = 120) {
     return [=](World& world, int s) {
         std::uint32_t sequence = static_cast<std::uint32_t>(s) * 2;
-        if (s == 0) REQUIRE(give(world, sequence, TouchDown{1, from, world.time(), {}}).ok());
+        if (s == 0) REQUIRE(give(world, TouchDown{1, from, world.time(), {}}).ok());
         if (s > 0 && s <= steps)
-            REQUIRE(
-                give(world, sequence, TouchMove{1, from + travel * (s * 1.0 / steps), world.time()}).ok());
-        if (s == steps + 1) REQUIRE(give(world, sequence, TouchUp{1, world.time()}).ok());
+            REQUIRE(give(world, TouchMove{1, from + travel * (s * 1.0 / steps), world.time()}).ok());
+        if (s == steps + 1) REQUIRE(give(world, TouchUp{1, world.time()}).ok());
     };
 }
 
@@ -202,10 +201,8 @@ TEST_CASE("plan.mode after a change of formation: assigned again, or by number")
         def.parameters.plan.mode = mode;
         World world = World::create(def).value();
         world.step();
-        std::uint32_t sequence = 0;
-        FormationDef ring;
-        ring.kind = FormationKind::Ring;
-        REQUIRE(give(world, sequence, SetFormation{world.group(0).id, ring}).ok());
+        FormationDef ring{.kind = FormationKind::Ring};
+        REQUIRE(give(world, SetFormation{world.group(0).id, ring}).ok());
         for (int s = 0; s < 10 * 60; ++s) world.step();
         const std::span place = world.characters().place;
         std::vector<std::int32_t> sorted(place.begin(), place.end());

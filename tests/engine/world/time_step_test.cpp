@@ -23,17 +23,12 @@ TEST_CASE("characters move in parts of at most a thirtieth of a second") {
 TEST_CASE("at every rate from 10 to 240 Hz crowds cross, none deep in another or in walls, and arrive") {
     for (const double rate : {10.0, 15.0, 20.0, 24.0, 30.0, 60.0, 120.0, 240.0}) {
         CAPTURE(rate);
-        WorldDef def;
-        def.box = {{-18, -18}, {18, 18}};
-        def.parameters.stepTime = 1.0 / rate;
-        def.obstacles = {block(-1, 3, 1, 6), tree({2, -3}, 0.7)};
+        WorldDef def{.box = {{-18, -18}, {18, 18}},
+                     .obstacles = {block(-1, 3, 1, 6), tree({2, -3}, 0.7)},
+                     .parameters = {.stepTime = 1.0 / rate}};
         const Vec2 starts[] = {{-11, 0}, {11, 1}, {0, -12}};
-        for (const Vec2 start : starts) {
-            GroupDef group;
-            group.count = rate > 100.0 ? 16 : 36;
-            group.position = start;
-            def.groups.push_back(group);
-        }
+        for (const Vec2 start : starts)
+            def.groups.push_back({.count = rate > 100.0 ? 16 : 36, .position = start});
         Played played(def);
         for (std::uint32_t g = 0; g < 3; ++g) played.give(SetPose{GroupId{g + 1}, starts[g] * -1.0, 0.0});
         const int seconds = rate > 100.0 ? 30 : 40;

@@ -50,16 +50,15 @@ double farthestMove(const std::map<std::uint32_t, Vec2>& before, const std::map<
 
 /// A field with one square group that walks to the right: every place is under way for half a minute.
 WorldDef field(std::int32_t count) {
-    WorldDef def;
-    def.box = {{-20, -30}, {90, 30}};
+    WorldDef def{.box = {{-20, -30}, {90, 30}}};
     def.groups.emplace_back().count = count;
     return def;
 }
 
-World walking(std::int32_t count, std::uint32_t& sequence) {
+World walking(std::int32_t count) {
     World world = World::create(field(count)).value();
     run(world, 0.5);
-    REQUIRE(give(world, sequence, SetPose{world.group(0).id, {70, 0}, 0.0}).ok());
+    REQUIRE(give(world, SetPose{world.group(0).id, {70, 0}, 0.0}).ok());
     run(world, 6.0);
     return world;
 }
@@ -101,8 +100,7 @@ void checkSnapshot(World& world, double seconds) {
 }  // namespace
 
 TEST_CASE("one death among 60 on the way moves nobody but those behind in the file") {
-    std::uint32_t sequence = 0;
-    World world = walking(60, sequence);
+    World world = walking(60);
     const auto positions = positionsOf(world), places = placesOf(world);
     const CharactersView c = world.characters();
     // Somebody in the front rank of the mesh.
@@ -115,7 +113,7 @@ TEST_CASE("one death among 60 on the way moves nobody but those behind in the fi
         if (restX(i) > restX(dead)) dead = i;
     }
     const std::uint32_t id = c.id[dead];
-    REQUIRE(give(world, sequence, RemoveCharacters{{id}}).ok());
+    REQUIRE(give(world, RemoveCharacters{{id}}).ok());
     world.step();
     REQUIRE(world.rejections().empty());
     REQUIRE(countOf(world, EventKind::Left) == 1);
@@ -136,12 +134,11 @@ TEST_CASE("one death among 60 on the way moves nobody but those behind in the fi
 }
 
 TEST_CASE("ten deaths on the way, one after the other, stop nobody") {
-    std::uint32_t sequence = 0;
-    World world = walking(60, sequence);
+    World world = walking(60);
     for (int death = 0; death < 10; ++death) {
         const auto speeds = speedsOf(world);
         const std::uint32_t id = world.characters().id[(death * 17u) % world.characters().size()];
-        REQUIRE(give(world, sequence, RemoveCharacters{{id}}).ok());
+        REQUIRE(give(world, RemoveCharacters{{id}}).ok());
         run(world, 0.25);
         REQUIRE(world.rejections().empty());
         for (const auto& [who, speed] : speedsOf(world))
@@ -153,12 +150,11 @@ TEST_CASE("ten deaths on the way, one after the other, stop nobody") {
 }
 
 TEST_CASE("reinforcements join where they stand, and their ids are told") {
-    std::uint32_t sequence = 0;
-    World world = walking(36, sequence);
+    World world = walking(36);
     const auto positions = positionsOf(world), places = placesOf(world);
     std::vector<Vec2> joining;
     for (int k = 0; k < 7; ++k) joining.push_back({-15.0 + k, 12.0});
-    REQUIRE(give(world, sequence, AddCharacters{world.group(0).id, joining, {}}).ok());
+    REQUIRE(give(world, AddCharacters{world.group(0).id, joining, {}}).ok());
     world.step();
     REQUIRE(world.rejections().empty());
     REQUIRE(countOf(world, EventKind::Joined) == 7);
@@ -182,19 +178,18 @@ TEST_CASE("reinforcements join where they stand, and their ids are told") {
 }
 
 TEST_CASE("a group may become empty, stay, and be filled again") {
-    std::uint32_t sequence = 0;
-    World world = walking(9, sequence);
+    World world = walking(9);
     const GroupId id = world.group(0).id;
     const auto all = copyOf(world.characters().id);
-    REQUIRE(give(world, sequence, RemoveCharacters{all}).ok());
+    REQUIRE(give(world, RemoveCharacters{all}).ok());
     run(world, 1.0);
     REQUIRE(world.groupCount() == 1);
     CHECK(world.characters().size() == 0);
     CHECK(world.group(0).count == 0);
     checkSnapshot(world, 0.5);
-    REQUIRE(give(world, sequence, SetPose{id, {10, 5}, 0.0}).ok());
+    REQUIRE(give(world, SetPose{id, {10, 5}, 0.0}).ok());
     run(world, 0.5);
-    REQUIRE(give(world, sequence, AddCharacters{id, {{0, 0}, {1, 0}, {2, 0}, {0, 2}}, {}}).ok());
+    REQUIRE(give(world, AddCharacters{id, {{0, 0}, {1, 0}, {2, 0}, {0, 2}}, {}}).ok());
     world.step();
     REQUIRE(world.rejections().empty());
     CHECK(world.group(0).count == 4);
@@ -203,18 +198,17 @@ TEST_CASE("a group may become empty, stay, and be filled again") {
 }
 
 TEST_CASE("characters change groups with their ids and velocities") {
-    std::uint32_t sequence = 0;
     WorldDef def = field(25);
     def.groups.push_back(def.groups[0]);
     def.groups[1].position = {0, 15};
     World world = World::create(def).value();
     run(world, 0.5);
     const GroupId second = world.group(1).id;
-    REQUIRE(give(world, sequence, SetPose{world.group(0).id, {40, 0}, 0.0}).ok());
+    REQUIRE(give(world, SetPose{world.group(0).id, {40, 0}, 0.0}).ok());
     run(world, 3.0);
     const auto positions = positionsOf(world);
     const auto speeds = speedsOf(world);
-    REQUIRE(give(world, sequence, TransferCharacters{{3, 7, 11, 30}, second}).ok());
+    REQUIRE(give(world, TransferCharacters{{3, 7, 11, 30}, second}).ok());
     world.step();
     REQUIRE(world.rejections().empty());
     CHECK(countOf(world, EventKind::Transferred) == 3);  // 30 was there already.
@@ -228,8 +222,7 @@ TEST_CASE("characters change groups with their ids and velocities") {
 
 TEST_CASE("a split stops nobody, and each part keeps the places that it held") {
     for (const PartShape shape : {PartShape::AsHeld, PartShape::Smaller}) {
-        std::uint32_t sequence = 0;
-        World world = walking(60, sequence);
+        World world = walking(60);
         const auto positions = positionsOf(world), places = placesOf(world);
         const auto speeds = speedsOf(world);
         const GroupView group = world.group(0);
@@ -237,7 +230,7 @@ TEST_CASE("a split stops nobody, and each part keeps the places that it held") {
         for (const Vec2 v : group.finalMesh) middle += v / static_cast<double>(group.finalMesh.size());
         SplitGroup split{group.id, SplitBy::Line, {},   {middle - Vec2{9, 0}, middle + Vec2{9, 0}},
                          {},       false,         shape};
-        REQUIRE(give(world, sequence, split).ok());
+        REQUIRE(give(world, split).ok());
         world.step();
         REQUIRE(world.rejections().empty());
         REQUIRE(world.groupCount() == 2);
@@ -255,28 +248,25 @@ TEST_CASE("a split stops nobody, and each part keeps the places that it held") {
 }
 
 TEST_CASE("the sides of a line, a lasso, ids and shares say who leaves") {
-    std::uint32_t sequence = 0;
     World world = World::create(field(36)).value();
     run(world, 0.2);
     const GroupId whole = world.group(0).id;
     // The six files of the square lie at y = -2.5 to 2.5: three lie to the left of the axis.
-    REQUIRE(
-        give(world, sequence, SplitGroup{whole, SplitBy::Line, {}, {{-9, 0}, {9, 0}}, {}, false, {}}).ok());
+    REQUIRE(give(world, SplitGroup{whole, SplitBy::Line, {}, {{-9, 0}, {9, 0}}, {}, false, {}}).ok());
     world.step();
     REQUIRE(world.groupCount() == 2);
     CHECK(world.group(1).count == 18);
     const CharactersView c = world.characters();
     for (std::size_t i = 0; i < c.size(); ++i) CHECK((c.position[i].y > 0.0) == (c.group[i] == 1));
     // The two front ranks of what is left.
-    REQUIRE(give(world, sequence,
-                 SplitGroup{whole, SplitBy::Lasso, {}, {{1, -9}, {9, -9}, {9, 9}, {1, 9}}, {}, false, {}})
-                .ok());
+    REQUIRE(
+        give(world, SplitGroup{whole, SplitBy::Lasso, {}, {{1, -9}, {9, -9}, {9, 9}, {1, 9}}, {}, false, {}})
+            .ok());
     world.step();
     REQUIRE(world.groupCount() == 3);
     CHECK(world.group(2).count == 6);
-    REQUIRE(give(world, sequence,
-                 SplitGroup{world.group(1).id, SplitBy::Shares, {}, {}, {1.0, 2.0, 3.0}, true, {}})
-                .ok());
+    REQUIRE(
+        give(world, SplitGroup{world.group(1).id, SplitBy::Shares, {}, {}, {1.0, 2.0, 3.0}, true, {}}).ok());
     world.step();
     REQUIRE(world.groupCount() == 5);
     CHECK(world.group(1).count == 3);
@@ -285,7 +275,7 @@ TEST_CASE("the sides of a line, a lasso, ids and shares say who leaves") {
     std::vector<std::uint32_t> ids;
     for (std::size_t i = 0; i < world.characters().size(); ++i)
         if (world.characters().group[i] == 4 && ids.size() < 4) ids.push_back(world.characters().id[i]);
-    REQUIRE(give(world, sequence, SplitGroup{world.group(4).id, SplitBy::Ids, ids, {}, {}, false, {}}).ok());
+    REQUIRE(give(world, SplitGroup{world.group(4).id, SplitBy::Ids, ids, {}, {}, false, {}}).ok());
     world.step();
     REQUIRE(world.groupCount() == 6);
     CHECK(world.group(5).count == 4);
@@ -294,18 +284,16 @@ TEST_CASE("the sides of a line, a lasso, ids and shares say who leaves") {
 
 TEST_CASE("a merge joins all to the first, and stops nobody") {
     for (const PartShape shape : {PartShape::Smaller, PartShape::AsHeld}) {
-        std::uint32_t sequence = 0;
-        World world = walking(48, sequence);
+        World world = walking(48);
         const GroupId first = world.group(0).id;
-        REQUIRE(give(world, sequence,
-                     SplitGroup{first, SplitBy::Shares, {}, {}, {1, 1, 1}, true, PartShape::AsHeld})
-                    .ok());
+        REQUIRE(
+            give(world, SplitGroup{first, SplitBy::Shares, {}, {}, {1, 1, 1}, true, PartShape::AsHeld}).ok());
         run(world, 1.0);
         REQUIRE(world.groupCount() == 3);
         const GroupId second = world.group(1).id, third = world.group(2).id;
         const auto positions = positionsOf(world);
         const auto speeds = speedsOf(world);
-        REQUIRE(give(world, sequence, MergeGroups{{first, third, second}, shape}).ok());
+        REQUIRE(give(world, MergeGroups{{first, third, second}, shape}).ok());
         world.step();
         REQUIRE(world.rejections().empty());
         CHECK(world.groupCount() == 1);
@@ -322,7 +310,6 @@ TEST_CASE("a merge joins all to the first, and stops nobody") {
 }
 
 TEST_CASE("bad changes of groups are refused and change nothing") {
-    std::uint32_t sequence = 0;
     World world = World::create(field(9)).value();
     run(world, 0.2);
     const GroupId group = world.group(0).id;
@@ -338,7 +325,7 @@ TEST_CASE("bad changes of groups are refused and change nothing") {
         MergeGroups{{group, GroupId{9}}, {}},
     };
     for (const CommandBody& body : bad) {
-        REQUIRE(give(world, sequence, body).ok());
+        REQUIRE(give(world, body).ok());
         world.step();
         twin.step();
         REQUIRE(world.rejections().size() == 1);
@@ -346,7 +333,7 @@ TEST_CASE("bad changes of groups are refused and change nothing") {
         CHECK(world.characters().size() == 9);
         CHECK(positionsOf(world) == positionsOf(twin));
     }
-    CHECK(!world.submit({world.stepCount(), 1, sequence, RemoveCharacters{{1, 1}}}).ok());
-    CHECK(!world.submit({world.stepCount(), 1, sequence, RemoveCharacters{}}).ok());
-    CHECK(!world.submit({world.stepCount(), 1, sequence, MergeGroups{{group, group}, {}}}).ok());
+    CHECK(!give(world, RemoveCharacters{{1, 1}}).ok());
+    CHECK(!give(world, RemoveCharacters{}).ok());
+    CHECK(!give(world, MergeGroups{{group, group}, {}}).ok());
 }

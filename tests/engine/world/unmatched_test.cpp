@@ -9,13 +9,10 @@ using namespace muster;
 using namespace muster::testing;
 
 TEST_CASE("where a dead end is full the others get places before it, and one behind a wall comes round it") {
-    WorldDef def;
-    def.box = {{-20, -12}, {20, 12}};
+    WorldDef def{.box = {{-20, -12}, {20, 12}}};
     // A dead end with places for some, and a wall before the last character.
     def.obstacles = {block(5, 0.5, 20, 12), block(5, -12, 20, -0.5), block(-9, -8, -8, 8)};
-    GroupDef group;
-    group.count = 40;
-    group.position = {16, 0};
+    GroupDef group{.count = 40, .position = {16, 0}};
     for (int i = 0; i < 39; ++i) group.starts.push_back({(i % 6) * 0.8, -3 + (i / 6) * 0.8});
     group.starts.push_back({-14, 0});
     def.groups = {group};
@@ -36,19 +33,15 @@ TEST_CASE("where a dead end is full the others get places before it, and one beh
 TEST_CASE("last places that do not fit are nobody's, and their holders' again when they fit") {
     for (const PlanMode mode : {PlanMode::AssignedOnce, PlanMode::Fixed}) {
         CAPTURE(mode);
-        WorldDef def;
-        def.box = {{-4, -2}, {4, 2}};
+        WorldDef def{.box = {{-4, -2}, {4, 2}}};
         def.parameters.plan.mode = mode;
-        GroupDef group;
-        group.count = 12;
-        group.formation.spacing = 0.9;
+        GroupDef group{.count = 12, .formation = {.spacing = 0.9}};
         def.groups = {group};
         World world = World::create(def).value();
         world.step();
         const auto first = copyOf(world.characters().place);
         CHECK(std::count(first.begin(), first.end(), -1) == 0);
-        std::uint32_t sequence = 0;
-        REQUIRE(give(world, sequence, putThing(block(-4, -2, 3.2, 2))).ok());  // A strip is left.
+        REQUIRE(give(world, putThing(block(-4, -2, 3.2, 2))).ok());  // A strip is left.
         for (int s = 0; s < 40; ++s) world.step();
         const auto fit = world.group(0).placeUsable;
         const auto fitting = std::count(fit.begin(), fit.end(), 1);
@@ -56,7 +49,7 @@ TEST_CASE("last places that do not fit are nobody's, and their holders' again wh
         const auto crowded = copyOf(world.characters().place);
         CHECK(std::count(crowded.begin(), crowded.end(), -1) == 12 - fitting);
         world = World::restore(world.snapshot()).value();
-        REQUIRE(give(world, sequence, removeThing(world.obstacleIds()[0])).ok());
+        REQUIRE(give(world, removeThing(world.obstacleIds()[0])).ok());
         for (int s = 0; s < 60; ++s) world.step();
         CHECK(copyOf(world.characters().place) == first);
     }

@@ -35,21 +35,16 @@ WorldDef hallBehind(const Opening& o, const std::vector<Vec2>& starts) {
         def.polygon = turned({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}});
         return def;
     };
-    WorldDef def;
-    def.parameters = *parameterPreset("people");
+    WorldDef def{.parameters = *parameterPreset("people")};
     def.parameters.character.radius = o.radius;
     def.cell = o.cell;
     def.box = o.sine == 0.0 ? Box{{0, 0}, {12, 8}} : Box{{-3, -3}, {15, 11}};
     def.obstacles = {part(-8.0, o.low), part(o.low + o.width, 16.0)};
-    GroupDef group;
-    group.count = static_cast<std::int32_t>(starts.size());
-    group.starts = turned(starts);
+    GroupDef group{.count = static_cast<std::int32_t>(starts.size()), .starts = turned(starts)};
     group.position = group.starts.front();
     group.orders = {Order::leave()};
     def.groups = {group};
-    AreaDef area;
-    area.polygon = turned({{11, 3}, {11.9, 3}, {11.9, 5}, {11, 5}});
-    def.areas = {area};
+    def.areas = {{.polygon = turned({{11, 3}, {11.9, 3}, {11.9, 5}, {11, 5}})}};
     return def;
 }
 

@@ -11,18 +11,14 @@ namespace {
 
 /// As many ships at each end of 80 m of open water as change sides.
 WorldDef shipsThatMeet(std::int32_t count) {
-    WorldDef def;
-    def.box = {{-60, -40}, {60, 40}};
-    for (const double side : {-1.0, 1.0}) {
-        GroupDef ships;
-        ships.count = count;
-        ships.formation.spacing = 6.0;
-        ships.position = {40 * side, 0};
-        ships.angle = side < 0.0 ? 0.0 : 3.141592653589793;
-        ships.bodies = {{.radius = 1.5, .maxSpeed = 3.0, .acceleration = 0.3, .mass = 50.0}};
-        ships.orders = {Order::move({-40 * side, 0})};
-        def.groups.push_back(ships);
-    }
+    WorldDef def{.box = {{-60, -40}, {60, 40}}};
+    for (const double side : {-1.0, 1.0})
+        def.groups.push_back({.count = count,
+                              .formation = {.spacing = 6.0},
+                              .position = {40 * side, 0},
+                              .angle = side < 0.0 ? 0.0 : 3.141592653589793,
+                              .bodies = {{.radius = 1.5, .maxSpeed = 3.0, .acceleration = 0.3, .mass = 50.0}},
+                              .orders = {Order::move({-40 * side, 0})}});
     return def;
 }
 

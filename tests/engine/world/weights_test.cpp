@@ -14,10 +14,7 @@ namespace {
 
 // Supplies and demands of a quarter to three units; some places demand nothing.
 WorldDef weightedGroup(std::int32_t count, std::uint64_t seed, bool roles = false) {
-    WorldDef def;
-    def.box = {{-25, -15}, {45, 15}};
-    def.obstacles.push_back(block(4, -5, 8, 4));
-    def.seed = seed;
+    WorldDef def{.box = {{-25, -15}, {45, 15}}, .seed = seed, .obstacles = {block(4, -5, 8, 4)}};
     Random random(seed);
     GroupDef& group = def.groups.emplace_back();
     group.count = count;
@@ -30,12 +27,6 @@ WorldDef weightedGroup(std::int32_t count, std::uint64_t seed, bool roles = fals
     for (std::int32_t k = 0; k < count; ++k) group.demands.push_back(0.25 * random.below(13));
     if (roles) group.roles = {{RoleArea::Front, 1}, {RoleArea::Rear, 2}};
     return def;
-}
-
-void moveTo(World& world, std::uint32_t& sequence, Vec2 target) {
-    REQUIRE(
-        give(world, sequence, GiveOrder{world.group(0).id, QueueMode::Replace, 0, Order::move(target, 0.0)})
-            .ok());
 }
 
 // How often each kind of event comes within some seconds.
@@ -59,7 +50,6 @@ std::vector<int> occupancy(const World& world) {
 // Deaths, joins, splits, merges and other weights at random: one call per step.
 struct WeightDirector {
     Random random;
-    std::uint32_t sequence = 0;
 
     void act(World& world) {
         const std::uint32_t dice = random.below(50);
@@ -72,41 +62,37 @@ struct WeightDirector {
                        : world.characters()
                              .id[members[random.below(static_cast<std::uint32_t>(members.size()))]];
         };
-        if (dice == 0) (void)give(world, sequence, RemoveCharacters{{anybody()}});
+        if (dice == 0) (void)give(world, RemoveCharacters{{anybody()}});
         if (dice == 1) {
             AddCharacters join{group.id, {{random.uniform(-20, 30), random.uniform(-10, 10)}}, {}};
             join.bodies.resize(1);
             join.bodies[0].supply = random.uniform(0.1, 4.0);
-            (void)give(world, sequence, join);
+            (void)give(world, join);
         }
         if (dice == 2) {
             SplitGroup split{group.id, SplitBy::Shares};
             split.shares = {1.0, 2.0};
-            (void)give(world, sequence, split);
+            (void)give(world, split);
         }
         if (dice == 3 && world.groupCount() > 1)
-            (void)give(world, sequence, MergeGroups{{world.group(0).id, world.group(1).id}});
+            (void)give(world, MergeGroups{{world.group(0).id, world.group(1).id}});
         if (dice == 4) {
             std::vector<double> demands(group.placePositions.size());
             for (double& demand : demands) demand = 0.5 * random.below(5);
-            (void)give(world, sequence, SetDemands{group.id, demands});
+            (void)give(world, SetDemands{group.id, demands});
         }
         if (dice == 5) {
-            Body body;
-            body.supply = random.uniform(0.01, 3.0);
-            (void)give(world, sequence, SetBodies{{anybody()}, {body}});
+            Body body{.supply = random.uniform(0.01, 3.0)};
+            (void)give(world, SetBodies{{anybody()}, {body}});
         }
         if (dice == 6)
-            (void)give(world, sequence,
-                       GiveOrder{group.id, QueueMode::Replace, 0,
-                                 Order::move({random.uniform(-15, 35), random.uniform(-8, 8)}, 0.0)});
+            (void)give(world, GiveOrder{group.id, QueueMode::Replace, 0,
+                                        Order::move({random.uniform(-15, 35), random.uniform(-8, 8)}, 0.0)});
         if (dice == 7) {
-            FormationDef formation;
-            formation.kind = static_cast<FormationKind>(random.below(7));
-            (void)give(world, sequence, SetFormation{group.id, formation});
+            FormationDef formation{.kind = static_cast<FormationKind>(random.below(7))};
+            (void)give(world, SetFormation{group.id, formation});
         }
-        if (dice == 8)
-            (void)give(world, sequence, SetRoles{group.id, {{RoleArea::Front, 1}, {RoleArea::Rim, 2}}});
+        if (dice == 8) (void)give(world, SetRoles{group.id, {{RoleArea::Front, 1}, {RoleArea::Rim, 2}}});
     }
 };
 
@@ -115,9 +101,8 @@ struct WeightDirector {
 TEST_CASE("a group with weights goes round a block, arrives, and stays near the optimum") {
     for (const std::uint64_t seed : {1, 2, 3}) {
         World world = World::create(weightedGroup(49, seed, seed == 3)).value();
-        std::uint32_t sequence = 0;
         for (int s = 0; s < 60; ++s) world.step();
-        moveTo(world, sequence, {25, 2});
+        tell(world, Order::move({25, 2}, 0.0));
         std::map<EventKind, int> events;
         double worst = 0.0;
         for (int s = 0; s < 40; ++s) {
@@ -143,9 +128,8 @@ TEST_CASE("places that demand six take six, who stand around them as good as the
     def.groups[0].formation.spacing = 2.0;
     for (int k = 0; k < 36; ++k) def.groups[0].demands[k] = k % 6 == 2 ? 6.0 : 0.0;
     World world = World::create(def).value();
-    std::uint32_t sequence = 0;
     for (int s = 0; s < 60; ++s) world.step();
-    moveTo(world, sequence, {25, 2});
+    tell(world, Order::move({25, 2}, 0.0));
     auto events = play(world, 60.0);
     CHECK(events[EventKind::Arrived] == 1);
     CHECK(events[EventKind::OrderDone] == 1);
@@ -177,11 +161,10 @@ TEST_CASE("demands go on with their places when ranks close and groups split and
     WorldDef def = weightedGroup(36, 4);
     def.obstacles.clear();
     World world = World::create(def).value();
-    std::uint32_t sequence = 0;
     (void)play(world, 0.5);
     const std::vector<double> before = world.groupDef(0).demands;
     const std::vector<Vec2> places = copyOf(world.group(0).placePositions);
-    REQUIRE(give(world, sequence, RemoveCharacters{{8}}).ok());
+    REQUIRE(give(world, RemoveCharacters{{8}}).ok());
     world.step();
     const auto sameAsBefore = [&](std::size_t g) {
         const std::vector<double> after = world.groupDef(g).demands;
@@ -198,12 +181,12 @@ TEST_CASE("demands go on with their places when ranks close and groups split and
     CHECK(world.groupDef(0).demands.size() == 35);
     SplitGroup split{world.group(0).id, SplitBy::Shares};
     split.shares = {1.0, 1.0};
-    REQUIRE(give(world, sequence, split).ok());
+    REQUIRE(give(world, split).ok());
     world.step();
     REQUIRE(world.groupCount() == 2);
     sameAsBefore(0);
     sameAsBefore(1);
-    REQUIRE(give(world, sequence, MergeGroups{{world.group(0).id, world.group(1).id}}).ok());
+    REQUIRE(give(world, MergeGroups{{world.group(0).id, world.group(1).id}}).ok());
     world.step();
     REQUIRE(world.groupCount() == 1);
     sameAsBefore(0);
@@ -213,26 +196,14 @@ TEST_CASE("demands go on with their places when ranks close and groups split and
 
 TEST_CASE("with weights, worlds that are restored or rewound go on bit for bit") {
     for (const std::uint64_t seed : {1, 2, 3}) {
+        CAPTURE(seed);
         World world = World::create(weightedGroup(40, seed, seed == 2)).value();
-        World twin = World::create(weightedGroup(40, seed, seed == 2)).value();
-        WeightDirector director{Random(seed)}, twinDirector{Random(seed)};
+        WeightDirector director{Random(seed)};
         for (int s = 0; s < 600; ++s) {
+            if (s % 120 == 57)
+                checkGoesOn(world, 60, [director](World& each) mutable { director.act(each); });
             director.act(world);
-            twinDirector.act(twin);
-            if (s % 120 == 57) {
-                Result<World> restored = World::restore(twin.snapshot());
-                REQUIRE(restored.ok());
-                twin = std::move(*restored);
-            }
-            if (s % 120 == 97) {
-                const std::vector<std::uint8_t> here = twin.snapshot();
-                for (int k = 0; k < 8; ++k) twin.step();
-                REQUIRE(twin.rewind(here).ok());
-            }
             world.step();
-            twin.step();
-            INFO("seed " << seed << ", step " << s);
-            REQUIRE(world.hash() == twin.hash());
             for (const Vec2 p : world.characters().position) REQUIRE(isFinite(p));
         }
     }
@@ -250,8 +221,7 @@ TEST_CASE("weights that are not one for each place, or out of range, are refused
     def.groups[0].bodies[4].supply = 0.0;
     CHECK(World::create(def).status().message().find("supply") != std::string::npos);
     World world = World::create(weightedGroup(9, 1)).value();
-    std::uint32_t sequence = 0;
-    REQUIRE(give(world, sequence, SetDemands{world.group(0).id, {1.0, 2.0}}).ok());
+    REQUIRE(give(world, SetDemands{world.group(0).id, {1.0, 2.0}}).ok());
     world.step();
     REQUIRE(world.rejections().size() == 1);
     CHECK(world.rejections()[0].status.message().find("found 2 demands") != std::string::npos);

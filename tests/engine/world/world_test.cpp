@@ -42,22 +42,22 @@ using Watch = std::function<void(const World&)>;
 
 // Drags the whole mesh by two corners over `travel` at 1.5 m/s and lifts.
 void drag(
-    World& world, std::uint32_t& sequence, Vec2 travel, const Watch& watch = [](const World&) {}) {
+    World& world, Vec2 travel, const Watch& watch = [](const World&) {}) {
     const auto mesh = world.group(0).finalMesh;
     const Vec2 a = mesh.front();
     const Vec2 b = mesh.back();
-    REQUIRE(give(world, sequence, TouchDown{1, a, world.time(), {}}).ok());
-    REQUIRE(give(world, sequence, TouchDown{2, b, world.time(), {}}).ok());
+    REQUIRE(give(world, TouchDown{1, a, world.time(), {}}).ok());
+    REQUIRE(give(world, TouchDown{2, b, world.time(), {}}).ok());
     const int steps = static_cast<int>(length(travel) / 1.5 * 60.0);
     for (int s = 1; s <= steps; ++s) {
         world.step();
         watch(world);
         const Vec2 offset = travel * (static_cast<double>(s) / steps);
-        REQUIRE(give(world, sequence, TouchMove{1, a + offset, world.time()}).ok());
-        REQUIRE(give(world, sequence, TouchMove{2, b + offset, world.time()}).ok());
+        REQUIRE(give(world, TouchMove{1, a + offset, world.time()}).ok());
+        REQUIRE(give(world, TouchMove{2, b + offset, world.time()}).ok());
     }
-    REQUIRE(give(world, sequence, TouchUp{1, world.time()}).ok());
-    REQUIRE(give(world, sequence, TouchUp{2, world.time()}).ok());
+    REQUIRE(give(world, TouchUp{1, world.time()}).ok());
+    REQUIRE(give(world, TouchUp{2, world.time()}).ok());
 }
 
 }  // namespace
@@ -72,8 +72,7 @@ TEST_CASE("a crowd that stands in its places stays there without a swap") {
 
 TEST_CASE("two fingers drag the crowd across the floor; all arrive and swaps are rare") {
     World world = World::create(openFloor(36)).value();
-    std::uint32_t sequence = 0;
-    drag(world, sequence, {12, 0});
+    drag(world, {12, 0});
     run(world, 6.0);
     CHECK(worstDistanceToPlace(world) < 0.1);
     double mean = 0.0;
@@ -86,8 +85,7 @@ TEST_CASE("the crowd parts round a block and is whole again behind it") {
     WorldDef def = openFloor(36);
     def.obstacles.push_back(block(-1.5, -1.5, 1.5, 1.5));
     World world = World::create(def).value();
-    std::uint32_t sequence = 0;
-    drag(world, sequence, {13, 0});
+    drag(world, {13, 0});
     run(world, 8.0);
     CHECK(worstDistanceToPlace(world) < 0.25);
     for (const Vec2 p : world.characters().position) {
@@ -102,8 +100,7 @@ TEST_CASE("with the opposing force the mesh waits for a crowd held up, without i
         def.patches.push_back(rectangle(-3.5, -10, 10, 10, 3));
         def.parameters.opposing.enabled = enabled;
         World world = World::create(def).value();
-        std::uint32_t sequence = 0;
-        drag(world, sequence, {12, 0});
+        drag(world, {12, 0});
         run(world, 1.0);
         return world.group(0).meanLag;
     };
@@ -114,11 +111,9 @@ TEST_CASE("every formation is taken up and nobody is left over") {
     WorldDef def = openFloor(40);
     def.box = {{-24, -24}, {24, 24}};
     World world = World::create(def).value();
-    std::uint32_t sequence = 0;
     for (int kind = 0; kind < 8; ++kind) {
-        FormationDef formation;
-        formation.kind = static_cast<FormationKind>(kind);
-        REQUIRE(give(world, sequence, SetFormation{world.group(0).id, formation}).ok());
+        FormationDef formation{.kind = static_cast<FormationKind>(kind)};
+        REQUIRE(give(world, SetFormation{world.group(0).id, formation}).ok());
         run(world, 14.0);
         CAPTURE(kind);
         CHECK(world.rejections().empty());
@@ -129,12 +124,11 @@ TEST_CASE("every formation is taken up and nobody is left over") {
 
 TEST_CASE("characters may join and leave while it runs") {
     World world = World::create(openFloor(20)).value();
-    std::uint32_t sequence = 0;
-    REQUIRE(give(world, sequence, SetCount{world.group(0).id, 35}).ok());
+    REQUIRE(give(world, SetCount{world.group(0).id, 35}).ok());
     run(world, 10.0);
     CHECK(world.characters().size() == 35);
     CHECK(worstDistanceToPlace(world) < 0.25);
-    REQUIRE(give(world, sequence, SetCount{world.group(0).id, 7}).ok());
+    REQUIRE(give(world, SetCount{world.group(0).id, 7}).ok());
     run(world, 10.0);
     CHECK(world.characters().size() == 7);
     CHECK(world.characters().id.back() == 7);
@@ -145,7 +139,6 @@ TEST_CASE("patches slow, are reported as events, and set the motion id") {
     WorldDef def = openFloor(16);
     def.patches.push_back(rectangle(-3, -11, 0, 11, 3));
     World world = World::create(def).value();
-    std::uint32_t sequence = 0;
     int entered = 0;
     int left = 0;
     double fastest = 0.0;
@@ -159,7 +152,7 @@ TEST_CASE("patches slow, are reported as events, and set the motion id") {
             if (c.position[i].x > -2.8 && c.position[i].x < -0.2)
                 fastest = std::max(fastest, length(c.velocity[i]));
     };
-    drag(world, sequence, {12, 0}, watch);
+    drag(world, {12, 0}, watch);
     for (int s = 0; s < 60 * 60; ++s) {
         world.step();
         watch(world);
@@ -176,12 +169,8 @@ TEST_CASE("patches slow, are reported as events, and set the motion id") {
 TEST_CASE("items are collected once and checkpoints change the formation") {
     WorldDef def = openFloor(16);
     def.items = {{{0, 0}, 0.5}, {{11, 11}, 0.5}};
-    FormationCheckpointDef checkpoint;
-    checkpoint.position = {0, 0};
-    checkpoint.formation.kind = FormationKind::Column;
-    def.checkpoints.push_back(checkpoint);
+    def.checkpoints.push_back({.position = {0, 0}, .formation = {.kind = FormationKind::Column}});
     World world = World::create(def).value();
-    std::uint32_t sequence = 0;
     int collected = 0;
     int changed = 0;
     const Watch watch = [&](const World& now) {
@@ -190,7 +179,7 @@ TEST_CASE("items are collected once and checkpoints change the formation") {
             changed += event.kind == EventKind::FormationChange ? 1 : 0;
         }
     };
-    drag(world, sequence, {9, 0}, watch);
+    drag(world, {9, 0}, watch);
     for (int s = 0; s < 60 * 12; ++s) {
         world.step();
         watch(world);
@@ -205,12 +194,11 @@ TEST_CASE("items are collected once and checkpoints change the formation") {
 TEST_CASE("bad commands are refused with a sentence and change nothing") {
     World world = World::create(openFloor(9)).value();
     World other = World::create(openFloor(9)).value();
-    std::uint32_t sequence = 0;
     CHECK_FALSE(world.submit({0, 1, 0, TouchDown{1, {NAN, 0}, 0.0, {}}}).ok());
-    CHECK(give(world, sequence, SetFormation{GroupId{99}, {}}).ok());
-    CHECK(give(world, sequence, removeThing(ObstacleId{5})).ok());
-    CHECK(give(world, sequence, TouchUp{4, 0.0}).ok());
-    CHECK(give(world, sequence, TouchDown{1, {11, 11}, 0.0, {}}).ok());
+    CHECK(give(world, SetFormation{GroupId{99}, {}}).ok());
+    CHECK(give(world, removeThing(ObstacleId{5})).ok());
+    CHECK(give(world, TouchUp{4, 0.0}).ok());
+    CHECK(give(world, TouchDown{1, {11, 11}, 0.0, {}}).ok());
     world.step();
     other.step();
     CHECK(world.rejections().size() == 4);
@@ -224,10 +212,9 @@ TEST_CASE("plan modes: fixed keeps places, assigned once keeps the first assignm
         WorldDef def = openFloor(25);
         def.parameters.plan.mode = mode;
         World world = World::create(def).value();
-        std::uint32_t sequence = 0;
         world.step();
         const auto first = copyOf(world.characters().place);
-        drag(world, sequence, {8, 3});
+        drag(world, {8, 3});
         CHECK(countEvents(world, 5.0, EventKind::Swap) == 0);
         CHECK(copyOf(world.characters().place) == first);
         CHECK(worstDistanceToPlace(world) < 0.25);

@@ -1,31 +1,20 @@
 // Short takes, and an exporter that records what it receives.
 #pragma once
 
-#include <unistd.h>
-
-#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "files/export/exporter.h"
 #include "muster/own_clips.h"
+#include "temporary_folder.h"
 
 namespace muster::testing {
 
 /// A temporary folder for the files of one test run; it is removed afterwards.
-inline std::filesystem::path exportFolder() {
-    struct Folder {
-        std::filesystem::path path = std::filesystem::temp_directory_path() /
-                                     ("muster_export_" + std::to_string(::getpid()));
-        Folder() { std::filesystem::create_directories(path); }
-        ~Folder() {
-            std::error_code ignored;
-            std::filesystem::remove_all(path, ignored);
-        }
-    };
-    static const Folder folder;
-    return folder.path;
+inline const std::filesystem::path& exportFolder() {
+    static const TemporaryFolder folder("export");
+    return folder.base;
 }
 
 /// The number of files and folders, including incomplete ones.
@@ -38,21 +27,10 @@ inline std::size_t thingsInFolder() {
 
 /// Nine characters whose formation is dragged ahead, around a pillar, for two seconds: 120 steps.
 inline Take shortTake() {
-    WorldDef def;
-    def.name = "Short";
-    def.box = {{-10, -6}, {10, 6}};
-    GroupDef group;
-    group.count = 9;
-    group.position = {-4, 0};
-    group.jitter = 0.3;
-    def.groups = {group};
-    ObstacleDef pillar;
-    pillar.polygon = {{0, -1}, {1, -1}, {1, 1}, {0, 1}};
-    def.obstacles = {pillar};
-    ObstacleDef disc;
-    disc.centre = {5, 3};
-    disc.radius = 1.0;
-    def.obstacles.push_back(disc);
+    WorldDef def{.name = "Short", .box = {{-10, -6}, {10, 6}}};
+    def.groups = {{.count = 9, .position = {-4, 0}, .jitter = 0.3}};
+    def.obstacles = {{.polygon = {{0, -1}, {1, -1}, {1, 1}, {0, 1}}}};
+    def.obstacles.push_back({.centre = {5, 3}, .radius = 1.0});
     const std::string path = (exportFolder() / "short.take").string();
     auto world = World::create(def);
     auto writer = TakeWriter::create(path, def);

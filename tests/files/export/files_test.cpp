@@ -96,17 +96,14 @@ TEST_CASE("BVH files of all characters show them where they are") {
 }
 
 TEST_CASE("the walkable area is the box without static obstacles") {
-    EnvironmentDef ground;
-    ground.box = {{0, 0}, {10, 4}};
-    auto environment = Environment::create(ground);
+    auto environment = Environment::create({.box = {{0, 0}, {10, 4}}});
     REQUIRE(environment.ok());
     if (walkableArea(*environment).empty()) {
         MESSAGE("skipped: this build has no SQLite");
         return;
     }
     CHECK(walkableArea(*environment) == "POLYGON((0 0,0 4,10 4,10 0,0 0))");
-    ObstacleDef wall;
-    wall.polygon = {{4, 1}, {5, 1}, {5, 3}, {4, 3}};
+    ObstacleDef wall{.polygon = {{4, 1}, {5, 1}, {5, 3}, {4, 3}}};
     REQUIRE(environment->addObstacle(wall).ok());
     environment->setTime(0.0);
     CHECK(walkableArea(*environment).find("(4 1,5 1,5 3,4 3,4 1)") != std::string::npos);
@@ -122,10 +119,8 @@ TEST_CASE("the walkable area is the box without static obstacles") {
     CHECK(walkableArea(*environment).rfind("MULTIPOLYGON(", 0) == 0);
     // Moving obstacles are left out.
     const std::string before = walkableArea(*environment);
-    ObstacleDef car;
-    car.centre = {2, 2};
-    car.radius = 0.5;
-    car.path.waypoints = {{0.0, {}, 0.0}, {1.0, {1, 0}, 0.0}};
+    ObstacleDef car{
+        .centre = {2, 2}, .radius = 0.5, .path = {.waypoints = {{0.0, {}, 0.0}, {1.0, {1, 0}, 0.0}}}};
     REQUIRE(environment->addObstacle(car).ok());
     environment->setTime(0.5);
     CHECK(walkableArea(*environment) == before);

@@ -14,11 +14,7 @@ namespace {
 
 /// A hundred people who are dragged back and forth for a minute.
 Take minuteTake() {
-    WorldDef def;
-    def.name = "Minute";
-    def.box = {{-20, -20}, {20, 20}};
-    def.groups.resize(1);
-    def.groups[0].count = 100;
+    WorldDef def{.name = "Minute", .box = {{-20, -20}, {20, 20}}, .groups = {{.count = 100}}};
     std::vector<std::uint8_t> bytes = TakeEncoder::begin(def);
     World world = World::create(def).value();
     const auto append = [&](const std::vector<std::uint8_t>& record) {

@@ -36,9 +36,7 @@ std::vector<PlayedDuration> durationsOf(const std::string& part, std::size_t cli
     PlayerNumbers::Bit other;
     std::vector<PlayedDuration> durations;
     for (std::size_t c = 0; c < clips; ++c) {
-        PlayedDuration one;
-        one.duration = numbers.natural(head);
-        one.cyclic = numbers.natural(head) == 1;
+        PlayedDuration one{.duration = numbers.natural(head), .cyclic = numbers.natural(head) == 1};
         const std::uint32_t poses = numbers.natural(head);
         for (std::uint32_t k = 0; k < poses; ++k) {
             for (int axis = 0; axis < 3; ++axis) numbers.whole(hips);

@@ -10,29 +10,18 @@ namespace muster::testing {
 
 /// A world with a wall, a tree, a car that drives along a bend, and a pool.
 inline WorldDef furnishedWorld() {
-    WorldDef def;
-    def.name = "A \"furnished\" world";
-    def.box = {{-20, -10}, {20, 10}};
-    ObstacleDef wall;
-    wall.polygon = {{-4, 4}, {6, 4}, {6, 5}, {-3, 5}, {-3, 8}, {-4, 8}};
-    ObstacleDef tree;
-    tree.name = "Old oak";
-    tree.centre = {8, -5};
-    tree.radius = 0.4;
-    ObstacleDef car;
-    car.name = "Car";
-    car.polygon = {{-16, -8}, {-12, -8}, {-12, -6.2}, {-16, -6.2}};
-    car.height = 1.5;
-    car.path.waypoints = {{0.0, {0, 0}, 0.0}, {2.0, {6, 0}, 0.0}, {4.0, {8, 3}, 1.2}};
+    WorldDef def{.name = "A \"furnished\" world", .box = {{-20, -10}, {20, 10}}};
+    ObstacleDef wall{.polygon = {{-4, 4}, {6, 4}, {6, 5}, {-3, 5}, {-3, 8}, {-4, 8}}};
+    ObstacleDef tree{.name = "Old oak", .centre = {8, -5}, .radius = 0.4};
+    ObstacleDef car{.name = "Car",
+                    .polygon = {{-16, -8}, {-12, -8}, {-12, -6.2}, {-16, -6.2}},
+                    .path = {.waypoints = {{0.0, {0, 0}, 0.0}, {2.0, {6, 0}, 0.0}, {4.0, {8, 3}, 1.2}}},
+                    .height = 1.5};
     def.obstacles = {wall, tree, car};
-    PatchDef pool;
-    pool.name = "Pool";
-    pool.polygon = {{10, 0}, {15, 0}, {15, 6}, {10, 6}};
+    PatchDef pool{.name = "Pool", .polygon = {{10, 0}, {15, 0}, {15, 6}, {10, 6}}};
     pool.motion = 4;  // swim
     def.patches = {pool};
-    GroupDef group;
-    group.count = 4;
-    def.groups = {group};
+    def.groups = {{.count = 4}};
     return def;
 }
 
@@ -47,9 +36,7 @@ inline PretendFrame pretendPeople(std::uint32_t from, std::uint32_t to, double t
     PretendFrame frame;
     for (std::uint32_t id = from; id < to; ++id) {
         const double turn = 0.9 * time + 2.0 * id;
-        ExportCharacter c;
-        c.id = id;
-        c.position = {3.0 * id + 2.0 * cosine(turn), 2.0 * sine(turn)};
+        ExportCharacter c{.id = id, .position = {3.0 * id + 2.0 * cosine(turn), 2.0 * sine(turn)}};
         // The characters walk in circles: the yaw jumps from pi to -pi.
         c.yaw = static_cast<float>(arcTangent2(cosine(turn), -sine(turn)));
         c.size = characterSize(id);
@@ -74,10 +61,7 @@ inline PretendFrame pretendPeople(std::uint32_t from, std::uint32_t to, double t
 
 /// The positions of the joints of one character.
 inline JointTransforms jointsOf(const ExportCharacter& c) {
-    MotionState place;
-    place.position = c.position;
-    place.yaw = c.yaw;
-    place.size = c.size;
+    MotionState place{.position = c.position, .yaw = c.yaw, .size = c.size};
     JointTransforms joints;
     worldJoints(place, *c.pose, joints);
     return joints;

@@ -120,8 +120,7 @@ TEST_CASE("every motion has its own floor, and every object its own name") {
     def.patches.clear();
     const auto clips = defaultClipFacts();
     for (MotionId m = 0; m < static_cast<MotionId>(clips.size()); ++m) {
-        PatchDef patch;
-        patch.motion = m;
+        PatchDef patch{.motion = m};
         const double x = -18.0 + 4.0 * m;
         patch.polygon = {{x, -3}, {x + 3, -3}, {x + 3, 3}, {x, 3}};
         def.patches.push_back(patch);
@@ -136,9 +135,7 @@ TEST_CASE("every motion has its own floor, and every object its own name") {
 
 TEST_CASE("exits, sources and waiting areas lie flat above all other floors, by their names") {
     WorldDef def = furnishedWorld();
-    AreaDef area;
-    area.name = "Yard";
-    area.polygon = {{-10, -3}, {-8, -3}, {-8, 0}, {-10, 0}};
+    AreaDef area{.name = "Yard", .polygon = {{-10, -3}, {-8, -3}, {-8, 0}, {-10, 0}}};
     def.areas = {area, area, area};
     def.areas[1].kind = AreaKind::Source;
     def.areas[2].kind = AreaKind::Waiting;

@@ -3,11 +3,10 @@
 
 #include <unistd.h>
 
-#include <filesystem>
-
 #include "base/text_file.h"
 #include "muster/scenario.h"
 #include "people/clips/samples.h"
+#include "temporary_folder.h"
 
 using namespace muster;
 using muster::testing::HandMade;
@@ -16,14 +15,8 @@ namespace {
 
 /// A folder with walk.bvh (1 m per frame, 20 frames per second: at first 2 m in 0.1 s) and the files that a
 /// test adds.
-struct Folder {
-    std::filesystem::path path = std::filesystem::temp_directory_path() /
-                                 ("muster_clip_file_" + std::to_string(::getpid()));
-    Folder() { std::filesystem::create_directories(path / "clips"); }
-    ~Folder() { std::filesystem::remove_all(path); }
-    void put(const std::string& name, const std::string& text) const {
-        REQUIRE(writeTextFile((path / name).string(), text).ok());
-    }
+struct Folder : muster::testing::TemporaryFolder {
+    Folder() : TemporaryFolder("clip_file") {}
 };
 
 std::string scenario(const std::string& clips) {
@@ -32,8 +25,7 @@ std::string scenario(const std::string& clips) {
 
 /// Three frames, a second and a metre apart.
 std::string walking(const char* frameTime) {
-    HandMade made;
-    made.motion = std::string("Frames: 3\nFrame Time: ") + frameTime + "\n";
+    HandMade made{.motion = std::string("Frames: 3\nFrame Time: ") + frameTime + "\n"};
     return made.text();
 }
 
@@ -46,7 +38,7 @@ TEST_CASE("a clip takes from its file the facts that it does not give itself") {
     const auto def = parseScenario(
         scenario(R"({"name": "run", "file": "run.bvh"}, {"name": "crawl", "file": "clips/crawl.bvh"},
         {"name": "slow", "file": "clips/crawl.bvh", "speed": 0.1, "cyclic": true}, {"name": "own", "speed": 0.7})"),
-        "x.json", folder.path.string());
+        "x.json", folder.base.string());
     REQUIRE_MESSAGE(def.ok(), def.status().message());
     REQUIRE(def->clips.size() == 4);
     CHECK(def->clips[0].speed == 1.0);
@@ -79,7 +71,7 @@ TEST_CASE("a file of standing gives the least speed; running is Muster's own whe
     const auto def = parseScenario(
         scenario(
             R"({"name": "run"}, {"name": "walk", "file": "walk.bvh"}, {"name": "idle", "file": "idle.bvh"})"),
-        "x.json", folder.path.string());
+        "x.json", folder.base.string());
     REQUIRE_MESSAGE(def.ok(), def.status().message());
     CHECK(def->clips[1].speed == doctest::Approx(1.0 / 2.6));
     CHECK(def->clips[2].speed == doctest::Approx(0.02));
@@ -94,7 +86,7 @@ TEST_CASE("clip files that cannot be read are reported by path") {
         REQUIRE_FALSE(def.ok());
         return def.status().message();
     };
-    const std::string here = folder.path.string();
+    const std::string here = folder.base.string();
     const auto has = [](const std::string& message, const char* part) {
         CHECK_MESSAGE(message.find(part) != std::string::npos, message);
     };

@@ -40,8 +40,7 @@ bool failsWith(const std::string& events, const std::string& part) {
 /// A scenario that says all that groups and checkpoints can say of orders and units.
 WorldDef unitsDef() {
     WorldDef def;
-    GroupDef group;
-    group.count = 6;
+    GroupDef group{.count = 6};
     const Body pike{0.3, 1.1, 4.0, 2.0, 1.5, 1};
     group.bodies = {pike, pike, pike, pike, Body{}, Body{}};
     group.roles = {{RoleArea::Front, 1}, {RoleArea::Flanks, 2}};
@@ -52,10 +51,7 @@ WorldDef unitsDef() {
     group.patrols = true;
     group.formation.files = 3;
     def.groups = {group};
-    FormationCheckpointDef checkpoint;
-    checkpoint.trigger = CheckpointTrigger::Mesh;
-    checkpoint.share = 0.9;
-    def.checkpoints = {checkpoint};
+    def.checkpoints = {{.trigger = CheckpointTrigger::Mesh, .share = 0.9}};
     return def;
 }
 

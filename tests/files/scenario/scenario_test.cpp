@@ -3,7 +3,6 @@
 
 #include <doctest.h>
 
-#include <cmath>
 #include <filesystem>
 #include <string>
 
@@ -31,28 +30,25 @@ std::vector<std::uint8_t> bytesOf(WorldDef def) {
 
 /// A sort of persons whose numbers are all drawn differently.
 PeopleDef richSort() {
-    PeopleDef sort;
-    sort.name = "Guests";
-    sort.share = 1.0 / 3.0;
-    sort.unitClass = 4;
-    sort.speed = Distribution::normal(1.0 / 3.0, 0.26, 0.1, 2.2);
-    sort.radius = Distribution::constant(0.1 + 0.2);
-    sort.headway = {Spread::Gamma, 4.0, 1.0 / 3.0, 0.1, 4.0};
-    sort.premovement = {Spread::LogNormal, -1.0 / 3.0, 0.25, 0.0, 1e6};
-    sort.age = {Spread::Weibull, 40.0, 7.0, 20.0, 70.0};
-    sort.upstairs = 0.3;
-    sort.downstairs = 1.0 / 3.0;
-    return sort;
+    return {.name = "Guests",
+            .share = 1.0 / 3.0,
+            .unitClass = 4,
+            .speed = Distribution::normal(1.0 / 3.0, 0.26, 0.1, 2.2),
+            .radius = Distribution::constant(0.1 + 0.2),
+            .headway = {Spread::Gamma, 4.0, 1.0 / 3.0, 0.1, 4.0},
+            .premovement = {Spread::LogNormal, -1.0 / 3.0, 0.25, 0.0, 1e6},
+            .age = {Spread::Weibull, 40.0, 7.0, 20.0, 70.0},
+            .upstairs = 0.3,
+            .downstairs = 1.0 / 3.0};
 }
 
 /// An area that says all that its kind can say.
 AreaDef richArea(AreaKind kind) {
-    AreaDef area;
-    area.name = "Gate";
-    area.kind = kind;
-    area.polygon = {{1.1, 2.2}, {3.3, 2.2}, {3.3, 4.400000000000001}};
-    area.open = kind != AreaKind::Exit;
-    area.rate = 1.0 / 3.0;
+    AreaDef area{.name = "Gate",
+                 .kind = kind,
+                 .polygon = {{1.1, 2.2}, {3.3, 2.2}, {3.3, 4.400000000000001}},
+                 .open = kind != AreaKind::Exit,
+                 .rate = 1.0 / 3.0};
     if (kind == AreaKind::Exit) area.queue = {{1.0 / 3.0, 0}, {5, 6}, {7, -0.0}};
     if (kind != AreaKind::Source) return area;
     area.group = 1;
@@ -65,57 +61,43 @@ AreaDef richArea(AreaKind kind) {
 
 /// A definition with a value in every member, with numbers that are hard to print.
 WorldDef richDef() {
-    WorldDef def;
-    def.name = "Rich \"quoted\" \\ \n \xc3\xa9";
-    def.description = "All of it.";
-    def.credit = "Nobody";
-    def.gestures = "touches/by hand.json";
-    def.box = {{-1.0 / 3.0, -0.1}, {31.7, 20.000000000000004}};
-    def.cell = 0.1 + 0.2;
-    def.seed = 9007199254740991ull;
+    WorldDef def{.name = "Rich \"quoted\" \\ \n \xc3\xa9",
+                 .description = "All of it.",
+                 .credit = "Nobody",
+                 .gestures = "touches/by hand.json",
+                 .box = {{-1.0 / 3.0, -0.1}, {31.7, 20.000000000000004}},
+                 .cell = 0.1 + 0.2,
+                 .seed = 9007199254740991ull};
     def.clips[3].file = "crawl.bvh";
     def.clips[3].length = 1e-3 / 7.0;
-    ObstacleDef box;
-    box.name = "Box";
-    box.polygon = {{1.1, 2.2}, {3.3, 2.2}, {3.3, 4.400000000000001}};
-    box.path.waypoints = {{0.0, {0, 0}, 0.0}, {1.0 / 3.0, {0.7, -0.0}, 0.123456789012345678}};
-    box.path.loop = true;
-    box.strength = 0.0;
-    ObstacleDef disc;
-    disc.centre = {5, 6};
-    disc.radius = 0.30000000000000004;
-    disc.range = 2.5;
+    ObstacleDef box{
+        .name = "Box",
+        .polygon = {{1.1, 2.2}, {3.3, 2.2}, {3.3, 4.400000000000001}},
+        .path = {.waypoints = {{0.0, {0, 0}, 0.0}, {1.0 / 3.0, {0.7, -0.0}, 0.123456789012345678}},
+                 .loop = true},
+        .strength = 0.0};
+    ObstacleDef disc{.centre = {5, 6}, .radius = 0.30000000000000004, .range = 2.5};
     def.obstacles = {box, disc};
-    PatchDef patch;
-    patch.name = "Net";
-    patch.polygon = {{6, 6}, {8, 6}, {8, 8}};
-    patch.motion = 3;
-    patch.speed = 1.0 / 7.0;
+    PatchDef patch{.name = "Net", .polygon = {{6, 6}, {8, 6}, {8, 8}}, .motion = 3, .speed = 1.0 / 7.0};
     def.patches = {patch};
-    GroupDef group;
-    group.name = "A";
-    group.count = 3;
-    group.formation.kind = FormationKind::Points;
-    group.formation.points = {{0, 0}, {1, 0.1}, {0.2, 1}};
-    group.starts = {{2, 9}, {3, 9}, {4, 9}};
-    group.position = {10, 10};
-    group.angle = 1e-9;
-    group.jitter = 0.05;
-    group.colour = 0x00A1FF;
-    group.build = BodyBuild::Narrow;
-    group.motions = MotionSet::March;
-    GroupDef other;
-    other.formation.kind = FormationKind::Outline;
-    other.formation.outline.outline = {{0, 0}, {5, 0}, {5, 5}, {0, 5}};
-    other.formation.outline.holes = {{{1, 1}, {1, 2}, {2, 2}}, {{3, 3}, {3, 4}, {4, 4}}};
+    GroupDef group{.name = "A",
+                   .count = 3,
+                   .formation = {.kind = FormationKind::Points, .points = {{0, 0}, {1, 0.1}, {0.2, 1}}},
+                   .position = {10, 10},
+                   .angle = 1e-9,
+                   .starts = {{2, 9}, {3, 9}, {4, 9}},
+                   .jitter = 0.05,
+                   .colour = 0x00A1FF,
+                   .build = BodyBuild::Narrow,
+                   .motions = MotionSet::March};
+    GroupDef other{.formation = {.kind = FormationKind::Outline,
+                                 .outline = {.outline = {{0, 0}, {5, 0}, {5, 5}, {0, 5}},
+                                             .holes = {{{1, 1}, {1, 2}, {2, 2}}, {{3, 3}, {3, 4}, {4, 4}}}}}};
     def.groups = {group, other};
-    FormationCheckpointDef checkpoint;
-    checkpoint.position = {12, 3};
-    checkpoint.formation.kind = FormationKind::Pacman;
-    checkpoint.formation.opening = 0.7;
-    checkpoint.group = 1;
-    checkpoint.once = false;
-    def.checkpoints = {checkpoint};
+    def.checkpoints = {{.position = {12, 3},
+                        .formation = {.kind = FormationKind::Pacman, .opening = 0.7},
+                        .group = 1,
+                        .once = false}};
     def.items = {{{3, 3}, 0.4}};
     PatchDef stairs = patch;
     stairs.ascent = -1.0 / 3.0;
@@ -220,14 +202,10 @@ TEST_CASE("a source names a group of the file") {
 }
 
 TEST_CASE("warnings name orders that lead nowhere") {
-    WorldDef def;
-    def.groups.resize(1);
-    def.groups[0].name = "Guests";
-    def.groups[0].orders = {Order::leave()};
+    WorldDef def{.groups = {{.name = "Guests", .orders = {Order::leave()}}}};
     CHECK(scenarioWarnings(def).size() == 1);
     CHECK(scenarioWarnings(def)[0] == "group \"Guests\" is to leave, and there is no exit");
-    AreaDef area;
-    area.polygon = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+    AreaDef area{.polygon = {{0, 0}, {2, 0}, {2, 2}, {0, 2}}};
     def.areas = {area, area};
     def.areas[1].kind = AreaKind::Waiting;
     CHECK(scenarioWarnings(def).empty());
@@ -269,10 +247,8 @@ TEST_CASE("colours are read in either case, written in small letters, and left o
 TEST_CASE("random doubles survive bit for bit") {
     Random random(11);
     for (int round = 0; round < 300; ++round) {
-        WorldDef def;
-        def.groups.resize(1);
-        def.groups[0].position = {random.uniform(-9e5, 9e5), random.uniform(-1e-5, 1e-5)};
-        def.groups[0].angle = random.uniform(-7, 7) / 3.0;
+        WorldDef def{.groups = {{.position = {random.uniform(-9e5, 9e5), random.uniform(-1e-5, 1e-5)},
+                                 .angle = random.uniform(-7, 7) / 3.0}}};
         for (const ParameterInfo& info : parameterTable()) {
             const double value = info.minimum +
                                  (info.maximum - info.minimum) * random.uniform() * random.uniform();
@@ -296,8 +272,7 @@ TEST_CASE("random definitions survive bit for bit, also where texts, lists and p
     const auto coin = [&] { return random.below(2) == 0; };
     const auto word = [&] { return coin() ? std::string() : "w" + std::to_string(random.below(9)); };
     const auto path = [&] {
-        TimedPath path;
-        path.loop = coin();
+        TimedPath path{.loop = coin()};
         const std::uint32_t count = random.below(3);
         for (std::uint32_t i = 0; i < count; ++i)
             path.waypoints.push_back({1.0 * i, {random.uniform(), 0.0}, random.uniform()});
@@ -322,8 +297,7 @@ TEST_CASE("random definitions survive bit for bit, also where texts, lists and p
         for (std::size_t i = 0; i < def.clips.size(); ++i) def.clips[i].file = word();
         if (coin()) def.clips[2].name = "";
         for (std::uint32_t i = random.below(3); i > 0; --i) {
-            ObstacleDef obstacle;
-            obstacle.name = word();
+            ObstacleDef obstacle{.name = word()};
             if (coin())
                 obstacle.polygon = {{0, 0}, {1, 0}, {1, 1}};
             else
@@ -514,16 +488,8 @@ TEST_CASE("map files are found relative to the scenario") {
 
 TEST_CASE("warnings report narrow gaps and bad starts") {
     WorldDef def;
-    for (double x : {0.0, 1.3}) {
-        ObstacleDef disc;
-        disc.centre = {x, 0.0};
-        disc.radius = 0.5;
-        def.obstacles.push_back(disc);
-    }
-    GroupDef group;
-    group.count = 2;
-    group.starts = {{0.0, 0.1}, {5.0, 5.0}};
-    def.groups = {group};
+    for (double x : {0.0, 1.3}) def.obstacles.push_back({.centre = {x, 0.0}, .radius = 0.5});
+    def.groups = {{.count = 2, .starts = {{0.0, 0.1}, {5.0, 5.0}}}};
     const auto warnings = scenarioWarnings(def);
     REQUIRE(warnings.size() == 2);
     CHECK(warnings[0].find("0.30 m") != std::string::npos);
@@ -535,23 +501,14 @@ TEST_CASE("warnings report narrow gaps and bad starts") {
 
 TEST_CASE("warnings report gaps exactly where a group's bodies find no way") {
     WorldDef def;
-    for (double x : {0.0, 1.6}) {
-        ObstacleDef disc;
-        disc.centre = {x, 0.0};
-        disc.radius = 0.5;
-        def.obstacles.push_back(disc);
-    }
-    GroupDef group;
-    group.count = 2;
-    group.starts = {{-4.0, 0.0}, {5.0, 5.0}};
+    for (double x : {0.0, 1.6}) def.obstacles.push_back({.centre = {x, 0.0}, .radius = 0.5});
+    GroupDef group{.count = 2, .starts = {{-4.0, 0.0}, {5.0, 5.0}}};
     def.groups = {group, group};
     def.groups[1].name = "Carts";
     def.groups[1].starts = {{-4.0, 3.0}, {5.0, 8.0}};
     CHECK(scenarioWarnings(def).empty());
     // Of the class of bodies up to 0.297 m, who are led through 0.595 m; 0.35 m are of that up to 0.354 m.
-    Body body;
-    body.radius = 0.29;
-    def.groups[1].bodies = {body};
+    def.groups[1].bodies = {{.radius = 0.29}};
     CHECK(scenarioWarnings(def).empty());
     def.groups[1].bodies[0].radius = 0.35;
     const auto warnings = scenarioWarnings(def);

@@ -1,6 +1,5 @@
 #include <doctest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <string>
 
@@ -23,14 +22,10 @@ Json schema() {
 Json example() {
     WorldDef def;
     def.groups.resize(1);
-    ObstacleDef disc;
-    disc.radius = 1.0;
-    def.obstacles = {disc};
+    def.obstacles = {{.radius = 1.0}};
     def.checkpoints.resize(1);
     def.items.resize(1);
-    PatchDef patch;
-    patch.polygon = {{0, 0}, {1, 0}, {1, 1}};
-    def.patches = {patch};
+    def.patches = {{.polygon = {{0, 0}, {1, 0}, {1, 1}}}};
     return Json::parse(writeScenario(def));
 }
 

@@ -19,10 +19,9 @@ inline bool hasType(const std::string& type, const Json& value) {
     if (type == "string") return value.is_string();
     if (type == "boolean") return value.is_boolean();
     if (type == "number") return value.is_number();
-    if (type == "integer") {
+    if (type == "integer")
         return value.is_number_integer() ||
                (value.is_number() && value.get<double>() == static_cast<double>(value.get<std::int64_t>()));
-    }
     return false;
 }
 

@@ -11,30 +11,19 @@ using namespace muster;
 namespace {
 
 AreaDef areaOf(AreaKind kind, double x0, double y0, double x1, double y1) {
-    AreaDef area;
-    area.kind = kind;
-    area.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-    return area;
+    return {.kind = kind, .polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}};
 }
 
 ObstacleDef wallOf(double x0, double y0, double x1, double y1) {
-    ObstacleDef wall;
-    wall.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-    return wall;
+    return {.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}};
 }
 
 /// Two rooms with a door of 1.2 m; ten people in the left one are to leave by an exit in the right one.
 WorldDef rooms() {
-    WorldDef def;
-    def.parameters = *parameterPreset("people");
-    def.box = {{0, 0}, {20, 10}};
-    def.obstacles = {wallOf(10, 0, 10.2, 4.4), wallOf(10, 5.6, 10.2, 10)};
-    GroupDef group;
-    group.name = "Guests";
-    group.count = 10;
-    group.position = {5, 5};
-    group.orders = {Order::leave()};
-    def.groups = {group};
+    WorldDef def{.box = {{0, 0}, {20, 10}},
+                 .obstacles = {wallOf(10, 0, 10.2, 4.4), wallOf(10, 5.6, 10.2, 10)},
+                 .parameters = *parameterPreset("people")};
+    def.groups = {{.name = "Guests", .count = 10, .position = {5, 5}, .orders = {Order::leave()}}};
     def.areas = {areaOf(AreaKind::Exit, 18, 3, 19, 7)};
     return def;
 }

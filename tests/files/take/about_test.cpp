@@ -11,12 +11,7 @@ using namespace muster;
 namespace {
 
 WorldDef floorDef() {
-    WorldDef def;
-    def.name = "Floor";
-    def.box = {{-5, -5}, {5, 5}};
-    def.groups.resize(1);
-    def.groups[0].count = 4;
-    return def;
+    return {.name = "Floor", .box = {{-5, -5}, {5, 5}}, .groups = {{.count = 4}}};
 }
 
 void append(std::vector<std::uint8_t>& bytes, const std::vector<std::uint8_t>& record) {
@@ -26,13 +21,11 @@ void append(std::vector<std::uint8_t>& bytes, const std::vector<std::uint8_t>& r
 }  // namespace
 
 TEST_CASE("What is said about a take comes back, and the last word counts, also after the end") {
-    TakeAbout first;
-    first.from = 12;
-    TakeAbout last;
-    last.title = "Rain \"and\" wind";
-    last.from = 30;
-    last.to = 55;
-    last.speeds = {{0.1, 0.25, 0.5, 0.05}, {0.5, 0.9, 2.0, 0.0}};
+    TakeAbout first{.from = 12};
+    TakeAbout last{.title = "Rain \"and\" wind",
+                   .from = 30,
+                   .to = 55,
+                   .speeds = {{0.1, 0.25, 0.5, 0.05}, {0.5, 0.9, 2.0, 0.0}}};
     auto bytes = TakeEncoder::begin(floorDef());
     append(bytes, TakeEncoder::about(first));
     CHECK(parseTake(bytes, "a")->about == first);
@@ -63,8 +56,7 @@ TEST_CASE("The part of a take lies in it and holds a step") {
 }
 
 TEST_CASE("Speeds ease in and out, and are continuous") {
-    TakeAbout about;
-    about.speeds = {{1.0, 3.0, 0.25, 0.5}, {4.0, 5.0, 4.0, 0.0}};
+    TakeAbout about{.speeds = {{1.0, 3.0, 0.25, 0.5}, {4.0, 5.0, 4.0, 0.0}}};
     REQUIRE(about.check().ok());
     CHECK(about.speedAt(0.5) == 1.0);
     CHECK(about.speedAt(2.0) == 0.25);

@@ -23,10 +23,7 @@ WorldDef berlin() {
     def.map = MapGround{parseMap(text.str()).value(), {}};
     def.box = {{0, 0}, {256, 256}};
     def.cell = 0.5;
-    GroupDef group;
-    group.count = 60;
-    group.position = {51.25, 200.75};
-    def.groups = {group};
+    def.groups = {{.count = 60, .position = {51.25, 200.75}}};
     return def;
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <string>
 #include <vector>
 
 #include "base/random.h"
@@ -13,33 +12,25 @@ namespace muster::testing {
 /// A floor with houses, trees, a moving car and four groups with bodies, roles and orders, chosen by `seed`.
 inline WorldDef randomField(std::uint64_t seed) {
     Random random(seed);
-    WorldDef def;
-    def.seed = seed;
-    def.box = {{-18, -14}, {18, 14}};
+    WorldDef def{.box = {{-18, -14}, {18, 14}}, .seed = seed};
     constexpr double kRates[] = {60.0, 60.0, 30.0, 20.0, 120.0};
     def.parameters.stepTime = 1.0 / kRates[random.below(5)];
     def.parameters.plan.solver = random.below(3) == 0 ? PlanSolver::Exact : def.parameters.plan.solver;
-    for (int k = 0; k < 4; ++k) {
-        ObstacleDef tree;
-        tree.centre = {random.uniform(-6, 6), -10.0 + 6.5 * k};
-        tree.radius = random.uniform(0.3, 1.0);
-        def.obstacles.push_back(tree);
-    }
+    for (int k = 0; k < 4; ++k)
+        def.obstacles.push_back(
+            {.centre = {random.uniform(-6, 6), -10.0 + 6.5 * k}, .radius = random.uniform(0.3, 1.0)});
     ObstacleDef house;
     const double half = random.uniform(0.5, 2.5);
     house.polygon = {{-2, -half}, {2, -half}, {2, half}, {-2, half}};
     def.obstacles.push_back(house);
-    ObstacleDef car;
-    car.centre = {-8, 11};
-    car.radius = 0.8;
-    car.path.waypoints = {{0, {0, 0}, 0}, {8, {16, 0}, 0}, {16, {0, 0}, 0}};
-    car.path.loop = true;
-    def.obstacles.push_back(car);
+    def.obstacles.push_back(
+        {.centre = {-8, 11},
+         .radius = 0.8,
+         .path = {.waypoints = {{0, {0, 0}, 0}, {8, {16, 0}, 0}, {16, {0, 0}, 0}}, .loop = true}});
     for (int g = 0; g < 4; ++g) {
-        GroupDef group;
-        group.count = static_cast<std::int32_t>(1 + random.below(24));
-        group.position = {g % 2 == 0 ? -11.0 : 11.0, g < 2 ? -6.0 : 6.0};
-        group.formation.kind = static_cast<FormationKind>(random.below(8));
+        GroupDef group{.count = static_cast<std::int32_t>(1 + random.below(24)),
+                       .formation = {.kind = static_cast<FormationKind>(random.below(8))},
+                       .position = {g % 2 == 0 ? -11.0 : 11.0, g < 2 ? -6.0 : 6.0}};
         if (random.below(2) == 0) group.bodies = {{0.2, 1.5, 0.0, 2.0, 1.0, 1}};
         if (random.below(2) == 0) group.roles = {{RoleArea::Front, 1}, {RoleArea::Rim, 2}};
         if (random.below(2) == 0) group.orders = {Order::move({0, 8}), Order::face(1.0)};
@@ -134,19 +125,15 @@ private:
         return list;
     }
     FormationDef formation() {
-        FormationDef def;
-        def.kind = pick<FormationKind>(8);
-        def.spacing = random_.uniform(0.8, 1.4);
-        def.files = static_cast<std::int32_t>(random_.below(8));
-        return def;
+        return {.kind = pick<FormationKind>(8),
+                .spacing = random_.uniform(0.8, 1.4),
+                .files = static_cast<std::int32_t>(random_.below(8))};
     }
     Body body() {
-        Body body;
-        body.radius = random_.uniform(0.12, 0.35);
-        body.maxSpeed = random_.uniform(0.8, 3.0);
-        body.mass = random_.uniform(0.3, 5.0);
-        body.unitClass = static_cast<std::uint8_t>(random_.below(3));
-        return body;
+        return {.radius = random_.uniform(0.12, 0.35),
+                .maxSpeed = random_.uniform(0.8, 3.0),
+                .mass = random_.uniform(0.3, 5.0),
+                .unitClass = static_cast<std::uint8_t>(random_.below(3))};
     }
     Order order() {
         Order order = Order::move(place());

@@ -3,8 +3,6 @@
 
 #include <doctest.h>
 
-#include <cmath>
-
 #include "engine/geometry/polygon.h"
 
 using namespace muster;

@@ -37,37 +37,18 @@ std::string contents(const std::string& path) {
 }
 
 WorldDef pictureDef() {
-    WorldDef def;
-    def.box = {{-8, -6}, {8, 6}};
+    WorldDef def{.box = {{-8, -6}, {8, 6}}};
     ObstacleDef wall, tree;
     wall.polygon = {{1, -3}, {2, -3}, {2, 3}, {1, 3}};
     tree.centre = {5, 4};
     tree.radius = 0.5;
     def.obstacles = {wall, tree};
-    PatchDef pool;
-    pool.name = "Pool <&>";
-    pool.polygon = {{3, -5}, {7, -5}, {7, -1}, {3, -1}};
-    pool.motion = 4;
-    def.patches = {pool};
-    GroupDef group;
-    group.count = 9;
-    group.position = {-4, 0};
-    def.groups = {group};
+    def.patches = {{.name = "Pool <&>", .polygon = {{3, -5}, {7, -5}, {7, -1}, {3, -1}}, .motion = 4}};
+    def.groups = {{.count = 9, .position = {-4, 0}}};
     return def;
 }
 
 }  // namespace
-
-TEST_CASE("filled areas have as much ink as their area") {
-    Canvas square(40, 40, kWhite);
-    const std::vector<std::vector<Vec2>> box{{{5.25, 5.2}, {15.75, 5.2}, {15.75, 25.2}, {5.25, 25.2}}};
-    square.fill(box, kBlack);
-    CHECK(ink(square) == doctest::Approx(10.5 * 20.0).epsilon(0.01));
-    Canvas disc(80, 80, kWhite);
-    const std::vector<std::vector<Vec2>> round{discLoop({40, 40}, 30)};
-    disc.fill(round, kBlack);
-    CHECK(ink(disc) == doctest::Approx(3.14159265 * 900.0).epsilon(0.01));
-}
 
 TEST_CASE("overlapping loops unite, and loops of opposite orientation are holes") {
     Canvas united(40, 40, kWhite);
@@ -88,59 +69,6 @@ TEST_CASE("shapes outside the canvas or with invalid numbers draw nothing") {
     CHECK(ink(canvas) == 0.0);
 }
 
-TEST_CASE("a line's ink is its length times its width; dashes leave gaps") {
-    Canvas whole(220, 20, kWhite), dashed(220, 20, kWhite);
-    const std::vector<Vec2> line{{10, 10}, {209.9, 16.3}};  // 200 px, across the rows.
-    std::vector<std::vector<Vec2>> loops;
-    strokeLoops(line, false, 0.7, 0.0, loops);
-    whole.fill(loops, kBlack);
-    CHECK(ink(whole) == doctest::Approx(140.0).epsilon(0.03));
-    loops.clear();
-    strokeLoops(line, false, 0.7, 10.0, loops);
-    dashed.fill(loops, kBlack);
-    CHECK(ink(dashed) == doctest::Approx(67.3).epsilon(0.06));
-}
-
-TEST_CASE("PNG files read by another decoder are equal, pixel for pixel") {
-    const auto draw = makePngDraw({{0, 0}, {4, 2}}, 80, kWhite);
-    draw->polygon(std::vector<Vec2>{{0, 1}, {1, 1}, {1, 2}, {0, 2}}, Colour::of(0x1D5FD1), {});
-    const std::vector<Colour> ramp{kBlack, kWhite};
-    draw->raster({{2, 0}, {4, 2}}, 2, 1, ramp);
-    const std::string path = temporary("muster_debug_test.png");
-    REQUIRE(draw->write(path).ok());
-    int width = 0, height = 0, channels = 0;
-    unsigned char* pixels = stbi_load(path.c_str(), &width, &height, &channels, 3);
-    REQUIRE(pixels != nullptr);
-    CHECK(width == 80);
-    CHECK(height == 40);
-    const auto at = [&](int x, int y) { return &pixels[(y * width + x) * 3]; };
-    CHECK(int(at(10, 10)[0]) == 0x1D);  // Upper left: y points upwards in the world.
-    CHECK(int(at(10, 10)[2]) == 0xD1);
-    CHECK(int(at(10, 30)[0]) == 255);
-    CHECK(int(at(41, 20)[0]) == 0);
-    CHECK(int(at(79, 20)[0]) == 255);
-    CHECK(std::abs(int(at(60, 20)[0]) - 130) < 8);
-    stbi_image_free(pixels);
-    std::filesystem::remove(path);
-    CHECK(draw->write("/nowhere/x.png").code() == StatusCode::IoError);
-}
-
-TEST_CASE("contours of a plane are straight and at the right position") {
-    std::vector<double> plane;
-    for (int y = 0; y < 6; ++y) {
-        for (int x = 0; x < 8; ++x) plane.push_back(x + 0.5 * y);
-    }
-    const auto segments = contourSegments(8, 6, plane, 3.3);
-    CHECK(segments.size() >= 5);
-    for (const auto& [a, b] : segments) {
-        CHECK(a.x + 0.5 * a.y == doctest::Approx(3.3));
-        CHECK(b.x + 0.5 * b.y == doctest::Approx(3.3));
-    }
-    plane[10] = INFINITY;
-    CHECK(contourSegments(8, 6, plane, 3.3).size() < segments.size());
-    CHECK(contourSegments(8, 6, plane, 99.0).empty());
-}
-
 TEST_CASE("layers have names") {
     for (const std::string& name : layerNames()) CHECK(parseLayers(name).ok());
     CHECK(*parseLayers("mesh,cost") == (*parseLayers("cost") | *parseLayers("mesh")));
@@ -158,9 +86,7 @@ TEST_CASE("every layer draws something of its own, and SVG text is escaped") {
     std::vector<std::string> pictures;
     for (const std::string& name : layerNames()) {
         CAPTURE(name);
-        PictureDef def;
-        def.layers = *parseLayers(name);
-        def.width = 640;
+        PictureDef def{.layers = *parseLayers(name), .width = 640};
         REQUIRE(writePicture(*world, def, path).ok());
         const std::string text = contents(path);
         CHECK(text.rfind("<svg", 0) == 0);

@@ -4,17 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "base/random.h"
 #include "lab/picture/canvas.h"
 #include "lab/picture/canvas_pixels.h"
 #include "lab/picture/debug_draw.h"
 #include "lab/picture/xml.h"
+#include "temporary_folder.h"
 
 using namespace muster;
 using namespace muster::testing;
@@ -23,27 +20,10 @@ namespace {
 
 constexpr Colour kBlue = Colour::of(0x1D5FD1);
 
-/// A temporary output path and the file's contents; removed at the end.
-class PictureFile {
-public:
-    explicit PictureFile(const std::string& ending)
-        : path((std::filesystem::temp_directory_path() / ("muster_files_test" + ending)).string()) {}
-    ~PictureFile() { std::filesystem::remove(path); }
-    PictureFile(const PictureFile&) = delete;
-    PictureFile& operator=(const PictureFile&) = delete;
-    std::string read() const {
-        std::ifstream file(path, std::ios::binary);
-        std::stringstream text;
-        text << file.rdbuf();
-        return text.str();
-    }
-    const std::string path;
-};
-
 std::string svgOf(const DebugDraw& draw) {
-    const PictureFile file(".svg");
-    REQUIRE(draw.write(file.path).ok());
-    return file.read();
+    const TemporaryFolder folder("picture");
+    REQUIRE(draw.write(folder / "a.svg").ok());
+    return folder.read("a.svg");
 }
 
 struct Decoded {
@@ -76,9 +56,9 @@ Decoded decode(const std::string& png) {
 }
 
 Decoded pngOf(const DebugDraw& draw) {
-    const PictureFile file(".png");
-    REQUIRE(draw.write(file.path).ok());
-    return decode(file.read());
+    const TemporaryFolder folder("picture");
+    REQUIRE(draw.write(folder / "a.png").ok());
+    return decode(folder.read("a.png"));
 }
 
 std::string unbase64(const std::string& text) {

@@ -2,7 +2,6 @@
 #include <doctest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "engine/formation/mesh/formation_mesh.h"
 #include "engine/formation/places/place_tracker.h"
@@ -18,22 +17,14 @@ using namespace muster::testing;
 namespace {
 
 WorldDef sceneDef() {
-    WorldDef def;
-    def.box = {{-12, -8}, {12, 8}};
+    WorldDef def{.box = {{-12, -8}, {12, 8}}};
     ObstacleDef wall, tree;
     wall.polygon = {{1, -3}, {2, -3}, {2, 3}, {1, 3}};
     tree.centre = {8, 5};
     tree.radius = 0.5;
     def.obstacles = {wall, tree};
-    PatchDef pool;
-    pool.name = "Pool";
-    pool.polygon = {{4, -7}, {9, -7}, {9, -3}, {4, -3}};
-    pool.motion = 4;
-    def.patches = {pool};
-    GroupDef group;
-    group.count = 9;
-    group.position = {-6, 0};
-    def.groups = {group};
+    def.patches = {{.name = "Pool", .polygon = {{4, -7}, {9, -7}, {9, -3}, {4, -3}}, .motion = 4}};
+    def.groups = {{.count = 9, .position = {-6, 0}}};
     return def;
 }
 
@@ -47,8 +38,7 @@ World sceneWorld(const WorldDef& def = sceneDef()) {
 std::vector<Shape> layerOf(const World& world, std::string_view name, PictureDef def = {}) {
     const Box box = inspect::environment(world).def().box;
     Recorder ground(box), all(box);
-    PictureDef bare;
-    bare.dark = def.dark;
+    PictureDef bare{.dark = def.dark};
     bare.layers = 1u << 20;  // No layer has this bit.
     drawWorld(ground, world, bare);
     def.layers = *parseLayers(name);
@@ -163,8 +153,7 @@ TEST_CASE("a chosen colour is drawn; a swatch has another on dark ground") {
     const auto drawn = [](std::uint32_t chosen, bool dark, std::uint32_t expected) {
         WorldDef def = sceneDef();
         def.groups[0].colour = chosen;
-        PictureDef picture;
-        picture.dark = dark;
+        PictureDef picture{.dark = dark};
         const auto shapes = layerOf(sceneWorld(def), "characters", picture);
         return std::any_of(shapes.begin(), shapes.end(), [&](const Shape& shape) {
             return Colour{shape.fill.red, shape.fill.green, shape.fill.blue, 1.0} == Colour::of(expected);
@@ -205,10 +194,9 @@ TEST_CASE("mesh: every edge of every triangle between the vertices' present posi
     std::size_t outlined = 0;
     for (const Shape& shape : shapes) {
         for (const auto& loop : shape.loops) {
-            for (const Vec2 p : loop) {
+            for (const Vec2 p : loop)
                 CHECK(std::find(mesh.finalMesh().begin(), mesh.finalMesh().end(), p) !=
                       mesh.finalMesh().end());
-            }
         }
         if (shape.kind == Kind::Area && shape.stroke.width > 0) outlined += shape.loops[0].size();
     }
@@ -265,8 +253,7 @@ TEST_CASE(
 
 TEST_CASE("cost: darker for longer paths, with contours and the place itself") {
     const World world = sceneWorld();
-    PictureDef def;
-    def.place = 4;
+    PictureDef def{.place = 4};
     const auto shapes = layerOf(world, "cost", def);
     const Vec2 place = world.group(0).placePositions[4];
     const Shape& raster = rasterOf(shapes);

@@ -9,10 +9,7 @@ using namespace muster;
 namespace {
 
 Clip standing(bool cyclic) {
-    Clip clip;
-    clip.name = "stand & stay";
-    clip.motion = "run";
-    clip.cyclic = cyclic;
+    Clip clip{.name = "stand & stay", .motion = "run", .cyclic = cyclic};
     clip.poses.assign(30, restPose());
     clip.travel.assign(cyclic ? 31 : 30, {});
     clip.contacts.push_back({Limb::LeftFoot, 0.0, 0.2, {0.0f, 0.09f, 0.08f}});
@@ -28,8 +25,7 @@ std::size_t countOf(const std::string& text, const std::string& word) {
 }  // namespace
 
 TEST_CASE("a strip has the requested number of bodies in each row") {
-    PoseStripDef def;
-    def.poses = 3;
+    PoseStripDef def{.poses = 3};
     const std::string one = poseStrip(standing(true), def, false);
     def.front = def.oblique = false;
     const std::string side = poseStrip(standing(true), def, false);
@@ -43,9 +39,7 @@ TEST_CASE("a strip has the requested number of bodies in each row") {
 }
 
 TEST_CASE("a PNG strip has the proportions of the SVG strip") {
-    PoseStripDef def;
-    def.poses = 2;
-    def.pixelsPerMetre = 40;
+    PoseStripDef def{.poses = 2, .pixelsPerMetre = 40};
     const std::string png = poseStrip(standing(false), def, true);
     REQUIRE(png.size() > 100);
     CHECK(png.substr(1, 3) == "PNG");
@@ -57,8 +51,7 @@ TEST_CASE("a PNG strip has the proportions of the SVG strip") {
 }
 
 TEST_CASE("walls, hurdles and water are drawn where a clip has them") {
-    PoseStripDef def;
-    def.poses = 2;
+    PoseStripDef def{.poses = 2};
     Clip clip = standing(false);
     const std::size_t plain = countOf(poseStrip(clip, def, false), "<path");
     clip.obstacle = {0.5f, 0.2f};

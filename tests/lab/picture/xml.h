@@ -77,8 +77,7 @@ private:
     void begin() {
         if (open_.empty() && !elements.empty()) error = "two roots";
         ++at_;
-        Element element;
-        element.name = word();
+        Element element{.name = word()};
         if (element.name.empty()) error = "no name";
         element.depth = static_cast<int>(open_.size());
         while (error.empty() && document_.compare(at_, 1, " ") == 0) attribute(element);

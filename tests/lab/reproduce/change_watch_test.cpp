@@ -9,13 +9,7 @@ namespace {
 
 /// One character at the origin whose place moves four metres away after a second.
 WorldDef oneWhoGoes() {
-    WorldDef def;
-    GroupDef group;
-    group.count = 1;
-    group.formation.kind = FormationKind::Points;
-    group.formation.points = {{0.0, 0.0}};
-    def.groups = {group};
-    return def;
+    return {.groups = {{.count = 1, .formation = {.kind = FormationKind::Points, .points = {{0.0, 0.0}}}}}};
 }
 
 Command changeAt(std::uint32_t step, Vec2 place) {

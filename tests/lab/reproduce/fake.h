@@ -27,13 +27,12 @@ inline std::string fakePicture(double height, const std::string& colour) {
 
 inline RunSample fakeRun(double base, std::uint64_t seed, bool film) {
     const double k = static_cast<double>(seed);
-    RunSample run;
-    run.figures = {{"through", 36.0},
-                   {"time", base + 0.37 * k * k - 1.1 * k},
-                   {"slow", seed % 4 == 0 ? kNone : 12345.6 * k},
-                   {"same", 2.5},
-                   {"never", kNone},
-                   {"ratio", 1.0 / k}};
+    RunSample run{.figures = {{"through", 36.0},
+                              {"time", base + 0.37 * k * k - 1.1 * k},
+                              {"slow", seed % 4 == 0 ? kNone : 12345.6 * k},
+                              {"same", 2.5},
+                              {"never", kNone},
+                              {"ratio", 1.0 / k}}};
     if (base > 25.0) run.figures["own"] = k;
     run.hash = 0x0123456789abcdefull + seed;
     if (film) {
@@ -55,23 +54,23 @@ inline RunSample fakeRun(double base, std::uint64_t seed, bool film) {
 
 /// An experiment with arms in both presets, charts, criteria that pass, fail and have no values.
 inline ExperimentResult fakeWoodland(std::size_t seeds) {
-    ExperimentResult x;
-    x.text = {"X4",
-              "Dense <woodland> & more",
-              "Figure 7a: \"36 characters\" get through.\nA second paragraph, with a < b && c > d.",
-              "A wood of 120 trunks, 12 m deep; arrival is measured at its far edge.",
-              "x04-woodland",
-              "Those under branches go at 0.6 of their speed.\nWhat differs from the paper: nothing that "
-              "could be seen."};
-    x.arms = {{"transport", "Transport"},
-              {"fixed", "Fixed places"},
-              {"transport", "Transport", "paper"},
-              {"fixed", "Fixed places", "paper"}};
-    x.figures = {
-        {"through", "people through the wood", "", 0},   {"time", "last one there", "s", 2},
-        {"slow", "way of those under branches", "m", 1}, {"same", "a figure that never differs", "m", 2},
-        {"never", "what nobody reached", "s", 2},        {"own", "of some arms only", "", 0},
-        {"ratio", "time over the paper's", "", 3}};
+    ExperimentResult x{
+        .text = {"X4", "Dense <woodland> & more",
+                 "Figure 7a: \"36 characters\" get through.\nA second paragraph, with a < b && c > d.",
+                 "A wood of 120 trunks, 12 m deep; arrival is measured at its far edge.", "x04-woodland",
+                 "Those under branches go at 0.6 of their speed.\nWhat differs from the paper: nothing that "
+                 "could be seen."},
+        .arms = {{"transport", "Transport"},
+                 {"fixed", "Fixed places"},
+                 {"transport", "Transport", "paper"},
+                 {"fixed", "Fixed places", "paper"}},
+        .figures = {{"through", "people through the wood", "", 0},
+                    {"time", "last one there", "s", 2},
+                    {"slow", "way of those under branches", "m", 1},
+                    {"same", "a figure that never differs", "m", 2},
+                    {"never", "what nobody reached", "s", 2},
+                    {"own", "of some arms only", "", 0},
+                    {"ratio", "time over the paper's", "", 3}}};
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         double base = 20.0;
         for (const Arm& arm : x.arms)
@@ -127,15 +126,13 @@ inline ExperimentResult fakeWoodland(std::size_t seeds) {
 
 /// One arm, one criterion that holds, nothing else.
 inline ExperimentResult fakeHalves(std::size_t seeds) {
-    ExperimentResult x;
-    x.text = {"X2", "A line and an area", "Figure 3.", "A square of 64.", "", ""};
-    x.arms = {{"both", "Line and area"}};
-    x.figures = {{"ratio", "left over right", "", 1}};
+    ExperimentResult x{.text = {"X2", "A line and an area", "Figure 3.", "A square of 64.", "", ""},
+                       .arms = {{"both", "Line and area"}},
+                       .figures = {{"ratio", "left over right", "", 1}}};
     Judge judge(seeds);
     std::vector<double> values;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-        RunSample run;
-        run.figures = {{"ratio", 6.0 + 0.001 * static_cast<double>(seed)}};
+        RunSample run{.figures = {{"ratio", 6.0 + 0.001 * static_cast<double>(seed)}}};
         values.push_back(run.figures["ratio"]);
         if (seed == 1) run.film = {{1.0, "at rest", fakePicture(440, "#1D5FD1")}};
         x.samples.add("both", "muster", std::move(run));
@@ -146,14 +143,11 @@ inline ExperimentResult fakeHalves(std::size_t seeds) {
 }
 
 inline Reproduction fakeReproduction(std::size_t seeds = 10) {
-    Reproduction all;
-    all.experiments.push_back(fakeHalves(seeds));
-    all.experiments.push_back(fakeWoodland(seeds));
-    all.seeds = static_cast<std::int32_t>(seeds);
-    all.seconds = 812.4;
-    all.version = "0.1.0";
-    all.when = "2026-01-02 03:04 UTC";
-    return all;
+    return {.experiments = {fakeHalves(seeds), fakeWoodland(seeds)},
+            .seeds = static_cast<std::int32_t>(seeds),
+            .seconds = 812.4,
+            .version = "0.1.0",
+            .when = "2026-01-02 03:04 UTC"};
 }
 
 }  // namespace muster::testing

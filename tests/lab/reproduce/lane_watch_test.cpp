@@ -12,13 +12,7 @@ namespace {
 // Characters that stand at these points and are drawn to others, one group each, in the open.
 WorldDef walkers(const std::vector<std::pair<Vec2, Vec2>>& ways) {
     WorldDef def;
-    for (const auto& [from, to] : ways) {
-        GroupDef group;
-        group.count = 1;
-        group.position = to;
-        group.starts = {from};
-        def.groups.push_back(group);
-    }
+    for (const auto& [from, to] : ways) def.groups.push_back({.count = 1, .position = to, .starts = {from}});
     return def;
 }
 

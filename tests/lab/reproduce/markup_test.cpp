@@ -3,7 +3,6 @@
 
 #include <doctest.h>
 
-#include <cmath>
 #include <limits>
 
 #include "lab/reproduce/fake.h"

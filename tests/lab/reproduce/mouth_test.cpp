@@ -11,10 +11,7 @@ using namespace muster;
 
 TEST_CASE("the mouth of a mesh at rest is where the formation puts it") {
     for (const double opening : {0.8, 1.2, 2.0}) {
-        FormationDef def;
-        def.kind = FormationKind::Pacman;
-        def.spacing = 0.8;
-        def.opening = opening;
+        FormationDef def{.kind = FormationKind::Pacman, .spacing = 0.8, .opening = opening};
         const Formation pacman = makeFormation(def, 60).value();
         const Mouth mouth(pacman.mesh);
         // The mesh's lips run parallel to the opening's sides, so the angle at the hinge is the opening.
@@ -23,9 +20,7 @@ TEST_CASE("the mouth of a mesh at rest is where the formation puts it") {
 }
 
 TEST_CASE("the angle is that of lips turned about the hinge, wherever the mesh stands") {
-    TriangleMesh rest;
-    rest.vertices = {{-1, 0}, {0, 0}, {1, 1}, {1, -1}};
-    rest.triangles = {{0, 1, 2}, {0, 3, 1}};
+    TriangleMesh rest{.vertices = {{-1, 0}, {0, 0}, {1, 1}, {1, -1}}, .triangles = {{0, 1, 2}, {0, 3, 1}}};
     const Mouth mouth(rest);
     for (const double half : {0.1, 0.7, 1.5, 1.9}) {
         std::vector<Vec2> turned = rest.vertices;

@@ -4,7 +4,6 @@
 #include <doctest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "lab/reproduce/experiments/samples.h"
 #include "lab/reproduce/fake.h"

@@ -19,14 +19,9 @@ constexpr MotionId kJump = 5;
 
 // One character, that starts at `start` and wants to be at the origin.
 WorldDef onePerson(Vec2 start) {
-    WorldDef def;
-    GroupDef group;
-    group.count = 1;
-    group.formation.kind = FormationKind::Points;
-    group.formation.points = {{0.0, 0.0}};
-    group.starts = {start};
-    def.groups = {group};
-    return def;
+    return {.groups = {{.count = 1,
+                        .formation = {.kind = FormationKind::Points, .points = {{0.0, 0.0}}},
+                        .starts = {start}}}};
 }
 
 Polygon rectangle(Vec2 min, Vec2 max) {
@@ -53,9 +48,7 @@ TEST_CASE("stays in a mouse's polygon are counted once each, and as the events t
     // character.
     for (const double away : {0.3, 0.8}) {
         WorldDef def = onePerson({0, 0});
-        PatchDef mouse;
-        mouse.polygon = rectangle({-1, -1}, {1, 1});
-        mouse.motion = kJump;
+        PatchDef mouse{.polygon = rectangle({-1, -1}, {1, 1}), .motion = kJump};
         const double out = 1.0 + 0.5 * away;  // From the edge at x = 1 and back, at 1 m/s.
         mouse.path.waypoints = {{0.0, {-3.004, 0}, 0.0},
                                 {3.0 + out, {out - 0.004, 0}, 0.0},
@@ -78,10 +71,7 @@ TEST_CASE("stays in a mouse's polygon are counted once each, and as the events t
 
 TEST_CASE("way, time and speed on slow ground") {
     WorldDef def = onePerson({-6, 0});
-    PatchDef branches;
-    branches.polygon = rectangle({-4, -16}, {-1, 16});
-    branches.motion = kDuck;
-    def.patches.push_back(branches);
+    def.patches.push_back({.polygon = rectangle({-4, -16}, {-1, 16}), .motion = kDuck});
     World world = *World::create(def);
     GroundWatch watch(world);
     CHECK(std::isnan(watch.speed(kDuck)));
@@ -102,12 +92,10 @@ TEST_CASE("way, time and speed on slow ground") {
 TEST_CASE("the gap to a passing car, and a mesh that gives way to it") {
     for (const double strength : {0.0, 2.0}) {
         WorldDef def = onePerson({0, 0});
-        ObstacleDef car;
-        car.polygon = rectangle({-2, 1}, {2, 2});
-        car.path.waypoints = {{0.0, {-8, 0}, 0.0}, {8.0, {8, 0}, 0.0}};
-        car.strength = strength;
-        car.range = 2.0;
-        def.obstacles.push_back(car);
+        def.obstacles.push_back({.polygon = rectangle({-2, 1}, {2, 2}),
+                                 .path = {.waypoints = {{0.0, {-8, 0}, 0.0}, {8.0, {8, 0}, 0.0}}},
+                                 .range = 2.0,
+                                 .strength = strength});
         World world = *World::create(def);
         CarWatch watch(world);
         while (world.time() < 8.0) {
@@ -132,10 +120,8 @@ TEST_CASE("a contact leaves no gap") {
     WorldDef def = onePerson({0, 0});
     def.parameters.field.enabled = false;
     def.parameters.character.maxSpeed = 0.01;  // Cannot get away.
-    ObstacleDef car;
-    car.polygon = rectangle({-2, -0.5}, {2, 0.7});
-    car.path.waypoints = {{0.0, {-6, 0}, 0.0}, {6.0, {6, 0}, 0.0}};
-    def.obstacles.push_back(car);
+    def.obstacles.push_back({.polygon = rectangle({-2, -0.5}, {2, 0.7}),
+                             .path = {.waypoints = {{0.0, {-6, 0}, 0.0}, {6.0, {6, 0}, 0.0}}}});
     World world = *World::create(def);
     CarWatch watch(world);
     while (world.time() < 6.0) {

@@ -3,8 +3,6 @@
 
 #include <doctest.h>
 
-#include <cmath>
-
 using namespace muster;
 
 TEST_CASE("what is outside of all rooms is wall, and the ground has the rooms' area") {

@@ -3,8 +3,6 @@
 
 #include <doctest.h>
 
-#include <cmath>
-
 using namespace muster;
 
 TEST_CASE("Weidmann's curve has its known values") {

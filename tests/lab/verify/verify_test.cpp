@@ -26,15 +26,14 @@ SceneDef numberScene() {
 }
 
 RowDef numberRow(const std::string& id, double most, const std::string& variant = "5") {
-    RowDef row;
-    row.id = id;
-    row.suite = id.substr(0, id.find(' '));
-    row.title = "A number";
-    row.expected = "at most " + std::to_string(most);
-    row.scene = "number";
-    row.variants = {variant};
-    row.seeds = 2;
-    row.briefSeeds = most < 10.0 ? 1 : 0;
+    RowDef row{.id = id,
+               .suite = id.substr(0, id.find(' ')),
+               .title = "A number",
+               .expected = "at most " + std::to_string(most),
+               .scene = "number",
+               .variants = {variant},
+               .seeds = 2,
+               .briefSeeds = most < 10.0 ? 1 : 0};
     row.judge = [=](const VerifySamples& samples, RowReport& report) {
         report.atMost("the largest", samples.most(variant, "value"), most, "m", Whose::Own);
         report.shown("the mean", samples.mean(variant, "value"), "m");
@@ -44,11 +43,7 @@ RowDef numberRow(const std::string& id, double most, const std::string& variant 
 }
 
 RowDef lackingRow() {
-    RowDef row;
-    row.id = "Beta 1";
-    row.suite = "Beta";
-    row.missing = "needs <floors>";
-    return row;
+    return {.id = "Beta 1", .suite = "Beta", .missing = "needs <floors>"};
 }
 
 Verification madeOf(const VerifyDef& def, double most) {
@@ -113,8 +108,7 @@ TEST_CASE("rows look at scenes that are there, and a broken judge is none that p
 }
 
 TEST_CASE("tests are chosen by name, by suite, and by how long they take") {
-    VerifyDef def;
-    def.only = {"rimea 4", "IMO-11"};
+    VerifyDef def{.only = {"rimea 4", "IMO-11"}};
     auto rows = chosenRows(def, verifyRows());
     REQUIRE(rows.ok());
     REQUIRE(rows->size() == 2);
@@ -127,8 +121,7 @@ TEST_CASE("tests are chosen by name, by suite, and by how long they take") {
     CHECK(rows.status().code() == StatusCode::NotFound);
     CHECK(rows.status().message().find("found the test \"RiMEA 99\"") != std::string::npos);
     CHECK(rows.status().message().find("RiMEA, IMO, NIST, ISO, Data") != std::string::npos);
-    VerifyDef brief;
-    brief.brief = true;
+    VerifyDef brief{.brief = true};
     const auto short1 = chosenRows(brief, verifyRows());
     CHECK(short1->size() > 30);
     CHECK(short1->size() < verifyRows().size());
@@ -146,11 +139,9 @@ TEST_CASE("outcomes: pass, fail, missing") {
     CHECK(bad.exitCode() == 1);
     CHECK(bad.rows[0].outcome == Outcome::Fail);
     // With one seed the value is smaller.
-    VerifyDef one;
-    one.seeds = 1;
+    VerifyDef one{.seeds = 1};
     CHECK(madeOf(one, 5.15).passed());
-    VerifyDef brief;
-    brief.brief = true;
+    VerifyDef brief{.brief = true};
     CHECK(madeOf(brief, 5.15).rows.size() == 2);
 }
 
@@ -167,8 +158,7 @@ TEST_CASE("a scene that breaks is told with its name, and one that is unknown, t
     const auto broken = verifyRowsOf({}, {numberRow("Alpha 1", 5.0, "broken")}, {numberScene()});
     CHECK(broken.status().message() == "scene number broken: it broke");
     CHECK_FALSE(verifyRowsOf({}, {numberRow("Alpha 1", 5.0)}, {}).ok());
-    VerifyDef many;
-    many.seeds = 2000;
+    VerifyDef many{.seeds = 2000};
     CHECK_FALSE(verifyRowsOf(many, {numberRow("Alpha 1", 5.0)}, {numberScene()}).ok());
 }
 
@@ -221,12 +211,8 @@ TEST_CASE("the page has every row, its plots and pictures, and words stay words"
 
 TEST_CASE("the page of the real registry has a chapter for each row, run or not") {
     Verification all;
-    for (const RowDef& row : verifyRows()) {
-        RowResult result;
-        result.row = row;
-        result.outcome = row.missing.empty() ? Outcome::Fail : Outcome::Missing;
-        all.rows.push_back(result);
-    }
+    for (const RowDef& row : verifyRows())
+        all.rows.push_back({.row = row, .outcome = row.missing.empty() ? Outcome::Fail : Outcome::Missing});
     const std::string page = verificationPage(all);
     CHECK(occurrences(page, "class=\"chapter\"") == verifyRows().size());
 }

@@ -147,8 +147,7 @@ TEST_CASE("spelling does not matter") {
 
 TEST_CASE("every usual unit is recognised, and may be given") {
     for (const double unit : {1.0, 0.01, 0.001, 0.0254, 0.3048, 0.0254 / 0.45}) {
-        HandMade made;
-        made.scale = 1.0 / unit;
+        HandMade made{.scale = 1.0 / unit};
         const auto read = parseBvh(made.text(), "x.bvh");
         REQUIRE(read.ok());
         CHECK(read->unit == unit);
@@ -158,8 +157,7 @@ TEST_CASE("every usual unit is recognised, and may be given") {
         REQUIRE(given.ok());
         CHECK(given->frame(2)[0].translation.x == doctest::Approx(1.0 / unit).epsilon(1e-4));
     }
-    HandMade giant;
-    giant.scale = 1e5;
+    HandMade giant{.scale = 1e5};
     CHECK(failureOf(giant.text()).find("name the unit") != std::string::npos);
     CHECK_FALSE(parseBvh(giant.text(), "x.bvh", {-1.0}).ok());
 }

@@ -22,8 +22,7 @@ struct Folder {
 };
 
 ClipLibrary twoClips() {
-    ClipLibrary library;
-    library.clips = {wavingClip(true), wavingClip(false, 41)};
+    ClipLibrary library{.clips = {wavingClip(true), wavingClip(false, 41)}};
     Clip& over = library.clips[1];
     over.name = "jump-over";
     over.motion = "jump";
@@ -125,8 +124,7 @@ TEST_CASE("bad lists are refused by what is wrong") {
     REQUIRE(writeTextFile(path, "{").ok());
     has(loadClips(folder.name()).status().message(), "is not JSON");
     CHECK(loadClips(folder.name() + "/gone").status().code() == StatusCode::IoError);
-    ClipLibrary named;
-    named.clips = {wavingClip(true)};
+    ClipLibrary named{.clips = {wavingClip(true)}};
     named.clips[0].name = "../up";
     CHECK_FALSE(writeClips(named, folder.name()).ok());
 }

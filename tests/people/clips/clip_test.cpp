@@ -14,10 +14,7 @@ namespace {
 /// A cycle of 1 s at 4 poses a second: hips rise and fall, the head turns left and back, 2 m forward, turning
 /// by `yaw`.
 Clip cycle(float yaw = 0.0f) {
-    Clip clip;
-    clip.name = "cycle";
-    clip.motion = "run";
-    clip.rate = 4.0;
+    Clip clip{.name = "cycle", .motion = "run", .rate = 4.0};
     for (int k = 0; k < 4; ++k) {
         BodyPose pose = restPose();
         pose.hips.z = 0.9f + 0.1f * static_cast<float>(k % 2);
@@ -153,8 +150,7 @@ TEST_CASE("Contacts may go on in the next cycle") {
 }
 
 TEST_CASE("Clips are found by name") {
-    ClipLibrary library;
-    library.clips = {cycle(), single()};
+    ClipLibrary library{.clips = {cycle(), single()}};
     library.clips[1].name = "single";
     CHECK(library.indexOf("single") == 1);
     CHECK(library.find("single") == &library.clips[1]);

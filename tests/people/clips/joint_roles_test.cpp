@@ -23,8 +23,7 @@ TEST_CASE("names of many programs are understood") {
         {"hip", "abdomen", "head", "lThigh", "lShin", "lFoot", "rThigh", "rShin", "rFoot"},
     }};
     for (const auto& names : kSchemes) {
-        HandMade made;
-        made.names = names;
+        HandMade made{.names = names};
         const auto motion = parseBvh(made.text(), "x.bvh");
         REQUIRE_MESSAGE(motion.ok(), motion.status().message());
         const RoleJoints roles = findRoles(motion->joints);
@@ -71,9 +70,8 @@ TEST_CASE("arms are found with and without collars") {
 }
 
 TEST_CASE("what is no person is refused by what is missing") {
-    HandMade made;
-    made.names = {"Hips",     "Spine",      "Head",  "LeftUpLeg", "LeftLeg",
-                  "LeftFoot", "RightUpLeg", "Wheel", "RightFoot"};
+    HandMade made{.names = {"Hips", "Spine", "Head", "LeftUpLeg", "LeftLeg", "LeftFoot", "RightUpLeg",
+                            "Wheel", "RightFoot"}};
     const auto motion = parseBvh(made.text(), "x.bvh");
     REQUIRE(motion.ok());
     CHECK(retarget(*motion).status().message().find("RightLeg") != std::string::npos);

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,10 +18,7 @@ namespace muster::testing {
 
 /// Somebody who swings all joints about changing axes and goes in a curve.
 inline Clip wavingClip(bool cyclic, std::size_t frames = 30) {
-    Clip clip;
-    clip.name = "wave";
-    clip.motion = "run";
-    clip.cyclic = cyclic;
+    Clip clip{.name = "wave", .motion = "run", .cyclic = cyclic};
     for (std::size_t f = 0; f < frames; ++f) {
         const double turn = 2.0 * kPi * static_cast<double>(f) /
                             static_cast<double>(cyclic ? frames : frames - 1);

@@ -79,7 +79,7 @@ TEST_CASE("feet that swing keep above the ground") {
 }
 
 TEST_CASE("a track joined in mid-swing goes on as the other one would") {
-    const GaitTrack gait(runGait());
+    const GaitTrack gait(gaitOf(GaitKind::Run));
     const LegTrack whole = gait.leg(0);
     const double join = 0.5 * gait.gait().cycle;
     REQUIRE(whole.at(join).ankle.z > 0.2f);
@@ -98,7 +98,7 @@ TEST_CASE("before its first and after its last step a foot stands") {
 }
 
 TEST_CASE("a runner's hips fall and rise without a jump of speed or force") {
-    const GaitTrack gait(runGait());
+    const GaitTrack gait(gaitOf(GaitKind::Run));
     const auto z = [&](double time) { return gait.body(time)[Channel::HipsZ]; };
     const double stay = gait.gait().contact * gait.gait().cycle, h = 1e-4;
     for (double edge : {0.0, stay, 0.5 * gait.gait().cycle}) {
@@ -111,7 +111,7 @@ TEST_CASE("a runner's hips fall and rise without a jump of speed or force") {
 
 TEST_CASE("steps of a bend lie on both sides of its circle and turn with it") {
     const double radius = 2.5;
-    const GaitTrack gait(bent(jogGait(), radius));
+    const GaitTrack gait(bent(gaitOf(GaitKind::Jog), radius));
     const Vec3 centre{0.0f, static_cast<float>(radius), 0.08f};
     const auto left = gait.steps(0, 0, 2), right = gait.steps(1, 0, 2);
     for (std::size_t i = 0; i < left.size(); ++i) {

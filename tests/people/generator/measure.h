@@ -7,7 +7,6 @@
 #include <cmath>
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "base/maths.h"
 #include "muster/own_clips.h"

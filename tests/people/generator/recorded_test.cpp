@@ -20,9 +20,7 @@ std::optional<Clip> recorded(const std::string& name) {
     }
     const auto motion = readBvh(path);
     REQUIRE_MESSAGE(motion.ok(), motion.status().message());
-    RetargetOptions options;
-    options.name = name;
-    options.cyclic = true;
+    RetargetOptions options{.name = name, .cyclic = true};
     auto clip = retarget(*motion, options);
     REQUIRE_MESSAGE(clip.ok(), clip.status().message());
     return std::move(clip).value();

@@ -3,8 +3,6 @@
 
 #include <doctest.h>
 
-#include <cmath>
-
 #include "base/random.h"
 #include "muster/own_clips.h"
 
@@ -13,8 +11,7 @@ using namespace muster;
 namespace {
 
 SolidBody upright(Vec2 at) {
-    MotionState state;
-    state.position = at;
+    MotionState state{.position = at};
     JointTransforms joints;
     worldJoints(state, restPose(), joints);
     return solidBody(joints, 1.0f);
@@ -57,9 +54,8 @@ TEST_CASE("overlaps of poses of all clips are those found by sampling") {
         SolidBody bodies[2];
         for (SolidBody& body : bodies) {
             const Clip& clip = clips.clips[random.below(static_cast<std::uint32_t>(clips.clips.size()))];
-            MotionState state;
-            state.position = {random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4)};
-            state.yaw = static_cast<float>(random.uniform(-3, 3));
+            MotionState state{.position = {random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4)},
+                              .yaw = static_cast<float>(random.uniform(-3, 3))};
             JointTransforms joints;
             worldJoints(state, clip.poses[random.below(static_cast<std::uint32_t>(clip.poses.size()))],
                         joints);

@@ -11,10 +11,7 @@ using namespace muster::testing;
 namespace {
 
 PatchDef strip(double from, double to, MotionId motion) {
-    PatchDef patch;
-    patch.polygon = {{from, -8}, {to, -8}, {to, 8}, {from, 8}};
-    patch.motion = motion;
-    return patch;
+    return {.polygon = {{from, -8}, {to, -8}, {to, 8}, {from, 8}}, .motion = motion};
 }
 
 /// The lowest that any wrist gets above a wall's top while it is held there [m], and how often one is held.
@@ -55,11 +52,7 @@ TEST_CASE("a course with Muster's own clips: feet stand, knees bend smoothly, ha
     const MotionFigures f = report.figures();
     CHECK(world.characters().position[4].x > 28.0);  // They have come through.
     CHECK(f.contacts > 300);
-    CHECK(f.slideMedian <= 0.005);
-    CHECK(f.slide95 <= 0.02);
-    CHECK(f.knee999 <= 20.0);
-    CHECK(f.kneeMax < 20.05);
-    CHECK(f.penetration <= 0.01);
+    checkFeet(f);
     CHECK(f.rateLeast >= 0.699);
     CHECK(f.rateMost <= 1.301);
     CHECK(f.singleSteps == 18);
@@ -67,8 +60,5 @@ TEST_CASE("a course with Muster's own clips: feet stand, knees bend smoothly, ha
     CHECK(hands.locked > 100);
     CHECK(hands.lowest > -0.02);
     CHECK(hands.highest < 0.12);
-    MESSAGE("measured: slide median " << 100 * f.slideMedian << " cm, 95 in 100 " << 100 * f.slide95
-                                      << " cm, knee " << f.knee999 << " rad/s, depth " << 100 * f.penetration
-                                      << " cm, wrists " << hands.lowest << " to " << hands.highest
-                                      << " m above the wall");
+    MESSAGE("measured: wrists ", hands.lowest, " to ", hands.highest, " m above the wall");
 }

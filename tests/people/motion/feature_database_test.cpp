@@ -122,9 +122,7 @@ TEST_CASE("faster trajectories lead to faster clips, none to standing") {
 }
 
 TEST_CASE("who is foretold to arrive comes to the place, who cruises covers the way") {
-    WalkTarget target;
-    target.arriving = true;
-    target.toPlace = {0.3, 0.0};
+    WalkTarget target{.arriving = true, .toPlace = {0.3, 0.0}};
     const Trajectory arriving = predict({1.0, 0.0}, {}, target, 1.0f);
     CHECK(arriving[4] == doctest::Approx(0.3).epsilon(0.1));
     target = {};

@@ -37,9 +37,7 @@ struct Walker {
     }
 
     Vec3 ankle(std::size_t side) const {
-        MotionState state;
-        state.position = mover.position;
-        state.size = mover.size;
+        MotionState state{.position = mover.position, .size = mover.size};
         JointTransforms joints;
         worldJoints(state, body.pose, joints);
         return joints[index(side == 0 ? JointRole::LeftFoot : JointRole::RightFoot)].translation;

@@ -54,12 +54,7 @@ public:
     }
 
     /// As motion reads it.
-    CrowdView view() const {
-        CrowdView view;
-        view.characters = &characters_;
-        view.environment = &environment_;
-        return view;
-    }
+    CrowdView view() const { return {.characters = &characters_, .environment = &environment_}; }
     const Characters& characters() const { return characters_; }  ///< Of now.
 
 private:

@@ -14,9 +14,7 @@ namespace {
 /// An environment with one patch, number 1.
 Environment with(const Polygon& polygon, bool moving = false) {
     Environment environment = Environment::create({}).value();
-    PatchDef patch;
-    patch.polygon = polygon;
-    patch.motion = 5;
+    PatchDef patch{.polygon = polygon, .motion = 5};
     if (moving) patch.path.waypoints = {{0.0, {0, 0}, 0.0}, {10.0, {5, 0}, 0.0}};
     REQUIRE(environment.addPatch(patch).ok());
     environment.setTime(0.0);
@@ -70,8 +68,7 @@ TEST_CASE("a moving patch is crossed by time") {
 
 TEST_CASE("what is behind never falls, and lies between 0 and 1") {
     CHECK(rc::check("share", [] {
-        PatchCrossing path;
-        path.length = 2.0;
+        PatchCrossing path{.length = 2.0};
         double before = 0.0;
         Vec2 at{0.01, 0.0};
         for (int k = 0; k < 100; ++k) {
@@ -86,8 +83,7 @@ TEST_CASE("what is behind never falls, and lies between 0 and 1") {
 }
 
 TEST_CASE("time follows the way where a clip goes unevenly") {
-    SwingDef def;
-    def.cyclic = false;
+    SwingDef def{.cyclic = false};
     Clip clip = swingingClip(def);
     const auto last = static_cast<float>(clip.travel.size() - 1);
     for (std::size_t f = 0; f < clip.travel.size(); ++f) {

@@ -37,8 +37,7 @@ inline Vec3 swingingAnkle(const SwingDef& def, double share, float side) {
 inline void placeAnkle(BodyPose& pose, bool left, Vec3 ankle) {
     const std::size_t hip = index(left ? JointRole::LeftUpLeg : JointRole::RightUpLeg);
     const auto& bones = skeleton();
-    TwoBones leg;
-    leg.root = pose.hips + bones[hip].offset;
+    TwoBones leg{.root = pose.hips + bones[hip].offset};
     leg.middle = leg.root + bones[hip + 1].offset;
     leg.end = leg.middle + bones[hip + 2].offset;
     leg.upper = length(bones[hip + 1].offset);
@@ -51,10 +50,7 @@ inline void placeAnkle(BodyPose& pose, bool left, Vec3 ankle) {
 
 /// A clip of that gait; the left foot touches down first, the right half a cycle later.
 inline Clip swingingClip(const SwingDef& def) {
-    Clip clip;
-    clip.name = def.name;
-    clip.motion = def.motion;
-    clip.cyclic = def.cyclic;
+    Clip clip{.name = def.name, .motion = def.motion, .cyclic = def.cyclic};
     const int cycles = def.cyclic ? 1 : def.cycles;
     const auto frames = static_cast<int>(def.duration * cycles * clip.rate + 0.5);
     for (int f = 0; f < frames + (def.cyclic ? 0 : 1); ++f) {

@@ -14,13 +14,11 @@ namespace {
 
 /// A leg that hangs straight down, and a hip for it.
 TwoBones hangingLeg() {
-    TwoBones leg;
-    leg.root = {0.1f, 0.2f, 0.9f};
-    leg.middle = {0.1f, 0.2f, 0.48f};
-    leg.end = {0.1f, 0.2f, 0.07f};
-    leg.upper = 0.42f;
-    leg.lower = 0.41f;
-    return leg;
+    return {.root = {0.1f, 0.2f, 0.9f},
+            .middle = {0.1f, 0.2f, 0.48f},
+            .end = {0.1f, 0.2f, 0.07f},
+            .upper = 0.42f,
+            .lower = 0.41f};
 }
 
 /// Where the end comes when the bones are turned.
@@ -66,10 +64,9 @@ TEST_CASE("bones keep their lengths and reach as far as they can, whatever is as
         RC_ASSERT(std::fabs(distance(knee, end) - leg.lower) < 1e-4f);
         RC_ASSERT(distance(end, turn.end) < 1e-3f);
         const float asked = distance(leg.root, target);
-        if (asked > 0.05f) {
+        if (asked > 0.05f)
             RC_ASSERT(distance(turn.end, leg.root + (target - leg.root) * (softReach(asked, 0.83f) / asked)) <
                       1e-4f);
-        }
     }));
 }
 
@@ -103,9 +100,7 @@ TEST_CASE("The middle joint turns by no more than it may, and by all of it where
     Random random(21);
     int held = 0;
     for (int i = 0; i < 2000; ++i) {
-        TwoBones leg;
-        leg.upper = 0.42f;
-        leg.lower = 0.41f;
+        TwoBones leg{.upper = 0.42f, .lower = 0.41f};
         const auto at = [&](double bend) {
             return std::sqrt(leg.upper * leg.upper + leg.lower * leg.lower +
                              2.0 * leg.upper * leg.lower * std::cos(bend));

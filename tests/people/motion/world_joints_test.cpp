@@ -7,10 +7,7 @@
 using namespace muster;
 
 TEST_CASE("joints stand in the world as the body is put there: scaled, turned, moved") {
-    MotionState state;
-    state.position = {10.0, -4.0};
-    state.yaw = static_cast<float>(kPi / 2);
-    state.size = 1.04f;
+    MotionState state{.position = {10.0, -4.0}, .yaw = static_cast<float>(kPi / 2), .size = 1.04f};
     JointTransforms joints;
     worldJoints(state, restPose(), joints);
     const Vec3 hips = joints[index(JointRole::Hips)].translation;

@@ -9,9 +9,7 @@ using namespace muster::testing;
 namespace {
 
 ObstacleDef wall(Vec2 least, Vec2 most) {
-    ObstacleDef def;
-    def.polygon = {least, {most.x, least.y}, most, {least.x, most.y}};
-    return def;
+    return {.polygon = {least, {most.x, least.y}, most, {least.x, most.y}}};
 }
 
 /// Single people who stand in groups of their own.
@@ -138,10 +136,7 @@ TEST_CASE("Whoever is called from behind a wall goes round it") {
 
 TEST_CASE("A round obstacle bars a way as a wall does") {
     WorldDef def = singles({{-2, 0}, {5, 0}});
-    ObstacleDef pillar;
-    pillar.centre = {-0.5, 0};
-    pillar.radius = 1.0;
-    def.obstacles = {pillar};
+    def.obstacles = {{.centre = {-0.5, 0}, .radius = 1.0}};
     CHECK(comesTo(def, {1, 0}) == 2);
 }
 

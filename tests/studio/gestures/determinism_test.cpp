@@ -105,8 +105,7 @@ TEST_CASE("Inputs that do not move people leave the world as it is without them"
 TEST_CASE("Malformed inputs are refused with a sentence and give no command") {
     const double nothing = std::numeric_limits<double>::quiet_NaN();
     DrivenWorld driven(busy(), "touch");
-    PointerEvent event;
-    event.screen = *driven.view.screenOf(driven.positionOf(1));
+    PointerEvent event{.screen = *driven.view.screenOf(driven.positionOf(1))};
     const auto refusal = [&](const InputEvent& input) {
         const Status status = driven.driver.input(input, driven.world);
         return status.ok() ? std::string() : status.message();

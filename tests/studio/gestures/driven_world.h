@@ -20,19 +20,12 @@ inline constexpr double kPixelsPerMetre = 40.0;
 
 /// A square of people round `middle` that faces +x.
 inline GroupDef squareOf(std::int32_t count, Vec2 middle, double spacing = 1.0) {
-    GroupDef group;
-    group.count = count;
-    group.position = middle;
-    group.formation.spacing = spacing;
-    return group;
+    return {.count = count, .formation = {.spacing = spacing}, .position = middle};
 }
 
 /// An open floor of 30 m with these groups.
 inline WorldDef floorWith(std::vector<GroupDef> groups) {
-    WorldDef def;
-    def.box = {{-15, -15}, {15, 15}};
-    def.groups = std::move(groups);
-    return def;
+    return {.box = {{-15, -15}, {15, 15}}, .groups = std::move(groups)};
 }
 
 /// Sixteen people on it.

@@ -127,9 +127,7 @@ TEST_CASE("Ten thousand walking characters take eight bytes each, including whol
     placed.unfit.assign(1'250, 0);
     protocol::GroupFrame& group = link.frame.groups.emplace_back();
     group.vertices.assign(2 * 400, 1.0f);
-    protocol::GroupMesh mesh;
-    mesh.group = group.id;
-    mesh.triangles = {0, 1, 2};
+    protocol::GroupMesh mesh{.group = group.id, .triangles = {0, 1, 2}};
     mesh.placeTriangles.assign(10'000, 0);
     mesh.placeWeights.assign(20'000, 0.25f);
     link.decoder.take(mesh);

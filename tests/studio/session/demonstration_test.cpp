@@ -1,7 +1,6 @@
 // Demonstrations: watching the gestures that a scenario carries.
 #include <doctest.h>
 
-#include <algorithm>
 #include <string>
 #include <vector>
 

@@ -13,9 +13,7 @@ namespace {
 /// A floor of 24 m with a wall from edge to edge, and 16 characters on its left.
 WorldDef walledFloor() {
     WorldDef def = smallFloor();
-    ObstacleDef wall;
-    wall.polygon = {{-0.5, -12}, {0.5, -12}, {0.5, 12}, {-0.5, 12}};
-    def.obstacles = {wall};
+    def.obstacles = {{.polygon = {{-0.5, -12}, {0.5, -12}, {0.5, 12}, {-0.5, 12}}}};
     def.groups[0].name = "Blue";
     def.groups[0].position = {-6, 0};
     return def;

@@ -18,19 +18,12 @@ namespace muster::testing {
 
 /// A floor of 24 m with 16 characters in the middle.
 inline WorldDef smallFloor() {
-    WorldDef def;
-    def.name = "Small floor";
-    def.box = {{-12, -12}, {12, 12}};
-    GroupDef group;
-    group.count = 16;
-    def.groups.push_back(group);
-    return def;
+    return {.name = "Small floor", .box = {{-12, -12}, {12, 12}}, .groups = {{.count = 16}}};
 }
 
 inline SessionDef sessionDef() {
-    SessionDef def;
-    def.version = "test";
-    def.scenarios = {{"small", "Small floor", "", 16}, {"broken", "Broken", "", 0}};
+    SessionDef def{.version = "test",
+                   .scenarios = {{"small", "Small floor", "", 16}, {"broken", "Broken", "", 0}}};
     def.loadScenario = [](const std::string& name) -> Result<WorldDef> {
         if (name == "small") return smallFloor();
         return Status(StatusCode::ParseError, "broken.json: found nothing, expected a scenario");

@@ -21,18 +21,15 @@ Session walledSession() {
     WorldDef world = smallFloor();
     world.box = {{-30, -20}, {30, 20}};
     world.groups[0].position = {-20, 0};
-    ObstacleDef wall;
-    wall.polygon = {{-1, -20}, {1, -20}, {1, 10}, {-1, 10}};
-    ObstacleDef house;
-    house.polygon = {{16, -18}, {28, -18}, {28, -6}, {16, -6}};
+    ObstacleDef wall{.polygon = {{-1, -20}, {1, -20}, {1, 10}, {-1, 10}}};
+    ObstacleDef house{.polygon = {{16, -18}, {28, -18}, {28, -6}, {16, -6}}};
     world.obstacles = {wall, house};
     REQUIRE(session.load("small", world).ok());
     return session;
 }
 
 protocol::ForecastAsk ask(const Order& order) {
-    protocol::ForecastAsk made;
-    made.group = 1;
+    protocol::ForecastAsk made{.group = 1};
     made.asked = order;
     return made;
 }
@@ -81,11 +78,7 @@ TEST_CASE("A forecast may begin where another order would end, and be of an orde
     client.poll();
     const auto& orders = client.frames.back().groups[0].orders;
     REQUIRE(orders.size() == 2);
-    protocol::ForecastAsk second;
-    second.group = 1;
-    second.order = orders[1].id;
-    second.placed = true;
-    second.x = 20.0;
+    protocol::ForecastAsk second{.group = 1, .order = orders[1].id, .placed = true, .x = 20.0};
     client.send(protocol::AskForecasts{1, {second}});
     client.poll();
     REQUIRE(client.forecasts.back().answers.size() == 1);

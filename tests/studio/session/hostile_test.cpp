@@ -188,43 +188,28 @@ TEST_CASE("Events of one message: the limit is accepted, one more is refused") {
 }
 
 TEST_CASE(
-    "Touch events per second: the limit is accepted, one more is refused, and a second later they are "
-    "accepted again") {
-    SessionDef def = sessionDef();
-    def.limits.touchesPerSecond = 20;
-    Session session = startedSession(def);
-    FakeClient client(session);
-    for (std::uint32_t i = 0; i < 20; ++i) client.touchAt(protocol::TouchPhase::Move, {0, 0}, 1.0, i);
-    client.poll();
-    CHECK(client.notices.empty());
-    client.touchAt(protocol::TouchPhase::Move, {0, 0}, 1.0, 20);
-    client.poll();
-    CHECK(client.noticed("Touches").find("more than 20") != std::string::npos);
-    run(session, 1.0, {&client});
-    client.notices.clear();
-    for (std::uint32_t i = 0; i < 20; ++i) client.touchAt(protocol::TouchPhase::Move, {0, 0}, 1.0, i);
-    client.poll();
-    CHECK(client.notices.empty());
-}
-
-TEST_CASE("Commands that wait while paused are bounded") {
-    SessionDef def = sessionDef();
-    def.limits.waitingCommands = 30;
-    Session session = startedSession(def);
-    FakeClient client(session);
-    client.send(protocol::Playback{protocol::PlaybackAction::Pause});
-    for (std::uint32_t i = 0; i < 30; ++i) client.touchAt(protocol::TouchPhase::Move, {0, 0}, 1.0, i);
-    client.poll();
-    CHECK(client.notices.empty());
-    client.touchAt(protocol::TouchPhase::Move, {0, 0}, 1.0, 31);
-    client.poll();
-    CHECK(client.noticed("Touches").find("30 commands wait") != std::string::npos);
-    client.send(protocol::Playback{protocol::PlaybackAction::SingleStep});
-    run(session, 0.1, {&client});
-    client.notices.clear();
-    client.touchAt(protocol::TouchPhase::Move, {0, 0}, 1.0, 31);
-    client.poll();
-    CHECK(client.notices.empty());
+    "Touch events: the limit a second and of commands that wait is accepted, one more is refused, and later "
+    "again") {
+    for (const bool paused : {false, true}) {
+        SessionDef def = sessionDef();
+        if (paused) def.limits.waitingCommands = 20;
+        if (!paused) def.limits.touchesPerSecond = 20;
+        Session session = startedSession(def);
+        FakeClient client(session);
+        if (paused) client.send(protocol::Playback{protocol::PlaybackAction::Pause});
+        const auto refused = [&](std::uint32_t from, std::uint32_t to) {
+            client.notices.clear();
+            for (std::uint32_t i = from; i < to; ++i)
+                client.touchAt(protocol::TouchPhase::Move, {0, 0}, 1.0, i);
+            client.poll();
+            return client.noticed("Touches");
+        };
+        CHECK(refused(0, 20).empty());
+        CHECK(refused(20, 21).find(paused ? "20 commands wait" : "more than 20") != std::string::npos);
+        if (paused) client.send(protocol::Playback{protocol::PlaybackAction::SingleStep});
+        run(session, 1.0, {&client});
+        CHECK(refused(0, 20).empty());
+    }
 }
 
 TEST_CASE("A client that leaves while the command queue is full still lifts its fingers") {

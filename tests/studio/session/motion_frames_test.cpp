@@ -35,10 +35,7 @@ std::vector<std::uint32_t> idsOf(const protocol::Frame& frame, const std::vector
 }
 
 void attend(FakeClient& client, float x, float y, std::uint32_t count) {
-    protocol::Attend message;
-    message.x = x;
-    message.y = y;
-    message.count = count;
+    protocol::Attend message{.x = x, .y = y, .count = count};
     client.send(message);
 }
 

@@ -16,14 +16,8 @@ namespace {
 
 /// A long floor with one group at its left end.
 WorldDef longFloor() {
-    WorldDef def;
-    def.name = "Long floor";
-    def.box = {{-30, -15}, {30, 15}};
-    GroupDef group;
-    group.count = 16;
-    group.position = {-20, 0};
-    def.groups.push_back(group);
-    return def;
+    return {
+        .name = "Long floor", .box = {{-30, -15}, {30, 15}}, .groups = {{.count = 16, .position = {-20, 0}}}};
 }
 
 /// A take in which one order leads the group to the right.

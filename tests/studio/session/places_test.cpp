@@ -2,7 +2,6 @@
 #include <doctest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <string>
 
@@ -21,10 +20,8 @@ Session houseSession() {
     WorldDef world = smallFloor();
     world.box = {{-30, -20}, {30, 20}};
     world.groups[0].position = {-20, 0};
-    ObstacleDef house;
-    house.polygon = {{0, -18}, {12, -18}, {12, -6}, {0, -6}};
-    ObstacleDef wall;
-    wall.polygon = {{20, -20}, {21, -20}, {21, 20}, {20, 20}};
+    ObstacleDef house{.polygon = {{0, -18}, {12, -18}, {12, -6}, {0, -6}}};
+    ObstacleDef wall{.polygon = {{20, -20}, {21, -20}, {21, 20}, {20, 20}}};
     world.obstacles = {house, wall};
     REQUIRE(session.load("small", world).ok());
     return session;
@@ -83,9 +80,7 @@ TEST_CASE("Every place of a formation is answered, and nothing changes") {
 TEST_CASE("Places in obstacles, outside, and beyond a wall are told apart") {
     Session session = houseSession();
     FakeClient client(session);
-    protocol::PlacesAsk given;
-    given.group = 1;
-    given.places = {-10, 0, 6, -12, 25, 3, 40, 0, 0.3, -6.2, 0.0, -4.0};
+    protocol::PlacesAsk given{.group = 1, .places = {-10, 0, 6, -12, 25, 3, 40, 0, 0.3, -6.2, 0.0, -4.0}};
     client.send(protocol::AskPlaces{1, {given, ask(kColumn, {6, -6})}});
     client.poll();
     REQUIRE(client.places.size() == 1);
@@ -116,9 +111,7 @@ TEST_CASE("A formation that cannot be made is answered by its problem, one of no
 TEST_CASE("Bad questions about places are refused") {
     Session session = houseSession();
     FakeClient client(session);
-    protocol::PlacesAsk odd;
-    odd.group = 1;
-    odd.places = {1, 2, 3};
+    protocol::PlacesAsk odd{.group = 1, .places = {1, 2, 3}};
     client.send(protocol::AskPlaces{1, {odd}});
     client.send(protocol::AskPlaces{2, {ask(kColumn, {std::numeric_limits<double>::infinity(), 0})}});
     client.send(protocol::AskPlaces{3, std::vector(17, ask(kColumn, {0, 0}))});

@@ -27,17 +27,16 @@ std::string hex(const std::vector<std::uint8_t>& bytes) {
 }
 
 protocol::Frame sampleFrame() {
-    protocol::Frame frame;
-    frame.frame = 7;
-    frame.step = 42;
-    frame.time = 0.7;
-    frame.playing = true;
-    frame.demonstrating = true;
-    frame.speed = 1.0f;
-    frame.recordedSeconds = -1.0f;
-    frame.sceneRevision = 3;
-    frame.ids = {1, 2};
-    frame.group = {0, 1};
+    protocol::Frame frame{.frame = 7,
+                          .step = 42,
+                          .time = 0.7,
+                          .playing = true,
+                          .speed = 1.0f,
+                          .recordedSeconds = -1.0f,
+                          .demonstrating = true,
+                          .sceneRevision = 3,
+                          .ids = {1, 2},
+                          .group = {0, 1}};
     protocol::CrowdFrame& crowd = frame.crowd;
     crowd.count = 2;
     crowd.x0 = -32.5;
@@ -137,10 +136,9 @@ TEST_CASE("A frame is the same after encoding and decoding") {
 TEST_CASE("The frame that the page's tests read is what we write") {
     const std::string path = sourceFolder() + "/tests/golden/frame.bin";
     const auto bytes = protocol::encode(sampleFrame());
-    if (std::getenv("MUSTER_UPDATE_GOLDEN") != nullptr) {
+    if (std::getenv("MUSTER_UPDATE_GOLDEN") != nullptr)
         std::ofstream(path, std::ios::binary)
             .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    }
     std::ifstream file(path, std::ios::binary);
     const std::vector<std::uint8_t> golden{std::istreambuf_iterator<char>(file), {}};
     CHECK(golden == bytes);

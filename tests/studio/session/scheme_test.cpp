@@ -1,5 +1,4 @@
 // Control schemes in the studio: raw inputs of a page, judged by the session.
-#include <cmath>
 #include <limits>
 
 #include "studio/gestures/control_scheme.h"
@@ -25,22 +24,19 @@ protocol::SetView topView() {
 protocol::RawInput pointer(protocol::TouchPhase phase, Vec2 ground, double time,
                            protocol::PointerButton button,
                            protocol::PointerDevice device = protocol::PointerDevice::Mouse) {
-    protocol::RawInput input;
-    input.phase = phase;
-    input.device = device;
-    input.button = button;
-    input.pointer = 1;
-    input.x = 480 + kScale * ground.x;
-    input.y = 480 - kScale * ground.y;
-    input.time = time;
-    return input;
+    return {.phase = phase,
+            .device = device,
+            .button = button,
+            .pointer = 1,
+            .x = 480 + kScale * ground.x,
+            .y = 480 - kScale * ground.y,
+            .time = time};
 }
 
 /// Presses at `from`, moves to `to` and lets go.
 void drag(Session& session, FakeClient& client, Vec2 from, Vec2 to, protocol::PointerButton button,
           protocol::PointerDevice device = protocol::PointerDevice::Mouse) {
-    protocol::Inputs inputs;
-    inputs.events.push_back(pointer(protocol::TouchPhase::Down, from, 0.0, button, device));
+    protocol::Inputs inputs{.events = {pointer(protocol::TouchPhase::Down, from, 0.0, button, device)}};
     client.send(inputs);
     run(session, 0.1, {&client});
     constexpr int kMoves = 10;
@@ -138,8 +134,8 @@ TEST_CASE("A take of a session with a control scheme replays to the same hashes"
     watcher.send(protocol::SetSpeed{8.0f});
     run(other, 1.5, {&watcher});
     CHECK(watcher.noticed("replay-end").find("every hash matched") != std::string::npos);
-    protocol::Inputs inputs;
-    inputs.events.push_back(pointer(protocol::TouchPhase::Down, {}, 9.0, protocol::PointerButton::Left));
+    protocol::Inputs inputs{
+        .events = {pointer(protocol::TouchPhase::Down, {}, 9.0, protocol::PointerButton::Left)}};
     watcher.send(inputs);
     watcher.poll();
     CHECK(watcher.noticed("Inputs").find("replayed") != std::string::npos);
@@ -148,8 +144,8 @@ TEST_CASE("A take of a session with a control scheme replays to the same hashes"
 TEST_CASE("Inputs that make no sense are refused with a sentence and change nothing") {
     Session session = startedSession();
     FakeClient client(session);
-    protocol::Inputs inputs;
-    inputs.events.push_back(pointer(protocol::TouchPhase::Down, {}, 0.0, protocol::PointerButton::Left));
+    protocol::Inputs inputs{
+        .events = {pointer(protocol::TouchPhase::Down, {}, 0.0, protocol::PointerButton::Left)}};
     client.send(inputs);
     client.poll();
     CHECK(client.noticed("Inputs").find("choice of a control scheme") != std::string::npos);

@@ -36,17 +36,12 @@ TEST_CASE("The scene holds what the page draws") {
     SessionDef def = sessionDef();
     Session session(def);
     WorldDef floor = smallFloor();
-    ObstacleDef car;
-    car.name = "Car \"A\"";
-    car.centre = {5, 5};
-    car.radius = 0.8;
-    car.path.waypoints = {{0, {0, 0}, 0}, {4, {3, 0}, 0}};
+    ObstacleDef car{.name = "Car \"A\"",
+                    .centre = {5, 5},
+                    .radius = 0.8,
+                    .path = {.waypoints = {{0, {0, 0}, 0}, {4, {3, 0}, 0}}}};
     floor.obstacles.push_back(car);
-    PatchDef net;
-    net.name = "Net\xff";
-    net.polygon = {{-9, -9}, {-6, -9}, {-6, -6}};
-    net.motion = 3;
-    floor.patches.push_back(net);
+    floor.patches.push_back({.name = "Net\xff", .polygon = {{-9, -9}, {-6, -9}, {-6, -6}}, .motion = 3});
     floor.items.push_back({{1, 2}, 0.5});
     REQUIRE(session.load("small", floor).ok());
     FakeClient client(session);
@@ -265,10 +260,7 @@ TEST_CASE("A notice says where a finger or a control was refused") {
 TEST_CASE("Overlays: the field, one character's cost, density; at most five a second") {
     Session session(sessionDef());
     WorldDef floor = smallFloor();
-    ObstacleDef tree;
-    tree.centre = {6, 0};
-    tree.radius = 1.0;
-    floor.obstacles.push_back(tree);
+    floor.obstacles.push_back({.centre = {6, 0}, .radius = 1.0});
     REQUIRE(session.load("small", floor).ok());
     FakeClient client(session);
     run(session, 0.5, {&client});
@@ -346,12 +338,7 @@ TEST_CASE(
 
 TEST_CASE("Warnings about a scenario are sent on load and to clients that join later, not on restart") {
     WorldDef def = smallFloor();
-    for (const double x : {6.0, 7.3}) {
-        ObstacleDef disc;
-        disc.centre = {x, 6.0};
-        disc.radius = 0.5;
-        def.obstacles.push_back(disc);
-    }
+    for (const double x : {6.0, 7.3}) def.obstacles.push_back({.centre = {x, 6.0}, .radius = 0.5});
     Session session = startedSession();
     FakeClient client(session);
     run(session, 0.1, {&client});

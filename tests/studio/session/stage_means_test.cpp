@@ -1,8 +1,6 @@
 // Times of the stages of steps, for clients that watch them.
 #include <doctest.h>
 
-#include <string>
-
 #include "muster/views.h"
 #include "studio/session/fake_client.h"
 

@@ -20,13 +20,8 @@ struct Recorded {
 /// Records while a finger draws the group, as a page does.
 Recorded recordDrag(double seconds) {
     Session session(sessionDef());
-    WorldDef def;
-    def.name = "Long floor";
-    def.box = {{-30, -15}, {30, 15}};
-    GroupDef group;
-    group.count = 16;
-    group.position = {-20, 0};
-    def.groups.push_back(group);
+    WorldDef def{.name = "Long floor", .box = {{-30, -15}, {30, 15}}};
+    def.groups.push_back({.count = 16, .position = {-20, 0}});
     REQUIRE(session.load("long", def).ok());
     FakeClient client(session);
     run(session, 0.5, {&client});

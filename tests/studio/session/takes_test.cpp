@@ -22,14 +22,8 @@ using protocol::PlaybackAction;
 using protocol::TouchPhase;
 
 WorldDef hundred() {
-    WorldDef def;
-    def.name = "Hundred";
-    def.box = {{-30, -30}, {30, 30}};
-    def.groups.resize(1);
-    def.groups[0].count = 100;
-    ObstacleDef block;
-    block.polygon = {{6, -4}, {8, -4}, {8, 4}, {6, 4}};
-    def.obstacles.push_back(block);
+    WorldDef def{.name = "Hundred", .box = {{-30, -30}, {30, 30}}, .groups = {{.count = 100}}};
+    def.obstacles.push_back({.polygon = {{6, -4}, {8, -4}, {8, 4}, {6, 4}}});
     return def;
 }
 
@@ -148,8 +142,7 @@ TEST_CASE("A seek both ways in a minute of 100 characters shows the poses of str
     Session session(sessionDef());
     REQUIRE(session.load("small", hundred()).ok());
     FakeClient client(session);
-    protocol::Attend attend;
-    attend.count = 100;
+    protocol::Attend attend{.count = 100};
     client.send(attend);
     REQUIRE(session.openTake(bytes, "memory").ok());
     client.send(protocol::Playback{PlaybackAction::Pause});
@@ -232,11 +225,7 @@ TEST_CASE("A part plays over and over, at its own speed") {
     Session session = startedSession(def);
     FakeClient client(session);
     REQUIRE(session.openTake(bytes, "memory", "a.take").ok());
-    protocol::EditTake edit;
-    edit.title = "A wave";
-    edit.from = 60;
-    edit.to = 120;
-    edit.loop = true;
+    protocol::EditTake edit{.title = "A wave", .from = 60, .to = 120, .loop = true};
     client.send(edit);
     REQUIRE(shelf.edits.size() == 1);
     CHECK(shelf.edits[0].first == "a.take");

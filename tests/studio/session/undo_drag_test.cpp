@@ -50,16 +50,14 @@ struct SchemeDesk : DragDesk {
         settle();
     }
     void pointer(protocol::TouchPhase phase, Vec2 at, std::uint32_t number = 1) {
-        protocol::RawInput input;
-        input.phase = phase;
-        input.device = protocol::PointerDevice::Touch;
-        input.button = protocol::PointerButton::Left;
-        input.pointer = number;
-        input.x = 480 + 20.0 * at.x;
-        input.y = 480 - 20.0 * at.y;
+        protocol::RawInput input{.phase = phase,
+                                 .device = protocol::PointerDevice::Touch,
+                                 .button = protocol::PointerButton::Left,
+                                 .pointer = number,
+                                 .x = 480 + 20.0 * at.x,
+                                 .y = 480 - 20.0 * at.y};
         input.time = time += 0.02;
-        protocol::Inputs inputs;
-        inputs.events = {input};
+        protocol::Inputs inputs{.events = {input}};
         client.send(inputs);
         settle(0.05);
     }

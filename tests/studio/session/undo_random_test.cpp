@@ -70,7 +70,8 @@ Defined definitionOf(const World& world, bool poses) {
     for (const ParameterInfo& info : parameterTable())
         text += std::string(info.name) + std::to_string(info.get(world.parameters())) + "\n";
     std::vector<std::string> parts;
-    for (const ObstacleId id : world.obstacleIds()) parts.push_back(textOf(putThing(world.obstacle(id).def)));
+    for (const ObstacleId id : world.obstacleIds())
+        parts.push_back(textOf(putThing(world.obstacle(id).def)));
     for (const PatchId id : world.patchIds()) parts.push_back(textOf(putThing(world.patch(id).def)));
     for (const ItemDef& item : world.items()) parts.push_back(textOf(putThing(item)));
     for (std::size_t k = 0; k < world.checkpoints().size(); ++k)
@@ -112,6 +113,11 @@ struct TwoDirectors : UndoDesk {
     void both(double seconds = 0.15) { run(session, seconds, {&client, &other}); }
     Defined definition() const { return definitionOf(world(), !orders); }
 
+    std::string text(const CommandBody& body) const {
+        const std::vector<Command> commands{{0, 1, 1, body}};
+        const std::string file = writeGestures(commands, 1.0);
+        return file.substr(file.find('['), file.rfind(']') - file.find('[') + 1);
+    }
     GroupId anyGroup() { return group(draw(world().groupCount())).id; }
     std::vector<std::uint32_t> anyMembers(GroupId id, std::size_t most) {
         std::vector<std::uint32_t> ids;
@@ -123,16 +129,8 @@ struct TwoDirectors : UndoDesk {
         if (ids.empty()) ids.push_back(world().characters().id[0]);
         return ids;
     }
-    FormationDef anyFormation() {
-        FormationDef def;
-        def.kind = static_cast<FormationKind>(draw(8));
-        return def;
-    }
-    Body anyBody() {
-        Body body;
-        body.radius = 0.2 + 0.01 * draw(10);
-        return body;
-    }
+    FormationDef anyFormation() { return {.kind = static_cast<FormationKind>(draw(8))}; }
+    Body anyBody() { return {.radius = 0.2 + 0.01 * draw(10)}; }
 
     CommandBody anyOrder() {
         const GroupId id = anyGroup();
@@ -156,8 +154,13 @@ struct TwoDirectors : UndoDesk {
             case 1:
                 return SetConduct{id, {static_cast<Stance>(draw(3)), 0.1 * draw(10), 1.0, draw(2) == 0}};
             case 2:
-                return SplitGroup{
-                    id, SplitBy::Shares, {}, {}, {1.0, 2.0}, draw(2) == 0, static_cast<PartShape>(draw(2))};
+                return SplitGroup{id,
+                                  SplitBy::Shares,
+                                  {},
+                                  {},
+                                  {1.0, 2.0, 1.0},
+                                  draw(2) == 0,
+                                  static_cast<PartShape>(draw(2))};
             case 3:
                 return SplitGroup{
                     id, SplitBy::Ids, anyMembers(id, 4), {}, {}, false, static_cast<PartShape>(draw(2))};
@@ -185,10 +188,7 @@ struct TwoDirectors : UndoDesk {
         const auto among = [&](auto ids) { return ids[draw(ids.size())]; };
         switch (draw(15)) {
             case 0: {
-                ObstacleDef wall;
-                wall.name = "Post";
-                wall.centre = {place() + 35.0, place() + 35.0};
-                wall.radius = 0.5;
+                ObstacleDef wall{.name = "Post", .centre = {place() + 35.0, place() + 35.0}, .radius = 0.5};
                 if (world().obstacleIds().empty() || draw(2) == 0) return putThing(wall);
                 return putThing(wall, among(world().obstacleIds()));
             }
@@ -202,8 +202,7 @@ struct TwoDirectors : UndoDesk {
                 if (!world().itemIds().empty()) return removeThing(among(world().itemIds()));
                 return SetAppearance{id, BodyBuild::Narrow, {}};
             case 4: {
-                FormationCheckpointDef checkpoint;
-                checkpoint.position = {55.0, place()};
+                FormationCheckpointDef checkpoint{.position = {55.0, place()}};
                 if (world().checkpointIds().empty() || draw(2) == 0) return putThing(checkpoint);
                 return putThing(checkpoint, among(world().checkpointIds()));
             }
@@ -211,8 +210,7 @@ struct TwoDirectors : UndoDesk {
                 if (!world().checkpointIds().empty()) return removeThing(among(world().checkpointIds()));
                 return NameGroup{id, "Name " + std::to_string(draw(100))};
             case 6: {
-                AreaDef area;
-                area.polygon = {{50, 50}, {55, 50}, {55, 50.0 + 1 + draw(5)}};
+                AreaDef area{.polygon = {{50, 50}, {55, 50}, {55, 50.0 + 1 + draw(5)}}};
                 if (world().areaCount() == 0 || draw(2) == 0) return putThing(area);
                 return putThing(area, world().area(draw(world().areaCount())).id);
             }
@@ -222,11 +220,9 @@ struct TwoDirectors : UndoDesk {
             case 8:
                 return SetCount{id, 4 + static_cast<std::int32_t>(draw(20))};
             case 9: {
-                AddGroup add;
-                add.group.name = "New " + std::to_string(draw(1000));
-                add.group.count = 5;
-                add.group.position = {place(), place()};
-                return add;
+                return AddGroup{.group = {.name = "New " + std::to_string(draw(1000)),
+                                          .count = 5,
+                                          .position = {place(), place()}}};
             }
             case 10:
                 if (world().groupCount() > 2) return RemoveGroup{id};
@@ -234,8 +230,7 @@ struct TwoDirectors : UndoDesk {
             case 11:
                 return PlaceGroup{id, {place(), place()}, 0.1 * draw(20)};
             case 12: {
-                PatchDef patch;
-                patch.polygon = {{-50, -50}, {-45, -50}, {-45, -49.0 + draw(4)}};
+                PatchDef patch{.polygon = {{-50, -50}, {-45, -50}, {-45, -49.0 + draw(4)}}};
                 if (world().patchIds().empty() || draw(2) == 0) return putThing(patch);
                 return putThing(patch, among(world().patchIds()));
             }
@@ -269,9 +264,9 @@ struct TwoDirectors : UndoDesk {
         const std::uint32_t before = who.history.undo;
         const std::uint32_t kind = draw(20);
         if (kind < 11)
-            who.send(told(anyAct()));
+            who.send(protocol::Commands{text(anyAct())});
         else if (kind < 19 || orders)
-            who.send(protocol::Edit{"Edit", 0, commandBytes(anyEdit()), {}});
+            who.send(protocol::Edit{"Edit", 0, text(anyEdit())});
         else
             drag(who);
         both(0.6);  // Two messages of a slider would be one step.
@@ -347,4 +342,17 @@ TEST_CASE("what two directors do is taken back to the first definition, and done
 
 TEST_CASE("places, shapes and drags are taken back to where the crowd was to stand") {
     for (std::uint32_t seed = 1; seed <= 4; ++seed) undoAndRedo(seed, false, 40);
+}
+
+TEST_CASE("random acts of two directors with undo between them replay to the same hash") {
+    TwoDirectors desk(7, true);
+    for (int k = 0; k < 150; ++k) {
+        FakeClient& who = desk.draw(2) == 0 ? desk.client : desk.other;
+        if (desk.draw(3) == 0)
+            who.send(protocol::UndoEdit{desk.draw(4) == 0});
+        else
+            who.send(protocol::Commands{desk.text(desk.anyAct())});
+        desk.both(desk.draw(3) == 0 ? 0.0 : 0.1);
+    }
+    desk.replays();
 }

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { kJoints } from '../model/skeleton';
-import type { Frame, GroupFrame, GroupMesh } from '../protocol/messages';
-import { kIdle } from '../model/test_frames';
+import type { Frame, GroupFrame } from '../protocol/messages';
+import { kIdle, madeMesh } from '../model/test_frames';
 import { FrameUnpacker, unpackPoses } from './frame_unpacker';
 import { buffersOf } from '../model/studio_frame';
 
@@ -11,21 +11,6 @@ function packTurn(q: readonly number[]): number[] {
   const sign = q[largest]! < 0 ? -1 : 1;
   const others = q.flatMap((one, k) => (k === largest ? [] : [Math.round(sign * one * Math.SQRT2 * 16383)]));
   return others.map((one, n) => 2 * one + (n < 2 ? (largest >> n) & 1 : 0));
-}
-
-function meshOf(group: number): GroupMesh {
-  return {
-    type: 'GroupMesh',
-    group,
-    version: 1,
-    formation: 'square',
-    spacing: 1,
-    rest: new Float32Array(),
-    triangles: Uint32Array.of(0, 1, 2, 0, 2, 3),
-    boundary: new Uint32Array(),
-    placeTriangles: Uint32Array.of(0, 1),
-    placeWeights: Float32Array.of(0.5, 0.25, 0, 0),
-  };
 }
 
 function frameOf(group: Partial<GroupFrame>): Frame {
@@ -120,20 +105,20 @@ describe('FrameUnpacker', () => {
 
   it('lays places on their points of the mesh, off by what was told last', () => {
     const unpacker = new FrameUnpacker();
-    unpacker.setMesh(meshOf(7));
+    unpacker.setMesh(madeMesh(7));
     const places = (group: Partial<GroupFrame>): number[] =>
       Array.from(unpacker.unpack(frameOf(group)).groups[0]!.places);
     expect(places({})).toEqual([2, 1, 0, 4]);
     expect(places({ moved: Uint32Array.of(1), offsets: Int16Array.of(50, -100) })).toEqual([2, 1, 0.5, 3]);
     const wide = Float32Array.of(0, 0, 8, 0, 8, 4, 0, 4);
     expect(places({ vertices: wide })).toEqual([4, 1, 0.5, 3]);
-    unpacker.setMesh(meshOf(7));
+    unpacker.setMesh(madeMesh(7));
     expect(places({})).toEqual([2, 1, 0, 4]);
   });
 
   it('keeps who finds no room until that is told anew', () => {
     const unpacker = new FrameUnpacker();
-    unpacker.setMesh(meshOf(7));
+    unpacker.setMesh(madeMesh(7));
     const fit = (unfit: number[]): number[] =>
       Array.from(unpacker.unpack(frameOf({ unfit: Uint8Array.from(unfit) })).groups[0]!.fit);
     expect([fit([]), fit([2]), fit([]), fit([0])]).toEqual([
@@ -146,7 +131,7 @@ describe('FrameUnpacker', () => {
 
   it('gives buffers that can be handed on, each once', () => {
     const unpacker = new FrameUnpacker();
-    unpacker.setMesh(meshOf(7));
+    unpacker.setMesh(madeMesh(7));
     const frame = unpacker.unpack(frameOf({}));
     const buffers = buffersOf(frame);
     expect(new Set(buffers).size).toBe(buffers.length);

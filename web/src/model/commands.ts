@@ -124,10 +124,6 @@ export function splitByLineCommand(group: number, from: GroundPoint, to: GroundP
   return { kind: 'split', group, by: 'line', ids: [], points: [pair(from), pair(to)], shape: 'asHeld' };
 }
 
-export function splitByIdsCommand(group: number, ids: readonly number[]): SplitGroupCommand {
-  return { kind: 'split', group, by: 'ids', ids, shape: 'asHeld' };
-}
-
 export function mergeCommand(groups: readonly number[], shape: PartShapeWord): MergeGroupsCommand {
   return { kind: 'merge', groups, shape };
 }

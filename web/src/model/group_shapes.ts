@@ -49,13 +49,6 @@ export function widthOf(places: readonly GroundPoint[]): number {
   return Math.max(...across) - Math.min(...across);
 }
 
-/** From front to rear [m]. */
-export function depthOf(places: readonly GroundPoint[]): number {
-  if (places.length === 0) return 0;
-  const along = places.map(({ x }) => x);
-  return Math.max(...along) - Math.min(...along);
-}
-
 /** Ranks of so many abreast, the last one in the middle, their mean at the origin: as the engine makes them. */
 function ranks(count: number, files: number, spacing: number): GroundPoint[] {
   const places = Array.from({ length: count }, (_, i) => {

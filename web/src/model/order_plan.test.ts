@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { moveCommand } from './commands';
-import { depthOf, placed, widened, widthOf, type GroupShape } from './group_shapes';
+import { placed, widened, widthOf, type GroupShape } from './group_shapes';
 import { planLine, planPoint, planRoute, type OrderedGroup } from './order_plan';
 
 /** Ranks and files a metre apart, facing x. */
@@ -63,7 +63,6 @@ describe('shapes', () => {
     const wide = widened(block(3, 4), 7);
     expect(wide).toHaveLength(12);
     expect(widthOf(wide)).toBe(7);
-    expect(depthOf(wide)).toBe(1);
     expect(widened(block(3, 4), 0)).toHaveLength(12);
     expect(widthOf(widened(block(3, 4), 0.1))).toBe(0);
   });

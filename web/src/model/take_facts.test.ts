@@ -12,19 +12,9 @@ import {
   withPiece,
   type OpenTake,
 } from './take_facts';
+import { kOpenTake } from './test_frames';
 
-const take: OpenTake = {
-  name: 'a.take',
-  title: '',
-  steps: 600,
-  stepTime: 1 / 60,
-  from: 60,
-  to: 540,
-  loop: false,
-  stored: false,
-  speeds: [],
-  marks: [],
-};
+const take: OpenTake = kOpenTake;
 
 it('writes lengths, ages and sizes', () => {
   expect([0, 24.4, 65, 3725].map(formatLengthOf)).toEqual(['0:00', '0:24', '1:05', '1:02:05']);

@@ -4,7 +4,11 @@ import { kRowFloats, rowsLength } from './studio_frame';
 import type { Given, Order } from '../protocol/generated/commands';
 import { filled } from '../protocol/encoding';
 import type { QueueOrder } from './queue_order';
+import type { GroupMesh } from '../protocol/messages';
 import type { ControlView, FrameView, GroupView } from './frame_view';
+import { GroupShapes } from './group_shapes';
+import type { GroundPoint } from './plane';
+import type { OpenTake } from './take_facts';
 
 /** What each character plays, and where it faces; what is not given is 0. */
 export interface Played {
@@ -83,4 +87,53 @@ export function madeGroup(id: number, controls: readonly ControlView[], more: Pa
 /** A march to a place, or another order. */
 export function madeOrder(id: number, more: Given<Order> = {}): QueueOrder {
   return { id, ...filled<Order>('Order', more) };
+}
+
+/** What is drawn of groups and their orders where nobody has done anything yet. */
+export function quietOrders() {
+  return {
+    greyed: false,
+    groups: [],
+    shapes: new GroupShapes(),
+    selected: new Set<number>(),
+    queues: true,
+    drawn: null,
+    forecasts: [],
+    ways: new Map<number, GroundPoint[]>(),
+    returns: new Map<number, GroundPoint[]>(),
+    picked: 0,
+    cut: null,
+    scheme: null,
+  };
+}
+
+/** A take of ten seconds that is open, without a title and without marks. */
+export const kOpenTake: OpenTake = {
+  name: 'a.take',
+  title: '',
+  steps: 600,
+  stepTime: 1 / 60,
+  from: 60,
+  to: 540,
+  loop: false,
+  stored: false,
+  speeds: [],
+  marks: [],
+};
+
+/** The mesh of a group, of two triangles with a place in each. */
+export function madeMesh(group: number, more: Partial<GroupMesh> = {}): GroupMesh {
+  return {
+    type: 'GroupMesh',
+    group,
+    version: 1,
+    formation: 'square',
+    spacing: 1,
+    rest: new Float32Array(),
+    triangles: Uint32Array.of(0, 1, 2, 0, 2, 3),
+    boundary: new Uint32Array(),
+    placeTriangles: Uint32Array.of(0, 1),
+    placeWeights: Float32Array.of(0.5, 0.25, 0, 0),
+    ...more,
+  };
 }

@@ -32,6 +32,12 @@ export interface BuildCamera {
   orbit(turn: number, tilt: number): void;
 }
 
+export interface BuildView {
+  readonly camera: BuildCamera;
+  screenToWorld(at: ScreenPoint): GroundPoint | null;
+  wake(): void;
+}
+
 interface Down {
   readonly from: ScreenPoint;
   at: ScreenPoint;
@@ -58,6 +64,16 @@ export class BuildPointer {
     private readonly toGround_: (at: ScreenPoint) => GroundPoint | null,
     private readonly moves_: () => void,
   ) {}
+
+  /** Draws on the scene's ground. */
+  static over(view: BuildView, strokes: BuildStrokes): BuildPointer {
+    return new BuildPointer(
+      strokes,
+      view.camera,
+      (at) => view.screenToWorld(at),
+      () => view.wake(),
+    );
+  }
 
   listen(surface: SVGSVGElement): void {
     surface.addEventListener('pointerdown', (event) => this.pressed(event, surface));

@@ -3,7 +3,7 @@ import type { Command } from '../protocol/generated/commands';
 import { EventKind, type ClientMessage, type GroupMesh } from '../protocol/messages';
 import type { StudioFrame } from '../model/studio_frame';
 import { StudioStore } from '../model/studio_store';
-import { kIdle } from '../model/test_frames';
+import { kIdle, madeMesh } from '../model/test_frames';
 import { OrderDesk } from './order_desk';
 
 let sent: ClientMessage[];
@@ -14,18 +14,13 @@ const noKeys = { shift: false, alt: false };
 
 /** A mesh of one triangle with three places on its corners. */
 function mesh(group: number): GroupMesh {
-  return {
-    type: 'GroupMesh',
-    group,
-    version: 1,
-    formation: 'square',
-    spacing: 1,
+  return madeMesh(group, {
     rest: Float32Array.of(1, 0, -1, 1, -1, -1),
     triangles: Uint32Array.of(0, 1, 2),
     boundary: Uint32Array.of(3, 0, 1, 2),
     placeTriangles: Uint32Array.of(0, 0, 0),
     placeWeights: Float32Array.of(1, 0, 0, 1, 0, 0),
-  };
+  });
 }
 
 function frame(groups: readonly [id: number, x: number][], members: number[], events: unknown[] = []): StudioFrame {

@@ -90,17 +90,7 @@ export async function overlayAfterLoss(studio, server) {
   expect(inert.join() === 'true,true,true,false,false', `what would do nothing is inert: ${inert}`);
   const again = await startStudio({ scenario: server.scenario, port: server.port });
   try {
-    await studio.page
-      .locator('.banner', { hasText: 'Try now' })
-      .locator('button', { hasText: 'Try now' })
-      .click({ timeout: 1500 })
-      .catch(() => undefined);
-    await studio.until(
-      'the connection',
-      () => globalThis.__muster.connected && !document.documentElement.hasAttribute('data-lost'),
-      null,
-      20000,
-    );
+    await studio.connected();
     const painted = await studio.page.evaluate(
       () =>
         new Promise((resolve) => {

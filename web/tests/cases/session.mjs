@@ -126,17 +126,7 @@ export async function lostAndFound(studio, server) {
   await studio.shot('lost');
   const again = await startStudio({ port: server.port });
   expect(again.port === server.port, 'the same port again');
-  await studio.page
-    .locator('.banner', { hasText: 'Try now' })
-    .locator('button', { hasText: 'Try now' })
-    .click({ timeout: 1500 })
-    .catch(() => undefined);
-  await studio.until(
-    'the connection',
-    () => globalThis.__muster.connected && !document.documentElement.hasAttribute('data-lost'),
-    null,
-    20000,
-  );
+  await studio.connected();
   const { step } = await studio.frame();
   await studio.send({ type: 'Playback', action: 0 });
   await studio.until('new frames', (n) => globalThis.__muster.frame.step !== n, step);

@@ -1,5 +1,7 @@
 // A small character as a GLB: one box per bone, a skeleton under names of one's choice, and an animation if wanted.
 
+import { kFaces } from './made_places.mjs';
+
 /** Name of ours, parent, place in metres (x to the left, y up, z forward), as glTF has them. */
 const kJoints = [
   ['Hips', -1, 0, 0.95, 0],
@@ -30,14 +32,6 @@ const kJoints = [
 ];
 
 const kCorners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1]);
-const kFaces = [
-  [0, 2, 3, 1],
-  [4, 5, 7, 6],
-  [0, 1, 5, 4],
-  [2, 6, 7, 3],
-  [0, 4, 6, 2],
-  [1, 3, 7, 5],
-];
 
 /** Boxes in the middle between joint and child; numbers in `unit`s. */
 function boxes(joints, unit) {

@@ -1,6 +1,7 @@
 // Small files that become places, made by hand.
 
-const kFaces = [
+/** The corners of the sides of a box. */
+export const kFaces = [
   [0, 2, 3, 1],
   [4, 5, 7, 6],
   [0, 1, 5, 4],

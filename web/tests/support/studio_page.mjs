@@ -1,6 +1,7 @@
 // The page under test: what it shows, and where things are on it.
 import { mkdirSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
+import { DrivenPage } from './driven_page.mjs';
 import { Fingers } from './fingers.mjs';
 import { countWebgl } from './webgl_counts.mjs';
 
@@ -18,7 +19,7 @@ export const kSizes = {
   zoomed: { width: 640, height: 400 },
 };
 
-export class StudioPage {
+export class StudioPage extends DrivenPage {
   static async open(
     browser,
     url,
@@ -44,24 +45,19 @@ export class StudioPage {
     return studio;
   }
 
-  constructor(context, page, size) {
-    this.context = context;
-    this.page = page;
-    this.size = size;
-    this.errors = [];
-  }
-
-  wait(ms) {
-    return new Promise((resolve) => setTimeout(resolve, ms));
-  }
-
-  /** Waits until the function is true in the page. */
-  async until(what, test, argument, timeout = 15000) {
-    try {
-      await this.page.waitForFunction(test, argument, { timeout, polling: 50 });
-    } catch (error) {
-      throw new Error(`waited in vain for ${what}: ${String(error).split('\n')[0]}`);
-    }
+  /** Asks for a lost connection at once, and waits for it. */
+  async connected() {
+    await this.page
+      .locator('.banner', { hasText: 'Try now' })
+      .locator('button', { hasText: 'Try now' })
+      .click({ timeout: 1500 })
+      .catch(() => undefined);
+    await this.until(
+      'the connection',
+      () => globalThis.__muster.connected && !document.documentElement.hasAttribute('data-lost'),
+      null,
+      20000,
+    );
   }
 
   /** Tries until the expectations hold: what the world or the page needs a moment for. */

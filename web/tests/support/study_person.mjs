@@ -1,6 +1,7 @@
 // A person in a run of the study, as a browser plays one: fingers for touch, the mouse for the mouse.
 import { mkdirSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
+import { DrivenPage } from './driven_page.mjs';
 import { Fingers } from './fingers.mjs';
 import { kSizes } from './studio_page.mjs';
 
@@ -19,7 +20,7 @@ export const kStage = {
   replay: 7,
 };
 
-export class StudyPerson {
+export class StudyPerson extends DrivenPage {
   static async open(browser, url, { size = 'wide', colorScheme = 'light' } = {}) {
     const context = await browser.newContext({ viewport: kSizes[size], colorScheme, hasTouch: true });
     const page = await context.newPage();
@@ -42,25 +43,6 @@ export class StudyPerson {
     });
     await page.goto(url);
     return person;
-  }
-
-  constructor(context, page, size) {
-    this.context = context;
-    this.page = page;
-    this.size = size;
-    this.errors = [];
-  }
-
-  wait(ms) {
-    return new Promise((resolve) => setTimeout(resolve, ms));
-  }
-
-  async until(what, test, argument, timeout = 15000) {
-    try {
-      await this.page.waitForFunction(test, argument, { timeout, polling: 50 });
-    } catch (error) {
-      throw new Error(`waited in vain for ${what}: ${String(error).split('\n')[0]}`);
-    }
   }
 
   state() {

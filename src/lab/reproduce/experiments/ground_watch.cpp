@@ -5,7 +5,6 @@
 #include "lab/reproduce/experiments/samples.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace muster {
 GroundWatch::GroundWatch(const World& world) : stepTime_(world.parameters().stepTime) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace muster {
 void Samples::add(const std::string& arm, const std::string& preset, RunSample sample) {

@@ -35,9 +35,7 @@ struct Drag {
 Drag dragOf(std::uint64_t seed, bool oneWay) {
     Random random(seed);
     const auto between = [&](double low, double high) { return random.uniform(low, high); };
-    Drag drag;
-    drag.shift.x = between(-1.0, 1.0);
-    drag.shift.y = between(-1.0, 1.0);
+    Drag drag{.shift = {.x = between(-1.0, 1.0), .y = between(-1.0, 1.0)}};
     const double angle = between(-0.6, 0.6);
     drag.turn = {cosine(angle), sine(angle)};
     const double size = random.below(2) == 0 ? between(0.65, 0.85) : between(1.15, 1.4);

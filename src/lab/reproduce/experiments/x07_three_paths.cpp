@@ -1,6 +1,5 @@
 // X7 (paper fig. 8a): a net, open ground and a pool in three lanes; the crowd divides as its mesh lies.
 #include <cmath>
-#include <limits>
 
 #include "engine/formation/places/place_tracker.h"
 #include "engine/world/inspect.h"

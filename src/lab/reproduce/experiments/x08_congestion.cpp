@@ -154,10 +154,9 @@ void CongestionExperiment::judge(const Samples& samples, Judge& judge) const {
 }
 
 std::vector<ChartDef> CongestionExperiment::charts(const Samples& samples) const {
-    ChartDef chart;
-    chart.title = "Characters past the middle of the ways (seed 1).";
-    chart.xTitle = "time [s]";
-    chart.yTitle = "characters";
+    ChartDef chart{.title = "Characters past the middle of the ways (seed 1).",
+                   .xTitle = "time [s]",
+                   .yTitle = "characters"};
     for (const Arm& arm : arms()) {
         const std::vector<RunSample>& runs = samples.runs(arm.id, arm.preset);
         if (arm.preset != "muster" || runs.empty()) continue;

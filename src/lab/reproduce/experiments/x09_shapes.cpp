@@ -1,7 +1,6 @@
 // X9 (paper fig. 9a-c): changes of formation, and an arrow in a corridor.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/random.h"
 #include "lab/reproduce/experiments/change_watch.h"

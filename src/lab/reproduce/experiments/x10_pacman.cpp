@@ -163,10 +163,9 @@ public:
                       Comparison::AtLeast, 10.0, "m");
     }
     std::vector<ChartDef> charts(const Samples& samples) const override {
-        ChartDef chart;
-        chart.title = "The mouth follows its two fingers, six times (seed 1).";
-        chart.xTitle = "time [s]";
-        chart.yTitle = "opening of the mouth [degrees]";
+        ChartDef chart{.title = "The mouth follows its two fingers, six times (seed 1).",
+                       .xTitle = "time [s]",
+                       .yTitle = "opening of the mouth [degrees]"};
         for (const Arm& arm : arms()) {
             const auto& runs = samples.runs(arm.id, arm.preset);
             if (!runs.empty() && arm.preset == "muster")

@@ -112,10 +112,9 @@ std::string drawSeries(const Frame& frame, const ChartSeries& series, std::size_
 
 std::string legendSign(const ChartSeries& series, std::size_t index, double x, double y) {
     std::string content;
-    if (!series.marksOnly) {
+    if (!series.marksOnly)
         content = "<path d=\"M" + svgNumber(x) + " " + svgNumber(y) +
                   "h24\" fill=\"none\" stroke-width=\"2\"" + dashOf(index) + "/>";
-    }
     return seriesGroup(index, content + seriesMark(index, x + 12.0, y, 4.0));
 }
 

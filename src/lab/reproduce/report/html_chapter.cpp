@@ -92,12 +92,11 @@ std::string again(const ExperimentResult& experiment, std::int32_t seeds) {
     const std::string& name = experiment.text.scenario;
     std::string commands = "muster reproduce " + experiment.text.id + " --seeds " + std::to_string(seeds);
     std::string html = "<p>The figures:</p><pre>" + escaped(commands) + "</pre>\n";
-    if (!name.empty()) {
+    if (!name.empty())
         html += "<p>In the studio, where Watch plays the touches that the scenario carries:</p><pre>" +
                 escaped("muster studio paper/" + name) +
                 "</pre>\n<p>As figures of one run on the command line:</p><pre>" +
                 escaped("muster play scenarios/paper/" + name + ".json --demo") + "</pre>\n";
-    }
     return html +
            "<p>The world’s hash at the end of the run with seed 1. Whoever gets the same hash got the same "
            "run, bit "

@@ -57,10 +57,9 @@ std::string figureCell(const ExperimentResult& experiment, const Arm& arm, const
     if (*low != *high)
         content += " " + small(lowText == highText ? plainNumber(*low) + " to " + plainNumber(*high)
                                                    : lowText + " to " + highText);
-    if (values.size() < measured) {
+    if (values.size() < measured)
         content += " <small class=\"missing\">" + missingWord(figure.unit) + " in " +
                    std::to_string(measured - values.size()) + " of " + std::to_string(measured) + "</small>";
-    }
     if (measured < runs.size())
         content += " " +
                    small("measured in " + std::to_string(measured) + " of " + std::to_string(runs.size()));

@@ -19,11 +19,10 @@ double eased(double t) {
 
 void HandScript::add(PointerPhase phase, std::uint32_t pointer, PointerButton button, Modifiers modifiers,
                      double at, Vec2 ground, Vec2 errorMm, std::vector<ScriptedInput>& script) {
-    PointerEvent event;
-    event.phase = phase;
-    event.device = motor_->isTouch() ? PointerDevice::Touch : PointerDevice::Mouse;
-    event.button = button;
-    event.pointer = pointer;
+    PointerEvent event{.phase = phase,
+                       .device = motor_->isTouch() ? PointerDevice::Touch : PointerDevice::Mouse,
+                       .button = button,
+                       .pointer = pointer};
     const Vec2 px = view_->screenOf(ground).value_or(Vec2{}) + errorMm / view_->mmPerPixel;
     event.screen = {std::clamp(px.x, 1.0, view_->width - 1.0), std::clamp(px.y, 1.0, view_->height - 1.0)};
     event.time = at;

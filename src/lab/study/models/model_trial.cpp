@@ -13,11 +13,10 @@ Result<ModelTrial> runModelTrial(const TrialDef& def, const std::string& setting
         model.direct(trial);
         trial.step();
     }
-    ModelTrial done;
-    done.result = trial.result();
-    done.misses = model.misses();
-    done.orders = model.commands();
-    done.operatorSeconds = model.busySeconds();
+    ModelTrial done{.result = trial.result(),
+                    .misses = model.misses(),
+                    .orders = model.commands(),
+                    .operatorSeconds = model.busySeconds()};
     done.decisions.assign(model.decisions().begin(), model.decisions().end());
     done.inputs.assign(trial.inputs().begin(), trial.inputs().end());
     return done;

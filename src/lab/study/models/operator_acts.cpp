@@ -1,7 +1,6 @@
 // Movements of an operator model's hands that carry out its decisions.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
 #include "lab/study/models/operator_model.h"
@@ -377,8 +376,7 @@ void OperatorModel::point(double& at, Charge& charge, bool add) {
     const double width = toleranceOf(seen(charge, at));
     at = reachHand(at, to, width, 0) + motor_.press();
     const bool paper = scheme_.kind == SchemeKind::MousePaper;
-    Modifiers modifiers;
-    modifiers.shift = add;
+    Modifiers modifiers{.shift = add};
     at = hand_.click(paper ? PointerButton::Left : PointerButton::Right, modifiers, at, to,
                      width * mmPerMetre_, script_);
     ++charge.point;

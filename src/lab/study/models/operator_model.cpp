@@ -70,14 +70,13 @@ OperatorModel::OperatorModel(const Trial& trial, const OperatorParameters& param
     const Vec2 a = view_.screenOf({0.0, 0.0}).value();
     const Vec2 b = view_.screenOf({1.0, 0.0}).value();
     mmPerMetre_ = distance(a, b) * view_.mmPerPixel;
-    PlannerDef def;
-    def.repertoire = repertoire_;
-    def.parameters = parameters;
-    def.mmPerMetre = mmPerMetre_;
-    def.itemRadius = studyRules().itemRadius;
-    def.speed = kKnownSpeed;
-    def.spacing = studyRules().spacing;
-    def.border = studyRules().box.grown(-0.5);
+    PlannerDef def{.repertoire = repertoire_,
+                   .parameters = parameters,
+                   .mmPerMetre = mmPerMetre_,
+                   .itemRadius = studyRules().itemRadius,
+                   .speed = kKnownSpeed,
+                   .spacing = studyRules().spacing,
+                   .border = studyRules().box.grown(-0.5)};
     planner_ = std::make_unique<Planner>(def, tours_, motor_);
     // Hands begin beside the crowd.
     handAt_ = {Vec2{0.0, -6.0}, Vec2{0.0, -8.0}};
@@ -135,9 +134,7 @@ void OperatorModel::begin(double now, const SeenScene& seen) {
     cuts_ = plan.cuts;
     divided_ = !cuts_.empty();
     for (const PlannedPart& part : plan.parts) {
-        Charge charge;
-        charge.plan = part;
-        charge.meant = sweptBy(part, open);
+        Charge charge{.plan = part, .meant = sweptBy(part, open)};
         if (repertoire_.keepsGroups && plan.parts.size() > 1)
             charge.digit = static_cast<std::uint8_t>('1' + charges_.size());
         charges_.push_back(std::move(charge));
@@ -380,8 +377,7 @@ void OperatorModel::renewPart(std::size_t index, std::span<const std::int32_t> i
     PlannedPart whole = planner_->renewed(part, items, sweeps, chance_);
     const auto few = items.size() <= kMostLeftOvers ? planner_->fetched(part, items, chance_) : std::nullopt;
     if (few && planner_->partSeconds(*few) + planner_->takeOutSeconds(*few) < planner_->partSeconds(whole)) {
-        Charge charge;
-        charge.plan = *few;
+        Charge charge{.plan = *few};
         charge.meant = sweptBy(charge.plan, items);
         charges_[index].meant.clear();
         std::erase_if(charges_[index].plan.part.ids, [&](std::uint32_t id) {

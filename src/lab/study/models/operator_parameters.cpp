@@ -12,37 +12,33 @@ namespace {
 constexpr std::uint64_t kHypercubeSeed = 20261124;
 
 DeviceParameters mouseDefaults() {
-    DeviceParameters d;
-    d.pointBase = 0.17;
-    d.pointSlope = 0.18;
-    d.press = 0.1;
-    d.dragBase = 0.135;
-    d.dragSlope = 0.249;
-    d.steerBase = 0.1;
-    d.steerSlope = 0.08;
-    d.drawSpeed = 400.0;
-    d.scatterShare = 1.0 / 4.13;
-    d.wobble = 1.5;
-    d.latency = 0.03;
-    return d;
+    return {.pointBase = 0.17,
+            .pointSlope = 0.18,
+            .press = 0.1,
+            .dragBase = 0.135,
+            .dragSlope = 0.249,
+            .steerBase = 0.1,
+            .steerSlope = 0.08,
+            .drawSpeed = 400.0,
+            .scatterShare = 1.0 / 4.13,
+            .wobble = 1.5,
+            .latency = 0.03};
 }
 
 DeviceParameters touchDefaults() {
-    DeviceParameters d;
-    d.pointBase = 0.2;
-    d.pointSlope = 0.115;
-    d.dragBase = 1.18 * 0.135;
-    d.dragSlope = 1.18 * 0.249;
-    d.steerBase = 1.2 * 0.1;
-    d.steerSlope = 1.2 * 0.08;
-    d.lostWidth = 4.0;
-    d.drawSpeed = 250.0;
-    d.scatterShare = 0.0955;
-    d.scatterLeast = 1.22;
-    d.wobble = 2.5;
-    d.latency = 0.08;
-    d.handOff = 0.4;
-    return d;
+    return {.pointBase = 0.2,
+            .pointSlope = 0.115,
+            .dragBase = 1.18 * 0.135,
+            .dragSlope = 1.18 * 0.249,
+            .steerBase = 1.2 * 0.1,
+            .steerSlope = 1.2 * 0.08,
+            .lostWidth = 4.0,
+            .drawSpeed = 250.0,
+            .scatterShare = 0.0955,
+            .scatterLeast = 1.22,
+            .wobble = 2.5,
+            .latency = 0.08,
+            .handOff = 0.4};
 }
 
 constexpr std::string_view kOwn = "our own assumption";
@@ -103,10 +99,7 @@ constexpr std::array kConstants = std::to_array<OperatorConstant>({
 #undef MUSTER_AT
 
 OperatorParameters defaults() {
-    OperatorParameters p;
-    p.mouse = mouseDefaults();
-    p.touch = touchDefaults();
-    return p;
+    return {.mouse = mouseDefaults(), .touch = touchDefaults()};
 }
 
 // Each range is cut into as many strata as there are draws, and each stratum of each range is drawn once.

@@ -41,8 +41,7 @@ Planner::Planner(const PlannerDef& def, const TourFinder& tours, const Motor& mo
     : def_(def), tours_(&tours), motor_(&motor) {}
 
 Sweep Planner::sweepOf(const SeenPart& part) const {
-    Sweep sweep;
-    sweep.reach = def_.itemRadius;
+    Sweep sweep{.reach = def_.itemRadius};
     const std::size_t n = part.positions.size();
     if (def_.repertoire.keepsShape) {
         for (const Vec2 p : part.positions) sweep.offsets.push_back(p - part.centre);
@@ -124,8 +123,7 @@ bool Planner::collectedOn(const PlannedPart& planned, const Sweep& sweep, std::i
 OperatorPlan Planner::plan(const SeenPart& crowd, std::span<const std::int32_t> open, Chance& chance) const {
     const std::vector<std::int32_t> tour = tours_->tour(
         crowd.centre, open, def_.parameters.routeDetour * 2.0 * chance.uniform(), chance);
-    OperatorPlan best;
-    best.seconds = kInfinite;
+    OperatorPlan best{.seconds = kInfinite};
     const auto most = static_cast<std::int32_t>(std::floor(def_.parameters.groupsInMind + 0.5));
     const auto consider = [&](OperatorPlan&& plan) {
         if (plan.seconds < best.seconds) best = std::move(plan);
@@ -229,10 +227,9 @@ PlannedPart Planner::next(const SeenPart& part, std::span<const std::int32_t> op
 }
 
 Repertoire repertoireOf(const SchemeDef& def) {
-    Repertoire r;
-    r.touch = def.kind == SchemeKind::Touch;
-    r.draws = def.kind == SchemeKind::Touch || def.kind == SchemeKind::MouseMesh;
-    r.queues = def.kind == SchemeKind::MouseFull;
+    Repertoire r{.touch = def.kind == SchemeKind::Touch,
+                 .draws = def.kind == SchemeKind::Touch || def.kind == SchemeKind::MouseMesh,
+                 .queues = def.kind == SchemeKind::MouseFull};
     r.divides = r.draws ? def.splits : true;
     r.spreads = r.touch && def.shapes && !def.oneFinger;
     r.calls = r.touch && def.splits && def.calls;

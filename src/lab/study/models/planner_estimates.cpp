@@ -165,8 +165,7 @@ double Planner::estimate(const OperatorPlan& plan) const {
 }
 
 double Planner::partSeconds(const PlannedPart& planned) const {
-    OperatorPlan plan;
-    plan.parts.push_back(planned);
+    OperatorPlan plan{.parts = {planned}};
     return estimate(plan);
 }
 

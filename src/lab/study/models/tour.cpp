@@ -1,7 +1,6 @@
 #include "lab/study/models/tour.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace muster {
 namespace {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <type_traits>
 #include <vector>
 
 #include "base/output_file.h"

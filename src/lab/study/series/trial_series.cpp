@@ -1,6 +1,5 @@
 #include "lab/study/series/trial_series.h"
 
-#include <algorithm>
 #include <atomic>
 #include <mutex>
 
@@ -23,15 +22,13 @@ Status checkNumbers(const SeriesDef& def) {
 }
 
 StudyTrial storedTrial(std::int64_t run, const SeriesTrial& trial, const ModelTrial& done) {
-    StudyTrial stored;
-    stored.run = run;
-    stored.def = trial.def;
-    stored.setting = trial.setting;
-    stored.state = RunState::Complete;
-    stored.result = done.result;
-    stored.misses = done.misses;
-    stored.operatorSeconds = done.operatorSeconds;
-    return stored;
+    return {.run = run,
+            .def = trial.def,
+            .setting = trial.setting,
+            .state = RunState::Complete,
+            .result = done.result,
+            .misses = done.misses,
+            .operatorSeconds = done.operatorSeconds};
 }
 
 Status keep(StudyStore& store, std::int64_t run, const SeriesTrial& trial, const ModelTrial& done,
@@ -157,11 +154,10 @@ Status runSeries(const SeriesDef& def, StudyStore& store, const std::string& ver
     if (def.tuning) return invalidArgument("trials with tuning seeds are never kept");
     const auto all = seriesTrials(def);
     if (!all.ok()) return all.status();
-    StudyRun wanted;
-    wanted.version = version;
-    wanted.environments = kEnvironmentVersion;
-    wanted.operators = kOperatorVersion;
-    wanted.note = kNote;
+    StudyRun wanted{.version = version,
+                    .environments = kEnvironmentVersion,
+                    .operators = kOperatorVersion,
+                    .note = kNote};
     auto run = runOf(store, wanted);
     if (!run.ok()) return run.status();
     const auto missing = missingTrials(*all, store);

@@ -1,7 +1,6 @@
 #include "lab/study/statistics/describe.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -12,7 +11,6 @@ namespace muster::statistics {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -30,10 +28,8 @@ double median(const std::vector<double>& values) {
 }
 
 BoxSummary boxSummary(const std::vector<double>& values) {
-    BoxSummary box;
-    box.lower = quantile(values, 0.25);
-    box.middle = quantile(values, 0.5);
-    box.upper = quantile(values, 0.75);
+    BoxSummary box{
+        .lower = quantile(values, 0.25), .middle = quantile(values, 0.5), .upper = quantile(values, 0.75)};
     const double reach = 1.5 * (box.upper - box.lower);
     box.low = box.lower;
     box.high = box.upper;
@@ -47,22 +43,6 @@ BoxSummary boxSummary(const std::vector<double>& values) {
     }
     std::sort(box.beyond.begin(), box.beyond.end());
     return box;
-}
-
-Estimate geometricMeanRatio(std::span<const double> a, std::span<const double> b) {
-    const std::size_t n = std::min(a.size(), b.size());
-    if (n == 0) return {kNone, kNone, kNone};
-    double mean = 0.0;
-    for (std::size_t i = 0; i < n; ++i) mean += std::log(a[i] / b[i]) / static_cast<double>(n);
-    if (n == 1) return {std::exp(mean), 0.0, kInfinite};
-    double squares = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-        const double away = std::log(a[i] / b[i]) - mean;
-        squares += away * away;
-    }
-    const double df = static_cast<double>(n - 1);
-    const double half = studentQuantile(0.975, df) * std::sqrt(squares / df / static_cast<double>(n));
-    return {std::exp(mean), std::exp(mean - half), std::exp(mean + half)};
 }
 
 Estimate ratioOfMedians(std::span<const double> a, std::span<const double> b, std::uint64_t seed,

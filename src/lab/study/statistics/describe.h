@@ -30,10 +30,6 @@ struct BoxSummary {
 /// The box plot of at least one value.
 BoxSummary boxSummary(const std::vector<double>& values);
 
-/// Ratio of the geometric means of a and b, with the 95 % interval by the paired t distribution of log ratios
-/// (Sauro & Lewis 2010). Of pairs of positive values; NaN for none, an infinite interval for one.
-Estimate geometricMeanRatio(std::span<const double> a, std::span<const double> b);
-
 /// Ratio of the medians of a and b with the 95 % percentile interval of that many resamples of the pairs
 /// (Efron & Tibshirani 1993, chapter 13). The same seed gives the same interval. NaN for no pairs.
 Estimate ratioOfMedians(std::span<const double> a, std::span<const double> b, std::uint64_t seed = 1,

@@ -74,25 +74,4 @@ double studentQuantile(double p, double df) {
     return crossing([df](double t) { return studentBelow(t, df); }, p);
 }
 
-double chiSquaredAbove(double x, double df) {
-    if (x <= 0.0) return 1.0;
-    const double a = 0.5 * df, y = 0.5 * x;
-    const double front = std::exp(a * std::log(y) - y - std::lgamma(a));
-    if (y < a + 1.0) {
-        double term = 1.0 / a, sum = term;
-        for (int n = 1; n < kTerms && term > sum * kEnough; ++n) sum += term *= y / (a + n);
-        return 1.0 - front * sum;
-    }
-    double b = y + 1.0 - a, c = 1.0 / kTiny, d = 1.0 / b, sum = d;
-    for (int n = 1; n < kTerms; ++n) {
-        const double an = -n * (n - a);
-        b += 2.0;
-        d = 1.0 / (an * d + b);
-        c = b + an / c;
-        sum *= c * d;
-        if (std::abs(c * d - 1.0) < kEnough) break;
-    }
-    return front * sum;
-}
-
 }  // namespace muster::statistics

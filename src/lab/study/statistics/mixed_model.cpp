@@ -124,9 +124,7 @@ Profile profileAt(const Design& design, const std::vector<double>& theta) {
     const Vector ry = lower.matrixL().solve(factor.transpose() * design.zy);
     const Eigen::LLT<Matrix> fixedLower(design.x.transpose() * design.x - rx.transpose() * rx);
     const Vector right = design.x.transpose() * design.y - rx.transpose() * ry;
-    Profile profile;
-    profile.fixed = fixedLower.solve(right);
-    profile.inverse = fixedLower.solve(Matrix::Identity(p, p));
+    Profile profile{.inverse = fixedLower.solve(Matrix::Identity(p, p)), .fixed = fixedLower.solve(right)};
     profile.penalised = design.y.squaredNorm() - ry.squaredNorm() - profile.fixed.dot(right);
     for (Eigen::Index i = 0; i < q; ++i) profile.determinants += 2.0 * std::log(lower.matrixLLT()(i, i));
     for (Eigen::Index i = 0; i < p; ++i) profile.determinants += 2.0 * std::log(fixedLower.matrixLLT()(i, i));
@@ -279,9 +277,8 @@ Result<MixedModel> fitMixedModel(const std::vector<MixedRow>& rows) {
     const Profile profile = profileAt(design, theta);
     if (!(profile.penalised > 1e-12 * std::max(1.0, design.y.squaredNorm())))
         return invalidArgument("the mixed model needs times that differ by chance");
-    MixedModel model;
-    model.criterion = criterion(design, theta);
-    model.residual = std::sqrt(profile.penalised / freedom(design));
+    MixedModel model{.criterion = criterion(design, theta),
+                     .residual = std::sqrt(profile.penalised / freedom(design))};
     model.person = model.residual * theta[0];
     model.slope = model.residual * std::sqrt(theta[1] * theta[1] + theta[2] * theta[2]);
     if (model.person > 1e-9 && model.slope > 1e-9)

@@ -17,8 +17,6 @@ double incompleteBeta(double a, double b, double x);
 double studentBelow(double t, double df);
 /// The t with P(T <= t) = p, for 0 < p < 1.
 double studentQuantile(double p, double df);
-/// P(X >= x) of the chi-squared distribution with df degrees of freedom (ibid., section 6.2).
-double chiSquaredAbove(double x, double df);
 
 /// A local minimum by the simplex of Nelder & Mead (1965) from `start`, its first edges `edge` long: at most
 /// 2000 values are asked for.

@@ -88,8 +88,7 @@ SignedRank signedRank(std::span<const double> differences) {
         sizes.push_back(std::abs(difference));
         up.push_back(difference > 0.0);
     }
-    SignedRank test;
-    test.pairs = static_cast<int>(sizes.size());
+    SignedRank test{.pairs = static_cast<int>(sizes.size())};
     test.exact = test.pairs <= kExactPairs;
     if (sizes.empty()) return test;
     const std::vector<double> ranks = meanRanks(sizes);
@@ -118,30 +117,6 @@ Estimate hodgesLehmann(std::span<const double> differences) {
     const std::size_t n = walsh.size();
     const double low = walsh[(n - 1) / 2], high = walsh[n / 2];
     return {low == high ? low : 0.5 * (low + high), walsh[skipped], walsh[n - 1 - skipped]};
-}
-
-Friedman friedman(const std::vector<std::vector<double>>& rows) {
-    Friedman test;
-    if (rows.empty() || rows.front().size() < 2) return test;
-    const std::size_t k = rows.front().size();
-    const double treatments = static_cast<double>(k), n = static_cast<double>(rows.size());
-    std::vector<double> sums(k, 0.0);
-    double squares = 0.0;
-    for (const std::vector<double>& row : rows) {
-        const std::vector<double> ranks = meanRanks(row);
-        for (std::size_t i = 0; i < k; ++i) {
-            sums[i] += ranks[i];
-            squares += ranks[i] * ranks[i];
-        }
-    }
-    double between = 0.0;
-    for (const double sum : sums)
-        between += (sum - 0.5 * n * (treatments + 1.0)) * (sum - 0.5 * n * (treatments + 1.0));
-    const double within = squares - 0.25 * n * treatments * (treatments + 1.0) * (treatments + 1.0);
-    test.df = treatments - 1.0;
-    if (within > 0.0) test.statistic = (treatments - 1.0) * between / within;
-    test.p = chiSquaredAbove(test.statistic, test.df);
-    return test;
 }
 
 }  // namespace muster::statistics

@@ -29,15 +29,6 @@ SignedRank signedRank(std::span<const double> differences);
 /// differences are allowed, as those of censored trials.
 Estimate hodgesLehmann(std::span<const double> differences);
 
-/// Friedman's test of several treatments.
-struct Friedman {
-    double statistic = 0.0;  ///< Chi-squared, corrected for ties.
-    double df = 0.0;         ///< Number of treatments less one.
-    double p = 1.0;          ///< The p by the chi-squared distribution.
-};
-/// Each row holds the values of one person or seed for all treatments, at least two.
-Friedman friedman(const std::vector<std::vector<double>>& rows);
-
 /// Mean ranks from 1; ties share theirs.
 std::vector<double> meanRanks(std::span<const double> values);
 

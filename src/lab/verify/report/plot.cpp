@@ -1,6 +1,5 @@
 // Plots: a band of expected values, and series over it.
 #include <algorithm>
-#include <cmath>
 
 #include "files/report/chart_parts.h"
 #include "files/report/markup.h"

@@ -224,14 +224,12 @@ JudgeRow judgeDynamicExit() {
 
 RowDef rowOf(const std::string& suite, const std::string& number, const std::string& title,
              const std::string& setup, const std::string& expected, const std::string& source) {
-    RowDef row;
-    row.id = suite + " " + number;
-    row.suite = suite;
-    row.source = source;
-    row.title = title;
-    row.setup = setup;
-    row.expected = expected;
-    return row;
+    return {.id = suite + " " + number,
+            .suite = suite,
+            .title = title,
+            .source = source,
+            .expected = expected,
+            .setup = setup};
 }
 
 RowDef runIn(RowDef row, const std::string& scene, std::vector<std::string> variants, std::int32_t seeds,

@@ -1,6 +1,5 @@
 // Exits that are assigned, chosen or shut, groups that keep together, slow persons.
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "lab/verify/scenes/hall.h"
@@ -158,9 +157,7 @@ Result<VerifySample> runDynamicExit(const SceneRun& run) {
     if (!walk.ok()) return walk.status();
     PutThing shut = putThing(two.hall.def.areas[0], two.left);
     shut.area->open = false;
-    Command command;
-    command.step = 60;
-    command.body = shut;
+    Command command{.step = 60, .body = shut};
     if (Status s = walk->world().submit(command); !s.ok()) return s;
     VerifySample sample;
     walk->runUntil(1.0);

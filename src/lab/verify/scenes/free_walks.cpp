@@ -172,11 +172,9 @@ std::vector<PeopleDef> sortsNamed(const std::string& name) {
     std::vector<PeopleDef> sorts;
     for (const auto& [age, share] :
          {std::pair{20.0, 10.0}, {30.0, 10.0}, {40.0, 10.0}, {50.0, 10.0}, {60.0, 5.0}, {70.0, 5.0}}) {
-        PeopleDef sort;
-        sort.name = std::to_string(static_cast<int>(age));
-        sort.share = share;
-        sort.age = Distribution::constant(age);
-        sorts.push_back(sort);
+        sorts.push_back({.name = std::to_string(static_cast<int>(age)),
+                         .share = share,
+                         .age = Distribution::constant(age)});
     }
     return sorts;
 }

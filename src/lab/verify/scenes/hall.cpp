@@ -66,9 +66,7 @@ std::vector<Box> wallsOf(const Box& all, const std::vector<Box>& rooms) {
 }
 
 ObstacleDef wallOf(const Box& box) {
-    ObstacleDef wall;
-    wall.polygon = cornersOf(box);
-    return wall;
+    return {.polygon = cornersOf(box)};
 }
 
 }  // namespace
@@ -86,11 +84,7 @@ Hall::Hall(std::vector<Box> rooms, bool ring) {
 }
 
 AreaId Hall::exit(const Box& box, const std::string& name, double rate) {
-    AreaDef area;
-    area.name = name;
-    area.polygon = cornersOf(box);
-    area.rate = rate;
-    def.areas.push_back(area);
+    def.areas.push_back({.name = name, .polygon = cornersOf(box), .rate = rate});
     return {static_cast<std::uint32_t>(def.areas.size())};
 }
 
@@ -99,31 +93,22 @@ void Hall::obstacle(const Box& box) {
 }
 
 void Hall::pillar(Vec2 centre, double radius) {
-    ObstacleDef pillar;
-    pillar.centre = centre;
-    pillar.radius = radius;
-    def.obstacles.push_back(pillar);
+    def.obstacles.push_back({.centre = centre, .radius = radius});
 }
 
 void Hall::stairs(const Box& box, double ascent, double up, double down) {
-    PatchDef patch;
-    patch.name = "Stairs";
-    patch.polygon = cornersOf(box);
-    patch.ascent = ascent;
-    patch.speed = up;
-    patch.speedDown = down;
-    def.patches.push_back(patch);
+    def.patches.push_back(
+        {.name = "Stairs", .polygon = cornersOf(box), .speed = up, .ascent = ascent, .speedDown = down});
 }
 
 void Hall::crowd(const CrowdDef& crowd) {
-    GroupDef group;
-    group.name = crowd.name;
-    group.count = static_cast<std::int32_t>(crowd.starts.size());
-    group.starts = crowd.starts;
-    group.people = crowd.people;
-    group.bodies = crowd.bodies;
-    group.conduct = crowd.conduct;
-    group.orders.push_back(crowd.order);
+    GroupDef group{.name = crowd.name,
+                   .count = static_cast<std::int32_t>(crowd.starts.size()),
+                   .starts = crowd.starts,
+                   .bodies = crowd.bodies,
+                   .conduct = crowd.conduct,
+                   .orders = {crowd.order},
+                   .people = crowd.people};
     for (const Vec2 p : crowd.starts) group.position += p / static_cast<double>(crowd.starts.size());
     def.groups.push_back(group);
 }
@@ -170,9 +155,7 @@ std::vector<Vec2> scattered(const Box& box, std::int32_t count, std::uint64_t se
 }
 
 PeopleDef personsOf(const Distribution& speed) {
-    PeopleDef people;
-    people.speed = speed;
-    return people;
+    return {.speed = speed};
 }
 
 PeopleDef menOfImo() {

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
 
 #include "engine/geometry/polygon.h"
 #include "lab/verify/scenes/hall.h"

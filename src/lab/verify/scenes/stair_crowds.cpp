@@ -1,6 +1,4 @@
 // Crowds on stairs: ground on which people are slow. Lengths of stairs are those that a person walks.
-#include <algorithm>
-#include <cmath>
 
 #include "base/maths.h"
 #include "lab/verify/scenes/hall.h"

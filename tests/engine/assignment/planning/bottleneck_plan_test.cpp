@@ -12,18 +12,14 @@ namespace {
 using muster::PlanDef;
 using muster::PlanResult;
 using muster::Vec2;
+using muster_test::exactPlan;
 using muster_test::OwnedInput;
 using muster_test::placesOf;
-using muster_test::planAtOnce;
 using Places = std::vector<std::int32_t>;
 
 PlanDef bottleneckDef(double threshold, bool geodesic) {
-    PlanDef def;
-    def.bottleneck = true;
-    def.commitThreshold = threshold;
-    def.commitThresholdShare = 0.0;
-    def.geodesic = geodesic;
-    return def;
+    return {
+        .commitThreshold = threshold, .commitThresholdShare = 0.0, .bottleneck = true, .geodesic = geodesic};
 }
 
 // Cost of the costliest matched pair.
@@ -54,12 +50,10 @@ std::pair<double, double> byPermutations(const OwnedInput& input) {
 // Character 1 stands on place 1. Least squares leaves it there and sends character 0 3 m; the bottleneck
 // objective makes both walk 2.5 m.
 OwnedInput triangle(const Places& incumbent) {
-    OwnedInput input;
-    input.cost = muster_test::uniformGround({{-4, -4}, {4, 4}}, 0.25);
-    input.characters = {{-1.5, 2.0}, {0.0, 0.0}};
-    input.places = {{1.5, 2.0}, {0.0, 0.0}};
-    input.incumbent = incumbent;
-    return input;
+    return {.characters = {{-1.5, 2.0}, {0.0, 0.0}},
+            .places = {{1.5, 2.0}, {0.0, 0.0}},
+            .incumbent = incumbent,
+            .cost = muster_test::uniformGround({{-4, -4}, {4, 4}}, 0.25)};
 }
 
 }  // namespace
@@ -72,14 +66,14 @@ TEST_CASE("the bottleneck is the least of all permutations, and the sum of squar
         const OwnedInput input = muster_test::randomInput(random, ground, 6, {{-7, -7}, {7, 7}},
                                                           {{-7, -7}, {7, 7}});
         PlanResult result, squares;
-        REQUIRE(planAtOnce(*muster::makeExactPlan(), bottleneckDef(0.0, false), input, result).ok());
+        result = exactPlan(bottleneckDef(0.0, false), input);
         const auto [walk, sum] = byPermutations(input);
         CHECK(bottleneckOf(result) == doctest::Approx(walk).epsilon(1e-12));
         CHECK(result.objective == doctest::Approx(sum).epsilon(1e-9));
         CHECK(result.gapBound <= 1e-9 * sum);
         PlanDef def = bottleneckDef(0.0, false);
         def.bottleneck = false;
-        REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, squares).ok());
+        squares = exactPlan(def, input);
         CHECK(squares.objective <= result.objective * (1.0 + 1e-12));
         CHECK(bottleneckOf(squares) >= bottleneckOf(result) * (1.0 - 1e-12));
         differs += bottleneckOf(squares) > 1.01 * bottleneckOf(result) ? 1 : 0;
@@ -89,13 +83,11 @@ TEST_CASE("the bottleneck is the least of all permutations, and the sum of squar
 
 TEST_CASE("two characters share the distance where one alone would walk farther") {
     for (const bool geodesic : {false, true}) {
-        PlanResult result;
-        REQUIRE(planAtOnce(*muster::makeExactPlan(), bottleneckDef(0.1, geodesic), triangle({-1, -1}), result)
-                    .ok());
+        PlanResult result = exactPlan(bottleneckDef(0.1, geodesic), triangle({-1, -1}));
         CHECK(placesOf(result, 2) == Places{1, 0});
         PlanDef def = bottleneckDef(0.1, geodesic);
         def.bottleneck = false;
-        REQUIRE(planAtOnce(*muster::makeExactPlan(), def, triangle({-1, -1}), result).ok());
+        result = exactPlan(def, triangle({-1, -1}));
         CHECK(placesOf(result, 2) == Places{0, 1});
     }
 }
@@ -103,52 +95,35 @@ TEST_CASE("two characters share the distance where one alone would walk farther"
 TEST_CASE("the bottleneck is lowered only by more than the commit threshold") {
     PlanResult result;
     // The bottleneck falls from 9 to 6.25, whatever becomes of the sum.
-    REQUIRE(planAtOnce(*muster::makeExactPlan(), bottleneckDef(2.7, false), triangle({0, 1}), result).ok());
+    result = exactPlan(bottleneckDef(2.7, false), triangle({0, 1}));
     CHECK(placesOf(result, 2) == Places{1, 0});
     CHECK(result.objective == doctest::Approx(12.5).epsilon(1e-12));
-    REQUIRE(planAtOnce(*muster::makeExactPlan(), bottleneckDef(2.8, false), triangle({0, 1}), result).ok());
+    result = exactPlan(bottleneckDef(2.8, false), triangle({0, 1}));
     CHECK(placesOf(result, 2) == Places{0, 1});
     CHECK(result.reassigned == 0);
     // No exchange raises the bottleneck for the sake of the sum.
-    REQUIRE(planAtOnce(*muster::makeExactPlan(), bottleneckDef(0.0, false), triangle({1, 0}), result).ok());
+    result = exactPlan(bottleneckDef(0.0, false), triangle({1, 0}));
     CHECK(result.reassigned == 0);
 }
 
 TEST_CASE("as many characters as possible are matched first, however far one has to walk") {
-    OwnedInput input;
-    input.cost = muster_test::uniformGround({{-8, -2}, {8, 2}}, 0.25);
-    input.characters = {{-7, 0}, {0, 0}, {1, 0}};
-    input.places = {{0.5, 0}, {7, 0}, {1.5, 0}};
+    OwnedInput input{.characters = {{-7, 0}, {0, 0}, {1, 0}},
+                     .places = {{0.5, 0}, {7, 0}, {1.5, 0}},
+                     .cost = muster_test::uniformGround({{-8, -2}, {8, 2}}, 0.25)};
     input.noIncumbents();
-    PlanResult result;
-    REQUIRE(planAtOnce(*muster::makeExactPlan(), bottleneckDef(0.1, true), input, result).ok());
+    PlanResult result = exactPlan(bottleneckDef(0.1, true), input);
     CHECK(placesOf(result, 3) == Places{0, 2, 1});
     input.usable = {1, 0, 1};
-    REQUIRE(planAtOnce(*muster::makeExactPlan(), bottleneckDef(0.1, true), input, result).ok());
+    result = exactPlan(bottleneckDef(0.1, true), input);
     CHECK(placesOf(result, 3) == Places{-1, 0, 2});
 }
 
 TEST_CASE("limited fronts give the same bottleneck") {
-    muster::Random random(78);
-    auto ground = muster_test::uniformGround({{-8, -8}, {8, 8}}, 0.25);
-    muster_test::addWall(ground, {{-0.5, -5}, {0.5, 6}});
-    int changes = 0;
-    for (int k = 0; k < 30; ++k) {
-        OwnedInput input = muster_test::randomInput(random, ground, 14, {{-7, -7}, {7, 7}},
-                                                    {{-7, -7}, {7, 7}});
-        PlanResult wide, narrow;
-        const PlanDef def = bottleneckDef(0.0, true);
-        REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, wide).ok());
-        input.incumbent = placesOf(wide, 14);
-        if (k % 4 == 0)
-            std::rotate(input.incumbent.begin(), input.incumbent.begin() + 3, input.incumbent.end());
-        for (Vec2& p : input.characters) p += {random.uniform(-1, 1), random.uniform(-1, 1)};
-        REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, narrow).ok());
-        changes += narrow.reassigned;
-        input.noIncumbents();
-        REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, wide).ok());
-        CHECK(bottleneckOf(narrow) == doctest::Approx(bottleneckOf(wide)).epsilon(1e-9));
-        CHECK(narrow.objective == doctest::Approx(wide.objective).epsilon(1e-9));
-    }
+    const int changes = muster_test::changesByLimitedFronts(
+        78, 30, [](int) { return bottleneckDef(0.0, true); },
+        [](const PlanResult& narrow, const PlanResult& wide) {
+            CHECK(bottleneckOf(narrow) == doctest::Approx(bottleneckOf(wide)).epsilon(1e-9));
+            CHECK(narrow.objective == doctest::Approx(wide.objective).epsilon(1e-9));
+        });
     CHECK(changes > 30);
 }

@@ -33,10 +33,7 @@ std::vector<std::int32_t> commit(const PlanDef& def, std::int32_t places, const 
 }
 
 PlanDef withThreshold(double threshold, double share) {
-    PlanDef def;
-    def.commitThreshold = threshold;
-    def.commitThresholdShare = share;
-    return def;
+    return {.commitThreshold = threshold, .commitThresholdShare = share};
 }
 
 using Places = std::vector<std::int32_t>;

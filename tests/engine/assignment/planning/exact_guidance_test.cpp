@@ -13,12 +13,9 @@ using muster_test::OwnedInput;
 
 // A block from (-1, -4) to (1, 4) in a world of 16 m.
 muster::Environment blocked() {
-    muster::EnvironmentDef def;
-    def.box = {{-8, -8}, {8, 8}};
-    muster::Environment environment = std::move(muster::Environment::create(def)).value();
-    muster::ObstacleDef block;
-    block.polygon = {{-1, -4}, {1, -4}, {1, 4}, {-1, 4}};
-    REQUIRE(environment.addObstacle(block).ok());
+    muster::Environment environment = std::move(muster::Environment::create({.box = {{-8, -8}, {8, 8}}}))
+                                          .value();
+    REQUIRE(environment.addObstacle({.polygon = {{-1, -4}, {1, -4}, {1, 4}, {-1, 4}}}).ok());
     environment.setTime(0.0);
     return environment;
 }
@@ -50,11 +47,10 @@ Guided guide(muster::Plan& plan, const muster::Environment& environment, Vec2 p,
 
 TEST_CASE("guidance: straight when near and clear, else down the field") {
     const muster::Environment environment = blocked();
-    OwnedInput input;
-    input.cost = groundOf(environment);
-    input.characters = {{-3, 0.5}, {5, 5}};
-    input.places = {{3, 0}, {5, 6}};
-    input.incumbent = {0, 1};
+    OwnedInput input{.characters = {{-3, 0.5}, {5, 5}},
+                     .places = {{3, 0}, {5, 6}},
+                     .incumbent = {0, 1},
+                     .cost = groundOf(environment)};
     const auto plan = muster::makeExactPlan();
     muster::PlanResult result;
     // Before any plan: straight where the line is clear, else no direction.
@@ -88,8 +84,7 @@ TEST_CASE("guidance: straight when near and clear, else down the field") {
 
 TEST_CASE("following the guidance leads to the place around the block") {
     const muster::Environment environment = blocked();
-    OwnedInput input;
-    input.cost = groundOf(environment);
+    OwnedInput input{.cost = groundOf(environment)};
     muster::Random random(9);
     for (int k = 0; k < 8; ++k) {
         input.characters.push_back({random.uniform(-7, -2), random.uniform(-7, 7)});

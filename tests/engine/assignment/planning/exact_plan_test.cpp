@@ -15,23 +15,19 @@ using muster::PlanDef;
 using muster::PlanResult;
 using muster::StatusCode;
 using muster::Vec2;
+using muster_test::exactPlan;
 using muster_test::OwnedInput;
 using muster_test::placesOf;
 using muster_test::planAtOnce;
 using Places = std::vector<std::int32_t>;
 
 PlanDef definition(double exponent, double threshold) {
-    PlanDef def;
-    def.exponent = exponent;
-    def.commitThreshold = threshold;
-    def.commitThresholdShare = 0.0;
-    return def;
+    return {.exponent = exponent, .commitThreshold = threshold, .commitThresholdShare = 0.0};
 }
 
 OwnedInput onLine(const std::vector<double>& characters, const std::vector<double>& places,
                   const Places& incumbent) {
-    OwnedInput input;
-    input.cost = muster_test::uniformGround({{-8, -2}, {8, 2}}, 0.25);
+    OwnedInput input{.cost = muster_test::uniformGround({{-8, -2}, {8, 2}}, 0.25)};
     for (const double x : characters) input.characters.push_back({x, 0.0});
     for (const double x : places) input.places.push_back({x, 0.0});
     input.incumbent = incumbent;
@@ -61,8 +57,7 @@ TEST_CASE("on open ground the plan is the best of all permutations of straight l
         for (int k = 0; k < 5; ++k) {
             const OwnedInput input = muster_test::randomInput(random, ground, 6, {{-7, -7}, {-1, 7}},
                                                               {{1, -7}, {7, 7}});
-            PlanResult result;
-            REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(exponent, 0.1), input, result).ok());
+            PlanResult result = exactPlan(definition(exponent, 0.1), input);
             CHECK(result.flows.size() == 6);
             CHECK(result.reassigned == 6);
             CHECK(result.gapBound == 0.0);
@@ -79,8 +74,7 @@ TEST_CASE("a late arrival makes others shift inward when the exponent is above 1
     // Places are numbered from the inside outward. The inner one is free; the late character comes from
     // outside (SPEC A7).
     const OwnedInput input = onLine({1, 2, 3, 6}, {0, 1, 2, 3}, {1, 2, 3, -1});
-    PlanResult result;
-    REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(2.0, 0.1), input, result).ok());
+    PlanResult result = exactPlan(definition(2.0, 0.1), input);
     CHECK(placesOf(result, 4) == Places{0, 1, 2, 3});
     CHECK(result.objective == doctest::Approx(1 + 1 + 1 + 9).epsilon(0.02));
     CHECK(result.reassigned == 4);
@@ -89,52 +83,44 @@ TEST_CASE("a late arrival makes others shift inward when the exponent is above 1
 TEST_CASE("a shift inward is not committed for less than the threshold") {
     // The late character already walks to the inner place: 36 against 12.
     const OwnedInput input = onLine({1, 2, 3, 6}, {0, 1, 2, 3}, {1, 2, 3, 0});
-    PlanResult result;
-    REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(2.0, 30.0), input, result).ok());
+    PlanResult result = exactPlan(definition(2.0, 30.0), input);
     CHECK(placesOf(result, 4) == Places{1, 2, 3, 0});
     CHECK(result.reassigned == 0);
     CHECK(result.gapBound == doctest::Approx(24.0).epsilon(0.02));
-    REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(2.0, 20.0), input, result).ok());
+    result = exactPlan(definition(2.0, 20.0), input);
     CHECK(placesOf(result, 4) == Places{0, 1, 2, 3});
     CHECK(result.gapBound == 0.0);
 }
 
 TEST_CASE("a wall makes a near place costly") {
-    OwnedInput input;
-    input.cost = muster_test::uniformGround({{-8, -8}, {8, 8}}, 0.25);
+    OwnedInput input{.cost = muster_test::uniformGround({{-8, -8}, {8, 8}}, 0.25)};
     muster_test::addWall(input.cost, {{-0.3, -6}, {0.3, 8}});
     // Character 0 stands across the wall from place 0, character 1 near the end of the wall.
     input.characters = {{-1.5, 5}, {-1.5, -5}};
     input.places = {{1.5, 5}, {-1.5, 1}};
     input.noIncumbents();
-    PlanResult result;
     PlanDef def = definition(1.0, 0.0);
-    REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, result).ok());
+    PlanResult result = exactPlan(def, input);
     CHECK(placesOf(result, 2) == Places{1, 0});
     // Around both lower corners of the wall, which blocked cells put at (-+0.25, -6).
     const Vec2 left{-0.25, -6}, right{0.25, -6};
     const double expected = distance({-1.5, -5}, left) + distance(left, right) + distance(right, {1.5, 5});
     CHECK(result.cost[1] == doctest::Approx(expected).epsilon(0.03));
     def.geodesic = false;
-    REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, result).ok());
+    result = exactPlan(def, input);
     CHECK(placesOf(result, 2) == Places{0, 1});
     CHECK(result.cost[0] == 3.0);
     CHECK(result.cost[1] == 6.0);
 }
 
 TEST_CASE("more characters than places, more places than characters") {
-    PlanResult result;
-    REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(2.0, 0.1),
-                       onLine({5, 1, 3}, {0, 2.5}, {-1, -1, -1}), result)
-                .ok());
+    PlanResult result = exactPlan(definition(2.0, 0.1), onLine({5, 1, 3}, {0, 2.5}, {-1, -1, -1}));
     CHECK(placesOf(result, 3) == Places{-1, 0, 1});
     CHECK(result.cost[0] == muster_test::kUnreachable);
-    REQUIRE(
-        planAtOnce(*muster::makeExactPlan(), definition(2.0, 0.1), onLine({1}, {0, 2.5, 1.25}, {-1}), result)
-            .ok());
+    result = exactPlan(definition(2.0, 0.1), onLine({1}, {0, 2.5, 1.25}, {-1}));
     CHECK(placesOf(result, 1) == Places{2});
     for (const auto& input : {onLine({}, {}, {}), onLine({}, {1}, {}), onLine({1}, {}, {-1})}) {
-        REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(2.0, 0.1), input, result).ok());
+        result = exactPlan(definition(2.0, 0.1), input);
         CHECK(result.flows.empty());
         CHECK(result.objective == 0.0);
     }
@@ -143,18 +129,17 @@ TEST_CASE("more characters than places, more places than characters") {
 TEST_CASE("unusable and unreachable places are given up") {
     OwnedInput input = onLine({1, 2}, {1, 2, 5}, {0, 1});
     input.usable = {0, 1, 1};
-    PlanResult result;
-    REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(2.0, 1e6), input, result).ok());
+    PlanResult result = exactPlan(definition(2.0, 1e6), input);
     // Squared, two short steps beat a long one; the exchange matches one more, so that no threshold applies.
     CHECK(placesOf(result, 2) == Places{1, 2});
     CHECK(result.gapBound == 0.0);
 
     OwnedInput split = onLine({1, 2}, {-5, 2, 5}, {0, 1});
     muster_test::addWall(split.cost, {{-1.5, -2}, {-0.5, 2}});
-    REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(2.0, 1e6), split, result).ok());
+    result = exactPlan(definition(2.0, 1e6), split);
     CHECK(placesOf(result, 2) == Places{1, 2});
     split.places.pop_back();
-    REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(2.0, 1e6), split, result).ok());
+    result = exactPlan(definition(2.0, 1e6), split);
     CHECK(placesOf(result, 2) == Places{-1, 1});
 }
 
@@ -162,8 +147,7 @@ TEST_CASE("without reassignment places stay, however costly") {
     OwnedInput input = onLine({1, 2, 4}, {2, 1}, {0, 1, -1});
     PlanDef def = definition(2.0, 0.0);
     def.reassign = false;
-    PlanResult result;
-    REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, result).ok());
+    PlanResult result = exactPlan(def, input);
     CHECK(placesOf(result, 3) == Places{0, 1, -1});
     CHECK(result.reassigned == 0);
     CHECK(result.objective == doctest::Approx(2.0).epsilon(0.02));
@@ -173,8 +157,7 @@ TEST_CASE("supplies other than one are split over places") {
     OwnedInput input = onLine({0, 4}, {0, 1, 4}, {-1, -1});
     input.supply = {2.0, 0.5};
     input.demand = {1.5, 1.0, 0.25};
-    PlanResult result;
-    REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(1.0, 0.0), input, result).ok());
+    PlanResult result = exactPlan(definition(1.0, 0.0), input);
     REQUIRE(result.flows.size() == 4);
     CHECK(result.flows[0].amount == 1.5);
     CHECK(result.flows[1].amount == 0.5);
@@ -185,30 +168,13 @@ TEST_CASE("supplies other than one are split over places") {
 }
 
 TEST_CASE("limited fronts give the same optimum as unlimited ones") {
-    muster::Random random(77);
-    auto ground = muster_test::uniformGround({{-8, -8}, {8, 8}}, 0.25);
-    muster_test::addWall(ground, {{-0.5, -5}, {0.5, 6}});
-    int changes = 0;
-    for (int k = 0; k < 40; ++k) {
-        OwnedInput input = muster_test::randomInput(random, ground, 14, {{-7, -7}, {7, 7}},
-                                                    {{-7, -7}, {7, 7}});
-        PlanResult wide, narrow;
-        const PlanDef def = definition(k % 2 ? 2.0 : 1.0, 0.0);
-        // Without incumbents every front is unlimited.
-        REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, wide).ok());
-        // Incumbents are the optimum before everybody moved a little, or random.
-        input.incumbent = placesOf(wide, 14);
-        if (k % 4 == 0)
-            std::rotate(input.incumbent.begin(), input.incumbent.begin() + 3, input.incumbent.end());
-        for (Vec2& p : input.characters) p += {random.uniform(-1, 1), random.uniform(-1, 1)};
-        REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, narrow).ok());
-        changes += narrow.reassigned;
-        input.noIncumbents();
-        REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, wide).ok());
-        CHECK(narrow.flows.size() == wide.flows.size());
-        CHECK(narrow.objective == doctest::Approx(wide.objective).epsilon(1e-9));
-        CHECK(narrow.gapBound <= 1e-9 * wide.objective);
-    }
+    const int changes = muster_test::changesByLimitedFronts(
+        77, 40, [](int k) { return definition(k % 2 ? 2.0 : 1.0, 0.0); },
+        [](const PlanResult& narrow, const PlanResult& wide) {
+            CHECK(narrow.flows.size() == wide.flows.size());
+            CHECK(narrow.objective == doctest::Approx(wide.objective).epsilon(1e-9));
+            CHECK(narrow.gapBound <= 1e-9 * wide.objective);
+        });
     CHECK(changes > 50);
 }
 
@@ -218,8 +184,7 @@ TEST_CASE("slices and threads change nothing") {
     muster_test::addWall(ground, {{-1, -6}, {1, 6}});
     const OwnedInput input = muster_test::randomInput(random, ground, 12, {{-7, -7}, {-2, 7}},
                                                       {{2, -7}, {7, 7}});
-    PlanResult expected;
-    REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(2.0, 0.1), input, expected).ok());
+    PlanResult expected = exactPlan(definition(2.0, 0.1), input);
     for (const std::int32_t slices : {1, 3, 4, 40}) {
         muster::ThreadPool pool(1 + slices % 4);
         const auto plan = muster::makeExactPlan();
@@ -291,8 +256,7 @@ TEST_CASE("a place whose incumbent is cut off goes to another character at once"
     OwnedInput input = onLine({-2.5, 14}, {1}, {0, -1});
     input.cost = muster_test::uniformGround({{-16, -2}, {16, 2}}, 0.25);
     muster_test::addWall(input.cost, {{-1.5, -2}, {-0.5, 2}});
-    PlanResult result;
-    REQUIRE(planAtOnce(*muster::makeExactPlan(), definition(2.0, 0.1), input, result).ok());
+    PlanResult result = exactPlan(definition(2.0, 0.1), input);
     CHECK(placesOf(result, 2) == Places{-1, 0});
 }
 
@@ -301,8 +265,7 @@ TEST_CASE("without reassignment unusable places are given up") {
     input.usable = {0, 1};
     PlanDef def = definition(2.0, 0.0);
     def.reassign = false;
-    PlanResult result;
-    REQUIRE(planAtOnce(*muster::makeExactPlan(), def, input, result).ok());
+    PlanResult result = exactPlan(def, input);
     CHECK(placesOf(result, 2) == Places{-1, 1});
 }
 

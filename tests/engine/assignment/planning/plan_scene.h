@@ -1,7 +1,11 @@
 // Small grounds and inputs for tests of plans.
 #pragma once
 
+#include <doctest.h>
+
+#include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -16,8 +20,7 @@ inline constexpr double kUnreachable = std::numeric_limits<double>::infinity();
 
 /// Uniform ground: unit cost 1, no walls.
 inline muster::UnitCost uniformGround(muster::Box box, double cell) {
-    muster::UnitCost cost;
-    cost.grid = muster::Grid::covering(box, cell);
+    muster::UnitCost cost{.grid = muster::Grid::covering(box, cell)};
     cost.cells.assign(cost.grid.count(), {});
     cost.lowest = 1.0f;
     return cost;
@@ -62,8 +65,7 @@ struct OwnedInput {
 /// `count` characters at random in `from`, as many places in `to`.
 inline OwnedInput randomInput(muster::Random& random, const muster::UnitCost& cost, std::int32_t count,
                               muster::Box from, muster::Box to) {
-    OwnedInput input;
-    input.cost = cost;
+    OwnedInput input{.cost = cost};
     for (std::int32_t k = 0; k < count; ++k) {
         input.characters.push_back(
             {random.uniform(from.min.x, from.max.x), random.uniform(from.min.y, from.max.y)});
@@ -83,6 +85,39 @@ inline std::vector<std::int32_t> placesOf(const muster::PlanResult& result, std:
         places[flow.character] = flow.place;
     }
     return places;
+}
+
+/// The exact plan of an input.
+inline muster::PlanResult exactPlan(const muster::PlanDef& def, const OwnedInput& input) {
+    const auto plan = muster::makeExactPlan();
+    muster::ThreadPool pool(1);
+    muster::PlanResult result;
+    REQUIRE(plan->start(def, input.view()).ok());
+    REQUIRE(plan->finish(pool, result).ok());
+    return result;
+}
+
+/// Checks that the plan of those who have moved a little since an optimum, or whose places are exchanged, is
+/// the optimum, too; returns how many changed their places. Without incumbents every front is unlimited.
+template <class Judge>
+int changesByLimitedFronts(std::uint64_t seed, int rounds, const std::function<muster::PlanDef(int)>& defOf,
+                           const Judge& same) {
+    muster::Random random(seed);
+    auto ground = uniformGround({{-8, -8}, {8, 8}}, 0.25);
+    addWall(ground, {{-0.5, -5}, {0.5, 6}});
+    int changes = 0;
+    for (int k = 0; k < rounds; ++k) {
+        OwnedInput input = randomInput(random, ground, 14, {{-7, -7}, {7, 7}}, {{-7, -7}, {7, 7}});
+        input.incumbent = placesOf(exactPlan(defOf(k), input), 14);
+        if (k % 4 == 0)
+            std::rotate(input.incumbent.begin(), input.incumbent.begin() + 3, input.incumbent.end());
+        for (muster::Vec2& p : input.characters) p += {random.uniform(-1, 1), random.uniform(-1, 1)};
+        const muster::PlanResult narrow = exactPlan(defOf(k), input);
+        changes += narrow.reassigned;
+        input.noIncumbents();
+        same(narrow, exactPlan(defOf(k), input));
+    }
+    return changes;
 }
 
 /// Starts and finishes a plan at once.

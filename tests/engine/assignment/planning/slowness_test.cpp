@@ -45,17 +45,15 @@ struct Field {
     }
     std::vector<std::int32_t> places(Plan& plan, std::span<const float> slowness, PlanResult& result) {
         std::vector<std::int32_t> place(characters.size(), -1);
-        PlanDef def;
-        def.exponent = 2.0;
+        PlanDef def{.exponent = 2.0};
         def.commitThreshold = def.commitThresholdShare = 0.0;
         ThreadPool pool;
         for (int round = 0; round < 40; ++round) {
-            PlanInput input;
-            input.characters = characters;
-            input.places = goals;
-            input.incumbent = place;
-            input.slowness = slowness;
-            input.costs = &costs;
+            PlanInput input{.characters = characters,
+                            .places = goals,
+                            .incumbent = place,
+                            .costs = &costs,
+                            .slowness = slowness};
             REQUIRE(plan.start(def, input).ok());
             REQUIRE(plan.finish(pool, result).ok());
             for (const Flow& flow : result.flows) place[flow.character] = flow.place;

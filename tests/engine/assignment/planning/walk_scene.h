@@ -56,17 +56,15 @@ struct Walk {
         return costs;
     }
     PlanInput input() const {
-        PlanInput in;
-        in.characters = characters;
-        in.places = places;
-        in.usable = usable;
-        in.incumbent = incumbent;
-        in.characterClass = characterClass;
-        in.placeClass = placeClass;
-        in.supply = supply;
-        in.demand = demand;
-        in.costs = &given();
-        return in;
+        return {.characters = characters,
+                .supply = supply,
+                .places = places,
+                .demand = demand,
+                .usable = usable,
+                .incumbent = incumbent,
+                .costs = &given(),
+                .characterClass = characterClass,
+                .placeClass = placeClass};
     }
     PlanResult plan(Plan& plan, ThreadPool& pool) const {
         PlanResult result;

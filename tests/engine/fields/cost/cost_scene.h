@@ -18,8 +18,7 @@ inline bool sameCost(const CellCost& a, const CellCost& b) {
 
 /// Unit costs by a function of the cell's centre; a cell is a wall where `east` is infinite.
 inline UnitCost makeCost(const Box& box, double cell, const std::function<CellCost(Vec2)>& costAt) {
-    UnitCost cost;
-    cost.grid = Grid::covering(box, cell);
+    UnitCost cost{.grid = Grid::covering(box, cell)};
     cost.cells.resize(cost.grid.count());
     cost.lowest = kInfinity;
     for (std::int32_t k = 0; k < cost.grid.count(); ++k)

@@ -39,10 +39,9 @@ TEST_CASE("a crowd's mass is its number, wherever it stands in the box") {
             // Momentum is preserved as well.
             Vec2 momentum;
             Vec2 expected;
-            for (std::int32_t k = 0; k < field.grid().count(); ++k) {
+            for (std::int32_t k = 0; k < field.grid().count(); ++k)
                 momentum += Vec2{field.velocityX()[k], field.velocityY()[k]} *
                             (field.density()[k] * cell * cell);
-            }
             for (const Vec2 v : velocities) expected += v;
             CHECK(distance(momentum, expected) < 1e-2);
         }

@@ -13,25 +13,17 @@ namespace muster::test {
 
 /// A box-shaped obstacle.
 inline ObstacleDef rectangle(double x0, double y0, double x1, double y1) {
-    ObstacleDef def;
-    def.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-    return def;
+    return {.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}};
 }
 
 /// A patch of this travel speed, relative to running.
 inline PatchDef slowBox(double x0, double y0, double x1, double y1, double speed) {
-    PatchDef def;
-    def.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-    def.motion = 2;
-    def.speed = speed;
-    return def;
+    return {.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, .motion = 2, .speed = speed};
 }
 
 /// An environment without obstacles on a square of 2 x `half` metres.
 inline Environment squareWorld(double half) {
-    EnvironmentDef def;
-    def.box = {{-half, -half}, {half, half}};
-    Result<Environment> environment = Environment::create(def);
+    Result<Environment> environment = Environment::create({.box = {{-half, -half}, {half, half}}});
     REQUIRE(environment.ok());
     return std::move(environment).value();
 }

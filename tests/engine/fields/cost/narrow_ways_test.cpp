@@ -52,10 +52,7 @@ void addWay(Environment& environment, const Frame& where, Kind kind, double widt
         const double low = std::min(side * from, side * far), high = std::max(side * from, side * far);
         addPolygon(environment, where, {{-thick, low}, {thick, low}, {thick, high}, {-thick, high}});
         if (kind != Kind::Discs) continue;
-        ObstacleDef disc;
-        disc.centre = where.at(0.0, side * (half + 0.4));
-        disc.radius = 0.4;
-        REQUIRE(environment.addObstacle(disc).ok());
+        REQUIRE(environment.addObstacle({.centre = where.at(0.0, side * (half + 0.4)), .radius = 0.4}).ok());
         addPolygon(environment, where,
                    {{-0.05, std::min(side * (half + 0.4), side * from)},
                     {0.05, std::min(side * (half + 0.4), side * from)},

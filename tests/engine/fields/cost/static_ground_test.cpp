@@ -38,9 +38,8 @@ TEST_CASE("lines of sight agree with exact distances except very near walls") {
     std::vector<Shape> shapes;
     Random random(5);
     for (int k = 0; k < 25; ++k) {
-        ObstacleDef tree;
-        tree.centre = {random.uniform(-13, 13), random.uniform(-13, 13)};
-        tree.radius = random.uniform(0.3, 1.2);
+        ObstacleDef tree{.centre = {random.uniform(-13, 13), random.uniform(-13, 13)},
+                         .radius = random.uniform(0.3, 1.2)};
         REQUIRE(environment.addObstacle(tree).ok());
         shapes.push_back({{tree.centre}, tree.radius});
     }
@@ -132,10 +131,8 @@ TEST_CASE("partially blocked coarse cells have values from their free side") {
 
 TEST_CASE("the static ground changes only with what stands still") {
     Environment environment = squareWorld(12.0);
-    ObstacleDef cart;
-    cart.centre = {0, 0};
-    cart.radius = 0.5;
-    cart.path.waypoints = {{0.0, {0, 0}, 0.0}, {4.0, {8, 0}, 0.0}};
+    ObstacleDef cart{
+        .centre = {0, 0}, .radius = 0.5, .path = {.waypoints = {{0.0, {0, 0}, 0.0}, {4.0, {8, 0}, 0.0}}}};
     REQUIRE(environment.addObstacle(cart).ok());
     StaticGround ground;
     ground.update(environment, 1.0, 0.25);

@@ -15,17 +15,13 @@ using namespace muster;
 namespace {
 
 Environment makeEnvironment(double half = 8.0) {
-    EnvironmentDef def;
-    def.box = {{-half, -half}, {half, half}};
-    auto environment = Environment::create(def);
+    auto environment = Environment::create({.box = {{-half, -half}, {half, half}}});
     REQUIRE(environment.ok());
     return std::move(environment).value();
 }
 
 ObstacleDef block(double x0, double y0, double x1, double y1) {
-    ObstacleDef def;
-    def.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-    return def;
+    return {.polygon = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}};
 }
 
 bool same(const UnitCost& a, const UnitCost& b) {
@@ -91,10 +87,7 @@ TEST_CASE("open ground costs alpha + beta, walls and the edge of the world are i
 
 TEST_CASE("slow ground costs in proportion") {
     Environment environment = makeEnvironment();
-    PatchDef patch;
-    patch.polygon = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
-    patch.speed = 0.4;
-    REQUIRE(environment.addPatch(patch).ok());
+    REQUIRE(environment.addPatch({.polygon = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}, .speed = 0.4}).ok());
     environment.setTime(0.0);
     UnitCost cost;
     UnitCostBuilder builder;
@@ -107,8 +100,7 @@ TEST_CASE("slow ground costs in proportion") {
 TEST_CASE("a crowd raises the cost of walking against it, not with it") {
     Environment environment = makeEnvironment();
     environment.setTime(0.0);
-    Parameters parameters;
-    parameters.density.lookAhead = 0.5;
+    Parameters parameters{.density = {.lookAhead = 0.5}};
     DensityField density(environment.def().box, {.cell = 1.0, .lambda = 1.0});
     std::vector<Vec2> positions;
     // 16 per m^2 round the middle, all walking east at full speed.
@@ -140,22 +132,17 @@ TEST_CASE("a crowd raises the cost of walking against it, not with it") {
 
 TEST_CASE("discomfort falls linearly with time and distance, against brute force") {
     Parameters::Discomfort def;
-    ObstaclePiece disc;
-    disc.radius = 0.5;
-    disc.centre = {0, 0};
-    disc.velocity = {2.0, 0.0};
-    disc.moving = true;
+    ObstaclePiece disc{.centre = {0, 0}, .radius = 0.5, .velocity = {2.0, 0.0}, .moving = true};
     // On the track, reached after (x - r) / v.
     CHECK(discomfortAt(def, disc, {2.5, 0}) == doctest::Approx(8.0 * (1.0 - 1.0 / 1.5)).epsilon(0.02));
     CHECK(discomfortAt(def, disc, {0, 0}) == doctest::Approx(8.0));
     CHECK(discomfortAt(def, disc, {0, 1.0}) == doctest::Approx(8.0 * 0.5));
     CHECK(discomfortAt(def, disc, {0, 1.6}) == 0.0);
     CHECK(discomfortAt(def, disc, {-1.6, 0}) == 0.0);
-    ObstaclePiece box;
-    box.corners = {{-1, -0.5}, {1, -0.5}, {1, 0.5}, {-1, 0.5}};
-    box.radius = std::sqrt(1.25);
-    box.velocity = {1.5, 1.0};
-    box.moving = true;
+    ObstaclePiece box{.corners = {{-1, -0.5}, {1, -0.5}, {1, 0.5}, {-1, 0.5}},
+                      .radius = std::sqrt(1.25),
+                      .velocity = {1.5, 1.0},
+                      .moving = true};
     Random random(5);
     for (const ObstaclePiece& piece : {disc, box}) {
         for (int k = 0; k < 300; ++k) {
@@ -177,9 +164,7 @@ TEST_CASE("the peak of discomfort is found to a millionth, for all shapes and sp
     double worst = 0.0;
     int felt = 0;
     for (int round = 0; round < 400; ++round) {
-        Parameters::Discomfort def;
-        def.time = random.uniform(0.5, 3.0);
-        def.range = random.uniform(0.3, 2.0);
+        Parameters::Discomfort def{.time = random.uniform(0.5, 3.0), .range = random.uniform(0.3, 2.0)};
         ObstaclePiece piece;
         piece.moving = true;
         piece.velocity = Vec2{random.uniform(-1, 1), random.uniform(-1, 1)} * random.uniform(0.02, 6.0);
@@ -227,9 +212,7 @@ TEST_CASE("a builder with a history gives the same bits as a new one") {
     ObstacleDef car = block(-0.5, -0.5, 0.5, 0.5);
     car.path.waypoints = {{0.0, {-5, -4}, 0.0}, {6.0, {5, -4}, 0.0}};
     REQUIRE(environment.addObstacle(car).ok());
-    PatchDef patch;
-    patch.polygon = {{2, 2}, {5, 2}, {5, 5}, {2, 5}};
-    patch.speed = 0.5;
+    PatchDef patch{.polygon = {{2, 2}, {5, 2}, {5, 5}, {2, 5}}, .speed = 0.5};
     const auto patchId = environment.addPatch(patch);
     REQUIRE(patchId.ok());
     UnitCostBuilder used;
@@ -282,10 +265,9 @@ TEST_CASE("incremental updates under moving things give the same cost as a new b
     ObstacleDef cart = block(-0.6, -0.4, 0.6, 0.4);
     cart.path.waypoints = {{0.0, {-6, 1.5}, 0.0}, {4.0, {6, 2.5}, 2.0}};
     REQUIRE(environment.addObstacle(cart).ok());
-    PatchDef raft;
-    raft.polygon = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-    raft.speed = 0.3;
-    raft.path.waypoints = {{0.0, {0, -6}, 0.0}, {4.0, {3, 6}, 0.0}};
+    PatchDef raft{.polygon = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}},
+                  .path = {.waypoints = {{0.0, {0, -6}, 0.0}, {4.0, {3, 6}, 0.0}}},
+                  .speed = 0.3};
     REQUIRE(environment.addPatch(raft).ok());
     UnitCostBuilder used;
     std::size_t most = 0;
@@ -298,8 +280,7 @@ TEST_CASE("incremental updates under moving things give the same cost as a new b
         if (step % 7 == 3) used.update({}, environment, DensityField(), 0.25);
         UnitCostBuilder fresh, bare;
         fresh.update({}, environment, DensityField(), 0.25);
-        Parameters empty;
-        empty.discomfort.enabled = false;
+        Parameters empty{.discomfort = {.enabled = false}};
         bare.update(empty, environment, DensityField(), 0.25);
         CHECK(same(used.cost(), fresh.cost()));
         if (step % 7 != 3) checkGround(used, bare, groundBefore);

@@ -35,12 +35,11 @@ UnitCost randomCost(Random& random, double cell, bool anisotropic) {
         if (random.below(6) == 0) return isotropic(kInfinity);
         const double base = 2.0 + std::sin(1.3 * p.x + phase) + 0.5 * std::cos(2.1 * p.y);
         CellCost c = isotropic(base);
-        if (anisotropic) {
+        if (anisotropic)
             c = {static_cast<float>(base * random.uniform(0.7, 3)),
                  static_cast<float>(base * random.uniform(0.7, 3)),
                  static_cast<float>(base * random.uniform(0.7, 3)),
                  static_cast<float>(base * random.uniform(0.7, 3))};
-        }
         return c;
     });
 }
@@ -104,8 +103,7 @@ TEST_CASE("differences are of second order: speed rising linearly, against the c
         return 40.0 * std::acosh(1.0 + lengthSquared(p - source) / (3200.0 * speed(source) * speed(p)));
     };
     for (const bool second : {false, true}) {
-        EikonalDef def;
-        def.secondOrder = second;
+        EikonalDef def{.secondOrder = second};
         double before = 0.0;
         double order = 0.0;
         std::printf("measured: speed rising linearly, %s order:", second ? "second" : "first");
@@ -138,9 +136,8 @@ TEST_CASE("costs that differ by direction: the cost of the direction walked coun
         return std::sqrt(x * x + y * y);
     };
     CHECK(worst(field, cost.grid, 0.0, exact) < 0.2);
-    for (const Vec2 p : {Vec2{-9, 4}, Vec2{10, 5}, Vec2{3, -12}, Vec2{-7, -7}}) {
+    for (const Vec2 p : {Vec2{-9, 4}, Vec2{10, 5}, Vec2{3, -12}, Vec2{-7, -7}})
         CHECK(field.cost(p) == doctest::Approx(exact(p)).epsilon(0.01));
-    }
 }
 
 TEST_CASE("paths are refracted where the ground gets slower, against Fermat's principle") {
@@ -165,8 +162,7 @@ TEST_CASE("first-order fields agree with sweeping to convergence on random groun
         const UnitCost cost = randomCost(random, 0.25, round % 2 == 1);
         const Grid& grid = cost.grid;
         const Vec2 source{random.uniform(-3.5, 3.5), random.uniform(-3.5, 3.5)};
-        EikonalDef def;
-        def.secondOrder = false;
+        EikonalDef def{.secondOrder = false};
         EikonalSolver solver(def);
         CostField field;
         solver.solve(cost, source, {}, field);
@@ -183,9 +179,8 @@ TEST_CASE("first-order fields agree with sweeping to convergence on random groun
                 const std::int32_t y = i / grid.width;
                 const Cell c{(sweep & 1) != 0 ? grid.width - 1 - x : x,
                              (sweep & 2) != 0 ? grid.height - 1 - y : y};
-                if (!given[grid.index(c)] && !cost.wall(grid.index(c))) {
+                if (!given[grid.index(c)] && !cost.wall(grid.index(c)))
                     phi[grid.index(c)] = std::min(phi[grid.index(c)], update(cost, phi, c));
-                }
             }
         }
         for (std::int32_t k = 0; k < grid.count(); ++k) {
@@ -230,9 +225,8 @@ TEST_CASE("a used solver gives the same bits as a new one") {
         CostField other;
         fresh.solve(cost, source, targets, other);
         CHECK(one.acceptedCount() == other.acceptedCount());
-        for (std::int32_t k = 0; k < cost.grid.count(); ++k) {
+        for (std::int32_t k = 0; k < cost.grid.count(); ++k)
             CHECK(one.value(cost.grid.at(k)) == other.value(cost.grid.at(k)));
-        }
     }
 }
 

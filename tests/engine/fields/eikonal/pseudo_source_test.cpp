@@ -31,9 +31,8 @@ Shape rectangle(double x0, double y0, double x1, double y1) {
 Shape rotated(Vec2 centre, Vec2 half, double angle) {
     const Rotation r{std::cos(angle), std::sin(angle)};
     Shape shape;
-    for (const Vec2 c : {Vec2{-1, -1}, Vec2{1, -1}, Vec2{1, 1}, Vec2{-1, 1}}) {
+    for (const Vec2 c : {Vec2{-1, -1}, Vec2{1, -1}, Vec2{1, 1}, Vec2{-1, 1}})
         shape.corners.push_back(centre + r.apply({c.x * half.x, c.y * half.y}));
-    }
     return shape;
 }
 
@@ -51,13 +50,10 @@ std::vector<Scene> scenes() {
 }
 
 UnitCost costOf(const GeodesicOracle& oracle, double cell) {
-    UnitCost cost;
-    cost.grid = Grid::covering({{-8, -8}, {8, 8}}, cell);
-    cost.radius = kRadius;
+    UnitCost cost{.grid = Grid::covering({{-8, -8}, {8, 8}}, cell), .radius = kRadius};
     std::vector<float> clearance(cost.grid.count());
-    for (std::int32_t k = 0; k < cost.grid.count(); ++k) {
+    for (std::int32_t k = 0; k < cost.grid.count(); ++k)
         clearance[k] = static_cast<float>(std::min(3.0, oracle.clearance(cost.grid.centre(cost.grid.at(k)))));
-    }
     const std::vector<float> speed(clearance.size(), 1.0f);
     std::vector<float> unit(clearance.size());
     cost.cells.resize(clearance.size());

@@ -26,17 +26,12 @@ UnitCost randomCost(Random& random) {
     def.box = {{-half, -half}, {half, half}};
     Environment environment = std::move(Environment::create(def)).value();
     for (std::uint32_t k = random.below(4); k > 0; --k) {
-        PatchDef patch;
-        patch.polygon = boxAt(random, half, 0.5, 4.0);
-        patch.motion = 3;
-        patch.speed = random.uniform(0.1, 0.6);
+        PatchDef patch{
+            .polygon = boxAt(random, half, 0.5, 4.0), .motion = 3, .speed = random.uniform(0.1, 0.6)};
         (void)environment.addPatch(patch);
     }
-    for (std::uint32_t k = random.below(4); k > 0; --k) {
-        ObstacleDef obstacle;
-        obstacle.polygon = boxAt(random, half, 0.3, 5.0);
-        (void)environment.addObstacle(obstacle);
-    }
+    for (std::uint32_t k = random.below(4); k > 0; --k)
+        (void)environment.addObstacle({.polygon = boxAt(random, half, 0.3, 5.0)});
     environment.setTime(0.0);
     DensityField density(def.box, {});
     std::vector<Vec2> crowd;
@@ -86,14 +81,10 @@ TEST_CASE("a used solver gives the same bits as a new one: patches, crowds, obst
 }
 
 TEST_CASE("seeds on expensive ground that a front never reached leave no traces") {
-    EnvironmentDef def;
-    def.box = {{-16, -16}, {16, 16}};
-    Environment environment = std::move(Environment::create(def)).value();
-    PatchDef patch;
-    patch.polygon = {{0.3, -4}, {4, -4}, {4, 4}, {0.3, 4}};
-    patch.motion = 3;
-    patch.speed = 0.15;
-    REQUIRE(environment.addPatch(patch).ok());
+    Environment environment = std::move(Environment::create({.box = {{-16, -16}, {16, 16}}})).value();
+    REQUIRE(
+        environment.addPatch({.polygon = {{0.3, -4}, {4, -4}, {4, 4}, {0.3, 4}}, .motion = 3, .speed = 0.15})
+            .ok());
     environment.setTime(0.0);
     UnitCost cost;
     UnitCostBuilder().build({}, environment, DensityField(), 0.25, cost);

@@ -17,18 +17,12 @@ namespace {
 
 // A disc that drives north.
 ObstacleDef cart() {
-    ObstacleDef def;
-    def.radius = 0.8;
-    def.centre = {0, -3};
-    def.path.waypoints = {{0.0, {0, 0}, 0.0}, {10.0, {0, 15}, 0.0}};
-    return def;
+    return {
+        .centre = {0, -3}, .radius = 0.8, .path = {.waypoints = {{0.0, {0, 0}, 0.0}, {10.0, {0, 15}, 0.0}}}};
 }
 
 Environment withCart(double cell) {
-    EnvironmentDef def;
-    def.box = {{-16, -16}, {16, 16}};
-    def.cell = cell;
-    Environment environment = Environment::create(def).value();
+    Environment environment = Environment::create({.box = {{-16, -16}, {16, 16}}, .cell = cell}).value();
     REQUIRE(environment.addObstacle(cart()).ok());
     environment.setTime(2.0);
     return environment;

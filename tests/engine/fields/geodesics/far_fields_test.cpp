@@ -48,10 +48,7 @@ Environment twoPools() {
 TEST_CASE("on uniform ground a stencil is exact from anywhere") {
     Far far(squareWorld(30.0));
     // A tree far away, since open ground needs no far fields.
-    ObstacleDef tree;
-    tree.centre = {28, 28};
-    tree.radius = 0.4;
-    REQUIRE(far.environment.addObstacle(tree).ok());
+    REQUIRE(far.environment.addObstacle({.centre = {28, 28}, .radius = 0.4}).ok());
     far.ground.update(far.environment, 1.0, 0.25);
     far.fields.beginStep(far.ground, 400);
     Random random(3);

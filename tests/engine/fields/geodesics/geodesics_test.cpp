@@ -119,9 +119,8 @@ TEST_CASE("near costs among trees are those of the fine cost field") {
     Environment environment = squareWorld(16.0);
     Random random(9);
     for (int k = 0; k < 60; ++k) {
-        ObstacleDef tree;
-        tree.centre = {random.uniform(-14, 14), random.uniform(-14, 14)};
-        tree.radius = random.uniform(0.3, 0.5);
+        ObstacleDef tree{.centre = {random.uniform(-14, 14), random.uniform(-14, 14)},
+                         .radius = random.uniform(0.3, 0.5)};
         REQUIRE(environment.addObstacle(tree).ok());
     }
     Scene scene(std::move(environment));
@@ -226,10 +225,8 @@ TEST_CASE("no cost is below its lower bound, which includes the slow ground at b
 TEST_CASE("a far path that begins beside a cart includes the cost of leaving it") {
     Environment environment = squareWorld(16.0);
     REQUIRE(environment.addObstacle(rectangle(-1, -9, 1, 9)).ok());
-    ObstacleDef cart;
-    cart.radius = 0.8;
-    cart.centre = {-4, -3};
-    cart.path.waypoints = {{0.0, {0, 0}, 0.0}, {10.0, {0, 15}, 0.0}};
+    ObstacleDef cart{
+        .centre = {-4, -3}, .radius = 0.8, .path = {.waypoints = {{0.0, {0, 0}, 0.0}, {10.0, {0, 15}, 0.0}}}};
     REQUIRE(environment.addObstacle(cart).ok());
     Scene scene(std::move(environment));
     scene.environment.setTime(1.0);

@@ -16,9 +16,8 @@ Environment wood() {
     Random random(8);
     for (double y = -21.0; y <= 21.0; y += 3.0)
         for (double x = -21.0; x <= 21.0; x += 3.0) {
-            ObstacleDef tree;
-            tree.centre = {x + random.uniform(-0.6, 0.6), y + random.uniform(-0.6, 0.6)};
-            tree.radius = random.uniform(0.3, 0.5);
+            ObstacleDef tree{.centre = {x + random.uniform(-0.6, 0.6), y + random.uniform(-0.6, 0.6)},
+                             .radius = random.uniform(0.3, 0.5)};
             REQUIRE(environment.addObstacle(tree).ok());
         }
     environment.setTime(0.0);
@@ -98,10 +97,7 @@ TEST_CASE("after an edit the fields that it does not touch stay, and all are tho
     LocalFields fields({512, 16});
     solveAlong(fields, ground, pool, 1.7, 40);
     const std::int32_t before = fields.count();
-    ObstacleDef tree;
-    tree.centre = {-18.0, 3.0};
-    tree.radius = 0.8;
-    REQUIRE(environment.addObstacle(tree).ok());
+    REQUIRE(environment.addObstacle({.centre = {-18.0, 3.0}, .radius = 0.8}).ok());
     ground.update(environment, 1.0, 0.25);
     fields.beginStep(ground.fineLevel());
     CHECK(fields.count() < before);

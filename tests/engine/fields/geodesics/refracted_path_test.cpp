@@ -83,9 +83,8 @@ TEST_CASE("collision-free lines are those without a wall, whatever the ground co
     Environment patched = squareWorld(16.0);
     Random random(5);
     for (int k = 0; k < 25; ++k) {
-        ObstacleDef tree;
-        tree.centre = {random.uniform(-13, 13), random.uniform(-13, 13)};
-        tree.radius = random.uniform(0.3, 1.2);
+        ObstacleDef tree{.centre = {random.uniform(-13, 13), random.uniform(-13, 13)},
+                         .radius = random.uniform(0.3, 1.2)};
         REQUIRE(bare.addObstacle(tree).ok());
         REQUIRE(patched.addObstacle(tree).ok());
     }

@@ -124,10 +124,7 @@ TEST_CASE("edits of things that stand still are remembered with the cells that t
         const Cell c = environment.grid().at(i);
         if (environment.staticClearance()[i] != before[i]) REQUIRE(!areas[0].common({c, c}).empty());
     }
-    PatchDef mud;
-    mud.polygon = {{0, 0}, {1, 0}, {1, 1}};
-    mud.speed = 0.5;
-    REQUIRE(environment.addPatch(mud).ok());
+    REQUIRE(environment.addPatch({.polygon = {{0, 0}, {1, 0}, {1, 1}}, .speed = 0.5}).ok());
     CHECK(environment.staticPatchVersion() == environment.staticVersion());
     for (int k = 0; k < 1000; ++k) REQUIRE(environment.addObstacle(rectangle({-1, -1}, {1, 1})).ok());
     CHECK_FALSE(environment.staticChangesSince(second, areas));

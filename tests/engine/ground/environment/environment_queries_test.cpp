@@ -202,9 +202,7 @@ TEST_CASE(
 
 TEST_CASE("patches touch cells that share area, not those that share an edge") {
     Environment environment = emptyWorld(8.0, 1.0);
-    PatchDef patch;
-    patch.motion = 3;
-    patch.polygon = {{0, 0}, {2, 0}, {2, 1.1}, {0, 1.1}};
+    PatchDef patch{.polygon = {{0, 0}, {2, 0}, {2, 1.1}, {0, 1.1}}, .motion = 3};
     REQUIRE(environment.addPatch(patch).ok());
     int slow = 0;
     for (float speed : valuesOf(environment.travelSpeed(), environment.grid())) slow += speed < 1.0f ? 1 : 0;
@@ -244,8 +242,8 @@ TEST_CASE("narrow gaps between obstacles are found by width") {
 
 TEST_CASE("narrow gaps within one obstacle, to the edge of the world, and beside where two touch") {
     Environment slot = emptyWorld(8.0, 0.5);
-    ObstacleDef fork;
-    fork.polygon = {{-2, -2}, {2, -2}, {2, 2}, {0.15, 2}, {0.15, -1}, {-0.15, -1}, {-0.15, 2}, {-2, 2}};
+    ObstacleDef fork{
+        .polygon = {{-2, -2}, {2, -2}, {2, 2}, {0.15, 2}, {0.15, -1}, {-0.15, -1}, {-0.15, 2}, {-2, 2}}};
     REQUIRE(slot.addObstacle(fork).ok());
     auto gaps = slot.narrowGaps(0.5);
     REQUIRE(gaps.size() == 1);
@@ -272,9 +270,7 @@ TEST_CASE("narrow gaps within one obstacle, to the edge of the world, and beside
 
     Environment slit = emptyWorld(10.0, 0.5);
     REQUIRE(slit.addObstacle(rectangle({0, 0}, {4, 1})).ok());
-    ObstacleDef hook;
-    hook.polygon = {{0, 1}, {0.5, 1}, {0.5, 1.3}, {4, 1.3}, {4, 3}, {0, 3}};
-    REQUIRE(slit.addObstacle(hook).ok());
+    REQUIRE(slit.addObstacle({.polygon = {{0, 1}, {0.5, 1}, {0.5, 1.3}, {4, 1.3}, {4, 3}, {0, 3}}}).ok());
     gaps = slit.narrowGaps(0.5);
     REQUIRE(gaps.size() == 1);
     CHECK(gaps[0].a == ObstacleId{1});

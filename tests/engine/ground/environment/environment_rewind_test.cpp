@@ -98,9 +98,7 @@ TEST_CASE(
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
         CAPTURE(seed);
         Random random(seed);
-        EnvironmentDef def;
-        def.box = {{-12, -12}, {12, 12}};
-        Environment environment = Environment::create(def).value();
+        Environment environment = Environment::create({.box = {{-12, -12}, {12, 12}}}).value();
         for (int k = 0; k < 8; ++k) edit(environment, random);
         environment.setTime(1.0);
         const auto bytes = bytesOf(environment);

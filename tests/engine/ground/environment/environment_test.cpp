@@ -222,9 +222,7 @@ TEST_CASE("bad definitions are refused with their reason and add nothing") {
     late = disc({0, 0}, 1.0);
     late.strength = NAN;
     CHECK(bad(late) != "");
-    PatchDef patch;
-    patch.polygon = {{0, 0}, {1, 0}, {1, 1}};
-    patch.motion = 99;
+    PatchDef patch{.polygon = {{0, 0}, {1, 0}, {1, 1}}, .motion = 99};
     CHECK(environment.addPatch(patch).status().message() == "the patch plays motion 99, which no clip bears");
     patch.motion = 1;
     patch.speed = 0.0;
@@ -272,7 +270,6 @@ TEST_CASE("parts of rotating obstacles have the velocity of their centres") {
     for (const ObstaclePiece& piece : environment.pieces()) velocity.push_back(piece.velocity);
     environment.setTime(1.3 + 1e-6);
     REQUIRE(before.size() >= 2);
-    for (std::size_t i = 0; i < before.size(); ++i) {
+    for (std::size_t i = 0; i < before.size(); ++i)
         CHECK(distance((environment.pieces()[i].centre - before[i]) / 1e-6, velocity[i]) < 1e-4);
-    }
 }

@@ -5,11 +5,9 @@
 using namespace muster;
 
 TEST_CASE("field defaults apply to obstacles that give none, and only to those") {
-    EnvironmentDef def;
-    def.defaultRange = 1.0;
+    EnvironmentDef def{.defaultRange = 1.0};
     Environment environment = Environment::create(def).value();
-    ObstacleDef plain;
-    plain.radius = 1.0;
+    ObstacleDef plain{.radius = 1.0};
     ObstacleDef own = plain;
     own.centre = {8, 0};
     own.range = 1.0;

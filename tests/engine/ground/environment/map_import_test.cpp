@@ -148,10 +148,7 @@ TEST_CASE("Berlin as an environment: the raster separates walls and streets") {
     }
     const auto map = parseMap(text);
     REQUIRE(map.ok());
-    EnvironmentDef def;
-    def.box = {{0, 0}, {256, 256}};
-    def.cell = 0.5;
-    auto made = Environment::create(def);
+    auto made = Environment::create({.box = {{0, 0}, {256, 256}}, .cell = 0.5});
     REQUIRE(made.ok());
     Environment& environment = *made;
     for (const ObstacleDef& obstacle : mapObstacles(*map, {}))

@@ -12,9 +12,7 @@ namespace muster::test {
 
 /// A square world round the origin.
 inline Environment emptyWorld(double side, double cell) {
-    EnvironmentDef def;
-    def.box = {{-side / 2, -side / 2}, {side / 2, side / 2}};
-    def.cell = cell;
+    EnvironmentDef def{.box = {{-side / 2, -side / 2}, {side / 2, side / 2}}, .cell = cell};
     Result<Environment> made = Environment::create(def);
     REQUIRE(made.ok());
     return std::move(*made);
@@ -28,16 +26,11 @@ inline std::vector<float> valuesOf(const RasterView& view, const Grid& grid) {
 }
 
 inline ObstacleDef disc(Vec2 centre, double radius) {
-    ObstacleDef def;
-    def.centre = centre;
-    def.radius = radius;
-    return def;
+    return {.centre = centre, .radius = radius};
 }
 
 inline ObstacleDef block(Polygon polygon) {
-    ObstacleDef def;
-    def.polygon = std::move(polygon);
-    return def;
+    return {.polygon = std::move(polygon)};
 }
 
 inline ObstacleDef rectangle(Vec2 low, Vec2 high) {
@@ -57,10 +50,9 @@ inline Polygon randomStar(Random& random, Vec2 centre, double least, double most
 
 inline TimedPath randomPath(Random& random) {
     TimedPath path;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i)
         path.waypoints.push_back(
             {2.0 * i, {random.uniform(-4, 4), random.uniform(-4, 4)}, random.uniform(-3, 3)});
-    }
     path.loop = random.below(2) == 0;
     return path;
 }
@@ -74,11 +66,10 @@ inline ObstacleDef randomObstacle(Random& random, double reach, bool moves) {
 }
 
 inline PatchDef randomPatch(Random& random, double reach, bool moves) {
-    PatchDef def;
-    def.polygon = randomStar(random, {random.uniform(-reach, reach), random.uniform(-reach, reach)}, 0.8,
-                             4.0);
-    def.motion = static_cast<MotionId>(random.below(7));
-    def.speed = random.below(2) == 0 ? -1.0 : random.uniform(0.1, 1.5);
+    PatchDef def{.polygon = randomStar(random, {random.uniform(-reach, reach), random.uniform(-reach, reach)},
+                                       0.8, 4.0),
+                 .motion = static_cast<MotionId>(random.below(7)),
+                 .speed = random.below(2) == 0 ? -1.0 : random.uniform(0.1, 1.5)};
     if (moves) def.path = randomPath(random);
     return def;
 }

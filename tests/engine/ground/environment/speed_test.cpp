@@ -18,10 +18,7 @@ namespace {
 
 // Berlin where it is at hand, else a town of blocks.
 Environment town() {
-    EnvironmentDef def;
-    def.box = {{0, 0}, {256, 256}};
-    def.cell = 0.5;
-    auto made = Environment::create(def);
+    auto made = Environment::create({.box = {{0, 0}, {256, 256}}, .cell = 0.5});
     REQUIRE(made.ok());
     std::ifstream file(sourceFolder() + "/../shared/maps/Berlin_0_256.map", std::ios::binary);
     std::stringstream text;

@@ -37,9 +37,7 @@ TEST_CASE("in Berlin a route leads between two cells exactly where flood fill of
     }
     const auto map = parseMap(text.str());
     REQUIRE(map.ok());
-    EnvironmentDef def;
-    def.box = {{0, 0}, {256, 256}};
-    def.cell = 0.5;
+    EnvironmentDef def{.box = {{0, 0}, {256, 256}}, .cell = 0.5};
     auto environment = Environment::create(def);
     REQUIRE(environment.ok());
     for (const ObstacleDef& obstacle : mapObstacles(*map, {}))

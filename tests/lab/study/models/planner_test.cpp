@@ -100,9 +100,7 @@ TEST_CASE("a plan sends everybody once, and leads over or sweeps up all items") 
 
 TEST_CASE("a part that has been cut off is led as a part, not as the whole crowd") {
     // A model that took the first part for all of the crowd drew its first way from the middle of all.
-    TrialDef def;
-    def.environment = "four-blocks";
-    def.scheme = "touch-no-shapes";
+    TrialDef def{.environment = "four-blocks", .scheme = "touch-no-shapes"};
     int divided = 0;
     for (int i = 1; i <= 6; ++i) {
         def.seed = kFirstTuningSeed + i;
@@ -128,10 +126,7 @@ TEST_CASE("a part that has been cut off is led as a part, not as the whole crowd
 }
 
 TEST_CASE("calls fetch what a front has left behind") {
-    TrialDef def;
-    def.environment = "single-block";
-    def.seed = kFirstTuningSeed + 2;
-    def.scheme = "touch";
+    TrialDef def{.environment = "single-block", .scheme = "touch", .seed = kFirstTuningSeed + 2};
     const auto calls = runModelTrial(def, "default");
     def.scheme = "touch-no-calls";
     const auto without = runModelTrial(def, "default");

@@ -63,8 +63,7 @@ TEST_CASE(
 
 TEST_CASE("what a crowd sweeps up on its way is left out of its stops, and nothing else") {
     const SeenGround ground(std::span<const Box>{}, kBorder, 1.0);
-    Sweep sweep;
-    sweep.reach = 0.5;
+    Sweep sweep{.reach = 0.5};
     for (int i = -3; i <= 3; ++i) sweep.offsets.push_back({0.0, 0.5 * i});
     const std::vector<Vec2> items{{5.0, 1.0}, {10.0, 0.0}, {6.0, 6.0}};
     const TourFinder tours(ground, items);

@@ -47,7 +47,3 @@ for (name in names(differences)) {
   }
   for (q in c(0.025, 0.25, 0.5, 0.9)) say(paste0(name, ".q", q), quantile(d, q, type = 7))
 }
-ratings <- as.matrix(differences[seq_len(10), 1:3])
-friedman <- friedman.test(round(ratings * 2))
-say("friedman.statistic", friedman$statistic)
-say("friedman.p", friedman$p.value)

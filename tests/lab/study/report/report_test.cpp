@@ -2,42 +2,30 @@
 #include <doctest.h>
 #include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include "json/json.h"
 #include "lab/study/report/study_report.h"
+#include "temporary_folder.h"
 
 using namespace muster;
 
 namespace {
 
-struct Folder {
-    std::filesystem::path path = std::filesystem::temp_directory_path() /
-                                 ("muster_study_report_" + std::to_string(::getpid()));
-    Folder() { std::filesystem::create_directories(path); }
-    ~Folder() { std::filesystem::remove_all(path); }
-    std::string text(const std::string& name) const {
-        std::ifstream file(path / name, std::ios::binary);
-        std::stringstream all;
-        all << file.rdbuf();
-        return all.str();
-    }
+struct Folder : testing::TemporaryFolder {
+    Folder() : TemporaryFolder("study_report") {}
     StudyStore store() const {
-        return std::move(StudyStore::open((path / "s.db").string(), StoreMode::Create)).value();
+        return std::move(StudyStore::open(*this / "s.db", StoreMode::Create)).value();
     }
 };
 
 void addTrial(StudyStore& store, std::int64_t run, const std::string& scheme, std::uint64_t seed,
               double seconds) {
-    StudyTrial trial;
-    trial.run = run;
-    trial.def = {"corridor", 36, scheme, seed, false};
-    trial.setting = "default";
-    trial.state = RunState::Complete;
-    trial.result.done = true;
-    trial.result.seconds = seconds;
+    StudyTrial trial{.run = run,
+                     .def = {"corridor", 36, scheme, seed, false},
+                     .setting = "default",
+                     .state = RunState::Complete,
+                     .result = {.done = true, .seconds = seconds}};
     REQUIRE(store.addTrial(trial).ok());
 }
 
@@ -46,18 +34,17 @@ void addTrial(StudyStore& store, std::int64_t run, const std::string& scheme, st
 TEST_CASE("An empty study is reported in sentences") {
     const Folder folder;
     StudyStore store = folder.store();
-    REQUIRE(writeStudyReport(store, folder.path.string(), "0").ok());
-    CHECK(folder.text("report.html").find("There are no runs of models.") != std::string::npos);
-    CHECK(folder.text("report.html").find("There are no runs of people.") != std::string::npos);
-    CHECK(folder.text("results.json").find_first_not_of("[] \n") == std::string::npos);
+    REQUIRE(writeStudyReport(store, folder.base.string(), "0").ok());
+    CHECK(folder.read("report.html").find("There are no runs of models.") != std::string::npos);
+    CHECK(folder.read("report.html").find("There are no runs of people.") != std::string::npos);
+    CHECK(folder.read("results.json").find_first_not_of("[] \n") == std::string::npos);
 }
 
 TEST_CASE("Ratios are those to the better mouse, and tests never count") {
     const Folder folder;
     StudyStore store = folder.store();
     const std::int64_t models = *store.addRun({});
-    StudyRun test;
-    test.kind = RunKind::Test;
+    StudyRun test{.kind = RunKind::Test};
     const std::int64_t tested = *store.addRun(test);
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         addTrial(store, models, "touch", seed, 30.0);
@@ -65,8 +52,8 @@ TEST_CASE("Ratios are those to the better mouse, and tests never count") {
         addTrial(store, models, "mouse-full-free", seed, 40.0);
         addTrial(store, tested, "touch", seed, 1.0);
     }
-    REQUIRE(writeStudyReport(store, folder.path.string(), "0").ok());
-    const auto rows = parseJson(folder.text("results.json"), "results.json");
+    REQUIRE(writeStudyReport(store, folder.base.string(), "0").ok());
+    const auto rows = parseJson(folder.read("results.json"), "results.json");
     REQUIRE(rows.ok());
     REQUIRE(rows->size() == 3);
     for (const Json& row : rows->elements()) {
@@ -85,14 +72,12 @@ TEST_CASE("Exports quote what must be quoted, and the codebook names every colum
     CHECK(csvField("a,\"b\"\n") == "\"a,\"\"b\"\"\n\"");
     const Folder folder;
     StudyStore store = folder.store();
-    StudyRun run;
-    run.kind = RunKind::People;
-    run.note = "left, then \"came back\"";
+    StudyRun run{.kind = RunKind::People, .note = "left, then \"came back\""};
     addTrial(store, *store.addRun(run), "touch", 1, 30.5);
-    REQUIRE(exportStudy(store, folder.path.string()).ok());
-    CHECK(folder.text("runs.csv").find("\"left, then \"\"came back\"\"\"\r\n") != std::string::npos);
-    CHECK(folder.text("trials.csv").find(",30.5,") != std::string::npos);
-    std::stringstream heading(folder.text("trials.csv").substr(0, folder.text("trials.csv").find("\r\n")));
+    REQUIRE(exportStudy(store, folder.base.string()).ok());
+    CHECK(folder.read("runs.csv").find("\"left, then \"\"came back\"\"\"\r\n") != std::string::npos);
+    CHECK(folder.read("trials.csv").find(",30.5,") != std::string::npos);
+    std::stringstream heading(folder.read("trials.csv").substr(0, folder.read("trials.csv").find("\r\n")));
     for (std::string column; std::getline(heading, column, ',');)
-        CHECK(folder.text("codebook.csv").find("trials.csv," + column + ",") != std::string::npos);
+        CHECK(folder.read("codebook.csv").find("trials.csv," + column + ",") != std::string::npos);
 }

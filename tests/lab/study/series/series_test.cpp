@@ -1,34 +1,20 @@
 #include <doctest.h>
 
-#include <unistd.h>
-#include <filesystem>
 #include <map>
 #include <set>
 
 #include "lab/study/series/trial_series.h"
+#include "temporary_folder.h"
 
 namespace muster {
 namespace {
 
-class Folder {
-public:
-    Folder() : path_(std::filesystem::temp_directory_path() / ("muster_series_" + std::to_string(getpid()))) {
-        std::filesystem::remove_all(path_);
-        std::filesystem::create_directories(path_);
-    }
-    ~Folder() { std::filesystem::remove_all(path_); }
-    std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-
-private:
-    std::filesystem::path path_;
+struct Folder : testing::TemporaryFolder {
+    Folder() : TemporaryFolder("series") {}
 };
 
 SeriesDef small() {
-    SeriesDef def;
-    def.seeds = 2;
-    def.environments = {"single-block"};
-    def.schemes = {"touch", "mouse-full-continuum"};
-    return def;
+    return {.seeds = 2, .environments = {"single-block"}, .schemes = {"touch", "mouse-full-continuum"}};
 }
 
 StudyStore opened(const std::string& path) {
@@ -58,8 +44,7 @@ std::map<std::string, std::string> contents(StudyStore& store) {
 }
 
 TEST_CASE("shards are parts of a series without overlap, balanced over environments and controls") {
-    SeriesDef def;
-    def.seeds = 5;
+    SeriesDef def{.seeds = 5};
     const auto all = seriesTrials(def).value();
     CHECK(all.size() == 5 * studyEnvironments().size() * namedSchemes().size());
     std::set<std::string> seen;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <vector>
 
 #include "base/random.h"
@@ -35,13 +34,12 @@ inline std::vector<statistics::MixedRow> madeTable(const TableDef& def, std::uin
         const double own = def.person * bell(random), slope = def.slope * bell(random);
         for (int touch = 0; touch < 2; ++touch) {
             for (int e = 0; e < 4; ++e) {
-                statistics::MixedRow row;
-                row.environment = e;
-                row.touch = touch == 1;
-                row.order = person % 2;
-                row.period = (touch == 1) == (person % 2 == 1) ? 1.0 : 2.0;
-                row.person = person;
-                row.layout = 2 * e + (person / 2 + touch) % 2;
+                statistics::MixedRow row{.environment = e,
+                                         .touch = touch == 1,
+                                         .period = (touch == 1) == (person % 2 == 1) ? 1.0 : 2.0,
+                                         .order = person % 2,
+                                         .person = person,
+                                         .layout = 2 * e + (person / 2 + touch) % 2};
                 row.logTime = 3.5 + 0.2 * e + own - 0.05 * row.period + def.residual * bell(random) +
                               layouts[static_cast<std::size_t>(row.layout)];
                 if (row.touch) row.logTime += slope + def.effects[static_cast<std::size_t>(e)];

@@ -41,8 +41,6 @@ TEST_CASE("Distributions have the values of tables") {
     CHECK(studentQuantile(0.975, 1.0) == doctest::Approx(12.706204736).epsilon(1e-8));
     CHECK(studentQuantile(0.975, 10.0) == doctest::Approx(2.228138852).epsilon(1e-8));
     CHECK(studentBelow(0.0, 3.0) == doctest::Approx(0.5));
-    CHECK(chiSquaredAbove(5.991464547, 2.0) == doctest::Approx(0.05).epsilon(1e-8));
-    CHECK(chiSquaredAbove(1.0, 2.0) == doctest::Approx(std::exp(-0.5)));
     CHECK(incompleteBeta(2.0, 3.0, 0.4) == doctest::Approx(0.5248));
 }
 
@@ -107,25 +105,14 @@ TEST_CASE("Ratios: no effect is covered, an effect is found, the same seed gives
         CHECK(ratioOfMedians(a, b, 1, 400).low == ratio.low);
         for (double& value : a) value *= 0.65;
         CHECK(ratioOfMedians(a, b).high < 0.8);
-        CHECK(geometricMeanRatio(a, b).value == doctest::Approx(0.65).epsilon(0.1));
     }
     CHECK(covered >= 180);
     const std::vector<double> one{2.0}, four{4.0};
-    CHECK(geometricMeanRatio(one, four).value == 0.5);
-    CHECK(geometricMeanRatio(one, four).high == std::numeric_limits<double>::infinity());
     CHECK(ratioOfMedians(one, four).low == 0.5);
 }
 
-TEST_CASE("Friedman's test") {
-    const Friedman test = friedman({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}, {1, 2, 3}});
-    CHECK(test.statistic == doctest::Approx(8.0));
-    CHECK(test.p == doctest::Approx(std::exp(-4.0)));
-    CHECK(friedman({{1, 1, 1}}).p == 1.0);
-}
-
 TEST_CASE("The mixed model finds known effects and covers none") {
-    TableDef def;
-    def.effects = {-0.43, -0.17, -0.22, 0.1};
+    TableDef def{.effects = {-0.43, -0.17, -0.22, 0.1}};
     const auto model = fitMixedModel(madeTable(def, 7));
     REQUIRE(model.ok());
     REQUIRE(model->effects.size() == 4);
@@ -138,8 +125,7 @@ TEST_CASE("The mixed model finds known effects and covers none") {
     CHECK(model->effects[0].holm < 0.01);
     int covered = 0;
     for (std::uint64_t seed = 1; seed <= 25; ++seed) {
-        TableDef none;
-        none.people = 12;
+        TableDef none{.people = 12};
         const auto fitted = fitMixedModel(madeTable(none, seed));
         REQUIRE(fitted.ok());
         for (const MixedEffect& effect : fitted->effects)
@@ -149,8 +135,7 @@ TEST_CASE("The mixed model finds known effects and covers none") {
 }
 
 TEST_CASE("The mixed model bears missing cells and refuses what says nothing") {
-    TableDef def;
-    def.missing = true;
+    TableDef def{.missing = true};
     std::vector<MixedRow> rows = madeTable(def, 9);
     rows.erase(std::remove_if(rows.begin(), rows.end(),
                               [](const MixedRow& r) { return r.environment == 2 && r.touch; }),

@@ -2,11 +2,11 @@
 #include "studio/study/host/study_host.h"
 
 #include <cmath>
-#include <filesystem>
 
 #include "studio/study/host/replay_host.h"
 #include "studio/study/host/study_page.h"
 #include "studio/study/trial/trial_replay.h"
+#include "temporary_folder.h"
 
 using namespace muster;
 using muster::testing::StudyPage;
@@ -19,27 +19,14 @@ using Page = StudyPage<StudyHost>;
 
 /// A database of its own and a host on it.
 struct Room {
-    explicit Room(const std::string& name, RunKind kind = RunKind::Test)
-        : path((std::filesystem::temp_directory_path() / ("muster-host-" + name + ".db")).string()) {
-        remove();
-        auto opened = StudyStore::open(path, StoreMode::Create);
+    explicit Room(const std::string& name, RunKind kind = RunKind::Test) : folder("host_" + name) {
+        auto opened = StudyStore::open(folder / "study.db", StoreMode::Create);
         REQUIRE_MESSAGE(opened.ok(), opened.status().message());
         store.emplace(std::move(opened).value());
-        StudyHostDef def;
-        def.version = "1.0.0";
-        def.settings = {"mouse-paper", 16};
-        def.kind = kind;
+        StudyHostDef def{.version = "1.0.0", .settings = {"mouse-paper", 16}, .kind = kind};
         def.now = [] { return std::string("2026-11-24T06:00:00Z"); };
         def.token = [this] { return "token-" + std::to_string(++tokens); };
         host.emplace(*store, std::move(def));
-    }
-    ~Room() {
-        host.reset();
-        store.reset();
-        remove();
-    }
-    void remove() const {
-        for (const char* end : {"", "-wal", "-shm"}) std::filesystem::remove(path + end);
     }
     void run(double seconds, const std::vector<Page*>& pages) {
         for (int i = 0; i < static_cast<int>(seconds * 60.0 + 0.5); ++i) {
@@ -48,7 +35,7 @@ struct Room {
             for (Page* page : pages) page->poll();
         }
     }
-    std::string path;
+    muster::testing::TemporaryFolder folder;
     int tokens = 0;
     std::optional<StudyStore> store;
     std::optional<StudyHost> host;
@@ -73,12 +60,7 @@ protocol::SetView viewOfPage() {
 
 void point(Page& page, protocol::TouchPhase phase, Vec2 ground, double time) {
     const Vec2 at = studyView().screenOf(ground).value_or(Vec2{});
-    protocol::RawInput input;
-    input.phase = phase;
-    input.pointer = 1;
-    input.x = at.x;
-    input.y = at.y;
-    input.time = time;
+    protocol::RawInput input{.phase = phase, .pointer = 1, .x = at.x, .y = at.y, .time = time};
     page.send(protocol::Inputs{{input}});
 }
 
@@ -114,6 +96,22 @@ TrialReplay replayOf(StudyStore& store, const StudyTrial& trial) {
     return std::move(replay).value();
 }
 
+/// A stored trial in the studio, and who watches it.
+struct Replay {
+    ReplayHost host;
+    StudyPage<ReplayHost> watcher;
+
+    Replay(StudyStore& store, const StudyTrial& trial)
+        : host(replayOf(store, trial), {"1.0.0", trial, RunKind::Test, {}}), watcher(host) {}
+    void run(double seconds) {
+        for (int i = 0; i < static_cast<int>(seconds * 60.0 + 0.5); ++i) {
+            host.elapse(1.0 / 60.0);
+            while (host.stepDue()) host.step();
+            watcher.poll();
+        }
+    }
+};
+
 }  // namespace
 
 TEST_CASE("A run begins with consent; a page that is only looked at leaves nothing behind") {
@@ -125,8 +123,7 @@ TEST_CASE("A run begins with consent; a page that is only looked at leaves nothi
     CHECK(page.states.back().test);
     CHECK(page.states.back().token.empty());
     CHECK(room.store->runs().value().empty());
-    protocol::AnswerForm none;
-    none.instrument = "consent";
+    protocol::AnswerForm none{.instrument = "consent"};
     page.send(none);
     CHECK(page.noticed("AnswerForm").find("not answered") != std::string::npos);
     CHECK(room.store->runs().value().empty());
@@ -320,31 +317,24 @@ TEST_CASE("A replay in the studio shows the trial and its pointers, and ends wit
     room.run(26.0, {&page});
     page.act(StudyAct::GiveUp);
     const StudyTrial trial = longest(*room.store);
-    ReplayHost host(replayOf(*room.store, trial), {"1.0.0", trial, RunKind::Test, {}});
-    StudyPage<ReplayHost> watcher(host);
+    Replay replay(*room.store, trial);
+    StudyPage<ReplayHost>& watcher = replay.watcher;
     CHECK(watcher.stage() == StudyStage::Replay);
     CHECK(watcher.states.back().scheme == trial.def.scheme);
     watcher.send(protocol::SetSpeed{8.0f});
-    const auto run = [&](double seconds) {
-        for (int i = 0; i < static_cast<int>(seconds * 60.0 + 0.5); ++i) {
-            host.elapse(1.0 / 60.0);
-            while (host.stepDue()) host.step();
-            watcher.poll();
-        }
-    };
-    run(5.0);
+    replay.run(5.0);
     CHECK(watcher.noticed("replay-end") == "The trial ends here; its hash is the stored one.");
     bool pointed = false;
     for (const protocol::Marks& marks : watcher.marks) pointed |= marks.pointers.size() == 2;
     CHECK(pointed);
     CHECK(!watcher.frames.back().playing);
     watcher.send(protocol::Playback{protocol::PlaybackAction::Play});
-    run(0.1);
+    replay.run(0.1);
     CHECK(watcher.frames.back().playing);
     CHECK(watcher.frames.back().time < 2.0);
     watcher.send(protocol::Playback{protocol::PlaybackAction::Pause});
     const double paused = watcher.frames.back().time;
-    run(1.0);
+    replay.run(1.0);
     CHECK(watcher.frames.back().time == doctest::Approx(paused).epsilon(0.2));
     watcher.send(protocol::SetSpeed{9.0f});
     CHECK(watcher.noticed("SetSpeed").find("0.1 to 8") != std::string::npos);
@@ -360,14 +350,9 @@ TEST_CASE("A replay tells of a hash that is not the stored one") {
     page.act(StudyAct::GiveUp);
     StudyTrial trial = longest(*room.store);
     trial.result.hash ^= 1;
-    ReplayHost host(replayOf(*room.store, trial), {"1.0.0", trial, RunKind::Test, {}});
-    StudyPage<ReplayHost> watcher(host);
-    watcher.send(protocol::SetSpeed{8.0f});
-    for (int i = 0; i < 400; ++i) {
-        host.elapse(1.0 / 60.0);
-        while (host.stepDue()) host.step();
-        watcher.poll();
-    }
-    CHECK(watcher.noticed("replay-end").find("another hash") != std::string::npos);
-    CHECK(watcher.notices.back().level == protocol::NoticeLevel::Warning);
+    Replay replay(*room.store, trial);
+    replay.watcher.send(protocol::SetSpeed{8.0f});
+    replay.run(7.0);
+    CHECK(replay.watcher.noticed("replay-end").find("another hash") != std::string::npos);
+    CHECK(replay.watcher.notices.back().level == protocol::NoticeLevel::Warning);
 }

@@ -33,8 +33,7 @@ public:
     /// Answers the form that waits by the least or first answer.
     void answer() {
         REQUIRE(form);
-        protocol::AnswerForm message;
-        message.instrument = form->instrument;
+        protocol::AnswerForm message{.instrument = form->instrument};
         for (const protocol::QuestionFrame& question : form->questions) {
             protocol::AnswerFrame answer{question.name, "", question.low};
             if (!question.choices.empty()) answer.text = question.choices[0].text;

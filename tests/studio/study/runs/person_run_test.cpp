@@ -2,28 +2,20 @@
 
 #include <doctest.h>
 
-#include <filesystem>
+#include "temporary_folder.h"
 
 namespace muster {
 namespace {
 
 /// A database of its own, removed at the end.
-struct Base {
-    explicit Base(const std::string& name)
-        : path((std::filesystem::temp_directory_path() / ("muster-people-" + name + ".db")).string()) {
-        remove();
-    }
-    ~Base() { remove(); }
-    void remove() const {
-        for (const char* end : {"", "-wal", "-shm"}) std::filesystem::remove(path + end);
-    }
+struct Base : testing::TemporaryFolder {
+    explicit Base(const std::string& name) : TemporaryFolder("people_" + name) {}
     StudyStore open() const {
-        auto store = StudyStore::open(path, StoreMode::Create);
+        auto store = StudyStore::open(*this / "study.db", StoreMode::Create);
         INFO(store.status().message());
         REQUIRE(store.ok());
         return std::move(store).value();
     }
-    std::string path;
 };
 
 PersonRun beginOf(StudyStore& store, RunKind kind = RunKind::Test) {

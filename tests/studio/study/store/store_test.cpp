@@ -3,27 +3,21 @@
 #include <doctest.h>
 
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <thread>
 
+#include "temporary_folder.h"
+
 using namespace muster;
 
 namespace {
 
-/// A path of its own in the folder of temporary files, removed at the end.
-struct TemporaryFile {
-    explicit TemporaryFile(const std::string& name)
-        : path((std::filesystem::temp_directory_path() / ("muster-store-" + name + ".db")).string()) {
-        remove();
-    }
-    ~TemporaryFile() { remove(); }
-    void remove() const {
-        for (const char* end : {"", "-wal", "-shm"}) std::filesystem::remove(path + end);
-    }
-    std::string path;
+/// A path of its own, in a folder of its own.
+struct TemporaryFile : testing::TemporaryFolder {
+    explicit TemporaryFile(const std::string& name) : TemporaryFolder("store_" + name) {}
+    const std::string path = *this / "study.db";
 };
 
 StudyStore opened(const std::string& path, StoreMode mode = StoreMode::Create) {
@@ -34,18 +28,16 @@ StudyStore opened(const std::string& path, StoreMode mode = StoreMode::Create) {
 }
 
 StudyTrial trialOf(std::int64_t run) {
-    StudyTrial trial;
-    trial.run = run;
-    trial.def = {"corridor", 36, "touch", 0xFFFFFFFFFFFFFFF1ull, true};
-    trial.setting = "draw 17";
-    trial.practice = true;
-    trial.period = 2;
-    trial.position = 3;
-    trial.state = RunState::Complete;
-    trial.result = {true, 1234, 20.5, 24, 23, 7, 9, 1.25, 0x00FEDCBA98765432ull};
-    trial.misses = 4;
-    trial.operatorSeconds = 12.125;
-    return trial;
+    return {.run = run,
+            .def = {"corridor", 36, "touch", 0xFFFFFFFFFFFFFFF1ull, true},
+            .setting = "draw 17",
+            .practice = true,
+            .period = 2,
+            .position = 3,
+            .state = RunState::Complete,
+            .result = {true, 1234, 20.5, 24, 23, 7, 9, 1.25, 0x00FEDCBA98765432ull},
+            .misses = 4,
+            .operatorSeconds = 12.125};
 }
 
 std::vector<StampedInput> inputsOf(std::uint32_t from, int count) {
@@ -68,13 +60,12 @@ TEST_CASE("All that is written is read back, also after closing") {
     std::int64_t trial = 0;
     {
         StudyStore store = opened(file.path);
-        StudyRun def;
-        def.kind = RunKind::People;
-        def.started = "2026-11-24T06:00:00Z";
-        def.version = "0.1.0";
-        def.environments = 3;
-        def.order = 5;
-        def.note = "quote ' and \"; DROP TABLE runs; --";
+        StudyRun def{.kind = RunKind::People,
+                     .started = "2026-11-24T06:00:00Z",
+                     .version = "0.1.0",
+                     .environments = 3,
+                     .order = 5,
+                     .note = "quote ' and \"; DROP TABLE runs; --"};
         run = *store.addRun(def);
         trial = *store.addTrial(trialOf(run));
         REQUIRE(store.addInputs(trial, inputsOf(0, 3)).ok());
@@ -122,9 +113,7 @@ TEST_CASE("All that is written is read back, also after closing") {
 TEST_CASE("A complete trial is found by its key, and by no other") {
     const TemporaryFile file("key");
     StudyStore store = opened(file.path);
-    StudyRun run;
-    run.environments = 1;
-    run.operators = 2;
+    StudyRun run{.environments = 1, .operators = 2};
     StudyTrial trial = trialOf(*store.addRun(run));
     trial.state = RunState::Running;
     trial.id = *store.addTrial(trial);
@@ -198,8 +187,7 @@ TEST_CASE("Two that write at once do not mix and do not fail") {
     const auto write = [&](std::size_t index) {
         auto store = StudyStore::open(file.path, StoreMode::Create);
         if (!store.ok()) return store.status();
-        StudyRun run;
-        run.note = std::to_string(index);
+        StudyRun run{.note = std::to_string(index)};
         const auto id = store->addRun(run);
         if (!id.ok()) return id.status();
         for (int i = 0; i < 40; ++i) {

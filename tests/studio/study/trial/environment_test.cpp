@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "muster/scenario.h"
 #include "muster/world.h"

@@ -7,12 +7,10 @@ namespace muster {
 namespace {
 
 PointerEvent finger(const Trial& trial, PointerPhase phase, Vec2 ground) {
-    PointerEvent event;
-    event.phase = phase;
-    event.pointer = 1;
-    event.screen = trial.view().screenOf(ground).value();
-    event.time = trial.world().time();
-    return event;
+    return {.phase = phase,
+            .pointer = 1,
+            .screen = trial.view().screenOf(ground).value(),
+            .time = trial.world().time()};
 }
 
 // A finger drags the crowd to the right for two seconds.
@@ -61,8 +59,7 @@ TEST_CASE("inputs that are cut off or of another kind are refused") {
 
 TEST_CASE("malformed inputs and unknown names change nothing") {
     Trial trial = Trial::create({"single-block", 36, "mouse-paper", 1, false}).value();
-    PointerEvent event;
-    event.screen.x = std::numeric_limits<double>::quiet_NaN();
+    PointerEvent event{.screen = {.x = std::numeric_limits<double>::quiet_NaN()}};
     CHECK_FALSE(trial.input(event).ok());
     CHECK(trial.inputs().size() == 1);
     GroundView flat;

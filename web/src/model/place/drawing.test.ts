@@ -1,23 +1,17 @@
 import { describe, expect, it } from 'vitest';
-import { drawn, polygonThing, routed, wallOf, type DrawingOptions } from './drawing';
+import { drawn, kDrawingOptions, polygonThing, routed, wallOf, type DrawingOptions } from './drawing';
 import { rightAngled, snapped } from './snap';
 import { thing } from './things';
 
 const kOptions: DrawingOptions = {
+  ...kDrawingOptions,
   height: 2,
   width: 0.5,
-  motion: 3,
   speed: 2,
   formation: 'wedge',
   count: 12,
   spacing: 0.8,
-  stairsMotion: 1,
-  stairsWidth: 2,
-  speedUp: 0.5,
-  speedDown: 0.7,
-  exitRate: 0,
   sourceRate: 1.5,
-  sourceGroup: 0,
 };
 
 describe('drawing', () => {

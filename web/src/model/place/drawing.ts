@@ -50,6 +50,24 @@ export interface DrawingOptions {
   readonly spacing: number;
 }
 
+/** What is drawn before anything else was chosen. */
+export const kDrawingOptions: DrawingOptions = {
+  height: 3,
+  width: 0.3,
+  motion: 3,
+  speed: 1.5,
+  formation: 'square',
+  count: 20,
+  spacing: 1,
+  stairsMotion: 1,
+  stairsWidth: 2,
+  speedUp: 0.5,
+  speedDown: 0.7,
+  exitRate: 0,
+  sourceRate: 1,
+  sourceGroup: 0,
+};
+
 /** Shorter strokes are presses [m]. */
 const kPress = 0.3;
 /** Of what is pressed, not drawn [m]. */

@@ -4,7 +4,6 @@ import type { Command } from '../../protocol/generated/commands';
 import type { ObstacleDef } from '../../protocol/generated/definitions';
 import { sizeOf } from '../../protocol/encoding';
 import type { Edit } from '../../protocol/messages';
-import type { GroundPoint } from '../plane';
 import { startFor } from './free_ground';
 import { count, type LeftOut } from './left_out';
 import {
@@ -12,7 +11,6 @@ import {
   boundsOfOutlines,
   obstacleOf,
   type Outline,
-  placedOutlines,
   type PlaceDefinition,
   toMillimetre,
 } from './place';
@@ -101,10 +99,4 @@ export function additionOf(obstacles: readonly ObstacleDef[], label: string, ges
   }
   send();
   return messages;
-}
-
-/** Outlines about the origin, scaled and turned. */
-export function aboutOrigin(outlines: readonly Outline[], scale: number, turn: number): Outline[] {
-  const at: GroundPoint = { x: 0, y: 0 };
-  return placedOutlines(outlines, { scale, turn, at });
 }

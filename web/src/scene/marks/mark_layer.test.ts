@@ -6,8 +6,7 @@ import type { ControlView } from '../../model/frame_view';
 import { MarkLayer, type MarkScene } from './mark_layer';
 import { MarkPainter } from './mark_painter';
 import { paletteOf } from '../drawing/palette';
-import { GroupShapes } from '../../model/group_shapes';
-import { madeControl, madeGroup } from '../../model/test_frames';
+import { madeControl, madeGroup, quietOrders } from '../../model/test_frames';
 import type { ScreenPoint } from '../../model/plane';
 
 /** A pen that can do all and paints nothing. */
@@ -36,22 +35,11 @@ function draw(control: ControlView): void {
     colours: [0],
     paths: true,
     covered: () => false,
-    greyed: false,
     now: 1000,
     drafts: [],
     overlay: null,
     chosenGroup: 0,
-    groups: [],
-    shapes: new GroupShapes(),
-    selected: new Set(),
-    queues: true,
-    drawn: null,
-    forecasts: [],
-    ways: new Map(),
-    returns: new Map(),
-    picked: 0,
-    cut: null,
-    scheme: null,
+    ...quietOrders(),
   };
   layer.draw(marks, scene);
 }

@@ -1,9 +1,8 @@
 // @vitest-environment jsdom
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import type { GroupView } from '../../model/frame_view';
-import { GroupShapes } from '../../model/group_shapes';
 import type { QueueOrder } from '../../model/queue_order';
-import { madeGroup, madeOrder } from '../../model/test_frames';
+import { madeGroup, madeOrder, quietOrders } from '../../model/test_frames';
 import type { Given, Order } from '../../protocol/generated/commands';
 import { CameraController } from '../camera/camera_controller';
 import { paletteOf } from '../drawing/palette';
@@ -34,18 +33,10 @@ function draw(groups: readonly GroupView[], queues = true, more: Partial<OrderSc
     camera,
     palette: paletteOf('light'),
     colours: groups.map((_, i) => i),
-    greyed: false,
+    ...quietOrders(),
     groups,
-    shapes: new GroupShapes(),
     selected: new Set([1]),
     queues,
-    drawn: null,
-    forecasts: [],
-    ways: new Map(),
-    returns: new Map(),
-    picked: 0,
-    cut: null,
-    scheme: null,
     ...more,
   };
   marks.draw(scene);

@@ -3,7 +3,7 @@
 import type { StudioClient } from '../../link/studio_client';
 import type { StudioStore } from '../../model/studio_store';
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
-import type { BuildTool, DrawingOptions } from '../../model/place/drawing';
+import { kDrawingOptions, type BuildTool, type DrawingOptions } from '../../model/place/drawing';
 import { emptiedGroups, isNobody, joinedSource, newArrivals } from '../../model/place/areas';
 import * as things from '../../model/place/things';
 import type { PlaceChange, Thing, ThingKind } from '../../model/place/things';
@@ -56,22 +56,7 @@ export class BuildDesk implements StrokeHost, BuildActions {
   private readonly locked_ = new Set<ThingKind>();
   /** The next thing that comes is chosen. */
   private choosesNew_ = false;
-  options: DrawingOptions = {
-    height: 3,
-    width: 0.3,
-    motion: 3,
-    speed: 1.5,
-    formation: 'square',
-    count: 20,
-    spacing: 1,
-    stairsMotion: 1,
-    stairsWidth: 2,
-    speedUp: 0.5,
-    speedDown: 0.7,
-    exitRate: 0,
-    sourceRate: 1,
-    sourceGroup: 0,
-  };
+  options: DrawingOptions = kDrawingOptions;
   /** A source that waits for its group. */
   private source_: Thing | null = null;
 
@@ -82,12 +67,7 @@ export class BuildDesk implements StrokeHost, BuildActions {
     this.edits_ = new BuildEdits(client, () => this.refresh());
     parts_.page.before(this.layer_.root);
     parts_.page.append(this.panel_.root);
-    new BuildPointer(
-      this.strokes_,
-      view.camera,
-      (at) => view.screenToWorld(at),
-      () => view.wake(),
-    ).listen(this.layer_.root);
+    BuildPointer.over(view, this.strokes_).listen(this.layer_.root);
     new BuildKeys(this, () => this.open_);
     client.on('overlay', (overlay) => {
       if (overlay.kind === OverlayKind.Reach) this.layer_.setReach(overlay);

@@ -1,4 +1,5 @@
 import { beforeEach, expect, it } from 'vitest';
+import { kDrawingOptions } from '../../model/place/drawing';
 import { moved, thing, type Thing } from '../../model/place/things';
 import type { BuildStroke } from '../../tools/build_pointer';
 import { BuildStroking, type StrokeHost } from './build_strokes';
@@ -31,22 +32,7 @@ beforeEach(() => {
     };
   host = {
     tool: 'select',
-    options: {
-      height: 3,
-      width: 0.3,
-      motion: 0,
-      speed: 1,
-      formation: 'square',
-      count: 9,
-      spacing: 1,
-      stairsMotion: 1,
-      stairsWidth: 2,
-      speedUp: 0.5,
-      speedDown: 0.7,
-      exitRate: 0,
-      sourceRate: 1,
-      sourceGroup: 0,
-    },
+    options: { ...kDrawingOptions, motion: 0, speed: 1, count: 9 },
     snaps: true,
     all: [box],
     free: [box],

@@ -3,6 +3,7 @@ import { beforeEach, expect, it, vi } from 'vitest';
 import { thing, type PlaceChange, type Thing } from '../../model/place/things';
 import type { BuildActions } from './build_actions';
 import { ChosenFields } from './chosen_fields';
+import { fieldOf, fillIn } from './test_support';
 
 const group: Thing = thing('group', {
   id: 4,
@@ -15,19 +16,8 @@ const kAsTheyAre = { group: 4, radius: null, maxSpeed: null, unitClass: null };
 let shown: Thing = group;
 let fields: ChosenFields;
 
-function control(label: string): HTMLInputElement {
-  const found = [...fields.root.querySelectorAll<HTMLInputElement>('input, select')].find(
-    (one) => (one.getAttribute('aria-label') ?? one.labels?.[0]?.firstElementChild?.textContent) === label,
-  );
-  if (!found) throw new Error(`no field ${label}`);
-  return found;
-}
-
-function give(label: string, value: string, ...events: string[]): void {
-  const input = control(label);
-  input.value = value;
-  for (const event of events) input.dispatchEvent(new Event(event));
-}
+const control = (label: string): HTMLInputElement => fieldOf(fields.root, label);
+const give = (label: string, value: string, ...events: string[]): void => fillIn(fields.root, label, value, ...events);
 
 function show(one: Thing): void {
   shown = one;

@@ -4,6 +4,7 @@ import { kAdults } from '../../model/place/people';
 import { thing, type PlaceChange, type Thing } from '../../model/place/things';
 import type { BuildActions } from './build_actions';
 import { ChosenFields } from './chosen_fields';
+import { fillIn } from './test_support';
 
 const group: Thing = thing('group', { id: 4, name: 'Guests', count: 9, rest: { people: [kAdults] } });
 const source: Thing = thing('area', {
@@ -21,19 +22,7 @@ let said = '';
 let shown: Thing = group;
 let fields: ChosenFields;
 
-function control(label: string): HTMLInputElement {
-  const found = [...fields.root.querySelectorAll<HTMLInputElement>('input, select')].find(
-    (one) => (one.getAttribute('aria-label') ?? one.labels?.[0]?.firstElementChild?.textContent) === label,
-  );
-  if (!found) throw new Error(`no field ${label}`);
-  return found;
-}
-
-function give(label: string, value: string): void {
-  const input = control(label);
-  input.value = value;
-  input.dispatchEvent(new Event('change'));
-}
+const give = (label: string, value: string): void => fillIn(fields.root, label, value, 'change');
 
 function press(word: string): void {
   const found = [...fields.root.querySelectorAll('button')].find(

@@ -47,12 +47,7 @@ export class MeasureDesk implements BuildStrokes, MeasureActions {
     this.layer_ = new MeasureLayer((point) => view.worldToScreen(point));
     page.before(this.layer_.root);
     page.append(this.panel_.root);
-    new BuildPointer(
-      this,
-      view.camera,
-      (at) => view.screenToWorld(at),
-      () => view.wake(),
-    ).listen(this.layer_.root);
+    BuildPointer.over(view, this).listen(this.layer_.root);
     onEscape(
       () => this.open_,
       () => (this.tool_ ? this.setTool(null) : this.leaveMeasures()),

@@ -3,20 +3,14 @@ import { beforeEach, expect, it } from 'vitest';
 import { TakeMarkKind } from '../../protocol/messages';
 import type { TakeActions } from '../../model/take_actions';
 import type { OpenTake } from '../../model/take_facts';
+import { kOpenTake } from '../../model/test_frames';
 import { recordingActions } from './test_support';
 import { TimeLine } from './time_line';
 import { rowsOf } from './time_track';
 
 const take: OpenTake = {
-  name: 'a.take',
+  ...kOpenTake,
   title: 'Rain',
-  steps: 600,
-  stepTime: 1 / 60,
-  from: 60,
-  to: 540,
-  loop: false,
-  stored: false,
-  speeds: [],
   marks: [{ kind: TakeMarkKind.Touch, step: 70, length: 30, label: 'touch' }],
 };
 

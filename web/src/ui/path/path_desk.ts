@@ -72,12 +72,7 @@ export class PathDesk implements BuildStrokes, PathActions {
     this.layer_ = new PathLayer((point) => view.worldToScreen(point));
     page.before(this.layer_.root);
     page.append(this.bar_.root);
-    new BuildPointer(
-      this,
-      view.camera,
-      (at) => view.screenToWorld(at),
-      () => view.wake(),
-    ).listen(this.layer_.root);
+    BuildPointer.over(view, this).listen(this.layer_.root);
     client.on('frame', ({ frame }) => (this.frame_ = frame));
     client.on('takePath', (path) => this.came(path));
     client.on('takeReady', ({ steps }) => this.readSoFar(steps));

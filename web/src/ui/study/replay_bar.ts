@@ -6,6 +6,7 @@ import { formatClock } from '../../model/formatters';
 import { element, setAttribute, setPressed, setText } from '../widgets/dom';
 import { icon } from '../widgets/icons';
 import { endText } from './stage_pages';
+import { trialFigures } from './trial_bar';
 
 const kSpeeds = [1, 2, 4, 8] as const;
 
@@ -34,13 +35,7 @@ export class ReplayBar {
       'header',
       { class: 'study-bar panel' },
       element('div', { class: 'study-bar-words' }, this.title_, this.about_),
-      element(
-        'div',
-        { class: 'study-figures' },
-        this.clock_,
-        element('span', { class: 'study-item-dot', 'aria-hidden': 'true' }),
-        this.items_,
-      ),
+      trialFigures(this.clock_, this.items_),
       element(
         'div',
         { class: 'study-transport' },

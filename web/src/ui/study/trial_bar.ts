@@ -7,6 +7,12 @@ import { element, setText } from '../widgets/dom';
 /** A button that ends something asks once more; it forgets that after this time [ms]. */
 const kSure = 4000;
 
+/** The clock and the items of a trial, side by side. */
+export function trialFigures(clock: HTMLElement, items: HTMLElement): HTMLElement {
+  const dot = element('span', { class: 'study-item-dot', 'aria-hidden': 'true' });
+  return element('div', { class: 'study-figures' }, clock, dot, items);
+}
+
 export class TrialBar {
   private readonly title_ = element('strong');
   private readonly about_ = element('span', { class: 'secondary' });
@@ -17,13 +23,7 @@ export class TrialBar {
     'header',
     { class: 'study-bar panel' },
     element('div', { class: 'study-bar-words' }, this.title_, this.about_),
-    element(
-      'div',
-      { class: 'study-figures' },
-      this.clock_,
-      element('span', { class: 'study-item-dot', 'aria-hidden': 'true' }),
-      this.items_,
-    ),
+    trialFigures(this.clock_, this.items_),
     this.end_,
   );
   private sure_ = false;

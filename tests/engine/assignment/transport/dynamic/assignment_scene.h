@@ -63,10 +63,7 @@ private:
 
 /// A definition whose thresholds keep back little, since these tests judge the search.
 inline muster::DynamicAssignmentDef lowThresholds() {
-    muster::DynamicAssignmentDef def;
-    def.threshold = 0.1;
-    def.thresholdShare = 0.001;
-    return def;
+    return {.threshold = 0.1, .thresholdShare = 0.001};
 }
 
 /// The optimum of a cost matrix, row-major, with no more rows than columns: the column of each row.

@@ -51,10 +51,7 @@ struct TunnelScene {
 };
 
 muster::DynamicAssignmentDef smallThreshold() {
-    muster::DynamicAssignmentDef def;
-    def.threshold = 0.001;
-    def.thresholdShare = 0.0;
-    return def;
+    return {.threshold = 0.001, .thresholdShare = 0.0};
 }
 
 // 300 characters on a lattice, each at the place that it holds.

@@ -21,8 +21,7 @@ Outcome stand(AssignmentScene& scene, const muster::DynamicAssignmentDef& def, i
     DynamicAssignment assignment;
     muster::ThreadPool pool(1);
     assignment.coldStart(def, scene.input(), scene.costs, pool);
-    Outcome outcome;
-    outcome.first = scene.objective(assignment.placeOf(), def.exponent);
+    Outcome outcome{.first = scene.objective(assignment.placeOf(), def.exponent)};
     for (int k = 0; k < steps; ++k) {
         assignment.update(def, scene.input(), scene.costs, pool);
         if (2 * k > steps) outcome.lateExchanges += assignment.exchanges();
@@ -34,11 +33,7 @@ Outcome stand(AssignmentScene& scene, const muster::DynamicAssignmentDef& def, i
 }
 
 muster::DynamicAssignmentDef productThresholds(double exponent) {
-    muster::DynamicAssignmentDef def;
-    def.exponent = exponent;
-    def.threshold = 0.02;
-    def.thresholdShare = 0.003;
-    return def;
+    return {.exponent = exponent, .threshold = 0.02, .thresholdShare = 0.003};
 }
 
 }  // namespace

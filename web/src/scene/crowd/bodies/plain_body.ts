@@ -17,6 +17,15 @@ export interface Tube {
   readonly region: number;
 }
 
+export type TubeMaker = (
+  joint: string,
+  from: Point,
+  to: Point,
+  wide: Tube['wide'],
+  deep: Tube['deep'],
+  region: number,
+) => Tube;
+
 const kRest = restPositions();
 
 function at(joint: string, x = 0, y = 0, z = 0): Point {
@@ -54,14 +63,7 @@ function limbs(side: 'Left' | 'Right'): Tube[] {
 
 function tubes(): Tube[] {
   const { skin, shirt, trousers, hair } = kRegion;
-  const trunk = (
-    joint: string,
-    from: Point,
-    to: Point,
-    wide: readonly [number, number],
-    deep: readonly [number, number],
-    region: number,
-  ): Tube => ({ joint, from, to, wide, deep, region });
+  const trunk: TubeMaker = (joint, from, to, wide, deep, region) => ({ joint, from, to, wide, deep, region });
   return [
     trunk('Hips', at('Hips', 0, 0, -0.12), at('Hips', 0, 0, 0.1), [0.15, 0.145], [0.1, 0.1], trousers),
     trunk('Spine', at('Hips', 0, 0, 0.09), at('Chest'), [0.145, 0.14], [0.1, 0.1], shirt),

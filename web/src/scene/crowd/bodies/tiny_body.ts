@@ -3,7 +3,7 @@
 
 import type { BufferGeometry } from 'three';
 import { kRegion } from './body';
-import { buildTubes, type Point, type Tube } from './plain_body';
+import { buildTubes, type Point, type Tube, type TubeMaker } from './plain_body';
 import type { Rig } from './rig';
 import { jointIndex } from '../../../model/skeleton';
 
@@ -12,14 +12,7 @@ function tubes({ bind, scale }: Rig): Tube[] {
     const j = 3 * jointIndex(joint);
     return [bind[j]!, bind[j + 1]!, bind[j + 2]! + up * scale];
   };
-  const tube = (
-    joint: string,
-    from: Point,
-    to: Point,
-    wide: readonly [number, number],
-    deep: readonly [number, number],
-    region: number,
-  ): Tube => ({
+  const tube: TubeMaker = (joint, from, to, wide, deep, region) => ({
     joint,
     from,
     to,

@@ -32,46 +32,19 @@ function skeletonOf(words: readonly string[], sided: (side: 'Left' | 'Right', wo
   );
 }
 
+const kMixamoLimbs = ['Shoulder', 'Arm', 'ForeArm', 'Hand', 'UpLeg', 'Leg', 'Foot', 'ToeBase'];
 const kKinds: readonly (readonly [string, NamedJoint[]])[] = [
   [
     'Mixamo',
     skeletonOf(
-      [
-        'mixamorig:Hips',
-        'mixamorig:Spine',
-        'mixamorig:Spine2',
-        'mixamorig:Neck',
-        'mixamorig:Head',
-        'Shoulder',
-        'Arm',
-        'ForeArm',
-        'Hand',
-        'UpLeg',
-        'Leg',
-        'Foot',
-        'ToeBase',
-      ],
+      ['mixamorig:Hips', 'mixamorig:Spine', 'mixamorig:Spine2', 'mixamorig:Neck', 'mixamorig:Head', ...kMixamoLimbs],
       (side, word) => `mixamorig:${side}${word}`,
     ),
   ],
   [
     'Mixamo, numbered and without colon',
     skeletonOf(
-      [
-        'mixamorig1Hips',
-        'mixamorig1Spine',
-        'mixamorig1Spine1',
-        'mixamorig1Neck',
-        'mixamorig1Head',
-        'Shoulder',
-        'Arm',
-        'ForeArm',
-        'Hand',
-        'UpLeg',
-        'Leg',
-        'Foot',
-        'ToeBase',
-      ],
+      ['mixamorig1Hips', 'mixamorig1Spine', 'mixamorig1Spine1', 'mixamorig1Neck', 'mixamorig1Head', ...kMixamoLimbs],
       (side, word) => `mixamorig1${side}${word}`,
     ),
   ],
