@@ -125,6 +125,7 @@ int runLed(const LedGroundDef& def) {
 int runSubcommand(const Options& o) {
     if (o.command == "ground" && o.lead) return runLed(o.ground);
     if (o.command == "ground") return report(runLargeGround(o.ground.ground), largeGroundText);
+    if (o.command == "people") return report(measurePeople(o.people), peopleText);
     if (o.command == "battle")
         return report(measureBattle(o.battle),
                       [&](const BattleRow& row) { return battleText(o.battle, row); });

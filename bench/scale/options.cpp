@@ -96,6 +96,14 @@ void describeBattle(CLI::App& battle, BattleDef& def) {
     battle.add_option("--seed", def.seed, "Seed of everything (1)");
 }
 
+void describePeople(CLI::App& people, PeopleCostDef& def) {
+    people.add_option("--count", def.counts, "Characters, one or more (1000 10000 100000)")
+        ->check(CLI::Range(100, 200000));
+    people.add_option("--density", def.densities, "Characters per square metre, one or more (0.5 4)")
+        ->check(CLI::Range(0.05, 4.5));
+    people.add_option("--rounds", def.rounds, "Turns of each law (5)")->check(CLI::Range(1, 1000));
+}
+
 template <class T>
 void orElse(std::vector<T>& values, std::vector<T> defaults) {
     if (values.empty()) values = std::move(defaults);
@@ -157,6 +165,8 @@ int readOptions(int argc, const char* const* argv, Options& options) {
                                        "Two sides of many groups, as a strategy game directs them: "
                                        "time of a step, and how everybody fares"),
                    options.battle);
+    describePeople(*app.add_subcommand("people", "The law of people beside that of units: time of a step"),
+                   options.people);
     describeRewind(*app.add_subcommand("rewind", "Eight steps, back, and the same again: time of both"),
                    options.rewind);
     try {

@@ -9,6 +9,7 @@
 #include "scale/commands.h"
 #include "scale/led_ground.h"
 #include "scale/orders.h"
+#include "scale/people.h"
 #include "scale/rewind.h"
 
 namespace muster::scale {
@@ -22,6 +23,7 @@ struct Options {
     OrdersDef orders;      ///< Of `muster-bench orders`; the rest is of `muster-bench scale`.
     RewindDef rewind;      ///< Of `muster-bench rewind`.
     BattleDef battle;      ///< Of `muster-bench battle`.
+    PeopleCostDef people;  ///< Of `muster-bench people`.
     std::vector<std::string> scenes;
     std::vector<std::string> regimes;
     std::vector<std::int32_t> counts;

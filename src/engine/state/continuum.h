@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/archive.h"
+#include "base/as_mutable.h"
 #include "engine/assignment/planning/exact/unit_cost_archive.h"
 #include "engine/fields/cost/unit_cost.h"
 #include "muster/id.h"
@@ -117,7 +118,8 @@ struct Continuum {
     }
     /// The same, to be changed.
     Gathering* find(GroupId group) {
-        return const_cast<Gathering*>(static_cast<const Continuum&>(*this).find(group));
+        const Gathering* const found = std::as_const(*this).find(group);
+        return found == nullptr ? nullptr : &asMutable(*found);
     }
     /// A group goes to `target`, and has no places from now on.
     void begin(GroupId group, Vec2 target) { begin(group, OrderKind::Move, {}).target = target; }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/as_mutable.h"
 #include "base/random.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/ground/routes/route_graph.h"
@@ -70,7 +71,7 @@ struct WorldState {
     Group* findGroup(GroupId id);
     /// The area with that id; null where there is none.
     Area* findArea(AreaId id);
-    const Area* findArea(AreaId id) const { return const_cast<WorldState*>(this)->findArea(id); }
+    const Area* findArea(AreaId id) const { return asMutable(*this).findArea(id); }
     /// Brings Group::members up to date after characters have joined or left.
     void refreshMembers();
     /// Brings the routes up to date after the ground or the radius of characters has changed.
@@ -82,9 +83,7 @@ struct WorldState {
     RouteGraph& refreshRoutes(std::int32_t groundClass);
     /// The routes of a group, as they were after the last refresh of those of its class.
     const RouteGraph& routesOf(const Group& group) const;
-    RouteGraph& routesOf(const Group& group) {
-        return const_cast<RouteGraph&>(std::as_const(*this).routesOf(group));
-    }
+    RouteGraph& routesOf(const Group& group) { return asMutable(std::as_const(*this).routesOf(group)); }
 };
 
 /// The order in which commands are applied.

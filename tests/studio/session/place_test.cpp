@@ -102,9 +102,8 @@ TEST_CASE("two drags in a row are two steps, however fast they follow each other
     // Nothing is carried out between them.
     for (const auto& [x, gesture] : {std::pair{1, 7u}, {2, 7u}, {3, 8u}, {4, 8u}})
         desk.client.send(edited("Move", gesture,
-                                        R"([{"kind":"changeObstacle","id":)" + id +
-                                            R"(,"definition":{"centre":[)" + std::to_string(x) +
-                                            R"(,0],"radius":1}}])"));
+                                R"([{"kind":"changeObstacle","id":)" + id + R"(,"definition":{"centre":[)" +
+                                    std::to_string(x) + R"(,0],"radius":1}}])"));
     desk.settle();
     CHECK(desk.obstacle(0).centre.x == 4.0);
     CHECK(desk.client.history.undo == 3);
@@ -295,15 +294,16 @@ TEST_CASE("restart begins with the edited place, and undo goes on") {
 
 TEST_CASE("how a group looks is one step of undo, shown in the scene and kept by the place") {
     struct Look {
-        std::string kind, first, second, bad;
+        std::string kind, first, second;
+        CommandBody bad;
         const char *firstShown, *secondShown;
     };
     const Look looks[] = {
         {"colourGroup", R"("colour":"#D60EA8")", R"("colour":"#05536d")", ColourGroup{GroupId{1}, 0x1000000},
          R"("chosenColour":"#d60ea8")", R"("chosenColour":"#05536d")"},
         {"appearance", R"("build":"narrow","motions":"march")", R"("motions":"weary")",
-          SetAppearance{GroupId{1}, {}, static_cast<MotionSet>(9)},
-         R"("build":"narrow","motions":"march")", R"("motions":"weary")"}};
+         SetAppearance{GroupId{1}, {}, static_cast<MotionSet>(9)}, R"("build":"narrow","motions":"march")",
+         R"("motions":"weary")"}};
     for (const Look& look : looks) {
         CAPTURE(look.kind);
         Desk desk;
@@ -420,9 +420,9 @@ TEST_CASE("a map stays a map while nothing of it is changed") {
     REQUIRE(opened.ok());
     CHECK(session.scenarioName() == "smallmap.json");
     FakeClient client(session);
-    client.send(edited(
-        "Add", 0,
-        std::string("[") + R"({"kind":"obstacle","definition":{"centre":[3,12],"radius":1}})" + "]"));
+    client.send(
+        edited("Add", 0,
+               std::string("[") + R"({"kind":"obstacle","definition":{"centre":[3,12],"radius":1}})" + "]"));
     run(session, 0.1, {&client});
     auto saved = parseScenario(*session.scenario(), "saved.json", "");
     REQUIRE(saved.ok());
@@ -462,16 +462,21 @@ TEST_CASE("bad edits are answered by one sentence and change nothing") {
         return desk.client.notices[0].text;
     };
     CHECK(refused(std::string()).find("at least one") != std::string::npos);
-    CHECK(refused(std::string(R"({"kind":"move","group":1,"x":0,"y":0})")).find("expected a change of the place") !=
-          std::string::npos);
+    CHECK(refused(std::string(R"({"kind":"move","group":1,"x":0,"y":0})"))
+              .find("expected a change of the place") != std::string::npos);
     CHECK(refused(std::string(R"({"kind":"removeObstacle","id":77})")).find("no obstacle has the id 77") !=
           std::string::npos);
     CHECK(refused(AddItem{{{1, 1}, -1.0}}).find("radius") != std::string::npos);
-    CHECK(refused(std::string(R"({"kind":"count","group":1,"count":199999})")).find("characters") != std::string::npos);
-    CHECK(refused(std::string(R"({"kind":"checkpoint","definition":{"position":[0,0],"formation":"square"},"group":9})"))
+    CHECK(refused(std::string(R"({"kind":"count","group":1,"count":199999})")).find("characters") !=
+          std::string::npos);
+    CHECK(refused(
+              std::string(
+                  R"({"kind":"checkpoint","definition":{"position":[0,0],"formation":"square"},"group":9})"))
               .find("no group has the id 9") != std::string::npos);
-    CHECK(refused(std::string(R"({"kind":"nameGroup","group":1,"name":"A"},{"kind":"nameGroup","group":1,"name":"B"})"))
-              .find("expected each once") != std::string::npos);
+    CHECK(
+        refused(std::string(
+                    R"({"kind":"nameGroup","group":1,"name":"A"},{"kind":"nameGroup","group":1,"name":"B"})"))
+            .find("expected each once") != std::string::npos);
     CHECK(desk.client.history.undo == 0);
     CHECK(desk.obstacles() == 0);
     desk.undo();

@@ -264,9 +264,9 @@ struct TwoDirectors : UndoDesk {
         const std::uint32_t before = who.history.undo;
         const std::uint32_t kind = draw(20);
         if (kind < 11)
-            who.send(protocol::Commands{text(anyAct())});
+            who.send(told(anyAct()));
         else if (kind < 19 || orders)
-            who.send(protocol::Edit{"Edit", 0, text(anyEdit())});
+            who.send(protocol::Edit{"Edit", 0, commandBytes(anyEdit()), {}});
         else
             drag(who);
         both(0.6);  // Two messages of a slider would be one step.
@@ -351,7 +351,7 @@ TEST_CASE("random acts of two directors with undo between them replay to the sam
         if (desk.draw(3) == 0)
             who.send(protocol::UndoEdit{desk.draw(4) == 0});
         else
-            who.send(protocol::Commands{desk.text(desk.anyAct())});
+            who.send(told(desk.anyAct()));
         desk.both(desk.draw(3) == 0 ? 0.0 : 0.1);
     }
     desk.replays();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/as_mutable.h"
 #include "base/maths.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
@@ -154,7 +155,7 @@ PlaceGroupDef* Place::find(GroupId id) {
 }
 
 const PlaceGroupDef* Place::group(GroupId id) const {
-    return const_cast<Place*>(this)->find(id);
+    return asMutable(*this).find(id);
 }
 
 // Groups that are added get the highest id, and the edits of a step are applied in its order.

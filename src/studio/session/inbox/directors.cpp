@@ -1,4 +1,5 @@
 #include "studio/session/inbox/directors.h"
+#include "base/as_mutable.h"
 #include "engine/world/inspect.h"
 
 #include <algorithm>
@@ -51,7 +52,7 @@ Directors::Director* Directors::find(std::uint32_t client) {
 }
 
 const Directors::Director* Directors::find(std::uint32_t client) const {
-    return const_cast<Directors*>(this)->find(client);
+    return asMutable(*this).find(client);
 }
 
 void Directors::join(std::uint32_t client, const std::string& name) {

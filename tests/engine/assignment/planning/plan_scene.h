@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/as_mutable.h"
 #include "base/random.h"
 #include "engine/assignment/planning/fixed_costs.h"
 #include "engine/assignment/planning/plan.h"
@@ -54,7 +55,7 @@ struct OwnedInput {
 
     /// Valid until the input moves.
     muster::PlanInput view() const {
-        auto& given = const_cast<muster::FixedCosts&>(costs);
+        auto& given = muster::asMutable(costs);
         given.unit = &cost;
         return {characters, supply, places, demand, usable, incumbent, &given};
     }
