@@ -65,7 +65,7 @@ TEST_CASE("reproduce refuses wrong arguments before the first run") {
 }
 
 TEST_CASE("reproduce writes a report, a line per experiment in a log, and the verdicts") {
-    const fs::path out = workFolder() / "new" / "report";
+    const fs::path out = workFolder() / "new/report";
     const Outcome text = runProgram("reproduce x2 --seeds 1 --out " + quoted(out));
     REQUIRE_MESSAGE(text.code == 0, text.error);
     CHECK(text.error == "X2   A line and an area on one mesh: complete, 1 of 1 runs in all\n");

@@ -37,7 +37,7 @@ inline std::vector<statistics::MixedRow> madeTable(const TableDef& def, std::uin
                 statistics::MixedRow row{.environment = e,
                                          .touch = touch == 1,
                                          .period = (touch == 1) == (person % 2 == 1) ? 1.0 : 2.0,
-                                         .order = person % 2,
+                                         .order = 1.0 * (person % 2),
                                          .person = person,
                                          .layout = 2 * e + (person / 2 + touch) % 2};
                 row.logTime = 3.5 + 0.2 * e + own - 0.05 * row.period + def.residual * bell(random) +
