@@ -22,6 +22,8 @@ struct PolygonWithHoles {
     void visit(Archive& archive) {
         archive(outline, holes);
     }
+    /// Equal in all parts.
+    friend bool operator==(const PolygonWithHoles&, const PolygonWithHoles&) = default;
 };
 
 /// Three vertex indices, counter-clockwise.

@@ -33,6 +33,8 @@ struct FormationDef {
         archive(kind, spacing, opening, outline, points);
         archive.since(2, files);
     }
+    /// Equal in all parts.
+    friend bool operator==(const FormationDef&, const FormationDef&) = default;
 };
 
 /// One order of a group.

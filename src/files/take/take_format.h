@@ -8,16 +8,17 @@
 #include <span>
 #include <string>
 
+#include "base/archive.h"
 #include "muster/take.h"
 
 namespace muster {
 
 inline constexpr std::array<std::uint8_t, 8> kTakeMagic{'M', 'U', 'S', 'T', 'A', 'K', 'E', '\n'};
-inline constexpr std::uint32_t kTakeVersion = 9;        ///< As written.
-inline constexpr std::uint32_t kOldestTakeVersion = 1;  ///< That is read.
-inline constexpr std::size_t kTakeHeaderBytes = 12;     ///< Size of magic and version.
-inline constexpr std::size_t kRecordHeadBytes = 9;      ///< Size of length, kind and checksum of both.
-inline constexpr std::size_t kRecordTailBytes = 4;      ///< Size of the payload's checksum.
+inline constexpr std::uint32_t kTakeVersion = kArchiveVersion;  ///< As written.
+inline constexpr std::uint32_t kOldestTakeVersion = 1;          ///< That is read.
+inline constexpr std::size_t kTakeHeaderBytes = 12;             ///< Size of magic and version.
+inline constexpr std::size_t kRecordHeadBytes = 9;  ///< Size of length, kind and checksum of both.
+inline constexpr std::size_t kRecordTailBytes = 4;  ///< Size of the payload's checksum.
 inline constexpr std::uint32_t kMaxRecordBytes = 1u << 28;
 
 /// The kinds of records.

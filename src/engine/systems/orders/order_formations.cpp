@@ -10,12 +10,6 @@
 namespace muster {
 namespace {
 
-bool isSame(const FormationDef& a, const FormationDef& b) {
-    return a.kind == b.kind && a.spacing == b.spacing && a.opening == b.opening && a.files == b.files &&
-           a.points == b.points && a.outline.outline == b.outline.outline &&
-           a.outline.holes == b.outline.holes;
-}
-
 /// Formations of ranks and files take up a front of any width; other shapes keep theirs.
 void takeWidth(FormationDef& def, double width, std::int32_t count) {
     if (def.kind != FormationKind::Square && def.kind != FormationKind::Line &&
@@ -67,7 +61,7 @@ void takeUpFormation(WorldState& state, Group& group, const Order& order, Thread
     FormationDef wanted = order.formation ? *order.formation : queue.own ? *queue.own : group.def.formation;
     if (order.width > 0.0) takeWidth(wanted, order.width, group.def.count);
     queue.own.reset();
-    if (!isSame(wanted, group.def.formation)) exchangeFormation(state, group, wanted, pool);
+    if (wanted != group.def.formation) exchangeFormation(state, group, wanted, pool);
 }
 
 }  // namespace muster
