@@ -6,14 +6,7 @@ import { sizeOf } from '../../protocol/encoding';
 import type { Edit } from '../../protocol/messages';
 import { startFor } from './free_ground';
 import { count, type LeftOut } from './left_out';
-import {
-  type Bounds,
-  boundsOfOutlines,
-  obstacleOf,
-  type Outline,
-  type PlaceDefinition,
-  toMillimetre,
-} from './place';
+import { type Bounds, boundsOfOutlines, obstacleOf, type Outline, type PlaceDefinition, toMillimetre } from './place';
 
 /** Free ground around what was imported: such a share of its size, at least [m]. */
 const kMargin = { share: 0.08, least: 6 };
