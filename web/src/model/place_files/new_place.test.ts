@@ -61,7 +61,7 @@ describe('what is added', () => {
     const messages = additionOf(many, 'Import town', 77);
     expect(messages.map(({ commands }) => commands.length)).toEqual([256, 256, 88]);
     expect(new Set(messages.map(({ gesture, label }) => `${gesture} ${label}`))).toEqual(new Set(['77 Import town']));
-    expect(messages[2]!.commands[0]!.kind).toBe('obstacle');
+    expect(messages[2]!.commands[0]!.kind).toBe('putThing');
     const round = Array.from({ length: 3000 }, (_, i) => ({ x: 1000 * Math.cos(i), y: 1000 * Math.sin(i) }));
     const large = Array.from({ length: 9 }, () => obstacleOf({ name: 'Ü'.repeat(90), height: 3, corners: round }));
     const sizes = additionOf(large, 'x', 1).map((message) => encodeClient(message).byteLength);
