@@ -2,7 +2,7 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest.h>
 
-#include "folders.h"
+#include "test_folders.h"
 
 namespace muster {
 

@@ -1,6 +1,6 @@
 // muster: direct a crowd with your fingers.
 #include "commands.h"
-#include "lab_commands.h"
+#include "lab_program.h"
 #include "program.h"
 
 namespace {

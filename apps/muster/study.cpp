@@ -1,6 +1,6 @@
 // muster study
 #include "commands.h"
-#include "lab_commands.h"
+#include "lab_program.h"
 
 namespace muster {
 

@@ -8,7 +8,7 @@
 
 #include "muster/status.h"
 #include "muster/world.h"
-#include "scale/scenes.h"
+#include "scale/crowd_scenes.h"
 
 namespace muster::scale {
 

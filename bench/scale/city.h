@@ -1,7 +1,7 @@
 // The scene "city": streets of a real city.
 #pragma once
 
-#include "scale/scenes.h"
+#include "scale/crowd_scenes.h"
 
 namespace muster::scale {
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "base/maths.h"
-#include "scale/scenes.h"
+#include "scale/crowd_scenes.h"
 
 namespace muster::scale {
 namespace {

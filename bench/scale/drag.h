@@ -2,7 +2,7 @@
 #pragma once
 
 #include "muster/world.h"
-#include "scale/scenes.h"
+#include "scale/crowd_scenes.h"
 
 namespace muster::scale {
 

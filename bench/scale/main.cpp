@@ -2,9 +2,9 @@
 #include <cstdio>
 #include <exception>
 
-#include "scale/options.h"
+#include "scale/bench_options.h"
 #include "scale/quality.h"
-#include "scale/report.h"
+#include "scale/bench_report.h"
 
 namespace muster::scale {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "muster/status.h"
-#include "scale/scenes.h"
+#include "scale/crowd_scenes.h"
 
 namespace muster::scale {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bytes.h"
-#include "random.h"
+#include "lockstep_random.h"
 
 namespace lockstep {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "options.h"
-#include "session.h"
+#include "lockstep_options.h"
+#include "lockstep_session.h"
 #include "udp.h"
 
 namespace {

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "random.h"
+#include "lockstep_random.h"
 
 namespace lockstep {
 

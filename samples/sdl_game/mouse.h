@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "battle.h"
+#include "game_battle.h"
 #include "camera.h"
 
 namespace game {

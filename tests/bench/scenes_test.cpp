@@ -6,9 +6,9 @@
 
 #include "engine/state/validation.h"
 #include "scale/case.h"
-#include "scale/options.h"
+#include "scale/bench_options.h"
 #include "scale/quality.h"
-#include "scale/report.h"
+#include "scale/bench_report.h"
 
 using namespace muster;
 using namespace muster::scale;

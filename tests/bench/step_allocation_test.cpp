@@ -4,7 +4,7 @@
 
 #include "counting_new.h"
 #include "muster/world.h"
-#include "scale/scenes.h"
+#include "scale/crowd_scenes.h"
 
 using namespace muster;
 using namespace muster::scale;

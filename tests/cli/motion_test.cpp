@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "cli/program.h"
-#include "folders.h"
+#include "cli/run_program.h"
+#include "test_folders.h"
 
 using namespace muster::testing;
 using muster::sourceFolder;

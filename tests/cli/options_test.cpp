@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "cli/program.h"
+#include "cli/run_program.h"
 #include "muster/parameter_table.h"
 
 using namespace muster::testing;

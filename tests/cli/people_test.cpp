@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "cli/program.h"
+#include "cli/run_program.h"
 
 using namespace muster::testing;
 using Json = nlohmann::json;

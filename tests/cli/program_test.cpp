@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/program.h"
+#include "cli/run_program.h"
 #include "files/take/take_encoder.h"
 #include "muster/scenario.h"
 #include "muster/take.h"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/program.h"
-#include "folders.h"
+#include "cli/run_program.h"
+#include "test_folders.h"
 
 using muster::sourceFolder;
 using muster::testing::Outcome;

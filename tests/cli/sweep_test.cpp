@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/program.h"
+#include "cli/run_program.h"
 
 using namespace muster::testing;
 namespace fs = std::filesystem;

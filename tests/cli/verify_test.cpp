@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "cli/program.h"
+#include "cli/run_program.h"
 
 using namespace muster::testing;
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "folders.h"
+#include "test_folders.h"
 #include "jams/jam_files.h"
 #include "jams/quickest_flow.h"
 #include "jams/random_jams.h"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "folders.h"
+#include "test_folders.h"
 #include "jams/jam_scene.h"
 #include "muster/scenario.h"
 

@@ -8,9 +8,9 @@
 #include "engine/passages/way_number.h"
 #include "engine/steering/character_arrays.h"
 #include "engine/world/inspect.h"
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 #include "engine/world/world_engine.h"
-#include "folders.h"
+#include "test_folders.h"
 #include "jams/jam_run.h"
 #include "muster/scenario.h"
 

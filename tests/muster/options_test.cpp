@@ -1,4 +1,4 @@
-#include "options.h"
+#include "lockstep_options.h"
 
 #include <doctest.h>
 #include <unistd.h>

@@ -2,7 +2,7 @@
 #include <doctest.h>
 
 #include "lockstep/datagram.h"
-#include "lockstep/random.h"
+#include "lockstep/lockstep_random.h"
 
 using namespace lockstep;
 using muster::Command;

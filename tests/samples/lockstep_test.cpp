@@ -3,7 +3,7 @@
 
 #include "lockstep/battlefield.h"
 #include "lockstep/lossy_link.h"
-#include "lockstep/options.h"
+#include "lockstep/lockstep_options.h"
 #include "lockstep/peer.h"
 #include "lockstep/script.h"
 

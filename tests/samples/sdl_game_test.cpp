@@ -3,7 +3,7 @@
 
 #include <atomic>
 
-#include "sdl_game/battle.h"
+#include "sdl_game/game_battle.h"
 #include "sdl_game/jobs.h"
 
 using namespace game;

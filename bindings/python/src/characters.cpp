@@ -1,7 +1,7 @@
 // muster.Characters
 #include "array_view.h"
 #include "generated/view_properties.h"
-#include "world_handle.h"
+#include "python_world.h"
 
 namespace muster::python {
 namespace {

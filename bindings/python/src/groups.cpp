@@ -6,7 +6,7 @@
 #include "from_python.h"
 #include "generated/view_properties.h"
 #include "to_python.h"
-#include "world_handle.h"
+#include "python_world.h"
 
 namespace muster::python {
 namespace {

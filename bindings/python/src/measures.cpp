@@ -11,7 +11,7 @@
 #include "lab/measures/speeds.h"
 #include "lab/measures/voronoi.h"
 #include "to_python.h"
-#include "world_handle.h"
+#include "python_world.h"
 
 namespace muster::python {
 namespace {

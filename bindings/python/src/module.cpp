@@ -5,7 +5,7 @@
 #include "pinned_memory.h"
 #include "status_error.h"
 #include "to_python.h"
-#include "world_handle.h"
+#include "python_world.h"
 
 PYBIND11_MODULE(_core, module) {
     using namespace muster::python;

@@ -3,7 +3,7 @@
 
 #include "array_view.h"
 #include "muster/motion.h"
-#include "world_handle.h"
+#include "python_world.h"
 
 namespace muster::python {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "muster/scenario.h"
 #include "to_python.h"
-#include "world_handle.h"
+#include "python_world.h"
 
 namespace muster::python {
 namespace {

@@ -8,7 +8,7 @@
 #include "muster/own_clips.h"
 #include "muster/take.h"
 #include "to_python.h"
-#include "world_handle.h"
+#include "python_world.h"
 
 namespace muster::python {
 namespace {

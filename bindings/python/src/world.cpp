@@ -3,7 +3,7 @@
 #include "from_python.h"
 #include "muster/parameter_table.h"
 #include "to_python.h"
-#include "world_handle.h"
+#include "python_world.h"
 
 namespace muster::python {
 namespace {

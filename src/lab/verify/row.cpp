@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "lab/verify/scene.h"
+#include "lab/verify/verify_scene.h"
 
 namespace muster {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lab/verify/row.h"
-#include "lab/verify/scene.h"
+#include "lab/verify/verify_scene.h"
 #include "muster/status.h"
 
 namespace muster {

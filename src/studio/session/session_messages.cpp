@@ -6,7 +6,7 @@
 #include "studio/session/frames/notices.h"
 #include "studio/session/inbox/answers.h"
 #include "studio/session/inbox/chosen_scheme.h"
-#include "studio/session/inbox/command_list.h"
+#include "studio/session/inbox/received_commands.h"
 #include "studio/session/session_state.h"
 
 namespace muster {

@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "bindings/c/both_worlds.h"
-#include "folders.h"
+#include "test_folders.h"
 #include "muster/export.h"
 #include "muster/own_clips.h"
 #include "muster/scenario.h"

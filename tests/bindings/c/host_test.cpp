@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "bindings/c/both_worlds.h"
-#include "folders.h"
+#include "test_folders.h"
 #include "muster/scenario.h"
 
 using namespace muster;

@@ -1,7 +1,7 @@
 #include <doctest.h>
 
 #include "engine/formation/places/free_space.h"
-#include "engine/ground/environment/scene.h"
+#include "engine/ground/environment/environment_scene.h"
 
 using namespace muster;
 using namespace muster::test;

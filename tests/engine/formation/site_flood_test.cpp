@@ -4,7 +4,7 @@
 #include <doctest.h>
 
 #include "engine/formation/places/place_tracker.h"
-#include "engine/ground/environment/scene.h"
+#include "engine/ground/environment/environment_scene.h"
 
 using namespace muster;
 using namespace muster::test;

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/random.h"
-#include "engine/ground/environment/scene.h"
+#include "engine/ground/environment/environment_scene.h"
 
 using namespace muster;
 using namespace muster::test;

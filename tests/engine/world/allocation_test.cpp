@@ -5,7 +5,7 @@
 
 #include "base/neighbour_list.h"
 #include "counting_new.h"
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

@@ -7,7 +7,7 @@
 #include "engine/ground/environment/obstacle_piece.h"
 #include "engine/world/inspect.h"
 #include "engine/world/metrics.h"
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

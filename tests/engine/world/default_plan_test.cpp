@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/maths.h"
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 #include "muster/parameter_table.h"
 
 using namespace muster;

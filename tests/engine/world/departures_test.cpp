@@ -2,7 +2,7 @@
 #include <doctest.h>
 
 #include "engine/world/metrics.h"
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 #include "muster/parameter_table.h"
 
 using namespace muster;

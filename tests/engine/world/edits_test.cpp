@@ -6,7 +6,7 @@
 
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

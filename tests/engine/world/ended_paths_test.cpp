@@ -1,7 +1,7 @@
 // Obstacles whose paths are over: what will never move again is ground.
 #include <doctest.h>
 
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

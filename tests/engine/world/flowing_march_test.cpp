@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/maths.h"
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

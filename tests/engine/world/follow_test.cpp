@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

@@ -1,7 +1,7 @@
 // Places at points that are given just as far apart as places have to be.
 #include <doctest.h>
 
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 #include "engine/world/turned.h"
 
 using namespace muster;

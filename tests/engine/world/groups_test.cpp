@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 #include "muster/control.h"
 
 using namespace muster;

@@ -8,7 +8,7 @@
 #include "engine/ground/environment/environment.h"
 #include "engine/state/validation.h"
 #include "engine/world/inspect.h"
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 #include "muster/parameter_table.h"
 
 using namespace muster;

@@ -6,7 +6,7 @@
 
 #include "base/maths.h"
 #include "engine/state/ground_class.h"
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 #include "muster/parameter_table.h"
 
 using namespace muster;

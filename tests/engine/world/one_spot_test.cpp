@@ -2,7 +2,7 @@
 #include <doctest.h>
 
 #include "engine/world/metrics.h"
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

@@ -3,7 +3,7 @@
 
 #include "base/random.h"
 #include "engine/world/inspect.h"
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

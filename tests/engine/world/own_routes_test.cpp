@@ -1,7 +1,7 @@
 // Who camps follows a route of its own until it has arrived.
 #include <doctest.h>
 
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 #include "engine/world/world_engine.h"
 
 using namespace muster;

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "engine/state/draw_person.h"
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

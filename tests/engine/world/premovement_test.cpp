@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/world/played.h"
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

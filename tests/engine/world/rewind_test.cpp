@@ -1,7 +1,7 @@
 // Going back within a world: the same bits as a fresh process has, whatever the caches hold.
 #include <doctest.h>
 
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

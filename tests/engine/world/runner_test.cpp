@@ -5,7 +5,7 @@
 #include <thread>
 #include <vector>
 
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 
 using namespace muster;
 

@@ -1,7 +1,7 @@
 // Marches know how slow the ground is: they go round where that is sooner, and through where it is not.
 #include <doctest.h>
 
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 #include "engine/world/turned.h"
 
 using namespace muster;

@@ -3,7 +3,7 @@
 
 #include "engine/assignment/planning/plan.h"
 #include "engine/world/inspect.h"
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "engine/world/scenes.h"
-#include "folders.h"
+#include "engine/world/world_scenes.h"
+#include "test_folders.h"
 
 using namespace muster;
 using namespace muster::testing;

@@ -8,7 +8,7 @@
 #include "engine/ground/environment/environment.h"
 #include "engine/steering/stairs.h"
 #include "engine/world/played.h"
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

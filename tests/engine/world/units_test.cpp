@@ -8,7 +8,7 @@
 #include <set>
 
 #include "base/maths.h"
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 #include "muster/world.h"
 
 using namespace muster;

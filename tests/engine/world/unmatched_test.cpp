@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "engine/world/scenes.h"
-#include "folders.h"
+#include "engine/world/world_scenes.h"
+#include "test_folders.h"
 
 using namespace muster;
 using namespace muster::testing;

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 #include "muster/parameter_table.h"
 
 using namespace muster;

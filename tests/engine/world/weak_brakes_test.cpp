@@ -1,7 +1,7 @@
 // Bodies that brake weakly: they see each other in time, and come to their places without going too far.
 #include <doctest.h>
 
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 #include "engine/world/turned.h"
 
 using namespace muster;

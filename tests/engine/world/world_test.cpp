@@ -9,7 +9,7 @@
 
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
-#include "engine/world/scenes.h"
+#include "engine/world/world_scenes.h"
 #include "muster/control.h"
 
 using namespace muster;

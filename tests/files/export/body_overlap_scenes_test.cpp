@@ -2,7 +2,7 @@
 // swim.
 #include <doctest.h>
 
-#include "folders.h"
+#include "test_folders.h"
 #include "muster/own_clips.h"
 #include "muster/scenario.h"
 #include "people/motion/body_overlap.h"

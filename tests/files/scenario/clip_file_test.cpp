@@ -5,7 +5,7 @@
 
 #include "base/text_file.h"
 #include "muster/scenario.h"
-#include "people/clips/samples.h"
+#include "people/clips/clip_samples.h"
 #include "temporary_folder.h"
 
 using namespace muster;

@@ -1,5 +1,5 @@
 #include "base/text_file.h"
-#include "folders.h"
+#include "test_folders.h"
 #include "muster/scenario.h"
 
 #include <doctest.h>

@@ -6,7 +6,7 @@
 #include "base/archive.h"
 #include "base/text_file.h"
 #include "files/scenario/schema_validator.h"
-#include "folders.h"
+#include "test_folders.h"
 #include "muster/scenario.h"
 
 using namespace muster;

@@ -1,5 +1,5 @@
 #include "muster/scenario.h"
-#include "folders.h"
+#include "test_folders.h"
 
 #include <doctest.h>
 

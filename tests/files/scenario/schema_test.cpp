@@ -5,7 +5,7 @@
 
 #include "base/text_file.h"
 #include "files/scenario/schema_validator.h"
-#include "folders.h"
+#include "test_folders.h"
 #include "muster/parameter_table.h"
 #include "muster/scenario.h"
 

@@ -6,7 +6,7 @@
 
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
-#include "folders.h"
+#include "test_folders.h"
 #include "muster/scenario.h"
 #include "muster/world.h"
 

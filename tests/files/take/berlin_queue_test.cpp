@@ -4,7 +4,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "folders.h"
+#include "test_folders.h"
 #include "muster/ground.h"
 #include "muster/scenario.h"
 #include "muster/world.h"

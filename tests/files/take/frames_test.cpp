@@ -8,7 +8,7 @@
 
 #include "base/random.h"
 #include "base/text_file.h"
-#include "folders.h"
+#include "test_folders.h"
 #include "muster/scenario.h"
 #include "temporary_folder.h"
 

@@ -1,6 +1,6 @@
 // Running experiments: what is refused before the first run, and that threads change nothing.
 #include "lab/reproduce/reproduce.h"
-#include "folders.h"
+#include "test_folders.h"
 
 #include <unistd.h>
 

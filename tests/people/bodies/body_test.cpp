@@ -1,4 +1,4 @@
-#include "folders.h"
+#include "test_folders.h"
 #include "people/bodies/body_mesh.h"
 
 #include <doctest.h>
@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <map>
 
-#include "people/bodies/samples.h"
+#include "people/bodies/body_samples.h"
 #include "people/clips/retarget.h"
 
 using namespace muster;

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "people/bodies/glb_file.h"
-#include "people/bodies/samples.h"
+#include "people/bodies/body_samples.h"
 
 using namespace muster;
 using namespace muster::testing;

@@ -11,7 +11,7 @@
 #include "people/clips/bvh_scanner.h"
 #include "people/clips/bvh_text.h"
 #include "people/clips/retarget.h"
-#include "people/clips/samples.h"
+#include "people/clips/clip_samples.h"
 
 using namespace muster;
 using namespace muster::testing;

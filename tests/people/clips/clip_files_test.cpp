@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/text_file.h"
-#include "people/clips/samples.h"
+#include "people/clips/clip_samples.h"
 
 using namespace muster;
 using namespace muster::testing;

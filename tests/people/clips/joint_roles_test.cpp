@@ -2,7 +2,7 @@
 
 #include <doctest.h>
 
-#include "people/clips/samples.h"
+#include "people/clips/clip_samples.h"
 
 using namespace muster;
 using namespace muster::testing;

@@ -1,7 +1,7 @@
 // Our gaits beside recorded ones: curves over the cycle, from landing to landing.
 #include <filesystem>
 
-#include "folders.h"
+#include "test_folders.h"
 #include "muster/clip.h"
 #include "people/clips/retarget.h"
 #include "people/generator/measure.h"

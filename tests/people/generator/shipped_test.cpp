@@ -1,5 +1,5 @@
 // The shipped folder is what the generator makes.
-#include "folders.h"
+#include "test_folders.h"
 #include "people/clips/clip_files.h"
 #include "people/generator/measure.h"
 

@@ -9,7 +9,7 @@
 #include "muster/own_clips.h"
 #include "people/clips/clip_files.h"
 #include "people/clips/motion_facts.h"
-#include "people/clips/samples.h"
+#include "people/clips/clip_samples.h"
 
 using namespace muster;
 

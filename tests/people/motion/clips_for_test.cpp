@@ -1,5 +1,5 @@
 #include "people/motion/clips_for.h"
-#include "folders.h"
+#include "test_folders.h"
 
 #include <doctest.h>
 

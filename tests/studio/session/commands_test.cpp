@@ -8,10 +8,10 @@
 #include <iterator>
 #include <string>
 
-#include "folders.h"
+#include "test_folders.h"
 #include "generated/random_commands.h"
 #include "studio/session/fake_client.h"
-#include "studio/session/inbox/command_list.h"
+#include "studio/session/inbox/received_commands.h"
 
 using namespace muster;
 using namespace muster::testing;

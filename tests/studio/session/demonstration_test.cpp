@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "folders.h"
+#include "test_folders.h"
 #include "muster/scenario.h"
 #include "muster/take.h"
 #include "studio/session/fake_client.h"

@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "base/token_bucket.h"
-#include "folders.h"
+#include "test_folders.h"
 #include "studio/session/inbox/pacer.h"
 #include "studio/session/fake_client.h"
 #include "studio/session/inbox/protocol.h"

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "studio/gestures/scheme_driver.h"
-#include "studio/study/trial/environment.h"
+#include "studio/study/trial/trial_environment.h"
 
 namespace muster {
 namespace {

@@ -12,7 +12,7 @@
 #include "lab/measures/speeds.h"
 #include "lab/measures/trajectories.h"
 #include "lab/verify/sample.h"
-#include "lab/verify/scene.h"
+#include "lab/verify/verify_scene.h"
 #include "muster/world.h"
 
 namespace muster {

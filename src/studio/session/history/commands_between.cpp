@@ -5,7 +5,7 @@
 
 #include "engine/world/inspect.h"
 #include "studio/session/history/member_moves.h"
-#include "studio/session/inbox/command_list.h"
+#include "studio/session/inbox/received_commands.h"
 
 namespace muster {
 namespace {

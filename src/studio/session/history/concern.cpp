@@ -3,7 +3,7 @@
 
 #include "engine/world/inspect.h"
 #include "studio/session/history/step_record.h"
-#include "studio/session/inbox/command_list.h"
+#include "studio/session/inbox/received_commands.h"
 #include "studio/session/inbox/generated/command_traits.h"
 
 namespace muster {

@@ -6,7 +6,7 @@
 
 #include "base/maths.h"
 #include "muster/parameter_table.h"
-#include "studio/session/inbox/command_list.h"
+#include "studio/session/inbox/received_commands.h"
 
 namespace muster {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "engine/world/inspect.h"
-#include "studio/session/inbox/command_list.h"
+#include "studio/session/inbox/received_commands.h"
 
 namespace muster {
 namespace {

@@ -4,7 +4,7 @@
 #include "muster/scenario.h"
 #include "studio/session/history/group_body.h"
 #include "studio/session/history/place_editor.h"
-#include "studio/session/inbox/command_list.h"
+#include "studio/session/inbox/received_commands.h"
 #include "studio/session/session_state.h"
 
 namespace muster {

@@ -7,7 +7,7 @@
 #include "studio/session/frames/frame_sender.h"
 #include "studio/session/inbox/protocol.h"
 #include "studio/study/runs/forms.h"
-#include "studio/study/runs/plan.h"
+#include "studio/study/runs/run_plan.h"
 #include "studio/study/store/records.h"
 #include "studio/study/trial/trial.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "studio/study/runs/forms.h"
-#include "studio/study/runs/plan.h"
+#include "studio/study/runs/run_plan.h"
 #include "studio/study/store/store.h"
 
 namespace muster {

@@ -9,7 +9,7 @@
 
 #include "muster/take.h"
 #include "studio/gestures/scheme_driver.h"
-#include "studio/study/trial/environment.h"
+#include "studio/study/trial/trial_environment.h"
 
 namespace muster {
 

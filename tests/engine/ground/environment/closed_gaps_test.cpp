@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/random.h"
-#include "engine/ground/environment/scene.h"
+#include "engine/ground/environment/environment_scene.h"
 
 using namespace muster;
 using namespace muster::test;

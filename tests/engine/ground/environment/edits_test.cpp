@@ -2,7 +2,7 @@
 #include <doctest.h>
 
 #include "base/archive.h"
-#include "engine/ground/environment/scene.h"
+#include "engine/ground/environment/environment_scene.h"
 
 using namespace muster;
 using namespace muster::test;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "engine/ground/environment/scene.h"
+#include "engine/ground/environment/environment_scene.h"
 
 using namespace muster;
 using namespace muster::test;

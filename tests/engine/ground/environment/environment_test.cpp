@@ -7,7 +7,7 @@
 #include "base/archive.h"
 #include "base/maths.h"
 #include "base/random.h"
-#include "engine/ground/environment/scene.h"
+#include "engine/ground/environment/environment_scene.h"
 
 using namespace muster;
 using namespace muster::test;

@@ -1,4 +1,4 @@
-#include "folders.h"
+#include "test_folders.h"
 #include "muster/ground.h"
 
 #include <doctest.h>
@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "base/stopwatch.h"
-#include "engine/ground/environment/scene.h"
+#include "engine/ground/environment/environment_scene.h"
 
 using namespace muster;
 using namespace muster::test;

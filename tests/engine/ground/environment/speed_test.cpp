@@ -7,8 +7,8 @@
 
 #include "base/stopwatch.h"
 #include "counting_new.h"
-#include "engine/ground/environment/scene.h"
-#include "folders.h"
+#include "engine/ground/environment/environment_scene.h"
+#include "test_folders.h"
 #include "muster/ground.h"
 
 using namespace muster;

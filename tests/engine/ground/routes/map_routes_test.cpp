@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "engine/ground/routes/route_scene.h"
-#include "folders.h"
+#include "test_folders.h"
 #include "muster/ground.h"
 
 using namespace muster;

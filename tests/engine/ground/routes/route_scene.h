@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "engine/ground/environment/scene.h"
+#include "engine/ground/environment/environment_scene.h"
 #include "engine/ground/routes/route_search.h"
 
 namespace muster::test {

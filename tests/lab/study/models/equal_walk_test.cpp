@@ -4,7 +4,7 @@
 
 #include "lab/study/models/model_trial.h"
 #include "studio/gestures/control_scheme.h"
-#include "studio/study/trial/environment.h"
+#include "studio/study/trial/trial_environment.h"
 
 namespace muster {
 namespace {

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <map>
 
-#include "folders.h"
+#include "test_folders.h"
 #include "lab/study/statistics/made_tables.h"
 #include "lab/study/statistics/rank_tests.h"
 

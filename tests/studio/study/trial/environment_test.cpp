@@ -5,7 +5,7 @@
 
 #include "muster/scenario.h"
 #include "muster/world.h"
-#include "studio/study/trial/environment.h"
+#include "studio/study/trial/trial_environment.h"
 
 namespace muster {
 namespace {

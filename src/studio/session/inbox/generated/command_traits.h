@@ -23,18 +23,18 @@ inline constexpr std::array<CommandTraits, std::variant_size_v<CommandKinds>> kC
     {"", false, false, false, false, false},               // TouchMove
     {"", false, false, false, false, false},               // TouchUp
     {"", false, false, false, false, false},               // TouchCancel
-    {"", false, false, false, false, false},               // AddControl
-    {"Pin", true, false, false, false, false},             // PinControl
-    {"", false, false, false, false, false},               // RemoveControl
+    {"", false, true, false, false, false},                // AddControl
+    {"Pin", true, true, false, false, false},              // PinControl
+    {"", false, true, false, false, false},                // RemoveControl
     {"", false, false, false, false, false},               // ReleaseClient
     {"Change shape", true, true, true, false, false},      // SetFormation
-    {"People", true, false, true, true, false},            // SetCount
+    {"People", true, true, true, true, false},             // SetCount
     {"Place group", true, true, false, false, false},      // SetPose
     {"Add group", true, true, true, false, false},         // AddGroup
     {"Remove group", true, false, true, false, false},     // RemoveGroup
     {"", true, false, true, false, false},                 // PutThing
     {"", true, false, true, false, false},                 // RemoveThing
-    {"Setting", true, false, true, true, false},           // SetParameter
+    {"Setting", true, true, true, true, false},            // SetParameter
     {"", true, true, false, false, false},                 // GiveOrder
     {"", true, true, false, false, false},                 // EditQueue
     {"", true, true, true, true, false},                   // SetConduct

@@ -1,4 +1,4 @@
-#include "scale/options.h"
+#include "scale/bench_options.h"
 #include "muster/parameter_table.h"
 
 #include <CLI/CLI.hpp>

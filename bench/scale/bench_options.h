@@ -6,10 +6,10 @@
 
 #include "scale/battle.h"
 #include "scale/case.h"
-#include "scale/commands.h"
+#include "scale/bench_commands.h"
 #include "scale/led_ground.h"
 #include "scale/orders.h"
-#include "scale/people.h"
+#include "scale/people_cost.h"
 #include "scale/rewind.h"
 
 namespace muster::scale {

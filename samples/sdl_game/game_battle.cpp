@@ -1,4 +1,4 @@
-#include "battle.h"
+#include "game_battle.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,4 +1,4 @@
-#include "studio/session/inbox/command_list.h"
+#include "studio/session/inbox/received_commands.h"
 
 #include <cmath>
 #include <string>
@@ -18,8 +18,7 @@ struct CommandUse {
 };
 
 bool directs(const CommandBody& body) {
-    return traitsOf(body).directs ||
-           isOneOf<AddControl, PinControl, RemoveControl, SetCount, SetParameter>(body);
+    return traitsOf(body).directs;
 }
 
 bool editsPlace(const CommandBody& body) {

@@ -12,7 +12,7 @@
 #include <sstream>
 #include <string>
 
-#include "folders.h"
+#include "test_folders.h"
 #include "temporary_folder.h"
 
 namespace muster::testing {

@@ -1,4 +1,4 @@
-#include "lab_commands.h"
+#include "lab_program.h"
 
 #include <unistd.h>
 

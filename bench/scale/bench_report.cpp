@@ -1,4 +1,4 @@
-#include "scale/report.h"
+#include "scale/bench_report.h"
 
 #include <algorithm>
 #include <cmath>

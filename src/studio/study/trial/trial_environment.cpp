@@ -1,4 +1,4 @@
-#include "studio/study/trial/environment.h"
+#include "studio/study/trial/trial_environment.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "scale/commands.h"
+#include "scale/bench_commands.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,4 +1,4 @@
-#include "session.h"
+#include "lockstep_session.h"
 
 #include <algorithm>
 #include <chrono>

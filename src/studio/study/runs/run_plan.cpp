@@ -1,4 +1,4 @@
-#include "studio/study/runs/plan.h"
+#include "studio/study/runs/run_plan.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "picture.h"
+#include "game_picture.h"
 
 namespace game {
 

@@ -1,7 +1,7 @@
 // One peer from its first step to its last, with its log.
 #pragma once
 
-#include "options.h"
+#include "lockstep_options.h"
 #include "udp.h"
 
 namespace lockstep {

@@ -1,4 +1,4 @@
-#include "world_handle.h"
+#include "python_world.h"
 
 #include <algorithm>
 #include <string>

@@ -1,4 +1,4 @@
-#include "scale/scenes.h"
+#include "scale/crowd_scenes.h"
 
 #include <algorithm>
 #include <cmath>

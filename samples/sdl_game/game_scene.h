@@ -1,7 +1,7 @@
 // Draws the battle.
 #pragma once
 
-#include "battle.h"
+#include "game_battle.h"
 #include "camera.h"
 #include "mouse.h"
 #include "painter.h"

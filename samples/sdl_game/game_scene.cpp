@@ -1,4 +1,4 @@
-#include "scene.h"
+#include "game_scene.h"
 
 #include <algorithm>
 #include <array>

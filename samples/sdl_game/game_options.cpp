@@ -1,4 +1,4 @@
-#include "options.h"
+#include "game_options.h"
 
 #include <charconv>
 #include <string_view>

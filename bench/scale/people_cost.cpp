@@ -1,4 +1,4 @@
-#include "scale/people.h"
+#include "scale/people_cost.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,7 @@
 
 #include "base/maths.h"
 #include "base/text_file.h"
-#include "folders.h"
+#include "test_folders.h"
 #include "muster/clip.h"
 
 namespace muster::testing {
