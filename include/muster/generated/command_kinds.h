@@ -439,11 +439,11 @@ struct ReverseQueue {
 };
 
 /// Every kind of change.
-using CommandKinds = std::variant<
-    TouchDown, TouchMove, TouchUp, TouchCancel, AddControl, PinControl, RemoveControl, ReleaseClient,
-    SetFormation, SetCount, SetPose, AddGroup, RemoveGroup, PutThing, RemoveThing, SetParameter, GiveOrder,
-    EditQueue, SetConduct, AddCharacters, RemoveCharacters, TransferCharacters, SplitGroup, MergeGroups,
-    SetBodies, SetRoles, SetDemands, SetDriver, WriteMotion, PlaceGroup, NameGroup, ColourGroup,
-    SetAppearance, SetPeople, ReverseQueue>;
+using CommandKinds = std::variant<TouchDown, TouchMove, TouchUp, TouchCancel, AddControl, PinControl,
+                                  RemoveControl, ReleaseClient, SetFormation, SetCount, SetPose, AddGroup,
+                                  RemoveGroup, PutThing, RemoveThing, SetParameter, GiveOrder, EditQueue,
+                                  SetConduct, AddCharacters, RemoveCharacters, TransferCharacters, SplitGroup,
+                                  MergeGroups, SetBodies, SetRoles, SetDemands, SetDriver, WriteMotion,
+                                  PlaceGroup, NameGroup, ColourGroup, SetAppearance, SetPeople, ReverseQueue>;
 
 }  // namespace muster
