@@ -1,6 +1,5 @@
 // Made by schema/generate.mjs from schema/former.txt: change these, not this file.
-// Commands by the names that they had: each stands for the command that says the same, into which CommandBody
-// makes it.
+// Commands by the names that they had: CommandBody makes each into the command that says the same.
 #pragma once
 
 #include <variant>
@@ -176,8 +175,10 @@ CommandBody converted(const PutArea& c);           ///< The command that says th
 CommandBody converted(const RemoveArea& c);        ///< The command that says the same.
 
 /// Any of them.
-using FormerKinds = std::variant<AddObstacle, ChangeObstacle, RemoveObstacle, AddPatch, ChangePatch,
-                                 RemovePatch, AddItem, ChangeItem, RemoveItem, AddCheckpoint,
-                                 ChangeCheckpoint, RemoveCheckpoint, PutArea, RemoveArea>;
+// clang-format off
+using FormerKinds = std::variant<
+    AddObstacle, ChangeObstacle, RemoveObstacle, AddPatch, ChangePatch, RemovePatch, AddItem, ChangeItem,
+    RemoveItem, AddCheckpoint, ChangeCheckpoint, RemoveCheckpoint, PutArea, RemoveArea>;
+// clang-format on
 
 }  // namespace muster

@@ -7,21 +7,66 @@
 namespace muster {
 
 /// What files call each kind of command. Orders are called by what they ask for.
+// clang-format off
 inline constexpr std::array kCommandWords{
-    "down",        "move",       "up",        "cancel",      "control",    "pin",         "remove",
-    "release",     "formation",  "count",     "pose",        "group",      "removeGroup", "putThing",
-    "removeThing", "parameter",  "order",     "queue",       "conduct",    "join",        "leave",
-    "transfer",    "split",      "merge",     "bodies",      "roles",      "demands",     "driver",
-    "motion",      "placeGroup", "nameGroup", "colourGroup", "appearance", "people",      "reverseQueue",
+    "down",
+    "move",
+    "up",
+    "cancel",
+    "control",
+    "pin",
+    "remove",
+    "release",
+    "formation",
+    "count",
+    "pose",
+    "group",
+    "removeGroup",
+    "putThing",
+    "removeThing",
+    "parameter",
+    "order",
+    "queue",
+    "conduct",
+    "join",
+    "leave",
+    "transfer",
+    "split",
+    "merge",
+    "bodies",
+    "roles",
+    "demands",
+    "driver",
+    "motion",
+    "placeGroup",
+    "nameGroup",
+    "colourGroup",
+    "appearance",
+    "people",
+    "reverseQueue",
 };
+// clang-format on
 static_assert(kCommandWords.size() == std::variant_size_v<CommandKinds>);
 
 /// What older files call commands that worlds no longer have.
+// clang-format off
 inline constexpr std::array kFormerWords{
-    "obstacle", "changeObstacle", "removeObstacle", "patch",      "changePatch",      "removePatch",
-    "item",     "changeItem",     "removeItem",     "checkpoint", "changeCheckpoint", "removeCheckpoint",
-    "area",     "removeArea",
+    "obstacle",
+    "changeObstacle",
+    "removeObstacle",
+    "patch",
+    "changePatch",
+    "removePatch",
+    "item",
+    "changeItem",
+    "removeItem",
+    "checkpoint",
+    "changeCheckpoint",
+    "removeCheckpoint",
+    "area",
+    "removeArea",
 };
+// clang-format on
 static_assert(kFormerWords.size() == std::variant_size_v<FormerKinds>);
 
 /// Describes the fields of each kind of command to a visitor.
@@ -97,10 +142,8 @@ struct BodyFields {
         maybe("area", c.area, "An area, whose `group` is not read; none for other things.",
               [](auto& inner, auto& def) { describe(inner, def, [] {}); });
         if (takesPart<Visitor>(static_cast<bool>(c.group)))
-            v.whole(
-                "group", c.group.value, kId,
-                "For a checkpoint: the group that it concerns, none for any. For a source: the group that "
-                "its people join.");
+            v.whole("group", c.group.value, kId,
+                    "Group that a checkpoint concerns, none for any, or that people of a source join.");
     }
     void operator()(RemoveThing& c) {
         describeWord(v, "thing", c.thing, kThingKindWords, "What it is.", Need::Required);
