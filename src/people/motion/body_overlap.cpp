@@ -8,7 +8,7 @@ namespace {
 // Sizes of a person 1.75 m tall, as the bodies are sculpted (people/bodies/shape.cpp).
 constexpr float kTorsoRadius = 0.12f;   // Half the depth of the torso [m].
 constexpr float kTorsoAside = 0.05f;    // Distance from the axis of the torso to those of its halves [m].
-constexpr float kShoulders = 0.14f;     // Height of the axis's upper end above the joint of the chest [m].
+constexpr float kShoulderRise = 0.14f;  // Height of the axis's upper end above the joint of the chest [m].
 constexpr float kHeadRadius = 0.10f;    // Radius of the sphere that stands for the head [m].
 constexpr float kHeadMiddle = 0.10f;    // Height of the middle of the head above its joint [m].
 constexpr double kComparedReach = 2.0;  // Distance beyond which two bodies are not compared [m].
@@ -54,8 +54,8 @@ SolidBody solidBody(const JointTransforms& joints, float size) {
         return joint.translation + rotate(joint.rotation, p) * size;
     };
     SolidBody body;
-    body.left = {at(hips, {0.0f, kTorsoAside, 0.0f}), at(chest, {0.0f, kTorsoAside, kShoulders})};
-    body.right = {at(hips, {0.0f, -kTorsoAside, 0.0f}), at(chest, {0.0f, -kTorsoAside, kShoulders})};
+    body.left = {at(hips, {0.0f, kTorsoAside, 0.0f}), at(chest, {0.0f, kTorsoAside, kShoulderRise})};
+    body.right = {at(hips, {0.0f, -kTorsoAside, 0.0f}), at(chest, {0.0f, -kTorsoAside, kShoulderRise})};
     body.head = at(head, {0.0f, 0.0f, kHeadMiddle});
     body.size = size;
     return body;

@@ -10,8 +10,8 @@ constexpr double kSwathShare = 0.8;   // Share of a part's width that the operat
 constexpr double kFrontShare = 0.75;  // Share of a walker's speed that a wide front makes.
 // Share of a walker's speed that a front of a single rank makes: it bends more, and misses more.
 constexpr double kThinShare = 0.6;
-constexpr double kThinRanks = 1.3;  // Number of ranks below which a front is thin.
-constexpr double kTapTime = 0.05;   // Time that a finger is down for a tap [s].
+constexpr double kThinRanks = 1.3;     // Number of ranks below which a front is thin.
+constexpr double kTapDownTime = 0.05;  // Time that a finger is down for a tap [s].
 
 double wayLength(Vec2 from, std::span<const Vec2> way) {
     double sum = 0.0;
@@ -179,7 +179,7 @@ double Planner::takeOutSeconds(const PlannedPart& few) const {
 
 double Planner::callSeconds() const {
     const double mm = def_.mmPerMetre;
-    return motor_->point(8.0 * mm, kTargetMetres * mm) + 2.0 * kTapTime + kBetweenTaps +
+    return motor_->point(8.0 * mm, kTargetMetres * mm) + 2.0 * kTapDownTime + kBetweenTaps +
            motor_->factor() * def_.parameters.decideNext;
 }
 

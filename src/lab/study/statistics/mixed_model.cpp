@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "base/maths.h"
 #include "lab/study/statistics/numerics.h"
 
 namespace muster::statistics {
@@ -14,8 +15,6 @@ namespace {
 
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// The model's matrices. Its parameters are the lower triangle of persons' factor and the layouts' one, all
 /// relative to the residual.

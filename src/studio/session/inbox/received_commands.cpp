@@ -25,8 +25,8 @@ bool editsPlace(const CommandBody& body) {
     return traitsOf(body).edits;
 }
 
-constexpr CommandUse kDirections{directs, "an order or a change of units"};
-constexpr CommandUse kEdits{editsPlace, "a change of the place"};
+constexpr CommandUse kDirectionUse{directs, "an order or a change of units"};
+constexpr CommandUse kEditUse{editsPlace, "a change of the place"};
 
 Status beyondLimit(const char* what, std::size_t found, std::size_t most) {
     return {StatusCode::LimitExceeded,
@@ -80,11 +80,11 @@ Result<std::vector<CommandBody>> read(std::span<const std::uint8_t> bytes, const
 
 Result<std::vector<CommandBody>> readDirections(std::span<const std::uint8_t> bytes,
                                                 const SessionLimits& limits, const StampTime& stamp) {
-    return read(bytes, limits, kDirections, stamp);
+    return read(bytes, limits, kDirectionUse, stamp);
 }
 
 Result<std::vector<CommandBody>> readEdits(std::span<const std::uint8_t> bytes, const SessionLimits& limits) {
-    return read(bytes, limits, kEdits, [](double time) { return time; });
+    return read(bytes, limits, kEditUse, [](double time) { return time; });
 }
 
 }  // namespace muster
