@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "test_folders.h"
 #include "muster/scenario.h"
 #include "muster/take.h"
 #include "studio/session/fake_client.h"
+#include "test_folders.h"
 
 using namespace muster;
 using namespace muster::testing;

@@ -117,7 +117,8 @@ TEST_CASE("bad bodies of groups are answered by one sentence and change nothing"
     says({"Body", 0, {}, {radius(0.01)}}, "radius");
     says({"Body", 0, {}, {radius(0.3, 9)}}, "a group with people in it");
     says({"Body", 0, {}, {radius(0.3), radius(0.4)}}, "one for each group");
-    says({"Body", 0, commandBytes(R"([{"kind":"nameGroup","group":1,"name":"A"}])"), {radius(0.3)}}, "only one");
+    says({"Body", 0, commandBytes(R"([{"kind":"nameGroup","group":1,"name":"A"}])"), {radius(0.3)}},
+         "only one");
     CHECK(desk.all([](const Body& body) { return body == Body{}; }));
     CHECK(desk.client.history.undo == 0);
 }

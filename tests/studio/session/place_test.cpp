@@ -300,12 +300,18 @@ TEST_CASE("how a group looks is one step of undo, shown in the scene and kept by
         CommandBody bad;
         GroupDef firstShown, secondShown;
     };
-    const Look looks[] = {
-        {"colourGroup", R"("colour":"#D60EA8")", R"("colour":"#05536d")", ColourGroup{GroupId{1}, 0x1000000},
-         {.colour = 0xD60EA8}, {.colour = 0x05536D}},
-        {"appearance", R"("build":"narrow","motions":"march")", R"("motions":"weary")",
-         SetAppearance{GroupId{1}, {}, static_cast<MotionSet>(9)},
-         {.build = BodyBuild::Narrow, .motions = MotionSet::March}, {.motions = MotionSet::Weary}}};
+    const Look looks[] = {{"colourGroup",
+                           R"("colour":"#D60EA8")",
+                           R"("colour":"#05536d")",
+                           ColourGroup{GroupId{1}, 0x1000000},
+                           {.colour = 0xD60EA8},
+                           {.colour = 0x05536D}},
+                          {"appearance",
+                           R"("build":"narrow","motions":"march")",
+                           R"("motions":"weary")",
+                           SetAppearance{GroupId{1}, {}, static_cast<MotionSet>(9)},
+                           {.build = BodyBuild::Narrow, .motions = MotionSet::March},
+                           {.motions = MotionSet::Weary}}};
     for (const Look& look : looks) {
         CAPTURE(look.kind);
         Desk desk;

@@ -1,7 +1,6 @@
 #include <cmath>
 #include "studio/session/fake_client.h"
 
-
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
 #include "muster/control.h"

@@ -29,8 +29,8 @@ void addSpots(const World& world, protocol::Scene& scene) {
     for (std::size_t i = 0; i < world.items().size(); ++i)
         scene.items.push_back({world.itemIds()[i].value, world.items()[i]});
     for (std::size_t c = 0; c < world.checkpoints().size(); ++c)
-        scene.checkpoints.push_back({world.checkpointIds()[c].value, world.checkpoints()[c],
-                                     world.checkpointGroups()[c].value});
+        scene.checkpoints.push_back(
+            {world.checkpointIds()[c].value, world.checkpoints()[c], world.checkpointGroups()[c].value});
     for (std::size_t a = 0; a < world.areaCount(); ++a) {
         const AreaView area = world.area(a);
         scene.areas.push_back({area.id.value, area.def, area.group.value});
