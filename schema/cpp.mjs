@@ -63,21 +63,25 @@ namespace muster {
 ${commands.map(struct).join('\n')}
 
 /// Every kind of change.
+// clang-format off
 using CommandKinds = std::variant<
 ${call('', commands.map(({ name }) => name), '>;', '    ').join('\n')}
+// clang-format on
 
 }  // namespace muster
 `;
 }
 
 /** The numbers of kinds in takes, in the order of a variant. */
-const numbers = (name, kinds) => `inline constexpr std::array<std::uint8_t, ${kinds.length}> ${name}{
-${call('', kinds.map(({ number }) => String(number)), '};', '    ').join('\n')}`;
+const numbers = (name, kinds) => `// clang-format off
+inline constexpr std::array<std::uint8_t, ${kinds.length}> ${name}{
+${call('', kinds.map(({ number }) => String(number)), '};', '    ').join('\n')}
+// clang-format on`;
 
 const kFormerBanner = kBanner.replace('commands.txt', 'former.txt');
 
 function formerHeader() {
-  return `${kFormerBanner}// Commands by the names that they had: each stands for the command that says the same, into which CommandBody makes it.
+  return `${kFormerBanner}// Commands by the names that they had: CommandBody makes each into the command that says the same.
 #pragma once
 
 #include <variant>
@@ -90,11 +94,13 @@ class CommandBody;
 
 ${formerCommands.map(struct).join('\n')}
 
-${formerCommands.map(({ name }) => `CommandBody converted(const ${name}& c);`.padEnd(52) + `///< The command that says the same.`).join('\n')}
+${formerCommands.map(({ name }) => `CommandBody converted(const ${name}& c);`.padEnd(51) + `///< The command that says the same.`).join('\n')}
 
 /// Any of them.
+// clang-format off
 using FormerKinds = std::variant<
 ${call('', formerCommands.map(({ name }) => name), '>;', '    ').join('\n')}
+// clang-format on
 
 }  // namespace muster
 `;
@@ -153,15 +159,22 @@ function validator(command) {
   const line = `${head} return ${checks[0]}; }`;
   if (checks.length === 1 && line.length <= kWidth) return line;
   if (checks.length === 1) return [head, `        return ${checks[0]};`, '    }'].join('\n');
-  const [first, ...others] = checks.map((check) => wrapCall(check));
-  return [head, `        Status status = ${first};`, ...others.map((check) => `        if (status.ok()) status = ${check};`), '        return status;', '    }'].join('\n');
+  const [first, ...others] = checks;
+  return [head, `        Status status = ${wrapCall(first)};`, ...others.map(nextCheck), '        return status;', '    }'].join('\n');
 }
 
-/** A call that is too long for its line goes on below. */
+/** A call that is too long for its line goes on below; a lambda stands on a line of its own. */
 function wrapCall(text) {
   if (text.length + '        if (status.ok()) status = ;'.length <= kWidth) return text;
-  const at = text.includes('[](') ? text.indexOf(', ') : text.lastIndexOf(', ', kWidth - 32);
+  if (text.includes('[](')) return text.length + 22 <= kWidth ? text : text.replace(', [](', `,\n${' '.repeat(22 + text.indexOf('('))}[](`);
+  const at = text.lastIndexOf(', ', kWidth - 32);
   return `${text.slice(0, at + 1)}\n${' '.repeat(30 + text.indexOf('(') + 1)}${text.slice(at + 2)}`;
+}
+
+/** "if (status.ok()) status = ...;", on two lines where it is too long. */
+function nextCheck(check) {
+  const isLong = check.includes('[](') && check.length + '        if (status.ok()) status = ;'.length > kWidth;
+  return `        if (status.ok())${isLong ? '\n            ' : ' '}status = ${wrapCall(check)};`;
 }
 
 function checks() {

@@ -87,13 +87,17 @@ function header() {
 namespace muster {
 
 /// What files call each kind of command. Orders are called by what they ask for.
+// clang-format off
 inline constexpr std::array kCommandWords{
 ${listed(commands.map(({ file }) => `"${file}"`), '};')}
+// clang-format on
 static_assert(kCommandWords.size() == std::variant_size_v<CommandKinds>);
 
 /// What older files call commands that worlds no longer have.
+// clang-format off
 inline constexpr std::array kFormerWords{
 ${listed(formerCommands.map(({ file }) => `"${file}"`), '};')}
+// clang-format on
 static_assert(kFormerWords.size() == std::variant_size_v<FormerKinds>);
 
 /// Describes the fields of each kind of command to a visitor.

@@ -107,6 +107,7 @@ rule "paths of a machine" portable
 rule "links of documents to nowhere" links
 rule "files that generators would write otherwise" fresh
 rule "words that the glossary replaces" node scripts/style/words.mjs
+rule "private names that two files of a module have" node scripts/style/private_names.mjs
 if [ "$what" != --format ]; then
     cmake --preset style >/dev/null || fail "cmake could not configure the preset style"
     rule "findings of clang-tidy" tidy

@@ -30,8 +30,13 @@ public:
         c.kind = static_cast<ControlKind>(std::min<std::size_t>(c.touches.size(), 3) - 1);
     }
     void relate(PutThing& c) {
-        const PutThing all{c.id, randomObstacleDef(*this), randomPatchDef(*this), randomItemDef(*this),
-                           randomCheckpointDef(*this), randomAreaDef(*this), c.group};
+        const PutThing all{c.id,
+                           randomObstacleDef(*this),
+                           randomPatchDef(*this),
+                           randomItemDef(*this),
+                           randomCheckpointDef(*this),
+                           randomAreaDef(*this),
+                           c.group};
         c = {c.id, {}, {}, {}, {}, {}, c.group};
         const auto thing = value<ThingKind>();
         if (thing == ThingKind::Obstacle) c.obstacle = all.obstacle;

@@ -10,7 +10,7 @@
 #include "lab_commands.h"
 #include "lab_commands_list.h"
 #include "muster/scenario.h"
-#include "lockstep_options.h"
+#include "options.h"
 #include "overrides.h"
 #include "report.h"
 #include "runner.h"

@@ -12,7 +12,7 @@
 #include "lab_commands_list.h"
 #include "muster/scenario.h"
 #include "muster/take.h"
-#include "lockstep_options.h"
+#include "options.h"
 #include "overrides.h"
 #include "report.h"
 #include "touches.h"

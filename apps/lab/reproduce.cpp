@@ -12,7 +12,7 @@
 #include "lab/reproduce/reproduce.h"
 #include "lab_commands.h"
 #include "lab_commands_list.h"
-#include "lockstep_options.h"
+#include "options.h"
 #include "report.h"
 
 namespace muster {

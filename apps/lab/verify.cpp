@@ -7,7 +7,7 @@
 #include "lab/verify/verify.h"
 #include "lab_commands.h"
 #include "lab_commands_list.h"
-#include "lockstep_options.h"
+#include "options.h"
 #include "others.h"
 #include "report.h"
 

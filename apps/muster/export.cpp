@@ -11,7 +11,7 @@
 #include "folders.h"
 #include "muster/export.h"
 #include "muster/own_clips.h"
-#include "lockstep_options.h"
+#include "options.h"
 #include "people/clips/clip_files.h"
 #include "people/motion/clips_for.h"
 #include "player_page.h"

@@ -12,7 +12,7 @@
 #include "engine/ground/routes/route_graph.h"
 #include "engine/state/validation.h"
 #include "muster/scenario.h"
-#include "lockstep_options.h"
+#include "options.h"
 #include "report.h"
 
 namespace muster {

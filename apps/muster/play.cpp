@@ -4,7 +4,7 @@
 
 #include "commands.h"
 #include "muster/scenario.h"
-#include "lockstep_options.h"
+#include "options.h"
 #include "overrides.h"
 #include "report.h"
 #include "runner.h"

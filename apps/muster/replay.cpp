@@ -8,7 +8,7 @@
 #include "commands.h"
 #include "muster/scenario.h"
 #include "muster/take.h"
-#include "lockstep_options.h"
+#include "options.h"
 #include "report.h"
 
 namespace muster {

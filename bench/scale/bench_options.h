@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "scale/battle.h"
-#include "scale/case.h"
 #include "scale/bench_commands.h"
+#include "scale/case.h"
 #include "scale/led_ground.h"
 #include "scale/orders.h"
 #include "scale/people_cost.h"

@@ -3,8 +3,8 @@
 #include <exception>
 
 #include "scale/bench_options.h"
-#include "scale/quality.h"
 #include "scale/bench_report.h"
+#include "scale/quality.h"
 
 namespace muster::scale {
 namespace {

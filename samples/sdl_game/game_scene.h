@@ -1,8 +1,8 @@
 // Draws the battle.
 #pragma once
 
-#include "game_battle.h"
 #include "camera.h"
+#include "game_battle.h"
 #include "mouse.h"
 #include "painter.h"
 

@@ -5,13 +5,13 @@
 #include <cstdio>
 #include <memory>
 
-#include "game_battle.h"
 #include "demo.h"
-#include "jobs.h"
-#include "mouse.h"
+#include "game_battle.h"
 #include "game_options.h"
 #include "game_picture.h"
 #include "game_scene.h"
+#include "jobs.h"
+#include "mouse.h"
 
 namespace {
 

@@ -5,8 +5,8 @@
 
 #include <optional>
 
-#include "game_battle.h"
 #include "camera.h"
+#include "game_battle.h"
 
 namespace game {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "engine/state/validation.h"
-#include "scale/case.h"
 #include "scale/bench_options.h"
-#include "scale/quality.h"
 #include "scale/bench_report.h"
+#include "scale/case.h"
+#include "scale/quality.h"
 
 using namespace muster;
 using namespace muster::scale;

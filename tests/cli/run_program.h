@@ -12,8 +12,8 @@
 #include <sstream>
 #include <string>
 
-#include "test_folders.h"
 #include "temporary_folder.h"
+#include "test_folders.h"
 
 namespace muster::testing {
 

@@ -1,7 +1,7 @@
 #include <doctest.h>
 
-#include "test_folders.h"
 #include "run_program.h"
+#include "test_folders.h"
 
 using namespace muster::testing;
 using muster::sourceFolder;

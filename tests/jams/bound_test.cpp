@@ -4,10 +4,10 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "test_folders.h"
 #include "jams/jam_files.h"
 #include "jams/quickest_flow.h"
 #include "jams/random_jams.h"
+#include "test_folders.h"
 
 using namespace muster;
 using namespace muster::testing;

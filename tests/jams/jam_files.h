@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "test_folders.h"
 #include "jams/jam_scene.h"
 #include "muster/scenario.h"
+#include "test_folders.h"
 
 namespace muster::testing {
 

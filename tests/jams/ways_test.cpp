@@ -8,11 +8,11 @@
 #include "engine/passages/way_number.h"
 #include "engine/steering/character_arrays.h"
 #include "engine/world/inspect.h"
-#include "engine/world/world_scenes.h"
 #include "engine/world/world_engine.h"
-#include "test_folders.h"
+#include "engine/world/world_scenes.h"
 #include "jams/jam_run.h"
 #include "muster/scenario.h"
+#include "test_folders.h"
 
 using namespace muster;
 using namespace muster::testing;

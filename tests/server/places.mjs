@@ -4,15 +4,24 @@ import { spawnSync } from 'node:child_process';
 import { join } from 'node:path';
 import { RawSocket, eventually, fromClient, fromServer, hello, request } from './client.mjs';
 
-/** An Edit message. */
-function edit(label, events) {
-  const text = [Buffer.from(label), Buffer.from(JSON.stringify(events))];
-  const length = (value) => {
-    const bytes = Buffer.alloc(4);
-    bytes.writeUInt32LE(value, 0);
-    return bytes;
-  };
-  return Buffer.concat([Buffer.from([fromClient.Edit]), length(text[0].length), text[0], length(0), length(text[1].length), text[1]]);
+const word = (value) => {
+  const bytes = Buffer.alloc(4);
+  bytes.writeUInt32LE(value, 0);
+  return bytes;
+};
+
+/** The bytes of a PutThing that adds an item. */
+function putItem(x, y, radius) {
+  const item = Buffer.alloc(24);
+  [x, y, radius].forEach((value, at) => item.writeDoubleLE(value, 8 * at));
+  const [kPutThing, given, none] = [47, 1, 0];
+  return Buffer.concat([Buffer.from([kPutThing]), word(0), Buffer.from([none, none, given]), item, Buffer.from([none, none]), word(0)]);
+}
+
+/** An Edit message with one command. */
+function edit(label, command) {
+  const text = Buffer.from(label);
+  return Buffer.concat([Buffer.from([fromClient.Edit]), word(text.length), text, word(0), word(command.length), command, word(0)]);
 }
 
 /** Runs these tests; `start(...options)` starts a studio. */
@@ -37,7 +46,7 @@ export async function placesTests({ test, check, start, program, place }) {
     const socket = await RawSocket.open(studio.port);
     socket.write(hello());
     await socket.message(fromServer.Frame);
-    socket.write(edit('Add item', [{ kind: 'putThing', item: { position: [1, 1], radius: 0.4 } }]));
+    socket.write(edit('Add item', putItem(1, 1, 0.4)));
     const history = await socket.message(fromServer.EditHistory);
     check(history.readUInt32LE(1) === 1, 'one step can be taken back');
     const there = await eventually(async () => {

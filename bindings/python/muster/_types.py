@@ -1297,8 +1297,7 @@ class PutThing:
         item: An item to collect; none for other things.
         checkpoint: A formation checkpoint (SPEC M7), whose `group` is not read; none for other things.
         area: An area, whose `group` is not read; none for other things.
-        group: For a checkpoint: the group that it concerns, none for any. For a source: the group that its people
-            join.
+        group: Group that a checkpoint concerns, none for any, or that people of a source join.
     """
 
     id: int = 0

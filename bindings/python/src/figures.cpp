@@ -1,7 +1,7 @@
 // muster.RunMetrics
 #include "engine/world/metrics.h"
-#include "to_python.h"
 #include "python_world.h"
+#include "to_python.h"
 
 namespace muster::python {
 namespace {

@@ -1,7 +1,7 @@
 // What lies on the ground of a world: muster.Obstacle, Patch, Item, FormationCheckpoint, Area.
 #include "array_view.h"
-#include "to_python.h"
 #include "python_world.h"
+#include "to_python.h"
 
 namespace muster::python {
 namespace {

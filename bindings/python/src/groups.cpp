@@ -5,8 +5,8 @@
 #include "array_view.h"
 #include "from_python.h"
 #include "generated/view_properties.h"
-#include "to_python.h"
 #include "python_world.h"
+#include "to_python.h"
 
 namespace muster::python {
 namespace {

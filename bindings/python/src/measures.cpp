@@ -10,8 +10,8 @@
 #include "lab/measures/series.h"
 #include "lab/measures/speeds.h"
 #include "lab/measures/voronoi.h"
-#include "to_python.h"
 #include "python_world.h"
+#include "to_python.h"
 
 namespace muster::python {
 namespace {

@@ -3,9 +3,9 @@
 #include <pybind11/stl.h>
 
 #include "pinned_memory.h"
+#include "python_world.h"
 #include "status_error.h"
 #include "to_python.h"
-#include "python_world.h"
 
 PYBIND11_MODULE(_core, module) {
     using namespace muster::python;

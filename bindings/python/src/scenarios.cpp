@@ -4,8 +4,8 @@
 #include "muster/parameter_table.h"
 
 #include "muster/scenario.h"
-#include "to_python.h"
 #include "python_world.h"
+#include "to_python.h"
 
 namespace muster::python {
 namespace {

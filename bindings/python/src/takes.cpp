@@ -7,8 +7,8 @@
 #include "muster/export.h"
 #include "muster/own_clips.h"
 #include "muster/take.h"
-#include "to_python.h"
 #include "python_world.h"
+#include "to_python.h"
 
 namespace muster::python {
 namespace {

@@ -2,8 +2,8 @@
 #include "array_view.h"
 #include "from_python.h"
 #include "muster/parameter_table.h"
-#include "to_python.h"
 #include "python_world.h"
+#include "to_python.h"
 
 namespace muster::python {
 namespace {

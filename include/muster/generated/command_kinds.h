@@ -177,9 +177,8 @@ struct PutThing {
                                                        ///< not read; none for other things.
     std::optional<AreaDef> area;                       ///< An area, whose `group` is not read; none for other
                                                        ///< things.
-    GroupId group;                                     ///< For a checkpoint: the group that it concerns, none
-                                                       ///< for any. For a source: the group that its people
-                                                       ///< join.
+    GroupId group;                                     ///< Group that a checkpoint concerns, none for any, or
+                                                       ///< that people of a source join.
 
     /// Lets an archive read or write the command.
     template <class Archive>
@@ -439,11 +438,13 @@ struct ReverseQueue {
 };
 
 /// Every kind of change.
+// clang-format off
 using CommandKinds = std::variant<
     TouchDown, TouchMove, TouchUp, TouchCancel, AddControl, PinControl, RemoveControl, ReleaseClient,
     SetFormation, SetCount, SetPose, AddGroup, RemoveGroup, PutThing, RemoveThing, SetParameter, GiveOrder,
     EditQueue, SetConduct, AddCharacters, RemoveCharacters, TransferCharacters, SplitGroup, MergeGroups,
     SetBodies, SetRoles, SetDemands, SetDriver, WriteMotion, PlaceGroup, NameGroup, ColourGroup,
     SetAppearance, SetPeople, ReverseQueue>;
+// clang-format on
 
 }  // namespace muster

@@ -1,5 +1,5 @@
 // Made by schema/generate.mjs from schema/former.txt: change these, not this file.
-// Commands by the names that they had: each stands for the command that says the same, into which CommandBody makes it.
+// Commands by the names that they had: CommandBody makes each into the command that says the same.
 #pragma once
 
 #include <variant>
@@ -159,24 +159,26 @@ struct RemoveArea {
     }
 };
 
-CommandBody converted(const AddObstacle& c);        ///< The command that says the same.
-CommandBody converted(const ChangeObstacle& c);     ///< The command that says the same.
-CommandBody converted(const RemoveObstacle& c);     ///< The command that says the same.
-CommandBody converted(const AddPatch& c);           ///< The command that says the same.
-CommandBody converted(const ChangePatch& c);        ///< The command that says the same.
-CommandBody converted(const RemovePatch& c);        ///< The command that says the same.
-CommandBody converted(const AddItem& c);            ///< The command that says the same.
-CommandBody converted(const ChangeItem& c);         ///< The command that says the same.
-CommandBody converted(const RemoveItem& c);         ///< The command that says the same.
-CommandBody converted(const AddCheckpoint& c);      ///< The command that says the same.
-CommandBody converted(const ChangeCheckpoint& c);   ///< The command that says the same.
-CommandBody converted(const RemoveCheckpoint& c);   ///< The command that says the same.
-CommandBody converted(const PutArea& c);            ///< The command that says the same.
-CommandBody converted(const RemoveArea& c);         ///< The command that says the same.
+CommandBody converted(const AddObstacle& c);       ///< The command that says the same.
+CommandBody converted(const ChangeObstacle& c);    ///< The command that says the same.
+CommandBody converted(const RemoveObstacle& c);    ///< The command that says the same.
+CommandBody converted(const AddPatch& c);          ///< The command that says the same.
+CommandBody converted(const ChangePatch& c);       ///< The command that says the same.
+CommandBody converted(const RemovePatch& c);       ///< The command that says the same.
+CommandBody converted(const AddItem& c);           ///< The command that says the same.
+CommandBody converted(const ChangeItem& c);        ///< The command that says the same.
+CommandBody converted(const RemoveItem& c);        ///< The command that says the same.
+CommandBody converted(const AddCheckpoint& c);     ///< The command that says the same.
+CommandBody converted(const ChangeCheckpoint& c);  ///< The command that says the same.
+CommandBody converted(const RemoveCheckpoint& c);  ///< The command that says the same.
+CommandBody converted(const PutArea& c);           ///< The command that says the same.
+CommandBody converted(const RemoveArea& c);        ///< The command that says the same.
 
 /// Any of them.
+// clang-format off
 using FormerKinds = std::variant<
     AddObstacle, ChangeObstacle, RemoveObstacle, AddPatch, ChangePatch, RemovePatch, AddItem, ChangeItem,
     RemoveItem, AddCheckpoint, ChangeCheckpoint, RemoveCheckpoint, PutArea, RemoveArea>;
+// clang-format on
 
 }  // namespace muster

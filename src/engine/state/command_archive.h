@@ -8,7 +8,8 @@ namespace muster {
 
 /// Appends the bytes of what a command says: its kind, then its fields.
 void encodeBody(Writer& writer, const CommandBody& body);
-/// Reads one back, whatever its values. Fails with ParseError where the bytes are short or the kind is unknown.
+/// Reads one back, whatever its values. Fails with ParseError where the bytes are short or the kind is
+/// unknown.
 Result<CommandBody> decodeBody(Reader& reader);
 
 /// Appends a command's bytes.

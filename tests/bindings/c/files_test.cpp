@@ -8,12 +8,12 @@
 #include <iterator>
 
 #include "bindings/c/both_worlds.h"
-#include "test_folders.h"
 #include "muster/export.h"
 #include "muster/own_clips.h"
 #include "muster/scenario.h"
 #include "muster/take.h"
 #include "temporary_folder.h"
+#include "test_folders.h"
 
 using namespace muster;
 

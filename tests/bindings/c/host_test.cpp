@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "bindings/c/both_worlds.h"
-#include "test_folders.h"
 #include "muster/scenario.h"
+#include "test_folders.h"
 
 using namespace muster;
 

@@ -1,8 +1,8 @@
 // Places at points that are given just as far apart as places have to be.
 #include <doctest.h>
 
-#include "engine/world/world_scenes.h"
 #include "engine/world/turned.h"
+#include "engine/world/world_scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

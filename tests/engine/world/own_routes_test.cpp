@@ -1,8 +1,8 @@
 // Who camps follows a route of its own until it has arrived.
 #include <doctest.h>
 
-#include "engine/world/world_scenes.h"
 #include "engine/world/world_engine.h"
+#include "engine/world/world_scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

@@ -74,8 +74,7 @@ TEST_CASE("a checkpoint that is added changes the group that stands in it, once"
     CHECK(floor.carryOut(putThing(wedge)).empty());
     CHECK(floor.world.group(0).formation == FormationKind::Wedge);
     CHECK(floor.carryOut(putThing(wedge, {}, GroupId{7})) == "no group has the id 7");
-    CHECK(floor.carryOut(putThing(wedge, CheckpointId{9})) ==
-          "no checkpoint has the id 9");
+    CHECK(floor.carryOut(putThing(wedge, CheckpointId{9})) == "no checkpoint has the id 9");
     CHECK(floor.carryOut(removeThing(CheckpointId{9})) == "no checkpoint has the id 9");
 }
 

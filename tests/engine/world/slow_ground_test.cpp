@@ -1,8 +1,8 @@
 // Marches know how slow the ground is: they go round where that is sooner, and through where it is not.
 #include <doctest.h>
 
-#include "engine/world/world_scenes.h"
 #include "engine/world/turned.h"
+#include "engine/world/world_scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

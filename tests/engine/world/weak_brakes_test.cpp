@@ -1,8 +1,8 @@
 // Bodies that brake weakly: they see each other in time, and come to their places without going too far.
 #include <doctest.h>
 
-#include "engine/world/world_scenes.h"
 #include "engine/world/turned.h"
+#include "engine/world/world_scenes.h"
 
 using namespace muster;
 using namespace muster::testing;

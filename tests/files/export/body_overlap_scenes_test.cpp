@@ -2,10 +2,10 @@
 // swim.
 #include <doctest.h>
 
-#include "test_folders.h"
 #include "muster/own_clips.h"
 #include "muster/scenario.h"
 #include "people/motion/body_overlap.h"
+#include "test_folders.h"
 
 using namespace muster;
 

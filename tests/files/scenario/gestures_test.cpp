@@ -1,6 +1,6 @@
 #include "base/text_file.h"
-#include "test_folders.h"
 #include "muster/scenario.h"
+#include "test_folders.h"
 
 #include <doctest.h>
 

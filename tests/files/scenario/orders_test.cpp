@@ -6,8 +6,8 @@
 #include "base/archive.h"
 #include "base/text_file.h"
 #include "files/scenario/schema_validator.h"
-#include "test_folders.h"
 #include "muster/scenario.h"
+#include "test_folders.h"
 
 using namespace muster;
 

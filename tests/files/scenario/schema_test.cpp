@@ -5,9 +5,9 @@
 
 #include "base/text_file.h"
 #include "files/scenario/schema_validator.h"
-#include "test_folders.h"
 #include "muster/parameter_table.h"
 #include "muster/scenario.h"
+#include "test_folders.h"
 
 using namespace muster;
 

@@ -6,9 +6,9 @@
 
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
-#include "test_folders.h"
 #include "muster/scenario.h"
 #include "muster/world.h"
+#include "test_folders.h"
 
 using namespace muster;
 

@@ -4,10 +4,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "test_folders.h"
 #include "muster/ground.h"
 #include "muster/scenario.h"
 #include "muster/world.h"
+#include "test_folders.h"
 
 using namespace muster;
 

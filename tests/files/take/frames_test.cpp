@@ -8,9 +8,9 @@
 
 #include "base/random.h"
 #include "base/text_file.h"
-#include "test_folders.h"
 #include "muster/scenario.h"
 #include "temporary_folder.h"
+#include "test_folders.h"
 
 using namespace muster;
 

@@ -1,5 +1,5 @@
-#include "test_folders.h"
 #include "people/bodies/body_mesh.h"
+#include "test_folders.h"
 
 #include <doctest.h>
 #include <rapidcheck.h>

@@ -5,8 +5,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "people/bodies/glb_file.h"
 #include "people/bodies/body_samples.h"
+#include "people/bodies/glb_file.h"
 
 using namespace muster;
 using namespace muster::testing;

@@ -10,8 +10,8 @@
 #include "base/text_file.h"
 #include "people/clips/bvh_scanner.h"
 #include "people/clips/bvh_text.h"
-#include "people/clips/retarget.h"
 #include "people/clips/clip_samples.h"
+#include "people/clips/retarget.h"
 
 using namespace muster;
 using namespace muster::testing;

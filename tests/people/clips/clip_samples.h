@@ -11,8 +11,8 @@
 
 #include "base/maths.h"
 #include "base/text_file.h"
-#include "test_folders.h"
 #include "muster/clip.h"
+#include "test_folders.h"
 
 namespace muster::testing {
 

@@ -8,8 +8,8 @@
 
 #include "base/text_file.h"
 #include "people/clips/bvh_axes.h"
-#include "people/clips/forward.h"
 #include "people/clips/clip_samples.h"
+#include "people/clips/forward.h"
 
 using namespace muster;
 using namespace muster::testing;

@@ -1,10 +1,10 @@
 // Our gaits beside recorded ones: curves over the cycle, from landing to landing.
 #include <filesystem>
 
-#include "test_folders.h"
 #include "muster/clip.h"
 #include "people/clips/retarget.h"
 #include "people/generator/measure.h"
+#include "test_folders.h"
 
 using namespace muster;
 using namespace muster::test;

@@ -1,7 +1,7 @@
 // The shipped folder is what the generator makes.
-#include "test_folders.h"
 #include "people/clips/clip_files.h"
 #include "people/generator/measure.h"
+#include "test_folders.h"
 
 using namespace muster;
 using namespace muster::test;

@@ -8,8 +8,8 @@
 #include "muster/ground.h"
 #include "muster/own_clips.h"
 #include "people/clips/clip_files.h"
-#include "people/clips/motion_facts.h"
 #include "people/clips/clip_samples.h"
+#include "people/clips/motion_facts.h"
 
 using namespace muster;
 

@@ -8,10 +8,10 @@
 #include <iterator>
 #include <string>
 
-#include "test_folders.h"
 #include "generated/random_commands.h"
 #include "studio/session/fake_client.h"
 #include "studio/session/inbox/received_commands.h"
+#include "test_folders.h"
 
 using namespace muster;
 using namespace muster::testing;
@@ -22,7 +22,8 @@ bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-Result<std::vector<CommandBody>> read(const std::vector<std::uint8_t>& bytes, const SessionLimits& limits = {}) {
+Result<std::vector<CommandBody>> read(const std::vector<std::uint8_t>& bytes,
+                                      const SessionLimits& limits = {}) {
     return readDirections(bytes, limits, [](double time) { return time; });
 }
 
@@ -56,7 +57,7 @@ TEST_CASE("Commands are read from the bytes that takes have") {
 }
 
 // The page's tests read this file and write it again: both sides agree on each field of each command.
-// MUSTER_UPDATE_GOLDEN=1 writes it anew.
+// MUSTER_UPDATE_GOLDEN=1 writes it again.
 TEST_CASE("The commands that the page's tests read are what we write, of every kind") {
     CommandDraw draw(39);
     std::vector<CommandBody> bodies;
@@ -96,7 +97,8 @@ TEST_CASE("Bytes and number of commands have limits") {
     CHECK(wrongWith(commandBytes(holds), limits).empty());
     holds.push_back(kHold);
     CHECK(has(wrongWith(commandBytes(holds), limits), "more than 2 commands"));
-    CHECK(has(wrongWith(commandBytes(AddCharacters{GroupId{1}, {{0, 0}, {2, 0}}, {}}), limits), "2 characters"));
+    CHECK(has(wrongWith(commandBytes(AddCharacters{GroupId{1}, {{0, 0}, {2, 0}}, {}}), limits),
+              "2 characters"));
     CHECK(has(wrongWith(commandBytes(SetCount{GroupId{1}, 2}), limits), "2 characters"));
     limits.commandBytes = 5;
     CHECK(has(wrongWith(commandBytes(kHold), limits), "bytes"));
@@ -105,7 +107,7 @@ TEST_CASE("Bytes and number of commands have limits") {
 TEST_CASE("A list of commands that is longer than its message is refused, and so are bytes behind it") {
     Session session = startedSession();
     FakeClient client(session);
-    auto bytes = protocol::encode(told(kHold));
+    auto bytes = protocol::encode(commandsOf(kHold));
     bytes.push_back(0);
     client.sendBytes(bytes);
     bytes.resize(bytes.size() - 2);
@@ -120,7 +122,7 @@ TEST_CASE("A message of commands steers the world, and a bad one changes nothing
     Session session = startedSession();
     FakeClient client(session);
     run(session, 0.1, {&client});
-    client.send(told(R"([{"kind":"formation","group":1,"formation":"wedge"}])"));
+    client.send(commandsOf(R"([{"kind":"formation","group":1,"formation":"wedge"}])"));
     run(session, 0.1, {&client});
     CHECK(client.meshes.back().formation == "wedge");
     CHECK(client.notices.empty());
@@ -138,7 +140,7 @@ TEST_CASE("A group comes by a command, with what its definition says") {
     FakeClient client(session);
     run(session, 0.1, {&client});
     const std::size_t before = client.frames.back().groups.size();
-    client.send(told(
+    client.send(commandsOf(
         R"([{"kind":"group","definition":{"name":"Visitors","count":5,"formation":{"kind":"line","spacing":1.2},
             "position":[2,3],"bodies":[{"radius":0.3,"maxSpeed":1.5}]}}])"));
     run(session, 0.1, {&client});
@@ -195,7 +197,7 @@ TEST_CASE("A queue comes to the page as it was given, with the way and the condu
     run(session, 0.1, {&client});
     CHECK(client.frames.back().groups[0].orders.empty());
     CHECK(client.frames.back().groups[0].way.empty());
-    client.send(told(
+    client.send(commandsOf(
         R"([{"kind":"move","group":1,"x":6,"y":-2,"facing":1.5,"width":3},
             {"kind":"move","group":1,"x":-6,"y":2,"route":[[0,5]],"mode":"append","manner":"free","turn":"keep"},
             {"kind":"conduct","group":1,"stance":"yield","cohesion":0.5,"squeeze":0.25,"avoids":true}])"));
@@ -214,11 +216,11 @@ TEST_CASE("A queue comes to the page as it was given, with the way and the condu
     CHECK((group.cohesion == 0.5f && group.squeeze == 0.25f));
     REQUIRE(group.way.size() >= 2);
     CHECK(std::abs(group.way[group.way.size() - 2] - 6.0f) < 0.5f);
-    client.send(told(R"([{"kind":"queue","group":1,"edit":"hold"},
+    client.send(commandsOf(R"([{"kind":"queue","group":1,"edit":"hold"},
                                        {"kind":"queue","group":1,"edit":"patrol"}])"));
     run(session, 0.1, {&client});
     CHECK((client.frames.back().groups[0].held && client.frames.back().groups[0].patrols));
-    client.send(told(R"([{"kind":"queue","group":1,"edit":"stop"}])"));
+    client.send(commandsOf(R"([{"kind":"queue","group":1,"edit":"stop"}])"));
     run(session, 0.1, {&client});
     CHECK(client.frames.back().groups[0].orders.empty());
 }
@@ -228,7 +230,7 @@ TEST_CASE("A split gives frames another group, with a scene and a mesh before it
     FakeClient client(session);
     run(session, 0.1, {&client});
     const std::size_t scenes = client.scenes.size();
-    client.send(told(R"([{"kind":"split","group":1,"by":"line","points":[[0,-9],[0,9]]}])"));
+    client.send(commandsOf(R"([{"kind":"split","group":1,"by":"line","points":[[0,-9],[0,9]]}])"));
     run(session, 0.2, {&client});
     CHECK(client.notices.empty());
     REQUIRE(client.frames.back().groups.size() == 2);
@@ -245,7 +247,7 @@ TEST_CASE("A split gives frames another group, with a scene and a mesh before it
             added |= event.kind == protocol::EventKind::GroupAdded && event.subject == part &&
                      event.value == 1;
     CHECK(added);
-    client.send(told("[{\"kind\":\"merge\",\"groups\":[1," + std::to_string(part) + "]}]"));
+    client.send(commandsOf("[{\"kind\":\"merge\",\"groups\":[1," + std::to_string(part) + "]}]"));
     run(session, 0.2, {&client});
     REQUIRE(client.frames.back().groups.size() == 1);
     CHECK(client.page.ids.size() == 16);

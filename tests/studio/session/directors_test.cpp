@@ -92,10 +92,10 @@ TEST_CASE("A director who was given one group directs it and its parts, and noth
     run(session, 0.1, {&anna, &ben});
     CHECK(newest(anna, 1).groups == std::vector<std::uint32_t>{2});
     CHECK(ben.noticed("director") == "Anna gave you Right to direct.");
-    ben.send(told(hold(2)));
+    ben.send(commandsOf(hold(2)));
     run(session, 0.1, {&anna, &ben});
     CHECK(ben.noticed("Commands").empty());
-    ben.send(told(hold(1)));
+    ben.send(commandsOf(hold(1)));
     run(session, 0.1, {&anna, &ben});
     CHECK(ben.noticed("Commands").find("group 1 is not yours") != std::string::npos);
     // A finger that names no group takes theirs, however near the other one is.
@@ -103,18 +103,18 @@ TEST_CASE("A director who was given one group directs it and its parts, and noth
     run(session, 0.1, {&anna, &ben});
     CHECK(ben.frames.back().groups[0].controls.empty());
     ben.touchAt(protocol::TouchPhase::Up, {-6, 0}, 0.2);
-    anna.send(told(hold(1)));
-    ben.send(told(R"([{"kind":"split","group":2,"by":"line","points":[[6,-9],[6,9]]}])"));
+    anna.send(commandsOf(hold(1)));
+    ben.send(commandsOf(R"([{"kind":"split","group":2,"by":"line","points":[[6,-9],[6,9]]}])"));
     run(session, 0.3, {&anna, &ben});
     CHECK(anna.noticed("Commands").empty());
     REQUIRE(newest(ben, 1).groups.size() == 2);
     const std::uint32_t part = newest(ben, 1).groups[1];
-    ben.send(told(hold(part)));
-    ben.send(told(R"([{"kind":"merge","groups":[1,2]}])"));
+    ben.send(commandsOf(hold(part)));
+    ben.send(commandsOf(R"([{"kind":"merge","groups":[1,2]}])"));
     run(session, 0.1, {&anna, &ben});
     CHECK(ben.frames.back().groups.size() == 3);
     // Somebody else joins all of Ben's people to the other group: it is his as well then.
-    anna.send(told(R"([{"kind":"merge","groups":[1,2]}])"));
+    anna.send(commandsOf(R"([{"kind":"merge","groups":[1,2]}])"));
     run(session, 0.3, {&anna, &ben});
     CHECK(newest(ben, 1).groups == std::vector<std::uint32_t>{1, part});
     REQUIRE(session.load("small", leftAndRight()).ok());

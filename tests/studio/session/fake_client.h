@@ -52,18 +52,18 @@ inline std::vector<std::uint8_t> commandBytes(const std::string& events) {
 }
 
 /// A message with one command.
-inline protocol::Commands told(const CommandBody& body) {
+inline protocol::Commands commandsOf(const CommandBody& body) {
     return {commandBytes(body)};
 }
 /// A message with the commands of a list of events.
-inline protocol::Commands told(const std::string& events) {
+inline protocol::Commands commandsOf(const std::string& events) {
     return {commandBytes(events)};
 }
 /// Another formation of the usual spacing.
 inline protocol::Commands shaped(std::uint32_t group, FormationKind kind) {
     SetFormation set{GroupId{group}, {}};
     set.formation.kind = kind;
-    return told(set);
+    return commandsOf(set);
 }
 /// An edit with the commands of a list of events.
 inline protocol::Edit edited(const std::string& label, std::uint32_t gesture, const std::string& events) {

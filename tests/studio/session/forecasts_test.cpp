@@ -71,7 +71,7 @@ TEST_CASE("A forecast tells way and time, and changes nothing") {
 TEST_CASE("A forecast may begin where another order would end, and be of an order in the queue") {
     Session session = walledSession();
     FakeClient client(session);
-    client.send(told(R"([{"kind":"move","group":1,"x":20,"y":0},
+    client.send(commandsOf(R"([{"kind":"move","group":1,"x":20,"y":0},
                          {"kind":"move","group":1,"mode":"append","x":20,"y":15}])"));
     session.elapse(0.1);
     while (session.stepDue()) session.step();
@@ -153,7 +153,7 @@ TEST_CASE("An order in the queue comes with all that it says") {
     order.pace = 0.75;
     order.share = 0.5;
     order.formation.emplace().kind = FormationKind::Wedge;
-    client.send(told(GiveOrder{GroupId{1}, QueueMode::Replace, 0, order}));
+    client.send(commandsOf(GiveOrder{GroupId{1}, QueueMode::Replace, 0, order}));
     session.elapse(0.1);
     while (session.stepDue()) session.step();
     client.poll();

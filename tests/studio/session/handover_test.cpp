@@ -55,7 +55,7 @@ TEST_CASE("a second session goes on bit for bit, and its take holds everything s
     FakeClient director(first);
     REQUIRE(first.load("floor", smallFloor()).ok());
     run(first, 0.3, {&director});
-    director.send(told(commandsTo(9)));
+    director.send(commandsOf(commandsTo(9)));
     run(first, 1.5, {&director});
     HandoverKeeper keeper;
     keeper.ask(first);
@@ -73,7 +73,7 @@ TEST_CASE("a second session goes on bit for bit, and its take holds everything s
     replaysTo(second, second.world()->hash());
 
     SUBCASE("who directs there gets a number of their own, and can direct") {
-        other.send(told(commandsTo(-9)));
+        other.send(commandsOf(commandsTo(-9)));
         run(second, 1.0, {&other});
         CHECK(other.noticed("rejected") == "");
         CHECK(second.world()->group(0).orders.front().order.target.x == doctest::Approx(-9));
@@ -87,7 +87,7 @@ TEST_CASE("a keeper gets only those bytes of the take that it does not have") {
     REQUIRE(session.load("floor", smallFloor()).ok());
     HandoverKeeper keeper;
     for (int i = 0; i < 5; ++i) {
-        director.send(told(commandsTo(i)));
+        director.send(commandsOf(commandsTo(i)));
         run(session, 0.4, {&director});
         keeper.ask(session);
         Session whole(sessionDef());
@@ -139,7 +139,7 @@ TEST_CASE("an open take goes on at the same step") {
     Session first(sessionDef());
     FakeClient director(first);
     REQUIRE(first.load("floor", smallFloor()).ok());
-    director.send(told(commandsTo(9)));
+    director.send(commandsOf(commandsTo(9)));
     run(first, 2.0, {&director});
     const auto take = first.take();
     REQUIRE(take.ok());

@@ -19,12 +19,12 @@ std::vector<std::vector<std::uint8_t>> everyMessage() {
     const AddControl add{GroupId{1}, ControlKind::Line, {4, 5}, {{-1, 0}, {1, 0}}};
     return {protocol::encode(protocol::Hello{"again"}),
             protocol::encode(touches),
-            protocol::encode(told(add)),
-            protocol::encode(told(PinControl{GroupId{1}, ControlId{1}, true})),
-            protocol::encode(told(RemoveControl{GroupId{1}, ControlId{1}})),
+            protocol::encode(commandsOf(add)),
+            protocol::encode(commandsOf(PinControl{GroupId{1}, ControlId{1}, true})),
+            protocol::encode(commandsOf(RemoveControl{GroupId{1}, ControlId{1}})),
             protocol::encode(shaped(1, FormationKind::Wedge)),
-            protocol::encode(told(SetCount{GroupId{1}, 12})),
-            protocol::encode(told(SetParameter{"plan.exponent", 1.5})),
+            protocol::encode(commandsOf(SetCount{GroupId{1}, 12})),
+            protocol::encode(commandsOf(SetParameter{"plan.exponent", 1.5})),
             protocol::encode(protocol::Playback{protocol::PlaybackAction::SingleStep}),
             protocol::encode(protocol::SetSpeed{2.0f}),
             protocol::encode(protocol::LoadScenario{"small"}),
@@ -134,14 +134,16 @@ TEST_CASE("Numbers out of range are refused, and accepted at the limit") {
         touches.events = {FakeClient::touch(TouchPhase::Down, {0, 0}, 1.0), bad};
         checkRefused(session, touches, "Touches");
     }
-    checkRefused(session, told(AddControl{GroupId{1}, ControlKind::Line, {1}, {{0, 0}, {1, 0}}}), "Commands");
-    checkRefused(session, told(AddControl{GroupId{1}, ControlKind::Point, {1}, {{0, 0}}, kNan}), "Commands");
+    checkRefused(session, commandsOf(AddControl{GroupId{1}, ControlKind::Line, {1}, {{0, 0}, {1, 0}}}),
+                 "Commands");
+    checkRefused(session, commandsOf(AddControl{GroupId{1}, ControlKind::Point, {1}, {{0, 0}}, kNan}),
+                 "Commands");
     checkRefused(session, shaped(1, static_cast<FormationKind>(99)), "Commands");
-    checkRefused(session, told(SetCount{GroupId{1}, 0}), "Commands");
-    checkRefused(session, told(SetCount{GroupId{1}, 20001}), "Commands");
-    checkRefused(session, told(SetCount{GroupId{1}, -1}), "Commands");
-    checkRefused(session, told(SetParameter{"plan.exponent", kNan}), "Commands");
-    checkRefused(session, told(SetParameter{"no.such", 1.0}), "Commands");
+    checkRefused(session, commandsOf(SetCount{GroupId{1}, 0}), "Commands");
+    checkRefused(session, commandsOf(SetCount{GroupId{1}, 20001}), "Commands");
+    checkRefused(session, commandsOf(SetCount{GroupId{1}, -1}), "Commands");
+    checkRefused(session, commandsOf(SetParameter{"plan.exponent", kNan}), "Commands");
+    checkRefused(session, commandsOf(SetParameter{"no.such", 1.0}), "Commands");
     checkRefused(session, protocol::SetSpeed{0.0999f}, "SetSpeed");
     checkRefused(session, protocol::SetSpeed{8.001f}, "SetSpeed");
     checkRefused(session, protocol::SetSpeed{static_cast<float>(kNan)}, "SetSpeed");
@@ -154,7 +156,7 @@ TEST_CASE("Numbers out of range are refused, and accepted at the limit") {
     FakeClient client(session);
     for (const float factor : {0.1f, 8.0f}) client.send(protocol::SetSpeed{factor});
     client.send(protocol::SetSpeed{1.0f});
-    client.send(told(SetCount{GroupId{1}, 1}));
+    client.send(commandsOf(SetCount{GroupId{1}, 1}));
     client.poll();
     CHECK(client.notices.empty());
 }
@@ -237,13 +239,13 @@ TEST_CASE("Points of one control: the limit is accepted, one more is refused") {
     Session session = startedSession(def);
     AddControl add{GroupId{1}, ControlKind::Area, {1, 2, 3}, {{-1, -1}, {1, -1}, {0, 1}}};
     FakeClient client(session);
-    client.send(told(add));
+    client.send(commandsOf(add));
     run(session, 0.1, {&client});
     CHECK(client.notices.empty());
     CHECK(client.frames.back().groups[0].controls.size() == 1);
     add.touches.push_back(4);
     add.positions.push_back({1, 1});
-    checkRefused(session, told(add), "Commands");
+    checkRefused(session, commandsOf(add), "Commands");
 }
 
 TEST_CASE("Notices to one client are bounded") {

@@ -25,7 +25,7 @@ std::vector<std::uint8_t> marchTake(double seconds) {
     Session session(sessionDef());
     REQUIRE(session.load("long", longFloor()).ok());
     FakeClient client(session);
-    client.send(told(R"([{"kind":"move","group":1,"x":20,"y":0}])"));
+    client.send(commandsOf(R"([{"kind":"move","group":1,"x":20,"y":0}])"));
     run(session, seconds, {&client});
     return *session.take();
 }

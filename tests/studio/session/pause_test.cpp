@@ -39,10 +39,10 @@ TEST_CASE("Fingers set down seconds apart on a paused world make no line; set do
 TEST_CASE("Parameters that contradict each other are refused with a notice") {
     Session session = startedSession();
     FakeClient client(session);
-    client.send(told(SetParameter{"cost.alpha", 0.0}));
+    client.send(commandsOf(SetParameter{"cost.alpha", 0.0}));
     run(session, 0.1, {&client});
     CHECK(client.notices.empty());
-    client.send(told(SetParameter{"cost.beta", 0.0}));
+    client.send(commandsOf(SetParameter{"cost.beta", 0.0}));
     run(session, 0.1, {&client});
     CHECK(client.noticed("rejected").find("cost.beta") != std::string::npos);
     CHECK(session.world()->parameters().cost.beta == 0.5);

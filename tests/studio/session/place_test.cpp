@@ -189,7 +189,7 @@ TEST_CASE("people who were taken out by a number come back as they were, also af
 
 TEST_CASE("how a group starts is taken back, whatever was directed meanwhile") {
     Desk desk;
-    desk.client.send(told(R"([{"kind":"formation","group":1,"formation":"ring"}])"));
+    desk.client.send(commandsOf(R"([{"kind":"formation","group":1,"formation":"ring"}])"));
     desk.settle();
     desk.edit(R"({"kind":"formation","group":1,"formation":"ring"})", "Shape");
     CHECK(desk.saved().groups[0].formation.kind == FormationKind::Ring);

@@ -98,8 +98,8 @@ TEST_CASE("A formation that cannot be made is answered by its problem, one of no
     FakeClient client(session);
     protocol::PlacesAsk nobody = ask(kColumn, {0, 0});
     nobody.group = 5;
-    client.send(protocol::AskPlaces{
-        1, {nobody, ask(formationOf(FormationKind::Points, {{0, 0}, {1, 0}}), {0, 0})}});
+    client.send(
+        protocol::AskPlaces{1, {nobody, ask(formationOf(FormationKind::Points, {{0, 0}, {1, 0}}), {0, 0})}});
     client.poll();
     CHECK(client.notices.empty());
     REQUIRE(client.places.size() == 1);

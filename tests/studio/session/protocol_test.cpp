@@ -5,11 +5,11 @@
 #include <fstream>
 
 #include "base/token_bucket.h"
-#include "test_folders.h"
-#include "studio/session/inbox/pacer.h"
 #include "studio/session/fake_client.h"
+#include "studio/session/inbox/pacer.h"
 #include "studio/session/inbox/protocol.h"
 #include "studio/session/inbox/touch_clock.h"
+#include "test_folders.h"
 
 using namespace muster;
 using namespace muster::testing;
@@ -98,7 +98,7 @@ TEST_CASE("Bytes on the wire are those the protocol promises") {
           "000000000000e03f"
           "03000000");
     // The length of the commands, the number of the kind, and its fields.
-    CHECK(hex(protocol::encode(told(PinControl{GroupId{1}, ControlId{2}, true}))) ==
+    CHECK(hex(protocol::encode(commandsOf(PinControl{GroupId{1}, ControlId{2}, true}))) ==
           "07"
           "0a000000"
           "05"

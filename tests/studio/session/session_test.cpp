@@ -200,8 +200,8 @@ TEST_CASE("Formation, count and parameters change the world and the scene") {
     FakeClient client(session);
     run(session, 0.1, {&client});
     client.send(shaped(1, FormationKind::Wedge));
-    client.send(told(SetCount{GroupId{1}, 20}));
-    client.send(told(SetParameter{"plan.exponent", 1.0}));
+    client.send(commandsOf(SetCount{GroupId{1}, 20}));
+    client.send(commandsOf(SetParameter{"plan.exponent", 1.0}));
     run(session, 0.2, {&client});
     CHECK(client.meshes.back().formation == "wedge");
     CHECK(client.frames.back().crowd.count == 20);
@@ -217,19 +217,19 @@ TEST_CASE("A control added by one message, pinned, then removed") {
     Session session = startedSession();
     FakeClient client(session);
     run(session, 0.1, {&client});
-    client.send(told(AddControl{GroupId{1}, ControlKind::Line, {1, 2}, {{-1.5, 1.5}, {1.5, 1.5}}}));
+    client.send(commandsOf(AddControl{GroupId{1}, ControlKind::Line, {1, 2}, {{-1.5, 1.5}, {1.5, 1.5}}}));
     run(session, 0.1, {&client});
     REQUIRE(client.frames.back().groups[0].controls.size() == 1);
     const protocol::ControlFrame& made = client.frames.back().groups[0].controls[0];
     CHECK(made.kind == protocol::ControlKind::Line);
     const std::uint32_t id = made.id;
-    client.send(told(PinControl{GroupId{1}, ControlId{id}, true}));
+    client.send(commandsOf(PinControl{GroupId{1}, ControlId{id}, true}));
     run(session, 0.1, {&client});
     CHECK(client.frames.back().groups[0].controls[0].pinned);
-    client.send(told(RemoveControl{GroupId{1}, ControlId{id}}));
+    client.send(commandsOf(RemoveControl{GroupId{1}, ControlId{id}}));
     run(session, 0.1, {&client});
     CHECK(client.frames.back().groups[0].controls.empty());
-    client.send(told(RemoveControl{GroupId{1}, ControlId{id}}));
+    client.send(commandsOf(RemoveControl{GroupId{1}, ControlId{id}}));
     run(session, 0.1, {&client});
     CHECK(client.noticed("rejected").find("control") != std::string::npos);
     CHECK(!client.notices.back().hasPlace);
@@ -248,7 +248,7 @@ TEST_CASE("A notice says where a finger or a control was refused") {
     CHECK(client.notices.back().y == -6.0f);
 
     // A line needs two points.
-    client.send(told(AddControl{GroupId{1}, ControlKind::Line, {2, 3, 4}, {{0, 0}, {1, 1}, {2, 5}}}));
+    client.send(commandsOf(AddControl{GroupId{1}, ControlKind::Line, {2, 3, 4}, {{0, 0}, {1, 1}, {2, 5}}}));
     run(session, 0.1, {&client});
     REQUIRE(client.notices.size() == 2);
     CHECK(client.notices.back().hasPlace);

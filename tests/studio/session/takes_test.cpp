@@ -38,7 +38,8 @@ void direct(Session& session, FakeClient& client, double seconds) {
         if (part == 0) client.touchAt(TouchPhase::Down, at, time);
         if (part > 0 && part < 180) client.touchAt(TouchPhase::Move, at, time);
         if (part == 180) client.touchAt(TouchPhase::Up, at, time);
-        if (i % 600 == 300) client.send(shaped(1, i % 1200 == 300 ? FormationKind::Circle : FormationKind::Square));
+        if (i % 600 == 300)
+            client.send(shaped(1, i % 1200 == 300 ? FormationKind::Circle : FormationKind::Square));
         run(session, 1.0 / 60.0, {&client});
     }
 }

@@ -38,7 +38,7 @@ struct UndoDesk {
     }
     void settle(double seconds = 0.2) { run(session, seconds, {&client}); }
     void act(const std::string& events) {
-        client.send(told("[" + events + "]"));
+        client.send(commandsOf("[" + events + "]"));
         settle();
     }
     void move(double x, double y, const std::string& more = "") {

@@ -110,7 +110,7 @@ TEST_CASE("all fingers of a gesture are one step, which the last that lifts ends
 
 TEST_CASE("a control that is made at once is dragged like fingers") {
     DragDesk desk;
-    desk.client.send(told(AddControl{GroupId{1}, ControlKind::Point, {7}, {{0, 0}}, desk.time}));
+    desk.client.send(commandsOf(AddControl{GroupId{1}, ControlKind::Point, {7}, {{0, 0}}, desk.time}));
     desk.settle(0.05);
     desk.finger(protocol::TouchPhase::Move, {0, -5}, 7);
     desk.finger(protocol::TouchPhase::Up, {0, -5}, 7);
@@ -142,10 +142,10 @@ TEST_CASE("the end of a pinned control leaves a drag that can be taken back") {
     desk.finger(protocol::TouchPhase::Move, {4, 0.1});
     REQUIRE(desk.group().controls.size() == 1);
     const std::uint32_t control = desk.group().controls[0].id.value;
-    desk.client.send(told(PinControl{GroupId{1}, ControlId{control}, true}));
+    desk.client.send(commandsOf(PinControl{GroupId{1}, ControlId{control}, true}));
     desk.finger(protocol::TouchPhase::Up, {4, 0});
     desk.settle(4.0);
-    desk.client.send(told(RemoveControl{GroupId{1}, ControlId{control}}));
+    desk.client.send(commandsOf(RemoveControl{GroupId{1}, ControlId{control}}));
     desk.settle(0.5);
     CHECK(desk.group().controls.empty());
     CHECK(desk.pose().x > 3.0);

@@ -70,8 +70,7 @@ Defined definitionOf(const World& world, bool poses) {
     for (const ParameterInfo& info : parameterTable())
         text += std::string(info.name) + std::to_string(info.get(world.parameters())) + "\n";
     std::vector<std::string> parts;
-    for (const ObstacleId id : world.obstacleIds())
-        parts.push_back(textOf(putThing(world.obstacle(id).def)));
+    for (const ObstacleId id : world.obstacleIds()) parts.push_back(textOf(putThing(world.obstacle(id).def)));
     for (const PatchId id : world.patchIds()) parts.push_back(textOf(putThing(world.patch(id).def)));
     for (const ItemDef& item : world.items()) parts.push_back(textOf(putThing(item)));
     for (std::size_t k = 0; k < world.checkpoints().size(); ++k)
@@ -264,7 +263,7 @@ struct TwoDirectors : UndoDesk {
         const std::uint32_t before = who.history.undo;
         const std::uint32_t kind = draw(20);
         if (kind < 11)
-            who.send(told(anyAct()));
+            who.send(commandsOf(anyAct()));
         else if (kind < 19 || orders)
             who.send(protocol::Edit{"Edit", 0, commandBytes(anyEdit()), {}});
         else
@@ -351,7 +350,7 @@ TEST_CASE("random acts of two directors with undo between them replay to the sam
         if (desk.draw(3) == 0)
             who.send(protocol::UndoEdit{desk.draw(4) == 0});
         else
-            who.send(told(desk.anyAct()));
+            who.send(commandsOf(desk.anyAct()));
         desk.both(desk.draw(3) == 0 ? 0.0 : 0.1);
     }
     desk.replays();

@@ -107,8 +107,8 @@ TEST_CASE("parameters that are set at once are one step") {
     UndoDesk desk;
     const double reach = desk.world().parameters().input.reach;
     const double exponent = desk.world().parameters().plan.exponent;
-    desk.client.send(told(SetParameter{"plan.exponent", 1.0}));
-    desk.client.send(told(SetParameter{"input.reach", 2.5}));
+    desk.client.send(commandsOf(SetParameter{"plan.exponent", 1.0}));
+    desk.client.send(commandsOf(SetParameter{"input.reach", 2.5}));
     desk.settle();
     CHECK(desk.history().undo == 1);
     desk.undo();
@@ -159,7 +159,7 @@ TEST_CASE("each director takes back their own acts") {
     UndoDesk desk;
     FakeClient other(desk.session, true, "other");
     desk.move(20, 0);
-    other.send(told(R"([{"kind":"move","group":2,"x":-20,"y":0}])"));
+    other.send(commandsOf(R"([{"kind":"move","group":2,"x":-20,"y":0}])"));
     desk.settle();
     other.poll();
     CHECK(other.history.undo == 1);
@@ -171,7 +171,7 @@ TEST_CASE("each director takes back their own acts") {
     CHECK(desk.group(1).orders.size() == 1);
     // What another director has ordered since stays.
     desk.move(15, 0);
-    other.send(told(R"([{"kind":"move","group":1,"x":-15,"y":0}])"));
+    other.send(commandsOf(R"([{"kind":"move","group":1,"x":-15,"y":0}])"));
     desk.settle();
     desk.undo();
     CHECK(desk.targets() == Xs{-15});
@@ -279,7 +279,7 @@ TEST_CASE("a pin is taken back") {
     desk.client.touchAt(protocol::TouchPhase::Down, {0, 0}, 1.0);
     desk.settle();
     REQUIRE(desk.group().controls.size() == 1);
-    desk.client.send(told(PinControl{GroupId{1}, ControlId{desk.group().controls[0].id.value}, true}));
+    desk.client.send(commandsOf(PinControl{GroupId{1}, ControlId{desk.group().controls[0].id.value}, true}));
     desk.settle();
     CHECK(desk.history().undoLabel == "Pin");
     CHECK(desk.group().controls[0].pinned);
@@ -291,8 +291,8 @@ TEST_CASE("a pin is taken back") {
 TEST_CASE("a history keeps a thousand steps") {
     UndoDesk desk;
     for (int k = 0; k < 1003; ++k)
-        desk.client.send(told(R"([{"kind":"formation","group":1,"formation":")" +
-                                            std::string(k % 2 == 0 ? "ring" : "square") + R"("}])"));
+        desk.client.send(commandsOf(R"([{"kind":"formation","group":1,"formation":")" +
+                                    std::string(k % 2 == 0 ? "ring" : "square") + R"("}])"));
     desk.settle();
     CHECK(desk.history().undo == 1000);
     desk.undo();
@@ -304,13 +304,13 @@ TEST_CASE("what two directors did to the same things is taken back in any order"
         UndoDesk desk;
         FakeClient other(desk.session, true, "other");
         const auto ask = [&](FakeClient& who, const std::string& event) {
-            who.send(told("[" + event + "]"));
+            who.send(commandsOf("[" + event + "]"));
             desk.settle();
         };
         const double reach = desk.world().parameters().input.reach;
-        desk.client.send(told(SetParameter{"input.reach", 2.0}));
+        desk.client.send(commandsOf(SetParameter{"input.reach", 2.0}));
         desk.settle();
-        other.send(told(SetParameter{"input.reach", 3.0}));
+        other.send(commandsOf(SetParameter{"input.reach", 3.0}));
         desk.settle();
         ask(desk.client, R"({"kind":"formation","group":1,"formation":"ring"})");
         ask(other, R"({"kind":"formation","group":1,"formation":"wedge"})");
@@ -336,7 +336,7 @@ TEST_CASE("what another director has set since stays") {
     UndoDesk desk;
     FakeClient other(desk.session, true, "other");
     desk.act(R"({"kind":"formation","group":1,"formation":"ring"})");
-    other.send(told(R"([{"kind":"formation","group":1,"formation":"wedge"}])"));
+    other.send(commandsOf(R"([{"kind":"formation","group":1,"formation":"wedge"}])"));
     desk.settle();
     desk.undo();
     CHECK(desk.group().formation == FormationKind::Wedge);

@@ -89,8 +89,24 @@ export function madeOrder(id: number, more: Given<Order> = {}): QueueOrder {
   return { id, ...filled<Order>('Order', more) };
 }
 
-/** What is drawn of groups and their orders where nobody has done anything yet. */
-export function quietOrders() {
+/** What is drawn of groups and their orders. */
+interface QuietOrders {
+  readonly greyed: boolean;
+  readonly groups: readonly GroupView[];
+  readonly shapes: GroupShapes;
+  readonly selected: ReadonlySet<number>;
+  readonly queues: boolean;
+  readonly drawn: null;
+  readonly forecasts: readonly never[];
+  readonly ways: ReadonlyMap<number, GroundPoint[]>;
+  readonly returns: ReadonlyMap<number, GroundPoint[]>;
+  readonly picked: number;
+  readonly cut: null;
+  readonly scheme: null;
+}
+
+/** The same where nobody has done anything yet. */
+export function quietOrders(): QuietOrders {
   return {
     greyed: false,
     groups: [],

@@ -126,7 +126,7 @@ async function undoOfTwo(studio) {
   try {
     const [a, b] = (await studio.frame()).groups;
     await send(studio, { kind: 'order', group: a.id, order: { target: [a.x, a.y + 9] } });
-    await send(other, { kind: 'move', group: b.id, x: b.x, y: b.y + 9 });
+    await send(other, { kind: 'order', group: b.id, order: { target: [b.x, b.y + 9] } });
     await ordersToBe(studio, 1, 0);
     await ordersToBe(studio, 1, 1);
     await studio.until('its history', () => globalThis.__muster.state.history.undo === 1);

@@ -1146,7 +1146,7 @@ export interface PutThing {
   checkpoint: CheckpointDef | null;
   /** An area, whose `group` is not read; null for other things. */
   area: AreaDef | null;
-  /** For a checkpoint: the group that it concerns, 0 for any. For a source: the group that its people join. */
+  /** Group that a checkpoint concerns, 0 for any, or that people of a source join. */
   group: GroupId;
 }
 
@@ -1164,7 +1164,7 @@ export interface PutThingInit {
   readonly checkpoint?: CheckpointDefInit | null | undefined;
   /** An area, whose `group` is not read; null for other things. */
   readonly area?: AreaDefInit | null | undefined;
-  /** For a checkpoint: the group that it concerns, 0 for any. For a source: the group that its people join. */
+  /** Group that a checkpoint concerns, 0 for any, or that people of a source join. */
   readonly group?: GroupId | undefined;
 }
 

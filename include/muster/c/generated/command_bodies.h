@@ -104,8 +104,8 @@ typedef struct MusterPutThing {
     const MusterCheckpointDef* checkpoint;  ///< A formation checkpoint (SPEC M7), whose `group` is not read;
                                             ///< null for other things.
     const MusterAreaDef* area;              ///< An area, whose `group` is not read; null for other things.
-    MusterGroupId group;                    ///< For a checkpoint: the group that it concerns, 0 for any. For
-                                            ///< a source: the group that its people join.
+    MusterGroupId group;                    ///< Group that a checkpoint concerns, 0 for any, or that people
+                                            ///< of a source join.
 } MusterPutThing;
 
 /// Removes a thing. People on their way to an area that is removed go to the other areas of their order, or

@@ -18,7 +18,7 @@ constexpr double kChoiceInterval = 1.0;  // Time between two choices of one agen
 // Steps between two rounds of choices; agents whose turn falls between wait for the next round.
 constexpr std::uint32_t kChoiceSteps = 4;
 constexpr double kLeastGain = 1.0;        // Least time that a change of exit must gain [s]...
-constexpr double kGainShare = 0.1;        // ... besides this share of the time that is left.
+constexpr double kTimeGainShare = 0.1;    // ... besides this share of the time that is left.
 constexpr double kThroughputTime = 10.0;  // Time over which the throughput of an exit is averaged [s].
 // Number of parts in which agents without an exit choose, one part after the other.
 constexpr std::size_t kFirstRounds = 8;
@@ -240,7 +240,7 @@ ExitChooser::Choice ExitChooser::best(const WorldState& state, const Leavers& le
     // A change must gain more than the error of the times, and each change raises what the next one must
     // gain. Only the time after the agent has set out counts as left.
     const double left = std::max(0.0, best.ofOwn - walkTime(state, i, 0.0));
-    const double pays = std::max({kLeastGain, best.error, best.ownError}) + kGainShare * left;
+    const double pays = std::max({kLeastGain, best.error, best.ownError}) + kTimeGainShare * left;
     const bool stays = best.ofOwn < kInfiniteCost &&
                        best.ofOwn - best.least < pays * (1.0 + (turns_.empty() ? 0.0 : turns_[i]));
     if (stays) return best.own;

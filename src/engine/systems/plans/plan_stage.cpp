@@ -14,8 +14,8 @@ namespace {
 
 // Characters for which first plans are made in one step, unless a single group has more.
 constexpr std::size_t kFirstCharacters = 500;
-// In a large world the number is one part in kFirstShare of all characters.
-constexpr std::size_t kFirstShare = 10;
+// In a large world the number is one part in kFirstDivisor of all characters.
+constexpr std::size_t kFirstDivisor = 10;
 
 constexpr std::int32_t kExactPeriod = 4;  // Steps between exact plans, whose work takes several steps.
 constexpr std::int32_t kFastPeriod = 1;
@@ -242,7 +242,7 @@ void PlanStage::advance(WorldState& state, Group& group, MemberArrays& members, 
 // step.
 bool PlanStage::waitsForFirstPlan(const WorldState& state, const Group& group) {
     const std::size_t count = group.members.size();
-    const std::size_t most = std::max(kFirstCharacters, state.characters.position.size() / kFirstShare);
+    const std::size_t most = std::max(kFirstCharacters, state.characters.position.size() / kFirstDivisor);
     if (firstCharacters_ > 0 && firstCharacters_ + count > most) return true;
     firstCharacters_ += count;
     return false;

@@ -7,6 +7,7 @@
 namespace muster {
 
 /// What files call each kind of command. Orders are called by what they ask for.
+// clang-format off
 inline constexpr std::array kCommandWords{
     "down",
     "move",
@@ -44,9 +45,11 @@ inline constexpr std::array kCommandWords{
     "people",
     "reverseQueue",
 };
+// clang-format on
 static_assert(kCommandWords.size() == std::variant_size_v<CommandKinds>);
 
 /// What older files call commands that worlds no longer have.
+// clang-format off
 inline constexpr std::array kFormerWords{
     "obstacle",
     "changeObstacle",
@@ -63,6 +66,7 @@ inline constexpr std::array kFormerWords{
     "area",
     "removeArea",
 };
+// clang-format on
 static_assert(kFormerWords.size() == std::variant_size_v<FormerKinds>);
 
 /// Describes the fields of each kind of command to a visitor.
@@ -139,8 +143,7 @@ struct BodyFields {
               [](auto& inner, auto& def) { describe(inner, def, [] {}); });
         if (takesPart<Visitor>(static_cast<bool>(c.group)))
             v.whole("group", c.group.value, kId,
-                    "For a checkpoint: the group that it concerns, none for any. For a source: the group that "
-                    "its people join.");
+                    "Group that a checkpoint concerns, none for any, or that people of a source join.");
     }
     void operator()(RemoveThing& c) {
         describeWord(v, "thing", c.thing, kThingKindWords, "What it is.", Need::Required);

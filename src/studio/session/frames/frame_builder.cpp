@@ -228,8 +228,8 @@ void appendEvents(const World& world, std::vector<protocol::EventFrame>& events)
     for (const Event& event : world.events()) {
         // A large crowd has many swaps; a frame holds their rate instead.
         if (event.kind == EventKind::Swap) continue;
-        events.push_back({event.kind, event.subject, event.value,
-                          narrow(event.position.x), narrow(event.position.y)});
+        events.push_back(
+            {event.kind, event.subject, event.value, narrow(event.position.x), narrow(event.position.y)});
     }
 }
 

@@ -3,8 +3,8 @@
 
 #include "engine/world/inspect.h"
 #include "studio/session/history/step_record.h"
-#include "studio/session/inbox/received_commands.h"
 #include "studio/session/inbox/generated/command_traits.h"
+#include "studio/session/inbox/received_commands.h"
 
 namespace muster {
 namespace {

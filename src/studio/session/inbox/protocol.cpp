@@ -15,7 +15,8 @@ Result<Any> decodeAs(std::span<const std::uint8_t> bytes) {
     const std::string name = messageName(Any(Message{}));
     if (!reader.ok()) return Status(StatusCode::ParseError, name + ": short or invalid bytes");
     if (reader.remaining() > 0)
-        return Status(StatusCode::ParseError, name + ": " + std::to_string(reader.remaining()) + " bytes too many");
+        return Status(StatusCode::ParseError,
+                      name + ": " + std::to_string(reader.remaining()) + " bytes too many");
     return Any(std::move(message));
 }
 

@@ -1,5 +1,5 @@
-#include "test_folders.h"
 #include "muster/ground.h"
+#include "test_folders.h"
 
 #include <doctest.h>
 

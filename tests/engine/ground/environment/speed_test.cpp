@@ -8,8 +8,8 @@
 #include "base/stopwatch.h"
 #include "counting_new.h"
 #include "engine/ground/environment/environment_scene.h"
-#include "test_folders.h"
 #include "muster/ground.h"
+#include "test_folders.h"
 
 using namespace muster;
 using namespace muster::test;

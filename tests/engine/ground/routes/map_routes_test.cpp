@@ -3,8 +3,8 @@
 #include <sstream>
 
 #include "engine/ground/routes/route_scene.h"
-#include "test_folders.h"
 #include "muster/ground.h"
+#include "test_folders.h"
 
 using namespace muster;
 using namespace muster::test;

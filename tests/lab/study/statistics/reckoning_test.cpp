@@ -7,9 +7,9 @@
 #include <fstream>
 #include <map>
 
-#include "test_folders.h"
 #include "lab/study/statistics/made_tables.h"
 #include "lab/study/statistics/rank_tests.h"
+#include "test_folders.h"
 
 using namespace muster;
 using namespace muster::statistics;

@@ -484,7 +484,7 @@ export interface PutThingCommand {
   readonly checkpoint?: Given<CheckpointDef | null>;
   /** An area, whose `group` is not read; none for other things. */
   readonly area?: Given<AreaDef | null>;
-  /** For a checkpoint: the group that it concerns, none for any. For a source: the group that its people join. */
+  /** Group that a checkpoint concerns, none for any, or that people of a source join. */
   readonly group?: number;
 }
 
