@@ -1,8 +1,7 @@
 #include "studio/study/host/trial_screen.h"
 
 #include "muster/own_clips.h"
-#include "studio/session/frames/scene_message.h"
-#include "studio/session/frames/scene_signature.h"
+#include "studio/session/frames/scene_json.h"
 
 namespace muster {
 
@@ -27,9 +26,10 @@ void TrialScreen::observe(const Trial& trial, const std::vector<Attention>& atte
 
 void TrialScreen::refreshScene(const Trial& trial) {
     signature_ = sceneSignature(trial.world());
-    const Place place;
-    scene_ = protocol::encode(
-        sceneMessage({trial.def().environment, def_, trial.world(), place, 1, false}, ++sceneRevision_));
+    protocol::Scene scene;
+    scene.revision = ++sceneRevision_;
+    scene.json = buildSceneJson({trial.def().environment, def_, trial.world(), Place(), 1, false});
+    scene_ = protocol::encode(scene);
     ++state_;
 }
 

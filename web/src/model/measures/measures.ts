@@ -1,7 +1,8 @@
 // Lines and areas that somebody has drawn to measure the crowd, and what they have measured while it walks.
 
 import { EventKind, type EventFrame } from '../../protocol/messages';
-import { isSameWorld, type SceneFacts } from '../../protocol/scene';
+import type { SceneFacts } from '../../protocol/scene';
+import { isSameWorld } from '../../protocol/scene';
 import type { GroundPoint } from '../plane';
 import { AreaRecord } from './area_record';
 import { LineRecord, crossingOf, type Crossing, type MeasureLine } from './crossing';

@@ -5,6 +5,7 @@ import { NoticeLevel, StudyAct, StudyStage, type StudyForm, type StudyState } fr
 import type { StudioClient } from '../../link/studio_client';
 import type { StudioFrame } from '../../model/studio_frame';
 import type { StudioView } from '../../scene/studio_view';
+import { parseScene } from '../../protocol/scene';
 import { AttentionSender } from '../attention_sender';
 import { LayoutWatcher } from '../layout_watcher';
 import { schemeView } from '../scheme_desk';
@@ -88,9 +89,10 @@ export class StudyApp {
     client.on('studyForm', (form) => this.showForm(form));
     client.on('scene', (scene) => {
       this.sceneRevision_ = scene.revision;
-      view.orders.setGroups(scene.groups);
-      view.setScene(scene);
-      view.camera.straightDown(scene.box, this.padding());
+      const facts = parseScene(scene.json);
+      view.orders.setGroups(facts.groups);
+      view.setScene(facts);
+      view.camera.straightDown(facts.box, this.padding());
       this.lookDown();
     });
     client.on('motions', ({ clips }) => view.setMotions(clips));
