@@ -56,7 +56,7 @@ c_headers_alone() {
     local compiler header
     for compiler in gcc clang clang-14; do
         command -v "$compiler" >/dev/null || continue
-        for header in muster.h $(cd "$work/prefix/include/muster" && ls c/*.h); do
+        for header in muster.h $(cd "$work/prefix/include/muster" && ls c/*.h c/generated/*.h); do
             echo "#include <muster/$header>" | "$compiler" -std=c99 -pedantic -Wall -Wextra -Wconversion -Werror -fsyntax-only \
                 -I "$work/prefix/include" -x c - || { echo "$compiler: $header"; return 1; }
         done
@@ -66,7 +66,7 @@ c_headers_alone() {
 # The shared library shows the C API and nothing else, and every function that the headers declare.
 symbols_hidden() {
     nm -D --defined-only "$work/prefix/lib/libmuster.so" | awk '{print $3}' | sort >"$work/shown"
-    grep -ohE '\bmuster_[a-z0-9_]+\(' "$work"/prefix/include/muster/c/*.h | tr -d '(' | grep -v '_\.\.\.' | sort -u >"$work/declared"
+    grep -ohE '\bmuster_[a-z0-9_]+\(' "$work"/prefix/include/muster/c/*.h "$work"/prefix/include/muster/c/generated/*.h | tr -d '(' | grep -v '_\.\.\.' | sort -u >"$work/declared"
     [ -s "$work/declared" ] && diff "$work/declared" "$work/shown"
 }
 
