@@ -1,4 +1,4 @@
-#include "lockstep_options.h"
+#include "options.h"
 
 #include <doctest.h>
 #include <unistd.h>

@@ -188,12 +188,12 @@ TEST_CASE("a wrong command line is told in one sentence that names the culprit")
         arguments.insert(arguments.begin(), "lockstep");
         return readOptions(static_cast<int>(arguments.size()), arguments.data()).status().message();
     };
-    CHECK(commandsOf({}).empty());
-    CHECK(commandsOf({"--minutes", "10", "--real", "out"}).empty());
-    CHECK(commandsOf({"--loss"}).starts_with("--loss is ''"));
-    CHECK(commandsOf({"--loss", "nan"}).starts_with("--loss is 'nan'"));
-    CHECK(commandsOf({"--loss", "0.5x"}).starts_with("--loss is '0.5x'"));
-    CHECK(commandsOf({"--fast"}) == "no option is called '--fast'");
-    CHECK(commandsOf({"--port", "4000"}) == "--port and --peer go together");
-    CHECK(commandsOf({"--port", "4000", "--peer", "4000"}) == "--port and --peer are the same");
+    CHECK(told({}).empty());
+    CHECK(told({"--minutes", "10", "--real", "out"}).empty());
+    CHECK(told({"--loss"}).starts_with("--loss is ''"));
+    CHECK(told({"--loss", "nan"}).starts_with("--loss is 'nan'"));
+    CHECK(told({"--loss", "0.5x"}).starts_with("--loss is '0.5x'"));
+    CHECK(told({"--fast"}) == "no option is called '--fast'");
+    CHECK(told({"--port", "4000"}) == "--port and --peer go together");
+    CHECK(told({"--port", "4000", "--peer", "4000"}) == "--port and --peer are the same");
 }
