@@ -1,6 +1,6 @@
 // The structs of commands in C, and their marshalling.
 import { commands } from './read.mjs';
-import { aligned, docComment, lowerFirst, singular, upperWords, withUnit, listed } from './text.mjs';
+import { aligned, cHeader, docComment, hasOf, inC, listed, lowerFirst, singular, upperWords, withUnit } from './text.mjs';
 import { kBanner } from './cpp.mjs';
 import { cItem, definition, enumerated, isId } from './types.mjs';
 
@@ -23,7 +23,7 @@ export function membersOf(field, item = cItem(field.type)) {
   if (field.isOptional && !isId(field.type)) {
     const [is, none = ''] = field.sentence.replace(/\.$/, '').split('; none for ');
     return [
-      [`bool has${name[0].toUpperCase()}${name.slice(1)}`, `False: ${none}.`],
+      [`bool ${hasOf(name)}`, `False: ${none}.`],
       [`${item} ${name}`, `${is}.`],
     ];
   }
@@ -41,24 +41,6 @@ function struct(command) {
   ].join('\n');
 }
 
-const guard = (name, includes, text) => `${kBanner.replace('// ', '/* ').replace('.\n', '. */\n')}#ifndef MUSTER_C_${name}_H
-#define MUSTER_C_${name}_H
-
-${includes}
-
-#ifdef __cplusplus
-extern "C" {
-#endif
-
-${text}
-
-#ifdef __cplusplus
-}
-#endif
-
-#endif
-`;
-
 /** The kinds of commands: {name, value, about}. */
 export const commandKinds = () => [
   ...commands.map(({ name, index }) => ({ name: `MUSTER_COMMAND_${upperWords(name)}`, value: index, about: `Its body is \`${lowerFirst(name)}\`.` })),
@@ -72,7 +54,8 @@ export const commandMembers = () =>
 function bodies() {
   const kinds = commandKinds().map(({ name, value, about: text }, at, all) => ({ code: `${name} = ${value}${at + 1 < all.length ? ',' : ''}`, about: text }));
   const members = commandMembers().map(({ name, type, about: text }) => ({ code: `${type} ${name};`, about: text }));
-  return guard('COMMAND_BODIES', '#include "muster/c/definitions.h"', `${commands.map(struct).join('\n\n')}
+  return cHeader(inC(kBanner), 'COMMAND_BODIES', '#include "muster/c/definitions.h"', `
+${commands.map(struct).join('\n\n')}
 
 /// Kinds of commands.
 typedef int32_t MusterCommandKind;
@@ -84,7 +67,8 @@ ${aligned(kinds).join('\n')}
 /// What a command of each kind says. Only the member of the command's kind is read.
 typedef union MusterCommandBody {
 ${aligned(members).join('\n')}
-} MusterCommandBody;`);
+} MusterCommandBody;
+`);
 }
 
 /** The line that reads or writes one field. */
@@ -96,7 +80,7 @@ function marshal(field) {
     const isFlat = named === undefined || named.isPlainInC;
     return `m.${isFlat ? 'list' : 'items'}(c.${name}, c.${singular(name)}Count, p.${name}, "${name}");`;
   }
-  const has = `c.has${name[0].toUpperCase()}${name.slice(1)}`;
+  const has = `c.${hasOf(name)}`;
   if (isId(type)) return `m.id(${both});`;
   if (type === 'text') return `m.text(${both});`;
   if (enumerated(type)) {

@@ -1,6 +1,6 @@
 // The headers of the C API that api/*.txt declare.
 import { apiHeaders, cType, functionParameters, makerOf, returnType, structMembers } from './api.mjs';
-import { aligned, call, docComment, kWidth, rowsOf, upperWords, wrap } from './text.mjs';
+import { aligned, call, cHeader, docComment, kWidth, rowsOf, upperWords, wrap } from './text.mjs';
 
 const pairs = (parameters) => parameters.map(({ name, type }) => `${type} ${name}`);
 
@@ -83,26 +83,12 @@ const kSystem = `#include <stdbool.h>
 #endif`;
 
 function header({ name, sentence, includes, declarations }) {
-  const guard = `MUSTER_C_${name.toUpperCase()}_H`;
+  const head = `/* Made by schema/generate.mjs from schema/api/${name}.txt: change these, not this file. */
+/* ${wrap(sentence, kWidth - 6).join('\n * ')} */
+`;
   const included = includes.length === 0 ? kSystem : includes.map((one) => `#include "muster/c/${one}.h"`).join('\n');
   const text = declarations.map((one) => `${one.isApart ? '\n' : ''}${linesOf(one).join('\n')}\n`).join('');
-  return `/* Made by schema/generate.mjs from schema/api/${name}.txt: change these, not this file. */
-/* ${wrap(sentence, kWidth - 6).join('\n * ')} */
-#ifndef ${guard}
-#define ${guard}
-
-${included}
-
-#ifdef __cplusplus
-extern "C" {
-#endif
-${text}
-#ifdef __cplusplus
-}
-#endif
-
-#endif
-`;
+  return cHeader(head, name.toUpperCase(), included, text);
 }
 
 export const cHeaderFiles = () => Object.fromEntries(apiHeaders.map((one) => [`include/muster/c/${one.name}.h`, header(one)]));

@@ -1,6 +1,6 @@
 // The structs of commands in C++, what checks their fields, and what people are shown of them.
 import { commands, formerCommands } from './read.mjs';
-import { aligned, call, docComment, kWidth, withUnit, listed } from './text.mjs';
+import { aligned, call, docComment, kWidth, limit, listed, withUnit } from './text.mjs';
 import { cppItem, definition, enumerated, isId, plain } from './types.mjs';
 
 export const kBanner = '// Made by schema/generate.mjs from schema/commands.txt: change these, not this file.\n';
@@ -124,9 +124,6 @@ ${numbers('kFormerNumbers', formerCommands)}
 }  // namespace muster
 `;
 }
-
-const kLimits = { 200000: 'kMaxCharacters', 10000: 'kMaxCorners' };
-const limit = (text) => kLimits[text] ?? text;
 
 /** The check of one field, as an expression of type Status; null where every value of its type will do. */
 function checkOf(field) {

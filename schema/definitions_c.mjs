@@ -1,13 +1,12 @@
 // The structs of definitions in C, and both directions between C and C++.
 import { definitions, isDefinition, isEnumeration } from './read.mjs';
-import { aligned, docComment, singular, upperWords, withUnit } from './text.mjs';
+import { aligned, cHeader, docComment, hasOf, inC, singular, upperWords, withUnit } from './text.mjs';
 import { kDefinitionsBanner } from './definitions_cpp.mjs';
 import { isId, plain } from './types.mjs';
 
 export const definitionsInC = definitions.filter(({ flags }) => !flags.has('no-c'));
 const isFlat = (type) => !isDefinition(type) || definitions.some(({ name, flags }) => name === type && flags.has('flat'));
 const maker = ({ name }) => `muster_default_${upperWords(name).toLowerCase()}`;
-const capital = (name) => name[0].toUpperCase() + name.slice(1);
 /** Maps have a form of their own in C. */
 const kOwnNames = { MapGround: 'MusterMapDef' };
 
@@ -53,7 +52,7 @@ function membersOf(field) {
   if (!isOptional) return [[`${item} ${name}`, text]];
   if (isDefinition(type)) return [[`const ${item}* ${name}`, text]];
   const [is, none] = text.replace(/\.$/, '').split('; none for ');
-  return [[`bool has${capital(name)}`, `False: ${none}.`], [`${item} ${name}`, `${is}.`]];
+  return [[`bool ${hasOf(name)}`, `False: ${none}.`], [`${item} ${name}`, `${is}.`]];
 }
 
 /** The fields in the order of the C struct. */
@@ -88,28 +87,13 @@ function struct(definition) {
   return lines.join('\n');
 }
 
-const header = () => `${kDefinitionsBanner.replace('// ', '/* ').replace('.\n', '. */\n')}#ifndef MUSTER_C_DEFINITION_STRUCTS_H
-#define MUSTER_C_DEFINITION_STRUCTS_H
-
-#include "muster/c/values.h"
-
-#ifdef __cplusplus
-extern "C" {
-#endif
-
-${definitionsInC.map(struct).join('\n\n')}
-
-#ifdef __cplusplus
-}
-#endif
-
-#endif
-`;
+const header = () =>
+  cHeader(inC(kDefinitionsBanner), 'DEFINITION_STRUCTS', '#include "muster/c/values.h"', `\n${definitionsInC.map(struct).join('\n\n')}\n`);
 
 /** The line that reads or writes one field. */
 function marshal({ name, type, isList, isOptional }) {
   const both = `c.${name}, p.${name}`;
-  const has = `c.has${capital(name)}`;
+  const has = `c.${hasOf(name)}`;
   if (isList) return `m.${isFlat(type) ? 'list' : 'items'}(c.${name}, c.${singular(name)}Count, p.${name}, "${name}");`;
   if (type === 'PolygonWithHoles')
     return `m.part(c.${name}, p.${name}.outline, "${name}");\n    m.items(c.holes, c.holeCount, p.${name}.holes, "holes");`;

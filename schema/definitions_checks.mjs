@@ -1,8 +1,7 @@
 // What each field of a definition has to be.
 import { definitions, isDefinition, isEnumeration } from './read.mjs';
 import { kDefinitionsBanner } from './definitions_cpp.mjs';
-import { limit, real } from './scenario.mjs';
-import { kWidth } from './text.mjs';
+import { kWidth, limit, real } from './text.mjs';
 import { isId } from './types.mjs';
 
 /** Those that a command or a world holds; the rest is checked where it is made. */

@@ -1,8 +1,8 @@
 // The fields of definitions in scenario and gesture files: one description for reading, writing and the schema.
 import { definitions, isDefinition, isEnumeration } from './read.mjs';
 import { kDefinitionsBanner } from './definitions_cpp.mjs';
-import { limit, line, real } from './scenario.mjs';
-import { quoted } from './text.mjs';
+import { line } from './scenario.mjs';
+import { limit, quoted, real } from './text.mjs';
 import { isId, plain } from './types.mjs';
 
 /** Lists and definitions that files have in a form of their own: a function that is written by hand for each. */

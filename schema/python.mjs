@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { apiStructs } from './api.mjs';
 import { memberOf } from './cpp.mjs';
 import { definitionMember } from './definitions_cpp.mjs';
-import { commands, definitions, enumerations, formerCommands, folder } from './read.mjs';
+import { commands, definitions, enumerations, folder, formerCommands, isEnumeration } from './read.mjs';
 import { lowerFirst, withUnit } from './text.mjs';
 import { initialOf, typeOf } from './views.mjs';
 
@@ -29,7 +29,6 @@ const kPlain = {
   CommandBody: ['CommandBody', 'field(default_factory=TouchDown)'],
 };
 
-const isEnumeration = (type) => enumerations.some(({ name }) => name === type);
 const pythonDoc = (text) => text.replace(/(\w)::(\w)/g, '$1.$2');
 
 const structOfCommand = (command) => ({

@@ -1,6 +1,6 @@
 // What is read of characters and groups, as properties of the Python classes.
 import { apiStructs, isFlat } from './api.mjs';
-import { enumerations } from './read.mjs';
+import { isEnumeration } from './read.mjs';
 import { call, docComment, quoted, withUnit, wrap } from './text.mjs';
 import { isId } from './types.mjs';
 
@@ -10,7 +10,6 @@ const kShapes = { Vec2: 'Shape (n, 2), float64.', Triangle: 'Shape (n, 3), int32
 /** What Python has in a form of its own: ids and names are copies, a pose is position and angle. */
 const kByHand = new Set(['id', 'name', 'pose']);
 
-const isEnumeration = (type) => enumerations.some(({ name }) => name === type);
 const snake = (name) => name.replace(/(?<=[a-z0-9])([A-Z])/g, '_$1').toLowerCase();
 
 /** The shape of an array and the type of its elements. */

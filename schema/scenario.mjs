@@ -1,11 +1,8 @@
 // The fields of commands in files of gestures and in messages of pages.
 import { commands, formerCommands } from './read.mjs';
-import { call, kWidth, listed, quoted } from './text.mjs';
+import { call, kWidth, limit, listed, quoted, real } from './text.mjs';
 import { kBanner } from './cpp.mjs';
 import { definition, enumerated, isId } from './types.mjs';
-
-const kLimits = { 200000: 'kMaxCharacters', 10000: 'kMaxCorners' };
-export const limit = (text) => kLimits[text] ?? text;
 
 /** A call, broken where it is too long for its line. */
 export function line(head, words, close = ');', indent = '        ') {
@@ -18,9 +15,6 @@ function breakText(text) {
   const indent = ' '.repeat(text.search(/\S/));
   return [`${text.slice(0, at + 1)}"`, `${indent}"${text.slice(at + 1)}`];
 }
-
-/** A bound as a number with a point. */
-export const real = (text) => (text in kLimits ? kLimits[text] : /[.e]/.test(text) ? text : `${text}.0`);
 
 function rangeOf(field) {
   const { type, range } = field;

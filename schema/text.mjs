@@ -88,3 +88,32 @@ export function rowsOf(rows, indent = '    ') {
   flush();
   return lines;
 }
+
+const kLimits = { 200000: 'kMaxCharacters', 10000: 'kMaxCorners' };
+/** A bound by the name that the engine has for it. */
+export const limit = (text) => kLimits[text] ?? text;
+/** The same for a number with a point. */
+export const real = (text) => (text in kLimits ? kLimits[text] : /[.e]/.test(text) ? text : `${text}.0`);
+
+/** The member of C that says whether there is a value. */
+export const hasOf = (name) => `has${name[0].toUpperCase()}${name.slice(1)}`;
+
+/** A comment line of C++ as one of C. */
+export const inC = (line) => line.replace('// ', '/* ').replace('.\n', '. */\n');
+
+/** A header of C: `head` is its comment, `text` its declarations. */
+export const cHeader = (head, name, includes, text) => `${head}#ifndef MUSTER_C_${name}_H
+#define MUSTER_C_${name}_H
+
+${includes}
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+${text}
+#ifdef __cplusplus
+}
+#endif
+
+#endif
+`;

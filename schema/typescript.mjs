@@ -1,6 +1,6 @@
 // Commands and definitions as the page has them: their types, and the layouts by which web/src/protocol/codec.ts reads and
 // writes their bytes.
-import { commands, definitions, enumerations } from './read.mjs';
+import { commands, definitions, enumerations, isEnumeration } from './read.mjs';
 import { kBanner } from './cpp.mjs';
 import { messageDefinitions } from './messages.mjs';
 import { lowerFirst } from './text.mjs';
@@ -14,7 +14,6 @@ const kPlain = {
   CharacterId: ['number', 'u32'], OrderId: ['number', 'u32'], MotionId: ['number', 'i32'], Colour: ['number', 'u32'],
 };
 
-const isEnumeration = (type) => enumerations.some(({ name }) => name === type);
 const definitionOf = (type) => definitions.find(({ name }) => name === type);
 
 /** Definitions that these fields have, each behind those that it has itself. */

@@ -1,7 +1,7 @@
 // The structs of api/*.txt that are written for C++ too: what is read of worlds. And how they become those of C.
 import { apiHeaders, apiStructs, isFlat, makerOf } from './api.mjs';
-import { call, docComment, rowsOf, withUnit } from './text.mjs';
-import { enumerations } from './read.mjs';
+import { call, docComment, hasOf, rowsOf, withUnit } from './text.mjs';
+import { isEnumeration } from './read.mjs';
 import { cppItem, isId, plain } from './types.mjs';
 
 const kInclude = 'include/muster/generated';
@@ -38,7 +38,6 @@ const kFiles = {
   },
 };
 
-const isEnumeration = (type) => enumerations.some(({ name }) => name === type);
 /** Types that C++ spells in a way of its own. */
 const kItems = {
   ...{ MotionIndex: 'MotionId', f32: 'float', u64: 'std::uint64_t', size: 'std::size_t' },
@@ -117,7 +116,7 @@ function marshal(struct, field) {
   if (field['cpp-only'] || (field['c-only'] && !field.as)) return [];
   const from = `p.${field.as ?? name}`;
   const both = `c.${name}, ${from}`;
-  const has = `c.has${name[0].toUpperCase()}${name.slice(1)}`;
+  const has = `c.${hasOf(name)}`;
   if (isList) {
     const count = field.count ?? (struct.columns ? 'count' : `${name.replace(/s$/, '')}Count`);
     return [`m.${isFlat(type) ? 'list' : 'items'}(c.${name}, c.${count}, ${from}, "${name}");`];
