@@ -133,7 +133,8 @@ function checkOf(field) {
   if (type === 'text') return `isText("${field.name}", ${value})`;
   if (type === 'Colour') return `validateColour(${value})`;
   const named = definition(type);
-  if (named?.check && field.isOptional) return `givenIn(${value}, [](const auto& def) { return ${named.check}(def${named.checkMore ?? ''}); })`;
+  if (named?.check === 'validate' && field.isOptional) return `validateIfAny(${value})`;
+  if (named?.check && field.isOptional) return `checkIfAny(${value}, [](const auto& def) { return ${named.check}(def${named.checkMore ?? ''}); })`;
   if (named?.checkAll) return `${named.checkAll}(${value})`;
   if (named?.check) return `${named.check}(${value}${named.checkMore ?? ''})`;
   if (field.isList) {

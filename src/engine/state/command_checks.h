@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,9 +22,4 @@ Status eachOnce(const std::vector<std::uint32_t>& ids);
 Status numberIn(const char* field, double value, double low, double high, const char* range);
 /// The same for a whole number.
 Status countIn(const char* field, std::int32_t value, std::int32_t low, std::int32_t high);
-/// What is given has to pass the check.
-template <class T, class Check>
-Status givenIn(const std::optional<T>& value, const Check& check) {
-    return value ? check(*value) : Status{};
-}
 }  // namespace muster

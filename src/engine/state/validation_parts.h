@@ -69,10 +69,15 @@ Status each(const char* what, const std::vector<Item>& items, std::size_t most) 
             return s.within(std::string(what) + "[" + std::to_string(i) + "]");
     return {};
 }
-/// A definition that may be none.
+/// A definition that may be none, by a check of its own.
+template <class Definition, class Check>
+Status checkIfAny(const std::optional<Definition>& definition, const Check& check) {
+    return definition ? check(*definition) : Status{};
+}
+/// The same by the check of all of its kind.
 template <class Definition>
 Status validateIfAny(const std::optional<Definition>& definition) {
-    return definition ? validate(*definition) : Status{};
+    return checkIfAny(definition, [](const Definition& def) { return validate(def); });
 }
 
 }  // namespace muster

@@ -6,7 +6,7 @@
 #include "engine/state/group_edits.h"
 #include "engine/state/validation.h"
 #include "engine/state/world_archive.h"
-#include "engine/systems/commands/area_commands.h"
+#include "engine/systems/commands/thing_commands.h"
 #include "engine/world/world_engine.h"
 #include "muster/ground.h"
 

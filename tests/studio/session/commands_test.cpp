@@ -3,15 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include "generated/random_commands.h"
 #include "studio/session/fake_client.h"
+#include "studio/session/golden.h"
 #include "studio/session/inbox/received_commands.h"
-#include "test_folders.h"
 
 using namespace muster;
 using namespace muster::testing;
@@ -64,13 +61,7 @@ TEST_CASE("The commands that the page's tests read are what we write, of every k
     for (std::size_t kind = 0; kind < std::variant_size_v<CommandKinds>; ++kind)
         for (int k = 0; k < 4; ++k) bodies.push_back(randomCommand(kind, draw));
     const auto bytes = commandBytes(bodies);
-    const std::string path = sourceFolder() + "/tests/golden/commands.bin";
-    if (std::getenv("MUSTER_UPDATE_GOLDEN") != nullptr)
-        std::ofstream(path, std::ios::binary)
-            .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    std::ifstream file(path, std::ios::binary);
-    const std::vector<std::uint8_t> golden{std::istreambuf_iterator<char>(file), {}};
-    CHECK(golden == bytes);
+    CHECK(goldenBytes("commands.bin", bytes) == bytes);
 }
 
 TEST_CASE("Bad commands are refused with a sentence that says which and why") {

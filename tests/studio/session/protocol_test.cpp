@@ -2,10 +2,10 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 
 #include "base/token_bucket.h"
 #include "studio/session/fake_client.h"
+#include "studio/session/golden.h"
 #include "studio/session/inbox/pacer.h"
 #include "studio/session/inbox/protocol.h"
 #include "studio/session/inbox/touch_clock.h"
@@ -134,14 +134,8 @@ TEST_CASE("A frame is the same after encoding and decoding") {
 // The page's tests decode this file, so both sides agree on every kind of field. MUSTER_UPDATE_GOLDEN=1
 // writes it again.
 TEST_CASE("The frame that the page's tests read is what we write") {
-    const std::string path = sourceFolder() + "/tests/golden/frame.bin";
     const auto bytes = protocol::encode(sampleFrame());
-    if (std::getenv("MUSTER_UPDATE_GOLDEN") != nullptr)
-        std::ofstream(path, std::ios::binary)
-            .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    std::ifstream file(path, std::ios::binary);
-    const std::vector<std::uint8_t> golden{std::istreambuf_iterator<char>(file), {}};
-    CHECK(golden == bytes);
+    CHECK(goldenBytes("frame.bin", bytes) == bytes);
 }
 
 TEST_CASE("The generated files are those that the declarations make") {

@@ -85,14 +85,14 @@ struct Validator {
     Status operator()(const AddGroup& c) const { return validate(c.group); }
     Status operator()(const RemoveGroup&) const { return {}; }
     Status operator()(const PutThing& c) const {
-        Status status = givenIn(c.obstacle, [](const auto& def) { return validate(def); });
+        Status status = validateIfAny(c.obstacle);
         if (status.ok())
-            status = givenIn(c.patch, [](const auto& def) { return validatePatch(def, kAnyMotion); });
-        if (status.ok()) status = givenIn(c.item, [](const auto& def) { return validate(def); });
+            status = checkIfAny(c.patch, [](const auto& def) { return validatePatch(def, kAnyMotion); });
+        if (status.ok()) status = validateIfAny(c.item);
         if (status.ok())
-            status = givenIn(c.checkpoint,
-                             [](const auto& def) { return validateCheckpoint(def, kMaxGroups); });
-        if (status.ok()) status = givenIn(c.area, [](const auto& def) { return validate(def); });
+            status = checkIfAny(c.checkpoint,
+                                [](const auto& def) { return validateCheckpoint(def, kMaxGroups); });
+        if (status.ok()) status = validateIfAny(c.area);
         if (status.ok()) status = relations(c);
         return status;
     }

@@ -1,9 +1,9 @@
-// Commands that put and remove things: obstacles, patches, items, checkpoints and areas.
+#include "engine/systems/commands/thing_commands.h"
+
 #include <algorithm>
 #include <string>
 
 #include "engine/state/validation.h"
-#include "engine/systems/commands/area_commands.h"
 #include "engine/systems/commands/generated/command_functions.h"
 #include "engine/systems/commands/not_found.h"
 

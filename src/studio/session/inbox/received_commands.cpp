@@ -13,20 +13,12 @@ namespace {
 
 /// A kind of message with commands.
 struct CommandUse {
-    bool (*allows)(const CommandBody&);
-    const char* expected;  // What it allows, for people.
+    bool CommandTraits::*allows;  // What is true of the commands that it may have.
+    const char* expected;         // The same for people.
 };
 
-bool directs(const CommandBody& body) {
-    return traitsOf(body).directs;
-}
-
-bool editsPlace(const CommandBody& body) {
-    return traitsOf(body).edits;
-}
-
-constexpr CommandUse kDirectionUse{directs, "an order or a change of units"};
-constexpr CommandUse kEditUse{editsPlace, "a change of the place"};
+constexpr CommandUse kDirectionUse{&CommandTraits::directs, "an order or a change of units"};
+constexpr CommandUse kEditUse{&CommandTraits::edits, "a change of the place"};
 
 Status beyondLimit(const char* what, std::size_t found, std::size_t most) {
     return {StatusCode::LimitExceeded,
@@ -42,7 +34,7 @@ std::size_t charactersIn(const CommandBody& body) {
 }
 
 Status check(CommandBody& body, const SessionLimits& limits, const CommandUse& use, const StampTime& stamp) {
-    if (!use.allows(body))
+    if (!(traitsOf(body).*use.allows))
         return {StatusCode::InvalidArgument,
                 std::string("found a command of another kind, expected ") + use.expected};
     if (auto* add = std::get_if<AddControl>(&body)) {

@@ -1,4 +1,4 @@
-// Adds exits, sources and waiting areas.
+// What puts and removes things: obstacles, patches, items, checkpoints and areas.
 #pragma once
 
 #include "engine/state/world_state.h"
