@@ -16,7 +16,7 @@ export const kNumbers = {
 export const kCommand = 'Command';
 
 /** Names that fields may have as their types; parts and enumerations are known once they have been declared. */
-const types = new Set([...Object.keys(kNumbers), 'bool', 'text', kCommand, ...[...enumerations, ...definitions].map(({ name }) => name)]);
+const types = new Set([...Object.keys(kNumbers), 'bool', 'text', 'Vec2', kCommand, ...[...enumerations, ...definitions].map(({ name }) => name)]);
 
 /** "values TouchPhase Down Move Up Cancel "What a finger does."". */
 function readValues(tokens, line) {
@@ -64,9 +64,9 @@ export const parts = of('part');
 export const page = of('page');
 export const server = of('server');
 /** Definitions that fields of messages have. */
-export const messageDefinitions = [...parts, ...page, ...server]
-  .flatMap(({ fields }) => fields.map(({ type }) => type))
-  .filter((type) => definitions.some(({ name }) => name === type));
+export const messageDefinitions = [
+  ...new Set([...parts, ...page, ...server].flatMap(({ fields }) => fields.map(({ type }) => type))),
+].filter((type) => definitions.some(({ name }) => name === type));
 /** Enumerations of enumerations.txt that fields of messages have. */
 export const shared = enumerations.filter(({ name }) =>
   [...parts, ...page, ...server].some(({ fields }) => fields.some(({ type }) => type === name)),

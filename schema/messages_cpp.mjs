@@ -1,6 +1,6 @@
 // Messages in C++: their structs, and what encodes and decodes them.
-import { kCommand, kNumbers, page, parts, server, shared, values, version } from './messages.mjs';
-import { definitions } from './read.mjs';
+import { kCommand, kNumbers, messageDefinitions, page, parts, server, shared, values, version } from './messages.mjs';
+import { definitions, kSubjects } from './read.mjs';
 import { call, docComment, kWidth, wrap } from './text.mjs';
 
 const kFolder = 'studio/session/inbox/generated';
@@ -57,13 +57,21 @@ function struct(entry) {
 
 const wrapped = (words) => wrap(words.join(', '), kWidth - 4).map((line) => `    ${line}`).join('\n');
 
+/** Headers of the definitions that messages have. */
+const definitionHeaders = () =>
+  kSubjects
+    .filter((subject) => definitions.some((one) => one.subject === subject && messageDefinitions.includes(one.name)))
+    .sort()
+    .map((subject) => `#include "muster/generated/${subject}_definitions.h"`)
+    .join('\n');
+
 const partHeader = () => `${kHeader}#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "muster/generated/enumerations.h"
-#include "muster/generated/orders_definitions.h"
+${definitionHeaders()}
 
 namespace muster::protocol {
 

@@ -34,21 +34,28 @@ function member(field, owner) {
   return [...(text === '' ? [] : [`  /** ${text} */`]), `  ${field.name}: ${tsType(field, owner)};`];
 }
 
-const interfaceOf = (entry) =>
-  [
+const isInline = ({ flags }) => flags.has('inline');
+
+/** What has fields of a definition in itself extends it. */
+function interfaceOf(entry) {
+  const bases = entry.fields.filter(isInline).map(({ type }) => type);
+  return [
     `/** ${entry.sentence} */`,
-    `export interface ${entry.name} {`,
+    `export interface ${entry.name} ${bases.length > 0 ? `extends ${bases.join(', ')} ` : ''}{`,
     ...(entry.number === null ? [] : [`  type: '${entry.name}';`]),
-    ...entry.fields.flatMap((field) => member(field, entry.name)),
+    ...entry.fields.filter((field) => !isInline(field)).flatMap((field) => member(field, entry.name)),
     '}',
   ].join('\n');
+}
 
-/** "events:TouchEvent*": a name, a type, and * for a list; s for a typed array; ? where it may be none; <4 for a byte below 4. */
+/** "events:TouchEvent*": a name, a type, and * for a list; s for a typed array; ? where it may be none; <4 for a byte below 4; "..." as the name of fields that are its owner's. */
 function layoutOf({ fields }) {
-  const word = ({ name, type, isList, isOptional }) => {
+  const word = (field) => {
+    const { name, type, isList, isOptional } = field;
     const choice = choiceOf(type);
     if (choice) return `${name}:<${choice.values.length}`;
     if (type === kCommand) return `${name}:${type}+`;
+    if (isInline(field)) return `...:${type}`;
     if (isOptional) return `${name}:${type}?`;
     return `${name}:${type}${isList ? (type in kNumbers ? 's' : '*') : ''}`;
   };
@@ -74,7 +81,9 @@ const union = (side, entries) => `export type ${side}Message =\n${entries.map(({
 const typeFile = () => `${kBanner}import type {
 ${choices.map(({ name }) => `  ${name},`).join('\n')}
 } from './choices';
-import type { Command, ${[...new Set(messageDefinitions)].join(', ')}, Given } from './commands';
+import type {
+${[kCommand, ...messageDefinitions, 'Given', 'Vec2'].map((name) => `  ${name},`).join('\n')}
+} from './commands';
 
 ${[...parts, ...page, ...server].map(interfaceOf).join('\n\n')}
 

@@ -11,7 +11,7 @@ export const root = join(folder, '..');
 
 const kCommandFlags = ['relations', 'by-hand', 'undoable', 'directs', 'edits', 'slides', 'queues'];
 const kDefinitionFlags = ['equal', 'flat', 'relations', 'no-c', 'no-files', 'unsaved'];
-const kFieldFlags = ['required', 'omit', 'unchecked', 'internal', 'xy', 'within', 'unhashed'];
+const kFieldFlags = ['required', 'omit', 'unchecked', 'internal', 'xy', 'within', 'unhashed', 'inline'];
 /** What a field may say with a word or a text behind it, and what it is called in the field that was read. */
 const kFieldWords = { key: 'key', since: 'since', 'files-after': 'filesAfter', 'c-after': 'cAfter' };
 const kFieldTexts = { files: 'inFiles', unless: 'unless', needed: 'needed', called: 'called', apart: 'apart' };

@@ -3,7 +3,8 @@
 #include "muster/own_clips.h"
 #include "muster/scenario.h"
 #include "studio/session/frames/notices.h"
-#include "studio/session/frames/scene_json.h"
+#include "studio/session/frames/scene_message.h"
+#include "studio/session/frames/scene_signature.h"
 #include "studio/session/session_state.h"
 
 namespace muster {
@@ -293,10 +294,8 @@ void Session::Impl::noticeEvents() {
 void Session::Impl::refreshScene() {
     signature = sceneSignature(*world);
     ++sceneRevision;
-    protocol::Scene scene;
-    scene.revision = sceneRevision;
-    scene.json = buildSceneJson({name, worldDef, *world, editor.place(), worldNumber, canDemonstrate()});
-    sceneBytes = protocol::encode(scene);
+    sceneBytes = protocol::encode(
+        sceneMessage({name, worldDef, *world, editor.place(), worldNumber, canDemonstrate()}, sceneRevision));
     touchState();
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <string>
 
-#include "json/json.h"
 #include "muster/scenario.h"
 #include "studio/session/fake_client.h"
 
@@ -31,12 +30,11 @@ struct BodyDesk {
     }
     std::span<const Body> bodies() const { return session.world()->characters().body; }
     bool all(auto test) const { return std::ranges::all_of(bodies(), test); }
-    /// The first group in the newest scene, as the place has it.
-    Json start() {
+    /// The first group in the newest scene.
+    protocol::SceneGroup shown() {
         run(session, 0.1, {&client});
-        auto scene = parseJson(client.scenes.back().json, "scene");
-        REQUIRE(scene.ok());
-        return *(*scene->find("groups"))[0].find("start");
+        REQUIRE_FALSE(client.scenes.back().groups.empty());
+        return client.scenes.back().groups[0];
     }
 };
 
@@ -82,18 +80,22 @@ TEST_CASE("a slider that is dragged is one step of the history") {
 
 TEST_CASE("the scene tells what all in a group have in common, and the file keeps it") {
     BodyDesk desk;
-    CHECK(desk.start().find("body")->find("radius")->number() == 0.25);
-    CHECK(desk.start().find("body")->find("maxSpeed")->number() == 2.0);
-    CHECK(desk.start().find("body")->find("class")->number() == 0.0);
+    CHECK(desk.shown().body.radius == 0.25);
+    CHECK(desk.shown().body.maxSpeed == 2.0);
+    CHECK(desk.shown().body.unitClass == 0);
+    CHECK(desk.shown().definition.bodies.empty());
     const std::uint32_t first = desk.session.world()->characters().id[0];
     desk.edit(R"({"kind":"bodies","ids":[)" + std::to_string(first) + R"(],"bodies":[{"class":2}]})");
-    CHECK(desk.start().find("body")->find("class") == nullptr);
+    CHECK_FALSE(desk.shown().body.unitClass.has_value());
+    CHECK(desk.shown().definition.bodies.empty());
     desk.give({{1, 0.3, 1.5, std::uint8_t{4}}});
     desk.edit(R"({"kind":"roles","group":1,"roles":[{"area":"rim","class":4}]})");
-    CHECK(desk.start().find("body")->find("radius")->number() == 0.3);
-    CHECK(desk.start().find("body")->find("class")->number() == 4.0);
-    REQUIRE(desk.start().find("roles")->size() == 1);
-    CHECK((*desk.start().find("roles"))[0].find("area")->text() == "rim");
+    CHECK(desk.shown().body.radius == 0.3);
+    CHECK(desk.shown().body.unitClass == 4);
+    REQUIRE(desk.shown().definition.bodies.size() == 1);
+    CHECK(desk.shown().definition.bodies[0] == Body{.radius = 0.3, .maxSpeed = 1.5, .unitClass = 4});
+    REQUIRE(desk.shown().definition.roles.size() == 1);
+    CHECK(desk.shown().definition.roles[0].area == RoleArea::Rim);
     const auto saved = parseScenario(*desk.session.scenario(), "saved.json", "");
     REQUIRE(saved.ok());
     REQUIRE(saved->groups[0].bodies.size() == 1);

@@ -212,7 +212,9 @@ TEST_CASE("areas come, change, go and come back, and orders follow them into the
     desk.edit(area("source", R"(,"rate":0.5)") + R"(,"group":1})", "Source", 5);
     REQUIRE(desk.world().areaCount() == 3);
     CHECK(desk.world().area(2).group == GroupId{1});
-    CHECK(desk.client.scenes.back().json.find(R"("name":"Second")") != std::string::npos);
+    REQUIRE(desk.client.scenes.back().areas.size() == 3);
+    CHECK(desk.client.scenes.back().areas[1].definition.name == "Second");
+    CHECK(desk.client.scenes.back().areas[2].group == 1);
     desk.edit(area("source", R"(,"rate":2)") + R"(,"group":1,"id":3})", "Source", 5);
     CHECK(desk.world().area(2).def.rate == 2.0);
     CHECK(desk.client.history.undo == 3);
@@ -296,22 +298,29 @@ TEST_CASE("how a group looks is one step of undo, shown in the scene and kept by
     struct Look {
         std::string kind, first, second;
         CommandBody bad;
-        const char *firstShown, *secondShown;
+        GroupDef firstShown, secondShown;
     };
-    const Look looks[] = {
-        {"colourGroup", R"("colour":"#D60EA8")", R"("colour":"#05536d")", ColourGroup{GroupId{1}, 0x1000000},
-         R"("chosenColour":"#d60ea8")", R"("chosenColour":"#05536d")"},
-        {"appearance", R"("build":"narrow","motions":"march")", R"("motions":"weary")",
-         SetAppearance{GroupId{1}, {}, static_cast<MotionSet>(9)}, R"("build":"narrow","motions":"march")",
-         R"("motions":"weary")"}};
+    const Look looks[] = {{"colourGroup",
+                           R"("colour":"#D60EA8")",
+                           R"("colour":"#05536d")",
+                           ColourGroup{GroupId{1}, 0x1000000},
+                           {.colour = 0xD60EA8},
+                           {.colour = 0x05536D}},
+                          {"appearance",
+                           R"("build":"narrow","motions":"march")",
+                           R"("motions":"weary")",
+                           SetAppearance{GroupId{1}, {}, static_cast<MotionSet>(9)},
+                           {.build = BodyBuild::Narrow, .motions = MotionSet::March},
+                           {.motions = MotionSet::Weary}}};
     for (const Look& look : looks) {
         CAPTURE(look.kind);
         Desk desk;
         const auto edit = [&](const std::string& value) {
             desk.edit(R"({"kind":")" + look.kind + R"(","group":1,)" + value + "}", "Look");
         };
-        const auto shows = [&](const char* text) {
-            return desk.client.scenes.back().json.find(text) != std::string::npos;
+        const auto shows = [&](const GroupDef& look) {
+            const GroupDef& shown = desk.client.scenes.back().groups[0].definition;
+            return shown.colour == look.colour && shown.build == look.build && shown.motions == look.motions;
         };
         const auto kept = [&] {
             const GroupDef saved = desk.saved().groups[0], now = desk.world().groupDef(0);
@@ -355,7 +364,7 @@ TEST_CASE("sorts of persons are one step of undo, draw who is there, and are kep
         R"({"kind":"people","group":1,"people":[{"share":1,"radius":0.3},{"share":1,"radius":0.2,"class":2}]})",
         "Persons");
     CHECK(desk.saved().groups[0].people.size() == 2);
-    CHECK(desk.client.scenes.back().json.find(R"("people":[{)") != std::string::npos);
+    CHECK(desk.client.scenes.back().groups[0].definition.people == desk.saved().groups[0].people);
     const std::vector<double> mixed = radii();
     const auto broad = std::count(mixed.begin(), mixed.end(), 0.3);
     CHECK(std::abs(2 * broad - std::ssize(mixed)) <= 1);

@@ -1,8 +1,6 @@
 #include <cmath>
 #include "studio/session/fake_client.h"
 
-#include <nlohmann/json.hpp>
-
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
 #include "muster/control.h"
@@ -47,17 +45,23 @@ TEST_CASE("The scene holds what the page draws") {
     FakeClient client(session);
     run(session, 0.5, {&client});
     REQUIRE(client.scenes.size() == 1);
-    const auto scene = nlohmann::json::parse(client.scenes[0].json);
-    CHECK(scene["title"] == "Small floor");
-    CHECK(scene["box"]["min"][0] == -12);
-    CHECK(scene["obstacles"][0]["name"] == "Car \"A\"");
-    CHECK(scene["obstacles"][0]["radius"] == 0.8);
-    CHECK(scene["obstacles"][0]["moving"] == true);
-    CHECK(scene["patches"][0]["motion"] == 3);
-    CHECK(scene["patches"][0]["speed"] == doctest::Approx(defaultClipFacts()[3].speed));
-    CHECK(scene["items"].size() == 1);
-    CHECK(scene["groups"][0]["count"] == 16);
-    CHECK(scene["parameters"].size() == parameterTable().size());
+    const protocol::Scene& scene = client.scenes[0];
+    CHECK(scene.title == "Small floor");
+    CHECK(scene.box.min == Vec2{-12, -12});
+    REQUIRE(scene.obstacles.size() == 1);
+    CHECK(scene.obstacles[0].definition == car);
+    REQUIRE(scene.patches.size() == 1);
+    CHECK(scene.patches[0].definition == floor.patches[0]);
+    REQUIRE(scene.clips.size() == defaultClipFacts().size());
+    CHECK(scene.clips[3].name == defaultClipFacts()[3].name);
+    CHECK(scene.clips[3].speed == defaultClipFacts()[3].speed);
+    REQUIRE(scene.items.size() == 1);
+    CHECK(scene.items[0].definition.position == Vec2{1, 2});
+    REQUIRE(scene.groups.size() == 1);
+    CHECK(scene.groups[0].count == 16);
+    CHECK(scene.groups[0].formation == "square");
+    CHECK(scene.groups[0].placed);
+    CHECK(scene.parameters.size() == parameterTable().size());
     const auto& moving = client.frames.back().moving;
     REQUIRE(moving.size() == 1);
     // The frame shows the car's position after the last step: 3 m in 4 s.
@@ -202,8 +206,7 @@ TEST_CASE("Formation, count and parameters change the world and the scene") {
     CHECK(client.meshes.back().formation == "wedge");
     CHECK(client.frames.back().crowd.count == 20);
     CHECK(session.world()->parameters().plan.exponent == 1.0);
-    const auto scene = nlohmann::json::parse(client.scenes.back().json);
-    CHECK(scene["groups"][0]["count"] == 20);
+    CHECK(client.scenes.back().groups[0].count == 20);
     CHECK(client.scenes.back().revision == client.frames.back().sceneRevision);
     // The new mesh comes before the first frame that uses it, with a new list of ids for the new characters.
     CHECK(client.meshes.back().version == client.frames.back().groups[0].meshVersion);

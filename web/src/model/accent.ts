@@ -15,7 +15,12 @@ export function accentOf(colour: number): Accent {
 /** The colour number of a group of that accent with a chosen colour, `#rrggbb`; without one, the accent's. */
 export function colourNumber(accent: number, chosen: string | undefined): number {
   if (!chosen || !/^#[0-9a-f]{6}$/i.test(chosen)) return accent;
-  return numberOfColour(chosen) + (accent + 1) * kChosen;
+  return withChosen(accent, numberOfColour(chosen));
+}
+
+/** The same for a colour as a number, 0xRRGGBB; null for none. */
+export function withChosen(accent: number, chosen: number | null): number {
+  return chosen === null ? accent : chosen + (accent + 1) * kChosen;
 }
 
 /** 0xRRGGBB of `#rrggbb`. */

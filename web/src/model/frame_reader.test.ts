@@ -1,21 +1,19 @@
 import { describe, expect, it } from 'vitest';
 import type { GroupMesh } from '../protocol/messages';
 import type { StudioFrame } from './studio_frame';
-import { parseScene } from '../protocol/scene';
+import { sceneOf } from '../protocol/test_scene';
 import { FrameReader, countGroups, sceneKey } from './frame_reader';
 import { kIdle } from './test_frames';
 import { kInitialState } from './studio_state';
 
-const scene = parseScene(
-  JSON.stringify({
-    title: 'Open',
-    box: { min: [0, 0], max: [10, 10] },
-    groups: [
-      { id: 4, name: 'North', count: 2, formation: 'square', colour: 0 },
-      { id: 9, name: 'South', count: 1, formation: 'wedge', colour: 1 },
-    ],
-  }),
-);
+const scene = sceneOf({
+  title: 'Open',
+  box: { min: [0, 0], max: [10, 10] },
+  groups: [
+    { id: 4, count: 2, formation: 'square', definition: { name: 'North' } },
+    { id: 9, accent: 1, count: 1, formation: 'wedge', definition: { name: 'South' } },
+  ],
+});
 
 function frame(group: number[], groups: number[] = [4, 9]): StudioFrame {
   const part = {
@@ -76,15 +74,13 @@ describe('FrameReader', () => {
   it('gives parts of a group its name and a number, and colours as chosen or by id', () => {
     const reader = new FrameReader();
     reader.setScene(
-      parseScene(
-        JSON.stringify({
-          box: { min: [0, 0], max: [1, 1] },
-          groups: [
-            { id: 4, name: 'North' },
-            { id: 11, name: 'North', colour: 4, chosenColour: '#05536d' },
-          ],
-        }),
-      ),
+      sceneOf({
+        box: { min: [0, 0], max: [1, 1] },
+        groups: [
+          { id: 4, accent: 3, definition: { name: 'North' } },
+          { id: 11, accent: 4, definition: { name: 'North', colour: 0x05536d } },
+        ],
+      }),
     );
     const groups = reader.groups(frame([0, 1, 2], [4, 11, 14]), []);
     const chosen = 5 * 0x1000000 + 0x05536d;

@@ -3,7 +3,7 @@
 import type { GroupMesh } from '../protocol/messages';
 import type { StudioFrame } from './studio_frame';
 import { isSameWorld, type SceneFacts } from '../protocol/scene';
-import { colourNumber } from './accent';
+import { withChosen } from './accent';
 import { walksOf } from './objective';
 import { kStances } from './commands';
 import { countClasses, type ClassCount } from './roles';
@@ -87,8 +87,8 @@ export class FrameReader {
       const known = this.scene_?.groups.find((group) => group.id === id);
       groups.push({
         id,
-        name: nameOf(known?.name, id, groups),
-        colour: colourNumber(known?.colour ?? (id + kColours - 1) % kColours, known?.chosenColour),
+        name: nameOf(known?.definition.name, id, groups),
+        colour: withChosen(known?.accent ?? (id + kColours - 1) % kColours, known?.definition.colour ?? null),
         count: this.counts_[index] ?? 0,
         formation: this.formations_.get(id) ?? '',
       });

@@ -1,6 +1,7 @@
 import { expect, it } from 'vitest';
-import type { SceneArea } from '../protocol/scene';
+import type { SceneArea } from '../protocol/messages';
 import { areaAt } from './goals';
+import { areaOf } from '../protocol/test_scene';
 
 const square = (x: number): SceneArea['polygon'] => [
   [x, 0],
@@ -9,9 +10,9 @@ const square = (x: number): SceneArea['polygon'] => [
   [x, 2],
 ];
 const areas: readonly SceneArea[] = [
-  { id: 1, kind: 'exit', polygon: square(0), open: true, rate: 0 },
-  { id: 2, kind: 'exit', polygon: square(3), open: true, rate: 0 },
-  { id: 3, kind: 'waiting', polygon: square(6), open: true, rate: 0 },
+  areaOf({ id: 1, kind: 'exit', polygon: square(0) }),
+  areaOf({ id: 2, kind: 'exit', polygon: square(3) }),
+  areaOf({ id: 3, kind: 'waiting', polygon: square(6) }),
 ];
 
 it('takes the area under a press, or one that is near, of the kind that is meant', () => {

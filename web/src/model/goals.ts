@@ -1,7 +1,7 @@
 // Where people can be told to go without places: exits to leave by, and areas to wait in.
 
-import type { OrderKindWord } from '../protocol/generated/words';
-import type { AreaKind, SceneArea } from '../protocol/scene';
+import type { AreaKindWord, OrderKindWord } from '../protocol/generated/words';
+import type { SceneArea } from '../protocol/messages';
 import { distanceToSegment, insidePolygon, type GroundPoint } from './plane';
 
 /** True for orders during which nobody has a place. */
@@ -24,7 +24,7 @@ function away(at: GroundPoint, { polygon }: SceneArea): number {
 }
 
 /** The area of that kind at a press, or near it; null for none. */
-export function areaAt(areas: readonly SceneArea[], kind: AreaKind, at: GroundPoint): SceneArea | null {
+export function areaAt(areas: readonly SceneArea[], kind: AreaKindWord, at: GroundPoint): SceneArea | null {
   const near = areas
     .filter((area) => area.kind === kind)
     .map((area) => ({ area, away: away(at, area) }))

@@ -2,7 +2,7 @@
 
 import type { StudioFrame } from './studio_frame';
 import { kPlanObjective, type ParameterName } from '../protocol/generated/parameters';
-import type { SceneParameter } from '../protocol/scene';
+import type { SceneParameter } from '../protocol/messages';
 import { formatCount, formatFigure } from './formatters';
 
 /** Distances that characters walk, over all groups, on uniform ground: sum [m], sum of squares [m^2], longest [m]. */

@@ -3,8 +3,14 @@
 import type { OrderKindWord } from '../protocol/generated/words';
 import type { FieldScale } from './field_scale';
 import type { Layers, Theme } from './view_settings';
-import { OverlayKind, type Notice, type ScenarioInfo, type SchemeInfo } from '../protocol/messages';
-import type { SceneArea, SceneParameter } from '../protocol/scene';
+import {
+  type Notice,
+  OverlayKind,
+  type ScenarioInfo,
+  type SceneArea,
+  type SceneParameter,
+  type SchemeInfo,
+} from '../protocol/messages';
 import type { Layout } from './layout';
 import type { Walks } from './objective';
 import type { LinkState } from './link_state';

@@ -1,6 +1,6 @@
 // Values as bytes, by their layouts: "id:u32 points:Vec2* share:f64=0.95" are fields in their order, each with its type and its
 // default if that is not zero or empty. Behind a type, * means a list of it, + such a list with its length in bytes, and ? that
-// it may be none (null). <4 is a byte below 4, u32s an array of numbers; an enumeration is a word. Any other type has a layout of
+// it may be none (null). The fields of what is called ... are those of its owner. <4 is a byte below 4, u32s an array of numbers; an enumeration is a word. Any other type has a layout of
 // its own, or is a method of reader and writer.
 
 import { ByteReader, ByteWriter } from './bytes';
@@ -18,6 +18,7 @@ type Reads = Record<string, () => unknown>;
 type Writes = Record<string, (value: unknown) => void>;
 
 const kTuple = '0';
+const kInline = '...';
 
 /** Codecs of all types that layouts name, made when they are first asked for. */
 export class Codecs {
@@ -118,11 +119,16 @@ export class Codecs {
     const isTuple = fields[0]!.name === kTuple;
     return {
       read: (r) => {
-        const values = fields.map(({ name, codec }) => [name, codec.read(r)] as const);
-        return isTuple ? values.map(([, value]) => value) : Object.fromEntries(values);
+        if (isTuple) return fields.map(({ codec }) => codec.read(r));
+        const value: Record<string, unknown> = {};
+        for (const { name, codec } of fields)
+          if (name === kInline) Object.assign(value, codec.read(r));
+          else value[name] = codec.read(r);
+        return value;
       },
       write: (w, value) => {
-        for (const { name, codec, otherwise } of fields) codec.write(w, (value as Fields)[name] ?? otherwise);
+        for (const { name, codec, otherwise } of fields)
+          codec.write(w, name === kInline ? value : ((value as Fields)[name] ?? otherwise));
       },
     };
   }

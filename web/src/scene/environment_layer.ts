@@ -10,7 +10,9 @@ import {
   type Material,
   type ShaderMaterial,
 } from 'three';
-import type { Point2, SceneFacts, SceneObstacle, ScenePatch } from '../protocol/scene';
+import type { Vec2 } from '../protocol/generated/commands';
+import type { SceneObstacle, ScenePatch } from '../protocol/messages';
+import { isMoving, type SceneFacts } from '../protocol/scene';
 import { mix, mixAngle } from './drawing/blend';
 import type { CameraController } from './camera/camera_controller';
 import { FatLines } from './drawing/fat_lines';
@@ -30,10 +32,10 @@ import { type Standing, TreeLayer } from './obstacles/tree_layer';
 /** A thing that moves: its parts hang on a group that turns about `centre`. */
 interface MovingThing {
   readonly group: Group;
-  readonly centre: Point2;
+  readonly centre: Vec2;
 }
 
-function shifted(points: readonly Point2[], centre: Point2): Point2[] {
+function shifted(points: readonly Vec2[], centre: Vec2): Vec2[] {
   return points.map((p) => [p[0] - centre[0], p[1] - centre[1]] as const);
 }
 
@@ -68,14 +70,14 @@ export class EnvironmentLayer {
     this.scene_ = scene;
     this.buildStillObstacles(scene, palette);
     this.trees_.build(
-      scene.obstacles.filter((one) => !one.moving && lookOfObstacle(one) === 'tree'),
+      scene.obstacles.filter((one) => !isMoving(one) && lookOfObstacle(one) === 'tree'),
       palette,
       this.body_,
     );
     this.group.add(this.trees_.group);
-    for (const obstacle of scene.obstacles) if (obstacle.moving) this.buildMovingObstacle(obstacle, palette);
+    for (const obstacle of scene.obstacles) if (isMoving(obstacle)) this.buildMovingObstacle(obstacle, palette);
     this.buildStillPatches(scene, palette);
-    for (const patch of scene.patches) if (patch.moving) this.buildMovingPatch(patch, scene, palette);
+    for (const patch of scene.patches) if (isMoving(patch)) this.buildMovingPatch(patch, scene, palette);
     this.buildItems(scene, palette);
     this.setSize(this.size_.width, this.size_.height, this.size_.ratio);
   }
@@ -184,7 +186,7 @@ export class EnvironmentLayer {
   private buildStillObstacles(scene: SceneFacts, palette: Palette): void {
     const builder = new GeometryBuilder();
     const edges: EdgeLine[] = [];
-    const still = scene.obstacles.filter((one) => !one.moving && lookOfObstacle(one) !== 'tree');
+    const still = scene.obstacles.filter((one) => !isMoving(one) && lookOfObstacle(one) !== 'tree');
     const ends: number[] = [];
     for (const obstacle of still) {
       if (lookOfObstacle(obstacle) === 'car') this.addVehicle(builder, obstacle, outlineOf(obstacle), palette);
@@ -197,7 +199,7 @@ export class EnvironmentLayer {
     this.addLines(this.group, lines, 1, 0);
   }
 
-  private thing(kind: number, id: number, centre: Point2): Group {
+  private thing(kind: number, id: number, centre: Vec2): Group {
     const group = new Group();
     group.position.set(centre[0], centre[1], 0);
     this.moving_.set(`${kind}:${id}`, { group, centre });
@@ -207,7 +209,7 @@ export class EnvironmentLayer {
 
   private buildMovingObstacle(obstacle: SceneObstacle, palette: Palette): void {
     const outline = outlineOf(obstacle);
-    const centre = obstacle.centre && !obstacle.polygon ? obstacle.centre : centroid(outline);
+    const centre = obstacle.polygon.length === 0 ? obstacle.centre : centroid(outline);
     const group = this.thing(0, obstacle.id, centre);
     const builder = new GeometryBuilder();
     const local = shifted(outline, centre);
@@ -229,7 +231,7 @@ export class EnvironmentLayer {
   private addVehicle(
     builder: GeometryBuilder,
     obstacle: SceneObstacle,
-    outline: readonly Point2[],
+    outline: readonly Vec2[],
     palette: Palette,
   ): void {
     const bodies = palette.carBodies;
@@ -239,13 +241,13 @@ export class EnvironmentLayer {
   private buildStillPatches(scene: SceneFacts, palette: Palette): void {
     const parts = emptyParts();
     for (const patch of scene.patches) {
-      if (!patch.moving) addPatch(parts, patch, scene.clips[patch.motion]?.name ?? '', palette);
+      if (!isMoving(patch)) addPatch(parts, patch, scene.clips[patch.motion]?.name ?? '', palette);
     }
     for (const area of scene.areas) addArea(parts, area, palette);
     for (const checkpoint of scene.checkpoints) {
       const circle = circlePoints(checkpoint.position[0], checkpoint.position[1], checkpoint.radius, 40);
       circle.forEach((a, i) => {
-        const b = circle[(i + 1) % circle.length] as Point2;
+        const b = circle[(i + 1) % circle.length] as Vec2;
         parts.rim.push({
           line: [
             [a[0], a[1], 0.012],

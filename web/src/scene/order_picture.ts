@@ -1,10 +1,11 @@
 // What the view shows of groups and their orders: colours by id, who is chosen, and what is being drawn.
 
-import { colourNumber } from '../model/accent';
+import { withChosen } from '../model/accent';
 import { GroupShapes } from '../model/group_shapes';
 import type { GroupView, ShapeMeshView } from '../model/frame_view';
 import type { GroundPoint } from '../model/plane';
-import type { BodyBuild, SceneGroup } from '../protocol/scene';
+import type { BodyBuildWord } from '../protocol/generated/words';
+import type { SceneGroup } from '../protocol/messages';
 import type { DrawnCut, DrawnForecast, DrawnOrder, OrderScene } from './marks/order_marks';
 import { schemePicture, type CrowdPlaces, type SchemeView } from './marks/scheme_marks';
 
@@ -13,7 +14,7 @@ type Ways = ReadonlyMap<number, readonly GroundPoint[]>;
 export class OrderPicture {
   private readonly shapes_ = new GroupShapes();
   private byId_ = new Map<number, number>();
-  private buildsById_ = new Map<number, BodyBuild | undefined>();
+  private buildsById_ = new Map<number, BodyBuildWord | null>();
   private selected_: ReadonlySet<number> = new Set();
   private drawn_: DrawnOrder | null = null;
   private forecasts_: readonly DrawnForecast[] = [];
@@ -24,7 +25,7 @@ export class OrderPicture {
   private scheme_: SchemeView | null = null;
   private groups_: readonly GroupView[] = [];
   private colours_: readonly number[] = [];
-  private builds_: readonly (BodyBuild | undefined)[] = [];
+  private builds_: readonly (BodyBuildWord | null)[] = [];
 
   /** `changed` asks for another picture; `crowd` tells where everybody is in the next one. */
   constructor(
@@ -37,8 +38,8 @@ export class OrderPicture {
     return this.colours_;
   }
 
-  /** The build of each of them; undefined for both. */
-  get builds(): readonly (BodyBuild | undefined)[] {
+  /** The build of each of them; null for both. */
+  get builds(): readonly (BodyBuildWord | null)[] {
     return this.builds_;
   }
 
@@ -53,8 +54,8 @@ export class OrderPicture {
 
   /** Colours of the groups by id; groups come and go. */
   setGroups(groups: readonly SceneGroup[]): void {
-    this.byId_ = new Map(groups.map(({ id, colour, chosenColour }) => [id, colourNumber(colour, chosenColour)]));
-    this.buildsById_ = new Map(groups.map(({ id, build }) => [id, build]));
+    this.byId_ = new Map(groups.map(({ id, accent, definition }) => [id, withChosen(accent, definition.colour)]));
+    this.buildsById_ = new Map(groups.map(({ id, definition }) => [id, definition.build]));
     this.changed_();
   }
 
@@ -105,7 +106,7 @@ export class OrderPicture {
   update(groups: readonly GroupView[]): boolean {
     this.groups_ = groups;
     const colours = groups.map(({ id }) => this.byId_.get(id) ?? id - 1);
-    const builds = groups.map(({ id }) => this.buildsById_.get(id));
+    const builds = groups.map(({ id }) => this.buildsById_.get(id) ?? null);
     if (colours.join() === this.colours_.join() && builds.join() === this.builds_.join()) return false;
     [this.colours_, this.builds_] = [colours, builds];
     return true;

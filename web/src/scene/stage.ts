@@ -2,7 +2,8 @@
 
 import { Color, PCFSoftShadowMap, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
 import type { SceneryModel } from '../model/place_files/scenery';
-import type { SceneBox, SceneFacts } from '../protocol/scene';
+import type { SceneBox } from '../protocol/messages';
+import type { SceneFacts } from '../protocol/scene';
 import type { CameraController } from './camera/camera_controller';
 import { CrowdLayer } from './crowd/crowd_layer';
 import type { FieldRaster } from './ground/field_raster';

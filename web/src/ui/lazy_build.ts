@@ -1,5 +1,6 @@
 // Building is loaded when somebody begins with it.
 
+import type { Scene } from '../protocol/messages';
 import { problem } from '../protocol/problem';
 import type { BuildDesk, BuildParts } from './build/build_desk';
 import { onShiftKey } from './shift_key';
@@ -7,12 +8,12 @@ import { onShiftKey } from './shift_key';
 export function openBuildLazily(parts: BuildParts): void {
   const { store, client } = parts;
   let desk: BuildDesk | null = null;
-  let scene = '';
+  let scene: Scene | null = null;
   let loading = false;
   onShiftKey('E', () => store.set({ build: !store.state.build }));
-  client.on('scene', ({ json }) => {
-    scene = json;
-    desk?.setScene(json);
+  client.on('scene', (message) => {
+    scene = message;
+    desk?.setScene(message);
   });
   const load = async (): Promise<void> => {
     const module = await import('./build/build_desk');

@@ -1,6 +1,7 @@
 // Measuring is loaded when somebody begins with it.
 
 import type { StudioFrame } from '../model/studio_frame';
+import type { Scene } from '../protocol/messages';
 import { problem } from '../protocol/problem';
 import type { MeasureDesk, MeasureParts } from './measures/measure_desk';
 import { onShiftKey } from './shift_key';
@@ -8,13 +9,13 @@ import { onShiftKey } from './shift_key';
 export function openMeasuresLazily(parts: MeasureParts): void {
   const { store, client } = parts;
   let desk: MeasureDesk | null = null;
-  let scene = '';
+  let scene: Scene | null = null;
   let last: StudioFrame | null = null;
   let ids: Uint32Array = new Uint32Array();
   let loading = false;
-  client.on('scene', ({ json }) => {
-    scene = json;
-    desk?.setScene(json);
+  client.on('scene', (message) => {
+    scene = message;
+    desk?.setScene(message);
   });
   client.on('frame', ({ frame }) => {
     if (frame.ids.length > 0 || frame.x.length === 0) ids = frame.ids;

@@ -5,6 +5,7 @@ import type { StudioFrame } from '../model/studio_frame';
 import { StudioStore } from '../model/studio_store';
 import { kIdle, madeMesh } from '../model/test_frames';
 import { OrderDesk } from './order_desk';
+import { areaOf } from '../protocol/test_scene';
 
 let sent: ClientMessage[];
 let said: string[];
@@ -152,7 +153,7 @@ describe('OrderDesk', () => {
       [6, -1],
       [6, 1],
     ];
-    const area = { id: 3, polygon, open: true, rate: 0 };
+    const area = areaOf({ id: 3, polygon });
     desk.leave({ x: 5.5, y: -0.5 }, noKeys);
     expect(said.at(-1)).toBe('There is no exit to leave by');
     store.set({

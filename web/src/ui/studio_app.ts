@@ -12,7 +12,7 @@ import {
   type Welcome,
 } from '../protocol/messages';
 import type { StudioFrame } from '../model/studio_frame';
-import { isSameWorld, parseScene, type SceneFacts } from '../protocol/scene';
+import { isSameWorld, type SceneFacts } from '../protocol/scene';
 import { problem } from '../protocol/problem';
 import { CameraGesture, OrbitGesture } from '../tools/camera_gesture';
 import type { Contact, ContactOwner } from '../tools/contact';
@@ -294,10 +294,9 @@ export class StudioApp {
     this.view_.setGroupMesh(mesh);
   }
 
-  private showScene(message: Scene): void {
-    this.sceneRevision_ = message.revision;
+  private showScene(scene: Scene): void {
+    this.sceneRevision_ = scene.revision;
     try {
-      const scene = parseScene(message.json);
       this.reader_.setScene(scene);
       const { title, name, credit, demonstration, parameters, areas } = scene;
       this.store.set({ title, scenario: name, credit, demonstration, parameters, areas, loaded: true });

@@ -63,7 +63,7 @@ export async function drawn(studio) {
   await panel(studio).getByLabel('State').selectOption('Open');
   await tool(studio, 'Route');
   await drag(studio, { x: 4.2, y: -2 }, { x: -1, y: -2.5 }, touch);
-  await scene(studio, 'a queue before the exit', ({ areas }) => areas[0].open && areas[0].queue?.length > 3);
+  await scene(studio, 'a queue before the exit', ({ areas }) => areas[0].open && areas[0].queue.length > 3);
   const file = await saved(studio);
   expect(file.areas.length === 3 && file.groups[1].people === 'adults', 'all of it is in the file');
   await tap(studio, { x: -1, y: -1 });

@@ -9,7 +9,7 @@ export const screen = (studio, points) =>
 export async function open(studio) {
   await studio.page.evaluate(() => {
     globalThis.__scenes = [];
-    globalThis.__muster.client.on('scene', ({ json }) => globalThis.__scenes.push(JSON.parse(json)));
+    globalThis.__muster.client.on('scene', (scene) => globalThis.__scenes.push(scene));
   });
   await studio.page.getByRole('button', { name: 'Build', exact: true }).click();
   await studio.page.locator('.build-panel').waitFor();
@@ -99,13 +99,13 @@ export async function byMouse(studio) {
   await scene(studio, 'a polygon', (one) => one.obstacles.length === 4);
   await tool(studio, 'Route');
   await drag(studio, { x: 3, y: 2 }, { x: 6, y: 2 });
-  now = await scene(studio, 'a mover', (one) => one.obstacles.some(({ path }) => path?.loop));
+  now = await scene(studio, 'a mover', (one) => one.obstacles.some(({ path }) => path.loop));
   await tool(studio, 'People');
   await page.locator('.build-panel').getByLabel('People', { exact: true }).fill('9');
   await page.locator('.build-panel').getByLabel('People', { exact: true }).press('Enter');
   await drag(studio, { x: -4, y: -5 }, { x: -4, y: -3 });
   now = await scene(studio, 'people', (one) => one.groups.length === 2);
-  expect(now.groups[1].count === 9 && Math.abs(now.groups[1].start.angle - Math.PI / 2) < 0.2, 'who face north');
+  expect(now.groups[1].count === 9 && Math.abs(now.groups[1].definition.angle - Math.PI / 2) < 0.2, 'who face north');
   await tool(studio, 'Select');
   await page.keyboard.press('Control+a');
   const before = now.obstacles.length + now.patches.length + now.items.length + now.checkpoints.length;
@@ -224,7 +224,7 @@ export async function bodies(studio) {
   const panel = page.locator('.build-panel');
   await panel.getByLabel('Body radius [m]').fill('0.35');
   await panel.getByLabel('Body radius [m]').press('Tab');
-  await scene(studio, 'wider people', ({ groups: [one] }) => one.start.body.radius === 0.35);
+  await scene(studio, 'wider people', ({ groups: [one] }) => one.body.radius === 0.35);
   expect((await edits()).length === 1, 'one edit for a typed number');
   const slider = panel.getByLabel('Top speed, slider');
   await slider.scrollIntoViewIfNeeded();
@@ -237,14 +237,14 @@ export async function bodies(studio) {
     await page.mouse.move(box.x + box.width * (0.35 + 0.03 * k), y);
     await studio.wait(30);
   }
-  await scene(studio, 'the world follows', ({ groups: [one] }) => one.start.body.maxSpeed > 3);
+  await scene(studio, 'the world follows', ({ groups: [one] }) => one.body.maxSpeed > 3);
   await page.mouse.up();
   const sent = (await edits()).slice(1);
   expect(sent.length >= 3 && new Set(sent.map(({ gesture }) => gesture)).size === 1, `one drag: ${sent.length}`);
   await panel.getByRole('combobox', { name: 'Class', exact: true }).selectOption('2');
-  await scene(studio, 'a class', ({ groups: [one] }) => one.start.body.class === 2);
+  await scene(studio, 'a class', ({ groups: [one] }) => one.body.unitClass === 2);
   await panel.getByLabel('Class 2 stands').selectOption('Rim');
-  await scene(studio, 'a role', ({ groups: [one] }) => one.start.roles[0]?.area === 'rim');
+  await scene(studio, 'a role', ({ groups: [one] }) => one.definition.roles[0]?.area === 'rim');
   await panel.getByLabel('Class 2 stands').scrollIntoViewIfNeeded();
   await studio.shot('build-bodies');
   await serious(studio, 'bodies of people');
@@ -253,8 +253,8 @@ export async function bodies(studio) {
   for (const name of ['Undo role', 'Undo class', 'Undo top speed', 'Undo body radius'])
     await page.getByRole('button', { name }).click();
   await scene(studio, 'as before', ({ groups: [one] }) => {
-    const { radius, maxSpeed, class: of } = one.start.body;
-    return radius === 0.25 && maxSpeed === 2 && of === 0 && one.start.roles.length === 0;
+    const { radius, maxSpeed, unitClass } = one.body;
+    return radius === 0.25 && maxSpeed === 2 && unitClass === 0 && one.definition.roles.length === 0;
   });
 }
 
@@ -373,11 +373,14 @@ export async function dragsByTouch(studio) {
   const now = await scene(
     studio,
     'turned to the left',
-    ({ groups: [one] }) => Math.abs(one.start.angle - angle - Math.PI / 2) < 0.3,
+    ({ groups: [one] }) => Math.abs(one.definition.angle - angle - Math.PI / 2) < 0.3,
   );
-  expect(near(now.groups[0].start.position, [at[0] + 3, at[1]], 0.6), `and moved: ${now.groups[0].start.position}`);
+  expect(
+    near(now.groups[0].definition.position, [at[0] + 3, at[1]], 0.6),
+    `and moved: ${now.groups[0].definition.position}`,
+  );
   await page.getByRole('button', { name: 'Undo turn' }).click();
-  await scene(studio, 'not turned', ({ groups: [one] }) => one.start.angle === angle);
+  await scene(studio, 'not turned', ({ groups: [one] }) => one.definition.angle === angle);
   await page.getByRole('button', { name: 'Undo move' }).click();
-  await scene(studio, 'not moved', ({ groups: [one] }) => near(one.start.position, at, 1e-9));
+  await scene(studio, 'not moved', ({ groups: [one] }) => near(one.definition.position, at, 1e-9));
 }

@@ -28,7 +28,7 @@ async function follow(studio) {
   });
 }
 
-const peopleOf = (now) => now.groups[0].start.people;
+const peopleOf = (now) => now.groups[0].definition.people;
 
 /** Sorts are made, changed and taken back; they hold in the world, in the scene and in the file. */
 export async function persons(studio) {
@@ -43,18 +43,18 @@ export async function persons(studio) {
   await page.locator('.build-chosen-fields h3', { hasText: 'People' }).waitFor();
   const choose = (label, word) => panel(studio).getByLabel(label, { exact: true }).selectOption(word);
   await choose('Persons', 'Adults');
-  await scene(studio, 'adults', (now) => peopleOf(now) === 'adults');
+  await scene(studio, 'adults', (now) => peopleOf(now)[0]?.name === 'Adults');
   await choose('Persons', 'Sorts of one’s own');
-  await scene(studio, 'a sort of its own', (now) => peopleOf(now)?.length === 1);
+  await scene(studio, 'a sort of its own', (now) => peopleOf(now)[0].name === 'Sort 1');
   await choose('Radius', 'Uniform');
-  await scene(studio, 'radii', (now) => peopleOf(now)[0].radius?.spread === 'uniform');
+  await scene(studio, 'radii', (now) => peopleOf(now)[0].radius.spread === 'uniform');
   await type(studio, 'Radius, to', '0.3');
   await scene(studio, 'the largest radius', (it) => peopleOf(it)[0].radius.b === 0.3);
   await type(studio, 'Radius, from', '0.2');
   await scene(studio, 'the least radius', (it) => peopleOf(it)[0].radius.a === 0.2);
   await choose('Premovement', 'Log-normal');
   await page.getByRole('button', { name: 'Add a sort' }).click();
-  const now = await scene(studio, 'two sorts', (it) => peopleOf(it)?.length === 2);
+  const now = await scene(studio, 'two sorts', (it) => peopleOf(it).length === 2);
   expect(peopleOf(now)[0].radius.a === 0.2 && peopleOf(now)[0].radius.b === 0.3, JSON.stringify(peopleOf(now)));
   await type(studio, 'Sort 2, share', '0.5');
   await scene(studio, 'shares', (it) => peopleOf(it)[1].share === 0.5);
@@ -91,18 +91,18 @@ export async function times(studio) {
   await type(studio, 'Until, 0: no end [s]', '90');
   await type(studio, 'In all, 0: no end', '50');
   await page.getByRole('button', { name: 'Add an arrival' }).click();
-  await scene(studio, 'an arrival', ({ areas }) => areas[0].timetable?.length === 1);
+  await scene(studio, 'an arrival', ({ areas }) => areas[0].timetable.length === 1);
   await page.getByRole('button', { name: 'Add an arrival' }).click();
-  await scene(studio, 'another one', ({ areas }) => areas[0].timetable?.length === 2);
+  await scene(studio, 'another one', ({ areas }) => areas[0].timetable.length === 2);
   await type(studio, 'Arrival 2, people', '12');
-  const now = await scene(studio, 'a dozen', ({ areas }) => areas[0].timetable?.[1]?.count === 12);
-  expect(now.areas[0].until === 90 && now.areas[0].most === 50 && now.areas[0].timetable[1].t === 120, 'its times');
+  const now = await scene(studio, 'a dozen', ({ areas }) => areas[0].timetable[1]?.count === 12);
+  expect(now.areas[0].until === 90 && now.areas[0].most === 50 && now.areas[0].timetable[1].time === 120, 'its times');
   await page.locator('.build-timetable').scrollIntoViewIfNeeded();
   await studio.pictures(2);
   await studio.shot('build-timetable');
   await serious(studio, 'a timetable');
   await page.getByRole('button', { name: 'Undo timetable' }).click();
-  await scene(studio, 'twenty', ({ areas }) => areas[0].timetable?.[1]?.count === 20);
+  await scene(studio, 'twenty', ({ areas }) => areas[0].timetable[1]?.count === 20);
   await tool(studio, 'Exit');
   await drag(studio, { x: 4, y: -3 }, { x: 6, y: -1 }, { touch: true });
   await scene(studio, 'an exit', ({ areas }) => areas.length === 2);

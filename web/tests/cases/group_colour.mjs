@@ -11,7 +11,9 @@ import { serious } from './look.mjs';
 const groupsOf = (studio) =>
   studio.page.evaluate(async () => (await (await fetch('/scenario')).json()).groups.map(({ colour }) => colour ?? ''));
 
-const chosenIn = ({ groups: [one] }) => one.chosenColour ?? '';
+/** `#rrggbb`; empty where nobody has chosen one. */
+const chosenIn = ({ groups: [{ definition }] }) =>
+  definition.colour === null ? '' : `#${definition.colour.toString(16).padStart(6, '0')}`;
 
 /** Opens the panel of the first group. */
 async function chooseGroup(studio, touch) {
@@ -103,7 +105,7 @@ async function farAway(studio) {
   await page.evaluate((old) => globalThis.__muster.view.camera.setPose(old), pose);
 }
 
-const chosenNow = (studio) => studio.page.evaluate(() => globalThis.__scenes.at(-1).groups[0].chosenColour ?? '');
+const chosenNow = async (studio) => chosenIn(await studio.page.evaluate(() => globalThis.__scenes.at(-1)));
 
 /** A swatch has another shade on dark ground. */
 async function inTheDark(studio) {

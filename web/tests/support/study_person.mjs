@@ -38,7 +38,7 @@ export class StudyPerson extends DrivenPage {
       const wait = setInterval(() => {
         if (!globalThis.__muster) return;
         clearInterval(wait);
-        globalThis.__muster.client.on('scene', ({ json }) => (globalThis.__facts = JSON.parse(json)));
+        globalThis.__muster.client.on('scene', (scene) => (globalThis.__facts = scene));
       }, 5);
     });
     await page.goto(url);

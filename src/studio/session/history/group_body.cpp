@@ -45,20 +45,19 @@ Result<std::vector<CommandBody>> bodiesOf(const std::vector<protocol::GroupBodyE
     return bodies;
 }
 
-GroupBody groupBody(const World& world, std::size_t group) {
+protocol::GroupBody groupBody(const World& world, std::size_t group) {
     const Parameters& parameters = world.parameters();
-    GroupBody common{parameters.character.radius, parameters.character.maxSpeed, 0};
+    protocol::GroupBody common{parameters.character.radius, parameters.character.maxSpeed, std::uint8_t{0}};
     bool first = true;
     for (const std::int32_t member : world.group(group).members) {
         const Body& body = world.characters().body[static_cast<std::size_t>(member)];
         const double radius = body.radius > 0.0 ? body.radius : parameters.character.radius;
         const double maxSpeed = body.maxSpeed > 0.0 ? body.maxSpeed : parameters.character.maxSpeed;
-        const std::int32_t unitClass = body.unitClass;
-        if (first) common = {radius, maxSpeed, unitClass};
+        if (first) common = {radius, maxSpeed, body.unitClass};
         first = false;
-        if (common.radius != radius) common.radius = -1.0;
-        if (common.maxSpeed != maxSpeed) common.maxSpeed = -1.0;
-        if (common.unitClass != unitClass) common.unitClass = -1;
+        if (common.radius != radius) common.radius.reset();
+        if (common.maxSpeed != maxSpeed) common.maxSpeed.reset();
+        if (common.unitClass != body.unitClass) common.unitClass.reset();
     }
     return common;
 }

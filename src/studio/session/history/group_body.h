@@ -14,14 +14,8 @@ namespace muster {
 Result<std::vector<CommandBody>> bodiesOf(const std::vector<protocol::GroupBodyEdit>& edits,
                                           const World& world);
 
-/// What all in a group have in common. What they differ in is negative.
-struct GroupBody {
-    double radius = -1.0;    ///< [m]
-    double maxSpeed = -1.0;  ///< Top speed in the open [m/s].
-    std::int32_t unitClass = -1;
-};
-
-/// Parameters stand in where a body has none of its own. Of an empty group: the parameters.
-GroupBody groupBody(const World& world, std::size_t group);
+/// What all in a group have in common. Parameters stand in where a body has none of its own. Of an empty
+/// group: the parameters.
+protocol::GroupBody groupBody(const World& world, std::size_t group);
 
 }  // namespace muster

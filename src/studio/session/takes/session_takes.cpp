@@ -6,7 +6,7 @@
 #include "engine/world/studio_access.h"
 #include "files/take/take_encoder.h"
 #include "muster/take.h"
-#include "studio/session/frames/scene_json.h"
+#include "studio/session/frames/scene_signature.h"
 #include "studio/session/session_state.h"
 
 namespace muster {

@@ -1,7 +1,8 @@
 #include "studio/study/host/trial_screen.h"
 
 #include "muster/own_clips.h"
-#include "studio/session/frames/scene_json.h"
+#include "studio/session/frames/scene_message.h"
+#include "studio/session/frames/scene_signature.h"
 
 namespace muster {
 
@@ -26,10 +27,9 @@ void TrialScreen::observe(const Trial& trial, const std::vector<Attention>& atte
 
 void TrialScreen::refreshScene(const Trial& trial) {
     signature_ = sceneSignature(trial.world());
-    protocol::Scene scene;
-    scene.revision = ++sceneRevision_;
-    scene.json = buildSceneJson({trial.def().environment, def_, trial.world(), Place(), 1, false});
-    scene_ = protocol::encode(scene);
+    const Place place;
+    scene_ = protocol::encode(
+        sceneMessage({trial.def().environment, def_, trial.world(), place, 1, false}, ++sceneRevision_));
     ++state_;
 }
 

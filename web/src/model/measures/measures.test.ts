@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { EventKind, type EventFrame } from '../../protocol/messages';
-import { parseScene } from '../../protocol/scene';
+import type { Given } from '../../protocol/generated/commands';
+import { EventKind, type EventFrame, type Scene } from '../../protocol/messages';
+import { sceneOf } from '../../protocol/test_scene';
 import { areaOf } from './area_record';
 import { crossingOf, type MeasureLine } from './crossing';
 import { Measures, type LineMeasure, type MeasuredFrame } from './measures';
@@ -11,8 +12,8 @@ const kStep = 1 / 60;
 /** Across the way to the east: from the north to the south, so that the east is to its left. */
 const kDoor: MeasureLine = { a: { x: 2, y: 1 }, b: { x: 2, y: -1 } };
 
-function scene(more: object = {}): ReturnType<typeof parseScene> {
-  return parseScene(JSON.stringify({ world: 1, name: 'hall', box: { min: [-10, -5], max: [10, 5] }, ...more }));
+function scene(more: Given<Scene> = {}): Scene {
+  return sceneOf({ world: 1, name: 'hall', box: { min: [-10, -5], max: [10, 5] }, ...more });
 }
 
 function frame(
@@ -182,10 +183,10 @@ describe('The curve of evacuation', () => {
   it('counts by each exit, and knows the last one', () => {
     const measures = new Measures();
     const areas = [
-      { id: 1, kind: 'exit', name: 'Door', polygon: [], open: true, rate: 0 },
-      { id: 2, kind: 'source', polygon: [], open: true, rate: 1 },
-      { id: 3, kind: 'exit', polygon: [], open: true, rate: 0 },
-    ];
+      { id: 1, kind: 'exit', name: 'Door' },
+      { id: 2, kind: 'source' },
+      { id: 3, kind: 'exit' },
+    ] as const;
     measures.setScene(scene({ areas }));
     const seen = (one: number, three: number): object => ({
       areas: [

@@ -1,8 +1,7 @@
 // Lines and areas that somebody has drawn to measure the crowd, and what they have measured while it walks.
 
 import { EventKind, type EventFrame } from '../../protocol/messages';
-import type { SceneFacts } from '../../protocol/scene';
-import { isSameWorld } from '../../protocol/scene';
+import { isSameWorld, type SceneFacts } from '../../protocol/scene';
 import type { GroundPoint } from '../plane';
 import { AreaRecord } from './area_record';
 import { LineRecord, crossingOf, type Crossing, type MeasureLine } from './crossing';

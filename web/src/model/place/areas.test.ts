@@ -1,47 +1,46 @@
 import { describe, expect, it } from 'vitest';
-import { parseScene } from '../../protocol/scene';
+import { sceneOf } from '../../protocol/test_scene';
 import { emptiedGroups, groupChoices, joinedSource, newArrivals, queued } from './areas';
 import { kAdults } from './people';
 import { addCommand, changeCommand, moved, removeCommand, thing, thingsOf, turned } from './things';
 
-const box = { min: [-9, -9], max: [9, 9] };
+const box = { min: [-9, -9], max: [9, 9] } as const;
 const polygon = [
   [0, 0],
   [2, 0],
   [2, 2],
   [0, 2],
 ] as const;
-const start = { position: [1, 1], angle: 0, formation: { kind: 'square' }, count: 0, people: 'adults' };
-const scene = parseScene(
-  JSON.stringify({
-    box,
-    areas: [
-      {
-        id: 4,
-        kind: 'exit',
-        name: 'Door',
-        polygon,
-        open: false,
-        rate: 1.5,
-        queue: [
-          [2, 1],
-          [5, 1],
-        ],
-      },
-      { id: 5, kind: 'source', polygon, open: true, rate: 2, group: 7, until: 60, timetable: [{ t: 3, count: 4 }] },
-    ],
-    groups: [
-      { id: 7, name: 'Arrivals', count: 12, formation: 'square', colour: 0, start },
-      { id: 8, name: 'Arrivals', count: 9, formation: 'square', colour: 1, start: { ...start, count: 9 } },
-    ],
-  }),
-);
+const adults = [{ name: 'Adults', speed: kAdults.speed }];
+const start = { name: 'Arrivals', position: [1, 1], count: 0, people: adults } as const;
+const scene = sceneOf({
+  box,
+  areas: [
+    {
+      id: 4,
+      kind: 'exit',
+      name: 'Door',
+      polygon,
+      open: false,
+      rate: 1.5,
+      queue: [
+        [2, 1],
+        [5, 1],
+      ],
+    },
+    { id: 5, kind: 'source', polygon, open: true, rate: 2, group: 7, until: 60, timetable: [{ time: 3, count: 4 }] },
+  ],
+  groups: [
+    { id: 7, count: 12, formation: 'square', placed: true, definition: start },
+    { id: 8, accent: 1, count: 9, formation: 'square', placed: true, definition: { ...start, count: 9 } },
+  ],
+});
 const things = thingsOf(scene);
 const [exit, source] = things;
 
 describe('areas', () => {
   it('are told to the server as they are, with the id of what is changed, and the group of a source', () => {
-    expect(addCommand(exit!)).toEqual({
+    expect(addCommand(exit!)).toMatchObject({
       kind: 'putThing',
       group: 0,
       area: {

@@ -1,7 +1,7 @@
 // Exits, sources and waiting areas of a place that is being made: whom a source sends, and lines to queue in.
 
-import type { Command } from '../../protocol/generated/commands';
-import type { Point2, SceneFacts } from '../../protocol/scene';
+import type { Command, Vec2 } from '../../protocol/generated/commands';
+import type { SceneFacts } from '../../protocol/scene';
 import { distance, type GroundPoint } from '../plane';
 import { kAdults } from './people';
 import type { Thing } from './things';
@@ -12,8 +12,8 @@ const kQueueStep = 1;
 /** Groups that a source may send people to, by words that differ. */
 export function groupChoices(scene: SceneFacts | null): { readonly id: number; readonly word: string }[] {
   const groups = scene?.groups ?? [];
-  return groups.map(({ id, name }) => {
-    const twice = groups.filter((one) => one.name === name).length > 1;
+  return groups.map(({ id, definition: { name } }) => {
+    const twice = groups.filter((one) => one.definition.name === name).length > 1;
     return { id, word: twice || !name ? `${name || 'Group'} ${id}` : name };
   });
 }
@@ -36,7 +36,7 @@ export function newArrivals({ centre }: Thing): Command {
 /** The source with its group, which has come; null where it has not. `known`: what was there before. */
 export function joinedSource(source: Thing, scene: SceneFacts, known: readonly Thing[]): Thing | null {
   const isKnown = (group: number): boolean => known.some(({ kind, id }) => kind === 'group' && id === group);
-  const group = scene.groups.find(({ id, name }) => name === kArrivals && !isKnown(id));
+  const group = scene.groups.find(({ id, definition }) => definition.name === kArrivals && !isKnown(id));
   return group ? { ...source, group: group.id } : null;
 }
 
@@ -60,7 +60,7 @@ export function emptiedGroups(removed: readonly Thing[], all: readonly Thing[]):
 
 /** The exit with a queue along the drawn line, from its end at the exit; none where the line is short. */
 export function queued(exit: Thing, line: readonly GroundPoint[]): Thing {
-  const queue: Point2[] = [];
+  const queue: Vec2[] = [];
   for (const { x, y } of line) {
     const last = queue[queue.length - 1];
     if (!last || distance({ x, y }, { x: last[0], y: last[1] }) >= kQueueStep) queue.push([x, y]);

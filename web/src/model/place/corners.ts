@@ -1,7 +1,7 @@
 // Corners of what somebody builds: taken hold of, moved, added and removed one by one.
 
 import { outlineOf, type Thing } from './things';
-import type { Point2 } from '../../protocol/scene';
+import type { Vec2 } from '../../protocol/generated/commands';
 import { distance, insidePolygon, turn, type GroundPoint, type ScreenPoint } from '../plane';
 
 /** Outlines with more corners, such as imported ones, are taken as wholes. */
@@ -55,8 +55,8 @@ export function gripAt(
   return best;
 }
 
-function reshaped(one: Thing, polygon: readonly Point2[]): Thing {
-  const sum = polygon.reduce(([x, y], p) => [x + p[0], y + p[1]] as const, [0, 0] as Point2);
+function reshaped(one: Thing, polygon: readonly Vec2[]): Thing {
+  const sum = polygon.reduce(([x, y], p) => [x + p[0], y + p[1]] as const, [0, 0] as Vec2);
   return { ...one, polygon, centre: [sum[0] / polygon.length, sum[1] / polygon.length] };
 }
 

@@ -1,6 +1,7 @@
 // Things as they are drawn: from where a pointer came down to where it is.
 
-import type { AreaKind, Point2 } from '../../protocol/scene';
+import type { AreaKindWord } from '../../protocol/generated/words';
+import type { Vec2 } from '../../protocol/generated/commands';
 import { formationKind } from '../sequence';
 import { distance, type GroundPoint } from '../plane';
 import { groupRadius, thing, type Thing } from './things';
@@ -76,11 +77,11 @@ const kAreaNames = { exit: 'Exit', source: 'Source', waiting: 'Waiting area' };
 /** Points of a route lie so far apart [m]. */
 const kRouteStep = 0.5;
 
-export function isAreaTool(tool: BuildTool): tool is AreaKind {
+export function isAreaTool(tool: BuildTool): tool is AreaKindWord {
   return tool in kAreaNames;
 }
 
-function rectangle(a: GroundPoint, b: GroundPoint): Point2[] {
+function rectangle(a: GroundPoint, b: GroundPoint): Vec2[] {
   const [x0, x1] = [Math.min(a.x, b.x), Math.max(a.x, b.x)];
   const [y0, y1] = [Math.min(a.y, b.y), Math.max(a.y, b.y)];
   return [
@@ -91,14 +92,14 @@ function rectangle(a: GroundPoint, b: GroundPoint): Point2[] {
   ];
 }
 
-function boxOf(a: GroundPoint, b: GroundPoint): Point2[] {
+function boxOf(a: GroundPoint, b: GroundPoint): Vec2[] {
   const flat = Math.abs(a.x - b.x) < 0.1 || Math.abs(a.y - b.y) < 0.1;
   const half = kPressed.box;
   return flat ? rectangle({ x: a.x - half, y: a.y - half }, { x: a.x + half, y: a.y + half }) : rectangle(a, b);
 }
 
 /** A wall of that width along the line; null for a press. */
-export function wallOf(a: GroundPoint, b: GroundPoint, width: number): Point2[] | null {
+export function wallOf(a: GroundPoint, b: GroundPoint, width: number): Vec2[] | null {
   const length = distance(a, b);
   if (length < kPress) return null;
   const [nx, ny] = [((a.y - b.y) / length) * (width / 2), ((b.x - a.x) / length) * (width / 2)];
@@ -110,7 +111,7 @@ export function wallOf(a: GroundPoint, b: GroundPoint, width: number): Point2[] 
   ];
 }
 
-function round(a: GroundPoint, b: GroundPoint, pressed: number): { centre: Point2; radius: number } {
+function round(a: GroundPoint, b: GroundPoint, pressed: number): { centre: Vec2; radius: number } {
   const radius = distance(a, b);
   return { centre: [a.x, a.y], radius: radius < kPress ? pressed : radius };
 }
@@ -160,20 +161,20 @@ function stairsThing(a: GroundPoint, b: GroundPoint, options: DrawingOptions): T
   return polygon && thing('patch', { name: 'Stairs', polygon, centre: centreOf(polygon), motion, ascent, rest });
 }
 
-function areaThing(kind: AreaKind, polygon: readonly Point2[], options: DrawingOptions): Thing {
+function areaThing(kind: AreaKindWord, polygon: readonly Vec2[], options: DrawingOptions): Thing {
   const rate = { exit: options.exitRate, source: options.sourceRate, waiting: 0 }[kind];
   const area = { kind, open: true, rate, queue: [] };
   const group = kind === 'source' ? options.sourceGroup : 0;
   return thing('area', { name: kAreaNames[kind], polygon, centre: centreOf(polygon), area, group });
 }
 
-function centreOf(polygon: readonly Point2[]): Point2 {
-  const sum = polygon.reduce(([x, y], p) => [x + p[0], y + p[1]] as const, [0, 0] as Point2);
+function centreOf(polygon: readonly Vec2[]): Vec2 {
+  const sum = polygon.reduce(([x, y], p) => [x + p[0], y + p[1]] as const, [0, 0] as Vec2);
   return [sum[0] / polygon.length, sum[1] / polygon.length];
 }
 
 /** An obstacle with these corners; null for fewer than three. */
-export function polygonThing(polygon: readonly Point2[], height: number): Thing | null {
+export function polygonThing(polygon: readonly Vec2[], height: number): Thing | null {
   return polygon.length < 3 ? null : thing('obstacle', { polygon, centre: centreOf(polygon), height });
 }
 

@@ -1,10 +1,8 @@
 // What all in a group have in common, and where its classes stand.
 
-import type { Body, GroupDef, RoleDef } from '../../protocol/generated/commands';
+import type { RoleDef } from '../../protocol/generated/commands';
 import { kRoleAreaWords } from '../../protocol/generated/words';
-
-/** What all in a group have in common; what they differ in is absent. */
-export type GroupBody = Partial<Pick<Body, 'radius' | 'maxSpeed' | 'unitClass'>>;
+import type { GroupBody } from '../../protocol/messages';
 
 /** Parts of a formation, as events name them and as people read them. */
 export const kAreas: Readonly<Record<string, string>> = {
@@ -37,17 +35,4 @@ export function withArea(roles: readonly RoleDef[], unitClass: number, label: st
   if (!area) return roles.filter((one) => one.unitClass !== unitClass);
   if (!roles.some((one) => one.unitClass === unitClass)) return [...roles, { area, unitClass }];
   return roles.map((one) => (one.unitClass === unitClass ? { ...one, area } : one));
-}
-
-/** Fields of a new group's definition that make it like this one. `usual`: what bodies are without any. */
-export function likeGroup(
-  body: GroupBody,
-  roles: readonly RoleDef[],
-  usual: GroupBody,
-): Partial<Record<keyof GroupDef, unknown>> {
-  const own = Object.entries(body).filter(([key, value]) => value !== usual[key as keyof GroupBody]);
-  return {
-    ...(own.length > 0 ? { bodies: [Object.fromEntries(own)] } : {}),
-    ...(roles.length > 0 ? { roles } : {}),
-  };
 }

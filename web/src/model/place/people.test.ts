@@ -1,23 +1,25 @@
 import { describe, expect, it } from 'vitest';
-import { kAdults, meanOf, respread, sortsOf, spreadTrouble, spreadWords, type Spreading } from './people';
+import { filled } from '../../protocol/encoding';
+import type { PeopleDef } from '../../protocol/generated/commands';
+import { kAdults, meanOf, respread, sortOf, spreadTrouble, spreadWords, type Spreading } from './people';
 
 const kNormal: Spreading = { spread: 'normal', a: 1.34, b: 0.26, least: 0.5, most: 2.2 };
 
-describe('Sorts of persons', () => {
-  it('are read from the word, from one sort and from several', () => {
-    expect(sortsOf('adults')).toEqual([kAdults]);
-    expect(sortsOf(undefined)).toEqual([]);
-    expect(sortsOf({ speed: 1 })).toEqual([
-      {
-        name: '',
-        share: 1,
-        unitClass: 0,
-        upstairs: 0,
-        downstairs: 0,
-        speed: { spread: 'constant', a: 1, b: 0, least: 0, most: 1e9 },
-      },
-    ]);
-    expect(sortsOf([{ share: 2 }, { name: 'Old', age: { spread: 'uniform', a: 65, b: 80 } }])).toHaveLength(2);
+describe('A sort of persons', () => {
+  it('has what is drawn, and leaves the rest to the bodies of its group', () => {
+    const def = filled<PeopleDef>('PeopleDef', {
+      name: 'Old',
+      share: 2,
+      speed: { a: 1 },
+      age: { spread: 'uniform', b: 80 },
+    });
+    const sort = sortOf(def);
+    const shares = { upstairs: 0, downstairs: 0 };
+    expect(sort).toEqual({ name: 'Old', share: 2, unitClass: 0, ...shares, speed: def.speed, age: def.age });
+  });
+  it('is that of adults where it is just that', () => {
+    const adults = sortOf(filled<PeopleDef>('PeopleDef', { name: kAdults.name, speed: kAdults.speed }));
+    expect(JSON.stringify(adults)).toBe(JSON.stringify(kAdults));
   });
 });
 

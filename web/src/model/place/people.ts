@@ -1,6 +1,6 @@
-// Sorts of persons of a group: as scenario files have them, and as somebody edits them.
+// Sorts of persons of a group, as somebody edits them.
 
-import type { Distribution } from '../../protocol/generated/commands';
+import type { Distribution, PeopleDef } from '../../protocol/generated/commands';
 import type { SpreadWord } from '../../protocol/generated/words';
 
 export type Spread = SpreadWord;
@@ -22,7 +22,6 @@ export interface PersonSort extends Readonly<Partial<Record<DrawnNumber, Spreadi
 }
 
 const kMost = 1e9;
-const kAdultsWord = 'adults';
 const kBlank: PersonSort = { name: '', share: 1, unitClass: 0, upstairs: 0, downstairs: 0 };
 
 /** Free speeds of Weidmann 1993. */
@@ -100,42 +99,17 @@ export const kSpreads: Readonly<
   },
 };
 
-function isRecord(raw: unknown): raw is Readonly<Record<string, unknown>> {
-  return typeof raw === 'object' && raw !== null && !Array.isArray(raw);
-}
-
-function numberOf(raw: unknown, otherwise: number): number {
-  return typeof raw === 'number' ? raw : otherwise;
-}
-
-function spreadingOf(raw: unknown): Spreading | undefined {
-  if (typeof raw === 'number')
-    return raw === 0 ? undefined : { spread: 'constant', a: raw, b: 0, least: 0, most: kMost };
-  if (!isRecord(raw)) return undefined;
-  const spread = Object.keys(kSpreads).find((one) => one === raw['spread']) as Spread | undefined;
-  const [a, b] = [numberOf(raw['a'], 0), numberOf(raw['b'], 0)];
-  const [least, most] = [numberOf(raw['least'], 0), numberOf(raw['most'], kMost)];
-  return spread && { spread, a, b, least, most };
-}
-
-function sortOf(raw: unknown): PersonSort {
-  if (!isRecord(raw)) return kBlank;
-  const drawn = kDrawnNumbers.map((key) => [key, spreadingOf(raw[key])] as const).filter(([, one]) => one);
+/** A sort as definitions have it: a number that is constantly 0 is not drawn. */
+export function sortOf({ name, share, unitClass, upstairs, downstairs, ...numbers }: PeopleDef): PersonSort {
+  const drawn = kDrawnNumbers.filter((key) => numbers[key].spread !== 'constant' || numbers[key].a !== 0);
   return {
-    name: typeof raw['name'] === 'string' ? raw['name'] : '',
-    share: numberOf(raw['share'], 1),
-    unitClass: numberOf(raw['class'], 0),
-    upstairs: numberOf(raw['upstairs'], 0),
-    downstairs: numberOf(raw['downstairs'], 0),
-    ...Object.fromEntries(drawn),
+    name,
+    share,
+    unitClass,
+    upstairs,
+    downstairs,
+    ...Object.fromEntries(drawn.map((key) => [key, numbers[key]])),
   };
-}
-
-/** Reads `people` of a group. */
-export function sortsOf(raw: unknown): PersonSort[] {
-  if (raw === kAdultsWord) return [kAdults];
-  if (Array.isArray(raw)) return raw.map(sortOf);
-  return isRecord(raw) ? [sortOf(raw)] : [];
 }
 
 /** The number with another kind of spread, about as it was; undefined for none. */

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { parseScene } from '../../protocol/scene';
+import { sceneOf } from '../../protocol/test_scene';
 import {
   addCommand,
   changeCommand,
@@ -15,82 +15,75 @@ import {
   within,
 } from './things';
 
-const kScene = parseScene(
-  JSON.stringify({
-    world: 3,
-    box: { min: [-20, -20], max: [20, 20] },
-    obstacles: [
-      {
-        id: 1,
-        name: 'Hut',
-        polygon: [
-          [0, 0],
-          [2, 0],
-          [2, 2],
-          [0, 2],
+const kScene = sceneOf({
+  world: 3,
+  box: { min: [-20, -20], max: [20, 20] },
+  obstacles: [
+    {
+      id: 1,
+      name: 'Hut',
+      polygon: [
+        [0, 0],
+        [2, 0],
+        [2, 2],
+        [0, 2],
+      ],
+      height: 3,
+      range: 1.5,
+    },
+    {
+      id: 4,
+      name: 'Car',
+      centre: [5, 5],
+      radius: 1,
+      height: 2,
+      path: {
+        waypoints: [
+          { time: 0, position: [0, 0] },
+          { time: 2, position: [4, 0] },
         ],
-        height: 3,
-        moving: false,
-        range: 1.5,
+        loop: true,
       },
-      {
-        id: 4,
-        name: 'Car',
-        centre: [5, 5],
-        radius: 1,
-        height: 2,
-        moving: true,
-        path: {
-          waypoints: [
-            { t: 0, x: 0, y: 0, angle: 0 },
-            { t: 2, x: 4, y: 0, angle: 0 },
-          ],
-          loop: true,
-        },
-      },
-    ],
-    patches: [
-      {
-        id: 2,
-        name: 'Net',
-        polygon: [
-          [-4, -1],
-          [-2, -1],
-          [-2, 1],
-          [-4, 1],
-        ],
-        motion: 3,
-        speed: 0.3,
-        moving: false,
-      },
-    ],
-    items: [{ id: 7, position: [1, 1], radius: 0.5 }],
-    checkpoints: [
-      {
-        id: 1,
-        position: [8, 0],
-        radius: 2,
-        formation: 'wedge',
-        shape: { kind: 'wedge', spacing: 1 },
-        group: 1,
-        once: false,
-        trigger: 'mesh',
-        share: 0.5,
-      },
-    ],
-    groups: [
-      {
-        id: 1,
-        name: 'One',
-        count: 9,
-        formation: 'square',
-        colour: 0,
-        start: { position: [-8, 0], angle: 1, formation: { kind: 'square', spacing: 1 } },
-      },
-      { id: 2, name: 'One 2', count: 4, formation: 'square', colour: 1 },
-    ],
-  }),
-);
+    },
+  ],
+  patches: [
+    {
+      id: 2,
+      name: 'Net',
+      polygon: [
+        [-4, -1],
+        [-2, -1],
+        [-2, 1],
+        [-4, 1],
+      ],
+      motion: 3,
+      speed: 0.3,
+    },
+  ],
+  items: [{ id: 7, position: [1, 1], radius: 0.5 }],
+  checkpoints: [
+    {
+      id: 1,
+      position: [8, 0],
+      radius: 2,
+      formation: { kind: 'wedge', spacing: 1 },
+      group: 1,
+      once: false,
+      trigger: 'mesh',
+      share: 0.5,
+    },
+  ],
+  groups: [
+    {
+      id: 1,
+      count: 9,
+      formation: 'square',
+      placed: true,
+      definition: { name: 'One', count: 9, position: [-8, 0], angle: 1 },
+    },
+    { id: 2, accent: 1, count: 4, formation: 'square', definition: { name: 'One 2' } },
+  ],
+});
 const all = thingsOf(kScene);
 const of = (kind: string, id: number) => all.find((one) => one.kind === kind && one.id === id)!;
 
@@ -107,7 +100,7 @@ describe('things of a place', () => {
   });
 
   it('keep what building does not change', () => {
-    expect(changeCommand(moved(of('obstacle', 1), 1, 0))).toEqual({
+    expect(changeCommand(moved(of('obstacle', 1), 1, 0))).toMatchObject({
       kind: 'putThing',
       id: 1,
       obstacle: {
@@ -122,7 +115,7 @@ describe('things of a place', () => {
         range: 1.5,
       },
     });
-    expect(changeCommand(of('checkpoint', 1))).toEqual({
+    expect(changeCommand(of('checkpoint', 1))).toMatchObject({
       kind: 'putThing',
       id: 1,
       group: 1,

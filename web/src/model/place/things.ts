@@ -11,26 +11,26 @@ import type {
   PatchDef,
   RoleDef,
   TimedPath,
+  Vec2,
 } from '../../protocol/generated/commands';
-import type { GroupBodyEdit } from '../../protocol/messages';
-import type { AreaKind, Point2, SceneFacts, SceneGroupBody, ScenePath, SceneRole } from '../../protocol/scene';
-import { colourNumber, numberOfColour } from '../accent';
+import type { GroupBody, GroupBodyEdit } from '../../protocol/messages';
+import type { AreaKindWord } from '../../protocol/generated/words';
+import { isMoving, type SceneFacts } from '../../protocol/scene';
+import { withChosen } from '../accent';
 import { distance, insidePolygon, type GroundPoint } from '../plane';
 import type { FormationWords } from '../sequence';
-import { formationOf } from './formation';
-import { likeGroup, type GroupBody } from './group_body';
-import { sortsOf } from './people';
+import { sortOf } from './people';
 
 export type ThingKind = 'obstacle' | 'patch' | 'area' | 'item' | 'checkpoint' | 'group';
 
 export const kThingKinds: readonly ThingKind[] = ['obstacle', 'patch', 'area', 'item', 'checkpoint', 'group'];
 
-/** What an area does; see SceneArea. */
+/** What an area does; see AreaDef. */
 export interface AreaFields {
-  readonly kind: AreaKind;
+  readonly kind: AreaKindWord;
   readonly open: boolean;
   readonly rate: number;
-  readonly queue: readonly Point2[];
+  readonly queue: readonly Vec2[];
 }
 
 /** One thing. It has a polygon, or a centre with a radius. */
@@ -39,8 +39,8 @@ export interface Thing {
   /** 0 where it is not there yet. */
   readonly id: number;
   readonly name: string;
-  readonly polygon: readonly Point2[] | null;
-  readonly centre: Point2;
+  readonly polygon: readonly Vec2[] | null;
+  readonly centre: Vec2;
   readonly radius: number;
   /** Where a group faces; 0 for others [rad]. */
   readonly angle: number;
@@ -96,13 +96,9 @@ export function thing(kind: ThingKind, fields: Partial<Thing>): Thing {
 }
 
 /** The mean of the corners. */
-function middle(polygon: readonly Point2[]): Point2 {
-  const sum = polygon.reduce(([x, y], p) => [x + p[0], y + p[1]] as const, [0, 0] as Point2);
+function middle(polygon: readonly Vec2[]): Vec2 {
+  const sum = polygon.reduce(([x, y], p) => [x + p[0], y + p[1]] as const, [0, 0] as Vec2);
   return [sum[0] / Math.max(1, polygon.length), sum[1] / Math.max(1, polygon.length)];
-}
-
-function present(fields: Readonly<Record<string, unknown>>): Record<string, unknown> {
-  return Object.fromEntries(Object.entries(fields).filter(([, value]) => value !== undefined));
 }
 
 /** The room that so many people take: about as a disc. */
@@ -110,106 +106,73 @@ export function groupRadius(count: number, spacing: number): number {
   return 0.6 * spacing * Math.sqrt(Math.max(1, count)) + 0.3;
 }
 
-function shapeOf(polygon: readonly Point2[] | undefined, centre: Point2 | undefined, radius: number | undefined) {
-  const corners = polygon && polygon.length > 0 ? polygon : null;
-  return {
-    polygon: corners,
-    centre: corners ? middle(corners) : (centre ?? [0, 0]),
-    radius: corners ? 0 : (radius ?? 0),
-  };
+function shapeOf({ polygon, centre, radius }: { polygon: readonly Vec2[]; centre?: Vec2; radius?: number }) {
+  if (polygon.length > 0) return { polygon, centre: middle(polygon), radius: 0 };
+  return { polygon: null, centre: centre ?? ([0, 0] as const), radius: radius ?? 0 };
 }
 
-function pathOf(path: ScenePath | undefined): TimedPath | null {
-  const waypoints = path?.waypoints.map(({ t, x, y, angle }) => ({ time: t, position: [x, y] as const, angle }));
-  return path && waypoints ? { waypoints, loop: path.loop } : null;
-}
-
-function bodyOf({ class: unitClass, ...body }: SceneGroupBody): GroupBody {
-  return { ...body, ...(unitClass === undefined ? {} : { unitClass }) };
-}
-
-function rolesOf(roles: readonly SceneRole[] | undefined): RoleDef[] {
-  return (roles ?? []).map(({ area, class: unitClass }) => ({ area: area as RoleDef['area'], unitClass }));
-}
+const pathOf = (path: TimedPath): TimedPath | null => (isMoving({ path }) ? path : null);
 
 /** All that can be taken hold of, what lies on top last. */
 export function thingsOf(scene: SceneFacts): Thing[] {
-  const patches = scene.patches.map(({ id, name, polygon, motion, path, ownSpeed, ascent, speedDown }) =>
+  const patches = scene.patches.map(({ id, name, polygon, motion, path, ascent, speed, speedDown }) =>
     thing('patch', {
       id,
       name,
-      ...shapeOf(polygon, undefined, undefined),
+      ...shapeOf({ polygon }),
       motion,
-      ascent: ascent ?? null,
+      ascent,
       path: pathOf(path),
-      rest: present({ speed: ownSpeed, speedDown }),
+      rest: { speed, speedDown },
     }),
   );
-  const obstacles = scene.obstacles.map(({ id, name, polygon, centre, radius, height, path, range, strength }) =>
-    thing('obstacle', {
-      id,
-      name,
-      ...shapeOf(polygon, centre, radius),
-      height,
-      path: pathOf(path),
-      rest: present({ range, strength }),
-    }),
+  const obstacles = scene.obstacles.map(({ id, name, height, path, range, strength, ...shape }) =>
+    thing('obstacle', { id, name, ...shapeOf(shape), height, path: pathOf(path), rest: { range, strength } }),
   );
-  const checkpoints = scene.checkpoints.map(({ id, position, radius, shape, group, once, trigger, share }) =>
-    thing('checkpoint', {
-      id,
-      centre: position,
-      radius,
-      formation: formationOf(shape),
-      group,
-      rest: present({ once, trigger, share }),
-    }),
+  const checkpoints = scene.checkpoints.map(({ id, position: centre, radius, formation, group, ...rest }) =>
+    thing('checkpoint', { id, centre, radius, formation, group, rest }),
   );
-  const items = scene.items.map(({ id, position, radius }) => thing('item', { id, centre: position, radius }));
-  const groups = groupsOf(scene);
-  return [...patches, ...areasOf(scene), ...obstacles, ...checkpoints, ...items, ...groups];
+  const items = scene.items.map(({ id, position: centre, radius }) => thing('item', { id, centre, radius }));
+  return [...patches, ...areasOf(scene), ...obstacles, ...checkpoints, ...items, ...groupsOf(scene)];
 }
 
-function areasOf(scene: SceneFacts): Thing[] {
-  return scene.areas.map(({ id, name, polygon, kind, open, rate, queue, group, from, until, most, timetable }) =>
-    thing('area', {
-      id,
-      name: name ?? '',
-      ...shapeOf(polygon, undefined, undefined),
-      area: { kind, open, rate, queue: queue ?? [] },
-      group: group ?? 0,
-      rest: present({ from, until, most, timetable: timetable?.map(({ t, count }) => ({ time: t, count })) }),
-    }),
+function areasOf({ areas }: SceneFacts): Thing[] {
+  return areas.map(({ id, name, polygon, kind, open, rate, queue, group, ...rest }) =>
+    thing('area', { id, name, ...shapeOf({ polygon }), area: { kind, open, rate, queue }, group, rest }),
   );
 }
 
-function groupsOf(scene: SceneFacts): Thing[] {
-  const speed = scene.parameters.find(({ name }) => name === 'character.maxSpeed')?.value;
-  const usual: GroupBody = { radius: scene.radius, maxSpeed: speed ?? 2, unitClass: 0 };
-  return scene.groups.flatMap(({ id, name, count, colour, chosenColour, build, motions, start }) =>
-    start
-      ? [
-          thing('group', {
-            id,
-            name,
-            count: start.count ?? count,
-            centre: start.position,
-            angle: start.angle,
-            formation: formationOf(start.formation),
-            body: start.body ? bodyOf(start.body) : null,
-            roles: rolesOf(start.roles),
-            colour: colourNumber(colour, chosenColour),
-            rest: {
-              ...likeGroup(bodyOf(start.body ?? {}), rolesOf(start.roles), usual),
-              ...present({ build, motions }),
-              ...(chosenColour === undefined ? {} : { colour: numberOfColour(chosenColour) }),
-              ...(start.people === undefined ? {} : { people: sortsOf(start.people) }),
-            },
-            radius: groupRadius(start.count ?? count, start.formation.spacing ?? 1),
-          }),
-        ]
-      : [],
-  );
+function groupsOf({ groups }: SceneFacts): Thing[] {
+  return groups
+    .filter(({ placed }) => placed)
+    .map(({ id, accent, body, definition }) => {
+      const {
+        name,
+        count,
+        position: centre,
+        angle,
+        formation,
+        bodies,
+        roles,
+        colour,
+        build,
+        motions,
+        people,
+      } = definition;
+      return thing('group', {
+        id,
+        name,
+        count,
+        centre,
+        angle,
+        formation,
+        body,
+        roles,
+        colour: withChosen(accent, colour),
+        rest: { bodies, roles, colour, build, motions, people: people.map(sortOf) },
+        radius: groupRadius(count, formation.spacing),
+      });
+    });
 }
 
 export function sameThing(a: Pick<Thing, 'kind' | 'id'>, b: Pick<Thing, 'kind' | 'id'>): boolean {
@@ -217,7 +180,7 @@ export function sameThing(a: Pick<Thing, 'kind' | 'id'>, b: Pick<Thing, 'kind' |
 }
 
 /** Maps every point of a thing; `turn` [rad] turns headings and routes, `scale` grows radii and routes. */
-function mapped(one: Thing, map: (p: Point2) => Point2, turn: number, scale: number): Thing {
+function mapped(one: Thing, map: (p: Vec2) => Vec2, turn: number, scale: number): Thing {
   const [c, s] = [Math.cos(turn) * scale, Math.sin(turn) * scale];
   const grows = one.kind !== 'group';
   return {
@@ -245,7 +208,7 @@ export function moved(one: Thing, dx: number, dy: number): Thing {
 
 export function turned(one: Thing, about: GroundPoint, angle: number): Thing {
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
-  const map = ([x, y]: Point2): Point2 => {
+  const map = ([x, y]: Vec2): Vec2 => {
     const [dx, dy] = [x - about.x, y - about.y];
     return [about.x + c * dx - s * dy, about.y + s * dx + c * dy];
   };
@@ -253,7 +216,7 @@ export function turned(one: Thing, about: GroundPoint, angle: number): Thing {
 }
 
 export function scaled(one: Thing, about: GroundPoint, factor: number): Thing {
-  const map = ([x, y]: Point2): Point2 => [about.x + factor * (x - about.x), about.y + factor * (y - about.y)];
+  const map = ([x, y]: Vec2): Vec2 => [about.x + factor * (x - about.x), about.y + factor * (y - about.y)];
   return mapped(one, map, 0, factor);
 }
 

@@ -67,7 +67,7 @@ export function shownBy(models: readonly SceneryModel[]): (obstacle: Pick<Obstac
     for (const one of obstacles) known.set(one.name, [...(known.get(one.name) ?? []), one]);
   return ({ name = '', polygon }) => {
     const same = known.get(name);
-    if (!same || !polygon) return false;
+    if (!same || !polygon?.length) return false;
     const { x, y } = middleOfBox(polygon);
     return same.some((one) => Math.abs(one.x - x) < kSame && Math.abs(one.y - y) < kSame);
   };

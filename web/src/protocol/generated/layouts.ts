@@ -27,6 +27,16 @@ export const kPartLayouts: Readonly<Record<string, string>> = {
   StageFrame: 'name:text about:text milliseconds:f32',
   EventFrame: 'kind:<26 subject:u32 value:u32 x:f32 y:f32',
   GroupBodyEdit: 'group:u32 radius:f64? maxSpeed:f64? unitClass:u8?',
+  SceneBox: 'min:Vec2 max:Vec2',
+  SceneClip: 'name:text speed:f64',
+  SceneObstacle: 'id:u32 ...:ObstacleDef',
+  ScenePatch: 'id:u32 ...:PatchDef',
+  SceneItem: 'id:u32 ...:ItemDef',
+  SceneCheckpoint: 'id:u32 ...:CheckpointDef group:u32',
+  SceneArea: 'id:u32 ...:AreaDef group:u32',
+  GroupBody: 'radius:f64? maxSpeed:f64? unitClass:u8?',
+  SceneGroup: 'id:u32 accent:u8 count:u32 formation:text placed:bool definition:GroupDef body:GroupBody',
+  SceneParameter: 'name:text value:f64',
 };
 
 // prettier-ignore
@@ -67,7 +77,7 @@ export const kClientLayouts: readonly (readonly [string, string])[] = [
 /** Messages of the server. */
 export const kServerLayouts: readonly (readonly [string, string])[] = [
   ['Welcome', 'client:u32 version:text scenarios:ScenarioInfo* schemes:SchemeInfo*'],
-  ['Scene', 'revision:u32 json:text'],
+  ['Scene', 'revision:u32 world:u32 name:text title:text description:text credit:text demonstration:bool box:SceneBox cell:f64 radius:f64 ring:bool clips:SceneClip* obstacles:SceneObstacle* patches:ScenePatch* items:SceneItem* checkpoints:SceneCheckpoint* areas:SceneArea* groups:SceneGroup* parameters:SceneParameter*'],
   ['Motions', 'joints:JointFrame* clips:ClipFrames*'],
   ['GroupMesh', 'group:u32 version:u32 formation:text spacing:f32 rest:f32s triangles:u32s boundary:u32s placeTriangles:u32s placeWeights:f32s'],
   ['Frame', 'frame:u32 step:u32 time:f64 playing:bool speed:f32 recordedSeconds:f32 replaying:bool demonstrating:bool touchEcho:f64 sceneRevision:u32 ids:u32s group:u16s unitClass:u8s radius:u8s crowd:CrowdFrame groups:GroupFrame* moving:MovingFrame* collected:u8s areas:AreaFrame* stepMs:f32 lagP95:f32 swapsPerSecond:f32 events:EventFrame*'],

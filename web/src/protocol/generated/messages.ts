@@ -17,7 +17,20 @@ import type {
   Stance,
   EventKind,
 } from './choices';
-import type { Command, Order, FormationDef, QueuedOrder, Given } from './commands';
+import type {
+  Command,
+  Order,
+  FormationDef,
+  QueuedOrder,
+  ObstacleDef,
+  PatchDef,
+  ItemDef,
+  CheckpointDef,
+  AreaDef,
+  GroupDef,
+  Given,
+  Vec2,
+} from './commands';
 
 /** Somebody who is connected. */
 export interface DirectorFrame {
@@ -364,6 +377,82 @@ export interface GroupBodyEdit {
   unitClass: number | null;
 }
 
+/** Extent of the ground. */
+export interface SceneBox {
+  /** [m]. */
+  min: Vec2;
+  /** [m]. */
+  max: Vec2;
+}
+
+/** A motion clip, which patches name by its index. */
+export interface SceneClip {
+  name: string;
+  /** Travel speed relative to running. */
+  speed: number;
+}
+
+/** An obstacle of the world. */
+export interface SceneObstacle extends ObstacleDef {
+  id: number;
+}
+
+/** A patch of the world. */
+export interface ScenePatch extends PatchDef {
+  id: number;
+}
+
+/** An item of the world. */
+export interface SceneItem extends ItemDef {
+  id: number;
+}
+
+/** A checkpoint of the world. */
+export interface SceneCheckpoint extends CheckpointDef {
+  id: number;
+  /** Id of the group that it applies to; 0 for all groups. */
+  group: number;
+}
+
+/** An area of the world. */
+export interface SceneArea extends AreaDef {
+  id: number;
+  /** Of a source: id of the group whom its people join. */
+  group: number;
+}
+
+/** What all in a group have in common; none of a number in which they differ. */
+export interface GroupBody {
+  /** [m]. */
+  radius: number | null;
+  /** [m/s]. */
+  maxSpeed: number | null;
+  /** 0 for none. */
+  unitClass: number | null;
+}
+
+/** A group of the world. */
+export interface SceneGroup {
+  id: number;
+  /** Index of the accent: blue, ember, green, plum, ochre, slate. */
+  accent: number;
+  /** Who are in it now. */
+  count: number;
+  /** What it is in now. */
+  formation: string;
+  /** The place has it; else it is a part of others. */
+  placed: boolean;
+  /** How the place has it: what another one like it begins as. */
+  definition: GroupDef;
+  body: GroupBody;
+}
+
+/** A parameter of behaviour. */
+export interface SceneParameter {
+  name: string;
+  value: number;
+}
+
 /** The first message of a client. */
 export interface Hello {
   type: 'Hello';
@@ -601,8 +690,30 @@ export interface Welcome {
 export interface Scene {
   type: 'Scene';
   revision: number;
-  /** Static facts of the world: see docs/protocol.md. */
-  json: string;
+  /** Rises with each world that begins; ids begin anew then, in the same order. */
+  world: number;
+  /** The scenario's file name without .json; in folders FOLDER/NAME. */
+  name: string;
+  title: string;
+  description: string;
+  credit: string;
+  /** There are touches to watch. */
+  demonstration: boolean;
+  box: SceneBox;
+  /** Edge of a ground cell [m]. */
+  cell: number;
+  /** Of a character's body [m]. */
+  radius: number;
+  /** The left and the right side of the box are joined. */
+  ring: boolean;
+  clips: SceneClip[];
+  obstacles: SceneObstacle[];
+  patches: ScenePatch[];
+  items: SceneItem[];
+  checkpoints: SceneCheckpoint[];
+  areas: SceneArea[];
+  groups: SceneGroup[];
+  parameters: SceneParameter[];
 }
 
 /** Skeleton and clips that frames refer to by index; before the first frame that does, again whenever they change. */

@@ -4,7 +4,7 @@
 import type { CameraControls, CameraPose, GroundSight, Padding, SeenGround } from './camera_controls';
 import { groundMatrix, type Basis } from './ground_matrix';
 import type { GroundPoint, ScreenPoint } from '../../model/plane';
-import type { SceneBox } from '../../protocol/scene';
+import type { SceneBox } from '../../protocol/messages';
 
 const kDegree = Math.PI / 180;
 /** Field of view from straight above. */

@@ -1,27 +1,24 @@
 import { describe, expect, it } from 'vitest';
-import { parseScene } from '../../protocol/scene';
+import { sceneOf } from '../../protocol/test_scene';
 import { surroundings } from './opening';
 
-const scene = parseScene(
-  JSON.stringify({
-    box: { min: [-60, -60], max: [60, 60] },
-    obstacles: [
-      {
-        id: 1,
-        name: '',
-        polygon: [
-          [8, 0],
-          [9, 0],
-          [9, 1],
-        ],
-        height: 2,
-        moving: false,
-      },
-      { id: 2, name: '', centre: [0, 18], radius: 0.5, height: 2, moving: false },
-      { id: 3, name: '', centre: [-50, 0], radius: 0.5, height: 2, moving: false },
-    ],
-  }),
-);
+const scene = sceneOf({
+  box: { min: [-60, -60], max: [60, 60] },
+  obstacles: [
+    {
+      id: 1,
+      name: '',
+      polygon: [
+        [8, 0],
+        [9, 0],
+        [9, 1],
+      ],
+      height: 2,
+    },
+    { id: 2, name: '', centre: [0, 18], radius: 0.5, height: 2 },
+    { id: 3, name: '', centre: [-50, 0], radius: 0.5, height: 2 },
+  ],
+});
 const crowd = [
   { x: -2, y: -2 },
   { x: 2, y: 2 },
@@ -50,7 +47,6 @@ describe('surroundings', () => {
       ],
       motion: 1,
       speed: 1,
-      moving: false,
     };
     const both = surroundings({ ...scene, patches: [patch] } as unknown as typeof scene, crowd);
     expect(both).toContainEqual({ x: 3, y: 0 });
@@ -58,12 +54,10 @@ describe('surroundings', () => {
     expect(both).not.toContainEqual({ x: 8, y: 0 });
   });
   it('holds checkpoints', () => {
-    const goal = parseScene(
-      JSON.stringify({
-        box: { min: [-60, -60], max: [60, 60] },
-        checkpoints: [{ position: [5, 1], radius: 2, formation: 'ring' }],
-      }),
-    );
+    const goal = sceneOf({
+      box: { min: [-60, -60], max: [60, 60] },
+      checkpoints: [{ position: [5, 1], radius: 2, formation: { kind: 'ring' } }],
+    });
     expect(surroundings(goal, crowd)).toEqual([{ x: 5, y: 1 }]);
   });
   it('has nothing to add where nobody is', () => {

@@ -1,6 +1,7 @@
 // What the opening view shows apart from the crowd: what stands near it, and where it is to go.
 
-import type { Point2, SceneFacts } from '../../protocol/scene';
+import type { Vec2 } from '../../protocol/generated/commands';
+import type { SceneFacts } from '../../protocol/scene';
 import type { GroupView } from '../../model/frame_view';
 import type { GroundPoint } from '../../model/plane';
 
@@ -24,11 +25,11 @@ export function surroundings(
   const ys = crowd.map((point) => point.y);
   const [x0, x1, y0, y1] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
   const clamp = (value: number, low: number, high: number): number => Math.min(high, Math.max(low, value));
-  const near = (corners: readonly Point2[], most: number): GroundPoint[] =>
+  const near = (corners: readonly Vec2[], most: number): GroundPoint[] =>
     corners
       .filter(([x, y]) => Math.hypot(x - clamp(x, x0, x1), y - clamp(y, y0, y1)) <= kNear)
       .map(([x, y]) => ({ x: clamp(x, x0 - most, x1 + most), y: clamp(y, y0 - most, y1 + most) }));
-  const obstacles = scene.obstacles.flatMap(({ polygon, centre }) => polygon ?? (centre ? [centre] : []));
+  const obstacles = scene.obstacles.flatMap(({ polygon, centre }) => (polygon.length > 0 ? polygon : [centre]));
   const patches = scene.patches.flatMap(({ polygon }) => polygon);
   const checkpoints = scene.checkpoints.map(({ position }) => position);
   return [

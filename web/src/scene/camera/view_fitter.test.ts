@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { parseScene } from '../../protocol/scene';
+import { sceneOf } from '../../protocol/test_scene';
 import { CameraController } from './camera_controller';
 import { ViewFitter } from './view_fitter';
 
-const kScene = parseScene('{"name":"one","box":{"min":[-50,-50],"max":[50,50]}}');
+const kScene = sceneOf({ name: 'one', box: { min: [-50, -50], max: [50, 50] } });
 const kCrowd = [20, 20, 24, 20, 24, 24, 20, 24];
 
 function opened(): { camera: CameraController; fitter: ViewFitter } {

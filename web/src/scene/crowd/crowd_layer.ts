@@ -10,7 +10,7 @@ import type { CameraController } from '../camera/camera_controller';
 import { ContactDiscs } from './contact_discs';
 import type { CrowdState } from './crowd_state';
 import type { FrameBlend } from '../../model/frame_timeline';
-import type { BodyBuild } from '../../protocol/scene';
+import type { BodyBuildWord } from '../../protocol/generated/words';
 import { CrowdTextures, linear } from './crowd_textures';
 import { kFar, kHidden, kNear, LevelOfDetail } from './level_of_detail';
 import { accentColour, type Palette } from '../drawing/palette';
@@ -43,7 +43,7 @@ export class CrowdLayer {
   private poses_: RigPoses[] = [];
   private accents_: Float32Array = new Float32Array(3);
   private chosen_ = -1;
-  private builds_: readonly (BodyBuild | undefined)[] = [];
+  private builds_: readonly (BodyBuildWord | null)[] = [];
   /** Version of the members that were uploaded; -1 where they must be uploaded again. */
   private members_ = -1;
   /** Per clip, 1 where a visitor's own is played: whole poses are not of it. */
@@ -96,12 +96,12 @@ export class CrowdLayer {
     this.discs_.strength = dark ? 0.5 : 0.3;
   }
 
-  /** `colours`: accent index per group; `chosen`: id never greyed; `builds`: per group, undefined for both bodies. */
+  /** `colours`: accent index per group; `chosen`: id never greyed; `builds`: per group, null for both bodies. */
   setColours(
     colours: readonly number[],
     palette: Palette,
     chosen: number,
-    builds: readonly (BodyBuild | undefined)[] = [],
+    builds: readonly (BodyBuildWord | null)[] = [],
   ): void {
     this.builds_ = builds;
     const shown = colours.length > 0 ? colours : [0];

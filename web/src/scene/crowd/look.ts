@@ -1,6 +1,6 @@
 // The look of a character follows from its id, and its body also from the build of its group.
 
-import type { BodyBuild } from '../../protocol/scene';
+import type { BodyBuildWord } from '../../protocol/generated/words';
 
 export const kSkins = ['#F1C9A5', '#E0A97F', '#B97A50', '#8A5636', '#5B3A28'];
 export const kHairs = ['#15120F', '#3A2618', '#6B4A2B', '#8F867C', '#241A16'];
@@ -35,9 +35,9 @@ export function bodyOf(id: number, bodies: number): number {
   return bodies > 1 ? (scrambled(id) >>> 25) % bodies : 0;
 }
 
-const kBuilds: readonly BodyBuild[] = ['broad', 'narrow'];
+const kBuilds: readonly BodyBuildWord[] = ['broad', 'narrow'];
 
 /** Which of our bodies, broad and narrow, somebody has: that of the group's build, else their own. */
-export function bodyIndex(build: BodyBuild | undefined, own: number, bodies: number): number {
+export function bodyIndex(build: BodyBuildWord | null | undefined, own: number, bodies: number): number {
   return build && bodies === kBuilds.length ? kBuilds.indexOf(build) : own;
 }

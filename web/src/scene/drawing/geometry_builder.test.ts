@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import type { Point2 } from '../../protocol/scene';
+import type { Vec2 } from '../../protocol/generated/commands';
 import { centroid, circlePoints, counterClockwise, GeometryBuilder, signedArea2 } from './geometry_builder';
 
-const kSquare: readonly Point2[] = [
+const kSquare: readonly Vec2[] = [
   [0, 0],
   [2, 0],
   [2, 2],
@@ -44,7 +44,7 @@ describe('geometry', () => {
   });
 
   it('a prism is closed from outside: its walls and lid hold its volume above an open floor at 0', () => {
-    const concave: readonly Point2[] = [
+    const concave: readonly Vec2[] = [
       [0, 0],
       [4, 0],
       [4, 4],

@@ -1,7 +1,7 @@
 // Collects triangles with normals and colours into one geometry. World axes: x east, y north, z up [m].
 
 import { BufferAttribute, BufferGeometry, Color, ShapeUtils, Vector2 } from 'three';
-import type { Point2 } from '../../protocol/scene';
+import type { Vec2 } from '../../protocol/generated/commands';
 
 export type Vec3 = readonly [number, number, number];
 
@@ -17,23 +17,23 @@ function colourOf(hex: string): Color {
 }
 
 /** Twice the signed area; positive where counter-clockwise. */
-export function signedArea2(points: readonly Point2[]): number {
+export function signedArea2(points: readonly Vec2[]): number {
   let sum = 0;
   for (let i = 0; i < points.length; ++i) {
-    const a = points[i] as Point2;
-    const b = points[(i + 1) % points.length] as Point2;
+    const a = points[i] as Vec2;
+    const b = points[(i + 1) % points.length] as Vec2;
     sum += a[0] * b[1] - a[1] * b[0];
   }
   return sum;
 }
 
 /** The same outline, counter-clockwise. */
-export function counterClockwise(points: readonly Point2[]): readonly Point2[] {
+export function counterClockwise(points: readonly Vec2[]): readonly Vec2[] {
   return signedArea2(points) >= 0 ? points : [...points].reverse();
 }
 
 /** Corners of a regular polygon round a centre. */
-export function circlePoints(x: number, y: number, radius: number, sides: number): Point2[] {
+export function circlePoints(x: number, y: number, radius: number, sides: number): Vec2[] {
   return Array.from({ length: sides }, (_, i) => {
     const angle = (2 * Math.PI * i) / sides;
     return [x + radius * Math.cos(angle), y + radius * Math.sin(angle)] as const;
@@ -41,13 +41,13 @@ export function circlePoints(x: number, y: number, radius: number, sides: number
 }
 
 /** Centre of area; of the corners where that is nil. */
-export function centroid(points: readonly Point2[]): Point2 {
+export function centroid(points: readonly Vec2[]): Vec2 {
   let area = 0;
   let x = 0;
   let y = 0;
   for (let i = 0; i < points.length; ++i) {
-    const a = points[i] as Point2;
-    const b = points[(i + 1) % points.length] as Point2;
+    const a = points[i] as Vec2;
+    const b = points[(i + 1) % points.length] as Vec2;
     const cross = a[0] * b[1] - a[1] * b[0];
     area += cross;
     x += (a[0] + b[0]) * cross;
@@ -96,31 +96,31 @@ export class GeometryBuilder {
   }
 
   /** A flat polygon at one height, facing up. */
-  floor(outline: readonly Point2[], z: number, colour: string): void {
+  floor(outline: readonly Vec2[], z: number, colour: string): void {
     const points = counterClockwise(outline);
     const faces = ShapeUtils.triangulateShape(
       points.map((p) => new Vector2(p[0], p[1])),
       [],
     );
     for (const face of faces) {
-      const [a, b, c] = face.map((i) => points[i] as Point2);
+      const [a, b, c] = face.map((i) => points[i] as Vec2);
       if (a && b && c) this.triangle([a[0], a[1], z], [b[0], b[1], z], [c[0], c[1], z], colour);
     }
   }
 
   /** Upright walls round a polygon, facing outwards, or inwards. */
-  walls(outline: readonly Point2[], low: number, high: number, colour: string, inwards = false): void {
+  walls(outline: readonly Vec2[], low: number, high: number, colour: string, inwards = false): void {
     const points = counterClockwise(outline);
     for (let i = 0; i < points.length; ++i) {
-      const from = points[i] as Point2;
-      const to = points[(i + 1) % points.length] as Point2;
+      const from = points[i] as Vec2;
+      const to = points[(i + 1) % points.length] as Vec2;
       const [a, b] = inwards ? [to, from] : [from, to];
       this.quad([a[0], a[1], low], [b[0], b[1], low], [b[0], b[1], high], [a[0], a[1], high], colour);
     }
   }
 
   /** Walls and a lid. */
-  prism(outline: readonly Point2[], low: number, high: number, wall: string, lid: string): void {
+  prism(outline: readonly Vec2[], low: number, high: number, wall: string, lid: string): void {
     this.walls(outline, low, high, wall);
     this.floor(outline, high, lid);
   }
@@ -141,7 +141,7 @@ export class GeometryBuilder {
     const top = circlePoints(x, y, highRadius, sides);
     for (let i = 0; i < sides; ++i) {
       const j = (i + 1) % sides;
-      const [a, b, c, d] = [bottom[i], bottom[j], top[j], top[i]] as [Point2, Point2, Point2, Point2];
+      const [a, b, c, d] = [bottom[i], bottom[j], top[j], top[i]] as [Vec2, Vec2, Vec2, Vec2];
       this.quad([a[0], a[1], low], [b[0], b[1], low], [c[0], c[1], high], [d[0], d[1], high], wall);
     }
     if (highRadius > 1e-6) this.floor(top, high, lid);

@@ -1,6 +1,6 @@
 // The colours of the scene in both themes (the tests hold the contrasts).
 
-import type { AreaKind } from '../../protocol/scene';
+import type { AreaKindWord } from '../../protocol/generated/words';
 import { accentOf, chosenOf, type Accent } from '../../model/accent';
 import { swatchOf } from '../../model/swatches';
 import type { Theme } from '../../model/view_settings';
@@ -31,7 +31,7 @@ export interface Palette {
   readonly brickLine: string;
   readonly plainFloor: string;
   /** Of exits, sources and waiting areas. */
-  readonly areas: Readonly<Record<AreaKind, { readonly floor: string; readonly line: string }>>;
+  readonly areas: Readonly<Record<AreaKindWord, { readonly floor: string; readonly line: string }>>;
   readonly obstacleEdge: string;
   readonly roof: string;
   readonly roofHatch: string;

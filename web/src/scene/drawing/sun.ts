@@ -5,7 +5,7 @@ import type { CameraController } from '../camera/camera_controller';
 import { kEarthColour, kSkyColour, kSunColour, kToSun } from './daylight';
 import type { Palette } from './palette';
 import type { Quality } from './quality';
-import type { SceneBox } from '../../protocol/scene';
+import type { SceneBox } from '../../protocol/messages';
 
 const kMapSize = 2048;
 export class Sun {

@@ -17,7 +17,7 @@ import {
   UniformsUtils,
   Vector4,
 } from 'three';
-import type { SceneBox } from '../../protocol/scene';
+import type { SceneBox } from '../../protocol/messages';
 import { rampBytes } from '../drawing/colour';
 import type { FieldRaster } from './field_raster';
 import { leaveOutOpenings } from '../drawing/openings';

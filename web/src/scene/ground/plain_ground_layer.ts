@@ -2,7 +2,7 @@
 // anything.
 
 import { Color, Group, LinearSRGBColorSpace, Mesh, PlaneGeometry, ShaderMaterial } from 'three';
-import type { SceneBox } from '../../protocol/scene';
+import type { SceneBox } from '../../protocol/messages';
 import { FatLines } from '../drawing/fat_lines';
 import { leaveOutOpenings } from '../drawing/openings';
 import type { Palette } from '../drawing/palette';

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { parseScene } from '../../protocol/scene';
+import type { Vec2 } from '../../protocol/generated/commands';
+import { areaOf, kMoves, sceneOf } from '../../protocol/test_scene';
 import { CameraController } from '../camera/camera_controller';
 import { MarkState } from './mark_state';
 import { paletteOf } from '../drawing/palette';
@@ -25,55 +26,51 @@ function view(now: number, more: Partial<TagScene> = {}): TagScene {
   };
 }
 
-const kScene = parseScene(
-  JSON.stringify({
-    box: { min: [-10, -10], max: [10, 10] },
-    clips: [
-      { name: 'run', speed: 1, cyclic: true },
-      { name: 'crawl', speed: 0.21, cyclic: true },
-    ],
-    patches: [
-      {
-        id: 1,
-        name: 'Net',
-        polygon: [
-          [0, 0],
-          [2, 0],
-          [2, 2],
-          [0, 2],
-        ],
-        motion: 1,
-        speed: 0.21,
-        moving: false,
-      },
-      {
-        id: 2,
-        name: 'Far',
-        polygon: [
-          [900, 0],
-          [902, 0],
-          [902, 2],
-        ],
-        motion: 1,
-        speed: 0.21,
-        moving: false,
-      },
-      {
-        id: 3,
-        name: 'Drift',
-        polygon: [
-          [0, 0],
-          [2, 0],
-          [2, 2],
-          [0, 2],
-        ],
-        motion: 1,
-        speed: 0.21,
-        moving: true,
-      },
-    ],
-  }),
-);
+const kScene = sceneOf({
+  box: { min: [-10, -10], max: [10, 10] },
+  clips: [
+    { name: 'run', speed: 1 },
+    { name: 'crawl', speed: 0.21 },
+  ],
+  patches: [
+    {
+      id: 1,
+      name: 'Net',
+      polygon: [
+        [0, 0],
+        [2, 0],
+        [2, 2],
+        [0, 2],
+      ],
+      motion: 1,
+      speed: 0.21,
+    },
+    {
+      id: 2,
+      name: 'Far',
+      polygon: [
+        [900, 0],
+        [902, 0],
+        [902, 2],
+      ],
+      motion: 1,
+      speed: 0.21,
+    },
+    {
+      id: 3,
+      name: 'Drift',
+      polygon: [
+        [0, 0],
+        [2, 0],
+        [2, 2],
+        [0, 2],
+      ],
+      motion: 1,
+      speed: 0.21,
+      path: kMoves,
+    },
+  ],
+});
 
 describe('tags', () => {
   it('name patches in view, above their object', () => {
@@ -148,7 +145,7 @@ describe('tags', () => {
 
 describe('tags of areas', () => {
   it('say what an area is, whether it is closed, and how many have passed', () => {
-    const area = { id: 1, kind: 'exit', polygon: [], open: true, rate: 0 } as const;
+    const area = areaOf({ id: 1, kind: 'exit' });
     const none = { passed: 0, waiting: 0 };
     expect(areaWords(area, none)).toEqual({ text: 'Exit', detail: '' });
     expect(areaWords({ ...area, name: 'Door', open: false }, { passed: 24, waiting: 0 })).toEqual({
@@ -162,14 +159,14 @@ describe('tags of areas', () => {
   });
 
   it('stay beside each other where they have the same words', () => {
-    const square = (x: number): unknown[] => [
+    const square = (x: number): Vec2[] => [
       [x, 0],
       [x + 2, 0],
       [x + 2, 2],
       [x, 2],
     ];
-    const areas = [-8, 8].map((x, k) => ({ id: k + 1, kind: 'waiting', polygon: square(x), open: true, rate: 0 }));
-    const scene = parseScene(JSON.stringify({ box: { min: [-10, -10], max: [10, 10] }, areas }));
+    const areas = [-8, 8].map((x, k) => ({ id: k + 1, kind: 'waiting' as const, polygon: square(x) }));
+    const scene = sceneOf({ box: { min: [-10, -10], max: [10, 10] }, areas });
     expect(patchTags(scene, view(0)).map(({ key }) => key)).toEqual(['area:1', 'area:2']);
   });
 

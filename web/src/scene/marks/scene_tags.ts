@@ -1,8 +1,9 @@
 // Chooses the words over the scene: names of patches and areas, kinds of controls, numbers of contours.
 
-import type { ControlKind } from '../../protocol/messages';
+import type { ControlKind, SceneClip, SceneArea, ScenePatch } from '../../protocol/messages';
 import { kKindNames } from '../../model/control_watch';
-import type { Point2, SceneArea, SceneFacts, ScenePatch } from '../../protocol/scene';
+import type { Vec2 } from '../../protocol/generated/commands';
+import { isMoving, type SceneFacts } from '../../protocol/scene';
 import type { CameraController } from '../camera/camera_controller';
 import type { MarkState } from './mark_state';
 import type { ContourLabel } from '../ground/field_raster';
@@ -22,6 +23,8 @@ const kTagWidth = 150;
 const kTagHeight = 30;
 const kIconWidth = 40;
 const kPhoneWidth = 520;
+/** Of a patch whose motion the scene does not have. */
+const kNoClip: SceneClip = { name: '', speed: 1 };
 
 export interface TagScene {
   readonly camera: CameraController;
@@ -45,11 +48,13 @@ export function patchWords(name: string, clip: string, speed: number): { text: s
 
 /** Of stairs both speeds: `Stairs` and `up 0.50×, down 0.70×`. */
 function wordsOfPatch(
-  { name, speed, ascent, speedDown = speed }: ScenePatch,
-  clip: string,
+  { name, speed, ascent, speedDown }: ScenePatch,
+  clip: SceneClip,
 ): { text: string; detail: string } {
-  if (ascent === undefined) return patchWords(name, clip, speed);
-  return { text: name || 'Stairs', detail: `up ${speed.toFixed(2)}×, down ${speedDown.toFixed(2)}×` };
+  const up = speed > 0 ? speed : clip.speed;
+  if (ascent === null) return patchWords(name, clip.name, up);
+  const down = speedDown > 0 ? speedDown : up;
+  return { text: name || 'Stairs', detail: `up ${up.toFixed(2)}×, down ${down.toFixed(2)}×` };
 }
 
 const kAreaWords = {
@@ -64,7 +69,7 @@ export function areasOf(frame: Pick<FrameView, 'areas' | 'time'> | null): Pick<T
 }
 
 /** Whether an exit is closed, or opens later; empty for others. */
-function closedWords({ kind, open, from = 0, until = Infinity }: SceneArea, time: number): string[] {
+function closedWords({ kind, open, from, until }: SceneArea, time: number): string[] {
   if (!open || (kind === 'exit' && time >= until)) return ['closed'];
   return kind === 'exit' && time < from ? [`opens at ${formatClock(from)}`] : [];
 }
@@ -99,11 +104,11 @@ function areaTags(scene: SceneFacts, view: TagScene): Tag[] {
 export function patchTags(scene: SceneFacts, view: TagScene): Tag[] {
   const tags: Tag[] = areaTags(scene, view);
   for (const patch of scene.patches) {
-    const clip = scene.clips[patch.motion]?.name ?? '';
-    const move = patch.moving ? view.moving.find((one) => one.kind === 1 && one.id === patch.id) : undefined;
-    const at = aboveOutline(patch.polygon, heightOf(patch, clip), move, view.camera);
+    const clip = scene.clips[patch.motion] ?? kNoClip;
+    const move = isMoving(patch) ? view.moving.find((one) => one.kind === 1 && one.id === patch.id) : undefined;
+    const at = aboveOutline(patch.polygon, heightOf(patch, clip.name), move, view.camera);
     if (!onScreen(at, view.camera)) continue;
-    const icon = patch.ascent === undefined ? kMotionIcons[clip] : kStairsIcon;
+    const icon = patch.ascent === null ? kMotionIcons[clip.name] : kStairsIcon;
     tags.push({
       key: `patch:${patch.id}`,
       kind: 'patch',
@@ -117,7 +122,7 @@ export function patchTags(scene: SceneFacts, view: TagScene): Tag[] {
   const spots: Tag[] = [];
   scene.checkpoints.forEach((checkpoint, i) => {
     const at = view.camera.worldToScreen(checkpoint.position[0], checkpoint.position[1]);
-    if (onScreen(at, view.camera)) spots.push({ key: `spot:${i}`, kind: 'spot', at, text: checkpoint.formation });
+    if (onScreen(at, view.camera)) spots.push({ key: `spot:${i}`, kind: 'spot', at, text: checkpoint.formation.kind });
   });
   return [...words, ...uncrowded(spots)];
 }
@@ -137,12 +142,12 @@ export function uncrowded(tags: readonly Tag[], width = kTagWidth): Tag[] {
 }
 
 function heightOf({ ascent }: ScenePatch, clip: string): number {
-  return ascent === undefined ? heightOfLook(lookOfMotion(clip)) : 0;
+  return ascent === null ? heightOfLook(lookOfMotion(clip)) : 0;
 }
 
 /** The middle of the outline, just above its highest corner on the screen. */
 function aboveOutline(
-  polygon: readonly Point2[],
+  polygon: readonly Vec2[],
   height: number,
   move: MovingView | undefined,
   camera: CameraController,

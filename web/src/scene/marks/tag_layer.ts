@@ -1,6 +1,6 @@
 // Words over the scene: names of patches, kinds of controls, numbers of contours. Plain elements, moved by transforms.
 
-import type { AreaKind } from '../../protocol/scene';
+import type { AreaKindWord } from '../../protocol/generated/words';
 import type { ScreenPoint } from '../../model/plane';
 
 export interface Tag {
@@ -97,7 +97,7 @@ function makeIcon(path: string): SVGElement {
 }
 
 /** Out through a door, in through it, and an hourglass. */
-export const kAreaIcons: Readonly<Record<AreaKind, string>> = {
+export const kAreaIcons: Readonly<Record<AreaKindWord, string>> = {
   exit: 'M8.500 3.500h-5v13h5M8 10h9M13.400 6.400 17 10l-3.600 3.600',
   source: 'M11.500 3.500h5v13h-5M3 10h9M8.400 6.400 12 10l-3.600 3.600',
   waiting: 'M5 3.500h10M5 16.500h10M6.500 3.500c0 3.500 7 9.500 7 13M13.500 3.500c0 3.500-7 9.500-7 13',

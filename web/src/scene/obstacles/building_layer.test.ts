@@ -1,52 +1,50 @@
 import { Color } from 'three';
 import { expect, it } from 'vitest';
-import { parseScene } from '../../protocol/scene';
+import { sceneOf } from '../../protocol/test_scene';
 import { CameraController } from '../camera/camera_controller';
 import { GeometryBuilder } from '../drawing/geometry_builder';
 import { paletteOf } from '../drawing/palette';
 import { BuildingLayer } from './building_layer';
 import { addObstacle } from './obstacle_geometry';
 
-const scene = parseScene(
-  JSON.stringify({
-    box: { min: [-40, -40], max: [40, 40] },
-    obstacles: [
-      {
-        id: 1,
-        name: 'House',
-        height: 8,
-        polygon: [
-          [-6, 0],
-          [6, 0],
-          [6, 4],
-          [-6, 4],
-        ],
-      },
-      {
-        id: 2,
-        name: 'Barn',
-        height: 5,
-        polygon: [
-          [20, 0],
-          [26, 0],
-          [26, 4],
-          [20, 4],
-        ],
-      },
-      {
-        id: 3,
-        name: 'Kerb',
-        height: 0.5,
-        polygon: [
-          [-30, 0],
-          [-20, 0],
-          [-20, 4],
-          [-30, 4],
-        ],
-      },
-    ],
-  }),
-);
+const scene = sceneOf({
+  box: { min: [-40, -40], max: [40, 40] },
+  obstacles: [
+    {
+      id: 1,
+      name: 'House',
+      height: 8,
+      polygon: [
+        [-6, 0],
+        [6, 0],
+        [6, 4],
+        [-6, 4],
+      ],
+    },
+    {
+      id: 2,
+      name: 'Barn',
+      height: 5,
+      polygon: [
+        [20, 0],
+        [26, 0],
+        [26, 4],
+        [20, 4],
+      ],
+    },
+    {
+      id: 3,
+      name: 'Kerb',
+      height: 0.5,
+      polygon: [
+        [-30, 0],
+        [-20, 0],
+        [-20, 4],
+        [-30, 4],
+      ],
+    },
+  ],
+});
 
 function made(): BuildingLayer {
   const layer = new BuildingLayer({ uShadowKeeps: { value: 0.7 }, uHatch: { value: new Color() } });

@@ -2,7 +2,8 @@
 // characters from the camera.
 
 import { type BufferGeometry, BufferAttribute, DynamicDrawUsage, Group, Mesh, type MeshLambertMaterial } from 'three';
-import type { Point2, SceneObstacle } from '../../protocol/scene';
+import type { Vec2 } from '../../protocol/generated/commands';
+import type { SceneObstacle } from '../../protocol/messages';
 import type { CameraController } from '../camera/camera_controller';
 import type { GeometryBuilder } from '../drawing/geometry_builder';
 import { bodyMaterial, type ShadeUniforms } from '../drawing/shade';
@@ -32,7 +33,7 @@ interface Building {
   readonly to: number;
   readonly height: number;
   /** Spots on its outline, so far apart that nobody stands between two of them unseen. */
-  readonly spots: readonly Point2[];
+  readonly spots: readonly Vec2[];
   wanted: number;
   solid: number;
 }
@@ -142,10 +143,10 @@ function hides({ spots, height }: Building, people: Standing, eye: readonly [num
 }
 
 /** Spots along an outline; none where there would be too many. */
-function spotsOf(outline: readonly Point2[]): readonly Point2[] {
-  const spots: Point2[] = [];
+function spotsOf(outline: readonly Vec2[]): readonly Vec2[] {
+  const spots: Vec2[] = [];
   outline.forEach((a, i) => {
-    const b = outline[(i + 1) % outline.length] as Point2;
+    const b = outline[(i + 1) % outline.length] as Vec2;
     const parts = Math.max(1, Math.ceil(Math.hypot(b[0] - a[0], b[1] - a[1]) / kAlong));
     for (let k = 0; k < parts; ++k) {
       spots.push([a[0] + ((b[0] - a[0]) * k) / parts, a[1] + ((b[1] - a[1]) * k) / parts]);

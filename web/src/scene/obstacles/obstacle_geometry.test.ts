@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { SceneObstacle } from '../../protocol/scene';
+import type { SceneObstacle } from '../../protocol/messages';
 import { GeometryBuilder } from '../drawing/geometry_builder';
 import {
   addCar,
@@ -12,8 +12,9 @@ import {
 } from './obstacle_geometry';
 import { paletteOf } from '../drawing/palette';
 import { outerEdges } from './outer_edges';
+import { kMoves, obstacleOf } from '../../protocol/test_scene';
 
-const kHouse: SceneObstacle = {
+const kHouse = obstacleOf({
   id: 1,
   name: 'House',
   polygon: [
@@ -23,11 +24,10 @@ const kHouse: SceneObstacle = {
     [0, 3],
   ],
   height: 9,
-  moving: false,
-};
+});
 
 function disc(name: string): SceneObstacle {
-  return { id: 2, name, centre: [1, 1], radius: 0.5, height: 2, moving: false };
+  return obstacleOf({ id: 2, name, centre: [1, 1], radius: 0.5, height: 2 });
 }
 
 describe('obstacles', () => {
@@ -46,7 +46,7 @@ describe('obstacles', () => {
       lookOfObstacle({
         ...kHouse,
         name,
-        moving: true,
+        path: kMoves,
         polygon: [
           [0, 0],
           [long, 0],
@@ -69,7 +69,7 @@ describe('obstacles', () => {
     const mouse: SceneObstacle = {
       ...kHouse,
       name: 'Mouse',
-      moving: true,
+      path: kMoves,
       height: 3,
       polygon: [
         [0, 0],

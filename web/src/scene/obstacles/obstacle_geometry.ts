@@ -1,7 +1,9 @@
 // Shapes of obstacles: buildings cut at 3.2 m, pillars, fountains, trees and cars. The name of an obstacle decides.
 
 import type { BufferGeometry } from 'three';
-import type { Point2, SceneObstacle } from '../../protocol/scene';
+import type { Vec2 } from '../../protocol/generated/commands';
+import type { SceneObstacle } from '../../protocol/messages';
+import { isMoving } from '../../protocol/scene';
 import { circlePoints, counterClockwise, GeometryBuilder, type Vec3 } from '../drawing/geometry_builder';
 import type { Palette } from '../drawing/palette';
 
@@ -17,18 +19,18 @@ export type ObstacleLook = 'building' | 'hedge' | 'pillar' | 'fountain' | 'tree'
 /** How an obstacle is shown. */
 export function lookOfObstacle(obstacle: SceneObstacle): ObstacleLook {
   const name = obstacle.name.toLowerCase();
-  const disc = (obstacle.radius ?? 0) > 0;
+  const disc = obstacle.radius > 0;
   if (!disc && /\b(car|coupe|van|bus|taxi|truck|lorry)\b/.test(name)) return 'car';
   if (!disc && /\b(mouse|mice|rat)\b/.test(name)) return 'mouse';
   if (disc && /tree|oak|pine|birch|linden|elm|maple|beech/.test(name)) return 'tree';
   if (!disc && name.includes('hedge')) return 'hedge';
   if (disc && name.includes('fountain')) return 'fountain';
   if (disc) return 'pillar';
-  return obstacle.moving ? lookBySize(outlineOf(obstacle)) : 'building';
+  return isMoving(obstacle) ? lookBySize(outlineOf(obstacle)) : 'building';
 }
 
 /** A moving obstacle whose name says nothing is a car where it has the size of one, and a mouse where it is tiny. */
-function lookBySize(outline: readonly Point2[]): ObstacleLook {
+function lookBySize(outline: readonly Vec2[]): ObstacleLook {
   const { length, width } = boxOf(outline);
   const [long, short] = [2 * Math.max(length, width), 2 * Math.min(length, width)];
   if (long < kSmall) return 'mouse';
@@ -54,15 +56,14 @@ export function addObstacle(builder: GeometryBuilder, obstacle: SceneObstacle, p
 }
 
 /** Corners, counter-clockwise; a disc becomes a polygon of 28 sides. */
-export function outlineOf(obstacle: SceneObstacle): readonly Point2[] {
-  if (obstacle.polygon && obstacle.polygon.length >= 3) return counterClockwise(obstacle.polygon);
-  const centre = obstacle.centre ?? [0, 0];
-  return circlePoints(centre[0], centre[1], obstacle.radius ?? 0.5, 28);
+export function outlineOf(obstacle: SceneObstacle): readonly Vec2[] {
+  if (obstacle.polygon.length >= 3) return counterClockwise(obstacle.polygon);
+  return circlePoints(...obstacle.centre, obstacle.radius, 28);
 }
 
-function rimOf(outline: readonly Point2[], height: number): EdgeLine[] {
+function rimOf(outline: readonly Vec2[], height: number): EdgeLine[] {
   return outline.map((a, i) => {
-    const b = outline[(i + 1) % outline.length] as Point2;
+    const b = outline[(i + 1) % outline.length] as Vec2;
     return [
       [a[0], a[1], height],
       [b[0], b[1], height],
@@ -71,14 +72,14 @@ function rimOf(outline: readonly Point2[], height: number): EdgeLine[] {
 }
 
 function addFountain(builder: GeometryBuilder, obstacle: SceneObstacle, palette: Palette): EdgeLine[] {
-  const [x, y] = obstacle.centre ?? [0, 0];
-  const radius = obstacle.radius ?? 1;
+  const [x, y] = obstacle.centre;
+  const { radius } = obstacle;
   const outer = circlePoints(x, y, radius, 36);
   const inner = circlePoints(x, y, 0.8 * radius, 36);
   builder.walls(outer, 0, 0.55, palette.stone);
   for (let i = 0; i < outer.length; ++i) {
     const j = (i + 1) % outer.length;
-    const [a, b, c, d] = [outer[i], outer[j], inner[j], inner[i]] as [Point2, Point2, Point2, Point2];
+    const [a, b, c, d] = [outer[i], outer[j], inner[j], inner[i]] as [Vec2, Vec2, Vec2, Vec2];
     builder.quad([a[0], a[1], 0.55], [b[0], b[1], 0.55], [c[0], c[1], 0.55], [d[0], d[1], 0.55], palette.stone);
     builder.quad([c[0], c[1], 0.4], [d[0], d[1], 0.4], [d[0], d[1], 0.55], [c[0], c[1], 0.55], palette.stone);
   }
@@ -151,7 +152,7 @@ export function addBlob(
 }
 
 /** A small animal: a body, and a head at its front end. */
-function addMouse(builder: GeometryBuilder, outline: readonly Point2[], height: number, palette: Palette): EdgeLine[] {
+function addMouse(builder: GeometryBuilder, outline: readonly Vec2[], height: number, palette: Palette): EdgeLine[] {
   const { x, y, length, width, angle } = boxOf(outline);
   const high = Math.min(height, 1.2 * Math.max(length, width)) / 2;
   const at = (share: number): Vec3 => [
@@ -170,7 +171,7 @@ function addMouse(builder: GeometryBuilder, outline: readonly Point2[], height: 
 }
 
 /** Box round an outline whose longest side gives the direction: centre, half length, half width, angle [rad]. */
-export function boxOf(outline: readonly Point2[]): {
+export function boxOf(outline: readonly Vec2[]): {
   x: number;
   y: number;
   length: number;
@@ -180,8 +181,8 @@ export function boxOf(outline: readonly Point2[]): {
   let longest = 0;
   let angle = 0;
   for (let i = 0; i < outline.length; ++i) {
-    const a = outline[i] as Point2;
-    const b = outline[(i + 1) % outline.length] as Point2;
+    const a = outline[i] as Vec2;
+    const b = outline[(i + 1) % outline.length] as Vec2;
     const size = Math.hypot(b[0] - a[0], b[1] - a[1]);
     if (size > longest + 1e-9) {
       longest = size;
@@ -202,7 +203,7 @@ export function boxOf(outline: readonly Point2[]): {
 /** Adds a car that fills the outline, or a van where it is high [m]: body, cabin, wheels. */
 export function addCar(
   builder: GeometryBuilder,
-  outline: readonly Point2[],
+  outline: readonly Vec2[],
   height: number,
   body: string,
   palette: Palette,
@@ -210,7 +211,7 @@ export function addCar(
   const box = boxOf(outline);
   const c = Math.cos(box.angle);
   const s = Math.sin(box.angle);
-  const at = (u: number, v: number): Point2 => [
+  const at = (u: number, v: number): Vec2 => [
     box.x + c * u * box.length - s * v * box.width,
     box.y + s * u * box.length + c * v * box.width,
   ];
@@ -228,7 +229,7 @@ export function addCar(
   const top = [at(backTop, -0.78), at(frontTop, -0.78), at(frontTop, 0.78), at(backTop, 0.78)] as const;
   const pane = van ? sill + 0.55 * (high - sill) : high;
   const between = low.map((p, i) => {
-    const q = top[i] as Point2;
+    const q = top[i] as Vec2;
     const t = (pane - sill) / (high - sill);
     return [p[0] + (q[0] - p[0]) * t, p[1] + (q[1] - p[1]) * t] as const;
   });
@@ -238,11 +239,11 @@ export function addCar(
 }
 
 /** A wheel between two points of its axle, standing on the ground. */
-function addWheel(builder: GeometryBuilder, inner: Point2, outer: Point2, radius: number): void {
+function addWheel(builder: GeometryBuilder, inner: Vec2, outer: Vec2, radius: number): void {
   const length = Math.hypot(outer[0] - inner[0], outer[1] - inner[1]) || 1;
   const [ax, ay] = [(outer[0] - inner[0]) / length, (outer[1] - inner[1]) / length];
   const sides = 14;
-  const rim = (p: Point2, k: number, share: number): Vec3 => {
+  const rim = (p: Vec2, k: number, share: number): Vec3 => {
     const turn = (2 * Math.PI * k) / sides;
     return [
       p[0] - ay * Math.cos(turn) * radius * share,
@@ -261,8 +262,8 @@ function addWheel(builder: GeometryBuilder, inner: Point2, outer: Point2, radius
 /** Sloping walls between two outlines with the same number of corners. */
 function addSkirt(
   builder: GeometryBuilder,
-  low: readonly Point2[],
-  top: readonly Point2[],
+  low: readonly Vec2[],
+  top: readonly Vec2[],
   from: number,
   to: number,
   colour: string,
@@ -270,7 +271,7 @@ function addSkirt(
   if (to - from < 1e-6) return;
   low.forEach((a, i) => {
     const j = (i + 1) % low.length;
-    const [b, e, d] = [low[j], top[j], top[i]] as [Point2, Point2, Point2];
+    const [b, e, d] = [low[j], top[j], top[i]] as [Vec2, Vec2, Vec2];
     builder.quad([a[0], a[1], from], [b[0], b[1], from], [e[0], e[1], to], [d[0], d[1], to], colour);
   });
 }

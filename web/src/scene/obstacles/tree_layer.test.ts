@@ -1,10 +1,10 @@
 import { type InstancedMesh, MeshBasicMaterial } from 'three';
 import { describe, expect, it } from 'vitest';
-import type { SceneObstacle } from '../../protocol/scene';
 import { CameraController } from '../camera/camera_controller';
 import { paletteOf } from '../drawing/palette';
 import { type Standing, TreeLayer } from './tree_layer';
 import { StandingGrid } from '../crowd/standing_grid';
+import { obstacleOf } from '../../protocol/test_scene';
 
 function standing(places: readonly number[]): Standing {
   const grid = new StandingGrid();
@@ -14,14 +14,7 @@ function standing(places: readonly number[]): Standing {
 
 function madeTrees(): TreeLayer {
   const trees = new TreeLayer();
-  const list = [0, 10].map((x, id): SceneObstacle => ({
-    id,
-    name: 'Tree',
-    centre: [x, 0],
-    radius: 0.4,
-    height: 6,
-    moving: false,
-  }));
+  const list = [0, 10].map((x, id) => obstacleOf({ id, name: 'Tree', centre: [x, 0], radius: 0.4, height: 6 }));
   trees.build(list, paletteOf('light'), new MeshBasicMaterial());
   return trees;
 }

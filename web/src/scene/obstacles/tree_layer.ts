@@ -14,7 +14,7 @@ import {
   type Material,
 } from 'three';
 import { lookOf } from '../crowd/look';
-import type { SceneObstacle } from '../../protocol/scene';
+import type { SceneObstacle } from '../../protocol/messages';
 import type { CameraController } from '../camera/camera_controller';
 import { makeCrownGeometry, makeTrunkGeometry } from './obstacle_geometry';
 import type { Palette } from '../drawing/palette';
@@ -75,9 +75,9 @@ export class TreeLayer {
     const up = new Vector3(0, 0, 1);
     this.crowns_ = trees.map((tree, i) => {
       const look = lookOf(tree.id + 77);
-      const size = Math.min(1.6, Math.max(0.75, 0.6 + (tree.radius ?? 0.3))) * (0.9 + 0.25 * look.size);
+      const size = Math.min(1.6, Math.max(0.75, 0.6 + tree.radius)) * (0.9 + 0.25 * look.size);
       const turn = new Quaternion().setFromAxisAngle(up, look.size * 6.28);
-      const [x, y] = tree.centre ?? [0, 0];
+      const [x, y] = tree.centre;
       const matrix = new Matrix4().compose(new Vector3(x, y, 0), turn, new Vector3(size, size, 0.95 * size));
       for (const mesh of [trunks, crowns]) mesh.setMatrixAt(i, matrix);
       return { x, y, size };

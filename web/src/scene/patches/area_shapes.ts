@@ -1,6 +1,8 @@
 // Exits, sources and waiting areas on the ground: told apart by colour, rim and pattern, so that no colour is needed.
 
-import type { AreaKind, Point2, SceneArea } from '../../protocol/scene';
+import type { AreaKindWord } from '../../protocol/generated/words';
+import type { Vec2 } from '../../protocol/generated/commands';
+import type { SceneArea } from '../../protocol/messages';
 import { counterClockwise } from '../drawing/geometry_builder';
 import type { Palette } from '../drawing/palette';
 import { addRim, edges, hatchChords, kFloorHeight, kLineHeight, type PatchParts } from './patch_parts';
@@ -11,7 +13,7 @@ const kSlope = Math.PI / 4;
 /** Half the length of a mark [m]. */
 const kMark = 0.09;
 
-function addLine(parts: PatchParts, a: Point2, b: Point2, colour: string, alpha: number): void {
+function addLine(parts: PatchParts, a: Vec2, b: Vec2, colour: string, alpha: number): void {
   const line = [
     [a[0], a[1], kLineHeight],
     [b[0], b[1], kLineHeight],
@@ -19,7 +21,7 @@ function addLine(parts: PatchParts, a: Point2, b: Point2, colour: string, alpha:
   parts.lines.push({ line, colour, alpha });
 }
 
-function addPattern(parts: PatchParts, outline: readonly Point2[], kind: AreaKind, colour: string): void {
+function addPattern(parts: PatchParts, outline: readonly Vec2[], kind: AreaKindWord, colour: string): void {
   if (kind === 'source')
     for (const [a, b] of hatchChords(outline, kSlope, kSpacing.source)) addLine(parts, a, b, colour, 0.4);
   if (kind !== 'waiting') return;
@@ -41,6 +43,6 @@ export function addArea(parts: PatchParts, area: SceneArea, palette: Palette): v
   else
     for (const angle of [kSlope, -kSlope])
       for (const [a, b] of hatchChords(outline, angle, kSpacing.closed)) addLine(parts, a, b, colour, 0.3);
-  const { queue = [] } = area;
+  const { queue } = area;
   queue.slice(1).forEach((b, k) => addLine(parts, queue[k]!, b, colour, 0.8));
 }

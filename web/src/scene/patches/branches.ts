@@ -1,6 +1,6 @@
 // Branches that hang so low that one ducks: thin limbs and tufts of leaves one sees through, over a shaded floor.
 
-import type { Point2 } from '../../protocol/scene';
+import type { Vec2 } from '../../protocol/generated/commands';
 import { addBlob, boxOf } from '../obstacles/obstacle_geometry';
 import type { Palette } from '../drawing/palette';
 import { addPlain, blended, type PatchParts, thrown } from './patch_parts';
@@ -10,7 +10,7 @@ export const kLeavesFrom = 1.3;
 /** Floor area per tuft [m²]. */
 const kTuftArea = 0.8;
 
-export function addBranches(parts: PatchParts, outline: readonly Point2[], palette: Palette): void {
+export function addBranches(parts: PatchParts, outline: readonly Vec2[], palette: Palette): void {
   const dark = palette.shadowKeeps < 0.65;
   addPlain(parts, outline, dark ? '#1A2A1D' : '#C9CFB7', palette.crown);
   const box = boxOf(outline);

@@ -1,6 +1,6 @@
 // Patches to jump over: a hedge, a hurdle, or a mouse.
 
-import type { Point2 } from '../../protocol/scene';
+import type { Vec2 } from '../../protocol/generated/commands';
 import type { Vec3 } from '../drawing/geometry_builder';
 import { addBlob, boxOf } from '../obstacles/obstacle_geometry';
 import type { Palette } from '../drawing/palette';
@@ -9,13 +9,13 @@ import { addPlain, addRim, blended, type PatchParts, thrown } from './patch_part
 /** Height that the jump clips expect [m]. */
 export const kHurdleHeight = 0.5;
 
-export function addJump(parts: PatchParts, outline: readonly Point2[], name: string, palette: Palette): void {
+export function addJump(parts: PatchParts, outline: readonly Vec2[], name: string, palette: Palette): void {
   if (/mouse|mice|rat/i.test(name)) addMouse(parts, outline, palette);
   else if (/hedge|bush/i.test(name)) addHedge(parts, outline, palette);
   else addHurdle(parts, outline, palette);
 }
 
-function addHurdle(parts: PatchParts, outline: readonly Point2[], palette: Palette): void {
+function addHurdle(parts: PatchParts, outline: readonly Vec2[], palette: Palette): void {
   addPlain(parts, outline, palette.plainFloor, palette.brickLine);
   const box = boxOf(outline);
   const c = Math.cos(box.angle),
@@ -42,7 +42,7 @@ function addHurdle(parts: PatchParts, outline: readonly Point2[], palette: Palet
   }
 }
 
-function addHedge(parts: PatchParts, outline: readonly Point2[], palette: Palette): void {
+function addHedge(parts: PatchParts, outline: readonly Vec2[], palette: Palette): void {
   addPlain(parts, outline, palette.plainFloor, palette.crown);
   const box = boxOf(outline);
   const c = Math.cos(box.angle),
@@ -66,7 +66,7 @@ function addHedge(parts: PatchParts, outline: readonly Point2[], palette: Palett
 }
 
 /** A mouse with ears, eyes and tail. */
-function addMouse(parts: PatchParts, outline: readonly Point2[], palette: Palette): void {
+function addMouse(parts: PatchParts, outline: readonly Vec2[], palette: Palette): void {
   addRim(parts, outline, palette.brickLine);
   const box = boxOf(outline);
   const size = 0.62 * Math.min(box.length, box.width);

@@ -1,6 +1,6 @@
 // A net to crawl under: low posts, ropes, and a mesh that sags between them.
 
-import type { Point2 } from '../../protocol/scene';
+import type { Vec2 } from '../../protocol/generated/commands';
 import { boxOf } from '../obstacles/obstacle_geometry';
 import type { Palette } from '../drawing/palette';
 import { addRim, hatchChords, kFloorHeight, type PatchParts, postsAlong } from './patch_parts';
@@ -16,12 +16,12 @@ const kMeshes = 0.32;
 /** Threads are bent where they hang, in pieces no longer than this [m]. */
 const kPiece = 0.75;
 
-export function addNet(parts: PatchParts, outline: readonly Point2[], palette: Palette): void {
+export function addNet(parts: PatchParts, outline: readonly Vec2[], palette: Palette): void {
   parts.floor.floor(outline, kFloorHeight, palette.netFloor);
   addRim(parts, outline, palette.net);
   const posts = postsAlong(outline, kPostSpacing);
   for (const [x, y] of posts) parts.solid.frustum(x, y, 0, kNetHeight + 0.05, 0.05, 0.042, 6, palette.net, palette.net);
-  posts.forEach((post, i) => hang(parts, post, posts[(i + 1) % posts.length] as Point2, () => 0.05, palette.net, 1));
+  posts.forEach((post, i) => hang(parts, post, posts[(i + 1) % posts.length] as Vec2, () => 0.05, palette.net, 1));
   const box = boxOf(outline);
   const c = Math.cos(box.angle),
     s = Math.sin(box.angle);
@@ -39,8 +39,8 @@ export function addNet(parts: PatchParts, outline: readonly Point2[], palette: P
 /** A thread between two points that hangs lower by `sag`, which may depend on the position. */
 function hang(
   parts: PatchParts,
-  a: Point2,
-  b: Point2,
+  a: Vec2,
+  b: Vec2,
   sag: (x: number, y: number) => number,
   colour: string,
   alpha: number,

@@ -1,13 +1,14 @@
 import { describe, expect, it } from 'vitest';
-import type { Point2 } from '../../protocol/scene';
+import type { Vec2 } from '../../protocol/generated/commands';
 import type { GeometryBuilder } from '../drawing/geometry_builder';
 import { addArea } from './area_shapes';
 import { addPatch, lookOfMotion } from './patch_geometry';
 import { paletteOf } from '../drawing/palette';
 import { blended, emptyParts, hatchChords, type PatchParts, postsAlong } from './patch_parts';
 import { kBottom, kWaterLevel, widened } from './pool';
+import { areaOf, patchOf } from '../../protocol/test_scene';
 
-const kSquare: readonly Point2[] = [
+const kSquare: readonly Vec2[] = [
   [0, 0],
   [4, 0],
   [4, 4],
@@ -16,7 +17,7 @@ const kSquare: readonly Point2[] = [
 
 function partsOf(clip: string, polygon = kSquare, name = ''): PatchParts {
   const parts = emptyParts();
-  addPatch(parts, { id: 1, name, polygon, motion: 0, speed: 1, moving: false }, clip, paletteOf('light'));
+  addPatch(parts, patchOf({ id: 1, name, polygon }), clip, paletteOf('light'));
   return parts;
 }
 
@@ -62,7 +63,7 @@ describe('patches', () => {
         [7, 0.6],
         [-7, 0.6],
       ],
-    ] as Point2[][]) {
+    ] as Vec2[][]) {
       const { min, max } = boundsOf(partsOf('climb', outline).solid);
       const sizes = [max[0]! - min[0]!, max[1]! - min[1]!].sort((a, b) => a - b);
       expect(sizes[0]).toBeCloseTo(0.4);
@@ -73,7 +74,7 @@ describe('patches', () => {
   });
 
   it('net: nowhere lower than the back of one who crawls, nowhere higher than its posts', () => {
-    const wide: Point2[] = [
+    const wide: Vec2[] = [
       [0, 0],
       [6, 0],
       [6, 15],
@@ -103,7 +104,7 @@ describe('patches', () => {
   });
 
   it('hurdle, hedge and mouse: half a metre high at most', () => {
-    const strip: Point2[] = [
+    const strip: Vec2[] = [
       [0, 0],
       [2, 0],
       [2, 8],
@@ -145,10 +146,10 @@ describe('patches', () => {
   });
 
   it('hatch chords add up to the area over their spacing, holes between arms left out', () => {
-    const total = (outline: readonly Point2[]): number =>
+    const total = (outline: readonly Vec2[]): number =>
       hatchChords(outline, 0.6, 0.05).reduce((sum, [a, b]) => sum + Math.hypot(b[0] - a[0], b[1] - a[1]), 0) * 0.05;
     expect(total(kSquare)).toBeCloseTo(16, 0);
-    const bay: readonly Point2[] = [
+    const bay: readonly Vec2[] = [
       [0, 0],
       [6, 0],
       [6, 4],
@@ -168,9 +169,9 @@ describe('patches', () => {
 
 describe('areas and stairs', () => {
   const palette = paletteOf('light');
-  const partsOfArea = (kind: 'exit' | 'source' | 'waiting', open = true, queue: Point2[] = []): PatchParts => {
+  const partsOfArea = (kind: 'exit' | 'source' | 'waiting', open = true, queue: Vec2[] = []): PatchParts => {
     const parts = emptyParts();
-    addArea(parts, { id: 1, kind, polygon: kSquare, open, rate: 0, queue }, palette);
+    addArea(parts, areaOf({ id: 1, kind, polygon: kSquare, open, queue }), palette);
     return parts;
   };
 
@@ -191,7 +192,7 @@ describe('areas and stairs', () => {
   });
 
   it('show the line in which people queue', () => {
-    const queue: Point2[] = [
+    const queue: Vec2[] = [
       [4, 2],
       [6, 2],
       [6, 5],
@@ -201,12 +202,7 @@ describe('areas and stairs', () => {
 
   it('stairs have treads across the way up, and arrows along it', () => {
     const parts = emptyParts();
-    addPatch(
-      parts,
-      { id: 1, name: '', polygon: kSquare, motion: 0, speed: 0.5, moving: false, ascent: 0 },
-      'walk',
-      palette,
-    );
+    addPatch(parts, patchOf({ id: 1, polygon: kSquare, speed: 0.5, ascent: 0 }), 'walk', palette);
     const treads = parts.lines.filter(({ alpha }) => alpha < 1);
     expect(treads.length).toBe(13);
     for (const { line } of treads) expect(line[0][0]).toBeCloseTo(line[1][0]);

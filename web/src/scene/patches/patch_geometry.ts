@@ -1,6 +1,7 @@
 // Shapes of patches by motion, so that the ground explains how the characters move.
 
-import type { Point2, ScenePatch } from '../../protocol/scene';
+import type { Vec2 } from '../../protocol/generated/commands';
+import type { ScenePatch } from '../../protocol/messages';
 import { counterClockwise } from '../drawing/geometry_builder';
 import type { Palette } from '../drawing/palette';
 import { addBranches, kLeavesFrom } from './branches';
@@ -41,11 +42,11 @@ export function heightOfLook(look: PatchLook): number {
 export function addPatch(parts: PatchParts, patch: ScenePatch, clip: string, palette: Palette): void {
   const outline = counterClockwise(patch.polygon);
   if (outline.length < 3) return;
-  if (patch.ascent !== undefined) return addStairs(parts, outline, patch.ascent, palette);
+  if (patch.ascent !== null) return addStairs(parts, outline, patch.ascent, palette);
   addLook(lookOfMotion(clip), parts, outline, patch.name, palette);
 }
 
-function addLook(look: PatchLook, parts: PatchParts, outline: readonly Point2[], name: string, palette: Palette): void {
+function addLook(look: PatchLook, parts: PatchParts, outline: readonly Vec2[], name: string, palette: Palette): void {
   switch (look) {
     case 'net':
       return addNet(parts, outline, palette);

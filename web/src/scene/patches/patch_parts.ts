@@ -1,6 +1,6 @@
 // The parts of one moving patch, or of all still patches together.
 
-import type { Point2 } from '../../protocol/scene';
+import type { Vec2 } from '../../protocol/generated/commands';
 import { GeometryBuilder } from '../drawing/geometry_builder';
 import type { EdgeLine } from '../obstacles/obstacle_geometry';
 
@@ -32,9 +32,9 @@ export const kFloorHeight = 0.006;
 export const kLineHeight = 0.012;
 
 /** The sides of an outline at a height. */
-export function edges(outline: readonly Point2[], z: number): EdgeLine[] {
+export function edges(outline: readonly Vec2[], z: number): EdgeLine[] {
   return outline.map((a, i) => {
-    const b = outline[(i + 1) % outline.length] as Point2;
+    const b = outline[(i + 1) % outline.length] as Vec2;
     return [
       [a[0], a[1], z],
       [b[0], b[1], z],
@@ -42,20 +42,20 @@ export function edges(outline: readonly Point2[], z: number): EdgeLine[] {
   });
 }
 
-export function addRim(parts: PatchParts, outline: readonly Point2[], colour: string): void {
+export function addRim(parts: PatchParts, outline: readonly Vec2[], colour: string): void {
   for (const line of edges(outline, kLineHeight)) parts.rim.push({ line, colour, alpha: 0.95 });
 }
 
-export function addPlain(parts: PatchParts, outline: readonly Point2[], floor: string, rim: string): void {
+export function addPlain(parts: PatchParts, outline: readonly Vec2[], floor: string, rim: string): void {
   parts.floor.floor(outline, kFloorHeight, floor);
   addRim(parts, outline, rim);
 }
 
 /** Points along the rim, no more than `spacing` apart, corners included. */
-export function postsAlong(outline: readonly Point2[], spacing: number): Point2[] {
-  const posts: Point2[] = [];
+export function postsAlong(outline: readonly Vec2[], spacing: number): Vec2[] {
+  const posts: Vec2[] = [];
   outline.forEach((a, i) => {
-    const b = outline[(i + 1) % outline.length] as Point2;
+    const b = outline[(i + 1) % outline.length] as Vec2;
     const count = Math.max(1, Math.ceil(Math.hypot(b[0] - a[0], b[1] - a[1]) / spacing - 1e-9));
     for (let k = 0; k < count; ++k)
       posts.push([a[0] + ((b[0] - a[0]) * k) / count, a[1] + ((b[1] - a[1]) * k) / count]);
@@ -64,16 +64,16 @@ export function postsAlong(outline: readonly Point2[], spacing: number): Point2[
 }
 
 /** Chords of parallel lines across a polygon: direction [rad], spacing [m]. */
-export function hatchChords(outline: readonly Point2[], angle: number, spacing: number): [Point2, Point2][] {
+export function hatchChords(outline: readonly Vec2[], angle: number, spacing: number): [Vec2, Vec2][] {
   const c = Math.cos(angle);
   const s = Math.sin(angle);
   const across = outline.map((p) => -s * p[0] + c * p[1]);
-  const chords: [Point2, Point2][] = [];
+  const chords: [Vec2, Vec2][] = [];
   const first = Math.ceil(Math.min(...across) / spacing) * spacing;
   for (let v = first + 1e-7; v < Math.max(...across); v += spacing) {
     const meets: number[] = [];
     outline.forEach((a, i) => {
-      const b = outline[(i + 1) % outline.length] as Point2;
+      const b = outline[(i + 1) % outline.length] as Vec2;
       const va = -s * a[0] + c * a[1] - v;
       const vb = -s * b[0] + c * b[1] - v;
       if (va > 0 === vb > 0) return;

@@ -1,6 +1,6 @@
 // A pool: the ground opens on a tiled basin, filled with water one sees through.
 
-import type { Point2 } from '../../protocol/scene';
+import type { Vec2 } from '../../protocol/generated/commands';
 import type { Vec3 } from '../drawing/geometry_builder';
 import { boxOf } from '../obstacles/obstacle_geometry';
 import type { Palette } from '../drawing/palette';
@@ -12,7 +12,7 @@ export const kBottom = -1.15;
 const kCoping = 0.34;
 const kTile = 1;
 
-export function addPool(parts: PatchParts, outline: readonly Point2[], palette: Palette): void {
+export function addPool(parts: PatchParts, outline: readonly Vec2[], palette: Palette): void {
   parts.opening.floor(outline, 0, '#000000');
   parts.water.floor(outline, kWaterLevel, palette.water);
   addBasin(parts, outline, palette);
@@ -21,7 +21,7 @@ export function addPool(parts: PatchParts, outline: readonly Point2[], palette: 
   hatchChords(outline, box.angle, 0.85).forEach((chord, row) => addWaves(parts, chord, row, palette));
 }
 
-function addBasin(parts: PatchParts, outline: readonly Point2[], palette: Palette): void {
+function addBasin(parts: PatchParts, outline: readonly Vec2[], palette: Palette): void {
   const bottom = blended(palette.water, palette.waterLine, 0.1);
   const wall = blended(palette.coping, palette.water, 0.45);
   parts.solid.floor(outline, kBottom, bottom);
@@ -45,10 +45,10 @@ function addBasin(parts: PatchParts, outline: readonly Point2[], palette: Palett
 }
 
 /** Corners moved outwards, each side by the same width. */
-export function widened(outline: readonly Point2[], width: number): Point2[] {
+export function widened(outline: readonly Vec2[], width: number): Vec2[] {
   return outline.map((p, i) => {
-    const before = outline[(i + outline.length - 1) % outline.length] as Point2;
-    const after = outline[(i + 1) % outline.length] as Point2;
+    const before = outline[(i + outline.length - 1) % outline.length] as Vec2;
+    const after = outline[(i + 1) % outline.length] as Vec2;
     const [ax, ay] = outwards(before, p),
       [bx, by] = outwards(p, after);
     // Where both sides are moved they meet farther out.
@@ -58,17 +58,17 @@ export function widened(outline: readonly Point2[], width: number): Point2[] {
 }
 
 /** Across a side of a counter-clockwise outline. */
-function outwards(a: Point2, b: Point2): [number, number] {
+function outwards(a: Vec2, b: Vec2): [number, number] {
   const size = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1;
   return [(b[1] - a[1]) / size, (a[0] - b[0]) / size];
 }
 
-function addCoping(parts: PatchParts, outline: readonly Point2[], palette: Palette): void {
+function addCoping(parts: PatchParts, outline: readonly Vec2[], palette: Palette): void {
   const outer = widened(outline, kCoping);
   const high = 0.022;
   outline.forEach((a, i) => {
     const j = (i + 1) % outline.length;
-    const [b, c, d] = [outline[j], outer[j], outer[i]] as [Point2, Point2, Point2];
+    const [b, c, d] = [outline[j], outer[j], outer[i]] as [Vec2, Vec2, Vec2];
     parts.solid.quad([d[0], d[1], high], [c[0], c[1], high], [b[0], b[1], high], [a[0], a[1], high], palette.coping);
   });
   parts.solid.walls(outer, 0, high, palette.coping);
@@ -76,7 +76,7 @@ function addCoping(parts: PatchParts, outline: readonly Point2[], palette: Palet
 }
 
 /** Short wavy strokes along a chord. */
-function addWaves(parts: PatchParts, chord: readonly [Point2, Point2], row: number, palette: Palette): void {
+function addWaves(parts: PatchParts, chord: readonly [Vec2, Vec2], row: number, palette: Palette): void {
   const [a, b] = chord;
   const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
   const ux = (b[0] - a[0]) / Math.max(length, 1e-6);

@@ -1,6 +1,6 @@
 // A brick wall to climb, along the middle of its patch.
 
-import type { Point2 } from '../../protocol/scene';
+import type { Vec2 } from '../../protocol/generated/commands';
 import { boxOf } from '../obstacles/obstacle_geometry';
 import type { Palette } from '../drawing/palette';
 import { addPlain, blended, type PatchParts, thrown } from './patch_parts';
@@ -14,10 +14,10 @@ const kCap = 0.08;
 
 /** Runs along a wall and through it. */
 interface Frame {
-  at(along: number, across: number): Point2;
+  at(along: number, across: number): Vec2;
 }
 
-export function addWall(parts: PatchParts, outline: readonly Point2[], palette: Palette): void {
+export function addWall(parts: PatchParts, outline: readonly Vec2[], palette: Palette): void {
   addPlain(parts, outline, palette.plainFloor, palette.brickLine);
   const box = boxOf(outline);
   const c = Math.cos(box.angle);
@@ -26,7 +26,7 @@ export function addWall(parts: PatchParts, outline: readonly Point2[], palette: 
   const reach = Math.max(0.2, box.length - 0.04);
   const half = Math.min(kWallThickness / 2, 0.5 * box.width);
   const joint = blended(palette.brick, palette.brickLine, 0.35);
-  const corners = (u: number, v: number): Point2[] => [
+  const corners = (u: number, v: number): Vec2[] => [
     frame.at(-u, -v),
     frame.at(u, -v),
     frame.at(u, v),
@@ -64,7 +64,7 @@ function addFaces(parts: PatchParts, frame: Frame, reach: number, half: number, 
 function addEdges(parts: PatchParts, frame: Frame, reach: number, half: number, palette: Palette): void {
   const corners = [frame.at(-reach, -half), frame.at(reach, -half), frame.at(reach, half), frame.at(-reach, half)];
   corners.forEach((a, i) => {
-    const b = corners[(i + 1) % 4] as Point2;
+    const b = corners[(i + 1) % 4] as Vec2;
     for (const z of [kWallHeight, kWallHeight - kCap]) {
       parts.lines.push({
         line: [

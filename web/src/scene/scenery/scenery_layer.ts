@@ -2,7 +2,7 @@
 
 import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, type MeshLambertMaterial } from 'three';
 import { shownBy, type SceneryModel } from '../../model/place_files/scenery';
-import type { SceneFacts } from '../../protocol/scene';
+import { isMoving, type SceneFacts } from '../../protocol/scene';
 import { bodyMaterial, type ShadeUniforms } from '../drawing/shade';
 
 /** Floors of models lie so far above the ground, or the two would flicker [m]. */
@@ -47,7 +47,7 @@ export class SceneryLayer {
   without(scene: SceneFacts): SceneFacts {
     if (this.models_.length === 0) return scene;
     const isShown = shownBy(this.models_);
-    return { ...scene, obstacles: scene.obstacles.filter((one) => one.moving || !isShown(one)) };
+    return { ...scene, obstacles: scene.obstacles.filter((one) => isMoving(one) || !isShown(one)) };
   }
 
   dispose(): void {

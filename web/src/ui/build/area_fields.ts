@@ -132,8 +132,8 @@ function noQueue(act: () => void): HTMLElement {
 /** `ascent`: heading of the way up [rad]. */
 export function stairsFields(one: Thing, ascent: number, desk: BuildActions): HTMLElement[] {
   const speed = (label: string, key: 'speed' | 'speedDown'): HTMLElement => {
-    const now = one.rest[key] ?? one.rest['speed'];
-    return numberField(label, typeof now === 'number' ? now : NaN, kSpeed, (value) =>
+    const now = [key, 'speed'].map((known) => given(one, known, -1)).find((value) => value > 0);
+    return numberField(label, now ?? NaN, kSpeed, (value) =>
       desk.edit(label, (it) => ({ ...it, rest: { ...it.rest, [key]: value } })),
     );
   };

@@ -8,7 +8,7 @@ import { emptiedGroups, isNobody, joinedSource, newArrivals } from '../../model/
 import * as things from '../../model/place/things';
 import type { PlaceChange, Thing, ThingKind } from '../../model/place/things';
 import { OverlayKind, PlaybackAction } from '../../protocol/messages';
-import { parseScene, type SceneFacts } from '../../protocol/scene';
+import type { SceneFacts } from '../../protocol/scene';
 import type { StudioScene } from '../../scene/studio_scene';
 import { BuildPointer } from '../../tools/build_pointer';
 import { firstOf, type HistoryDesk } from '../history_desk';
@@ -105,8 +105,7 @@ export class BuildDesk implements StrokeHost, BuildActions {
     if (this.open_) this.parts_.client.send({ type: 'SetOverlay', kind: OverlayKind.Reach, character: 0 });
   }
 
-  setScene(json: string): void {
-    const scene = parseScene(json);
+  setScene(scene: SceneFacts): void {
     const before = this.served_;
     const same = this.scene_?.world === scene.world && this.scene_.name === scene.name;
     this.scene_ = scene;

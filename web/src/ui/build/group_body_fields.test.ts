@@ -5,11 +5,12 @@ import type { BuildActions } from './build_actions';
 import { ChosenFields } from './chosen_fields';
 import { fieldOf, fillIn } from './test_support';
 
+const body = { radius: 0.25, maxSpeed: 2, unitClass: 0 };
 const group: Thing = thing('group', {
   id: 4,
   name: 'Guests',
   count: 9,
-  body: { radius: 0.25, maxSpeed: 2, unitClass: 0 },
+  body,
 });
 let sent: [string, PlaceChange | null][] = [];
 const kAsTheyAre = { group: 4, radius: null, maxSpeed: null, unitClass: null };
@@ -46,7 +47,7 @@ it('sends a typed radius and refuses one that nobody has', () => {
 it('keeps the slider while it is dragged, and shows the newest after', () => {
   const slider = control('Top speed, slider');
   give('Top speed, slider', '3', 'input');
-  show({ ...group, body: { ...group.body, maxSpeed: 3 } });
+  show({ ...group, body: { ...body, maxSpeed: 3 } });
   expect(control('Top speed, slider')).toBe(slider);
   give('Top speed, slider', '4', 'input', 'change');
   expect(sent.map(([label, change]) => [label, change?.kind === 'groupBody' && change.edit.maxSpeed])).toEqual([
@@ -55,7 +56,7 @@ it('keeps the slider while it is dragged, and shows the newest after', () => {
     ['drags Top speed', 4],
     ['ends Top speed', 4],
   ]);
-  show({ ...group, body: { ...group.body, maxSpeed: 4 } });
+  show({ ...group, body: { ...body, maxSpeed: 4 } });
   expect(control('Top speed, slider')).not.toBe(slider);
   expect(control('Top speed [m/s]').value).toBe('4');
   expect(control('Top speed, slider').getAttribute('aria-valuetext')).toBe('4 m/s');
@@ -63,7 +64,7 @@ it('keeps the slider while it is dragged, and shows the newest after', () => {
 
 it('gives a class, and a class its part of the formation', () => {
   give('Class', '2', 'change');
-  show({ ...group, body: { ...group.body, unitClass: 2 } });
+  show({ ...group, body: { ...body, unitClass: 2 } });
   give('Class 2 stands', 'Rear', 'change');
   expect(sent.map(([, event]) => event)).toEqual([
     { kind: 'groupBody', edit: { ...kAsTheyAre, unitClass: 2 } },
@@ -72,7 +73,7 @@ it('gives a class, and a class its part of the formation', () => {
 });
 
 it('says where people differ', () => {
-  show({ ...group, body: { radius: 0.25 }, roles: [{ area: 'front', unitClass: 1 }] });
+  show({ ...group, body: { radius: 0.25, maxSpeed: null, unitClass: null }, roles: [{ area: 'front', unitClass: 1 }] });
   expect(control('Class').value).toBe('Mixed');
   expect(control('Top speed [m/s]').value).toBe('');
   expect(control('Top speed [m/s]').placeholder).toBe('Mixed');

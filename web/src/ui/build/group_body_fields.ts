@@ -64,7 +64,7 @@ function appearanceField(
 export function groupBodyFields(one: Thing, desk: BuildActions, hold: Hold): HTMLElement[] {
   const { body, roles } = one;
   if (!body) return [];
-  const unitClass = body.unitClass === undefined ? kMixed : body.unitClass === 0 ? kNone : String(body.unitClass);
+  const unitClass = body.unitClass === null ? kMixed : body.unitClass === 0 ? kNone : String(body.unitClass);
   return [
     bodySlider([one, 'radius', 'Body radius', kRadius], desk, hold),
     bodySlider([one, 'maxSpeed', 'Top speed', kSpeed], desk, hold),

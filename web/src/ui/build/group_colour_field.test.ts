@@ -6,7 +6,7 @@ import { accentVariable, groupMark } from '../widgets/group_marks';
 import type { BuildActions } from './build_actions';
 import { ChosenFields } from './chosen_fields';
 
-const group: Thing = thing('group', { id: 4, name: 'Guests', count: 9, body: {}, colour: 1 });
+const group: Thing = thing('group', { id: 4, name: 'Guests', count: 9, body: null, colour: 1 });
 let sent: [string, PlaceChange][] = [];
 let fields: ChosenFields;
 

@@ -9,7 +9,7 @@ import { rightAngled, snapped } from '../../model/place/snap';
 import type { GroundPoint } from '../../model/plane';
 import type { StudioFrame } from '../../model/studio_frame';
 import type { StudioStore } from '../../model/studio_store';
-import { parseScene } from '../../protocol/scene';
+import type { SceneFacts } from '../../protocol/scene';
 import type { StudioScene } from '../../scene/studio_scene';
 import { BuildPointer, type BuildStroke, type BuildStrokes } from '../../tools/build_pointer';
 import { onEscape } from '../escape_key';
@@ -55,8 +55,8 @@ export class MeasureDesk implements BuildStrokes, MeasureActions {
     this.layer_.root.style.display = 'none';
   }
 
-  setScene(json: string): void {
-    this.measures.setScene(parseScene(json));
+  setScene(scene: SceneFacts): void {
+    this.measures.setScene(scene);
     this.renewed_ = -Infinity;
   }
 

@@ -4,6 +4,7 @@ import type { UnitInfo } from '../../model/studio_state';
 import { StudioStore } from '../../model/studio_store';
 import { OrdersPanel } from './orders_panel';
 import { recordingActions } from './test_support';
+import { areaOf } from '../../protocol/test_scene';
 
 const calls: string[] = [];
 const actions = recordingActions(calls);
@@ -39,7 +40,7 @@ it('shows the tool in hand and takes another', () => {
 
 it('offers to leave and to wait where there is an exit, or an area to wait in', () => {
   expect([tile('Leave').hidden, tile('Wait').hidden]).toEqual([true, true]);
-  const area = { id: 1, polygon: [], open: true, rate: 0 };
+  const area = areaOf({ id: 1 });
   store.set({ areas: [{ ...area, kind: 'exit' }] });
   expect([tile('Leave').hidden, tile('Wait').hidden]).toEqual([false, true]);
   store.set({ areas: [{ ...area, kind: 'waiting' }] });

@@ -6,7 +6,7 @@ import { classColour } from '../../model/roles';
 import type { OrderActions } from '../../model/order_actions';
 import type { StudioState, ToolName, UnitInfo } from '../../model/studio_state';
 import type { StudioStore } from '../../model/studio_store';
-import type { AreaKind } from '../../protocol/scene';
+import type { AreaKindWord } from '../../protocol/generated/words';
 import { element, setAttribute, setPressed, setText } from '../widgets/dom';
 import { accentVariable } from '../widgets/group_marks';
 import { icon, type IconName } from '../widgets/icons';
@@ -51,7 +51,7 @@ const kTools: readonly (Omit<ButtonDef, 'act'> & { readonly tool: ToolName })[] 
 ];
 
 /** Tools that are shown where there is an area of that kind. */
-const kNeeds: Partial<Record<ToolName, AreaKind>> = { leave: 'exit', wait: 'waiting' };
+const kNeeds: Partial<Record<ToolName, AreaKindWord>> = { leave: 'exit', wait: 'waiting' };
 
 const kIdle: Omit<UnitInfo, 'id'> = {
   orders: [],

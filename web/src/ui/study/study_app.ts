@@ -5,7 +5,6 @@ import { NoticeLevel, StudyAct, StudyStage, type StudyForm, type StudyState } fr
 import type { StudioClient } from '../../link/studio_client';
 import type { StudioFrame } from '../../model/studio_frame';
 import type { StudioView } from '../../scene/studio_view';
-import { parseScene } from '../../protocol/scene';
 import { AttentionSender } from '../attention_sender';
 import { LayoutWatcher } from '../layout_watcher';
 import { schemeView } from '../scheme_desk';
@@ -89,10 +88,9 @@ export class StudyApp {
     client.on('studyForm', (form) => this.showForm(form));
     client.on('scene', (scene) => {
       this.sceneRevision_ = scene.revision;
-      const facts = parseScene(scene.json);
-      view.orders.setGroups(facts.groups);
-      view.setScene(facts);
-      view.camera.straightDown(facts.box, this.padding());
+      view.orders.setGroups(scene.groups);
+      view.setScene(scene);
+      view.camera.straightDown(scene.box, this.padding());
       this.lookDown();
     });
     client.on('motions', ({ clips }) => view.setMotions(clips));

@@ -8,12 +8,14 @@
 #include <vector>
 
 #include "muster/generated/enumerations.h"
+#include "muster/generated/ground_definitions.h"
 #include "muster/generated/orders_definitions.h"
+#include "muster/generated/world_definitions.h"
 
 namespace muster::protocol {
 
-inline constexpr std::uint32_t kVersion = 14;                 ///< Raised by any change of a message.
-inline constexpr const char* kSubprotocol = "muster.v14";  ///< Of the WebSocket.
+inline constexpr std::uint32_t kVersion = 15;                 ///< Raised by any change of a message.
+inline constexpr const char* kSubprotocol = "muster.v15";  ///< Of the WebSocket.
 
 using muster::ControlKind;
 using muster::Stance;
@@ -506,6 +508,134 @@ struct GroupBodyEdit {
     template <class Archive>
     void visit(Archive& archive) {
         archive(group, radius, maxSpeed, unitClass);
+    }
+};
+
+/// Extent of the ground.
+struct SceneBox {
+    Vec2 min;  ///< [m].
+    Vec2 max;  ///< [m].
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(min, max);
+    }
+};
+
+/// A motion clip, which patches name by its index.
+struct SceneClip {
+    std::string name;
+    double speed = 0.0;  ///< Travel speed relative to running.
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(name, speed);
+    }
+};
+
+/// An obstacle of the world.
+struct SceneObstacle {
+    std::uint32_t id = 0;
+    ObstacleDef definition;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(id, definition);
+    }
+};
+
+/// A patch of the world.
+struct ScenePatch {
+    std::uint32_t id = 0;
+    PatchDef definition;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(id, definition);
+    }
+};
+
+/// An item of the world.
+struct SceneItem {
+    std::uint32_t id = 0;
+    ItemDef definition;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(id, definition);
+    }
+};
+
+/// A checkpoint of the world.
+struct SceneCheckpoint {
+    std::uint32_t id = 0;
+    FormationCheckpointDef definition;
+    std::uint32_t group = 0;  ///< Id of the group that it applies to; 0 for all groups.
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(id, definition, group);
+    }
+};
+
+/// An area of the world.
+struct SceneArea {
+    std::uint32_t id = 0;
+    AreaDef definition;
+    std::uint32_t group = 0;  ///< Of a source: id of the group whom its people join.
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(id, definition, group);
+    }
+};
+
+/// What all in a group have in common; none of a number in which they differ.
+struct GroupBody {
+    std::optional<double> radius;  ///< [m].
+    std::optional<double> maxSpeed;  ///< [m/s].
+    std::optional<std::uint8_t> unitClass;  ///< 0 for none.
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(radius, maxSpeed, unitClass);
+    }
+};
+
+/// A group of the world.
+struct SceneGroup {
+    std::uint32_t id = 0;
+    std::uint8_t accent = 0;  ///< Index of the accent: blue, ember, green, plum, ochre, slate.
+    std::uint32_t count = 0;  ///< Who are in it now.
+    std::string formation;  ///< What it is in now.
+    bool placed = false;  ///< The place has it; else it is a part of others.
+    GroupDef definition;  ///< How the place has it: what another one like it begins as.
+    GroupBody body;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(id, accent, count, formation, placed, definition, body);
+    }
+};
+
+/// A parameter of behaviour.
+struct SceneParameter {
+    std::string name;
+    double value = 0.0;
+
+    /// Lets an archive read or write the fields.
+    template <class Archive>
+    void visit(Archive& archive) {
+        archive(name, value);
     }
 };
 

@@ -30,12 +30,30 @@ struct Welcome {
 struct Scene {
     static constexpr std::uint8_t kNumber = 1;  ///< First byte of the message.
     std::uint32_t revision = 0;
-    std::string json;  ///< Static facts of the world: see docs/protocol.md.
+    std::uint32_t world = 0;  ///< Rises with each world that begins; ids begin anew then, in the same order.
+    std::string name;  ///< The scenario's file name without .json; in folders FOLDER/NAME.
+    std::string title;
+    std::string description;
+    std::string credit;
+    bool demonstration = false;  ///< There are touches to watch.
+    SceneBox box;
+    double cell = 0.0;  ///< Edge of a ground cell [m].
+    double radius = 0.0;  ///< Of a character's body [m].
+    bool ring = false;  ///< The left and the right side of the box are joined.
+    std::vector<SceneClip> clips;
+    std::vector<SceneObstacle> obstacles;
+    std::vector<ScenePatch> patches;
+    std::vector<SceneItem> items;
+    std::vector<SceneCheckpoint> checkpoints;
+    std::vector<SceneArea> areas;
+    std::vector<SceneGroup> groups;
+    std::vector<SceneParameter> parameters;
 
     /// Lets an archive read or write the fields.
     template <class Archive>
     void visit(Archive& archive) {
-        archive(revision, json);
+        archive(revision, world, name, title, description, credit, demonstration, box, cell, radius, ring,
+                clips, obstacles, patches, items, checkpoints, areas, groups, parameters);
     }
 };
 

@@ -1,10 +1,11 @@
-// The static facts of a world as JSON, for the page.
+// The static facts of a world, for the page.
 #pragma once
 
 #include <string>
 
 #include "muster/world.h"
 #include "studio/session/history/place.h"
+#include "studio/session/inbox/protocol.h"
 
 namespace muster {
 
@@ -18,9 +19,7 @@ struct SceneSource {
     bool demonstration = false;     ///< The scenario carries touches that can be watched.
 };
 
-/// The JSON of a Scene message (docs/protocol.md).
-std::string buildSceneJson(const SceneSource& source);
-/// A hash of the scene; it differs where the scene has to be sent again.
-std::uint64_t sceneSignature(const World& world);
+/// The message of that revision.
+protocol::Scene sceneMessage(const SceneSource& source, std::uint32_t revision);
 
 }  // namespace muster
