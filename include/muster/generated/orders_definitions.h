@@ -107,6 +107,8 @@ struct Order {
                 offset, halfSize, path);
         archive.since(7, exits, choice, attractions, herding, misjudgement, area, seconds);
     }
+    /// Equal in all parts.
+    friend bool operator==(const Order&, const Order&) = default;
 };
 
 /// An order in a group's queue.
@@ -119,6 +121,8 @@ struct QueuedOrder {
     void visit(Archive& archive) {
         archive(id, order);
     }
+    /// Equal in all parts.
+    friend bool operator==(const QueuedOrder&, const QueuedOrder&) = default;
 };
 
 /// How a group behaves, whatever its orders.

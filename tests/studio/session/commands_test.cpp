@@ -186,7 +186,7 @@ TEST_CASE("A queue comes to the page as it was given, with the way and the condu
     Session session = startedSession();
     FakeClient client(session);
     run(session, 0.1, {&client});
-    CHECK(client.frames.back().groups[0].orders.empty());
+    CHECK(client.page.orders[0].empty());
     CHECK(client.frames.back().groups[0].way.empty());
     client.send(commandsOf(
         R"([{"kind":"move","group":1,"x":6,"y":-2,"facing":1.5,"width":3},
@@ -195,10 +195,11 @@ TEST_CASE("A queue comes to the page as it was given, with the way and the condu
     run(session, 0.2, {&client});
     CHECK(client.notices.empty());
     const protocol::GroupFrame& group = client.frames.back().groups[0];
-    REQUIRE(group.orders.size() == 2);
-    CHECK(group.orders[0].id != group.orders[1].id);
-    const Order& first = group.orders[0].order;
-    const Order& second = group.orders[1].order;
+    const std::vector<QueuedOrder> orders = client.page.orders[0];
+    REQUIRE(orders.size() == 2);
+    CHECK(orders[0].id != orders[1].id);
+    const Order& first = orders[0].order;
+    const Order& second = orders[1].order;
     CHECK((first.target == Vec2{6, -2} && first.width == 3.0 && first.facing == 1.5));
     CHECK(second.route == std::vector<Vec2>{{0, 5}});
     CHECK((second.manner == Manner::Free && second.turn == Turn::Keep));
@@ -213,7 +214,30 @@ TEST_CASE("A queue comes to the page as it was given, with the way and the condu
     CHECK((client.frames.back().groups[0].held && client.frames.back().groups[0].patrols));
     client.send(commandsOf(R"([{"kind":"queue","group":1,"edit":"stop"}])"));
     run(session, 0.1, {&client});
+    CHECK(client.page.orders[0].empty());
+}
+
+TEST_CASE("A queue comes in a frame only where the client does not know it") {
+    Session session = startedSession();
+    FakeClient client(session);
+    client.send(commandsOf(R"([{"kind":"move","group":1,"x":60,"y":-2}])"));
+    run(session, 0.3, {&client});
+    const auto framesWithQueue = [](const FakeClient& one) {
+        return std::count_if(one.frames.begin(), one.frames.end(),
+                             [](const protocol::Frame& frame) { return frame.groups[0].queued; });
+    };
+    const auto before = framesWithQueue(client);
+    REQUIRE(client.page.orders[0].size() == 1);
+    FakeClient late(session);
+    run(session, 0.5, {&client, &late});
+    CHECK(framesWithQueue(client) == before);
     CHECK(client.frames.back().groups[0].orders.empty());
+    CHECK(framesWithQueue(late) == 1);
+    CHECK(late.page.orders[0] == client.page.orders[0]);
+    client.send(commandsOf(R"([{"kind":"queue","group":1,"edit":"stop"}])"));
+    run(session, 0.3, {&client, &late});
+    CHECK(framesWithQueue(client) == before + 1);
+    CHECK((client.page.orders[0].empty() && late.page.orders[0].empty()));
 }
 
 TEST_CASE("A split gives frames another group, with a scene and a mesh before it; a merge takes it away") {

@@ -76,7 +76,7 @@ TEST_CASE("A forecast may begin where another order would end, and be of an orde
     session.elapse(0.1);
     while (session.stepDue()) session.step();
     client.poll();
-    const auto& orders = client.frames.back().groups[0].orders;
+    const std::vector<QueuedOrder> orders = client.page.orders[0];
     REQUIRE(orders.size() == 2);
     protocol::ForecastAsk second{.group = 1, .order = orders[1].id, .placed = true, .x = 20.0};
     client.send(protocol::AskForecasts{1, {second}});
@@ -157,7 +157,7 @@ TEST_CASE("An order in the queue comes with all that it says") {
     session.elapse(0.1);
     while (session.stepDue()) session.step();
     client.poll();
-    const auto& orders = client.frames.back().groups[0].orders;
+    const std::vector<QueuedOrder> orders = client.page.orders[0];
     REQUIRE(orders.size() == 1);
     const auto bytesOf = [](const Order& one) { return encodeCommand({0, 0, 0, GiveOrder{{}, {}, 0, one}}); };
     CHECK(bytesOf(orders[0].order) == bytesOf(order));

@@ -24,13 +24,14 @@ struct PageFrame {
     std::vector<double> phase;                     ///< 0 to 1.
     std::vector<std::vector<double>> places;       ///< By group: x, y per place [m].
     std::vector<std::vector<std::uint8_t>> unfit;  ///< By group, per place.
+    std::vector<std::vector<QueuedOrder>> orders;  ///< By group: its queue.
 };
 
 /// Follows the frames of one session.
 class PageDecoder {
 public:
     /// Handles a group's mesh.
-    void take(const protocol::GroupMesh& mesh) { groups_[mesh.group] = {mesh, {}, {}}; }
+    void take(const protocol::GroupMesh& mesh) { groups_[mesh.group] = {mesh, {}, {}, {}}; }
 
     /// Handles a frame.
     const PageFrame& take(const protocol::Frame& frame) {
@@ -39,6 +40,7 @@ public:
         takeCrowd(frame.crowd);
         page_.places.clear();
         page_.unfit.clear();
+        page_.orders.clear();
         for (const protocol::GroupFrame& group : frame.groups) takeGroup(group);
         return page_;
     }
@@ -55,6 +57,7 @@ private:
         protocol::GroupMesh mesh;
         std::vector<double> offsets;
         std::vector<std::uint8_t> unfit;
+        std::vector<QueuedOrder> orders;
     };
 
     static Quat turn(const std::int16_t* numbers) {
@@ -117,6 +120,8 @@ private:
         for (std::size_t k = 0; k < frame.offsets.size(); ++k)
             group.offsets.at(2 * frame.moved[k / 2] + k % 2) = frame.offsets[k] / 100.0;
         if (!frame.unfit.empty()) group.unfit = frame.unfit;
+        if (frame.queued) group.orders = frame.orders;
+        page_.orders.push_back(group.orders);
         std::vector<double>& places = page_.places.emplace_back();
         std::vector<std::uint8_t>& unfit = page_.unfit.emplace_back();
         for (std::size_t k = 0; k < count; ++k) {

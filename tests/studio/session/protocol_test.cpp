@@ -68,6 +68,7 @@ protocol::Frame sampleFrame() {
     control.points.push_back({9, true, 1.0f, 2.0f, {3.0f, 4.0f}});
     frame.areas.push_back({3, 70000, 2});
     frame.moving.push_back({protocol::MovingKind::Patch, 2, 0.1f, 0.2f, 0.3f});
+    group.queued = true;
     group.orders.push_back({4, Order::guard({0, 0}, {2, 1}, 1.5)});
     group.orders[0].order.route = {{1, -2}};
     group.orders[0].order.formation.emplace().kind = FormationKind::Wedge;

@@ -1,5 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { kJoints } from '../model/skeleton';
+import type { Order } from '../protocol/generated/commands';
+import { filled } from '../protocol/encoding';
 import type { Frame, GroupFrame } from '../protocol/messages';
 import { kIdle, madeMesh } from '../model/test_frames';
 import { FrameUnpacker, unpackPoses } from './frame_unpacker';
@@ -71,6 +73,7 @@ function frameOf(group: Partial<GroupFrame>): Frame {
         ...moved,
         controls: [],
         ...kIdle,
+        queued: true,
         orders: [],
         ...group,
       },
@@ -127,6 +130,19 @@ describe('FrameUnpacker', () => {
       [1, 0],
       [1, 1],
     ]);
+  });
+
+  it('keeps a queue until another follows, or the mesh is another', () => {
+    const unpacker = new FrameUnpacker();
+    unpacker.setMesh(madeMesh(7));
+    const ids = (queued: boolean, orders: number[]): number[] => {
+      const queue = orders.map((id) => ({ id, order: filled<Order>('Order', {}) }));
+      return unpacker.unpack(frameOf({ queued, orders: queue })).groups[0]!.orders.map(({ id }) => id);
+    };
+    expect([ids(true, [4, 5]), ids(false, []), ids(true, [])]).toEqual([[4, 5], [4, 5], []]);
+    expect(ids(true, [6])).toEqual([6]);
+    unpacker.setMesh(madeMesh(7));
+    expect(ids(false, [])).toEqual([]);
   });
 
   it('gives buffers that can be handed on, each once', () => {

@@ -5,7 +5,7 @@ import type { Frame, GroupFrame, GroupMesh, Motions } from '../protocol/messages
 import { clipDuration } from '../model/clip_duration';
 import { kJoints } from '../model/skeleton';
 import { CrowdUnpacker } from './crowd_unpacker';
-import { queueOrder } from '../model/queue_order';
+import { queueOrder, type QueueOrder } from '../model/queue_order';
 import type { StudioFrame, StudioGroup } from '../model/studio_frame';
 
 /** Numbers of a whole pose on the wire, and unpacked. */
@@ -42,26 +42,28 @@ function unpackTurn(packed: Int16Array, from: number, out: Float32Array, to: num
   out[to + largest] = Math.sqrt(Math.max(0, rest));
 }
 
-/** A group's places: each is a point of the mesh and an offset from it. */
-class Places {
+/** What frames have said of a group: its queue, and its places, each a point of the mesh and an offset from it. */
+class GroupUnpacker {
   private readonly offsets_: Float32Array;
   private unfit_: Uint8Array = new Uint8Array(0);
+  private orders_: readonly QueueOrder[] = [];
 
   constructor(private readonly mesh_: GroupMesh) {
     this.offsets_ = new Float32Array(2 * mesh_.placeTriangles.length);
   }
 
-  unpack({ moved, offsets, unfit, orders, ...group }: GroupFrame): StudioGroup {
+  unpack({ moved, offsets, unfit, queued, orders, ...group }: GroupFrame): StudioGroup {
     for (let k = 0; k < moved.length; ++k) {
       const at = 2 * moved[k]!;
       this.offsets_[at] = offsets[2 * k]! / 100;
       this.offsets_[at + 1] = offsets[2 * k + 1]! / 100;
     }
     if (unfit.length > 0) this.unfit_ = unfit;
+    if (queued) this.orders_ = orders.map(queueOrder);
     const count = this.mesh_.placeTriangles.length;
     const fit = new Uint8Array(count);
     for (let k = 0; k < count; ++k) fit[k] = ((this.unfit_[k >> 3] ?? 0) >> (k & 7)) & 1 ? 0 : 1;
-    return { ...group, orders: orders.map(queueOrder), places: this.places(group.vertices), fit };
+    return { ...group, orders: this.orders_, places: this.places(group.vertices), fit };
   }
 
   private places(vertices: Float32Array): Float32Array {
@@ -98,14 +100,14 @@ const kNoMesh: GroupMesh = {
 
 export class FrameUnpacker {
   private readonly crowd_ = new CrowdUnpacker();
-  private readonly places_ = new Map<number, Places>();
+  private readonly groups_ = new Map<number, GroupUnpacker>();
 
   setMotions({ clips }: Motions): void {
     this.crowd_.setClips(clips.map((clip) => ({ seconds: clipDuration(clip), cyclic: clip.cyclic })));
   }
 
   setMesh(mesh: GroupMesh): void {
-    this.places_.set(mesh.group, new Places(mesh));
+    this.groups_.set(mesh.group, new GroupUnpacker(mesh));
   }
 
   unpack({ crowd, groups, ...frame }: Frame): StudioFrame {
@@ -124,7 +126,7 @@ export class FrameUnpacker {
       ...people,
       near,
       nearPoses: unpackPoses(crowd.nearPoses),
-      groups: groups.map((group) => (this.places_.get(group.id) ?? new Places(kNoMesh)).unpack(group)),
+      groups: groups.map((group) => (this.groups_.get(group.id) ?? new GroupUnpacker(kNoMesh)).unpack(group)),
     };
   }
 }

@@ -14,8 +14,8 @@ export function rowsLength(count: number): number {
   return kRowFloats * kRowsAcross * Math.max(1, Math.ceil(count / kRowsAcross));
 }
 
-export interface StudioGroup extends Omit<GroupFrame, 'moved' | 'offsets' | 'unfit' | 'orders'> {
-  orders: QueueOrder[];
+export interface StudioGroup extends Omit<GroupFrame, 'moved' | 'offsets' | 'unfit' | 'queued' | 'orders'> {
+  orders: readonly QueueOrder[];
   /** x, y per place [m]. */
   places: Float32Array;
   /** Per place: 0 where an obstacle leaves no space for a character. */

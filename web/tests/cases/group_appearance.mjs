@@ -43,19 +43,19 @@ async function choose(studio, touch) {
   const box = await build.boundingBox();
   expect(!touch || box.height >= 44, `a field for fingers: ${box.height}`);
   await build.selectOption('Narrow');
-  await scene(studio, 'narrow', ({ groups: [one] }) => one.build === 'narrow');
+  await scene(studio, 'narrow', ({ groups: [one] }) => one.definition.build === 'narrow');
   await studio.eventually(async () => {
     const shown = await bodies(studio);
     expect(shown.length === 1 && shown[0] === 'body-2', `only narrow bodies: ${shown}`);
   });
   await field(page, 'Motion set').selectOption('March');
-  await scene(studio, 'march', ({ groups: [one] }) => one.motions === 'march' && one.build === 'narrow');
+  await scene(studio, 'march', ({ groups: [one] }) => one.definition.motions === 'march' && one.definition.build === 'narrow');
   await serious(studio, 'appearance of a group');
   await studio.shot('group-appearance');
   await page.getByRole('button', { name: 'Undo motion set' }).click();
-  await scene(studio, 'one step back', ({ groups: [one] }) => one.motions === undefined && one.build === 'narrow');
+  await scene(studio, 'one step back', ({ groups: [one] }) => one.definition.motions === null && one.definition.build === 'narrow');
   await page.getByRole('button', { name: 'Redo motion set' }).click();
-  const { groups } = await scene(studio, 'and on', ({ groups: [one] }) => one.motions === 'march');
+  const { groups } = await scene(studio, 'and on', ({ groups: [one] }) => one.definition.motions === 'march');
   await march(studio, groups[0].id);
 }
 

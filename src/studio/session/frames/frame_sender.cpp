@@ -5,6 +5,7 @@ namespace muster {
 void FrameSender::restart() {
     sentIds_ = 0;
     sentMeshes_.clear();
+    queues_.clear();
 }
 
 Status FrameSender::acknowledge(std::uint32_t number) {
@@ -30,7 +31,30 @@ void FrameSender::sendScene(const WorldPicture& picture, std::vector<MessageByte
         messages.push_back(protocol::encode(buildGroupMesh(picture.world, g)));
         sentMeshes_[group.id.value] = group.formationVersion;
         places_[group.id.value].restart();
+        queues_.erase(group.id.value);
     }
+}
+
+// Writes what has changed of each group since the last frame: the offsets of places, and the queue. A queue that
+// the client knows is taken out of the frame until restoreQueues().
+void FrameSender::encodeGroups(const WorldPicture& picture) {
+    std::vector<protocol::GroupFrame>& groups = picture.frame.groups;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        protocol::GroupFrame& group = groups[g];
+        places_[group.id].encode(picture.frames.places()[g], group);
+        const auto known = queues_.find(group.id);
+        group.queued = known == queues_.end() || known->second != group.orders;
+        if (group.queued)
+            queues_[group.id] = group.orders;
+        else
+            group.orders.clear();
+    }
+}
+
+// All clients share the frame, so it gets the queues back that this client did not need.
+void FrameSender::restoreQueues(protocol::Frame& frame) const {
+    for (protocol::GroupFrame& group : frame.groups)
+        if (!group.queued) group.orders = queues_.at(group.id);
 }
 
 void FrameSender::send(const WorldPicture& picture, double echo, std::vector<protocol::EventFrame>& events,
@@ -39,8 +63,7 @@ void FrameSender::send(const WorldPicture& picture, double echo, std::vector<pro
     protocol::Frame& frame = picture.frame;
     const bool known = sentIds_ == picture.frames.idsVersion();
     crowd_.encode(picture.frames.crowd(), !known, frame.crowd);
-    for (std::size_t g = 0; g < frame.groups.size(); ++g)
-        places_[frame.groups[g].id].encode(picture.frames.places()[g], frame.groups[g]);
+    encodeGroups(picture);
     frame.frame = ++frame_;
     frame.touchEcho = echo;
     frame.events.swap(events);
@@ -58,6 +81,7 @@ void FrameSender::send(const WorldPicture& picture, double echo, std::vector<pro
     swapMembers();
     messages.push_back(protocol::encode(frame));
     swapMembers();
+    restoreQueues(frame);
     frame.events.swap(events);
     events.clear();
     sentIds_ = picture.frames.idsVersion();

@@ -38,6 +38,8 @@ public:
 
 private:
     void sendScene(const WorldPicture& picture, std::vector<MessageBytes>& messages);
+    void encodeGroups(const WorldPicture& picture);
+    void restoreQueues(protocol::Frame& frame) const;
 
     std::uint32_t frame_ = 0;                            // Number of the last frame sent.
     bool awaitsAck_ = false;                             // True while that frame is not acknowledged.
@@ -47,6 +49,7 @@ private:
     CrowdEncoder crowd_;                                 // The characters as the client knows them.
     std::map<std::uint32_t, std::uint32_t> sentMeshes_;  // Version of the mesh sent, by group.
     std::map<std::uint32_t, PlacesEncoder> places_;      // The places as the client knows them, by group.
+    std::map<std::uint32_t, std::vector<QueuedOrder>> queues_;  // The queues as it knows them, by group.
 };
 
 }  // namespace muster

@@ -166,7 +166,9 @@ export interface GroupFrame {
   y: number;
   /** [rad]. */
   facing: number;
-  /** Its queue. */
+  /** Its queue follows; false: it is as in the last frame sent. */
+  queued: boolean;
+  /** Its queue, where it follows. */
   orders: QueuedOrder[];
   /** x, y: the rest of the way of the order that is carried out. */
   way: Float32Array;

@@ -243,7 +243,8 @@ struct GroupFrame {
     float x = 0.0f;  ///< Where its formation has its centre [m].
     float y = 0.0f;
     float facing = 0.0f;  ///< [rad].
-    std::vector<QueuedOrder> orders;  ///< Its queue.
+    bool queued = false;  ///< Its queue follows; false: it is as in the last frame sent.
+    std::vector<QueuedOrder> orders;  ///< Its queue, where it follows.
     std::vector<float> way;  ///< x, y: the rest of the way of the order that is carried out.
     bool held = false;  ///< It waits; the queue stays.
     bool patrols = false;  ///< Orders that are done come last again.
@@ -256,7 +257,8 @@ struct GroupFrame {
     template <class Archive>
     void visit(Archive& archive) {
         archive(id, meshVersion, lag, walkSum, walkSquares, walkLongest, vertices, moved, offsets, unfit,
-                controls, x, y, facing, orders, way, held, patrols, stance, cohesion, squeeze, avoids);
+                controls, x, y, facing, queued, orders, way, held, patrols, stance, cohesion, squeeze,
+                avoids);
         checkChoice(archive, stance);
     }
 };
