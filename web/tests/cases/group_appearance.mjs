@@ -49,11 +49,19 @@ async function choose(studio, touch) {
     expect(shown.length === 1 && shown[0] === 'body-2', `only narrow bodies: ${shown}`);
   });
   await field(page, 'Motion set').selectOption('March');
-  await scene(studio, 'march', ({ groups: [one] }) => one.definition.motions === 'march' && one.definition.build === 'narrow');
+  await scene(
+    studio,
+    'march',
+    ({ groups: [one] }) => one.definition.motions === 'march' && one.definition.build === 'narrow',
+  );
   await serious(studio, 'appearance of a group');
   await studio.shot('group-appearance');
   await page.getByRole('button', { name: 'Undo motion set' }).click();
-  await scene(studio, 'one step back', ({ groups: [one] }) => one.definition.motions === null && one.definition.build === 'narrow');
+  await scene(
+    studio,
+    'one step back',
+    ({ groups: [one] }) => one.definition.motions === null && one.definition.build === 'narrow',
+  );
   await page.getByRole('button', { name: 'Redo motion set' }).click();
   const { groups } = await scene(studio, 'and on', ({ groups: [one] }) => one.definition.motions === 'march');
   await march(studio, groups[0].id);

@@ -35,8 +35,8 @@ void FrameSender::sendScene(const WorldPicture& picture, std::vector<MessageByte
     }
 }
 
-// Writes what has changed of each group since the last frame: the offsets of places, and the queue. A queue that
-// the client knows is taken out of the frame until restoreQueues().
+// Writes what has changed of each group since the last frame: the offsets of places, and the queue. A queue
+// that the client knows is taken out of the frame until restoreQueues().
 void FrameSender::encodeGroups(const WorldPicture& picture) {
     std::vector<protocol::GroupFrame>& groups = picture.frame.groups;
     for (std::size_t g = 0; g < groups.size(); ++g) {

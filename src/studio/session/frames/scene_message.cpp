@@ -47,7 +47,7 @@ std::vector<Body> startBodies(const protocol::GroupBody& common, const Parameter
     return body == Body() ? std::vector<Body>() : std::vector<Body>{body};
 }
 
-/// What the page takes hold of. Where each stands and what it was told at first stays here: it may be long.
+/// What the page takes hold of. Positions and first orders are left out: they may be long.
 GroupDef startOf(const GroupView& now, const GroupDef& current, const PlaceGroupDef* placed) {
     GroupDef def;
     def.name = now.name;

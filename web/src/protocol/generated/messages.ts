@@ -692,7 +692,7 @@ export interface Welcome {
 export interface Scene {
   type: 'Scene';
   revision: number;
-  /** Rises with each world that begins; ids begin anew then, in the same order. */
+  /** Rises with each world that begins; ids begin again then, in the same order. */
   world: number;
   /** The scenario's file name without .json; in folders FOLDER/NAME. */
   name: string;

@@ -30,7 +30,7 @@ struct Welcome {
 struct Scene {
     static constexpr std::uint8_t kNumber = 1;  ///< First byte of the message.
     std::uint32_t revision = 0;
-    std::uint32_t world = 0;  ///< Rises with each world that begins; ids begin anew then, in the same order.
+    std::uint32_t world = 0;  ///< Rises with each world that begins; ids begin again then, in the same order.
     std::string name;  ///< The scenario's file name without .json; in folders FOLDER/NAME.
     std::string title;
     std::string description;
