@@ -6,8 +6,8 @@ import { addValue, enumerations, fail, folder, readKinds, word } from './read.mj
 import { isId, plain } from './types.mjs';
 import { singular, withUnit } from './text.mjs';
 
-/** The headers, each after those that it includes. */
-const kFiles = ['base', 'values', 'definitions', 'command', 'views', 'world', 'clips', 'bvh', 'motion', 'scenario', 'take', 'figures'];
+/** The sections of the header of C, each after those that it uses. */
+const kFiles = ['base', 'values', 'definitions', 'commands', 'views', 'world', 'scenario', 'clips', 'motion', 'bvh', 'take', 'figures'];
 
 /** Types of C that are not named after Muster. */
 const kC = {
@@ -90,15 +90,14 @@ function readEnumeration(tokens, line) {
 
 const refuse = (owner, tokens, line) => fail(line, 'found a line of its own, expected none');
 
-function readHeader(name) {
+function readSection(name) {
   const path = `api/${name}.txt`;
   const lines = readFileSync(join(folder, path), 'utf8').split('\n');
   const found = readKinds(path, {
-    header: {
+    section: {
       open: (tokens, line) => ({ name: word(tokens, line, 'a name'), component: word(tokens, line, 'a component'), sentence: textOf(tokens, line, 'it') }),
       add: refuse,
     },
-    include: { open: (tokens, line) => word(tokens, line, 'a header'), add: refuse },
     struct: { open: readStruct, add: readField },
     handle: { open: (tokens, line) => ({ name: `${word(tokens, line, 'a name')}Id`, sentence: textOf(tokens, line, 'it') }), add: refuse },
     enum: { open: readEnumeration, add: addValue },
@@ -109,23 +108,21 @@ function readHeader(name) {
     callback: { open: readFunction, add: readParameter },
     function: { open: readFunction, add: readParameter },
   });
-  const [{ owner: header }, ...others] = found;
+  const [{ owner: section }, ...others] = found;
   return {
-    ...header,
-    includes: others.filter(({ keyword }) => keyword === 'include').map(({ owner }) => owner),
-    declarations: others.filter(({ keyword }) => keyword !== 'include')
-      .map(({ keyword, line, owner }) => ({ ...owner, kind: keyword, isApart: lines[line - 2].trim() === '' })),
+    ...section,
+    declarations: others.map(({ keyword, line, owner }) => ({ ...owner, kind: keyword, isApart: lines[line - 2].trim() === '' })),
   };
 }
 
-const files = kFiles.map(readHeader);
+const files = kFiles.map(readSection);
 /** All structs, also those of C++ alone. */
 export const apiStructs = files.flatMap(({ name: file, declarations }) => declarations.filter(({ kind }) => kind === 'struct').map((one) => ({ ...one, file })));
 
-/** The headers of the C API that are declared here: {name, component, sentence, includes, declarations}. */
-export const apiHeaders = files
+/** The sections of the C API: {name, component, sentence, declarations}. */
+export const apiSections = files
   .filter(({ component }) => component !== 'none')
-  .map((header) => ({ ...header, declarations: header.declarations.filter((one) => !one['cpp-only']) }));
+  .map((section) => ({ ...section, declarations: section.declarations.filter((one) => !one['cpp-only']) }));
 
 /** The name of the number of a list. */
 const countOf = (struct, { name, count }) => count ?? (struct.columns ? 'count' : `${singular(name)}Count`);

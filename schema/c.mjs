@@ -1,10 +1,10 @@
 // The structs of commands in C, and their marshalling.
 import { commands } from './read.mjs';
-import { aligned, cHeader, docComment, hasOf, inC, listed, lowerFirst, singular, upperWords, withUnit } from './text.mjs';
+import { aligned, docComment, hasOf, listed, lowerFirst, singular, upperWords, withUnit } from './text.mjs';
 import { kBanner } from './cpp.mjs';
 import { cItem, definition, enumerated, isId } from './types.mjs';
 
-/** The comment of a C header: ids and lists are none where they are 0. */
+/** The comment in C: ids and lists are none where they are 0. */
 function about(field) {
   const sentence = withUnit(field);
   if (isId(field.type)) return sentence.replace(/\bnone\b/, '0');
@@ -51,11 +51,11 @@ export const commandKinds = () => [
 export const commandMembers = () =>
   commands.map(({ name }) => ({ name: lowerFirst(name), type: `Muster${name}`, about: `For MUSTER_COMMAND_${upperWords(name)}.` }));
 
-function bodies() {
+/** The bodies of commands, their kinds, and the union of all bodies, in C. */
+export function commandLines() {
   const kinds = commandKinds().map(({ name, value, about: text }, at, all) => ({ code: `${name} = ${value}${at + 1 < all.length ? ',' : ''}`, about: text }));
   const members = commandMembers().map(({ name, type, about: text }) => ({ code: `${type} ${name};`, about: text }));
-  return cHeader(inC(kBanner), 'COMMAND_BODIES', '#include "muster/c/definitions.h"', `
-${commands.map(struct).join('\n\n')}
+  return `${commands.map(struct).join('\n\n')}
 
 /// Kinds of commands.
 typedef int32_t MusterCommandKind;
@@ -67,8 +67,7 @@ ${aligned(kinds).join('\n')}
 /// What a command of each kind says. Only the member of the command's kind is read.
 typedef union MusterCommandBody {
 ${aligned(members).join('\n')}
-} MusterCommandBody;
-`);
+} MusterCommandBody;`;
 }
 
 /** The line that reads or writes one field. */
@@ -105,8 +104,8 @@ ${command.fields.map((field) => `    ${marshal(field)}`).join('\n')}
 #include <variant>
 
 #include "bindings/c/c_world/world_fields.h"
-#include "muster/c/command.h"
 #include "muster/command.h"
+#include "muster/muster.h"
 
 namespace muster::c_api {
 
@@ -125,6 +124,5 @@ static_assert(std::tuple_size_v<decltype(kCommandMembers)> == std::variant_size_
 }
 
 export const cFiles = () => ({
-  'include/muster/c/generated/command_bodies.h': bodies(),
   'bindings/c/c_world/generated/command_kind_fields.h': marshalling(),
 });

@@ -1,6 +1,6 @@
 // The structs of definitions in C, and both directions between C and C++.
 import { definitions, isDefinition, isEnumeration } from './read.mjs';
-import { aligned, cHeader, docComment, hasOf, inC, singular, upperWords, withUnit } from './text.mjs';
+import { aligned, docComment, hasOf, singular, upperWords, withUnit } from './text.mjs';
 import { kDefinitionsBanner } from './definitions_cpp.mjs';
 import { isId, plain } from './types.mjs';
 
@@ -22,7 +22,7 @@ const asInC = (sentence) =>
     .replace(/ \(SPEC [^)]*\)/, '')
     .replace(/\b(?=(World|Group)Def\b)/g, 'Muster');
 
-/** The comment of a C header: ids, lists and pointers are none in another way than in C++. */
+/** The comment in C: ids, lists and pointers are none in another way than in C++. */
 function about(field) {
   const sentence = asInC(withUnit(field));
   if (field.type === 'text') return `${sentence.replace(/(?<!\.)\.$/, '').replace(/; (may be empty|empty for none)/, '')}; null for none.`;
@@ -87,8 +87,8 @@ function struct(definition) {
   return lines.join('\n');
 }
 
-const header = () =>
-  cHeader(inC(kDefinitionsBanner), 'DEFINITION_STRUCTS', '#include "muster/c/values.h"', `\n${definitionsInC.map(struct).join('\n\n')}\n`);
+/** All of them in C. */
+export const definitionLines = () => definitionsInC.map(struct).join('\n\n');
 
 /** The line that reads or writes one field. */
 function marshal({ name, type, isList, isOptional }) {
@@ -128,7 +128,7 @@ const marshalling = () => `${kDefinitionsBanner}// The fields of definitions, fo
 #include <cstddef>
 
 #include "bindings/c/c_world/marshal.h"
-#include "muster/c/definitions.h"
+#include "muster/muster.h"
 #include "muster/world_def.h"
 
 namespace muster::c_api {
@@ -159,7 +159,6 @@ ${definitionsInC.filter(({ made }) => made !== '').map((one) => `Muster${one.nam
 `;
 
 export const definitionCFiles = () => ({
-  'include/muster/c/generated/definition_structs.h': header(),
   'bindings/c/c_world/generated/definition_fields.h': marshalling(),
   'bindings/c/c_world/generated/definition_defaults.cpp': defaults(),
 });

@@ -1,13 +1,9 @@
 // The description of the C API for generators of bindings: docs/api/muster_api.json.
-import { apiHeaders, cType, functionParameters, makerOf, returnType, structMembers } from './api.mjs';
+import { apiSections, cType, functionParameters, makerOf, returnType, structMembers } from './api.mjs';
 import { commandKinds, commandMembers, membersOf } from './c.mjs';
-import { valuesOf } from './c_headers.mjs';
+import { valuesOf } from './c_header.mjs';
 import { definitionsInC, definitionStruct } from './definitions_c.mjs';
 import { commands, enumerations } from './read.mjs';
-
-/** The headers, each after those that it includes. */
-const kOrder = ['base', 'generated/enumerations', 'values', 'generated/definition_structs', 'definitions', 'generated/command_bodies', 'command', 'views', 'world',
-  'clips', 'bvh', 'motion', 'scenario', 'take'];
 
 const described = ({ type, name, about, length, count, parameters, returns }) => ({
   ...(type === 'function' ? { name, returns, parameters: parameters.map((one) => ({ name: one.name, type: one.type })), type } : { name, type }),
@@ -70,12 +66,8 @@ const definitionEntries = () =>
     return made === '' ? [struct] : [struct, functionOf(maker, name, [], made)];
   });
 
-function entriesOfHeader(header) {
-  if (header === 'generated/enumerations') return enumerationEntries();
-  if (header === 'generated/command_bodies') return commandEntries();
-  if (header === 'generated/definition_structs') return definitionEntries();
-  return apiHeaders.find(({ name }) => name === header).declarations.flatMap(entriesOf);
-}
+/** What another file than api/*.txt declares, before the rest of its section. */
+const kBefore = { values: enumerationEntries, definitions: definitionEntries, commands: commandEntries };
 
 /** Handles, and who makes structs that have a version. */
 function addRoles(api) {
@@ -91,11 +83,9 @@ function addRoles(api) {
 
 function describe() {
   const api = { header: 'muster/muster.h', integers: [], structs: [], callbacks: [], functions: [] };
-  for (const header of kOrder) {
-    const component = apiHeaders.find(({ name }) => name === header)?.component ?? 'core';
-    for (const { list, entry, values } of entriesOfHeader(header))
-      api[list].push({ ...entry, header: `muster/c/${header}.h`, component, ...(values ? { values } : {}) });
-  }
+  for (const { name: section, component, declarations } of apiSections)
+    for (const { list, entry, values } of [...(kBefore[section]?.() ?? []), ...declarations.flatMap(entriesOf)])
+      api[list].push({ ...entry, section, component, ...(values ? { values } : {}) });
   addRoles(api);
   return api;
 }

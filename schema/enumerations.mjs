@@ -55,16 +55,8 @@ inline constexpr std::size_t kCountOf = static_cast<std::size_t>(kLastOf<Enum>) 
 }  // namespace muster
 `;
 
-const cHeader = () => `/* ${kFrom} */
-#ifndef MUSTER_C_ENUMERATIONS_H
-#define MUSTER_C_ENUMERATIONS_H
-
-#include <stdint.h>
-
-${enumerations.map(inC).join('\n\n')}
-
-#endif
-`;
+/** All of them in C. */
+export const enumerationLines = () => enumerations.map(inC).join('\n\n');
 
 const wordHeader = () => `// ${kFrom}
 // The words of enumerations in files and messages, in the order of their values.
@@ -81,6 +73,5 @@ ${enumerations.map(words).join('\n')}
 
 export const enumerationFiles = () => ({
   'include/muster/generated/enumerations.h': cppHeader(),
-  'include/muster/c/generated/enumerations.h': cHeader(),
   'src/base/generated/enumeration_words.h': wordHeader(),
 });

@@ -1,5 +1,5 @@
 // The structs of api/*.txt that are written for C++ too: what is read of worlds. And how they become those of C.
-import { apiHeaders, apiStructs, isFlat, makerOf } from './api.mjs';
+import { apiSections, apiStructs, isFlat, makerOf } from './api.mjs';
 import { call, docComment, hasOf, rowsOf, withUnit } from './text.mjs';
 import { isEnumeration } from './read.mjs';
 import { cppItem, isId, plain } from './types.mjs';
@@ -154,9 +154,9 @@ function marshalling() {
 #include <cstddef>
 
 #include "bindings/c/c_world/world_fields.h"
-#include "muster/c/views.h"
 #include "muster/characters.h"
 #include "muster/event.h"
+#include "muster/muster.h"
 #include "muster/views.h"
 
 namespace muster::c_api {
@@ -171,15 +171,14 @@ ${written.filter((struct) => !isPlain(struct)).map(fieldsOf).join('\n')}
 
 /** The versions of the structs of a component that callers hand over. */
 function versions(component) {
-  const some = apiHeaders.filter((header) => header.component === component);
-  const structs = some.flatMap(({ declarations }) => declarations.filter(({ version }) => version));
+  const structs = apiSections.filter((section) => section.component === component).flatMap(({ declarations }) => declarations.filter(({ version }) => version));
   const lines = structs.map((one) => `MUSTER_STRUCT_VERSION(Muster${one.name}, ${one.version.replace('.', ', ')}, "${makerOf(one)}");`);
   return `// Made by schema/generate.mjs from schema/api: change these, not this file.
 // Versions of structs that callers hand over: a number per kind, and that of its members.
 #pragma once
 
 #include "bindings/c/c_world/struct_version.h"
-${some.map(({ name }) => `#include "muster/c/${name}.h"`).sort().join('\n')}
+#include "muster/muster.h"
 
 namespace muster::c_api {
 

@@ -3,7 +3,7 @@
 
 #include "bindings/c/c_world/generated/definition_fields.h"
 #include "bindings/c/c_world/marshal.h"
-#include "muster/c/values.h"
+#include "muster/muster.h"
 #include "muster/world_def.h"
 
 namespace muster::c_api {

@@ -3,9 +3,7 @@
 #pragma once
 
 #include "bindings/c/c_world/struct_version.h"
-#include "muster/c/bvh.h"
-#include "muster/c/clips.h"
-#include "muster/c/motion.h"
+#include "muster/muster.h"
 
 namespace muster::c_api {
 

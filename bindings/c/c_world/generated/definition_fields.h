@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "bindings/c/c_world/marshal.h"
-#include "muster/c/definitions.h"
+#include "muster/muster.h"
 #include "muster/world_def.h"
 
 namespace muster::c_api {

@@ -2121,6 +2121,26 @@ export interface ClipMeasures {
   readonly speed: number;
 }
 
+/** The clip that a character plays: enough to draw it from baked poses. */
+export interface MotionState {
+  /** Index into the library. */
+  readonly clip: number;
+  /** The clip that fades out. */
+  readonly fromClip: number;
+  /** Time in `clip` [s], within one play. */
+  readonly time: number;
+  /** Time in `fromClip` [s]. */
+  readonly fromTime: number;
+  /** Share of `fromClip` still shown, 0 to 1. */
+  readonly fade: number;
+  /** Origin of the body axes in the world: the simulated position [m]. */
+  readonly position: Vec2;
+  /** Heading, counter-clockwise from +x [rad]. */
+  readonly yaw: number;
+  /** Factor of the skeleton: characterSize() of its id. */
+  readonly size: number;
+}
+
 /** A joint of a BVH file, in Muster's axes (x forward, y left, z up). */
 export interface BvhJoint {
   /** Name in the file. */
@@ -2149,26 +2169,6 @@ export interface BvhContents extends ReadOut {
   readonly unit: number;
   /** Time from the first frame to the last [s]. */
   readonly duration: number;
-}
-
-/** The clip that a character plays: enough to draw it from baked poses. */
-export interface MotionState {
-  /** Index into the library. */
-  readonly clip: number;
-  /** The clip that fades out. */
-  readonly fromClip: number;
-  /** Time in `clip` [s], within one play. */
-  readonly time: number;
-  /** Time in `fromClip` [s]. */
-  readonly fromTime: number;
-  /** Share of `fromClip` still shown, 0 to 1. */
-  readonly fade: number;
-  /** Origin of the body axes in the world: the simulated position [m]. */
-  readonly position: Vec2;
-  /** Heading, counter-clockwise from +x [rad]. */
-  readonly yaw: number;
-  /** Factor of the skeleton: characterSize() of its id. */
-  readonly size: number;
 }
 
 /** The hash of a world's state after that many steps. */

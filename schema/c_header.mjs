@@ -1,6 +1,12 @@
-// The headers of the C API that api/*.txt declare.
-import { apiHeaders, cType, functionParameters, makerOf, returnType, structMembers } from './api.mjs';
-import { aligned, call, cHeader, docComment, kWidth, rowsOf, upperWords, wrap } from './text.mjs';
+// The header of the C API: all that api/*.txt, enumerations.txt, definitions.txt and commands.txt declare.
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { apiSections, cType, functionParameters, makerOf, returnType, structMembers } from './api.mjs';
+import { commandLines } from './c.mjs';
+import { definitionLines } from './definitions_c.mjs';
+import { enumerationLines } from './enumerations.mjs';
+import { folder } from './read.mjs';
+import { aligned, call, docComment, kWidth, rowsOf, upperWords, wrap } from './text.mjs';
 
 const pairs = (parameters) => parameters.map(({ name, type }) => `${type} ${name}`);
 
@@ -68,7 +74,35 @@ function linesOf(declaration) {
   return lines;
 }
 
-const kSystem = `#include <stdbool.h>
+/** What another file than api/*.txt declares, before the rest of its section. */
+const kBefore = { values: enumerationLines, definitions: definitionLines, commands: commandLines };
+
+/** "values: What definitions are made of." and its component, in lines behind the first word. */
+function contents({ name, component, sentence }) {
+  const column = Math.max(...apiSections.map((one) => one.name.length)) + 2;
+  const about = component === 'core' ? sentence : `${sentence} Component ${component}.`;
+  return wrap(about, kWidth - column - 8).map((line, at) => ` *   ${(at === 0 ? name : '').padEnd(column)}${line}`);
+}
+
+function section({ name, sentence, declarations }) {
+  const title = `/* ==== ${name} ${'='.repeat(kWidth - name.length - 20)}`;
+  const before = name in kBefore ? `\n${kBefore[name]()}\n` : '';
+  const own = declarations.map((one) => `${one.isApart ? '\n' : ''}${linesOf(one).join('\n')}\n`).join('');
+  return `${[title, ...wrap(sentence, kWidth - 6).map((line) => ` * ${line}`)].join('\n')} */
+${before}${own}`;
+}
+
+const header = () => `/* Made by schema/generate.mjs from the declarations in schema/: change these, not this file. */
+/* ${readFileSync(join(folder, 'api/introduction.txt'), 'utf8').trimEnd().split('\n').join('\n * ').replace(/ +$/gm, '')}
+ *
+ * Contents, in this order; a line of ==== begins each:
+ *
+${apiSections.flatMap(contents).join('\n')}
+ */
+#ifndef MUSTER_MUSTER_H
+#define MUSTER_MUSTER_H
+
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -80,15 +114,18 @@ const kSystem = `#include <stdbool.h>
 #define MUSTER_API __attribute__((visibility("default")))
 #else
 #define MUSTER_API
-#endif`;
+#endif
 
-function header({ name, sentence, includes, declarations }) {
-  const head = `/* Made by schema/generate.mjs from schema/api/${name}.txt: change these, not this file. */
-/* ${wrap(sentence, kWidth - 6).join('\n * ')} */
-`;
-  const included = includes.length === 0 ? kSystem : includes.map((one) => `#include "muster/c/${one}.h"`).join('\n');
-  const text = declarations.map((one) => `${one.isApart ? '\n' : ''}${linesOf(one).join('\n')}\n`).join('');
-  return cHeader(head, name.toUpperCase(), included, text);
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+${apiSections.map(section).join('\n')}
+#ifdef __cplusplus
 }
+#endif
 
-export const cHeaderFiles = () => Object.fromEntries(apiHeaders.map((one) => [`include/muster/c/${one.name}.h`, header(one)]));
+#endif
+`;
+
+export const cHeaderFiles = () => ({ 'include/muster/muster.h': header() });
