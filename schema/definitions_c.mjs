@@ -128,8 +128,8 @@ const marshalling = () => `${kDefinitionsBanner}// The fields of definitions, fo
 #include <cstddef>
 
 #include "bindings/c/c_world/marshal.h"
+#include "muster/generated/world_definitions.h"
 #include "muster/muster.h"
-#include "muster/world_def.h"
 
 namespace muster::c_api {
 

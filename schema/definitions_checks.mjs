@@ -78,7 +78,7 @@ function validator({ cpp, fields, flags }) {
 const header = () => `${kDefinitionsBanner}// Checks of definitions: InvalidArgument or LimitExceeded, naming the first field that is bad.
 #pragma once
 
-#include "muster/world_def.h"
+#include "muster/generated/world_definitions.h"
 
 namespace muster {
 

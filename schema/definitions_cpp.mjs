@@ -15,7 +15,7 @@ const kHeaders = {
   },
   world: {
     about: 'What a world is made of: the data of a scenario.',
-    includes: ['generated/enumerations', 'generated/ground_definitions', 'generated/orders_definitions', 'generated/people_definitions', 'ground', 'parameters', 'vec2'],
+    includes: ['generated/enumerations', 'generated/ground_definitions', 'generated/orders_definitions', 'generated/parameters', 'generated/people_definitions', 'ground', 'vec2'],
   },
 };
 

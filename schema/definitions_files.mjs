@@ -104,7 +104,7 @@ const header = () => `${kDefinitionsBanner}// The fields of each definition in f
 #include <vector>
 
 #include "files/scenario/describe_parts.h"
-#include "muster/world_def.h"
+#include "muster/generated/world_definitions.h"
 
 namespace muster {
 

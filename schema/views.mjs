@@ -23,7 +23,7 @@ const kFiles = {
   views: {
     about: 'Read access to a world except its characters: groups, obstacles, patches, areas.',
     uses: ['cstdint', 'optional', 'span', 'string_view', 'vector'],
-    includes: ['control', 'formation', 'ground', 'id', 'order', 'vec2', 'walk_totals'],
+    includes: ['generated/control', 'generated/orders_definitions', 'generated/walk_totals', 'ground', 'id', 'vec2'],
   },
   take: {
     about: 'What takes hold, and the outcome of a replay.',
@@ -34,7 +34,7 @@ const kFiles = {
     folder: 'src/engine/world/generated',
     about: "Figures of runs, in the words of the specification's section 8.",
     uses: ['array', 'cstdint', 'string', 'vector'],
-    includes: ['generated/enumerations', 'id', 'views', 'walk_totals'],
+    includes: ['generated/enumerations', 'generated/walk_totals', 'id', 'views'],
   },
 };
 
@@ -154,7 +154,6 @@ function marshalling() {
 #include <cstddef>
 
 #include "bindings/c/c_world/world_fields.h"
-#include "muster/characters.h"
 #include "muster/event.h"
 #include "muster/muster.h"
 #include "muster/views.h"

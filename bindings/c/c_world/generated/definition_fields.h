@@ -5,8 +5,8 @@
 #include <cstddef>
 
 #include "bindings/c/c_world/marshal.h"
+#include "muster/generated/world_definitions.h"
 #include "muster/muster.h"
-#include "muster/world_def.h"
 
 namespace muster::c_api {
 

@@ -5,7 +5,6 @@
 #include <cstddef>
 
 #include "bindings/c/c_world/world_fields.h"
-#include "muster/characters.h"
 #include "muster/event.h"
 #include "muster/muster.h"
 #include "muster/views.h"
