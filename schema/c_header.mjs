@@ -1,45 +1,43 @@
 // The header of the C API: all that api/*.txt, enumerations.txt, definitions.txt and commands.txt declare.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { apiSections, cType, functionParameters, makerOf, returnType, structMembers } from './api.mjs';
+import { apiSections } from './api.mjs';
 import { commandLines } from './c.mjs';
+import { asInC, makerOf, membersLines, structLines } from './c_struct.mjs';
 import { definitionLines } from './definitions_c.mjs';
-import { enumerationLines } from './enumerations.mjs';
-import { folder } from './read.mjs';
-import { aligned, call, docComment, kWidth, rowsOf, upperWords, wrap } from './text.mjs';
+import { enumerations, folder } from './read.mjs';
+import { aligned, call, docComment, kWidth, singular, upperWords, wrap } from './text.mjs';
+import { cType } from './types.mjs';
 
 const pairs = (parameters) => parameters.map(({ name, type }) => `${type} ${name}`);
 
-/** The declaration of a member, without its semicolon. */
-function declared({ type, name, length, parameters, returns }) {
-  if (type === 'function') return `${returns} (*${name})(${pairs(parameters).join(', ')})`;
-  return `${type} ${name}${length ? `[${length}]` : ''}`;
-}
-
-/** Pointers to functions have their comments before them. */
-function membersOf(members) {
-  const lines = [];
-  let rows = [];
-  const flush = () => {
-    if (rows.length > 0) lines.push(...aligned(rows));
-    rows = [];
-  };
-  for (const member of members) {
-    const row = { code: `${declared(member)};`, about: member.about };
-    if (member.type === 'function') {
-      flush();
-      lines.push(...docComment(row.about, '    '), `    ${row.code}`);
-    } else {
-      rows.push(row);
+/** The parameters of a function of C: {name, type, out, count}. */
+export function functionParameters({ parameters }) {
+  return parameters.flatMap((parameter, at) => {
+    const { name, type, isOut, isList, isPointer, isChanged } = parameter;
+    const item = cType(type);
+    if (isOut) {
+      const own = `out${name[0].toUpperCase()}${name.slice(1)}`;
+      if (!isList) return [{ name: own, type: isPointer ? `const ${item}**` : `${item}*`, out: true }];
+      const list = { name: own, type: type === 'text' ? 'const char* const**' : `const ${item}**`, out: true, count: 'outCount' };
+      const isLast = !(parameters[at + 1]?.isOut && parameters[at + 1].isList);
+      return isLast ? [list, { name: 'outCount', type: 'int32_t*', out: true }] : [list];
     }
-  }
-  flush();
-  return lines;
+    if (type === 'bytes' || type === 'chars')
+      return [{ name, type: type === 'bytes' ? 'const uint8_t*' : 'const char*', count: 'size' }, { name: 'size', type: 'size_t' }];
+    if (isList) return [{ name, type: `const ${item}*`, count: `${singular(name)}Count` }, { name: `${singular(name)}Count`, type: 'int32_t' }];
+    return [{ name, type: isPointer ? `const ${item}*` : isChanged ? `${item}*` : item }];
+  });
 }
 
-const struct = (name, sentence, members) => [...docComment(sentence), `typedef struct Muster${name} {`, ...membersOf(members), `} Muster${name};`];
+/** What a function or a callback returns: a callback nothing, a function a status where it says nothing else. */
+export function returnType({ kind, returns }) {
+  if (returns === '') return kind === 'callback' ? 'void' : 'MusterStatus';
+  return returns.endsWith('&') ? `const ${cType(returns.slice(0, -1))}*` : cType(returns);
+}
 
-const kHandle = [
+/** The members of a handle. */
+export const kHandle = [
   { type: 'uint32_t', name: 'index1', about: 'Slot, counted from 1; 0 for none.' },
   { type: 'uint32_t', name: 'generation', about: 'Which of those that had the slot.' },
 ];
@@ -52,27 +50,31 @@ const valueName = (prefix, name) => ['MUSTER', prefix, upperWords(name)].filter(
 /** The values of an enumeration: {name, value, about}. */
 export function valuesOf({ prefix, values, isCounted }) {
   const all = isCounted ? [...values, { name: 'Count', sentence: 'Their number.' }] : values;
-  return all.map(({ name, sentence }, value) => ({ name: valueName(prefix, name), value, about: sentence }));
+  return all.map(({ name, sentence }, value) => ({ name: valueName(prefix, name), value, about: asInC(sentence) }));
 }
 
 function enumeration(declaration) {
   const { name, type, sentence } = declaration;
   const rows = valuesOf(declaration).map((one, at, all) => ({ code: `${one.name} = ${one.value}${at + 1 < all.length ? ',' : ''}`, about: one.about }));
-  return [...docComment(sentence), `typedef ${cType(type)} Muster${name};`, `/// Values of Muster${name}.`, `enum Muster${name}Value {`, ...rowsOf(rows), '};'];
+  return [...docComment(sentence), `typedef ${cType(type)} Muster${name};`, `/// Values of Muster${name}.`, `enum Muster${name}Value {`, ...aligned(rows), '};'];
 }
 
 function linesOf(declaration) {
   const { kind, name, sentence } = declaration;
   if (kind === 'enum') return enumeration(declaration);
   if (kind === 'number') return [...docComment(sentence), `typedef ${cType(declaration.type)} Muster${name};`];
-  if (kind === 'handle') return struct(name, sentence, kHandle);
+  if (kind === 'handle') return membersLines(name, sentence, kHandle);
   if (kind === 'callback')
     return [...docComment(sentence), ...call(`typedef ${returnType(declaration)} (*Muster${name})(`, pairs(functionParameters(declaration)), ');', '')];
   if (kind === 'function') return [...docComment(sentence), ...prototype(returnType(declaration), `muster_${name}`, functionParameters(declaration))];
-  const lines = struct(name, sentence, structMembers(declaration));
+  const lines = structLines(declaration);
   if (declaration.made) lines.push('', ...docComment(declaration.made), ...prototype(`Muster${name}`, makerOf(declaration), []));
   return lines;
 }
+
+/** Enumerations of definitions, orders, commands and events, as those that api/*.txt declares. */
+export const cEnumerations = enumerations.map((one) => ({ ...one, kind: 'enum', type: 'u8' }));
+const enumerationLines = () => cEnumerations.map((one) => enumeration(one).join('\n')).join('\n\n');
 
 /** What another file than api/*.txt declares, before the rest of its section. */
 const kBefore = { values: enumerationLines, definitions: definitionLines, commands: commandLines };

@@ -1017,8 +1017,8 @@ typedef struct MusterPutThing {
     const MusterObstacleDef* obstacle;      ///< An obstacle; null for other things.
     const MusterPatchDef* patch;            ///< A patch; null for other things.
     const MusterItemDef* item;              ///< An item to collect; null for other things.
-    const MusterCheckpointDef* checkpoint;  ///< A formation checkpoint (SPEC M7), whose `group` is not read;
-                                            ///< null for other things.
+    const MusterCheckpointDef* checkpoint;  ///< A formation checkpoint, whose `group` is not read; null for
+                                            ///< other things.
     const MusterAreaDef* area;              ///< An area, whose `group` is not read; null for other things.
     MusterGroupId group;                    ///< Group that a checkpoint concerns, 0 for any, or that people
                                             ///< of a source join.
@@ -1113,11 +1113,11 @@ typedef struct MusterSetBodies {
 /// Says which class stands where in a formation.
 typedef struct MusterSetRoles {
     MusterGroupId group;         ///< The group.
-    const MusterRoleDef* roles;  ///< In the order in which they choose places; none for none.
+    const MusterRoleDef* roles;  ///< In the order in which they choose places.
     int32_t roleCount;           ///< Their number.
 } MusterSetRoles;
 
-/// Says how many units of supply each place demands (SPEC A1).
+/// Says how many units of supply each place demands.
 typedef struct MusterSetDemands {
     MusterGroupId group;    ///< The group.
     const double* demands;  ///< Of each place, 0 to 1000; none for 1 each.
@@ -1176,7 +1176,7 @@ typedef struct MusterSetAppearance {
 /// before nor these draw stays as it is. A person who has heard an order sets out when it was to.
 typedef struct MusterSetPeople {
     MusterGroupId group;            ///< The group.
-    const MusterPeopleDef* people;  ///< Its sorts; none: all are as GroupDef::bodies say.
+    const MusterPeopleDef* people;  ///< Its sorts; none: all are as MusterGroupDef.bodies say.
     int32_t peopleCount;            ///< Their number.
 } MusterSetPeople;
 
