@@ -1,7 +1,7 @@
 // Reads the declarations of the C API in api/*.txt (README.md tells their form).
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { addToStruct, addValue, described, fail, folder, readField, readKinds, readStruct, readType, word } from './read.mjs';
+import { addToStruct, addValue, definitions, described, fail, folder, readField, readKinds, readStruct, readType, word } from './read.mjs';
 
 /** The sections of the header of C, each after those that it uses. */
 const kFiles = ['base', 'values', 'definitions', 'commands', 'views', 'world', 'scenario', 'clips', 'motion', 'bvh', 'take', 'figures'];
@@ -81,3 +81,10 @@ export const apiStructs = files.flatMap(({ name: file, declarations }) => declar
 export const apiSections = files
   .filter(({ component }) => component !== 'none')
   .map((section) => ({ ...section, declarations: section.declarations.filter(({ flags }) => !flags?.has('cpp-only')) }));
+
+const owners = new Map();
+for (const { name, version } of [...definitions, ...apiStructs]) {
+  if (version === null) continue;
+  if (owners.has(version.kind)) throw new Error(`schema: the struct ${name} has the kind ${version.kind} of ${owners.get(version.kind)}, expected one of its own`);
+  owners.set(version.kind, name);
+}

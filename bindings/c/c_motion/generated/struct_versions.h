@@ -7,7 +7,7 @@
 
 namespace muster::c_api {
 
-MUSTER_STRUCT_VERSION(MusterClip, 17, 1, "muster_default_clip");
-MUSTER_STRUCT_VERSION(MusterBvh, 18, 1, "muster_default_bvh");
+MUSTER_STRUCT_VERSION(MusterClip, 21, 1, "muster_default_clip");
+MUSTER_STRUCT_VERSION(MusterBvh, 22, 1, "muster_default_bvh");
 
 }  // namespace muster::c_api
