@@ -1,45 +1,8 @@
-// The structs of commands in C, and their marshalling.
+// Commands in C, and both directions between C and C++.
 import { commands } from './read.mjs';
-import { aligned, cHeader, docComment, hasOf, inC, listed, lowerFirst, singular, upperWords, withUnit } from './text.mjs';
 import { kBanner } from './cpp.mjs';
-import { cItem, definition, enumerated, isId } from './types.mjs';
-
-/** The comment of a C header: ids and lists are none where they are 0. */
-function about(field) {
-  const sentence = withUnit(field);
-  if (isId(field.type)) return sentence.replace(/\bnone\b/, '0');
-  return field.isList ? sentence.replace(/\bempty\b/, 'none') : sentence;
-}
-
-/** The members that stand for a field: [type, name, comment]. */
-export function membersOf(field, item = cItem(field.type)) {
-  const { name } = field;
-  if (field.isList)
-    return [
-      [`const ${item}* ${name}`, about(field)],
-      [`int32_t ${singular(name)}Count`, 'Their number.'],
-    ];
-  if (field.isOptional && definition(field.type)) return [[`const ${item}* ${name}`, about(field).replace(/\bnone\b/, 'null')]];
-  if (field.isOptional && !isId(field.type)) {
-    const [is, none = ''] = field.sentence.replace(/\.$/, '').split('; none for ');
-    return [
-      [`bool ${hasOf(name)}`, `False: ${none}.`],
-      [`${item} ${name}`, `${is}.`],
-    ];
-  }
-  if (field.flags.has('internal')) return [[`${item} ${name}`, 'Not used; 0.']];
-  return [[`${item} ${name}`, field.type === 'text' ? about(field).replace(/\.$/, '; null for none.') : about(field)]];
-}
-
-function struct(command) {
-  const rows = command.fields.flatMap((field) => membersOf(field)).map(([code, text]) => ({ code: `${code};`, about: text }));
-  return [
-    ...docComment(command.sentence),
-    `typedef struct Muster${command.name} {`,
-    ...aligned(rows),
-    `} Muster${command.name};`,
-  ].join('\n');
-}
+import { marshalled, membersLines, structLines } from './c_struct.mjs';
+import { aligned, listed, lowerFirst, upperWords } from './text.mjs';
 
 /** The kinds of commands: {name, value, about}. */
 export const commandKinds = () => [
@@ -47,15 +10,16 @@ export const commandKinds = () => [
   { name: 'MUSTER_COMMAND_COUNT', value: commands.length, about: 'Number of kinds.' },
 ];
 
+/** What the union of all bodies is. */
+export const kBodySentence = "What a command of each kind says. Only the member of the command's kind is read.";
 /** The members of the union of all bodies: {name, type, about}. */
 export const commandMembers = () =>
   commands.map(({ name }) => ({ name: lowerFirst(name), type: `Muster${name}`, about: `For MUSTER_COMMAND_${upperWords(name)}.` }));
 
-function bodies() {
+/** The bodies of commands, their kinds, and the union of all bodies, in C. */
+export function commandLines() {
   const kinds = commandKinds().map(({ name, value, about: text }, at, all) => ({ code: `${name} = ${value}${at + 1 < all.length ? ',' : ''}`, about: text }));
-  const members = commandMembers().map(({ name, type, about: text }) => ({ code: `${type} ${name};`, about: text }));
-  return cHeader(inC(kBanner), 'COMMAND_BODIES', '#include "muster/c/definitions.h"', `
-${commands.map(struct).join('\n\n')}
+  return `${commands.map((command) => structLines(command).join('\n')).join('\n\n')}
 
 /// Kinds of commands.
 typedef int32_t MusterCommandKind;
@@ -64,39 +28,10 @@ enum MusterCommandKindValue {
 ${aligned(kinds).join('\n')}
 };
 
-/// What a command of each kind says. Only the member of the command's kind is read.
-typedef union MusterCommandBody {
-${aligned(members).join('\n')}
-} MusterCommandBody;
-`);
-}
-
-/** The line that reads or writes one field. */
-function marshal(field) {
-  const { name, type } = field;
-  const both = `c.${name}, p.${name}`;
-  const named = definition(type);
-  if (field.isList) {
-    const isFlat = named === undefined || named.isPlainInC;
-    return `m.${isFlat ? 'list' : 'items'}(c.${name}, c.${singular(name)}Count, p.${name}, "${name}");`;
-  }
-  const has = `c.${hasOf(name)}`;
-  if (isId(type)) return `m.id(${both});`;
-  if (type === 'text') return `m.text(${both});`;
-  if (enumerated(type)) {
-    if (field.isOptional) return `m.optionalChoice(${has}, ${both}, kLastOf<${type}>, "${name}");`;
-    return `m.choice(${both}, kLastOf<${type}>, "${name}");`;
-  }
-  if (field.isOptional && named) return `m.optionalPart(${both}, "${name}");`;
-  if (field.isOptional) return `m.optional(${has}, ${both});`;
-  return named === undefined || named.isPlainInC ? `m.plain(${both});` : `m.part(${both}, "${name}");`;
+${membersLines('CommandBody', kBodySentence, commandMembers(), 'union').join('\n')}`;
 }
 
 function marshalling() {
-  const pair = (command) => `template <class M>
-void fields(M& m, C<M, Muster${command.name}>& c, P<M, ${command.name}>& p) {
-${command.fields.map((field) => `    ${marshal(field)}`).join('\n')}
-}`;
   const members = commands.map(({ name }) => `&MusterCommandBody::${lowerFirst(name)}`);
   return `${kBanner}// The fields of each kind of command, for both directions (bindings/c/c_world/marshal.h).
 #pragma once
@@ -105,12 +40,12 @@ ${command.fields.map((field) => `    ${marshal(field)}`).join('\n')}
 #include <variant>
 
 #include "bindings/c/c_world/world_fields.h"
-#include "muster/c/command.h"
 #include "muster/command.h"
+#include "muster/muster.h"
 
 namespace muster::c_api {
 
-${commands.map(pair).join('\n')}
+${commands.map(marshalled).join('\n')}
 
 /// The members of the C union, in the order of the engine's alternatives.
 // clang-format off
@@ -125,6 +60,5 @@ static_assert(std::tuple_size_v<decltype(kCommandMembers)> == std::variant_size_
 }
 
 export const cFiles = () => ({
-  'include/muster/c/generated/command_bodies.h': bodies(),
   'bindings/c/c_world/generated/command_kind_fields.h': marshalling(),
 });

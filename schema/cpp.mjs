@@ -1,45 +1,12 @@
 // The structs of commands in C++, what checks their fields, and what people are shown of them.
-import { commands, formerCommands } from './read.mjs';
-import { aligned, call, docComment, kWidth, limit, listed, withUnit } from './text.mjs';
-import { cppItem, definition, enumerated, isId, plain } from './types.mjs';
+import { structLines } from './cpp_struct.mjs';
+import { commands, definitionOf, formerCommands, isEnumeration } from './read.mjs';
+import { call, kWidth, limit, listed } from './text.mjs';
+import { isId } from './types.mjs';
 
 export const kBanner = '// Made by schema/generate.mjs from schema/commands.txt: change these, not this file.\n';
 
-function cppType(field) {
-  const item = cppItem(field.type);
-  if (field.isList) return `std::vector<${item}>`;
-  return field.isOptional && !isId(field.type) ? `std::optional<${item}>` : item;
-}
-
-/** "0.0", "SplitBy::Ids"; empty where the type has a default of its own. */
-function initialOf(field) {
-  if (field.isList || field.isOptional) return '';
-  if (enumerated(field.type)) return `${field.type}::${field.initial}`;
-  const initial = plain(field.type)?.initial ?? '';
-  return initial === '' || field.type === 'f64' || field.initial === '' ? initial : field.initial;
-}
-
-/** A field as a member of C++: {type, name, initial}. */
-export const memberOf = (field) => ({ type: cppType(field), name: field.name, initial: initialOf(field) });
-
-function struct(command) {
-  const rows = command.fields.map((field) => {
-    const { type, name, initial } = memberOf(field);
-    return { code: `${type} ${name}${initial === '' ? '' : ` = ${initial}`};`, about: withUnit(field) };
-  });
-  return [
-    ...docComment(command.sentence),
-    `struct ${command.name} {`,
-    ...aligned(rows),
-    '',
-    '    /// Lets an archive read or write the command.',
-    '    template <class Archive>',
-    '    void visit(Archive& archive) {',
-    ...call('archive(', command.fields.map(({ name }) => name), ');', '        '),
-    '    }',
-    '};',
-  ].join('\n');
-}
+const struct = (command) => structLines(command, { archived: 'the command' }).join('\n');
 
 function header() {
   return `${kBanner}// The kinds of commands: every change of a world.
@@ -51,12 +18,11 @@ function header() {
 #include <variant>
 #include <vector>
 
-#include "muster/control.h"
-#include "muster/ground.h"
+#include "muster/generated/enumerations.h"
+#include "muster/generated/world_definitions.h"
 #include "muster/id.h"
 #include "muster/order.h"
 #include "muster/people.h"
-#include "muster/world_def.h"
 
 namespace muster {
 
@@ -132,16 +98,16 @@ function checkOf(field) {
   if (field.flags.has('unchecked') || isId(type) || type === 'bool') return null;
   if (type === 'text') return `isText("${field.name}", ${value})`;
   if (type === 'Colour') return `validateColour(${value})`;
-  const named = definition(type);
-  if (named?.check === 'validate' && field.isOptional) return `validateIfAny(${value})`;
-  if (named?.check && field.isOptional) return `checkIfAny(${value}, [](const auto& def) { return ${named.check}(def${named.checkMore ?? ''}); })`;
-  if (named?.checkAll) return `${named.checkAll}(${value})`;
-  if (named?.check) return `${named.check}(${value}${named.checkMore ?? ''})`;
+  const { check, 'check-list': checkList } = definitionOf(type)?.inCommands ?? {};
+  if (check && field.isList) return checkList?.replace('#', value) ?? null;
+  if (check === 'validate(#)' && field.isOptional) return `validateIfAny(${value})`;
+  if (check && field.isOptional) return `checkIfAny(${value}, [](const auto& def) { return ${check.replace('#', 'def')}; })`;
+  if (check) return check.replace('#', value);
   if (field.isList) {
     if (type === 'CharacterId') return `eachOnce(${value})`;
     return type === 'Vec2' && field.count ? `places("${field.name}", ${value}, ${limit(field.count.low)}, ${limit(field.count.high)})` : null;
   }
-  if (enumerated(type)) return `isKnown(${value}, kLastOf<${type}>, "${enumerated(type).called}")`;
+  if (isEnumeration(type)) return `isKnown(${value}, kLastOf<${type}>, "${field.called || field.name}")`;
   if (type === 'Vec2') return `place("${field.name}", ${value})`;
   if (range === null) return null;
   const bounds = `${type === 'i32' ? 'countIn' : 'numberIn'}("${field.name}", ${value}, ${limit(range.low)}, ${limit(range.high)}`;

@@ -1,5 +1,5 @@
 // What each field of a definition has to be.
-import { definitions, isDefinition, isEnumeration } from './read.mjs';
+import { definitionOf, definitions, isDefinition, isEnumeration } from './read.mjs';
 import { kDefinitionsBanner } from './definitions_cpp.mjs';
 import { kWidth, limit, real } from './text.mjs';
 import { isId } from './types.mjs';
@@ -11,8 +11,6 @@ const checked = definitions.filter(({ name, flags }) => !flags.has('no-files') &
 const kOwnChecks = {
   TimedPath: ({ name }) => `isPath(d.${name})`,
   Distribution: ({ name, range }) => `isDistribution("${name}", d.${name}, ${real(range.low)}, ${real(range.high)})`,
-  'RoleDef[]': ({ name }) => `validateRoles(d.${name})`,
-  'PeopleDef[]': ({ name }) => `validatePeople(d.${name})`,
   Colour: ({ name }) => `validateColour(d.${name})`,
 };
 
@@ -40,10 +38,10 @@ function checksOf(field) {
   const { name, type, isList, isOptional, flags, called } = field;
   const value = `d.${name}`;
   if (flags.has('unchecked')) return [];
-  const own = kOwnChecks[isList ? `${type}[]` : type];
+  const checkList = definitionOf(type)?.inCommands['check-list'];
   const within = flags.has('within') ? `.within("${name}")` : '';
-  if (own) return [own(field) + within];
-  if (isList) return [listCheck(field)];
+  if (isList) return [checkList ? checkList.replace('#', value) + within : listCheck(field)];
+  if (kOwnChecks[type]) return [kOwnChecks[type](field) + within];
   if (isDefinition(type)) return [`${isOptional ? 'validateIfAny' : 'validate'}(${value})${within}`];
   if (isEnumeration(type)) return [`isKnown(${value}, kLastOf<${type}>, "${called || name}")`];
   if (type === 'text') return [`isText("${name}", ${value})`];
@@ -78,7 +76,7 @@ function validator({ cpp, fields, flags }) {
 const header = () => `${kDefinitionsBanner}// Checks of definitions: InvalidArgument or LimitExceeded, naming the first field that is bad.
 #pragma once
 
-#include "muster/world_def.h"
+#include "muster/generated/world_definitions.h"
 
 namespace muster {
 

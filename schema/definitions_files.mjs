@@ -3,7 +3,7 @@ import { definitions, isDefinition, isEnumeration } from './read.mjs';
 import { kDefinitionsBanner } from './definitions_cpp.mjs';
 import { line } from './scenario.mjs';
 import { limit, quoted, real } from './text.mjs';
-import { isId, plain } from './types.mjs';
+import { isId } from './types.mjs';
 
 /** Lists and definitions that files have in a form of their own: a function that is written by hand for each. */
 const kOwnForms = {
@@ -59,7 +59,7 @@ function callOf(field, need) {
   if (type === 'bool') return ['v.flag', [key, value, about]];
   if (type === 'Vec2') return ['v.point', [key, value, about, ...needed]];
   if (type === 'Colour') return ['v.colour', [key, value, about]];
-  if (type === 'MotionId') return ['v.nameOrIndex', [key, value, 'motions', about, ...needed]];
+  if (type === 'MotionIndex') return ['v.nameOrIndex', [key, value, 'motions', about, ...needed]];
   if (type === 'f64' && isOptional) return ['v.optionalNumber', [key, value, rangeOf(field), about, need]];
   if (type === 'f64' && field.range?.orNegative) return ['v.optionalNumber', [key, value, rangeOf(field), about]];
   return [type === 'f64' ? 'v.number' : 'v.whole', [key, isId(type) ? `${value}.value` : value, rangeOf(field), about, ...needed]];
@@ -104,7 +104,7 @@ const header = () => `${kDefinitionsBanner}// The fields of each definition in f
 #include <vector>
 
 #include "files/scenario/describe_parts.h"
-#include "muster/world_def.h"
+#include "muster/generated/world_definitions.h"
 
 namespace muster {
 

@@ -27,7 +27,7 @@ function item(field) {
   if (type === 'Colour') return 'draw.number() & 0xffffffu';
   if (type === 'Polygon') return 'draw.polygon()';
   if (type === 'PolygonWithHoles') return 'draw.outline()';
-  if (type === 'MotionId') return 'draw.whole(0, 7)';
+  if (type === 'MotionIndex') return 'draw.whole(0, 7)';
   return number(field);
 }
 

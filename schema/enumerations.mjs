@@ -1,6 +1,6 @@
-// Enumerations in C++ and C, and the words of their values in files and messages.
+// Enumerations in C++, and the words of their values in files and messages.
 import { enumerations } from './read.mjs';
-import { aligned, docComment, kWidth, lowerFirst, rowsOf, upperWords, wrap } from './text.mjs';
+import { docComment, kWidth, lowerFirst, rowsOf, wrap } from './text.mjs';
 
 const kFrom = 'Made by schema/generate.mjs from schema/enumerations.txt: change these, not this file.';
 
@@ -8,22 +8,6 @@ export function inCpp({ name, sentence, values, isCounted }) {
   const rows = values.map((value) => ({ code: `${value.name},`, about: value.sentence }));
   if (isCounted) rows.push({ code: 'Count,', about: 'Their number.' });
   return [...docComment(sentence), `enum class ${name} : std::uint8_t {`, ...rowsOf(rows), '};'].join('\n');
-}
-
-function inC({ name, prefix, sentence, values, isCounted }) {
-  const all = isCounted ? [...values, { name: 'Count', sentence: 'Their number.' }] : values;
-  const rows = all.map((value, number) => ({
-    code: `MUSTER_${prefix}_${upperWords(value.name)} = ${number}${number + 1 < all.length ? ',' : ''}`,
-    about: value.sentence.replace(/(\w)::(\w)/g, '$1.$2'),
-  }));
-  return [
-    ...docComment(sentence),
-    `typedef uint8_t Muster${name};`,
-    `/// Values of Muster${name}.`,
-    `enum Muster${name}Value {`,
-    ...aligned(rows),
-    '};',
-  ].join('\n');
 }
 
 function words({ name, values }) {
@@ -55,17 +39,6 @@ inline constexpr std::size_t kCountOf = static_cast<std::size_t>(kLastOf<Enum>) 
 }  // namespace muster
 `;
 
-const cHeader = () => `/* ${kFrom} */
-#ifndef MUSTER_C_ENUMERATIONS_H
-#define MUSTER_C_ENUMERATIONS_H
-
-#include <stdint.h>
-
-${enumerations.map(inC).join('\n\n')}
-
-#endif
-`;
-
 const wordHeader = () => `// ${kFrom}
 // The words of enumerations in files and messages, in the order of their values.
 #pragma once
@@ -81,6 +54,5 @@ ${enumerations.map(words).join('\n')}
 
 export const enumerationFiles = () => ({
   'include/muster/generated/enumerations.h': cppHeader(),
-  'include/muster/c/generated/enumerations.h': cHeader(),
   'src/base/generated/enumeration_words.h': wordHeader(),
 });

@@ -5,7 +5,7 @@
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { cFiles } from './c.mjs';
-import { cHeaderFiles } from './c_headers.mjs';
+import { cHeaderFiles } from './c_header.mjs';
 import { cppFiles } from './cpp.mjs';
 import { definitionCFiles } from './definitions_c.mjs';
 import { definitionCheckFiles } from './definitions_checks.mjs';

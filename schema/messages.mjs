@@ -1,22 +1,14 @@
 // Reads messages.txt: the version, enumerations and parts of messages, and the messages of both sides.
 import { definitions, enumerations, fail, readField, readFile, word } from './read.mjs';
 
-/** Numbers of messages: their type in C++. Lists of them are arrays of numbers in TypeScript too. */
-export const kNumbers = {
-  u8: 'std::uint8_t',
-  i8: 'std::int8_t',
-  u16: 'std::uint16_t',
-  i16: 'std::int16_t',
-  u32: 'std::uint32_t',
-  f32: 'float',
-  f64: 'double',
-};
+/** Numbers of messages. Lists of them are arrays of numbers in TypeScript too. */
+export const kNumbers = ['u8', 'i8', 'u16', 'i16', 'u32', 'f32', 'f64'];
 
 /** A list of it is the bytes of commands, one after the other; their length comes before them. */
 export const kCommand = 'Command';
 
 /** Names that fields may have as their types; parts and enumerations are known once they have been declared. */
-const types = new Set([...Object.keys(kNumbers), 'bool', 'text', 'Vec2', kCommand, ...[...enumerations, ...definitions].map(({ name }) => name)]);
+const types = new Set([...kNumbers, 'bool', 'text', 'Vec2', kCommand, ...[...enumerations, ...definitions].map(({ name }) => name)]);
 
 /** "values TouchPhase Down Move Up Cancel "What a finger does."". */
 function readValues(tokens, line) {
@@ -28,7 +20,7 @@ function readValues(tokens, line) {
 
 /** "page Hello 0": the number of a message is its first byte. A part has none. */
 function readEntry(keyword, tokens, line) {
-  const found = { name: word(tokens, line, 'a name'), number: null, sentence: '', fields: [] };
+  const found = { name: word(tokens, line, 'a name'), number: null, flags: new Set(), sentence: '', fields: [] };
   if (keyword === 'part') return found;
   found.number = Number(word(tokens, line, 'a number'));
   const expected = declared.filter((other) => other.keyword === keyword).length;

@@ -1,5 +1,6 @@
 // Messages in C++: their structs, and what encodes and decodes them.
-import { kCommand, kNumbers, messageDefinitions, page, parts, server, shared, values, version } from './messages.mjs';
+import { memberOf } from './cpp_struct.mjs';
+import { kCommand, messageDefinitions, page, parts, server, shared, values, version } from './messages.mjs';
 import { definitions, kSubjects } from './read.mjs';
 import { call, docComment, kWidth, wrap } from './text.mjs';
 
@@ -14,20 +15,14 @@ const kEnd = '}  // namespace muster::protocol\n';
 
 const isChoice = (type) => [...values, ...shared].some(({ name }) => name === type);
 
-function cppType({ type, isList, isOptional }) {
-  if (type === kCommand) return 'std::vector<std::uint8_t>';
-  const definition = definitions.find(({ name }) => name === type);
-  const item = kNumbers[type] ?? (type === 'text' ? 'std::string' : (definition?.cpp ?? type));
-  if (isOptional) return `std::optional<${item}>`;
-  return isList ? `std::vector<${item}>` : item;
-}
-
-function initialOf({ type, isList, isOptional }) {
-  if (isList || isOptional || type === 'text') return '';
-  if (type === 'bool') return ' = false';
-  if (isChoice(type)) return ` = ${type}::${[...values, ...shared].find(({ name }) => name === type).values.map((value) => value.name ?? value)[0]}`;
-  if (!(type in kNumbers)) return '';
-  return { f32: ' = 0.0f', f64: ' = 0.0' }[type] ?? ' = 0';
+/** "std::uint32_t id = 0;": commands are bytes, and an enumeration is its first value. */
+function declared(entry, field) {
+  if (field.type === kCommand) return `std::vector<std::uint8_t> ${field.name};`;
+  const choice = field.isList || field.isOptional ? undefined : [...values, ...shared].find(({ name }) => name === field.type);
+  const [first] = choice?.values ?? [];
+  const { type, name, initial } = memberOf(entry, field);
+  const value = choice ? `${type}::${first.name ?? first}` : initial;
+  return `${type} ${name}${value === '' ? '' : ` = ${value}`};`;
 }
 
 /** The comment behind a field: its sentence with the unit, or the unit alone. */
@@ -42,7 +37,7 @@ function struct(entry) {
     ...docComment(entry.sentence),
     `struct ${entry.name} {`,
     ...(entry.number === null ? [] : [`    static constexpr std::uint8_t kNumber = ${entry.number};  ///< First byte of the message.`]),
-    ...entry.fields.map((field) => `    ${cppType(field)} ${field.name}${initialOf(field)};${about(field)}`),
+    ...entry.fields.map((field) => `    ${declared(entry, field)}${about(field)}`),
     '',
     '    /// Lets an archive read or write the fields.',
     '    template <class Archive>',
@@ -60,7 +55,7 @@ const wrapped = (words) => wrap(words.join(', '), kWidth - 4).map((line) => `   
 /** Headers of the definitions that messages have. */
 const definitionHeaders = () =>
   kSubjects
-    .filter((subject) => definitions.some((one) => one.subject === subject && messageDefinitions.includes(one.name)))
+    .filter((subject) => definitions.some((one) => one.header === subject && messageDefinitions.includes(one.name)))
     .sort()
     .map((subject) => `#include "muster/generated/${subject}_definitions.h"`)
     .join('\n');

@@ -16,7 +16,7 @@ const given = new Set(['ForecastAsk', 'PlacesAsk']);
 
 function tsType({ type, isList, isOptional }, owner) {
   if (type === kCommand) return 'readonly Command[]';
-  if (type in kNumbers) return isList ? kArrays[type] : `number${isOptional ? ' | null' : ''}`;
+  if (kNumbers.includes(type)) return isList ? kArrays[type] : `number${isOptional ? ' | null' : ''}`;
   const named = { bool: 'boolean', text: 'string' }[type] ?? type;
   const item = given.has(owner) && messageDefinitions.includes(type) ? `Given<${named}>` : named;
   if (isOptional) return `${item} | null`;
@@ -57,7 +57,7 @@ function layoutOf({ fields }) {
     if (type === kCommand) return `${name}:${type}+`;
     if (isInline(field)) return `...:${type}`;
     if (isOptional) return `${name}:${type}?`;
-    return `${name}:${type}${isList ? (type in kNumbers ? 's' : '*') : ''}`;
+    return `${name}:${type}${isList ? (kNumbers.includes(type) ? 's' : '*') : ''}`;
   };
   return fields.map(word).join(' ');
 }

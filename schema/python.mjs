@@ -2,11 +2,9 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { apiStructs } from './api.mjs';
-import { memberOf } from './cpp.mjs';
-import { definitionMember } from './definitions_cpp.mjs';
+import { memberOf } from './cpp_struct.mjs';
 import { commands, definitions, enumerations, folder, formerCommands, isEnumeration } from './read.mjs';
 import { lowerFirst, withUnit } from './text.mjs';
-import { initialOf, typeOf } from './views.mjs';
 
 /** Structs that have a Python class of their own, or none. */
 const kLeftOut = new Set(['CharactersView', 'GroupView', 'ObstacleView', 'PatchView', 'AreaView', 'TakeFrame']);
@@ -31,33 +29,16 @@ const kPlain = {
 
 const pythonDoc = (text) => text.replace(/(\w)::(\w)/g, '$1.$2');
 
-const structOfCommand = (command) => ({
-  name: command.name,
-  doc: command.sentence,
-  fields: command.fields.map((field) => ({ ...memberOf(field), doc: withUnit(field) })),
-});
-
-const structOfDefinition = (definition) => ({
-  name: definition.cpp,
-  doc: definition.sentences.filter((sentence) => sentence !== '').join(' '),
-  fields: definition.fields.map((field) => ({ ...definitionMember(field), doc: withUnit(field) })),
-});
-
-const structOfApi = (struct) => ({
+const structOf = (struct) => ({
   name: struct.cpp,
-  doc: struct.sentence,
-  fields: struct.fields.filter((field) => !field['c-only'])
-    .map((field) => ({ type: typeOf(struct, field), name: field.as ?? field.name, initial: initialOf(field), doc: withUnit(field) })),
+  doc: struct.sentences.filter((sentence) => sentence !== '').join(' '),
+  fields: struct.fields.filter(({ flags }) => !flags.has('c-only')).map((field) => ({ ...memberOf(struct, field), doc: withUnit(field) })),
 });
 
 /** All structs, each after those that it is made of: {name, doc, fields: [{type, name, initial, doc}]}. */
 function allStructs() {
-  const found = [
-    ...definitions.map(structOfDefinition),
-    ...commands.map(structOfCommand),
-    ...formerCommands.map(structOfCommand),
-    ...apiStructs.filter(({ cpp }) => cpp && !kLeftOut.has(cpp)).map(structOfApi),
-  ];
+  const read = apiStructs.filter(({ cpp }) => cpp && !kLeftOut.has(cpp));
+  const found = [...definitions, ...commands, ...formerCommands, ...read].map(structOf);
   const byName = new Map(found.map((struct) => [struct.name, struct]));
   const ordered = new Map();
   const add = (struct) => {

@@ -1,5 +1,6 @@
 // What is read of characters and groups, as properties of the Python classes.
-import { apiStructs, isFlat } from './api.mjs';
+import { apiStructs } from './api.mjs';
+import { isFlat } from './c_struct.mjs';
 import { isEnumeration } from './read.mjs';
 import { call, docComment, quoted, withUnit, wrap } from './text.mjs';
 import { isId } from './types.mjs';
@@ -24,7 +25,7 @@ function shapeOf(type) {
 function property(field) {
   const sentence = withUnit(field).replace(/\bnone for\b/, 'None for');
   const doc = field.isList && isFlat(field.type) ? `${sentence} ${shapeOf(field.type)}` : sentence;
-  const member = field.as ?? field.name;
+  const member = field.as || field.name;
   const texts = wrap(doc, 96).map((line, at, all) => quoted(at + 1 < all.length ? `${line} ` : line));
   const lines = call('define(', [`"${snake(member)}"`, `&View::${member}`], ',', '    ');
   const [first, ...others] = texts;
@@ -43,14 +44,13 @@ ${fields.map(property).join('\n')}
 }
 
 export function pythonViewFiles() {
-  const fieldsOf = (cpp) => apiStructs.find((struct) => struct.cpp === cpp).fields.filter((field) => !field['c-only']);
+  const fieldsOf = (cpp) => apiStructs.find((struct) => struct.cpp === cpp).fields.filter((field) => !field.flags.has('c-only'));
   const group = fieldsOf('GroupView').filter(({ name }) => !kByHand.has(name));
   return {
     'bindings/python/src/generated/view_properties.h': `// Made by schema/generate.mjs from schema/api/views.txt: change these, not this file.
 // What is read of characters and groups: the name in Python, the member and the description of each property.
 #pragma once
 
-#include "muster/characters.h"
 #include "muster/views.h"
 
 namespace muster::python {

@@ -11,9 +11,9 @@ export const root = join(folder, '..');
 
 const kCommandFlags = ['relations', 'by-hand', 'undoable', 'directs', 'edits', 'slides', 'queues'];
 const kDefinitionFlags = ['equal', 'flat', 'relations', 'no-c', 'no-files', 'unsaved'];
-const kFieldFlags = ['required', 'omit', 'unchecked', 'internal', 'xy', 'within', 'unhashed', 'inline'];
+const kFieldFlags = ['required', 'omit', 'unchecked', 'internal', 'xy', 'within', 'unhashed', 'inline', 'c-only', 'cpp-only'];
 /** What a field may say with a word or a text behind it, and what it is called in the field that was read. */
-const kFieldWords = { key: 'key', since: 'since', 'files-after': 'filesAfter', 'c-after': 'cAfter' };
+const kFieldWords = { key: 'key', since: 'since', 'files-after': 'filesAfter', 'c-after': 'cAfter', count: 'countName', as: 'as' };
 const kFieldTexts = { files: 'inFiles', unless: 'unless', needed: 'needed', called: 'called', apart: 'apart' };
 /** The parts into which definitions are divided, each a header. */
 export const kSubjects = ['ground', 'people', 'orders', 'world'];
@@ -45,9 +45,16 @@ export function readRange(text) {
   return low === undefined ? null : { low, high, orZero: other === '0', orNegative: other === '-' };
 }
 
+/** A struct of which only the name is known. `isGiven`: callers make it, so that texts and ids of it may be none. */
+const newStruct = (name) => ({
+  name, header: '', cpp: '', version: null, flags: new Set(), isGiven: false,
+  sentences: [], made: '', context: [], fields: [], functions: [],
+});
+
 /** "command TouchDown 0 file down label "..." flags". */
 function readCommand(tokens, line, index) {
-  const command = { name: word(tokens, line, 'a name'), index, number: 0, fields: [], sentence: '', file: '', label: '', flags: new Set() };
+  const command = { ...newStruct(word(tokens, line, 'a name')), isGiven: true, index, number: 0, file: '', label: '' };
+  command.cpp = command.name;
   command.number = Number(word(tokens, line, 'a number'));
   if (!(command.number >= 0 && command.number < 256)) fail(line, `found no number for ${command.name}, expected 0 to 255`);
   while (tokens.length > 0) {
@@ -61,18 +68,35 @@ function readCommand(tokens, line, index) {
   return command;
 }
 
+/** "(context address, size size) address": a pointer to a function. */
+function readFunctionType(spelled, tokens, line) {
+  while (!spelled.endsWith(')')) spelled += ` ${word(tokens, line, 'a parameter')}`;
+  const parameters = spelled.slice(1, -1).split(', ').map((text) => text.split(' ')).map(([name, type]) => ({ name, type }));
+  return { type: 'function', parameters, returns: tokens[0]?.word === undefined ? 'void' : word(tokens, line, 'what it returns') };
+}
+
+/** "Vec2[0..10000]", "f64[3]", "GroupId?"; "Order&" is a pointer to one that is read, "Buffer*" to one that is changed. */
+export function readType(tokens, line, name) {
+  const spelled = word(tokens, line, `the type of ${name}`);
+  if (spelled.startsWith('(')) return readFunctionType(spelled, tokens, line);
+  const [, type, brackets, ending] = spelled.match(/^(\w+)(\[[^\]]*\])?([?&*])?$/) ?? fail(line, `found type ${spelled}`);
+  const within = brackets?.slice(1, -1);
+  const length = /^\d+$/.test(within ?? '') ? Number(within) : undefined;
+  return {
+    type, length, isList: brackets !== undefined && length === undefined, count: brackets === undefined ? null : readRange(within),
+    isOptional: ending === '?', isPointer: ending === '&', isChanged: ending === '*',
+  };
+}
+
 /** "points Vec2[0..10000] [m] "For Line: ..."". */
 export function readField(tokens, line, isKnown = isDeclared) {
   const name = word(tokens, line, 'the name of a field');
-  const spelled = word(tokens, line, 'a type');
-  const [, base, list, optional] = spelled.match(/^(\w+)(\[(?:[^\]]*)\])?(\?)?$/) ?? fail(line, `found type ${spelled}`);
-  if (!isKnown(base))
-    fail(line, `the type ${base} of ${name} is not known, expected one of schema/types.mjs, an enumeration or a definition above`);
+  const type = readType(tokens, line, name);
+  if (!isKnown(type.type))
+    fail(line, `the type ${type.type} of ${name} is not known, expected one of schema/types.mjs, an enumeration or a definition above`);
   const field = {
-    name, type: base, isList: list !== undefined, isOptional: optional !== undefined,
-    count: list === undefined ? null : readRange(list.slice(1, -1)),
-    unit: '', range: null, initial: '', sentence: '', flags: new Set(),
-    key: '', since: '', filesAfter: '', cAfter: '', inFiles: '', unless: '', needed: '', called: '', apart: null,
+    name, ...type, unit: '', range: null, initial: '', sentence: '', flags: new Set(), key: '', since: '', filesAfter: '', cAfter: '',
+    inFiles: '', unless: '', needed: '', called: '', apart: null, countName: '', as: '',
   };
   while (tokens.length > 0) {
     const { word: next, unit, text } = tokens.shift();
@@ -88,28 +112,31 @@ export function readField(tokens, line, isKnown = isDeclared) {
 }
 
 /** Fails unless the field is described. */
-function described(field, line) {
+export function described(field, line) {
   if (!field.sentence.endsWith('.')) fail(line, `${field.name} needs a sentence that ends with a full stop`);
   return field;
 }
 
-/** "definition ObstacleDef in ground version 3.1 equal relations". */
-function readDefinition(tokens, line) {
-  const definition = {
-    name: word(tokens, line, 'a name'), subject: '', cpp: '', version: null, flags: new Set(),
-    sentences: [], made: '', context: [], fields: [], functions: [],
-  };
-  definition.cpp = definition.name;
+/** "ObstacleDef in ground version 3.1 equal relations", with a sentence or without. */
+export function readStruct(tokens, line, flags) {
+  const struct = newStruct(word(tokens, line, 'a name'));
   while (tokens.length > 0) {
-    const next = word(tokens, line, 'a property');
-    if (next === 'in') definition.subject = word(tokens, line, 'a subject');
-    else if (next === 'cpp') definition.cpp = word(tokens, line, 'its name in C++');
-    else if (next === 'version') definition.version = readVersion(word(tokens, line, 'the version of its struct in C'), line);
-    else if (kDefinitionFlags.includes(next)) definition.flags.add(next);
-    else fail(line, `found ${next}, expected in, cpp, version or one of ${kDefinitionFlags.join(', ')}`);
+    const { word: next, text } = tokens.shift();
+    if (text !== undefined) struct.sentences.push(text);
+    else if (next === 'in') struct.header = word(tokens, line, 'a header');
+    else if (next === 'cpp') struct.cpp = word(tokens, line, 'its name in C++');
+    else if (next === 'version') struct.version = readVersion(word(tokens, line, 'the version of its struct in C'), line);
+    else if (flags.includes(next)) struct.flags.add(next);
+    else fail(line, `found ${next}, expected in, cpp, version or one of ${flags.join(', ')}`);
   }
-  if (!kSubjects.includes(definition.subject)) fail(line, `${definition.name} is in no subject, expected one of ${kSubjects.join(', ')}`);
-  return definition;
+  return struct;
+}
+
+function readDefinition(tokens, line) {
+  const definition = readStruct(tokens, line, kDefinitionFlags);
+  if (!kSubjects.includes(definition.header)) fail(line, `${definition.name} is in no header, expected one of ${kSubjects.join(', ')}`);
+  const inCommands = { check: 'validate(#)', describe: 'describe(inner, #)', key: 'definition', visit: 'object' };
+  return { ...definition, isGiven: true, cpp: definition.cpp || definition.name, inCommands };
 }
 
 function readVersion(text, line) {
@@ -117,8 +144,21 @@ function readVersion(text, line) {
   return { kind, version };
 }
 
-/** A line below a definition: a sentence, how C makes one, what describing it needs, a function, or a field. */
-function addToDefinition(owner, tokens, line) {
+/** What definitions are in commands: how one, or a list, is checked, and how files have them. */
+const kInCommandsWords = ['key', 'visit'];
+const kInCommandsTexts = ['check', 'check-list', 'describe', 'among'];
+
+function readInCommands(definition, tokens, line) {
+  while (tokens.length > 0) {
+    const next = word(tokens, line, 'a property');
+    if (kInCommandsWords.includes(next)) definition.inCommands[next] = word(tokens, line, `a word behind ${next}`);
+    else if (kInCommandsTexts.includes(next)) definition.inCommands[next] = tokens.shift()?.text ?? fail(line, `found no text behind ${next}`);
+    else fail(line, `found ${next}, expected one of ${[...kInCommandsWords, ...kInCommandsTexts].join(', ')}`);
+  }
+}
+
+/** A line below a struct: a sentence, how C makes one, what describing it needs, a function, or a field. */
+export function addToStruct(owner, tokens, line, read = readField) {
   const text = (what) => tokens.shift()?.text ?? fail(line, `found no text, expected ${what}`);
   if (tokens[0].text !== undefined) return owner.sentences.push(tokens[0].text);
   if (tokens[0].word === 'default') {
@@ -127,11 +167,14 @@ function addToDefinition(owner, tokens, line) {
   } else if (tokens[0].word === 'with') {
     tokens.shift();
     owner.context.push({ name: word(tokens, line, 'a name'), type: text('its type in C++') });
+  } else if (tokens[0].word === 'in-commands' && owner.inCommands) {
+    tokens.shift();
+    readInCommands(owner, tokens, line);
   } else if (tokens[0].word === 'function') {
     tokens.shift();
     owner.functions.push({ sentence: text('a sentence'), code: text('its declaration in C++') });
   } else {
-    owner.fields.push(readField(tokens, line));
+    owner.fields.push(read(tokens, line));
   }
 }
 
@@ -185,7 +228,8 @@ export function readFile(name, keyword, found, open, add) {
 export const enumerations = [];
 export const definitions = [];
 export const isEnumeration = (type) => enumerations.some(({ name }) => name === type);
-export const isDefinition = (type) => definitions.some(({ name }) => name === type);
+export const definitionOf = (type) => definitions.find(({ name }) => name === type);
+export const isDefinition = (type) => definitionOf(type) !== undefined;
 const isDeclared = (type) => isType(type) || isEnumeration(type) || isDefinition(type);
 
 /** "Ids "Those with the given ids leave."". */
@@ -196,7 +240,7 @@ export function addValue(owner, tokens, line) {
 
 readFile('enumerations.txt', 'enum', enumerations, readEnumeration, addValue);
 
-readFile('definitions.txt', 'definition', definitions, readDefinition, addToDefinition);
+readFile('definitions.txt', 'definition', definitions, readDefinition, (owner, tokens, line) => addToStruct(owner, tokens, line));
 for (const { name, sentences, fields, flags, made, version } of definitions) {
   if (sentences.length === 0 || fields.length === 0) throw new Error(`schema/definitions.txt: ${name} needs a sentence and a field`);
   if (version !== null && made === '') throw new Error(`schema/definitions.txt: ${name} needs a sentence for its default in C`);
@@ -205,16 +249,15 @@ for (const { name, sentences, fields, flags, made, version } of definitions) {
 
 const readCommands = (name) =>
   readFile(name, 'command', [], readCommand, (owner, tokens, line) => {
-    if (tokens[0].text !== undefined) owner.sentence = tokens[0].text;
-    else owner.fields.push(described(readField(tokens, line), line));
+    addToStruct(owner, tokens, line, (...field) => described(readField(...field), line));
   });
 
 export const commands = readCommands('commands.txt');
 export const formerCommands = readCommands('former.txt');
 
 const numbered = new Map();
-for (const { name, number, sentence, fields } of [...commands, ...formerCommands]) {
-  if (sentence === '' || fields.length === 0) throw new Error(`schema: ${name} needs a sentence and a field`);
+for (const { name, number, sentences, fields } of [...commands, ...formerCommands]) {
+  if (sentences.length !== 1 || fields.length === 0) throw new Error(`schema: ${name} needs a sentence and a field`);
   if (numbered.has(number)) throw new Error(`schema: ${name} has the number ${number} of ${numbered.get(number)}, expected one of its own`);
   numbered.set(number, name);
 }

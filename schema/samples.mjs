@@ -1,12 +1,12 @@
 // Random commands of every kind, for tests of all that carries commands.
-import { commands } from './read.mjs';
+import { commands, isEnumeration } from './read.mjs';
 import { kBanner } from './cpp.mjs';
-import { enumerated, isId, plain } from './types.mjs';
+import { isId, plain } from './types.mjs';
 
 /** An expression that draws one value of a type. */
 function item({ type, range, name }) {
   if (isId(type)) return `${type}{draw.number()}`;
-  if (enumerated(type)) return `draw.value<${type}>()`;
+  if (isEnumeration(type)) return `draw.value<${type}>()`;
   if (type === 'Vec2') return 'draw.place()';
   if (type === 'text') return 'draw.text()';
   if (type === 'bool') return 'draw.flag()';

@@ -1,8 +1,8 @@
 // The fields of commands in files of gestures and in messages of pages.
-import { commands, formerCommands } from './read.mjs';
+import { commands, definitionOf, formerCommands, isEnumeration } from './read.mjs';
 import { call, kWidth, limit, listed, quoted, real } from './text.mjs';
 import { kBanner } from './cpp.mjs';
-import { definition, enumerated, isId } from './types.mjs';
+import { isId } from './types.mjs';
 
 /** A call, broken where it is too long for its line. */
 export function line(head, words, close = ');', indent = '        ') {
@@ -29,18 +29,17 @@ function describe(field) {
   const { name, type } = field;
   const value = `c.${name}`;
   const about = quoted(field.inFiles || field.sentence);
-  const named = definition(type);
+  const named = definitionOf(type)?.inCommands;
   const isNeeded = field.flags.has('required') || (field.initial === '' && !field.isOptional && !field.flags.has('omit'));
   const need = isNeeded ? ['Need::Required'] : [];
   if (field.flags.has('internal')) return [];
   if (name === 'time' && type === 'f64') return ['        c.time = time;'];
-  if (named?.inline) return [`        ${named.inline.replace('#', value).replace('&', field.flags.has('required') ? 'Need::Required' : 'Need::Optional')};`];
+  if (named?.among) return [`        ${named.among.replace('#', value).replace('&', field.flags.has('required') ? 'Need::Required' : 'Need::Optional')};`];
   if (named && field.isOptional) return line('maybe(', [`"${name}"`, value, about, `[](auto& inner, auto& def) { ${named.describe.replace('#', 'def')}; }`]);
   if (named) {
-    const visit = named.visit ?? 'object';
-    const inner = `            "${named.key ?? 'definition'}", "", [&](auto& inner) { ${named.describe.replace('#', value)}; },`;
+    const inner = `            "${named.key}", "", [&](auto& inner) { ${named.describe.replace('#', value)}; },`;
     const ends = inner.length + ' Need::Required);'.length <= kWidth ? [`${inner} Need::Required);`] : [inner, '            Need::Required);'];
-    return [`        v.${visit}(`, ...ends];
+    return [`        v.${named.visit}(`, ...ends];
   }
   if (field.isList) {
     if (type === 'Vec2') return line('v.points(', [`"${name}"`, value, field.count?.low ?? '0', limit(field.count?.high ?? '200000'), about, ...(field.flags.has('required') ? need : [])]);
@@ -54,7 +53,7 @@ function describe(field) {
     const whole = line('v.whole(', [`"${name}"`, `${value}.value`, 'kId', about, ...(field.isOptional ? [] : ['Need::Required'])]);
     return field.isOptional ? [`        if (takesPart<Visitor>(static_cast<bool>(${value})))`, ...whole.map((text) => `    ${text}`)] : whole;
   }
-  if (enumerated(type)) return line('describeWord(', ['v', `"${enumerated(type).key ?? name}"`, value, `k${type}Words`, about, ...need]);
+  if (isEnumeration(type)) return line('describeWord(', ['v', `"${field.key || name}"`, value, `k${type}Words`, about, ...need]);
   if (type === 'text') return line('v.text(', [`"${name}"`, value, about, 'Need::Required']);
   if (type === 'Colour') return line('v.colour(', [`"${name}"`, value, about]);
   if (type === 'bool') return line('v.flag(', [`"${name}"`, value, about]);

@@ -97,23 +97,3 @@ export const real = (text) => (text in kLimits ? kLimits[text] : /[.e]/.test(tex
 
 /** The member of C that says whether there is a value. */
 export const hasOf = (name) => `has${name[0].toUpperCase()}${name.slice(1)}`;
-
-/** A comment line of C++ as one of C. */
-export const inC = (line) => line.replace('// ', '/* ').replace('.\n', '. */\n');
-
-/** A header of C: `head` is its comment, `text` its declarations. */
-export const cHeader = (head, name, includes, text) => `${head}#ifndef MUSTER_C_${name}_H
-#define MUSTER_C_${name}_H
-
-${includes}
-
-#ifdef __cplusplus
-extern "C" {
-#endif
-${text}
-#ifdef __cplusplus
-}
-#endif
-
-#endif
-`;

@@ -1,20 +1,18 @@
 // Commands and definitions as the page has them: their types, and the layouts by which web/src/protocol/codec.ts reads and
 // writes their bytes.
-import { commands, definitions, enumerations, isEnumeration } from './read.mjs';
+import { commands, definitionOf, enumerations, isEnumeration } from './read.mjs';
 import { kBanner } from './cpp.mjs';
 import { messageDefinitions } from './messages.mjs';
 import { lowerFirst } from './text.mjs';
-import { enumerated, isId } from './types.mjs';
+import { isId, mayBeNone } from './types.mjs';
 
 const kGiven = 'What is left out is as the declarations say.';
 
 /** Types of single values: in TypeScript, and in layouts where they are called otherwise there. */
 const kPlain = {
   text: ['string'], bool: ['boolean'], Vec2: ['Vec2'], Polygon: ['readonly Vec2[]', 'Vec2*'], PolygonWithHoles: ['PolygonWithHoles'],
-  CharacterId: ['number', 'u32'], OrderId: ['number', 'u32'], MotionId: ['number', 'i32'], Colour: ['number', 'u32'],
+  CharacterId: ['number', 'u32'], OrderId: ['number', 'u32'], MotionIndex: ['number', 'i32'], Colour: ['number', 'u32'],
 };
-
-const definitionOf = (type) => definitions.find(({ name }) => name === type);
 
 /** Definitions that these fields have, each behind those that it has itself. */
 function reached(fields, found = new Set()) {
@@ -37,10 +35,7 @@ const typeOfItem = (type) =>
   isEnumeration(type) ? `${type}Word` : definitionOf(type) ? type : (kPlain[type]?.[0] ?? 'number');
 
 /** As in files: `kind` is that of the command. */
-const nameOf = ({ name, type }) => enumerated(type)?.key ?? name;
-
-/** None of an id is 0. */
-const mayBeNone = ({ type, isOptional }) => isOptional && !isId(type);
+const nameOf = ({ name, key }) => key || name;
 
 function typeOf(field) {
   const item = typeOfItem(field.type);
@@ -49,12 +44,12 @@ function typeOf(field) {
 }
 
 /** "shape:PartShape=asHeld": name, type and default. */
-function layoutOf(fields) {
+function layoutOf(fields, nameOfField = ({ name }) => name) {
   const word = (field) => {
     const { type, initial, isList } = field;
     const item = isId(type) ? 'u32' : (kPlain[type]?.[1] ?? type);
     const start = initial === '' || isList ? '' : isEnumeration(type) ? lowerFirst(initial) : initial.replace(/"|\.0$/g, '').replace(/^(false|0)$/, '').replace('true', '1');
-    return `${nameOf(field)}:${item}${isList ? '*' : mayBeNone(field) ? '?' : ''}${start === '' ? '' : `=${start}`}`;
+    return `${nameOfField(field)}:${item}${isList ? '*' : mayBeNone(field) ? '?' : ''}${start === '' ? '' : `=${start}`}`;
   };
   return fields.map(word).join(' ');
 }
@@ -76,7 +71,7 @@ const isNeeded = (field) =>
 
 const commandType = (command) =>
   [
-    `/** ${command.sentence} */`,
+    `/** ${command.sentences[0]} */`,
     `export interface ${command.name}Command {`,
     `  readonly kind: '${command.file}';`,
     ...command.fields
@@ -149,7 +144,7 @@ export const kCommandNumbers: readonly number[] = [${commands.map(({ number }) =
 // prettier-ignore
 /** Commands: kind and fields. */
 export const kCommandLayouts: readonly (readonly [string, string])[] = [
-${commands.map(({ file, fields }) => `  ['${file}', '${layoutOf(fields)}'],`).join('\n')}
+${commands.map(({ file, fields }) => `  ['${file}', '${layoutOf(fields, nameOf)}'],`).join('\n')}
 ];
 `;
 

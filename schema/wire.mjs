@@ -36,7 +36,7 @@ const withLength = (length, ...parts) => Buffer.concat([number('u32', length), .
 const named = (entries, type) => entries.find(({ name }) => name === type);
 
 /** Types of definitions that are numbers. */
-const kAs = { CharacterId: 'u32', OrderId: 'u32', MotionId: 'i32', Colour: 'u32' };
+const kAs = { CharacterId: 'u32', OrderId: 'u32', MotionIndex: 'i32', Colour: 'u32' };
 /** Structs that are not declared. */
 const kStructs = {
   Vec2: [{ name: 0, type: 'f64' }, { name: 1, type: 'f64' }],

@@ -12,7 +12,7 @@ const entries = JSON.parse(readFileSync(resolve(build, 'compile_commands.json'),
 
 /** Of an installed header those of a module that sees all of its kind; else those of the nearest folder with a source file. */
 function flagsOf(header) {
-  const isC = header.startsWith('include/muster/c/') || header === 'include/muster/muster.h';
+  const isC = header === 'include/muster/muster.h';
   const own = isC ? 'bindings/c/c_io' : header.startsWith('include/') ? 'apps/muster' : dirname(header);
   for (let folder = own; folder !== '.'; folder = dirname(folder)) {
     const near = entries.find(({ file }) => dirname(file) === folder) ?? entries.find(({ file }) => file.startsWith(`${folder}/`));

@@ -9,7 +9,7 @@
 
 #include "base/random.h"
 #include "muster/generated/enumerations.h"
-#include "muster/world_def.h"
+#include "muster/generated/world_definitions.h"
 
 namespace muster {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "command_line.h"
-#include "muster/world_def.h"
+#include "muster/world.h"
 
 namespace muster {
 

@@ -7,7 +7,7 @@
 #include "engine/world/metrics.h"
 #include "json/json.h"
 #include "muster/status.h"
-#include "muster/world_def.h"
+#include "muster/world.h"
 
 namespace muster {
 

@@ -7,7 +7,7 @@
 #include "command_line.h"
 #include "muster/command.h"
 #include "muster/status.h"
-#include "muster/world_def.h"
+#include "muster/world.h"
 
 namespace muster {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "muster/status.h"
-#include "muster/world_def.h"
+#include "muster/world.h"
 
 namespace muster::scale {
 

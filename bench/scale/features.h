@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "muster/world_def.h"
+#include "muster/world.h"
 
 namespace muster::scale {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/ground/environment/environment.h"
-#include "muster/world_def.h"
+#include "muster/world.h"
 
 namespace muster::scale {
 

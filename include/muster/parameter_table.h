@@ -1,10 +1,10 @@
-// Access to parameters by name, and presets of parameters.
+// Parameters of a world, access to them by name, and presets.
 #pragma once
 
 #include <span>
 #include <string_view>
 
-#include "muster/parameters.h"
+#include "muster/generated/parameters.h"
 #include "muster/status.h"
 
 namespace muster {

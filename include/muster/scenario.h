@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "muster/command.h"
+#include "muster/generated/world_definitions.h"
 #include "muster/status.h"
-#include "muster/world_def.h"
 
 namespace muster {
 

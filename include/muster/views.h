@@ -1,4 +1,4 @@
-// Read access to a world except its characters: groups, obstacles, patches, stage times.
+// Read access to a world: its characters, groups, controls, obstacles, patches, areas and stage times.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "muster/command.h"
+#include "muster/generated/characters.h"
 #include "muster/generated/views.h"
 
 namespace muster {

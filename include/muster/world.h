@@ -6,13 +6,13 @@
 #include <span>
 #include <vector>
 
-#include "muster/characters.h"
 #include "muster/command.h"
 #include "muster/event.h"
+#include "muster/generated/characters.h"
+#include "muster/generated/world_definitions.h"
 #include "muster/order.h"
 #include "muster/task_runner.h"
 #include "muster/views.h"
-#include "muster/world_def.h"
 
 namespace muster {
 

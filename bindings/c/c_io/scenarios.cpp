@@ -1,7 +1,7 @@
 // Scenarios and gestures.
 #include "bindings/c/c_world/command_list.h"
 #include "bindings/c/c_world/world_handle.h"
-#include "muster/c/scenario.h"
+#include "muster/muster.h"
 #include "muster/scenario.h"
 
 namespace muster::c_api {

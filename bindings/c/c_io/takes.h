@@ -4,7 +4,7 @@
 #include "bindings/c/c_io/generated/struct_versions.h"
 #include "bindings/c/c_world/command_list.h"
 #include "bindings/c/c_world/layout.h"
-#include "muster/c/take.h"
+#include "muster/muster.h"
 #include "muster/take.h"
 
 namespace muster::c_api {

@@ -5,9 +5,8 @@
 
 #include "bindings/c/c_motion/generated/struct_versions.h"
 #include "bindings/c/c_world/marshal.h"
-#include "muster/c/bvh.h"
-#include "muster/c/motion.h"
 #include "muster/clip.h"
+#include "muster/muster.h"
 
 namespace muster::c_api {
 

@@ -5,7 +5,7 @@
 #include <new>
 #include <string>
 
-#include "muster/c/base.h"
+#include "muster/muster.h"
 #include "muster/status.h"
 
 namespace muster::c_api {

@@ -1,7 +1,7 @@
 // What this library is: its version and its components.
 #include <cstring>
 
-#include "muster/c/base.h"
+#include "muster/muster.h"
 
 const char* muster_version(void) {
     return MUSTER_VERSION;

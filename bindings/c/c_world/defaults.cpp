@@ -2,7 +2,7 @@
 #include "bindings/c/c_world/default_of.h"
 #include "bindings/c/c_world/layout.h"
 #include "bindings/c/c_world/world_fields.h"
-#include "muster/c/world.h"
+#include "muster/muster.h"
 #include "muster/parameter_table.h"
 
 namespace muster::c_api {

@@ -1,7 +1,7 @@
 // Formations by name, timed paths, maps.
 #include "bindings/c/c_world/handle_table.h"
 #include "bindings/c/c_world/world_fields.h"
-#include "muster/c/world.h"
+#include "muster/muster.h"
 
 namespace muster::c_api {
 namespace {

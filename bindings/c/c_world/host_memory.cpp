@@ -7,7 +7,7 @@
 #include <new>
 
 #include "bindings/c/c_world/call.h"
-#include "muster/c/base.h"
+#include "muster/muster.h"
 
 namespace muster::c_api {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "bindings/c/c_world/call.h"
 #include "bindings/c/c_world/memory.h"
-#include "muster/c/world.h"
+#include "muster/muster.h"
 #include "muster/world.h"
 
 namespace muster::c_api {

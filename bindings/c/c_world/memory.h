@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "muster/c/base.h"
+#include "muster/muster.h"
 
 namespace muster::c_api {
 

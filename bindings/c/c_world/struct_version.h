@@ -5,7 +5,7 @@
 #include <string>
 
 #include "bindings/c/c_world/call.h"
-#include "muster/c/definitions.h"
+#include "muster/muster.h"
 
 namespace muster::c_api {
 

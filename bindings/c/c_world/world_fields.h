@@ -3,8 +3,8 @@
 
 #include "bindings/c/c_world/generated/definition_fields.h"
 #include "bindings/c/c_world/marshal.h"
-#include "muster/c/values.h"
-#include "muster/world_def.h"
+#include "muster/generated/world_definitions.h"
+#include "muster/muster.h"
 
 namespace muster::c_api {
 

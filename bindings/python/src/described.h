@@ -12,7 +12,7 @@
 #include "muster/event.h"
 #include "muster/take.h"
 #include "muster/views.h"
-#include "muster/world_def.h"
+#include "muster/world.h"
 
 namespace muster::python {
 

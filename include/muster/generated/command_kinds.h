@@ -8,12 +8,11 @@
 #include <variant>
 #include <vector>
 
-#include "muster/control.h"
-#include "muster/ground.h"
+#include "muster/generated/enumerations.h"
+#include "muster/generated/world_definitions.h"
 #include "muster/id.h"
 #include "muster/order.h"
 #include "muster/people.h"
-#include "muster/world_def.h"
 
 namespace muster {
 

@@ -8,13 +8,12 @@
 #include <string_view>
 #include <vector>
 
-#include "muster/control.h"
-#include "muster/formation.h"
+#include "muster/generated/control.h"
+#include "muster/generated/orders_definitions.h"
+#include "muster/generated/walk_totals.h"
 #include "muster/ground.h"
 #include "muster/id.h"
-#include "muster/order.h"
 #include "muster/vec2.h"
-#include "muster/walk_totals.h"
 
 namespace muster {
 

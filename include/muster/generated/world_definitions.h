@@ -10,9 +10,9 @@
 #include "muster/generated/enumerations.h"
 #include "muster/generated/ground_definitions.h"
 #include "muster/generated/orders_definitions.h"
+#include "muster/generated/parameters.h"
 #include "muster/generated/people_definitions.h"
 #include "muster/ground.h"
-#include "muster/parameters.h"
 #include "muster/vec2.h"
 
 namespace muster {

@@ -1,7 +1,7 @@
 // The flow of people through a metre of a passage, by the law of headway that they walk by.
 #pragma once
 
-#include "muster/parameters.h"
+#include "muster/generated/parameters.h"
 
 namespace muster {
 

@@ -1,10 +1,10 @@
 #include "engine/state/generated/command_relations.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "engine/state/command_checks.h"
 #include "engine/state/validation.h"
+#include "engine/state/validation_parts.h"
 #include "muster/parameter_table.h"
 
 namespace muster {
@@ -19,7 +19,7 @@ Status differInNumber(const char* fields) {
 }  // namespace
 
 Status place(const char* field, Vec2 p) {
-    if (std::fabs(p.x) <= kMaxCoordinate && std::fabs(p.y) <= kMaxCoordinate) return {};
+    if (isInWorld(p)) return {};
     return invalidArgument(std::string(field) + " is not finite or farther than 1e6 m from the origin");
 }
 

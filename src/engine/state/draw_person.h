@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "muster/generated/world_definitions.h"
 #include "muster/people.h"
-#include "muster/world_def.h"
 
 namespace muster {
 

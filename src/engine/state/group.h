@@ -14,9 +14,9 @@
 #include "engine/state/order_progress.h"
 #include "engine/state/order_queue.h"
 #include "engine/state/place_classes.h"
+#include "muster/generated/walk_totals.h"
+#include "muster/generated/world_definitions.h"
 #include "muster/vec2.h"
-#include "muster/walk_totals.h"
-#include "muster/world_def.h"
 
 namespace muster {
 

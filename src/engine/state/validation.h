@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/state/generated/definition_checks.h"
-#include "muster/world_def.h"
+#include "muster/generated/world_definitions.h"
 
 namespace muster {
 

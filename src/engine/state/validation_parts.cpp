@@ -21,8 +21,12 @@ Status isOwnOrNegative(const char* what, double value, double low, double high) 
     return value < 0.0 ? Status() : inRange(what, value, low, high);
 }
 
+bool isInWorld(Vec2 p) {
+    return std::fabs(p.x) <= kMaxCoordinate && std::fabs(p.y) <= kMaxCoordinate;
+}
+
 Status isPlace(const char* what, Vec2 p) {
-    if (std::fabs(p.x) <= kMaxCoordinate && std::fabs(p.y) <= kMaxCoordinate) return {};
+    if (isInWorld(p)) return {};
     return invalidArgument(std::string(what) + " (" + numberText(p.x) + ", " + numberText(p.y) +
                            ") is not finite or farther than 1e6 m from the origin");
 }

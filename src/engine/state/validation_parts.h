@@ -26,7 +26,9 @@ Status inRange(const char* what, double value, double low, double high);
 Status isOwn(const char* what, double value, double low, double high);
 /// The same for a number that stands for another one where it is negative.
 Status isOwnOrNegative(const char* what, double value, double low, double high);
-/// A position that is finite and not too far away.
+/// True of a position that is finite and not too far away: NaN is not.
+bool isInWorld(Vec2 p);
+/// Such a position.
 Status isPlace(const char* what, Vec2 p);
 /// At most so many of them.
 Status arePlaces(const char* what, std::span<const Vec2> points, std::size_t most);

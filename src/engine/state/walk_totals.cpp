@@ -1,4 +1,4 @@
-#include "muster/walk_totals.h"
+#include "muster/generated/walk_totals.h"
 
 #include <algorithm>
 #include <cmath>

@@ -18,8 +18,8 @@
 #include "engine/state/own_route.h"
 #include "engine/steering/character_arrays.h"
 #include "muster/command.h"
-#include "muster/parameters.h"
-#include "muster/world_def.h"
+#include "muster/generated/parameters.h"
+#include "muster/generated/world_definitions.h"
 
 namespace muster {
 

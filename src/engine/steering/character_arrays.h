@@ -7,7 +7,7 @@
 
 #include "engine/steering/claim.h"
 #include "engine/steering/walk_progress.h"
-#include "muster/characters.h"
+#include "muster/generated/characters.h"
 #include "muster/generated/people_definitions.h"
 
 namespace muster {

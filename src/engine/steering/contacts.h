@@ -12,8 +12,8 @@
 #include "engine/ground/environment/environment.h"
 #include "engine/steering/body_axes.h"
 #include "engine/steering/crowd_bodies.h"
-#include "muster/characters.h"
-#include "muster/parameters.h"
+#include "muster/generated/characters.h"
+#include "muster/generated/parameters.h"
 
 namespace muster {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/neighbour_list.h"
+#include "muster/generated/parameters.h"
 #include "muster/generated/people_definitions.h"
-#include "muster/parameters.h"
 
 namespace muster {
 

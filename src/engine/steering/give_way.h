@@ -8,7 +8,7 @@
 #include "base/neighbour_list.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/steering/crowd_bodies.h"
-#include "muster/parameters.h"
+#include "muster/generated/parameters.h"
 
 namespace muster {
 

@@ -16,7 +16,7 @@
 #include "engine/steering/near_rows.h"
 #include "engine/steering/overtaking.h"
 #include "engine/steering/right_of_way.h"
-#include "muster/parameters.h"
+#include "muster/generated/parameters.h"
 
 namespace muster {
 

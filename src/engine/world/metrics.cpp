@@ -8,7 +8,7 @@
 #include "engine/ground/environment/environment.h"
 #include "engine/steering/stairs.h"
 #include "engine/world/inspect.h"
-#include "muster/control.h"
+#include "muster/views.h"
 
 namespace muster {
 namespace {

@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "muster/formation.h"
 #include "muster/order.h"
 #include "muster/vec2.h"
 #include "muster/world.h"

@@ -7,7 +7,7 @@
 
 #include "files/scenario/describe_parts.h"
 #include "files/scenario/generated/described_definitions.h"
-#include "muster/world_def.h"
+#include "muster/generated/world_definitions.h"
 
 namespace muster {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "json/json.h"
-#include "muster/formation.h"
+#include "muster/order.h"
 #include "muster/vec2.h"
 
 namespace muster {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/ground/environment/environment.h"
-#include "muster/world_def.h"
+#include "muster/generated/world_definitions.h"
 
 namespace muster {
 

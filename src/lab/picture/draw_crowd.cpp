@@ -5,7 +5,7 @@
 #include "engine/formation/places/place_tracker.h"
 #include "engine/world/inspect.h"
 #include "lab/picture/theme.h"
-#include "muster/control.h"
+#include "muster/views.h"
 
 namespace muster {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "engine/ground/environment/environment.h"
 #include "engine/steering/character_arrays.h"
+#include "muster/generated/parameters.h"
 #include "muster/motion.h"
-#include "muster/parameters.h"
 
 namespace muster {
 

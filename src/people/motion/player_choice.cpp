@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "engine/geometry/polygon.h"
-#include "muster/parameters.h"
+#include "muster/generated/parameters.h"
 #include "people/motion/player.h"
 
 namespace muster {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "engine/world/world_scenes.h"
-#include "muster/control.h"
+#include "muster/views.h"
 
 using namespace muster;
 using namespace muster::testing;

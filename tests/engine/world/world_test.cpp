@@ -10,7 +10,7 @@
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
 #include "engine/world/world_scenes.h"
-#include "muster/control.h"
+#include "muster/views.h"
 
 using namespace muster;
 using namespace muster::testing;

@@ -9,7 +9,7 @@
 #include "engine/world/inspect.h"
 #include "lab/picture/picture.h"
 #include "lab/picture/recorder.h"
-#include "muster/control.h"
+#include "muster/views.h"
 
 using namespace muster;
 using namespace muster::testing;

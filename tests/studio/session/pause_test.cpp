@@ -1,7 +1,7 @@
 // Time stamps and parameters on their path from a client to the world.
 #include <doctest.h>
 
-#include "muster/control.h"
+#include "muster/views.h"
 #include "studio/session/fake_client.h"
 #include "studio/session/inbox/touch_clock.h"
 

@@ -3,9 +3,9 @@
 
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
-#include "muster/control.h"
 #include "muster/parameter_table.h"
 #include "muster/take.h"
+#include "muster/views.h"
 
 using namespace muster;
 using namespace muster::testing;

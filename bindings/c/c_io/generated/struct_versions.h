@@ -3,8 +3,7 @@
 #pragma once
 
 #include "bindings/c/c_world/struct_version.h"
-#include "muster/c/scenario.h"
-#include "muster/c/take.h"
+#include "muster/muster.h"
 
 namespace muster::c_api {
 

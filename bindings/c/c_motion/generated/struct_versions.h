@@ -3,13 +3,11 @@
 #pragma once
 
 #include "bindings/c/c_world/struct_version.h"
-#include "muster/c/bvh.h"
-#include "muster/c/clips.h"
-#include "muster/c/motion.h"
+#include "muster/muster.h"
 
 namespace muster::c_api {
 
-MUSTER_STRUCT_VERSION(MusterClip, 17, 1, "muster_default_clip");
-MUSTER_STRUCT_VERSION(MusterBvh, 18, 1, "muster_default_bvh");
+MUSTER_STRUCT_VERSION(MusterClip, 21, 1, "muster_default_clip");
+MUSTER_STRUCT_VERSION(MusterBvh, 22, 1, "muster_default_bvh");
 
 }  // namespace muster::c_api

@@ -6,8 +6,8 @@
 #include <variant>
 
 #include "bindings/c/c_world/world_fields.h"
-#include "muster/c/command.h"
 #include "muster/command.h"
+#include "muster/muster.h"
 
 namespace muster::c_api {
 

@@ -5,8 +5,8 @@
 #include <cstddef>
 
 #include "bindings/c/c_world/marshal.h"
-#include "muster/c/definitions.h"
-#include "muster/world_def.h"
+#include "muster/generated/world_definitions.h"
+#include "muster/muster.h"
 
 namespace muster::c_api {
 

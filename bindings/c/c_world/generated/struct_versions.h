@@ -3,12 +3,7 @@
 #pragma once
 
 #include "bindings/c/c_world/struct_version.h"
-#include "muster/c/base.h"
-#include "muster/c/command.h"
-#include "muster/c/definitions.h"
-#include "muster/c/values.h"
-#include "muster/c/views.h"
-#include "muster/c/world.h"
+#include "muster/muster.h"
 
 namespace muster::c_api {
 

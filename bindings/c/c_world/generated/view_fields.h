@@ -5,9 +5,8 @@
 #include <cstddef>
 
 #include "bindings/c/c_world/world_fields.h"
-#include "muster/c/views.h"
-#include "muster/characters.h"
 #include "muster/event.h"
+#include "muster/muster.h"
 #include "muster/views.h"
 
 namespace muster::c_api {

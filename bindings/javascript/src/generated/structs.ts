@@ -1142,7 +1142,7 @@ export interface PutThing {
   patch: PatchDef | null;
   /** An item to collect; null for other things. */
   item: ItemDef | null;
-  /** A formation checkpoint (SPEC M7), whose `group` is not read; null for other things. */
+  /** A formation checkpoint, whose `group` is not read; null for other things. */
   checkpoint: CheckpointDef | null;
   /** An area, whose `group` is not read; null for other things. */
   area: AreaDef | null;
@@ -1160,7 +1160,7 @@ export interface PutThingInit {
   readonly patch?: PatchDefInit | null | undefined;
   /** An item to collect; null for other things. */
   readonly item?: ItemDefInit | null | undefined;
-  /** A formation checkpoint (SPEC M7), whose `group` is not read; null for other things. */
+  /** A formation checkpoint, whose `group` is not read; null for other things. */
   readonly checkpoint?: CheckpointDefInit | null | undefined;
   /** An area, whose `group` is not read; null for other things. */
   readonly area?: AreaDefInit | null | undefined;
@@ -1383,7 +1383,7 @@ export interface SetBodiesInit {
 export interface SetRoles {
   /** The group. */
   group: GroupId;
-  /** In the order in which they choose places; none for none. */
+  /** In the order in which they choose places. */
   roles: RoleDef[];
 }
 
@@ -1391,11 +1391,11 @@ export interface SetRoles {
 export interface SetRolesInit {
   /** The group. */
   readonly group?: GroupId | undefined;
-  /** In the order in which they choose places; none for none. */
+  /** In the order in which they choose places. */
   readonly roles?: readonly RoleDef[] | undefined;
 }
 
-/** Says how many units of supply each place demands (SPEC A1). */
+/** Says how many units of supply each place demands. */
 export interface SetDemands {
   /** The group. */
   group: GroupId;
@@ -1530,7 +1530,7 @@ export interface SetAppearanceInit {
 export interface SetPeople {
   /** The group. */
   group: GroupId;
-  /** Its sorts; none: all are as GroupDef::bodies say. */
+  /** Its sorts; none: all are as GroupDef.bodies say. */
   people: PeopleDef[];
 }
 
@@ -1538,7 +1538,7 @@ export interface SetPeople {
 export interface SetPeopleInit {
   /** The group. */
   readonly group?: GroupId | undefined;
-  /** Its sorts; none: all are as GroupDef::bodies say. */
+  /** Its sorts; none: all are as GroupDef.bodies say. */
   readonly people?: readonly PeopleDefInit[] | undefined;
 }
 
@@ -2121,6 +2121,26 @@ export interface ClipMeasures {
   readonly speed: number;
 }
 
+/** The clip that a character plays: enough to draw it from baked poses. */
+export interface MotionState {
+  /** Index into the library. */
+  readonly clip: number;
+  /** The clip that fades out. */
+  readonly fromClip: number;
+  /** Time in `clip` [s], within one play. */
+  readonly time: number;
+  /** Time in `fromClip` [s]. */
+  readonly fromTime: number;
+  /** Share of `fromClip` still shown, 0 to 1. */
+  readonly fade: number;
+  /** Origin of the body axes in the world: the simulated position [m]. */
+  readonly position: Vec2;
+  /** Heading, counter-clockwise from +x [rad]. */
+  readonly yaw: number;
+  /** Factor of the skeleton: characterSize() of its id. */
+  readonly size: number;
+}
+
 /** A joint of a BVH file, in Muster's axes (x forward, y left, z up). */
 export interface BvhJoint {
   /** Name in the file. */
@@ -2149,26 +2169,6 @@ export interface BvhContents extends ReadOut {
   readonly unit: number;
   /** Time from the first frame to the last [s]. */
   readonly duration: number;
-}
-
-/** The clip that a character plays: enough to draw it from baked poses. */
-export interface MotionState {
-  /** Index into the library. */
-  readonly clip: number;
-  /** The clip that fades out. */
-  readonly fromClip: number;
-  /** Time in `clip` [s], within one play. */
-  readonly time: number;
-  /** Time in `fromClip` [s]. */
-  readonly fromTime: number;
-  /** Share of `fromClip` still shown, 0 to 1. */
-  readonly fade: number;
-  /** Origin of the body axes in the world: the simulated position [m]. */
-  readonly position: Vec2;
-  /** Heading, counter-clockwise from +x [rad]. */
-  readonly yaw: number;
-  /** Factor of the skeleton: characterSize() of its id. */
-  readonly size: number;
 }
 
 /** The hash of a world's state after that many steps. */

@@ -4,7 +4,7 @@ import { Caller, Handle } from '../binding/handle.js';
 import type { ProgressFunction, ReplayFunction } from '../binding/callbacks.js';
 import type { Rows } from '../binding/rows.js';
 import type { Status, FormationKind, EventKind, MotionIndex, ObstacleId, PatchId, GroupId, CharacterId, CommandKind, JointRole, Limb, ReplayFrom } from './enums.js';
-import type { Vec2, MapDef, MapDefInit, TimedPathInit, ObstacleDef, ClipFacts, PatchDef, AreaDef, ItemDef, Body, Distribution, DistributionInit, PeopleDef, FormationDef, Order, OrderInit, QueuedOrder, Conduct, GroupDef, CheckpointDef, WorldDef, WorldDefInit, PathState, Forecast, ParameterInfo, Command, CommandInit, Characters, Group, Control, Obstacle, Patch, Area, Event, Rejection, Contacts, StageTime, Transform, Joint, BodyPose, LimbContact, Travel, Clip, ClipInit, ClipMeasures, BvhContents, MotionState, TakeContents, ReplayReport, ExportFormat, ExportDef, ExportDefInit } from './structs.js';
+import type { Vec2, MapDef, MapDefInit, TimedPathInit, ObstacleDef, ClipFacts, PatchDef, AreaDef, ItemDef, Body, Distribution, DistributionInit, PeopleDef, FormationDef, Order, OrderInit, QueuedOrder, Conduct, GroupDef, CheckpointDef, WorldDef, WorldDefInit, PathState, Forecast, ParameterInfo, Command, CommandInit, Characters, Group, Control, Obstacle, Patch, Area, Event, Rejection, Contacts, StageTime, Transform, Joint, BodyPose, LimbContact, Travel, Clip, ClipInit, ClipMeasures, MotionState, BvhContents, TakeContents, ReplayReport, ExportFormat, ExportDef, ExportDefInit } from './structs.js';
 
 /** A map that was read, and the ground that it makes. */
 export class GridMap extends Handle {
@@ -245,6 +245,63 @@ export class WorldMaker extends Caller {
   }
 }
 
+/** A scenario in the library's memory. */
+export class Scenario extends Handle {
+  /** Ends a scenario. Fails with NotFound where there is none. */
+  destroy(): void {
+    this.call_('muster_scenario_destroy');
+  }
+
+  /** Its whole definition. Valid until the scenario is destroyed. */
+  def(): WorldDef {
+    return this.call_('muster_scenario_def') as WorldDef;
+  }
+
+  /** Builds a world of it, as World.create() with Scenario.def(). */
+  createWorld(threads: number = 1): World {
+    return this.call_('muster_scenario_create_world', threads) as World;
+  }
+
+  /** The whole definition as text with its map embedded: parsing it gives the same definition, bit for bit. */
+  text(): string {
+    return this.call_('muster_scenario_text') as string;
+  }
+
+  /** Writes the text to a file. Fails with IoError. */
+  save(path: string): void {
+    this.call_('muster_scenario_save', path);
+  }
+
+  /**
+   * Lists what is valid but likely a mistake: one sentence each, at most `most`. Valid until the next call for
+   * this scenario.
+   */
+  warnings(most: number = 100): readonly string[] {
+    return this.call_('muster_scenario_warnings', most) as readonly string[];
+  }
+}
+
+/** Makes Scenario objects. */
+export class ScenarioMaker extends Caller {
+  /** Reads a scenario file. Every failure is one sentence `FILE: JSON-PATH: found X, expected Y`. */
+  load(path: string): Scenario {
+    return this.call_('muster_scenario_load', path) as Scenario;
+  }
+
+  /**
+   * The same from text. `sourceName` stands for the file in messages; `baseFolder` is where relative map files are
+   * looked for (null or empty: files are refused, only embedded maps are allowed).
+   */
+  parse(text: string | Uint8Array, sourceName: string = 'scenario', baseFolder: string = ''): Scenario {
+    return this.call_('muster_scenario_parse', text, sourceName, baseFolder) as Scenario;
+  }
+
+  /** A scenario of a definition. */
+  fromDef(def: WorldDefInit = {}): Scenario {
+    return this.call_('muster_scenario_from_def', def) as Scenario;
+  }
+}
+
 /** A set of clips. */
 export class ClipLibrary extends Handle {
   /** Ends the handle of a library; motions that play its clips keep them. */
@@ -301,35 +358,6 @@ export class ClipLibraryMaker extends Caller {
    */
   create(clips: readonly ClipInit[]): ClipLibrary {
     return this.call_('muster_clips_create', clips) as ClipLibrary;
-  }
-}
-
-/** A BVH file in the library's memory. */
-export class Bvh extends Handle {
-  /** What the file holds. Valid until it is destroyed. */
-  get(): BvhContents {
-    return this.call_('muster_bvh_get') as BvhContents;
-  }
-
-  /** Ends a file. Fails with NotFound where there is none. */
-  destroy(): void {
-    this.call_('muster_bvh_destroy');
-  }
-}
-
-/** Makes Bvh objects. */
-export class BvhMaker extends Caller {
-  /**
-   * Reads BVH text. `unit` is the length of one unit of the file [m], 1e-6 to 1e3; 0 to guess it from the body
-   * height. Fails, as `sourceName:LINE: found X, expected Y`, on anything that is not a complete BVH file.
-   */
-  parse(text: string | Uint8Array, sourceName: string = 'bvh', unit: number = 0): Bvh {
-    return this.call_('muster_bvh_parse', text, sourceName, unit) as Bvh;
-  }
-
-  /** The same from a file. */
-  read(path: string, unit: number = 0): Bvh {
-    return this.call_('muster_bvh_read', path, unit) as Bvh;
   }
 }
 
@@ -426,60 +454,32 @@ export class MotionMoment extends Handle {
   }
 }
 
-/** A scenario in the library's memory. */
-export class Scenario extends Handle {
-  /** Ends a scenario. Fails with NotFound where there is none. */
+/** A BVH file in the library's memory. */
+export class Bvh extends Handle {
+  /** What the file holds. Valid until it is destroyed. */
+  get(): BvhContents {
+    return this.call_('muster_bvh_get') as BvhContents;
+  }
+
+  /** Ends a file. Fails with NotFound where there is none. */
   destroy(): void {
-    this.call_('muster_scenario_destroy');
-  }
-
-  /** Its whole definition. Valid until the scenario is destroyed. */
-  def(): WorldDef {
-    return this.call_('muster_scenario_def') as WorldDef;
-  }
-
-  /** Builds a world of it, as World.create() with Scenario.def(). */
-  createWorld(threads: number = 1): World {
-    return this.call_('muster_scenario_create_world', threads) as World;
-  }
-
-  /** The whole definition as text with its map embedded: parsing it gives the same definition, bit for bit. */
-  text(): string {
-    return this.call_('muster_scenario_text') as string;
-  }
-
-  /** Writes the text to a file. Fails with IoError. */
-  save(path: string): void {
-    this.call_('muster_scenario_save', path);
-  }
-
-  /**
-   * Lists what is valid but likely a mistake: one sentence each, at most `most`. Valid until the next call for
-   * this scenario.
-   */
-  warnings(most: number = 100): readonly string[] {
-    return this.call_('muster_scenario_warnings', most) as readonly string[];
+    this.call_('muster_bvh_destroy');
   }
 }
 
-/** Makes Scenario objects. */
-export class ScenarioMaker extends Caller {
-  /** Reads a scenario file. Every failure is one sentence `FILE: JSON-PATH: found X, expected Y`. */
-  load(path: string): Scenario {
-    return this.call_('muster_scenario_load', path) as Scenario;
-  }
-
+/** Makes Bvh objects. */
+export class BvhMaker extends Caller {
   /**
-   * The same from text. `sourceName` stands for the file in messages; `baseFolder` is where relative map files are
-   * looked for (null or empty: files are refused, only embedded maps are allowed).
+   * Reads BVH text. `unit` is the length of one unit of the file [m], 1e-6 to 1e3; 0 to guess it from the body
+   * height. Fails, as `sourceName:LINE: found X, expected Y`, on anything that is not a complete BVH file.
    */
-  parse(text: string | Uint8Array, sourceName: string = 'scenario', baseFolder: string = ''): Scenario {
-    return this.call_('muster_scenario_parse', text, sourceName, baseFolder) as Scenario;
+  parse(text: string | Uint8Array, sourceName: string = 'bvh', unit: number = 0): Bvh {
+    return this.call_('muster_bvh_parse', text, sourceName, unit) as Bvh;
   }
 
-  /** A scenario of a definition. */
-  fromDef(def: WorldDefInit = {}): Scenario {
-    return this.call_('muster_scenario_from_def', def) as Scenario;
+  /** The same from a file. */
+  read(path: string, unit: number = 0): Bvh {
+    return this.call_('muster_bvh_read', path, unit) as Bvh;
   }
 }
 
@@ -760,6 +760,49 @@ export class MusterFunctions extends Caller {
     return this.call_('muster_event_name', kind) as string | null;
   }
 
+  /** The JSON Schema (draft 2020-12) of scenario files. */
+  scenarioSchema(): string {
+    return this.call_('muster_scenario_schema') as string;
+  }
+
+  /**
+   * Reads a gestures file into commands for a world of that step time [s], ordered by (step, client, sequence).
+   * Fails as Scenario.load() does.
+   */
+  gesturesLoad(path: string, stepTime: number): Command[] {
+    return this.call_('muster_gestures_load', path, stepTime) as Command[];
+  }
+
+  /** The same from text. */
+  gesturesParse(text: string | Uint8Array, sourceName: string, stepTime: number): Command[] {
+    return this.call_('muster_gestures_parse', text, sourceName, stepTime) as Command[];
+  }
+
+  /** The same from the text of a single event or of an array of events: `t` may be left out and is 0 then. */
+  gesturesParseCommands(text: string | Uint8Array, sourceName: string, stepTime: number): Command[] {
+    return this.call_('muster_gestures_parse_commands', text, sourceName, stepTime) as Command[];
+  }
+
+  /** The touches that a scenario carries which was read from `scenarioPath`. Empty where it carries none. */
+  gesturesOfScenario(scenarioPath: string, scenario: Scenario): Command[] {
+    return this.call_('muster_gestures_of_scenario', scenarioPath, scenario) as Command[];
+  }
+
+  /** The JSON Schema of gesture files. */
+  gesturesSchema(): string {
+    return this.call_('muster_gestures_schema') as string;
+  }
+
+  /** Commands as the text of a gestures file: reading it gives the same commands, numbered again per client. */
+  gesturesText(commands: readonly CommandInit[], stepTime: number): string {
+    return this.call_('muster_gestures_text', commands, stepTime) as string;
+  }
+
+  /** Writes that text to a file. Fails with IoError. */
+  gesturesSave(commands: readonly CommandInit[], stepTime: number, path: string): void {
+    this.call_('muster_gestures_save', commands, stepTime, path);
+  }
+
   /** The JointRole.Count joints of the skeleton of a person 1.75 m tall. Valid for ever. */
   skeleton(): readonly Joint[] {
     return this.call_('muster_skeleton') as readonly Joint[];
@@ -805,49 +848,6 @@ export class MusterFunctions extends Caller {
     return this.call_('muster_default_clip') as Omit<Clip, 'copy'>;
   }
 
-  /** The JSON Schema (draft 2020-12) of scenario files. */
-  scenarioSchema(): string {
-    return this.call_('muster_scenario_schema') as string;
-  }
-
-  /**
-   * Reads a gestures file into commands for a world of that step time [s], ordered by (step, client, sequence).
-   * Fails as Scenario.load() does.
-   */
-  gesturesLoad(path: string, stepTime: number): Command[] {
-    return this.call_('muster_gestures_load', path, stepTime) as Command[];
-  }
-
-  /** The same from text. */
-  gesturesParse(text: string | Uint8Array, sourceName: string, stepTime: number): Command[] {
-    return this.call_('muster_gestures_parse', text, sourceName, stepTime) as Command[];
-  }
-
-  /** The same from the text of a single event or of an array of events: `t` may be left out and is 0 then. */
-  gesturesParseCommands(text: string | Uint8Array, sourceName: string, stepTime: number): Command[] {
-    return this.call_('muster_gestures_parse_commands', text, sourceName, stepTime) as Command[];
-  }
-
-  /** The touches that a scenario carries which was read from `scenarioPath`. Empty where it carries none. */
-  gesturesOfScenario(scenarioPath: string, scenario: Scenario): Command[] {
-    return this.call_('muster_gestures_of_scenario', scenarioPath, scenario) as Command[];
-  }
-
-  /** The JSON Schema of gesture files. */
-  gesturesSchema(): string {
-    return this.call_('muster_gestures_schema') as string;
-  }
-
-  /** Commands as the text of a gestures file: reading it gives the same commands, numbered again per client. */
-  gesturesText(commands: readonly CommandInit[], stepTime: number): string {
-    return this.call_('muster_gestures_text', commands, stepTime) as string;
-  }
-
-  /** Writes that text to a file. Fails with IoError. */
-  gesturesSave(commands: readonly CommandInit[], stepTime: number, path: string): void {
-    this.call_('muster_gestures_save', commands, stepTime, path);
-  }
-
   /** All formats of this build. Valid for ever. */
   exportFormats(): readonly ExportFormat[] {
     return this.call_('muster_export_formats') as readonly ExportFormat[];
@@ -867,14 +867,14 @@ export class MusterFunctions extends Caller {
   readonly GridMap = new GridMapMaker(this.invoke_);
   /** Makes World objects. */
   readonly World = new WorldMaker(this.invoke_);
-  /** Makes ClipLibrary objects. */
-  readonly ClipLibrary = new ClipLibraryMaker(this.invoke_);
-  /** Makes Bvh objects. */
-  readonly Bvh = new BvhMaker(this.invoke_);
-  /** Makes Motion objects. */
-  readonly Motion = new MotionMaker(this.invoke_);
   /** Makes Scenario objects. */
   readonly Scenario = new ScenarioMaker(this.invoke_);
+  /** Makes ClipLibrary objects. */
+  readonly ClipLibrary = new ClipLibraryMaker(this.invoke_);
+  /** Makes Motion objects. */
+  readonly Motion = new MotionMaker(this.invoke_);
+  /** Makes Bvh objects. */
+  readonly Bvh = new BvhMaker(this.invoke_);
   /** Makes TakeWriter objects. */
   readonly TakeWriter = new TakeWriterMaker(this.invoke_);
   /** Makes Take objects. */
@@ -882,4 +882,4 @@ export class MusterFunctions extends Caller {
 }
 
 /** The classes of handles by their names. */
-export const kHandleClasses = { GridMap, World, ClipLibrary, Bvh, Motion, MotionMoment, Scenario, TakeWriter, Take };
+export const kHandleClasses = { GridMap, World, Scenario, ClipLibrary, Motion, MotionMoment, Bvh, TakeWriter, Take };

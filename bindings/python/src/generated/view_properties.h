@@ -2,7 +2,6 @@
 // What is read of characters and groups: the name in Python, the member and the description of each property.
 #pragma once
 
-#include "muster/characters.h"
 #include "muster/views.h"
 
 namespace muster::python {

@@ -1,7 +1,7 @@
 // The objective of a plan.
 #pragma once
 
-#include "muster/parameters.h"
+#include "muster/generated/parameters.h"
 
 namespace muster {
 

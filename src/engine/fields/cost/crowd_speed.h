@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "engine/fields/cost/density.h"
-#include "muster/parameters.h"
+#include "muster/generated/parameters.h"
 
 namespace muster {
 

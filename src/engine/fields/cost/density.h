@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/grid.h"
-#include "muster/parameters.h"
+#include "muster/generated/parameters.h"
 
 namespace muster {
 

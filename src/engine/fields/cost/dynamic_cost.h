@@ -15,7 +15,7 @@
 #include "engine/fields/cost/unit_cost.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/ground/environment/obstacle_piece.h"
-#include "muster/parameters.h"
+#include "muster/generated/parameters.h"
 
 namespace muster {
 

@@ -9,7 +9,7 @@
 #include "engine/fields/cost/density.h"
 #include "engine/fields/cost/unit_cost.h"
 #include "engine/ground/environment/environment.h"
-#include "muster/parameters.h"
+#include "muster/generated/parameters.h"
 
 namespace muster {
 

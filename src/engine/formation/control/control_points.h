@@ -2,7 +2,7 @@
 // drawn trajectories, cut into checkpoints and followed by a clock.
 #pragma once
 
-#include "muster/control.h"
+#include "muster/generated/control.h"
 
 namespace muster {
 

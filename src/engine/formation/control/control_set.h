@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "engine/formation/mesh/arap.h"
-#include "muster/control.h"
-#include "muster/parameters.h"
+#include "muster/generated/control.h"
+#include "muster/generated/parameters.h"
 
 namespace muster {
 

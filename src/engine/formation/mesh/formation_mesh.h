@@ -10,7 +10,7 @@
 #include "engine/formation/mesh/arap.h"
 #include "engine/formation/shapes/make_formation.h"
 #include "engine/ground/environment/environment.h"
-#include "muster/parameters.h"
+#include "muster/generated/parameters.h"
 
 namespace muster {
 

@@ -7,7 +7,7 @@
 
 #include "engine/ground/environment/environment.h"
 #include "engine/ground/routes/nearest_reachable.h"
-#include "muster/parameters.h"
+#include "muster/generated/parameters.h"
 
 namespace muster {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/geometry/triangulation.h"
-#include "muster/formation.h"
+#include "muster/order.h"
 
 namespace muster {
 

@@ -12,8 +12,8 @@
 #include "base/raster_view.h"
 #include "base/ring.h"
 #include "engine/ground/environment/obstacle_piece.h"
+#include "muster/generated/parameters.h"
 #include "muster/ground.h"
-#include "muster/parameters.h"
 
 namespace muster {
 

@@ -2,7 +2,7 @@
 // Checks of definitions: InvalidArgument or LimitExceeded, naming the first field that is bad.
 #pragma once
 
-#include "muster/world_def.h"
+#include "muster/generated/world_definitions.h"
 
 namespace muster {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "muster/generated/enumerations.h"
+#include "muster/generated/walk_totals.h"
 #include "muster/id.h"
 #include "muster/views.h"
-#include "muster/walk_totals.h"
 
 namespace muster {
 

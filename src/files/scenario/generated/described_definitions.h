@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "files/scenario/describe_parts.h"
-#include "muster/world_def.h"
+#include "muster/generated/world_definitions.h"
 
 namespace muster {
 

@@ -7,8 +7,8 @@
 #include "engine/formation/places/place_tracker.h"
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
-#include "muster/control.h"
-#include "muster/formation.h"
+#include "muster/order.h"
+#include "muster/views.h"
 
 namespace muster {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "engine/ground/environment/environment.h"
 #include "engine/world/inspect.h"
-#include "muster/formation.h"
+#include "muster/order.h"
 #include "muster/parameter_table.h"
 #include "studio/session/history/group_body.h"
 

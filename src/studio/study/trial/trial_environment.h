@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "muster/status.h"
-#include "muster/world_def.h"
+#include "muster/world.h"
 #include "studio/gestures/input_event.h"
 
 namespace muster {

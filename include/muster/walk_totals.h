@@ -1,4 +1,0 @@
-// Sums over the path costs of many.
-#pragma once
-
-#include "muster/generated/walk_totals.h"
