@@ -14,11 +14,14 @@ function about(field) {
 /** The members that stand for a field: [type, name, comment]. */
 export function membersOf(field, item = cItem(field.type)) {
   const { name } = field;
-  if (field.isList)
+  if (field.isList) {
+    const [sentence, none] = about(field).replace(/\.$/, '').split('; none for ');
     return [
-      [`const ${item}* ${name}`, about(field)],
+      ...(field.isOptional ? [[`bool ${hasOf(name)}`, `False: ${none}.`]] : []),
+      [`const ${item}* ${name}`, field.isOptional ? `${sentence}.` : about(field)],
       [`int32_t ${singular(name)}Count`, 'Their number.'],
     ];
+  }
   if (field.isOptional && definition(field.type)) return [[`const ${item}* ${name}`, about(field).replace(/\bnone\b/, 'null')]];
   if (field.isOptional && !isId(field.type)) {
     const [is, none = ''] = field.sentence.replace(/\.$/, '').split('; none for ');
@@ -76,12 +79,15 @@ function marshal(field) {
   const { name, type } = field;
   const both = `c.${name}, p.${name}`;
   const named = definition(type);
-  if (field.isList) {
-    const isFlat = named === undefined || named.isPlainInC;
-    return `m.${isFlat ? 'list' : 'items'}(c.${name}, c.${singular(name)}Count, p.${name}, "${name}");`;
-  }
   const has = `c.${hasOf(name)}`;
+  if (field.isList) {
+    const visit = named === undefined || named.isPlainInC ? 'list' : 'items';
+    const words = `c.${name}, c.${singular(name)}Count, p.${name}, "${name}"`;
+    if (field.isOptional) return `if (m.given(${has}, p.${name})) m.${visit}(${words.replace(`p.${name}`, `*p.${name}`)});`;
+    return `m.${visit}(${words});`;
+  }
   if (isId(type)) return `m.id(${both});`;
+  if (type === 'text' && field.isOptional) return `if (m.given(${has}, p.${name})) m.text(c.${name}, *p.${name});`;
   if (type === 'text') return `m.text(${both});`;
   if (enumerated(type)) {
     if (field.isOptional) return `m.optionalChoice(${has}, ${both}, kLastOf<${type}>, "${name}");`;

@@ -1,14 +1,15 @@
 // The structs of commands in C++, what checks their fields, and what people are shown of them.
-import { commands, formerCommands } from './read.mjs';
+import { archiveLines } from './definitions_cpp.mjs';
+import { commands, formerCommands, kGivenFlags } from './read.mjs';
 import { aligned, call, docComment, kWidth, limit, listed, withUnit } from './text.mjs';
-import { cppItem, definition, enumerated, isId, plain } from './types.mjs';
+import { cppItem, definition, enumerated, isId, mayBeNone, plain } from './types.mjs';
 
 export const kBanner = '// Made by schema/generate.mjs from schema/commands.txt: change these, not this file.\n';
 
 function cppType(field) {
   const item = cppItem(field.type);
-  if (field.isList) return `std::vector<${item}>`;
-  return field.isOptional && !isId(field.type) ? `std::optional<${item}>` : item;
+  const whole = field.isList ? `std::vector<${item}>` : item;
+  return mayBeNone(field) ? `std::optional<${whole}>` : whole;
 }
 
 /** "0.0", "SplitBy::Ids"; empty where the type has a default of its own. */
@@ -35,7 +36,7 @@ function struct(command) {
     '    /// Lets an archive read or write the command.',
     '    template <class Archive>',
     '    void visit(Archive& archive) {',
-    ...call('archive(', command.fields.map(({ name }) => name), ');', '        '),
+    ...archiveLines(command.fields),
     '    }',
     '};',
   ].join('\n');
@@ -128,13 +129,19 @@ ${numbers('kFormerNumbers', formerCommands)}
 /** The check of one field, as an expression of type Status; null where every value of its type will do. */
 function checkOf(field) {
   const value = `c.${field.name}`;
+  const { type, flags } = field;
+  if (!mayBeNone(field) || enumerated(type) || type === 'Colour') return checkOfValue(field, value);
+  if (definition(type)?.check === 'validate' && !flags.has('unchecked')) return `validateIfAny(${value})`;
+  const check = checkOfValue(field, 'value');
+  return check === null ? null : `checkIfAny(${value}, [](const auto& value) { return ${check}; })`;
+}
+
+function checkOfValue(field, value) {
   const { type, range } = field;
   if (field.flags.has('unchecked') || isId(type) || type === 'bool') return null;
   if (type === 'text') return `isText("${field.name}", ${value})`;
   if (type === 'Colour') return `validateColour(${value})`;
   const named = definition(type);
-  if (named?.check === 'validate' && field.isOptional) return `validateIfAny(${value})`;
-  if (named?.check && field.isOptional) return `checkIfAny(${value}, [](const auto& def) { return ${named.check}(def${named.checkMore ?? ''}); })`;
   if (named?.checkAll) return `${named.checkAll}(${value})`;
   if (named?.check) return `${named.check}(${value}${named.checkMore ?? ''})`;
   if (field.isList) {
@@ -213,13 +220,24 @@ Status validateCommand(const Command& command) {
 `;
 }
 
+const traitsIn = (label, flags) => `{"${label}", ${['undoable', 'directs', 'edits', 'slides', 'queues'].map((name) => String(flags.has(name))).join(', ')}}`;
+
+/** The fields that say what is true of a command that gives them: those with flags, and all others that may be none. */
+function givenFields({ fields }) {
+  const says = (field) => kGivenFlags.some((flag) => field.flags.has(flag));
+  return fields.some(says) ? fields.filter((field) => says(field) || mayBeNone(field)) : [];
+}
+
+function givenTraits(command) {
+  const undoable = [...command.flags].filter((flag) => flag === 'undoable');
+  const rows = givenFields(command).map(({ name, type, label, flags, isOptional }) =>
+    `        give(c->${name}${isOptional ? '.has_value()' : ''}, ${traitsIn(label, new Set([...undoable, ...flags]))});`);
+  return rows.length === 0 ? [] : [`    if (const auto* c = std::get_if<${command.name}>(&body)) {`, ...rows, '    }'];
+}
+
 /** What people are told of commands, and which of them do what. */
 function traits() {
-  const flag = (command, name) => String(command.flags.has(name));
-  const rows = commands.map((command) => ({
-    code: `{"${command.label}", ${['undoable', 'directs', 'edits', 'slides', 'queues'].map((name) => flag(command, name)).join(', ')}},`,
-    about: command.name,
-  }));
+  const rows = commands.map(({ label, flags, name }) => ({ code: `${traitsIn(label, flags)},`, about: name }));
   const column = Math.max(...rows.map(({ code }) => code.length)) + 2;
   return `${kBanner}// What the studio has to know of each kind of command.
 #pragma once
@@ -230,7 +248,7 @@ function traits() {
 
 namespace muster {
 
-/// What is true of all commands of one kind.
+/// What is true of a command.
 struct CommandTraits {
     const char* label;  ///< What undo and redo call it; empty where that depends on more.
     bool undoable;      ///< It can be taken back.
@@ -240,13 +258,25 @@ struct CommandTraits {
     bool queues;        ///< It changes the queue of its group in a way that only the world knows.
 };
 
+/// Those of each kind.
 inline constexpr std::array<CommandTraits, std::variant_size_v<CommandKinds>> kCommandTraits{{
 ${rows.map(({ code, about }) => `    ${code.padEnd(column)}// ${about}`).join('\n')}
 }};
 
-/// The traits of a command.
-inline const CommandTraits& traitsOf(const CommandBody& body) {
-    return kCommandTraits[body.index()];
+/// The traits of a command: those of its kind or, where it gives fields that have their own, those that all
+/// of these have.
+inline CommandTraits traitsOf(const CommandBody& body) {
+    CommandTraits traits = kCommandTraits[body.index()];
+    auto give = [&, first = true](bool given, const CommandTraits& of) mutable {
+        if (!given) return;
+        if (first && *of.label != '\\0') traits.label = of.label;
+        traits.directs = of.directs && (first || traits.directs);
+        traits.edits = of.edits && (first || traits.edits);
+        traits.slides = of.slides && (first || traits.slides);
+        first = false;
+    };
+${commands.flatMap(givenTraits).join('\n')}
+    return traits;
 }
 
 }  // namespace muster

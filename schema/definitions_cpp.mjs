@@ -44,7 +44,7 @@ function initialOf({ type, initial, isList, isOptional }) {
 export const definitionMember = (field) => ({ type: cppType(field), name: field.name, initial: initialOf(field).replace(' = ', '') });
 
 /** Fields as archives take them: those of one version together. */
-function archiveLines(fields) {
+export function archiveLines(fields) {
   const groups = [];
   for (const { name, since, flags } of fields) {
     const head = flags.has('unhashed') ? `archive.optionalSince(${since}, ` : since === '' ? 'archive(' : `archive.since(${since}, `;

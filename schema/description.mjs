@@ -57,7 +57,7 @@ function commandEntries() {
 
 function fieldsOfBody(field) {
   const members = membersOf(field).map(([code, doc]) => ({ name: code.split(' ').at(-1), type: code.slice(0, code.lastIndexOf(' ')), doc }));
-  if (field.isList) members[0].count = members[1].name;
+  if (field.isList) members.at(-2).count = members.at(-1).name;
   return members;
 }
 

@@ -11,10 +11,12 @@ export const root = join(folder, '..');
 
 const kCommandFlags = ['relations', 'by-hand', 'undoable', 'directs', 'edits', 'slides', 'queues'];
 const kDefinitionFlags = ['equal', 'flat', 'relations', 'no-c', 'no-files', 'unsaved'];
-const kFieldFlags = ['required', 'omit', 'unchecked', 'internal', 'xy', 'within', 'unhashed', 'inline'];
+/** What may be true of single fields of a command, and only where they are given. */
+export const kGivenFlags = ['directs', 'edits', 'slides'];
+const kFieldFlags = ['required', 'omit', 'unchecked', 'internal', 'xy', 'within', 'unhashed', 'inline', ...kGivenFlags];
 /** What a field may say with a word or a text behind it, and what it is called in the field that was read. */
 const kFieldWords = { key: 'key', since: 'since', 'files-after': 'filesAfter', 'c-after': 'cAfter' };
-const kFieldTexts = { files: 'inFiles', unless: 'unless', needed: 'needed', called: 'called', apart: 'apart' };
+const kFieldTexts = { files: 'inFiles', unless: 'unless', needed: 'needed', called: 'called', apart: 'apart', label: 'label' };
 /** The parts into which definitions are divided, each a header. */
 export const kSubjects = ['ground', 'people', 'orders', 'world'];
 
@@ -72,7 +74,7 @@ export function readField(tokens, line, isKnown = isDeclared) {
     name, type: base, isList: list !== undefined, isOptional: optional !== undefined,
     count: list === undefined ? null : readRange(list.slice(1, -1)),
     unit: '', range: null, initial: '', sentence: '', flags: new Set(),
-    key: '', since: '', filesAfter: '', cAfter: '', inFiles: '', unless: '', needed: '', called: '', apart: null,
+    key: '', since: '', filesAfter: '', cAfter: '', inFiles: '', unless: '', needed: '', called: '', apart: null, label: '',
   };
   while (tokens.length > 0) {
     const { word: next, unit, text } = tokens.shift();

@@ -38,6 +38,8 @@ const kEnums = {
  */
 const kDefinitions = {
   FormationDef: { check: 'validate', describe: 'describe(inner, #)', key: 'formation', visit: 'objectOrKind' },
+  GroupColour: { check: 'validate', describe: 'describe(inner, #)' },
+  GroupLook: { check: 'validate', describe: 'describe(inner, #)' },
   GroupDef: { check: 'validate', describe: 'describe(inner, #)' },
   ObstacleDef: { check: 'validate', describe: 'describe(inner, #)' },
   PatchDef: { check: 'validatePatch', checkMore: ', kAnyMotion', describe: 'describe(inner, #, {})' },
@@ -46,12 +48,14 @@ const kDefinitions = {
   AreaDef: { check: 'validate', describe: 'describe(inner, #, [] {})' },
   Order: { check: 'validate', inline: 'describe(v, #)' },
   Conduct: { check: 'validate', inline: 'describe(v, #)' },
-  RoleDef: { checkAll: 'validateRoles', inline: 'describeRoles(v, #, Need::Required)' },
-  PeopleDef: { checkAll: 'validatePeople', inline: 'describePeople(v, #)' },
+  RoleDef: { checkAll: 'validateRoles', inline: 'describeRoles(v, #, &)' },
+  PeopleDef: { checkAll: 'validatePeople', inline: 'describePeople(v, #, &)' },
   Body: { inline: 'describeBodies(v, "bodies", #, &)', isPlainInC: true },
 };
 
 export const isId = (type) => /^(Group|Obstacle|Patch|Item|Checkpoint|Area|Control)Id$/.test(type);
+/** True of a field that is an optional in C++: none of an id is 0. */
+export const mayBeNone = ({ type, isOptional }) => isOptional && !isId(type);
 export const plain = (type) => kPlain[type];
 export const enumerated = (type) => kEnums[type];
 export const definition = (type) => kDefinitions[type];

@@ -4,7 +4,7 @@ import { commands, definitions, enumerations, isEnumeration } from './read.mjs';
 import { kBanner } from './cpp.mjs';
 import { messageDefinitions } from './messages.mjs';
 import { lowerFirst } from './text.mjs';
-import { enumerated, isId } from './types.mjs';
+import { enumerated, isId, mayBeNone } from './types.mjs';
 
 const kGiven = 'What is left out is as the declarations say.';
 
@@ -39,13 +39,10 @@ const typeOfItem = (type) =>
 /** As in files: `kind` is that of the command. */
 const nameOf = ({ name, type }) => enumerated(type)?.key ?? name;
 
-/** None of an id is 0. */
-const mayBeNone = ({ type, isOptional }) => isOptional && !isId(type);
-
 function typeOf(field) {
   const item = typeOfItem(field.type);
-  if (field.isList) return `readonly ${item.startsWith('readonly') ? `(${item})` : item}[]`;
-  return mayBeNone(field) ? `${item} | null` : item;
+  const whole = field.isList ? `readonly ${item.startsWith('readonly') ? `(${item})` : item}[]` : item;
+  return mayBeNone(field) ? `${whole} | null` : whole;
 }
 
 /** "shape:PartShape=asHeld": name, type and default. */
@@ -54,7 +51,7 @@ function layoutOf(fields) {
     const { type, initial, isList } = field;
     const item = isId(type) ? 'u32' : (kPlain[type]?.[1] ?? type);
     const start = initial === '' || isList ? '' : isEnumeration(type) ? lowerFirst(initial) : initial.replace(/"|\.0$/g, '').replace(/^(false|0)$/, '').replace('true', '1');
-    return `${nameOf(field)}:${item}${isList ? '*' : mayBeNone(field) ? '?' : ''}${start === '' ? '' : `=${start}`}`;
+    return `${nameOf(field)}:${item}${isList ? '*' : ''}${mayBeNone(field) ? '?' : ''}${start === '' ? '' : `=${start}`}`;
   };
   return fields.map(word).join(' ');
 }

@@ -61,7 +61,7 @@ void FieldSchema::number(std::string_view key, double value, const NumberRange& 
 
 void FieldSchema::optionalNumber(std::string_view key, double, const NumberRange& range, const char* about) {
     number(key, 0.0, range, about);
-    (*schema_)["properties"][key].erase("default");
+    eraseDefault(key);
 }
 
 void FieldSchema::flag(std::string_view key, bool value, const char* about) {

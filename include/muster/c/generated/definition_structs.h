@@ -282,6 +282,20 @@ typedef struct MusterGroupDef {
 /// 36 characters in a square at the origin.
 MUSTER_API MusterGroupDef muster_default_group_def(void);
 
+/// The colour of a group.
+typedef struct MusterGroupColour {
+    bool hasColour;   ///< False: the palette's.
+    uint32_t colour;  ///< Colour for display, 0xRRGGBB.
+} MusterGroupColour;
+
+/// How the people of a group look.
+typedef struct MusterGroupLook {
+    bool hasBuild;            ///< False: both, by the character's id.
+    MusterBodyBuild build;    ///< Build of its drawn bodies.
+    bool hasMotions;          ///< False: the plain manner.
+    MusterMotionSet motions;  ///< How it walks and jogs.
+} MusterGroupLook;
+
 /// A disc that changes the formation of a group which passes it.
 typedef struct MusterCheckpointDef {
     uint32_t structVersion;           ///< Set by muster_default_checkpoint_def().
